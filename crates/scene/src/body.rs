@@ -1,0 +1,221 @@
+//! Bodies: a canonical shape, where it stands, what it is made of.
+
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+
+use crate::material::MaterialChoice;
+
+/// One geometric body of a scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Body {
+    /// Unique name; empty when the file gives none.
+    pub name: String,
+    /// Shape and sizes in the body's own frame.
+    pub shape: Shape,
+    /// How that frame is carried to the world.
+    pub placement: Placement,
+    /// What the body is made of.
+    pub material: MaterialChoice,
+}
+
+impl Body {
+    /// Height of a cylinder or cone in metres: its own, or the distance between its base and top points.
+    /// `None` for shapes without a height.
+    pub fn height(&self) -> Option<f64> {
+        let own = match self.shape {
+            Shape::Cylinder { height, .. } | Shape::Cone { height, .. } => height,
+            Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Plane => return None,
+        };
+        match self.placement.anchor {
+            Anchor::Frame { .. } => Some(own),
+            Anchor::Axis { base, top } => Some(base.distance(top)),
+        }
+    }
+}
+
+/// The five shapes, each in its own frame (metres).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// Ball about the origin.
+    Sphere {
+        /// Default 1.
+        radius: f64,
+    },
+    /// Box about the origin with faces along the axes.
+    Cube {
+        /// The three edge lengths. Default 1 each.
+        size: DVec3,
+    },
+    /// Cylinder from the origin along +Y, closed by two caps.
+    Cylinder {
+        /// Default 0.5.
+        radius: f64,
+        /// Default 1. Ignored when the placement gives base and top points.
+        height: f64,
+    },
+    /// Cone from the origin along +Y: base at y = 0, apex (or the smaller cap of a frustum) at y = `height`.
+    Cone {
+        /// Radius of the base. Default 0.5.
+        radius: f64,
+        /// Radius of the upper cap; 0 (the default) makes a pointed cone.
+        top_radius: f64,
+        /// Default 1. Ignored when the placement gives base and top points.
+        height: f64,
+    },
+    /// The infinite plane y = 0 with the normal +Y; the half-space below counts as its inside.
+    Plane,
+}
+
+impl Shape {
+    /// A sphere of radius 1.
+    pub const SPHERE: Self = Self::Sphere { radius: 1.0 };
+    /// A cube of edge 1.
+    pub const CUBE: Self = Self::Cube { size: DVec3::ONE };
+    /// A cylinder of radius 0.5 and height 1.
+    pub const CYLINDER: Self = Self::Cylinder { radius: 0.5, height: 1.0 };
+    /// A pointed cone of radius 0.5 and height 1.
+    pub const CONE: Self = Self::Cone { radius: 0.5, top_radius: 0.0, height: 1.0 };
+
+    /// The shape's name in scene files: `sphere`, `cube`, `cylinder`, `cone` or `plane`.
+    pub const fn key(&self) -> &'static str {
+        match self {
+            Self::Sphere { .. } => "sphere",
+            Self::Cube { .. } => "cube",
+            Self::Cylinder { .. } => "cylinder",
+            Self::Cone { .. } => "cone",
+            Self::Plane => "plane",
+        }
+    }
+}
+
+impl Default for Shape {
+    fn default() -> Self {
+        Self::SPHERE
+    }
+}
+
+/// How a body's own frame is carried to the world: `T · R · S`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Where the frame's origin stands and how the frame is turned.
+    pub anchor: Anchor,
+    /// Scale along the frame's own axes, applied first. Default 1 each.
+    pub scale: DVec3,
+}
+
+impl Default for Placement {
+    fn default() -> Self {
+        Self::at(DVec3::ZERO)
+    }
+}
+
+impl Placement {
+    /// Unturned and unscaled at `position`.
+    pub const fn at(position: DVec3) -> Self {
+        Self { anchor: Anchor::Frame { position, rotation_degrees: DVec3::ZERO }, scale: DVec3::ONE }
+    }
+
+    /// The transform from the body's own frame to the world, `T · R · S`.
+    pub fn world_from_body(&self) -> DAffine3 {
+        let (rotation, position) = match self.anchor {
+            Anchor::Frame { position, rotation_degrees } => (rotation_from_degrees(rotation_degrees), position),
+            Anchor::Axis { base, top } => {
+                let axis = (top - base).try_normalize().unwrap_or(DVec3::Y);
+                (DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Y, axis)), base)
+            }
+        };
+        DAffine3 { matrix3: rotation * DMat3::from_diagonal(self.scale), translation: position }
+    }
+}
+
+/// The two ways of saying where a body stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Anchor {
+    /// By the place of its frame's origin and three turns.
+    Frame {
+        /// World place of the frame's origin, metres.
+        position: DVec3,
+        /// Turns about the fixed X, then Y, then Z axis, degrees, right-hand rule.
+        rotation_degrees: DVec3,
+    },
+    /// By the ends of its axis (cylinders and cones only), which also set the height.
+    Axis {
+        /// Centre of the lower base, metres.
+        base: DVec3,
+        /// Centre of the upper base, or the apex, metres.
+        top: DVec3,
+    },
+}
+
+/// `Rz · Ry · Rx` for turns in degrees; multiples of 90° are exact.
+fn rotation_from_degrees(degrees: DVec3) -> DMat3 {
+    let (sx, cx) = sin_cos_degrees(degrees.x);
+    let (sy, cy) = sin_cos_degrees(degrees.y);
+    let (sz, cz) = sin_cos_degrees(degrees.z);
+    let rx = DMat3::from_cols(DVec3::X, DVec3::new(0.0, cx, sx), DVec3::new(0.0, -sx, cx));
+    let ry = DMat3::from_cols(DVec3::new(cy, 0.0, -sy), DVec3::Y, DVec3::new(sy, 0.0, cy));
+    let rz = DMat3::from_cols(DVec3::new(cz, sz, 0.0), DVec3::new(-sz, cz, 0.0), DVec3::Z);
+    rz * ry * rx
+}
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90°.
+fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+    let turn = degrees.rem_euclid(360.0);
+    match turn {
+        0.0 => (0.0, 1.0),
+        90.0 => (1.0, 0.0),
+        180.0 => (0.0, -1.0),
+        270.0 => (-1.0, 0.0),
+        _ => turn.to_radians().sin_cos(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn world_from(rotation_degrees: DVec3) -> DAffine3 {
+        Placement { anchor: Anchor::Frame { position: DVec3::ZERO, rotation_degrees }, scale: DVec3::ONE }
+            .world_from_body()
+    }
+
+    #[test]
+    fn turns_are_about_x_then_y_then_z() {
+        let turned = world_from(DVec3::new(90.0, 0.0, 90.0)).transform_vector3(DVec3::Y);
+        // About X, +Y goes to +Z; about Z it stays there.
+        assert_eq!(turned, DVec3::Z);
+        let turned = world_from(DVec3::new(90.0, 90.0, 0.0)).transform_vector3(DVec3::Y);
+        // +Y → +Z → +X.
+        assert_eq!(turned, DVec3::X);
+        // By the right-hand rule a turn about Z carries +X to +Y.
+        assert_eq!(world_from(DVec3::new(0.0, 0.0, 90.0)).transform_vector3(DVec3::X), DVec3::Y);
+    }
+
+    #[test]
+    fn scale_comes_before_rotation() {
+        let placement = Placement {
+            anchor: Anchor::Frame { position: DVec3::new(1.0, 2.0, 3.0), rotation_degrees: DVec3::Z * 90.0 },
+            scale: DVec3::new(2.0, 1.0, 1.0),
+        };
+        assert_eq!(placement.world_from_body().transform_point3(DVec3::X), DVec3::new(1.0, 4.0, 3.0));
+    }
+
+    #[test]
+    fn axis_points_carry_the_frame() {
+        for (base, top) in [
+            (DVec3::new(1.0, 2.0, 3.0), DVec3::new(4.0, -2.0, 3.5)),
+            (DVec3::ZERO, DVec3::NEG_Y),
+            (DVec3::X, DVec3::new(1.0, 1e-3, 0.0)),
+        ] {
+            let body = Body {
+                shape: Shape::CONE,
+                placement: Placement { anchor: Anchor::Axis { base, top }, scale: DVec3::ONE },
+                ..Body::default()
+            };
+            let height = body.height().unwrap();
+            let world_from_body = body.placement.world_from_body();
+            assert!((world_from_body.transform_point3(DVec3::ZERO) - base).length() < 1e-12);
+            assert!((world_from_body.transform_point3(DVec3::Y * height) - top).length() < 1e-12);
+            assert!((world_from_body.matrix3.determinant() - 1.0).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! The Catoptric document: what a person describes and saves.
+//!
+//! A [`Scene`] holds bodies, their materials, lights, a camera, the surroundings and the limits of tracing, in the
+//! units of the file format `catoptric/1`: metres, degrees, linear RGB. It is plain data: cloning and comparing are
+//! cheap enough for undo, and nothing here traces, draws or starts a thread.
+
+mod body;
+mod camera;
+mod color;
+mod light;
+mod material;
+
+pub use body::{Anchor, Body, Placement, Shape};
+pub use camera::{Camera, Projection};
+pub use color::Color;
+pub use light::{Falloff, Light};
+pub use material::{Checker, Material, MaterialChoice, NamedMaterial};
+
+/// A whole scene: everything that decides what a picture shows, except its size.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// What surrounds the bodies.
+    pub environment: Environment,
+    /// How far rays are followed.
+    pub tracing: Tracing,
+    /// Materials that bodies share by name, in the order of the file.
+    pub materials: Vec<NamedMaterial>,
+    /// Point lights, in the order of the file.
+    pub lights: Vec<Light>,
+    /// Bodies, in the order of the file.
+    pub bodies: Vec<Body>,
+}
+
+impl Scene {
+    /// The material that `choice` stands for, or `None` when it names one that the scene does not define.
+    pub fn material<'a>(&'a self, choice: &'a MaterialChoice) -> Option<&'a Material> {
+        match choice {
+            MaterialChoice::Inline(material) => Some(material),
+            MaterialChoice::Named(name) => {
+                self.materials.iter().find(|named| named.name == *name).map(|named| &named.material)
+            }
+        }
+    }
+}
+
+/// What surrounds the bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Environment {
+    /// Light brought by a ray that hits nothing. Default (0.2, 0.35, 0.6).
+    pub background: Color,
+    /// Ambient light I_a. Default white.
+    pub ambient: Color,
+}
+
+impl Default for Environment {
+    fn default() -> Self {
+        Self { background: Color::new(0.2, 0.35, 0.6), ambient: Color::WHITE }
+    }
+}
+
+/// How far rays are followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tracing {
+    /// Generations of rays, the primary ray being the first; 1 to 64. Default 6.
+    pub generations: u32,
+    /// A ray whose weight is below this is not traced; 0 (the default) follows every ray that carries anything.
+    pub threshold: f64,
+}
+
+impl Tracing {
+    /// The largest number of generations.
+    pub const MAX_GENERATIONS: u32 = 64;
+}
+
+impl Default for Tracing {
+    fn default() -> Self {
+        Self { generations: 6, threshold: 0.0 }
+    }
+}
