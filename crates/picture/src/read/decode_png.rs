@@ -1,0 +1,149 @@
+//! PNG bytes to linear light.
+
+use std::io::{BufRead, Seek};
+
+use super::{DecodeError, check_length};
+use crate::picture::Picture;
+use crate::srgb;
+
+/// The first bytes of every PNG file (PNG specification, third edition, 5.2).
+pub(super) const MAGIC: [u8; 8] = [0x89, b'P', b'N', b'G', 0x0d, 0x0a, 0x1a, 0x0a];
+
+/// Decodes a PNG of `length` bytes.
+pub(super) fn decode_png(source: impl BufRead + Seek, length: u64) -> Result<Picture, DecodeError> {
+    let mut decoder = png::Decoder::new(source);
+    // Palettes become RGB, 1 to 4 bits become 8, transparent colors become alpha.
+    decoder.set_transformations(png::Transformations::EXPAND);
+    decoder.set_ignore_text_chunk(true);
+    let header = decoder.read_header_info()?;
+    let (width, height) = (header.width, header.height);
+    Picture::check_size(width, height)?;
+    check_length((header.raw_row_length() as u64).saturating_mul(u64::from(height)), length)?;
+
+    let mut reader = decoder.read_info()?;
+    let interlaced = reader.info().interlaced;
+    let transfer = Transfer::of(reader.info());
+    let (color, depth) = reader.output_color_type();
+    let samples = color.samples();
+    let light = transfer.table(if depth == png::BitDepth::Sixteen { 65535 } else { 255 });
+    let lookup = |sample: usize| light.get(sample).copied().unwrap_or_default();
+
+    let mut picture = Picture::new(width, height)?;
+    for place in rows(width, height, interlaced) {
+        let row = reader.next_row()?.ok_or_else(|| corrupt("rows are missing"))?;
+        let Some(target) = picture.rows_mut().nth(place.y) else { continue };
+        let pixels = target.iter_mut().skip(place.x).step_by(place.step);
+        let wide = depth == png::BitDepth::Sixteen;
+        if row.data().len() != pixels.len() * samples * if wide { 2 } else { 1 } {
+            return Err(corrupt("a row has a wrong length"));
+        }
+        if wide {
+            let value =
+                |pair: &[u8]| lookup(pair.iter().fold(0, |value, &byte| value << 8 | usize::from(byte)));
+            fill(pixels, row.data().chunks_exact(2 * samples), |pixel| {
+                color_of(pixel.chunks_exact(2).map(value))
+            });
+        } else {
+            fill(pixels, row.data().chunks_exact(samples), |pixel| {
+                color_of(pixel.iter().map(|&code| lookup(usize::from(code))))
+            });
+        }
+    }
+    reader.finish()?;
+    Ok(picture)
+}
+
+/// Puts the colors of the encoded pixels in place.
+fn fill<'p, 'd>(
+    pixels: impl Iterator<Item = &'p mut [f32; 3]>,
+    encoded: impl Iterator<Item = &'d [u8]>,
+    color: impl Fn(&'d [u8]) -> [f32; 3],
+) {
+    for (pixel, encoded) in pixels.zip(encoded) {
+        *pixel = color(encoded);
+    }
+}
+
+/// The color of one pixel from its samples: three or more are RGB and perhaps alpha, fewer are grey.
+fn color_of(mut samples: impl Iterator<Item = f32>) -> [f32; 3] {
+    let first = samples.next().unwrap_or_default();
+    match (samples.next(), samples.next()) {
+        (Some(green), Some(blue)) => [first, green, blue],
+        _ => [first; 3],
+    }
+}
+
+/// How codes become light.
+enum Transfer {
+    Srgb,
+    /// Light is the display value to this power.
+    Power(f64),
+}
+
+impl Transfer {
+    /// From the chunks of the file; see [`crate::read()`].
+    fn of(info: &png::Info<'_>) -> Transfer {
+        // The value that PNG asks writers of sRGB to put beside the sRGB chunk; older writers put it alone.
+        const SRGB_GAMMA: u32 = 45455;
+        match info.gama_chunk.map(png::ScaledFloat::into_scaled) {
+            Some(gamma)
+                if info.srgb.is_none()
+                    && info.icc_profile.is_none()
+                    && gamma != 0
+                    && gamma.abs_diff(SRGB_GAMMA) > 1 =>
+            {
+                Transfer::Power(100_000.0 / f64::from(gamma))
+            }
+            _ => Transfer::Srgb,
+        }
+    }
+
+    /// The light of every code from 0 to `maximum`.
+    fn table(&self, maximum: u16) -> Vec<f32> {
+        let light = |code: u16| {
+            let display = f64::from(code) / f64::from(maximum);
+            match self {
+                Transfer::Srgb => srgb::decode(display) as f32,
+                Transfer::Power(exponent) => display.powf(*exponent) as f32,
+            }
+        };
+        (0..=maximum).map(light).collect()
+    }
+}
+
+/// Where a stored row belongs: row `y`, every `step`-th column from `x` on.
+struct Row {
+    y: usize,
+    x: usize,
+    step: usize,
+}
+
+/// The stored rows in their order: one pass from the top, or the seven passes of Adam7 (PNG specification,
+/// third edition, 8.2), where passes without pixels are left out.
+fn rows(width: u32, height: u32, interlaced: bool) -> impl Iterator<Item = Row> {
+    // First column, first row, columns apart, rows apart.
+    const WHOLE: [[usize; 4]; 1] = [[0, 0, 1, 1]];
+    const ADAM7: [[usize; 4]; 7] =
+        [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
+    let passes: &[[usize; 4]] = if interlaced { &ADAM7 } else { &WHOLE };
+    let (width, height) = (width as usize, height as usize);
+    passes
+        .iter()
+        .filter(move |[x, ..]| *x < width)
+        .flat_map(move |&[x, y, step, apart]| (y..height).step_by(apart).map(move |y| Row { y, x, step }))
+}
+
+fn corrupt(reason: impl ToString) -> DecodeError {
+    DecodeError::Corrupt { format: "PNG", reason: reason.to_string() }
+}
+
+impl From<png::DecodingError> for DecodeError {
+    fn from(error: png::DecodingError) -> DecodeError {
+        match error {
+            png::DecodingError::IoError(error) if error.kind() != std::io::ErrorKind::UnexpectedEof => {
+                DecodeError::Io(error)
+            }
+            other => corrupt(other),
+        }
+    }
+}

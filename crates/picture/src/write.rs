@@ -1,0 +1,131 @@
+//! Writing pictures to files, whole or not at all.
+
+pub(crate) mod encode_exr;
+pub(crate) mod encode_png;
+pub(crate) mod target;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::develop::Development;
+use crate::picture::Picture;
+use encode_png::BitDepth;
+
+/// Why a picture could not be turned into a file's bytes.
+#[derive(Debug, thiserror::Error)]
+pub enum EncodeError {
+    /// The bytes could not be stored.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// The encoder refused the picture.
+    #[error("the {format} encoder refused the picture: {reason}")]
+    Refused {
+        /// `PNG` or `EXR`.
+        format: &'static str,
+        /// The encoder's words.
+        reason: String,
+    },
+}
+
+/// Why a file could not be written. The file that was there before, if any, is untouched
+/// (for a device or a pipe, which has no before, some bytes may have gone out).
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    /// The path names no file, like `..` or the empty path.
+    #[error("cannot write \"{}\": this path names no file; give a file name", path.display())]
+    NoName {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The path is a directory.
+    #[error("cannot write {}: it is a directory; give the name of a file in it", path.display())]
+    IsDirectory {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The directory does not exist, or is not one.
+    #[error(
+        "cannot write {}: there is no directory {}; create it or choose another place",
+        path.display(), directory.display()
+    )]
+    NoDirectory {
+        /// The path asked for.
+        path: PathBuf,
+        /// What should be a directory.
+        directory: PathBuf,
+    },
+    /// Nothing can be created in the directory.
+    #[error(
+        "cannot write {}: nothing can be created in the directory {}; change its permissions or choose another place",
+        path.display(), directory.display()
+    )]
+    Closed {
+        /// The path asked for.
+        path: PathBuf,
+        /// The directory.
+        directory: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The existing file is marked read-only. It is respected, though renaming could replace it.
+    #[error("cannot write {}: the file is write-protected; choose another name or make it writable", path.display())]
+    Protected {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A symbolic link leads in a circle.
+    #[error("cannot write {}: its symbolic links lead in a circle; choose another name", path.display())]
+    Circle {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The system refused while the file was looked at, written or renamed.
+    #[error("cannot write {}; check the free space and the permissions", path.display())]
+    Io {
+        /// The path asked for.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The picture could not be encoded.
+    #[error("cannot write {}", path.display())]
+    Encode {
+        /// The path asked for.
+        path: PathBuf,
+        /// The encoder's reason.
+        source: EncodeError,
+    },
+}
+
+impl WriteError {
+    /// Wraps what the system said about `path`.
+    pub(crate) fn io(path: &Path, source: io::Error) -> WriteError {
+        WriteError::Io { path: path.to_owned(), source }
+    }
+}
+
+/// Writes the developed picture as PNG, whole or not at all; an existing file is replaced.
+///
+/// The bytes are those of [`encode_png`](encode_png::encode_png). They go to a temporary file beside the
+/// target, which is then renamed over it; a symbolic link is followed first and stays one.
+///
+/// # Errors
+/// What [`check_writable`](target::check_writable) finds, a full disk, or a failing system.
+pub fn write_png(
+    path: &Path,
+    picture: &Picture,
+    development: &Development,
+    depth: BitDepth,
+) -> Result<(), WriteError> {
+    target::write_whole(path, |sink| encode_png::encode_png_to(sink, picture, development, depth))
+}
+
+/// Writes the picture's linear light as EXR, whole or not at all; an existing file is replaced.
+///
+/// The bytes are those of [`encode_exr`](encode_exr::encode_exr); nothing of the picture is lost.
+///
+/// # Errors
+/// As for [`write_png`].
+pub fn write_exr(path: &Path, picture: &Picture) -> Result<(), WriteError> {
+    target::write_whole(path, |sink| encode_exr::encode_exr_to(sink, picture))
+}
