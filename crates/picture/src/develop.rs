@@ -7,7 +7,7 @@ use crate::tone::{self, ToneCurve};
 /// How linear light becomes display codes: exposure, then tone curve, then sRGB.
 ///
 /// A value `x` becomes ⌊maximum · encode(curve(x · 2^stops)) + ½⌋, with `encode` of [`crate::srgb`], the
-/// maximum 255 or 65535, and single precision up to the curve. NaN and negative values become 0, +∞ white.
+/// maximum 255 or 65535; the exposed value and the curve's are rounded to single precision. NaN and negative values become 0, +∞ white.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Development {
     /// Exposure in stops: each doubles the light, negative ones halve it. Default 0.
@@ -102,7 +102,7 @@ mod tests {
         let picture = ramp();
         let expected = [0, 0, 0, 0, 255, 0, 255, 0];
         assert_eq!(develop8(&picture, &Development::default())[..8], expected);
-        let expected = expected.map(|code: u16| code * 257);
+        let expected = expected.map(|code: u8| u16::from(code) * 257);
         assert_eq!(develop16(&picture, &Development::default())[..8], expected);
         for exposure_stops in [f64::NAN, f64::NEG_INFINITY, -1e9] {
             let development = Development { exposure_stops, ..Development::default() };

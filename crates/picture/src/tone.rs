@@ -72,18 +72,19 @@ pub(crate) fn clamp(x: f32) -> f32 {
     x.max(0.0).min(1.0)
 }
 
-/// Infinity is taken as the largest number, so that ∞ / ∞ does not arise.
+/// Infinity is taken as the largest number, so that ∞ / ∞ does not arise. In double precision, since
+/// rounding in 1 + x would let the curve step back now and then.
 #[inline]
 pub(crate) fn reinhard(x: f32) -> f32 {
-    let x = x.max(0.0).min(f32::MAX);
-    x / (1.0 + x)
+    let x = f64::from(x.max(0.0).min(f32::MAX));
+    (x / (1.0 + x)) as f32
 }
 
-/// The fit passes 1 near x = 7; from 100 on the clamped value is 1, so the squares cannot overflow.
+/// The fit passes 1 near x = 7; from 100 on the clamped value is 1 anyway.
 #[inline]
 pub(crate) fn filmic(x: f32) -> f32 {
-    let x = x.max(0.0).min(100.0);
-    clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14))
+    let x = f64::from(x.max(0.0).min(100.0));
+    clamp(((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)) as f32)
 }
 
 #[cfg(test)]

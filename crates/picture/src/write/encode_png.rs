@@ -47,6 +47,11 @@ pub(crate) fn encode_png_to(
         BitDepth::Sixteen => png::BitDepth::Sixteen,
     });
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    // PNG specification, third edition, 11.3.2.5: the values to put beside sRGB. Others would be left out.
+    encoder.set_source_gamma(png::ScaledFloat::from_scaled(45455));
+    let chromaticities =
+        png::SourceChromaticities::new((0.3127, 0.3290), (0.64, 0.33), (0.30, 0.60), (0.15, 0.06));
+    encoder.set_source_chromaticities(chromaticities);
     encoder.add_text_chunk("Software".to_owned(), "Catoptric".to_owned())?;
     let mut header_written = encoder.write_header()?;
     let mut writer = header_written.stream_writer()?;
