@@ -22,6 +22,7 @@ pub fn decode(display: f64) -> f64 {
 }
 
 /// Into 0…1; NaN becomes 0, since `max` prefers the number.
+#[expect(clippy::manual_clamp, reason = "NaN must become 0")]
 fn unit(x: f64) -> f64 {
     x.max(0.0).min(1.0)
 }

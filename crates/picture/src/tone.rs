@@ -67,6 +67,7 @@ impl FromStr for ToneCurve {
 }
 
 /// Into 0…1; NaN becomes 0, since `max` prefers the number.
+#[expect(clippy::manual_clamp, reason = "NaN must become 0")]
 #[inline]
 pub(crate) fn clamp(x: f32) -> f32 {
     x.max(0.0).min(1.0)
@@ -74,6 +75,7 @@ pub(crate) fn clamp(x: f32) -> f32 {
 
 /// Infinity is taken as the largest number, so that ∞ / ∞ does not arise. In double precision, since
 /// rounding in 1 + x would let the curve step back now and then.
+#[expect(clippy::manual_clamp, reason = "NaN must become 0")]
 #[inline]
 pub(crate) fn reinhard(x: f32) -> f32 {
     let x = f64::from(x.max(0.0).min(f32::MAX));
@@ -81,6 +83,7 @@ pub(crate) fn reinhard(x: f32) -> f32 {
 }
 
 /// The fit passes 1 near x = 7; from 100 on the clamped value is 1 anyway.
+#[expect(clippy::manual_clamp, reason = "NaN must become 0")]
 #[inline]
 pub(crate) fn filmic(x: f32) -> f32 {
     let x = f64::from(x.max(0.0).min(100.0));

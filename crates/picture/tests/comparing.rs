@@ -1,5 +1,7 @@
 //! The comparer: it must find what is wrong, wherever it is.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests may panic as tests may")]
+
 use catoptric_picture::{
     BitDepth, Comparison, Development, Difference, HeatMap, HeatMapError, Picture, SizeMismatch, decode,
     develop8, encode_png, heat_map,

@@ -1,5 +1,7 @@
 //! Files: what is written, that it is written whole, and that it reads back.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests may panic as tests may")]
+
 use std::fs;
 use std::path::Path;
 

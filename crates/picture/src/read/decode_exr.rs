@@ -8,7 +8,7 @@ use exr::block::UncompressedBlock;
 use exr::block::reader::{ChunksReader, Reader};
 use exr::compression::Compression;
 use exr::math::Vec2;
-use exr::meta::attribute::{ChannelDescription, LevelMode, SampleType};
+use exr::meta::attribute::{ChannelDescription, SampleType};
 use exr::meta::header::Header;
 use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::f16;
@@ -118,9 +118,6 @@ fn check_header(header: &Header, length: u64, table: u64) -> Result<(u32, u32), 
         if largest > Picture::MAX_SIDE as usize {
             return Err(corrupt("its tiles are larger than any picture"));
         }
-        if tiles.level_mode != LevelMode::Singular && pixels == 0 {
-            return Err(corrupt("it has levels of nothing"));
-        }
     }
     Ok((width, height))
 }
@@ -170,12 +167,12 @@ fn copy<'p>(samples: &[u8], kind: SampleType, targets: impl Iterator<Item = &'p 
     }
 }
 
-fn corrupt(reason: impl ToString) -> DecodeError {
-    DecodeError::Corrupt { format: "EXR", reason: reason.to_string() }
+fn corrupt(reason: impl Into<String>) -> DecodeError {
+    DecodeError::Corrupt { format: "EXR", reason: reason.into() }
 }
 
-fn unsupported(reason: impl ToString) -> DecodeError {
-    DecodeError::Unsupported { reason: reason.to_string() }
+fn unsupported(reason: impl Into<String>) -> DecodeError {
+    DecodeError::Unsupported { reason: reason.into() }
 }
 
 impl From<exr::error::Error> for DecodeError {
@@ -185,7 +182,7 @@ impl From<exr::error::Error> for DecodeError {
             exr::error::Error::NotSupported(what) => {
                 unsupported(format!("this kind of EXR is not read: {what}"))
             }
-            other => corrupt(other),
+            other => corrupt(other.to_string()),
         }
     }
 }

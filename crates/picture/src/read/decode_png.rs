@@ -133,8 +133,8 @@ fn rows(width: u32, height: u32, interlaced: bool) -> impl Iterator<Item = Row> 
         .flat_map(move |&[x, y, step, apart]| (y..height).step_by(apart).map(move |y| Row { y, x, step }))
 }
 
-fn corrupt(reason: impl ToString) -> DecodeError {
-    DecodeError::Corrupt { format: "PNG", reason: reason.to_string() }
+fn corrupt(reason: impl Into<String>) -> DecodeError {
+    DecodeError::Corrupt { format: "PNG", reason: reason.into() }
 }
 
 impl From<png::DecodingError> for DecodeError {
@@ -143,7 +143,7 @@ impl From<png::DecodingError> for DecodeError {
             png::DecodingError::IoError(error) if error.kind() != std::io::ErrorKind::UnexpectedEof => {
                 DecodeError::Io(error)
             }
-            other => corrupt(other),
+            other => corrupt(other.to_string()),
         }
     }
 }
