@@ -22,6 +22,7 @@ pub(crate) fn exact16(x: f32) -> u16 {
 }
 
 /// One bucket: `code` at its start, `code + 1` from `next` on.
+#[derive(Clone, Copy)]
 struct Step {
     next: f32,
     code: u8,
@@ -29,7 +30,8 @@ struct Step {
 
 /// Gives the same as [`exact8`] for every float within 0…1.
 pub(crate) struct Table8 {
-    steps: Vec<Step>,
+    /// A power of two of them, so that masking the index replaces a check in the innermost loop.
+    steps: [Step; 2048],
 }
 
 /// Upper half of the bits of 2⁻¹³; all smaller values have code 0, as 2⁻¹³ itself has.
@@ -51,14 +53,19 @@ impl Table8 {
             let next = thresholds.get(usize::from(code)).copied().unwrap_or(f32::INFINITY);
             Step { next, code }
         };
-        Table8 { steps: (FIRST_BUCKET..=LAST_BUCKET).map(step).collect() }
+        let mut steps = [Step { next: f32::INFINITY, code: 255 }; 2048];
+        for (place, bucket) in steps.iter_mut().zip(FIRST_BUCKET..=LAST_BUCKET) {
+            *place = step(bucket);
+        }
+        Table8 { steps }
     }
 
-    /// The code of `x`, which must be within 0…1 (above 1 gives 255).
+    /// The code of `x`, which must be within 0…1 (anything else gives some code).
     #[inline]
     pub(crate) fn code(&self, x: f32) -> u8 {
         let bucket = (x.to_bits() >> 16).saturating_sub(FIRST_BUCKET) as usize;
-        self.steps.get(bucket).map_or(255, |step| step.code.saturating_add(u8::from(x >= step.next)))
+        let step = self.steps[bucket & 2047];
+        step.code.wrapping_add(u8::from(x >= step.next))
     }
 }
 
