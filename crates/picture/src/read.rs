@@ -142,7 +142,8 @@ fn decode_from(mut source: impl BufRead + Seek, length: u64) -> Result<Picture, 
 
 /// Turns away files that cannot possibly hold what they declare, before memory is taken for it.
 ///
-/// Deflate makes at most 1032 bytes of one (258 bytes from two bits), and the other compressions less.
+/// Deflate makes at most 1032 bytes of one (258 bytes from two bits); the run lengths of PIZ and RLE, and the
+/// blocks of B44, make fewer.
 fn check_length(declared: u64, actual: u64) -> Result<(), DecodeError> {
     if declared / 1100 > actual { Err(DecodeError::TooShort { declared, actual }) } else { Ok(()) }
 }

@@ -129,3 +129,56 @@ pub fn write_png(
 pub fn write_exr(path: &Path, picture: &Picture) -> Result<(), WriteError> {
     target::write_whole(path, |sink| encode_exr::encode_exr_to(sink, picture))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Cursor, Seek, SeekFrom, Write};
+
+    /// A disk with this much room.
+    struct Full {
+        file: Cursor<Vec<u8>>,
+        room: u64,
+    }
+
+    impl Write for Full {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            if self.file.position() + bytes.len() as u64 > self.room {
+                return Err(io::ErrorKind::StorageFull.into());
+            }
+            self.file.write(bytes)
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Seek for Full {
+        fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+            self.file.seek(to)
+        }
+    }
+
+    #[test]
+    fn a_full_disk_is_an_error_wherever_it_happens() {
+        let picture = Picture::from_fn(60, 50, |x, y| [(x * y % 17) as f32 / 16.0; 3]).unwrap();
+        let development = Development::default();
+        let png = encode_png::encode_png(&picture, &development, BitDepth::Eight).unwrap().len();
+        let exr = encode_exr::encode_exr(&picture).unwrap().len();
+        let full = |room: usize| Full { file: Cursor::default(), room: room as u64 };
+        let is_full =
+            |error| matches!(error, Err(EncodeError::Io(e)) if e.kind() == io::ErrorKind::StorageFull);
+        for room in (0..png).step_by(7).chain([png - 1]) {
+            let written = encode_png::encode_png_to(full(room), &picture, &development, BitDepth::Eight);
+            assert!(is_full(written), "PNG with room for {room} of {png} bytes");
+        }
+        for room in (0..exr).step_by(7).chain([exr - 1]) {
+            assert!(
+                is_full(encode_exr::encode_exr_to(full(room), &picture)),
+                "EXR with {room} of {exr} bytes"
+            );
+        }
+        assert!(encode_exr::encode_exr_to(full(exr), &picture).is_ok());
+    }
+}

@@ -22,31 +22,29 @@ pub(super) fn decode_png(source: impl BufRead + Seek, length: u64) -> Result<Pic
 
     let mut reader = decoder.read_info()?;
     let interlaced = reader.info().interlaced;
-    let transfer = Transfer::of(reader.info());
     let (color, depth) = reader.output_color_type();
-    let samples = color.samples();
-    let light = transfer.table(if depth == png::BitDepth::Sixteen { 65535 } else { 255 });
-    let lookup = |sample: usize| light.get(sample).copied().unwrap_or_default();
+    let (samples, wide) = (color.samples(), depth == png::BitDepth::Sixteen);
+    let light = Transfer::of(reader.info()).table(if wide { 65535 } else { 255 });
+    let light_of = |code: usize| light.get(code).copied().unwrap_or_default();
 
     let mut picture = Picture::new(width, height)?;
     for place in rows(width, height, interlaced) {
         let row = reader.next_row()?.ok_or_else(|| corrupt("rows are missing"))?;
         let Some(target) = picture.rows_mut().nth(place.y) else { continue };
         let pixels = target.iter_mut().skip(place.x).step_by(place.step);
-        let wide = depth == png::BitDepth::Sixteen;
-        if row.data().len() != pixels.len() * samples * if wide { 2 } else { 1 } {
+        let bytes = if wide { 2 } else { 1 };
+        if row.data().len() != pixels.len() * samples * bytes {
             return Err(corrupt("a row has a wrong length"));
         }
         if wide {
             let value =
-                |pair: &[u8]| lookup(pair.iter().fold(0, |value, &byte| value << 8 | usize::from(byte)));
+                |pair: &[u8]| light_of(pair.iter().fold(0, |high, &low| high << 8 | usize::from(low)));
             fill(pixels, row.data().chunks_exact(2 * samples), |pixel| {
                 color_of(pixel.chunks_exact(2).map(value))
             });
         } else {
-            fill(pixels, row.data().chunks_exact(samples), |pixel| {
-                color_of(pixel.iter().map(|&code| lookup(usize::from(code))))
-            });
+            let value = |&code: &u8| light_of(usize::from(code));
+            fill(pixels, row.data().chunks_exact(samples), |pixel| color_of(pixel.iter().map(value)));
         }
     }
     reader.finish()?;

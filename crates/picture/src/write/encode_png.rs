@@ -1,6 +1,6 @@
 //! PNG bytes of a developed picture.
 
-use std::io::Write;
+use std::io::{self, Write};
 
 use super::EncodeError;
 use crate::develop::Development;
@@ -35,6 +35,47 @@ pub fn encode_png(
 
 /// Writes the bytes of [`encode_png`], developing row by row.
 pub(crate) fn encode_png_to(
+    sink: impl Write,
+    picture: &Picture,
+    development: &Development,
+    depth: BitDepth,
+) -> Result<(), EncodeError> {
+    let mut sink = Witness { sink, failure: None };
+    let encoded = encode_rows(&mut sink, picture, development, depth);
+    sink.failure.map_or(encoded, |failure| Err(EncodeError::Io(failure)))
+}
+
+/// Keeps the first failure of the sink as it was: the encoder makes a mere text of it.
+struct Witness<W> {
+    sink: W,
+    failure: Option<io::Error>,
+}
+
+impl<W: Write> Witness<W> {
+    fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        result.map_err(|error| {
+            let kind = error.kind();
+            if kind != io::ErrorKind::Interrupted {
+                self.failure.get_or_insert(error);
+            }
+            kind.into()
+        })
+    }
+}
+
+impl<W: Write> Write for Witness<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.sink.write(bytes);
+        self.note(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let flushed = self.sink.flush();
+        self.note(flushed)
+    }
+}
+
+fn encode_rows(
     sink: impl Write,
     picture: &Picture,
     development: &Development,
