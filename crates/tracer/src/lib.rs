@@ -1,1 +1,26 @@
-//! The optics.
+//! The optics: a prepared [`Stage`], the mathematics of rays and bodies, Whitted's tree, and the CPU driver.
+//!
+//! [`Stage::prepare`] turns a scene into flat arrays once; [`render`] traces it into a linear-light picture.
+
+mod counts;
+mod medium;
+mod ray;
+mod render;
+mod sampling;
+mod search;
+pub mod shape;
+mod stage;
+pub mod surface;
+mod whitted;
+
+pub use counts::RayCounts;
+pub use medium::{Media, MediaArena};
+pub use ray::{NO_BODY, Ray, Start};
+pub use render::{Control, RenderError, RenderSettings, Rendering, render};
+pub use sampling::sample_offset;
+pub use search::Hit;
+pub use stage::{
+    Bounds, Bvh, Node, Stage, StageBody, StageCamera, StageChecker, StageError, StageFalloff, StageLight,
+    StageMaterial,
+};
+pub use whitted::Whitted;

@@ -1,0 +1,58 @@
+//! Rays and where they start.
+
+use glam::Vec3;
+
+/// Stands for "no body" wherever a body's index is kept.
+pub const NO_BODY: u32 = u32::MAX;
+
+/// Relative rounding error granted to a point that went through a few transforms: 16 units of single precision.
+///
+/// A transform of a point is three products and three sums, γ₄ ≈ 4u (Higham 2002, Accuracy and Stability of Numerical
+/// Algorithms, sec. 3.1); the hit point goes through two of them and the other body's own two more.
+pub(crate) const POINT_ROUNDING: f32 = 16.0 * f32::EPSILON;
+
+/// A half-line in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Start, metres.
+    pub origin: Vec3,
+    /// Unit direction, so that the ray parameter t is the distance in metres.
+    pub direction: Vec3,
+    /// What is known about the start.
+    pub start: Start,
+}
+
+impl Ray {
+    /// A ray from a free point in space, such as the eye.
+    pub fn from_point(origin: Vec3, direction: Vec3) -> Self {
+        Self { origin, direction, start: Start::FREE }
+    }
+
+    /// The point at parameter `t`.
+    pub fn at(&self, t: f32) -> Vec3 {
+        self.origin + self.direction * t
+    }
+
+    /// How far the start may lie from its true place by rounding, metres.
+    pub(crate) fn slack(&self) -> f32 {
+        POINT_ROUNDING * self.origin.abs().max_element()
+    }
+}
+
+/// What is known about a ray's start: the surface it lies on and the side it heads to.
+///
+/// All bodies are convex. A ray that leaves a body's surface outwards can therefore never meet that body again, and
+/// one that heads inwards meets it exactly once more, at the far root. Remembering body and side settles every
+/// question of self-intersection without an epsilon, at any scale and any angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Start {
+    /// The body whose surface the ray starts on, or [`NO_BODY`].
+    pub body: u32,
+    /// Whether the ray heads into that body.
+    pub inwards: bool,
+}
+
+impl Start {
+    /// On no surface.
+    pub const FREE: Self = Self { body: NO_BODY, inwards: false };
+}

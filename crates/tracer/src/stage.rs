@@ -1,0 +1,247 @@
+//! The prepared scene: everything a ray can meet, in flat arrays.
+
+mod body;
+mod bounds;
+mod bvh;
+mod camera;
+mod checker;
+mod few;
+mod light;
+mod material;
+
+use std::ops::Range;
+
+use catoptric_scene::{Body, Color, MaterialChoice, Scene, Tracing};
+use glam::Vec3;
+
+pub use body::StageBody;
+pub use bounds::Bounds;
+pub(crate) use bvh::Pending;
+pub use bvh::{Bvh, Node};
+pub use camera::StageCamera;
+pub use checker::StageChecker;
+use few::FewBodies;
+pub use light::{StageFalloff, StageLight};
+pub use material::StageMaterial;
+
+use material::MaterialTable;
+
+/// A scene prepared for tracing: immutable, shared by reference between threads.
+///
+/// Bodies stand in the order of the bounding volume hierarchy's leaves, the unbounded ones last. All is plain single-precision data that can be handed to a GPU as it is.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    pub(crate) bodies: Vec<StageBody>,
+    /// The place in [`Scene::bodies`] of each body of the stage.
+    pub(crate) scene_indices: Vec<u32>,
+    /// How many of the bodies are bounded; planes follow them.
+    pub(crate) bounded: u32,
+    pub(crate) hierarchy: Hierarchy,
+    pub(crate) materials: Vec<StageMaterial>,
+    pub(crate) checkers: Vec<StageChecker>,
+    pub(crate) lights: Vec<StageLight>,
+    pub(crate) camera: StageCamera,
+    pub(crate) background: Vec3,
+    pub(crate) ambient: Vec3,
+    pub(crate) generations: u32,
+    pub(crate) threshold: f32,
+    pub(crate) has_transparency: bool,
+}
+
+/// How the bodies that a ray may meet are found among the bounded ones.
+#[derive(Clone, Debug)]
+pub(crate) enum Hierarchy {
+    Few(FewBodies),
+    Many(Bvh),
+}
+
+/// Why a scene cannot be prepared.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StageError {
+    /// A body names a material that the scene does not define.
+    #[error("body {body}: the material \"{material}\" is not defined")]
+    UndefinedMaterial {
+        /// The body's name, or its number in the scene counted from 1.
+        body: String,
+        /// The name that was looked for.
+        material: String,
+    },
+    /// More bodies than the stage can number.
+    #[error("{0} bodies are too many: at most {limit} can be traced", limit = Stage::MAX_BODIES)]
+    TooManyBodies(usize),
+}
+
+impl Stage {
+    /// The largest number of bodies.
+    pub const MAX_BODIES: usize = 1 << 30;
+
+    /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
+    const FEW: usize = 12;
+
+    /// Prepares `scene`, whose values are taken to be valid.
+    ///
+    /// # Errors
+    /// When a body names an undefined material, or there are too many bodies.
+    pub fn prepare(scene: &Scene) -> Result<Self, StageError> {
+        if scene.bodies.len() > Self::MAX_BODIES {
+            return Err(StageError::TooManyBodies(scene.bodies.len()));
+        }
+        let mut cast = Cast::prepare(scene)?;
+        let (order, hierarchy) = cast.order();
+        let bounded = cast.boxes.len() as u32;
+        let Tracing { generations, threshold } = scene.tracing;
+        Ok(Self {
+            bodies: cast.take_bodies(&order),
+            scene_indices: order,
+            bounded,
+            hierarchy,
+            has_transparency: cast.materials.iter().any(StageMaterial::is_transparent),
+            materials: cast.materials,
+            checkers: cast.checkers,
+            lights: scene.lights.iter().map(StageLight::new).collect(),
+            camera: StageCamera::new(&scene.camera),
+            background: vec3(scene.environment.background),
+            ambient: vec3(scene.environment.ambient),
+            generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
+            threshold: threshold as f32,
+        })
+    }
+
+    /// The same stage with another limit of generations (at least 1).
+    pub fn with_generations(mut self, generations: u32) -> Self {
+        self.generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
+        self
+    }
+
+    /// Number of bodies.
+    pub fn body_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Number of lights.
+    pub fn light_count(&self) -> usize {
+        self.lights.len()
+    }
+
+    /// The limit of generations.
+    pub fn generations(&self) -> u32 {
+        self.generations
+    }
+
+    /// The camera.
+    pub fn camera(&self) -> &StageCamera {
+        &self.camera
+    }
+
+    /// The place in [`Scene::bodies`] of the stage's body `index`.
+    pub fn scene_index(&self, index: u32) -> Option<usize> {
+        self.scene_indices.get(index as usize).map(|&scene_index| scene_index as usize)
+    }
+
+    /// Which of two bodies comes first in the scene.
+    pub(crate) fn scene_order(&self, a: u32, b: u32) -> std::cmp::Ordering {
+        self.scene_indices.get(a as usize).cmp(&self.scene_indices.get(b as usize))
+    }
+
+    /// Bytes held by the stage's arrays.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.bodies)
+            + size_of_val(&*self.scene_indices)
+            + size_of_val(&*self.materials)
+            + size_of_val(&*self.checkers)
+            + match &self.hierarchy {
+                Hierarchy::Few(few) => few.bytes(),
+                Hierarchy::Many(bvh) => bvh.bytes(),
+            }
+    }
+
+    /// The unbounded bodies.
+    pub(crate) fn planes(&self) -> Range<u32> {
+        self.bounded..self.bodies.len() as u32
+    }
+
+    pub(crate) fn body(&self, index: u32) -> &StageBody {
+        &self.bodies[index as usize]
+    }
+
+    pub(crate) fn material(&self, body: &StageBody) -> &StageMaterial {
+        &self.materials[body.material as usize]
+    }
+}
+
+/// The bodies of a scene on their way to the stage, in the scene's order.
+struct Cast {
+    bodies: Vec<StageBody>,
+    materials: Vec<StageMaterial>,
+    checkers: Vec<StageChecker>,
+    /// The bounds of each bounded body with its place in `bodies`.
+    boxes: Vec<(Bounds, u32)>,
+    planes: Vec<u32>,
+}
+
+impl Cast {
+    fn prepare(scene: &Scene) -> Result<Self, StageError> {
+        let count = scene.bodies.len();
+        let mut table = MaterialTable::new(scene);
+        let mut cast = Self {
+            bodies: Vec::with_capacity(count),
+            materials: Vec::new(),
+            checkers: Vec::new(),
+            boxes: Vec::with_capacity(count),
+            planes: Vec::new(),
+        };
+        for (index, body) in scene.bodies.iter().enumerate() {
+            let (material, source) =
+                table.find(&body.material).ok_or_else(|| undefined_material(index, body))?;
+            let mut prepared = StageBody::new(body, material, table.prepared(material).is_transparent());
+            if let Some(checker) = &source.checker {
+                prepared.checker = cast.checkers.len() as u32;
+                cast.checkers.push(StageChecker::new(checker, body));
+            }
+            cast.bodies.push(prepared);
+            match Bounds::of_body(body) {
+                Some(bounds) => cast.boxes.push((bounds, index as u32)),
+                None => cast.planes.push(index as u32),
+            }
+        }
+        cast.materials = table.into_prepared();
+        Ok(cast)
+    }
+
+    /// The order in which the bodies stand in the stage, and the hierarchy over the bounded ones.
+    fn order(&mut self) -> (Vec<u32>, Hierarchy) {
+        let kind = |index: u32| self.bodies[index as usize].kind;
+        let hierarchy = if self.boxes.len() <= Stage::FEW {
+            self.boxes.sort_by_key(|&(_, index)| kind(index));
+            Hierarchy::Few(FewBodies::new(self.boxes.iter().map(|entry| entry.0)))
+        } else {
+            Hierarchy::Many(Bvh::build(&mut self.boxes, kind))
+        };
+        let bounded = self.boxes.iter().map(|&(_, index)| index);
+        (bounded.chain(self.planes.iter().copied()).collect(), hierarchy)
+    }
+
+    fn take_bodies(&mut self, order: &[u32]) -> Vec<StageBody> {
+        let bodies = std::mem::take(&mut self.bodies);
+        order.iter().map(|&index| bodies[index as usize]).collect()
+    }
+}
+
+fn undefined_material(index: usize, body: &Body) -> StageError {
+    StageError::UndefinedMaterial {
+        body: if body.name.is_empty() {
+            format!("number {}", index + 1)
+        } else {
+            format!("\"{}\"", body.name)
+        },
+        material: match &body.material {
+            MaterialChoice::Named(name) => name.clone(),
+            MaterialChoice::Inline(_) => String::new(),
+        },
+    }
+}
+
+/// A color as single-precision components.
+fn vec3(color: Color) -> Vec3 {
+    Vec3::from_array(color.to_array().map(|component| component as f32))
+}

@@ -1,0 +1,72 @@
+//! Axis-aligned bounding boxes.
+
+use catoptric_scene::Body;
+use glam::{DVec3, Vec3};
+
+use super::body::{canonical, world_from_canonical};
+use crate::ray::POINT_ROUNDING;
+use crate::shape::ShapeKind;
+
+/// An axis-aligned box, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Least coordinates.
+    pub min: Vec3,
+    /// Greatest coordinates.
+    pub max: Vec3,
+}
+
+impl Bounds {
+    /// The box that contains nothing.
+    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+
+    /// The tight box of a body, widened by the rounding of single precision; `None` for a plane.
+    ///
+    /// With m_i the rows of the transform's linear part, an ellipsoid reaches |m_i| from its centre along axis i, a
+    /// box the sum of |m_ij|, and a disc across the frame's Y axis √(m_ix² + m_iz²) from its own centre.
+    pub fn of_body(body: &Body) -> Option<Self> {
+        let transform = world_from_canonical(body);
+        let (x, y, z) = (transform.matrix3.x_axis, transform.matrix3.y_axis, transform.matrix3.z_axis);
+        let (kind, ratio) = canonical(&body.shape);
+        let origin = transform.translation;
+        let disc = (x * x + z * z).map(f64::sqrt);
+        let (min, max) = match kind {
+            ShapeKind::Sphere => {
+                let reach = (x * x + y * y + z * z).map(f64::sqrt);
+                (origin - reach, origin + reach)
+            }
+            ShapeKind::Cube => {
+                let reach = x.abs() + y.abs() + z.abs();
+                (origin - reach, origin + reach)
+            }
+            ShapeKind::Cylinder | ShapeKind::Cone => {
+                let (top, top_disc) = (origin + y, f64::from(ratio) * disc);
+                ((origin - disc).min(top - top_disc), (origin + disc).max(top + top_disc))
+            }
+            ShapeKind::Plane => return None,
+        };
+        let widen = f64::from(POINT_ROUNDING) * (min.abs().max(max.abs()).max_element());
+        Some(Self { min: (min - DVec3::splat(widen)).as_vec3(), max: (max + DVec3::splat(widen)).as_vec3() })
+    }
+
+    /// The smallest box that contains both.
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Twice the middle point.
+    pub(super) fn doubled_center(&self) -> Vec3 {
+        self.min + self.max
+    }
+
+    /// Half the surface area.
+    pub(super) fn half_area(&self) -> f32 {
+        let size = (self.max - self.min).max(Vec3::ZERO);
+        size.x * size.y + size.y * size.z + size.z * size.x
+    }
+
+    /// Whether a point lies in the box.
+    pub fn contains(&self, point: Vec3) -> bool {
+        point.cmpge(self.min).all() && point.cmple(self.max).all()
+    }
+}

@@ -1,0 +1,60 @@
+//! From a place in the picture to its primary ray.
+
+use catoptric_scene::{Camera, Projection};
+use glam::{DVec2, DVec3, Vec3};
+
+use crate::ray::Ray;
+
+/// The camera's frame, in double precision: near the horizon of a plane the smallest error of a primary ray's
+/// direction moves the hit point far, and one frame is small.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StageCamera {
+    position: DVec3,
+    /// Unit vectors to the right, up, and against the view.
+    u: DVec3,
+    v: DVec3,
+    w: DVec3,
+    window: Window,
+}
+
+/// Where primary rays start and point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Window {
+    /// From the eye through a window 1 high at this distance.
+    Perspective { distance: f64 },
+    /// From a window this high, along the view.
+    Parallel { height: f64 },
+}
+
+impl StageCamera {
+    pub(super) fn new(camera: &Camera) -> Self {
+        let w = (camera.position - camera.target).normalize_or(DVec3::Z);
+        let u = camera.up.cross(w).try_normalize().unwrap_or_else(|| w.any_orthonormal_vector());
+        let window = match camera.projection {
+            Projection::Perspective { fov_degrees } => {
+                Window::Perspective { distance: 0.5 / (0.5 * fov_degrees.to_radians()).tan() }
+            }
+            Projection::Parallel { height } => Window::Parallel { height },
+        };
+        Self { position: camera.position, u, v: w.cross(u), w, window }
+    }
+
+    /// The ray through the point (x, y) of a picture of `size` pixels, x to the right and y down from the upper left
+    /// corner: the centre of the first pixel is (0.5, 0.5).
+    pub fn ray(&self, at: DVec2, size: DVec2) -> Ray {
+        let aspect = size.x / size.y;
+        let on_window = DVec2::new(aspect * (at.x / size.x - 0.5), 0.5 - at.y / size.y);
+        let offset = on_window.x * self.u + on_window.y * self.v;
+        let (origin, direction) = match self.window {
+            Window::Perspective { distance } => (self.position, offset - distance * self.w),
+            Window::Parallel { height } => (self.position + height * offset, -self.w),
+        };
+        // Each component keeps its own relative precision when the vector is made a unit one.
+        Ray::from_point(origin.as_vec3(), direction.as_vec3().normalize())
+    }
+
+    /// The eye, if all rays start there.
+    pub fn eye(&self) -> Option<Vec3> {
+        matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3())
+    }
+}

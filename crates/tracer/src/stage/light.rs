@@ -1,0 +1,51 @@
+//! Lights of the stage.
+
+use catoptric_scene::{Falloff, Light};
+use glam::Vec3;
+
+use super::vec3;
+
+/// A point light: where it is and what it sends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StageLight {
+    /// World position, metres.
+    pub position: Vec3,
+    /// Color times intensity, I_j.
+    pub power: Vec3,
+    /// Law of falloff.
+    pub falloff: StageFalloff,
+}
+
+/// Law of falloff A(d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StageFalloff {
+    /// A(d) = 1.
+    None,
+    /// A(d) = 1 / (d + K), with K in metres.
+    Linear(f32),
+    /// A(d) = 1 / d².
+    InverseSquare,
+}
+
+impl StageLight {
+    pub(super) fn new(light: &Light) -> Self {
+        Self {
+            position: light.position.as_vec3(),
+            power: vec3(light.color) * light.intensity as f32,
+            falloff: match light.falloff {
+                Falloff::None => StageFalloff::None,
+                Falloff::Linear { constant } => StageFalloff::Linear(constant as f32),
+                Falloff::InverseSquare => StageFalloff::InverseSquare,
+            },
+        }
+    }
+
+    /// A(d)·I_j at the distance `d` > 0.
+    pub fn power_at(&self, d: f32) -> Vec3 {
+        match self.falloff {
+            StageFalloff::None => self.power,
+            StageFalloff::Linear(constant) => self.power / (d + constant),
+            StageFalloff::InverseSquare => self.power / (d * d),
+        }
+    }
+}
