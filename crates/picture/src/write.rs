@@ -7,9 +7,8 @@ pub(crate) mod target;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::develop::Development;
+use crate::develop::Developed;
 use crate::picture::Picture;
-use encode_png::BitDepth;
 
 /// Why a picture could not be turned into a file's bytes.
 #[derive(Debug, thiserror::Error)]
@@ -111,13 +110,8 @@ impl WriteError {
 ///
 /// # Errors
 /// What [`check_writable`](target::check_writable) finds, a full disk, or a failing system.
-pub fn write_png(
-    path: &Path,
-    picture: &Picture,
-    development: &Development,
-    depth: BitDepth,
-) -> Result<(), WriteError> {
-    target::write_whole(path, |sink| encode_png::encode_png_to(sink, picture, development, depth))
+pub fn write_png(path: &Path, picture: &Developed) -> Result<(), WriteError> {
+    target::write_whole(path, |sink| encode_png::encode_png_to(sink, picture))
 }
 
 /// Writes the picture's linear light as EXR, whole or not at all; an existing file is replaced.
@@ -133,6 +127,7 @@ pub fn write_exr(path: &Path, picture: &Picture) -> Result<(), WriteError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::develop::{BitDepth, Development};
     use std::io::{Cursor, Seek, SeekFrom, Write};
 
     /// A disk with this much room.
@@ -163,14 +158,14 @@ mod tests {
     #[test]
     fn a_full_disk_is_an_error_wherever_it_happens() {
         let picture = Picture::from_fn(60, 50, |x, y| [(x * y % 17) as f32 / 16.0; 3]).unwrap();
-        let development = Development::default();
-        let png = encode_png::encode_png(&picture, &development, BitDepth::Eight).unwrap().len();
+        let developed = Development::default().develop(&picture, BitDepth::Eight).unwrap();
+        let png = encode_png::encode_png(&developed).unwrap().len();
         let exr = encode_exr::encode_exr(&picture).unwrap().len();
         let full = |room: usize| Full { file: Cursor::default(), room: room as u64 };
         let is_full =
             |error| matches!(error, Err(EncodeError::Io(e)) if e.kind() == io::ErrorKind::StorageFull);
         for room in (0..png).step_by(7).chain([png - 1]) {
-            let written = encode_png::encode_png_to(full(room), &picture, &development, BitDepth::Eight);
+            let written = encode_png::encode_png_to(full(room), &developed);
             assert!(is_full(written), "PNG with room for {room} of {png} bytes");
         }
         for room in (0..exr).step_by(7).chain([exr - 1]) {
