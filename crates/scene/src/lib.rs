@@ -7,12 +7,14 @@
 mod body;
 mod camera;
 mod color;
+pub mod format;
 mod light;
 mod material;
 
 pub use body::{Anchor, Body, Placement, Shape};
 pub use camera::{Camera, Projection};
 pub use color::Color;
+pub use format::{Diagnostic, Diagnostics, LONGEST_TEXT, Reading, Related, Severity, Warned, read, read_bytes};
 pub use light::{Falloff, Light};
 pub use material::{Checker, Material, MaterialChoice, NamedMaterial};
 
