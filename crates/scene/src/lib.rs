@@ -14,7 +14,10 @@ mod material;
 pub use body::{Anchor, Body, Placement, Shape};
 pub use camera::{Camera, Projection};
 pub use color::Color;
-pub use format::{Diagnostic, Diagnostics, LONGEST_TEXT, Reading, Related, Severity, Warned, read, read_bytes};
+pub use format::{
+    Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
+    read, read_bytes, write,
+};
 pub use light::{Falloff, Light};
 pub use material::{Checker, Material, MaterialChoice, NamedMaterial};
 

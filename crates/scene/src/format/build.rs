@@ -123,7 +123,9 @@ impl<'t> Build<'_, 't> {
         let mut fields = self.fields(&keys::LIGHT, table);
         let default = Light::default();
         let falloff = match fields.choice("falloff") {
-            Ok(Some("linear")) => Falloff::Linear { constant: fields.number("falloff_constant").unwrap_or(1.0) },
+            Ok(Some("linear")) => {
+                Falloff::Linear { constant: fields.number("falloff_constant").unwrap_or(1.0) }
+            }
             Ok(Some("inverse-square")) => Falloff::InverseSquare,
             _ => Falloff::None,
         };
@@ -185,7 +187,9 @@ fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
     };
     Ok(match fields.choice("shape")?.unwrap_or("sphere") {
         "cube" => Shape::Cube { size: fields.number_or_vector("size").unwrap_or(DVec3::ONE) },
-        "cylinder" => Shape::Cylinder { radius: fields.number("radius").unwrap_or(0.5), height: height(fields) },
+        "cylinder" => {
+            Shape::Cylinder { radius: fields.number("radius").unwrap_or(0.5), height: height(fields) }
+        }
         "cone" => Shape::Cone {
             radius: fields.number("radius").unwrap_or(0.5),
             top_radius: fields.number("top_radius").unwrap_or(0.0),
@@ -263,4 +267,3 @@ fn report(fields: &mut Fields<'_, '_, '_>, broken: &Broken, others: &[&str]) {
         .unwrap_or_default();
     fields.found.push(Diagnostic::error(span, broken.message).help(broken.help));
 }
-

@@ -128,7 +128,8 @@ impl Diagnostics {
     pub(crate) fn locate(&mut self, text: &str) {
         self.list.sort_by_key(|diagnostic| diagnostic.span.start);
         let mut places: Vec<usize> = self.list.iter().map(|diagnostic| diagnostic.span.start).collect();
-        places.extend(self.list.iter().filter_map(|diagnostic| Some(diagnostic.related.as_ref()?.span.start)));
+        places
+            .extend(self.list.iter().filter_map(|diagnostic| Some(diagnostic.related.as_ref()?.span.start)));
         places.sort_unstable();
         places.dedup();
         let found = positions(text, &places);
@@ -237,7 +238,10 @@ mod tests {
         let text = "\u{feff}a = 'ж'\r\nb = 1\n";
         let place = |what: &str| text.find(what).unwrap();
         assert_eq!(positions(text, &[place("a")]), [(1, 1)]);
-        assert_eq!(positions(text, &[place("ж"), place("'\r"), place("b"), place("1")]), [(1, 6), (1, 7), (2, 1), (2, 5)]);
+        assert_eq!(
+            positions(text, &[place("ж"), place("'\r"), place("b"), place("1")]),
+            [(1, 6), (1, 7), (2, 1), (2, 5)]
+        );
         assert_eq!(positions(text, &[0, text.len(), text.len() + 5]), [(1, 1), (3, 1), (3, 1)]);
     }
 

@@ -3,14 +3,18 @@
 //! The reader's checks and hints, the writer's order of keys, the validation of scenes in memory and the JSON schema
 //! all come from here; a test holds the defaults against those of the document's types.
 
-use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
 use crate::Tracing;
+use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
 
 /// Versions of the format that can be read; the last one is written.
 pub const VERSIONS: &[&str] = &["catoptric/1"];
 
 const CYLINDER_AND_CONE: &[&str] = &["cylinder", "cone"];
 const WHITE: Default = Default::Vector([1.0; 3]);
+
+/// All tables of the format.
+pub static TABLES: [&TableSpec; 8] =
+    [&ROOT, &CAMERA, &ENVIRONMENT, &TRACING, &MATERIAL, &CHECKER, &LIGHT, &BODY];
 
 /// The file itself.
 pub static ROOT: TableSpec = TableSpec {
@@ -68,9 +72,13 @@ pub static ENVIRONMENT: TableSpec = TableSpec {
     name: "the environment",
     doc: "What surrounds the bodies",
     keys: &[
-        KeySpec::new("background", Kind::Color(Limits::AMOUNT), "the light brought by a ray that hits nothing")
-            .or(Default::Vector([0.2, 0.35, 0.6]))
-            .written(),
+        KeySpec::new(
+            "background",
+            Kind::Color(Limits::AMOUNT),
+            "the light brought by a ray that hits nothing",
+        )
+        .or(Default::Vector([0.2, 0.35, 0.6]))
+        .written(),
         KeySpec::new("ambient", Kind::Color(Limits::AMOUNT), "the ambient light").or(WHITE).written(),
     ],
 };
@@ -117,7 +125,11 @@ pub static MATERIAL: TableSpec = TableSpec {
         )
         .or(Default::Number(1.5)),
         KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light").or(WHITE),
-        KeySpec::new("checker", Kind::Table(&CHECKER), "a second color in a checkerboard of the world's axes"),
+        KeySpec::new(
+            "checker",
+            Kind::Table(&CHECKER),
+            "a second color in a checkerboard of the world's axes",
+        ),
     ],
 };
 
@@ -187,10 +199,14 @@ pub static BODY: TableSpec = TableSpec {
         )
         .or(Default::Number(0.0))
         .only("shape", &["cone"]),
-        KeySpec::new("size", Kind::NumberOrVector(Limits::LENGTH), "the edge length, or the three edge lengths, metres")
-            .or(Default::Number(1.0))
-            .only("shape", &["cube"])
-            .written(),
+        KeySpec::new(
+            "size",
+            Kind::NumberOrVector(Limits::LENGTH),
+            "the edge length, or the three edge lengths, metres",
+        )
+        .or(Default::Number(1.0))
+        .only("shape", &["cube"])
+        .written(),
         KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, metres")
             .or(Default::Number(1.0))
             .only("shape", CYLINDER_AND_CONE)
@@ -210,10 +226,18 @@ pub static BODY: TableSpec = TableSpec {
             "the turns about the fixed X, then Y, then Z axis, degrees",
         )
         .or(Default::Vector([0.0; 3])),
-        KeySpec::new("scale", Kind::NumberOrVector(Limits::LENGTH), "the factor, or the three factors, of the size")
-            .or(Default::Number(1.0)),
-        KeySpec::new("material", Kind::NameOrTable(&MATERIAL), "the name of a material, or a material of its own")
-            .or(Default::EmptyTable),
+        KeySpec::new(
+            "scale",
+            Kind::NumberOrVector(Limits::LENGTH),
+            "the factor, or the three factors, of the size",
+        )
+        .or(Default::Number(1.0)),
+        KeySpec::new(
+            "material",
+            Kind::NameOrTable(&MATERIAL),
+            "the name of a material, or a material of its own",
+        )
+        .or(Default::EmptyTable),
     ],
 };
 

@@ -20,12 +20,19 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
         let allowed = (word.chars().count().max(candidate.chars().count()) / 3).max(1);
         let distance = strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
         // One letter for another one is no misspelling.
-        let alike = distance <= allowed && distance < candidate.chars().count();
+        let alike = distance <= allowed && distance < candidate.chars().count()
+            || distance <= 3 && same_beginning(&word, &candidate.to_lowercase());
         if alike && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }
     }
     best.map(|(_, candidate)| candidate)
+}
+
+/// Whether the words share their first letters but for the last three: another ending, as `body` for `bodies`.
+fn same_beginning(a: &str, b: &str) -> bool {
+    let shared = a.chars().zip(b.chars()).take_while(|(a, b)| a == b).count();
+    shared >= 3 && a.chars().count() <= shared + 3 && b.chars().count() <= shared + 3
 }
 
 #[cfg(test)]
@@ -40,6 +47,7 @@ mod tests {
         assert_eq!(nearest("postion", keys), Some("position"));
         assert_eq!(nearest("diffues", keys), Some("diffuse"));
         assert_eq!(nearest("radius", keys), None);
+        assert_eq!(nearest("body", ["lights", "bodies"]), Some("bodies"));
         assert_eq!(nearest("", keys), None);
         assert_eq!(nearest("x", ["y"]), None);
         assert_eq!(nearest(&"c".repeat(1_000_000), keys), None);

@@ -11,6 +11,8 @@ use crate::format::quote::quoted;
 use crate::format::toml::{Assignment, Header, Key, Line, Lines, Statement, Value, ValueKind, parse};
 use crate::format::tree::{Defined, Schema, Table};
 use crate::material::NamedMaterial;
+use toml_parser::lexer::TokenKind;
+
 use list::{List, ListKind};
 use names::Places;
 
@@ -75,9 +77,12 @@ pub fn read_bytes(bytes: Vec<u8>) -> (Reading, String) {
             let byte = error.as_bytes().get(at).copied().unwrap_or_default();
             let mut diagnostics = Diagnostics::default();
             diagnostics.push(
-                Diagnostic::error(at..at + char::REPLACEMENT_CHARACTER.len_utf8(), "the file is not UTF-8 text")
-                    .label(format!("the byte 0x{byte:02x} does not belong here"))
-                    .help("save the file as UTF-8"),
+                Diagnostic::error(
+                    at..at + char::REPLACEMENT_CHARACTER.len_utf8(),
+                    "the file is not UTF-8 text",
+                )
+                .label(format!("the byte 0x{byte:02x} does not belong here"))
+                .help("save the file as UTF-8"),
             );
             diagnostics.locate(&text);
             (Reading { scene: Scene::default(), diagnostics }, text)
@@ -155,6 +160,9 @@ impl<'t> Reader<'t> {
         let parsed = parse(self.text, tokens);
         let has_problems = !parsed.problems.is_empty();
         self.has_syntax_errors |= has_problems;
+        // A text of several lines that is not closed takes everything after it along.
+        let is_long_text = |kind| matches!(kind, TokenKind::MlBasicString | TokenKind::MlLiteralString);
+        self.has_lost_tables |= has_problems && tokens.iter().any(|token| is_long_text(token.kind()));
         for problem in parsed.problems {
             self.found.push(problem);
         }
@@ -224,7 +232,13 @@ impl<'t> Reader<'t> {
     fn finish(&mut self) {
         self.singletons();
         let materials = self.materials();
-        names::check_materials(&mut self.scene, &materials, &self.places, self.has_lost_tables, &mut self.found);
+        names::check_materials(
+            &mut self.scene,
+            &materials,
+            &self.places,
+            self.has_lost_tables,
+            &mut self.found,
+        );
         names::check_unique(&mut self.scene, &self.places, &mut self.found);
         let is_known = self.version();
         if !is_known {
@@ -272,18 +286,25 @@ impl<'t> Reader<'t> {
         spans
     }
 
+    /// Whether a key was reported that was probably meant to be `format`.
+    fn misspells_format(&self) -> bool {
+        self.found.iter().any(|diagnostic| diagnostic.label == "did you mean `format`?")
+    }
+
     /// Checks the version; false when the file is of another one.
     fn version(&mut self) -> bool {
         let known: Vec<String> = keys::VERSIONS.iter().map(|version| format!("\"{version}\"")).collect();
         let known = known.join(", ");
         match self.root.get("format") {
             Some(Value { kind: ValueKind::Invalid, .. }) => true,
-            Some(Value { kind: ValueKind::Text(version), .. }) if keys::VERSIONS.contains(&version.as_ref()) => true,
+            Some(Value { kind: ValueKind::Text(version), .. })
+                if keys::VERSIONS.contains(&version.as_ref()) =>
+            {
+                true
+            }
             Some(Value { kind: ValueKind::Text(version), span }) => {
                 let message = format!("`format` is {}, which this program does not know", quoted(version));
-                self.found.push(
-                    Diagnostic::error(span.range(), message).help(format!("known is {known}")),
-                );
+                self.found.push(Diagnostic::error(span.range(), message).help(format!("known is {known}")));
                 false
             }
             Some(Value { kind, span }) => {
@@ -291,7 +312,7 @@ impl<'t> Reader<'t> {
                 self.found.push(Diagnostic::error(span.range(), message));
                 true
             }
-            None if self.has_syntax_errors => true,
+            None if self.has_syntax_errors || self.misspells_format() => true,
             None => {
                 let start = if self.text.starts_with('\u{feff}') { 3 } else { 0 };
                 self.found.push(

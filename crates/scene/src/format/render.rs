@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
 
@@ -37,41 +37,53 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let mut main = level
-        .primary_title(diagnostic.message.as_str())
-        .element(Origin::path(file_name).line(diagnostic.line).char_column(diagnostic.column))
-        .element(snippet(text, &diagnostic.span, diagnostic.line, &diagnostic.label, AnnotationKind::Primary));
+    let marked = Marked::new(text, &diagnostic.span);
+    let snippet = marked.snippet(file_name, diagnostic.line, &diagnostic.label);
+    let mut main = level.primary_title(diagnostic.message.as_str()).element(snippet);
     if let Some(help) = &diagnostic.help {
         main = main.element(Level::HELP.message(help.as_str()));
     }
-    let mut groups: Vec<Group<'_>> = vec![main];
+    let mut out = marked.with_true_column(renderer.render(&[main]), diagnostic.line, diagnostic.column);
     if let Some(related) = &diagnostic.related {
-        groups.push(
-            Level::NOTE
-                .secondary_title(related.message.as_str())
-                .element(Origin::path(file_name).line(related.line).char_column(related.column))
-                .element(snippet(text, &related.span, related.line, "", AnnotationKind::Primary)),
-        );
+        let marked = Marked::new(text, &related.span);
+        let title = Level::NOTE.secondary_title(related.message.as_str());
+        let group: Group<'_> = title.element(marked.snippet(file_name, related.line, ""));
+        out.push('\n');
+        out.push_str(&marked.with_true_column(renderer.render(&[group]), related.line, related.column));
     }
-    renderer.render(&groups)
+    out
 }
 
-/// The part of one line around `span`, with `span` marked.
-fn snippet<'a>(
-    text: &'a str,
-    span: &Range<usize>,
-    line: usize,
-    label: &'a str,
-    kind: AnnotationKind,
-) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
-    let start = floor_boundary(text, span.start.min(text.len()));
-    let end = floor_boundary(text, span.end.clamp(start, text.len()));
-    let from = window_start(text, start);
-    let to = window_end(text, start);
-    let marked = start.max(from) - from..end.min(to).max(start) - from;
-    let annotation = kind.span(marked);
-    let annotation = if label.is_empty() { annotation } else { annotation.label(label) };
-    Snippet::source(text.get(from..to).unwrap_or_default()).line_start(line).annotation(annotation)
+/// The part of one line that is shown.
+struct Marked<'a> {
+    line: &'a str,
+    mark: Range<usize>,
+}
+
+impl<'a> Marked<'a> {
+    fn new(text: &'a str, span: &Range<usize>) -> Self {
+        let start = floor_boundary(text, span.start.min(text.len()));
+        let end = floor_boundary(text, span.end.clamp(start, text.len()));
+        let from = window_start(text, start);
+        let to = window_end(text, start);
+        let line = text.get(from..to).unwrap_or_default();
+        Self { line, mark: start - from..end.min(to).max(start) - from }
+    }
+
+    fn snippet(&self, file_name: &'a str, line: usize, label: &'a str) -> Snippet<'a, Annotation<'a>> {
+        let annotation = AnnotationKind::Primary.span(self.mark.clone());
+        let annotation = if label.is_empty() { annotation } else { annotation.label(label) };
+        Snippet::source(self.line).line_start(line).path(file_name).annotation(annotation)
+    }
+
+    /// Corrects the column, which is counted from the beginning of what is shown.
+    fn with_true_column(&self, rendered: String, line: usize, column: usize) -> String {
+        let shown = self.line.get(..self.mark.start).unwrap_or_default().chars().count() + 1;
+        if shown == column {
+            return rendered;
+        }
+        rendered.replacen(&format!(":{line}:{shown}"), &format!(":{line}:{column}"), 1)
+    }
 }
 
 /// Beginning of the shown part: of the line, or [`MOST_SHOWN`] bytes before `at`.

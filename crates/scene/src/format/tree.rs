@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
+use crate::format::keys::{ROOT, TABLES};
 use crate::format::nearest::nearest;
 use crate::format::quote::{listed, quoted};
 use crate::format::spec::{KeySpec, Kind, TableSpec};
@@ -62,14 +63,6 @@ impl<'t> Table<'t> {
     /// The value called `name`.
     pub(crate) fn get(&self, name: &str) -> Option<&Value<'t>> {
         self.entry(name).map(|entry| &entry.value)
-    }
-
-    /// The value called `name`, taken out of the table; the key stays.
-    pub(crate) fn take(&mut self, name: &str) -> Option<Value<'t>> {
-        let place = self.place(name)?;
-        let value = &mut self.entries.get_mut(place)?.value;
-        let emptied = Value { span: value.span, kind: ValueKind::Invalid };
-        Some(std::mem::replace(value, emptied))
     }
 
     fn place(&self, name: &str) -> Option<usize> {
@@ -167,8 +160,16 @@ impl<'t> Table<'t> {
             Ok(schema) => schema,
             Err(problem) => return found.push(problem),
         };
-        if let Some(first) = self.entry(&key.text) {
-            return found.push(twice(&key, first.key.span));
+        let earlier = self.place(&key.text).and_then(|place| self.entries.get_mut(place));
+        if let Some(earlier) = earlier {
+            // What is reported already is not worth a second report.
+            match (&earlier.value.kind, &value.kind) {
+                (_, ValueKind::Invalid) => {}
+                (ValueKind::Invalid, ValueKind::Inline(_)) => {}
+                (ValueKind::Invalid, _) => earlier.value = value,
+                _ => found.push(twice(&key, earlier.key.span)),
+            }
+            return;
         }
         let value = match (schema, value) {
             (Some(schema), Value { span, kind: ValueKind::Inline(assignments) }) => {
@@ -181,7 +182,11 @@ impl<'t> Table<'t> {
     }
 
     /// An inline table held against its keys.
-    pub(crate) fn from_inline(schema: Schema, assignments: Vec<Assignment<'t>>, found: &mut Diagnostics) -> Self {
+    pub(crate) fn from_inline(
+        schema: Schema,
+        assignments: Vec<Assignment<'t>>,
+        found: &mut Diagnostics,
+    ) -> Self {
         let mut table = Self::new(schema, Defined::Inline);
         for assignment in assignments {
             table.assign(assignment, found);
@@ -234,10 +239,21 @@ fn twice(key: &Key<'_>, first: Span) -> Diagnostic {
 pub(crate) fn unknown_key(key: &Key<'_>, spec: &TableSpec) -> Diagnostic {
     let names: Vec<String> = spec.keys.iter().map(|key| format!("`{}`", key.name)).collect();
     let message = format!("{} has no key {}", spec.name, quoted(&key.text));
-    let diagnostic = Diagnostic::error(key.span.range(), message)
-        .help(format!("the keys of {} are {}", spec.name, listed(&names, " and ")));
-    match nearest(&key.text, spec.keys.iter().map(|key| key.name)) {
-        Some(name) => diagnostic.label(format!("did you mean `{name}`?")),
+    let diagnostic = Diagnostic::error(key.span.range(), message).help(format!(
+        "the keys of {} are {}",
+        spec.name,
+        listed(&names, " and ")
+    ));
+    if let Some(name) = nearest(&key.text, spec.keys.iter().map(|key| key.name)) {
+        return diagnostic.label(format!("did you mean `{name}`?"));
+    }
+    let elsewhere = |other: &&&TableSpec| other.name != spec.name && other.find(&key.text).is_some();
+    match TABLES.iter().find(elsewhere) {
+        Some(other) if other.name == ROOT.name => diagnostic.label("unknown key").help(format!(
+            "{} belongs to the whole file: write it before the first header",
+            quoted(&key.text)
+        )),
+        Some(other) => diagnostic.label(format!("a key of {}", other.name)),
         None => diagnostic.label("unknown key"),
     }
 }

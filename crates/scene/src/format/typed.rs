@@ -104,7 +104,8 @@ impl<'b, 't> Fields<'_, 'b, 't> {
             ValueKind::Text(text) => match words.iter().find(|word| *word == text) {
                 Some(word) => Ok(Some(word)),
                 None => {
-                    let message = format!("`{name}` is {}, but must be {}", quoted(text), key.kind.described());
+                    let message =
+                        format!("`{name}` is {}, but must be {}", quoted(text), key.kind.described());
                     let label = match nearest(text, words.iter().copied()) {
                         Some(word) => format!("did you mean `{word}`?"),
                         None => format!("unknown {name}"),
@@ -190,7 +191,8 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         let mut component = |value: &'b Value<'t>, part: &str| match value.kind {
             ValueKind::Number { value: number, .. } => self.within(key, value, number, limits, part),
             _ => {
-                let found = format!("{part}`{}` is {}, but must be a number", key.name, value.kind.described());
+                let found =
+                    format!("{part}`{}` is {}, but must be a number", key.name, value.kind.described());
                 self.found.push(Diagnostic::error(value.span.range(), found).help(key_help(key)));
                 None
             }
@@ -202,7 +204,14 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
     }
 
-    fn within(&mut self, key: &KeySpec, value: &Value<'t>, number: f64, limits: Limits, part: &str) -> Option<f64> {
+    fn within(
+        &mut self,
+        key: &KeySpec,
+        value: &Value<'t>,
+        number: f64,
+        limits: Limits,
+        part: &str,
+    ) -> Option<f64> {
         if limits.contains(number) {
             return Some(number);
         }
@@ -219,7 +228,11 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     fn wrong<T>(&mut self, key: &KeySpec, value: &Value<'_>, found: &str) -> Option<T> {
         let message = format!("{found}, but must be {}", key.kind.described());
         let diagnostic = Diagnostic::error(value.span.range(), message);
-        self.found.push(if matches!(key.kind, Kind::Choice(_)) { diagnostic } else { diagnostic.help(key_help(key)) });
+        self.found.push(if matches!(key.kind, Kind::Choice(_)) {
+            diagnostic
+        } else {
+            diagnostic.help(key_help(key))
+        });
         None
     }
 
@@ -267,7 +280,7 @@ impl Kind {
 pub(crate) fn key_help(key: &KeySpec) -> String {
     let mut help = format!("`{}` is {}", key.name, key.doc);
     if let Some(limits) = key.kind.limits() {
-        help.push_str(&format!(": {} to {}", short_number(limits.min), short_number(limits.max)));
+        help.push_str(&format!(" ({} to {})", short_number(limits.min), short_number(limits.max)));
     }
     help
 }

@@ -67,7 +67,8 @@ impl<'t> Reader<'t> {
         if path.is_empty() {
             if !is_list {
                 let message = format!("`{name}` is a list");
-                self.found.push(Diagnostic::error(first.span.range(), message).help(format!("write `[[{name}]]`")));
+                self.found
+                    .push(Diagnostic::error(first.span.range(), message).help(format!("write `[[{name}]]`")));
             }
             if let Some(value) = self.list(kind).value.take() {
                 self.found.push(twice(&first, value));
@@ -82,7 +83,9 @@ impl<'t> Reader<'t> {
             let parts: Vec<&str> = path.iter().map(|key| key.text.as_ref()).collect();
             let parts = parts.join(".");
             let message = format!("{} is not a list", quoted(&format!("{name}.{parts}")));
-            self.found.push(Diagnostic::error(first.span.range(), message).help(format!("write `[{name}.{parts}]`")));
+            self.found.push(
+                Diagnostic::error(first.span.range(), message).help(format!("write `[{name}.{parts}]`")),
+            );
         }
         let Some(table) = self.list(kind).open.as_mut() else {
             let message = format!("`{name}` is a list, and has no element yet");
@@ -136,7 +139,8 @@ impl<'t> Reader<'t> {
                 self.close(kind);
             }
             other => {
-                let message = format!("an element of `{}` is {}, but must be a table", kind.key(), other.described());
+                let message =
+                    format!("an element of `{}` is {}, but must be a table", kind.key(), other.described());
                 self.found.push(Diagnostic::error(value.span.range(), message).help(help));
             }
         }

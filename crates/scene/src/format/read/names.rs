@@ -51,7 +51,10 @@ pub(super) fn check_materials(
 fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: impl Fn() -> I) -> Diagnostic {
     let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted).collect();
     let help = match names().count() {
-        0 => format!("define it with `[materials.{name}]`, or write a material of its own: `{{ color = [r, g, b] }}`"),
+        0 if name.len() > 40 => "define it with `[materials.NAME]`".to_owned(),
+        0 => format!(
+            "define it with `[materials.{name}]`, or write a material of its own: `{{ color = [r, g, b] }}`"
+        ),
         count => {
             if count > MOST_LISTED {
                 listing.push("…".to_owned());
@@ -67,7 +70,9 @@ fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: imp
         Some(nearest) => format!("did you mean {}?", quoted(nearest)),
         None => "not defined".to_owned(),
     };
-    Diagnostic::error(span.range(), format!("the material {} is not defined", quoted(name))).label(label).help(help)
+    Diagnostic::error(span.range(), format!("the material {} is not defined", quoted(name)))
+        .label(label)
+        .help(help)
 }
 
 /// Reports second uses of names, and takes these names away.

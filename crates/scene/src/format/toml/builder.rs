@@ -61,12 +61,25 @@ struct Builder<'t> {
     path: Vec<Key<'t>>,
     frames: Vec<Frame<'t>>,
     value: Option<Value<'t>>,
+    /// Whether a key could not be read.
+    has_bad_key: bool,
+    /// Whether the line is over; what follows after an error belongs to no statement.
+    is_over: bool,
     problems: Vec<Diagnostic>,
 }
 
 impl<'t> Builder<'t> {
     fn new(text: &'t str) -> Self {
-        Self { text, header: None, path: Vec::new(), frames: Vec::new(), value: None, problems: Vec::new() }
+        Self {
+            text,
+            header: None,
+            path: Vec::new(),
+            frames: Vec::new(),
+            value: None,
+            has_bad_key: false,
+            is_over: false,
+            problems: Vec::new(),
+        }
     }
 
     fn finish(mut self, errors: Vec<ParseError>) -> Parsed<'t> {
@@ -78,9 +91,8 @@ impl<'t> Builder<'t> {
         self.problems.extend(from_parser);
         let is_valid = self.problems.is_empty();
         let problems = problem::one_per_line(self.problems, self.text);
-        let has_gaps = self.path.is_empty() || self.path.iter().any(|key| key.text.is_empty() && !is_valid);
         let statement = match (self.header, self.value) {
-            _ if has_gaps => None,
+            _ if self.path.is_empty() || self.has_bad_key => None,
             (Some((span, is_list)), _) => Some(Statement::Header(Header { path: self.path, is_list, span })),
             (None, Some(value)) => {
                 let value = if is_valid { value } else { Value { kind: ValueKind::Invalid, ..value } };
@@ -136,9 +148,12 @@ impl<'t> Builder<'t> {
             ScalarKind::Boolean(_) => ValueKind::Boolean,
             ScalarKind::DateTime => ValueKind::DateTime,
             ScalarKind::Float => ValueKind::Number { value: decimal(&decoded), is_integer: false },
-            ScalarKind::Integer(IntegerRadix::Dec) => ValueKind::Number { value: decimal(&decoded), is_integer: true },
+            ScalarKind::Integer(IntegerRadix::Dec) => {
+                ValueKind::Number { value: decimal(&decoded), is_integer: true }
+            }
             ScalarKind::Integer(radix) => {
-                let value = u64::from_str_radix(&decoded, radix.value()).map_or(f64::INFINITY, |value| value as f64);
+                let value =
+                    u64::from_str_radix(&decoded, radix.value()).map_or(f64::INFINITY, |value| value as f64);
                 ValueKind::Number { value, is_integer: true }
             }
         }
@@ -163,7 +178,9 @@ impl EventReceiver for Builder<'_> {
     }
 
     fn inline_table_open(&mut self, span: RawSpan, _error: &mut dyn ErrorSink) -> bool {
-        self.frames.push(Frame::Inline(span.into(), Vec::new(), Vec::new()));
+        if !self.is_over {
+            self.frames.push(Frame::Inline(span.into(), Vec::new(), Vec::new()));
+        }
         true
     }
 
@@ -172,7 +189,9 @@ impl EventReceiver for Builder<'_> {
     }
 
     fn array_open(&mut self, span: RawSpan, _error: &mut dyn ErrorSink) -> bool {
-        self.frames.push(Frame::Array(span.into(), Vec::new()));
+        if !self.is_over {
+            self.frames.push(Frame::Array(span.into(), Vec::new()));
+        }
         true
     }
 
@@ -181,12 +200,16 @@ impl EventReceiver for Builder<'_> {
     }
 
     fn simple_key(&mut self, span: RawSpan, encoding: Option<Encoding>, _error: &mut dyn ErrorSink) {
+        if self.is_over {
+            return;
+        }
         let raw = self.raw(span, encoding);
         let mut error: Option<ParseError> = None;
         let mut text = Cow::Borrowed("");
         raw.decode_key(&mut text, &mut error);
         if let Some(error) = error {
             self.problem(problem::from_key(&error, raw.as_str(), span.into()));
+            self.has_bad_key |= self.frames.is_empty();
         }
         let key = Key { text, span: span.into() };
         match self.frames.last_mut() {
@@ -195,7 +218,14 @@ impl EventReceiver for Builder<'_> {
         }
     }
 
+    fn newline(&mut self, _span: RawSpan, _error: &mut dyn ErrorSink) {
+        self.is_over |= self.frames.is_empty() && !self.path.is_empty();
+    }
+
     fn scalar(&mut self, span: RawSpan, encoding: Option<Encoding>, _error: &mut dyn ErrorSink) {
+        if self.is_over {
+            return;
+        }
         let kind = self.decode(span, encoding);
         self.put(Value { span: span.into(), kind });
     }

@@ -41,6 +41,8 @@ struct Scan {
     line_start: usize,
     /// Kind of the first token that is not white space.
     first: Option<TokenKind>,
+    /// Whether a `=` was seen: only a value can take several lines.
+    has_value: bool,
     /// Whether the physical line had a `]` or a `=`: only the first one can tell what the line is.
     is_decided: bool,
 }
@@ -95,7 +97,9 @@ impl<'t> Lines<'t> {
         for token in self.lexer.by_ref() {
             match token.kind() {
                 TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
-                TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => depth = depth.saturating_sub(1),
+                TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => {
+                    depth = depth.saturating_sub(1)
+                }
                 TokenKind::Newline if depth == 0 => break,
                 TokenKind::Eof => self.has_ended = true,
                 _ => {}
@@ -115,7 +119,9 @@ impl Scan {
         match kind {
             TokenKind::Newline => return self.end_line(index),
             TokenKind::Eof => return Some(index + 1),
-            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => self.open.push((kind, self.line)),
+            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket if self.has_value => {
+                self.open.push((kind, self.line));
+            }
             TokenKind::RightSquareBracket => {
                 let decides = self.line > 0 && !std::mem::replace(&mut self.is_decided, true);
                 if decides && looks_like_header(text, tokens.get(self.line_start..=index)?) {
@@ -131,16 +137,17 @@ impl Scan {
                 if decides && self.cannot_assign(tokens, index) {
                     return Some(self.line_start);
                 }
+                self.has_value = true;
             }
             _ => {}
         }
         None
     }
 
-    /// At a newline: headers and whatever has no open bracket end here.
+    /// At a newline: what has no open bracket ends here, and so does what is no assignment.
     fn end_line(&mut self, index: usize) -> End {
-        let is_header = self.first == Some(TokenKind::LeftSquareBracket);
-        if self.open.is_empty() || is_header {
+        let is_assignment = self.first.is_some_and(|kind| is_key_part(kind) || kind == TokenKind::Equals);
+        if self.open.is_empty() || !is_assignment {
             return Some(index + 1);
         }
         self.line += 1;
@@ -182,7 +189,9 @@ fn looks_like_header(text: &str, line: &[Token]) -> bool {
         && word.starts_with(|letter: char| letter.is_ascii_alphabetic())
         && !matches!(word, "true" | "false" | "inf" | "nan");
     let mut rest = rest.map(Token::kind);
-    is_word && rest.all(|kind| is_key_part(kind) || matches!(kind, TokenKind::Dot | TokenKind::RightSquareBracket))
+    is_word
+        && rest
+            .all(|kind| is_key_part(kind) || matches!(kind, TokenKind::Dot | TokenKind::RightSquareBracket))
 }
 
 fn is_blank(kind: TokenKind) -> bool {
@@ -212,7 +221,8 @@ mod tests {
     #[test]
     fn values_may_take_several_lines() {
         let text = "a = [\n 1, # one\n [2],\n]\r\nb = { c = [\n], d = 1 }\n[[e]]\nf = \"\"\"\n[x]\n\"\"\"\n";
-        let lines = ["a = [\n 1, # one\n [2],\n]", "b = { c = [\n], d = 1 }", "[[e]]", "f = \"\"\"\n[x]\n\"\"\""];
+        let lines =
+            ["a = [\n 1, # one\n [2],\n]", "b = { c = [\n], d = 1 }", "[[e]]", "f = \"\"\"\n[x]\n\"\"\""];
         assert_eq!(cut(text), lines);
     }
 
