@@ -16,10 +16,12 @@ pub mod spec;
 mod toml;
 mod tree;
 mod typed;
+mod update;
 mod write;
 
 pub use check::{Part, Problem};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub use read::{LONGEST_TEXT, Reading, Warned, read, read_bytes};
 pub use schema::json_schema;
+pub use update::update;
 pub use write::write;
