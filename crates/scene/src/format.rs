@@ -21,6 +21,7 @@ mod write;
 
 pub use check::{Part, Problem};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
+pub(crate) use nearest::nearest;
 pub use read::{LONGEST_TEXT, Reading, Warned, read, read_bytes};
 pub use schema::json_schema;
 pub use update::update;

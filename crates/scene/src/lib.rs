@@ -7,6 +7,7 @@
 mod body;
 mod camera;
 mod color;
+mod examples;
 mod file;
 pub mod format;
 mod light;
@@ -15,6 +16,7 @@ mod material;
 pub use body::{Anchor, Body, Placement, Shape};
 pub use camera::{Camera, Projection};
 pub use color::Color;
+pub use examples::Example;
 pub use file::{LoadError, Loaded, SaveError, load, save};
 pub use format::{
     Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,

@@ -178,9 +178,9 @@ impl Best {
         Self { hit: None, reach: f32::INFINITY, start_slack }
     }
 
-    /// Takes `new` if it comes first. Of hits that coincide within rounding, one that leads into a body comes before
-    /// one that leads out, so that a ray in glass meets the floor the glass stands on instead of slipping between;
-    /// of equal ones the body that comes first in the scene.
+    /// Takes `new` if it comes first. Of hits that coincide within rounding, one that leads out of a body comes before
+    /// one that leads in: bodies that touch have a film of air between them. Of equal ones the body that comes first
+    /// in the scene.
     #[inline]
     fn offer(&mut self, stage: &Stage, new: Hit, body_slack: f32) {
         if !(new.t <= self.reach && new.t < f32::INFINITY) {
@@ -194,8 +194,8 @@ impl Best {
                 Ordering::Equal => stage.scene_order(new.body, old.body).is_lt(),
                 Ordering::Greater => false,
             },
-            Some(old) if old.leaving => new.t <= old.t + slack,
-            Some(old) => new.t < old.t - slack,
+            Some(old) if old.leaving => new.t < old.t - slack,
+            Some(old) => new.t <= old.t + slack,
         };
         if first {
             self.hit = Some(new);

@@ -12,13 +12,14 @@ mod material;
 use std::ops::Range;
 
 use catoptric_scene::{Body, Color, MaterialChoice, Scene, Tracing};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 pub use body::StageBody;
 pub use bounds::Bounds;
 pub(crate) use bvh::Pending;
 pub use bvh::{Bvh, Node};
 pub use camera::StageCamera;
+use camera::Surroundings;
 pub use checker::StageChecker;
 use few::FewBodies;
 pub use light::{StageFalloff, StageLight};
@@ -87,6 +88,7 @@ impl Stage {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
         }
         let mut cast = Cast::prepare(scene)?;
+        let camera = StageCamera::new(&scene.camera, cast.surroundings(scene));
         let (order, hierarchy) = cast.order();
         let bounded = cast.boxes.len() as u32;
         let Tracing { generations, threshold } = scene.tracing;
@@ -99,7 +101,7 @@ impl Stage {
             materials: cast.materials,
             checkers: cast.checkers,
             lights: scene.lights.iter().map(StageLight::new).collect(),
-            camera: StageCamera::new(&scene.camera),
+            camera,
             background: vec3(scene.environment.background),
             ambient: vec3(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
@@ -206,6 +208,22 @@ impl Cast {
         }
         cast.materials = table.into_prepared();
         Ok(cast)
+    }
+
+    /// What is in the way of rays from afar.
+    fn surroundings(&self, scene: &Scene) -> Surroundings {
+        let all = self.boxes.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.0));
+        let (center, radius) = if self.boxes.is_empty() {
+            (DVec3::ZERO, f64::INFINITY)
+        } else {
+            (0.5 * all.doubled_center().as_dvec3(), 0.5 * f64::from(all.min.distance(all.max)))
+        };
+        let plane = |&index: &u32| {
+            let frame = scene.bodies[index as usize].placement.world_from_body();
+            let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
+            (frame.translation, normal.normalize_or(DVec3::Y))
+        };
+        Surroundings { center, radius, planes: self.planes.iter().map(plane).collect() }
     }
 
     /// The order in which the bodies stand in the stage, and the hierarchy over the bounded ones.

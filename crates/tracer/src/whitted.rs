@@ -168,10 +168,13 @@ impl<'a> Whitted<'a> {
                     let weight = branch.weight * at.material.filter;
                     if self.carries(weight) {
                         self.counts.refracted += 1;
+                        // A ray that goes straight on is the same ray still, unless it stands still: between bodies
+                        // thinner than rounding it could go on for ever.
+                        let same = ratio == 1.0 && at.hit.t > branch.ray.slack();
                         self.pending.push(Branch {
                             ray: at.ray_on_far_side(direction),
                             weight,
-                            generation: branch.generation + 1,
+                            generation: branch.generation + u32::from(!same),
                             media: beyond,
                             mark: self.arena.mark(),
                         });
@@ -218,9 +221,7 @@ impl<'a> Encounter<'a> {
     fn new(stage: &'a Stage, ray: &Ray, hit: Hit) -> Self {
         let body = stage.body(hit.body);
         let material = stage.material(body);
-        let span = body.span(ray.origin.into(), ray.direction.into());
-        let face = if hit.leaving { span.exit_face } else { span.enter_face };
-        let point = body.surface_point(face, ray.at(hit.t).into());
+        let point = body.surface_point(ray.origin.into(), ray.direction.into(), hit.t, hit.leaving);
         let color = match stage.checkers.get(body.checker as usize) {
             Some(checker) if checker.is_odd(point.in_body) => checker.color,
             _ => material.color,

@@ -7,7 +7,7 @@ use crate::ray::Ray;
 
 /// The camera's frame, in double precision: near the horizon of a plane the smallest error of a primary ray's
 /// direction moves the hit point far, and one frame is small.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StageCamera {
     position: DVec3,
     /// Unit vectors to the right, up, and against the view.
@@ -15,6 +15,33 @@ pub struct StageCamera {
     v: DVec3,
     w: DVec3,
     window: Window,
+    surroundings: Surroundings,
+}
+
+/// Where a ray can meet something at all: a sphere around the bounded bodies, and the planes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Surroundings {
+    pub(super) center: DVec3,
+    pub(super) radius: f64,
+    /// A point and a normal of each plane.
+    pub(super) planes: Vec<(DVec3, DVec3)>,
+}
+
+impl Surroundings {
+    /// How far a ray can go without meeting anything, 0 or more.
+    fn free_way(&self, origin: DVec3, direction: DVec3) -> f64 {
+        /// Keeps well away from what rounding of the sphere or a plane could put in the way.
+        const MARGIN: f64 = 0.01;
+        let way = (self.center - origin).dot(direction) - (1.0 + MARGIN) * self.radius;
+        if way <= 0.0 {
+            return 0.0;
+        }
+        let crossings = self
+            .planes
+            .iter()
+            .map(|(point, normal)| (1.0 - MARGIN) * (*point - origin).dot(*normal) / direction.dot(*normal));
+        crossings.filter(|&crossing| crossing >= 0.0).fold(way, f64::min)
+    }
 }
 
 /// Where primary rays start and point.
@@ -27,7 +54,7 @@ enum Window {
 }
 
 impl StageCamera {
-    pub(super) fn new(camera: &Camera) -> Self {
+    pub(super) fn new(camera: &Camera, surroundings: Surroundings) -> Self {
         let w = (camera.position - camera.target).normalize_or(DVec3::Z);
         let u = camera.up.cross(w).try_normalize().unwrap_or_else(|| w.any_orthonormal_vector());
         let window = match camera.projection {
@@ -36,21 +63,24 @@ impl StageCamera {
             }
             Projection::Parallel { height } => Window::Parallel { height },
         };
-        Self { position: camera.position, u, v: w.cross(u), w, window }
+        Self { position: camera.position, u, v: w.cross(u), w, window, surroundings }
     }
 
     /// The ray through the point (x, y) of a picture of `size` pixels, x to the right and y down from the upper left
     /// corner: the centre of the first pixel is (0.5, 0.5).
+    ///
+    /// When the eye is far from all bodies, the ray starts closer to them, where nothing has been passed yet: in
+    /// single precision a long way would blur what it meets.
     pub fn ray(&self, at: DVec2, size: DVec2) -> Ray {
         let aspect = size.x / size.y;
         let on_window = DVec2::new(aspect * (at.x / size.x - 0.5), 0.5 - at.y / size.y);
         let offset = on_window.x * self.u + on_window.y * self.v;
         let (origin, direction) = match self.window {
-            Window::Perspective { distance } => (self.position, offset - distance * self.w),
+            Window::Perspective { distance } => (self.position, (offset - distance * self.w).normalize()),
             Window::Parallel { height } => (self.position + height * offset, -self.w),
         };
-        // Each component keeps its own relative precision when the vector is made a unit one.
-        Ray::from_point(origin.as_vec3(), direction.as_vec3().normalize())
+        let start = origin + self.surroundings.free_way(origin, direction) * direction;
+        Ray::from_point(start.as_vec3(), direction.as_vec3().normalize())
     }
 
     /// The eye, if all rays start there.
