@@ -1,4 +1,5 @@
 //! What holds for every scene and every text.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
 mod common;
 
@@ -62,7 +63,10 @@ proptest! {
         let updated = update(&text, &after);
         prop_assert_eq!(&read(&updated).into_result().unwrap().value, &after);
         prop_assert_eq!(&update(&updated, &after), &updated);
+        let commented = update(&format!("# beginning\n{text}"), &after);
+        prop_assert!(commented.starts_with("# beginning\n"), "{}\n{}\n{}", text, write(&after), commented);
         let from_small = update(SMALL, &after);
+        prop_assert!(from_small.contains("# dotted"), "{}\n{}", write(&after), from_small);
         prop_assert_eq!(&read(&from_small).into_result().unwrap().value, &after);
     }
 

@@ -195,7 +195,7 @@ impl<'t> Reader<'t> {
                 match self.root.open(&path) {
                     Ok(()) => Place::Table(path),
                     Err(problem) => {
-                        self.found.push(problem);
+                        self.found.push(*problem);
                         Place::Nowhere
                     }
                 }
