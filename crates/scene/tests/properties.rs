@@ -75,11 +75,13 @@ proptest! {
         // Every line gets a comment; an edit of one body keeps all comments outside of it.
         let text = write(&scene).replace("\n\n", "\n# between\n").replace("]]\n", "]] # header\n");
         let text = format!("# beginning\n{text}# end\n");
-        prop_assume!(!scene.bodies.is_empty() && read(&text).scene == scene);
+        if scene.bodies.is_empty() || read(&text).scene != scene {
+            return Ok(());
+        }
         let mut edited = scene.clone();
         let index = usize::from(seed) % edited.bodies.len();
-        edited.bodies[index].placement.scale *= 0.5;
-        prop_assume!(edited.check().is_empty());
+        let scale = &mut edited.bodies[index].placement.scale;
+        *scale = if *scale == glam::DVec3::ONE { glam::DVec3::X + glam::DVec3::ONE } else { glam::DVec3::ONE };
         let updated = update(&text, &edited);
         prop_assert_eq!(&read(&updated).into_result().unwrap().value, &edited);
         for comment in ["# beginning", "# between", "# header", "# end"] {

@@ -124,6 +124,14 @@ impl Diagnostics {
         }
     }
 
+    /// Moves the findings of `other` here.
+    pub(crate) fn append(&mut self, other: &mut Self) {
+        for diagnostic in other.list.drain(..) {
+            self.push(diagnostic);
+        }
+        self.omitted += std::mem::take(&mut other.omitted);
+    }
+
     /// Puts the findings in the order of `text` and finds their lines and columns, in one walk over the text.
     pub(crate) fn locate(&mut self, text: &str) {
         self.list.sort_by_key(|diagnostic| diagnostic.span.start);
