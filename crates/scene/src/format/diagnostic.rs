@@ -117,8 +117,13 @@ impl Diagnostics {
 
     /// Adds a finding, or counts it when there are too many already.
     pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
+        self.push_with(|| diagnostic);
+    }
+
+    /// Adds a finding that is only put into words when it is kept.
+    pub(crate) fn push_with(&mut self, diagnostic: impl FnOnce() -> Diagnostic) {
         if self.list.len() < Self::MOST {
-            self.list.push(diagnostic);
+            self.list.push(diagnostic());
         } else {
             self.omitted += 1;
         }

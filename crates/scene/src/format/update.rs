@@ -20,7 +20,7 @@ const ORDER: [&str; 6] = ["camera", "environment", "tracing", "materials", "ligh
 
 /// The text of a scene that was read from `original_text` and edited since. What the edit did not touch stays as it is
 /// written there: comments, order, notation. A text that says the same as `scene` comes back byte for byte; one that
-/// has errors is replaced by what [`write`] gives, and so is one of more than 16 MiB, but for the comment at its
+/// has errors is replaced by what [`write()`] gives, and so is one of more than 16 MiB, but for the comment at its
 /// beginning.
 pub fn update(original_text: &str, scene: &Scene) -> String {
     let Ok(original) = read(original_text).into_result() else { return write(scene) };

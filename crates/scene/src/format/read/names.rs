@@ -44,7 +44,7 @@ pub(super) fn check_materials(
         }
         if !has_lost_tables {
             let names = || scene.materials.iter().map(|named| named.name.as_str());
-            found.push(undefined(name, span, names));
+            found.push_with(|| undefined(name, span, names));
         }
         body.material = MaterialChoice::default();
     }
@@ -53,7 +53,7 @@ pub(super) fn check_materials(
 
 fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: impl Fn() -> I) -> Diagnostic {
     let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted).collect();
-    let help = match names().count() {
+    let help = match names().take(MOST_LISTED + 1).count() {
         0 if name.len() > 40 => "define it with `[materials.NAME]`".to_owned(),
         0 => format!(
             "define it with `[materials.{name}]`, or write a material of its own: `{{ color = [r, g, b] }}`"
@@ -114,12 +114,12 @@ fn second_uses<'a>(
         }
         again.push(index);
         let place = |index: usize| places.get(index).copied().unwrap_or_default().range();
-        found.push(
+        found.push_with(|| {
             Diagnostic::error(place(index), format!("two {what} have the name {}", quoted(name)))
                 .label("the second one")
                 .help("give one of them another name, or none")
-                .related(place(first), "the first one"),
-        );
+                .related(place(first), "the first one")
+        });
     }
     again
 }
