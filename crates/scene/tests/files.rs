@@ -1,4 +1,5 @@
 //! Loading and saving on a real disk.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
 use std::fs;
 

@@ -1,5 +1,6 @@
 //! Every `malformed/*.toml` gives exactly the findings in the `.txt` beside it.
 //! `BLESS=1 cargo test -p catoptric-scene` rewrites them.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

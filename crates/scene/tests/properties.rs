@@ -1,4 +1,5 @@
 //! What holds for every scene and every text.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
 mod common;
 
@@ -62,7 +63,10 @@ proptest! {
         let updated = update(&text, &after);
         prop_assert_eq!(&read(&updated).into_result().unwrap().value, &after);
         prop_assert_eq!(&update(&updated, &after), &updated);
+        let commented = update(&format!("# beginning\n{text}"), &after);
+        prop_assert!(commented.starts_with("# beginning\n"), "{}\n{}\n{}", text, write(&after), commented);
         let from_small = update(SMALL, &after);
+        prop_assert!(from_small.contains("# dotted"), "{}\n{}", write(&after), from_small);
         prop_assert_eq!(&read(&from_small).into_result().unwrap().value, &after);
     }
 
@@ -71,11 +75,13 @@ proptest! {
         // Every line gets a comment; an edit of one body keeps all comments outside of it.
         let text = write(&scene).replace("\n\n", "\n# between\n").replace("]]\n", "]] # header\n");
         let text = format!("# beginning\n{text}# end\n");
-        prop_assume!(!scene.bodies.is_empty() && read(&text).scene == scene);
+        if scene.bodies.is_empty() || read(&text).scene != scene {
+            return Ok(());
+        }
         let mut edited = scene.clone();
         let index = usize::from(seed) % edited.bodies.len();
-        edited.bodies[index].placement.scale *= 0.5;
-        prop_assume!(edited.check().is_empty());
+        let scale = &mut edited.bodies[index].placement.scale;
+        *scale = if *scale == glam::DVec3::ONE { glam::DVec3::X + glam::DVec3::ONE } else { glam::DVec3::ONE };
         let updated = update(&text, &edited);
         prop_assert_eq!(&read(&updated).into_result().unwrap().value, &edited);
         for comment in ["# beginning", "# between", "# header", "# end"] {

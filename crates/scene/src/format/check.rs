@@ -112,10 +112,11 @@ impl Check {
         if !matches!(body.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
             let message = format!("{title}: a {} cannot be placed by `base` and `top`", body.shape.key());
             self.add(Part::Body(index), "base", message);
-        } else if self.problems.len() == before {
-            if let Some(broken) = rules::axis(base, top) {
-                self.add(Part::Body(index), broken.key, format!("{title}: {}", broken.message));
-            }
+            return;
+        }
+        let is_in_range = self.problems.len() == before;
+        if let Some(broken) = rules::axis(base, top).filter(|_| is_in_range) {
+            self.add(Part::Body(index), broken.key, format!("{title}: {}", broken.message));
         }
     }
 

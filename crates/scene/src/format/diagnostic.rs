@@ -117,11 +117,24 @@ impl Diagnostics {
 
     /// Adds a finding, or counts it when there are too many already.
     pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
+        self.push_with(|| diagnostic);
+    }
+
+    /// Adds a finding that is only put into words when it is kept.
+    pub(crate) fn push_with(&mut self, diagnostic: impl FnOnce() -> Diagnostic) {
         if self.list.len() < Self::MOST {
-            self.list.push(diagnostic);
+            self.list.push(diagnostic());
         } else {
             self.omitted += 1;
         }
+    }
+
+    /// Moves the findings of `other` here.
+    pub(crate) fn append(&mut self, other: &mut Self) {
+        for diagnostic in other.list.drain(..) {
+            self.push(diagnostic);
+        }
+        self.omitted += std::mem::take(&mut other.omitted);
     }
 
     /// Puts the findings in the order of `text` and finds their lines and columns, in one walk over the text.

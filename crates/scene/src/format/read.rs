@@ -103,8 +103,10 @@ enum Place<'t> {
 /// A text that is being read.
 struct Reader<'t> {
     text: &'t str,
+    /// Findings about the meaning.
     found: Diagnostics,
-    has_syntax_errors: bool,
+    /// Syntax errors.
+    syntax: Diagnostics,
     /// Whether tables may have got lost in syntax errors.
     has_lost_tables: bool,
     root: Table<'t>,
@@ -120,7 +122,7 @@ impl<'t> Reader<'t> {
         Self {
             text,
             found: Diagnostics::default(),
-            has_syntax_errors: false,
+            syntax: Diagnostics::default(),
             has_lost_tables: false,
             root: Table::new(Schema::Keys(&keys::ROOT), Defined::ByHeader),
             lights: List::default(),
@@ -149,8 +151,7 @@ impl<'t> Reader<'t> {
         let tokens = match line {
             Line::Tokens(tokens) => tokens,
             Line::TooLong(span) => {
-                self.has_syntax_errors = true;
-                self.found.push(
+                self.syntax.push(
                     Diagnostic::error(span.range(), "this value is too long")
                         .help("write bodies and lights as `[[bodies]]` and `[[lights]]`"),
                 );
@@ -159,12 +160,11 @@ impl<'t> Reader<'t> {
         };
         let parsed = parse(self.text, tokens);
         let has_problems = !parsed.problems.is_empty();
-        self.has_syntax_errors |= has_problems;
         // A text of several lines that is not closed takes everything after it along.
         let is_long_text = |kind| matches!(kind, TokenKind::MlBasicString | TokenKind::MlLiteralString);
         self.has_lost_tables |= has_problems && tokens.iter().any(|token| is_long_text(token.kind()));
         for problem in parsed.problems {
-            self.found.push(problem);
+            self.syntax.push(problem);
         }
         match parsed.statement {
             Some(Statement::Header(header)) => {
@@ -195,7 +195,7 @@ impl<'t> Reader<'t> {
                 match self.root.open(&path) {
                     Ok(()) => Place::Table(path),
                     Err(problem) => {
-                        self.found.push(problem);
+                        self.found.push(*problem);
                         Place::Nowhere
                     }
                 }
@@ -232,21 +232,17 @@ impl<'t> Reader<'t> {
     fn finish(&mut self) {
         self.singletons();
         let materials = self.materials();
-        names::check_materials(
-            &mut self.scene,
-            &materials,
-            &self.places,
-            self.has_lost_tables,
-            &mut self.found,
-        );
+        let is_used =
+            names::check_materials(&mut self.scene, &self.places, self.has_lost_tables, &mut self.found);
         names::check_unique(&mut self.scene, &self.places, &mut self.found);
         let is_known = self.version();
         if !is_known {
             // A file of another version has other keys; only its syntax can be judged.
             self.found.retain(|diagnostic| diagnostic.message.contains("`format`"));
         }
+        self.found.append(&mut self.syntax);
         if !self.found.has_errors() {
-            names::warn(&self.scene, &materials, &mut self.found);
+            names::warn(&self.scene, &materials, &is_used, &mut self.found);
         }
     }
 
@@ -312,7 +308,7 @@ impl<'t> Reader<'t> {
                 self.found.push(Diagnostic::error(span.range(), message));
                 true
             }
-            None if self.has_syntax_errors || self.misspells_format() => true,
+            None if !self.syntax.is_empty() || self.misspells_format() => true,
             None => {
                 let start = if self.text.starts_with('\u{feff}') { 3 } else { 0 };
                 self.found.push(

@@ -81,7 +81,7 @@ impl<'t> Table<'t> {
         for next in path {
             match table.step(&key, Defined::ByDottedKey) {
                 Ok(child) => table = child,
-                Err(problem) => return found.push(problem),
+                Err(problem) => return found.push(*problem),
             }
             key = next;
         }
@@ -89,7 +89,7 @@ impl<'t> Table<'t> {
     }
 
     /// Opens the table of a header; afterwards [`Self::at`] finds it.
-    pub(crate) fn open(&mut self, path: &[Key<'t>]) -> Result<(), Diagnostic> {
+    pub(crate) fn open(&mut self, path: &[Key<'t>]) -> Result<(), Box<Diagnostic>> {
         let mut table = self;
         for (index, key) in path.iter().enumerate() {
             let is_last = index + 1 == path.len();
@@ -112,26 +112,25 @@ impl<'t> Table<'t> {
     }
 
     /// The table `key` of this one, made if need be; `by` is how it is reached.
-    fn step(&mut self, key: &Key<'t>, by: Defined) -> Result<&mut Self, Diagnostic> {
+    fn step(&mut self, key: &Key<'t>, by: Defined) -> Result<&mut Self, Box<Diagnostic>> {
         let Some(schema) = self.child_schema(key)? else {
             let message = format!("{} is not a table", quoted(&key.text));
             let help = self.spec_of(&key.text).map(crate::format::typed::key_help);
             let diagnostic = Diagnostic::error(key.span.range(), message);
             return Err(match help {
-                Some(help) => diagnostic.help(help),
-                None => diagnostic,
+                Some(help) => diagnostic.help(help).into(),
+                None => diagnostic.into(),
             });
         };
-        let place = match self.place(&key.text) {
-            Some(place) => place,
-            None => {
-                let kind = ValueKind::Table(Table::new(schema, by));
-                self.insert(key.clone(), Value { span: key.span, kind });
-                return self.last_table(key);
-            }
+        let Some(place) = self.place(&key.text) else {
+            let kind = ValueKind::Table(Table::new(schema, by));
+            self.insert(key.clone(), Value { span: key.span, kind });
+            return self.last_table(key);
         };
-        let Some(entry) = self.entries.get_mut(place) else { return Err(twice(key, key.span)) };
-        let ValueKind::Table(child) = &mut entry.value.kind else { return Err(twice(key, entry.key.span)) };
+        let Some(entry) = self.entries.get_mut(place) else { return Err(twice(key, key.span).into()) };
+        let ValueKind::Table(child) = &mut entry.value.kind else {
+            return Err(twice(key, entry.key.span).into());
+        };
         let may_enter = match by {
             Defined::Implicitly => child.defined != Defined::Inline,
             Defined::ByHeader => child.defined == Defined::Implicitly,
@@ -139,7 +138,7 @@ impl<'t> Table<'t> {
             Defined::Inline => false,
         };
         if !may_enter {
-            return Err(twice(key, entry.key.span));
+            return Err(twice(key, entry.key.span).into());
         }
         if by == Defined::ByHeader {
             child.defined = by;
@@ -148,17 +147,17 @@ impl<'t> Table<'t> {
     }
 
     /// The table that was just inserted.
-    fn last_table(&mut self, key: &Key<'t>) -> Result<&mut Self, Diagnostic> {
+    fn last_table(&mut self, key: &Key<'t>) -> Result<&mut Self, Box<Diagnostic>> {
         match self.entries.last_mut().map(|entry| &mut entry.value.kind) {
             Some(ValueKind::Table(child)) => Ok(child),
-            _ => Err(twice(key, key.span)),
+            _ => Err(twice(key, key.span).into()),
         }
     }
 
     fn put(&mut self, key: Key<'t>, value: Value<'t>, found: &mut Diagnostics) {
         let schema = match self.child_schema(&key) {
             Ok(schema) => schema,
-            Err(problem) => return found.push(problem),
+            Err(problem) => return found.push(*problem),
         };
         let earlier = self.place(&key.text).and_then(|place| self.entries.get_mut(place));
         if let Some(earlier) = earlier {
@@ -209,10 +208,10 @@ impl<'t> Table<'t> {
     }
 
     /// What `key` holds when it holds a table; an error when there is no such key.
-    fn child_schema(&self, key: &Key<'t>) -> Result<Option<Schema>, Diagnostic> {
+    fn child_schema(&self, key: &Key<'t>) -> Result<Option<Schema>, Box<Diagnostic>> {
         match self.schema {
             Schema::Names(_) if key.text.is_empty() => {
-                Err(Diagnostic::error(key.span.range(), "a name must not be empty"))
+                Err(Diagnostic::error(key.span.range(), "a name must not be empty").into())
             }
             Schema::Names(spec) => Ok(Some(Schema::Keys(spec))),
             Schema::Keys(spec) => match spec.find(&key.text) {
@@ -221,7 +220,7 @@ impl<'t> Table<'t> {
                     Kind::Named(spec) => Some(Schema::Names(spec)),
                     _ => None,
                 }),
-                None => Err(unknown_key(key, spec)),
+                None => Err(unknown_key(key, spec).into()),
             },
         }
     }

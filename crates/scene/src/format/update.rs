@@ -13,21 +13,30 @@ use edit::{apply, apply_inline, apply_keys, new_table};
 use matching::{Entry, matches};
 
 /// Longer texts are written anew: an editable tree of them would take gigabytes.
-const LONGEST_EDITED: usize = 32 << 20;
+const LONGEST_EDITED: usize = 16 << 20;
 
 /// The tables of the root in the order of writing.
 const ORDER: [&str; 6] = ["camera", "environment", "tracing", "materials", "lights", "bodies"];
 
 /// The text of a scene that was read from `original_text` and edited since. What the edit did not touch stays as it is
 /// written there: comments, order, notation. A text that says the same as `scene` comes back byte for byte; one that
-/// has errors, or more than 32 MiB, is replaced by [`write`].
+/// has errors is replaced by what [`write()`] gives, and so is one of more than 16 MiB, but for the comment at its
+/// beginning.
 pub fn update(original_text: &str, scene: &Scene) -> String {
     let Ok(original) = read(original_text).into_result() else { return write(scene) };
     let original = original.value;
     if say_the_same(&original, scene) {
         return original_text.to_owned();
     }
-    edited(original_text, &original, scene).unwrap_or_else(|| write(scene))
+    edited(original_text, &original, scene)
+        .unwrap_or_else(|| format!("{}{}", heading(original_text), write(scene)))
+}
+
+/// The comments and blank lines at the beginning of a text.
+fn heading(text: &str) -> String {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let is_comment = |line: &&str| line.trim_start().starts_with('#') || line.trim().is_empty();
+    text.lines().take_while(is_comment).flat_map(|line| [line, "\n"]).collect()
 }
 
 /// The edited text, provided that it says what it should.
@@ -218,5 +227,20 @@ fn keep_table_in_order(table: &mut Table, last: &mut isize) {
     *last = table.position().unwrap_or(*last);
     for (_, item) in table.iter_mut() {
         keep_in_order(item, last);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_text_keeps_its_heading() {
+        let filler = "# filler\n".repeat(LONGEST_EDITED / 9 + 1);
+        let text = format!("# A scene\n\nformat = 'catoptric/1'\n{filler}");
+        let mut scene = Scene::default();
+        assert_eq!(update(&text, &scene), text);
+        scene.tracing.generations = 3;
+        assert_eq!(update(&text, &scene), format!("# A scene\n\n{}", write(&scene)));
     }
 }

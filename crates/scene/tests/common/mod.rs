@@ -170,7 +170,7 @@ fn unique<T>(mut list: Vec<T>, name: impl Fn(&mut T) -> &mut String) -> Vec<T> {
     list
 }
 
-pub fn scene() -> impl Strategy<Value = Scene> {
+pub(crate) fn scene() -> impl Strategy<Value = Scene> {
     let materials = proptest::collection::vec((name(), material()), 0..4);
     let lights = proptest::collection::vec(light(), 0..4);
     let bodies = proptest::collection::vec(body(), 0..5);

@@ -96,7 +96,7 @@ impl<'t> Reader<'t> {
         match table.open(&path) {
             Ok(()) => Place::Element(kind, path),
             Err(problem) => {
-                self.found.push(problem);
+                self.found.push(*problem);
                 Place::Nowhere
             }
         }

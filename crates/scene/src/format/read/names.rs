@@ -1,6 +1,6 @@
 //! Names: every material that is used is defined, and no two bodies or lights share a name.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
@@ -24,33 +24,36 @@ pub(super) struct Places {
     pub(super) materials: Vec<(u32, Span)>,
 }
 
-/// Reports materials that are used but not defined, unless their definitions may have got lost.
+/// Reports materials that are used but not defined, unless their definitions may have got lost. The answer tells of each
+/// material whether it is used.
 pub(super) fn check_materials(
     scene: &mut Scene,
-    defined_at: &[Range<usize>],
     places: &Places,
     has_lost_tables: bool,
     found: &mut Diagnostics,
-) {
-    debug_assert_eq!(defined_at.len(), scene.materials.len());
-    let defined: HashSet<&str> = scene.materials.iter().map(|named| named.name.as_str()).collect();
+) -> Vec<bool> {
+    let names = scene.materials.iter().map(|named| named.name.as_str());
+    let defined: HashMap<&str, usize> = names.enumerate().map(|(index, name)| (name, index)).collect();
+    let mut is_used = vec![false; scene.materials.len()];
     for &(index, span) in &places.materials {
         let Some(body) = scene.bodies.get_mut(index as usize) else { continue };
         let MaterialChoice::Named(name) = &body.material else { continue };
-        if defined.contains(name.as_str()) {
+        if let Some(is_used) = defined.get(name.as_str()).and_then(|&index| is_used.get_mut(index)) {
+            *is_used = true;
             continue;
         }
         if !has_lost_tables {
             let names = || scene.materials.iter().map(|named| named.name.as_str());
-            found.push(undefined(name, span, names));
+            found.push_with(|| undefined(name, span, names));
         }
         body.material = MaterialChoice::default();
     }
+    is_used
 }
 
 fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: impl Fn() -> I) -> Diagnostic {
     let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted).collect();
-    let help = match names().count() {
+    let help = match names().take(MOST_LISTED + 1).count() {
         0 if name.len() > 40 => "define it with `[materials.NAME]`".to_owned(),
         0 => format!(
             "define it with `[materials.{name}]`, or write a material of its own: `{{ color = [r, g, b] }}`"
@@ -111,18 +114,18 @@ fn second_uses<'a>(
         }
         again.push(index);
         let place = |index: usize| places.get(index).copied().unwrap_or_default().range();
-        found.push(
+        found.push_with(|| {
             Diagnostic::error(place(index), format!("two {what} have the name {}", quoted(name)))
                 .label("the second one")
                 .help("give one of them another name, or none")
-                .related(place(first), "the first one"),
-        );
+                .related(place(first), "the first one")
+        });
     }
     again
 }
 
 /// Warnings about a scene without errors.
-pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], found: &mut Diagnostics) {
+pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], is_used: &[bool], found: &mut Diagnostics) {
     let has_light = !scene.lights.is_empty() || scene.environment.ambient != Color::BLACK;
     if !has_light && !scene.bodies.is_empty() {
         found.push(
@@ -130,18 +133,11 @@ pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], found: &mut Diagn
                 .help("add a light with `[[lights]]`, or the bodies will be black"),
         );
     }
-    let used: HashSet<&str> = scene
-        .bodies
-        .iter()
-        .filter_map(|body| match &body.material {
-            MaterialChoice::Named(name) => Some(name.as_str()),
-            MaterialChoice::Inline(_) => None,
-        })
-        .collect();
-    for (named, span) in scene.materials.iter().zip(defined_at) {
-        if !used.contains(named.name.as_str()) {
+    for ((named, span), is_used) in scene.materials.iter().zip(defined_at).zip(is_used) {
+        if !is_used {
             let message = format!("the material {} is not used", quoted(&named.name));
-            found.push(Diagnostic::new(Severity::Warning, span.clone(), message));
+            let warning = Diagnostic::new(Severity::Warning, span.clone(), message);
+            found.push(warning.help("give it to a body with `material`, or remove it"));
         }
     }
 }

@@ -32,7 +32,7 @@ pub(crate) fn parse<'t>(text: &'t str, tokens: &[Token]) -> Parsed<'t> {
         let mut receiver = ValidateWhitespace::new(&mut guard, Source::new(text));
         parse_document(tokens, &mut receiver, &mut errors);
     }
-    builder.finish(errors.0)
+    builder.finish(&errors.0)
 }
 
 /// Keeps the first few errors.
@@ -82,7 +82,7 @@ impl<'t> Builder<'t> {
         }
     }
 
-    fn finish(mut self, errors: Vec<ParseError>) -> Parsed<'t> {
+    fn finish(mut self, errors: &[ParseError]) -> Parsed<'t> {
         while !self.frames.is_empty() {
             self.close(Span::default());
         }

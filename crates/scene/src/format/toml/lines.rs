@@ -98,7 +98,7 @@ impl<'t> Lines<'t> {
             match token.kind() {
                 TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
                 TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => {
-                    depth = depth.saturating_sub(1)
+                    depth = depth.saturating_sub(1);
                 }
                 TokenKind::Newline if depth == 0 => break,
                 TokenKind::Eof => self.has_ended = true,
