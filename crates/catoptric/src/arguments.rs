@@ -18,13 +18,13 @@ Examples:
   catoptric render my.toml -o my.exr --size 1920x1080
 
 Exit status: 0 done, 1 a comparison failed, 2 the input is wrong, 130 interrupted.")]
-pub struct Arguments {
+pub(crate) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
 }
 
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(crate) enum Command {
     /// Trace a scene into a picture
     Render(RenderArguments),
     /// Find all problems of scene files, with line and column
@@ -43,7 +43,7 @@ pub enum Command {
 
 /// How linear light becomes what a PNG shows.
 #[derive(Debug, Args)]
-pub struct DevelopmentArguments {
+pub(crate) struct DevelopmentArguments {
     /// Exposure in stops: each doubles the light (PNG only)
     #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = finite)]
     pub exposure: f64,
@@ -56,7 +56,7 @@ pub struct DevelopmentArguments {
 }
 
 #[derive(Debug, Args)]
-pub struct RenderArguments {
+pub(crate) struct RenderArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: String,
     /// The picture to write; its extension decides: .png (display) or .exr (linear light)
@@ -91,14 +91,14 @@ pub struct RenderArguments {
 }
 
 #[derive(Debug, Args)]
-pub struct CheckArguments {
+pub(crate) struct CheckArguments {
     /// Scene files, or names of built-in scenes
     #[arg(required = true)]
     pub scenes: Vec<String>,
 }
 
 #[derive(Debug, Args)]
-pub struct DiffArguments {
+pub(crate) struct DiffArguments {
     /// A picture: .png or .exr
     pub a: PathBuf,
     /// Another picture of the same size
@@ -121,7 +121,7 @@ pub struct DiffArguments {
 }
 
 #[derive(Debug, Args)]
-pub struct ConvertArguments {
+pub(crate) struct ConvertArguments {
     /// A picture (.png, .exr) or a scene (.toml)
     #[arg(value_name = "IN")]
     pub from: PathBuf,
@@ -133,7 +133,7 @@ pub struct ConvertArguments {
 }
 
 #[derive(Debug, Args)]
-pub struct ExamplesArguments {
+pub(crate) struct ExamplesArguments {
     /// The scene to write; without it, all are listed
     pub name: Option<String>,
     /// Where to write it, instead of standard output
@@ -142,27 +142,27 @@ pub struct ExamplesArguments {
 }
 
 #[derive(Debug, Args)]
-pub struct CompletionsArguments {
+pub(crate) struct CompletionsArguments {
     /// For which shell
     pub shell: clap_complete::Shell,
 }
 
 #[derive(Debug, Args)]
-pub struct ManArguments {
+pub(crate) struct ManArguments {
     /// The command to explain, such as render; without it, the program
     pub command: Option<String>,
 }
 
 /// How reflections are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Method {
+pub(crate) enum Method {
     /// Whitted's tree of rays
     Whitted,
 }
 
 /// What does the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Backend {
+pub(crate) enum Backend {
     /// The fastest there is
     Auto,
     /// The processor
@@ -173,7 +173,7 @@ pub enum Backend {
 
 /// Width and height of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
+pub(crate) struct Size {
     pub width: u32,
     pub height: u32,
 }

@@ -1,15 +1,15 @@
 //! One file a command.
 
-pub mod check;
-pub mod convert;
-pub mod diff;
-pub mod examples;
-pub mod manual;
-pub mod render;
+pub(crate) mod check;
+pub(crate) mod convert;
+pub(crate) mod diff;
+pub(crate) mod examples;
+pub(crate) mod manual;
+pub(crate) mod render;
 
 /// How a command ended when nothing went wrong with the program itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     /// Exit status 0.
     Done,
     /// A comparison failed: exit status 1.

@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use catoptric_scene::{Example, Loaded, load};
 
 /// A scene as the user named it.
-pub struct Named {
+pub(crate) struct Named {
     /// For messages: the path, or the example's name.
     pub name: String,
     pub loaded: Loaded,
@@ -15,7 +15,7 @@ pub struct Named {
 /// Loads the scene file at the path `name`, or the built-in scene of that name.
 ///
 /// A file wins over a built-in scene, so that nothing of the user's is hidden.
-pub fn scene(name: &str) -> Result<Named> {
+pub(crate) fn scene(name: &str) -> Result<Named> {
     let path = Path::new(name);
     let named = |loaded| Named { name: name.to_owned(), loaded };
     if path.exists() {

@@ -8,7 +8,7 @@ use catoptric_tracer::Control;
 
 /// From now on, the first Ctrl-C (or a request to end) cancels `control`, so that work stops in order and no half file
 /// stays behind; a second one ends the program at once.
-pub fn cancels(control: &Arc<Control>) -> Result<()> {
+pub(crate) fn cancels(control: &Arc<Control>) -> Result<()> {
     let control = Arc::clone(control);
     let again = AtomicBool::new(false);
     ctrlc::set_handler(move || {

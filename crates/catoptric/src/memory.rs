@@ -1,7 +1,7 @@
 //! Memory used by this process. Linux only so far; elsewhere unknown.
 
 /// The most memory this process has held, in bytes.
-pub fn peak_bytes() -> Option<u64> {
+pub(crate) fn peak_bytes() -> Option<u64> {
     if !cfg!(target_os = "linux") {
         return None;
     }

@@ -9,7 +9,7 @@ use catoptric_picture::{BitDepth, Development, Picture, write_exr, write_png};
 use crate::arguments::DevelopmentArguments;
 
 /// Prints to standard output. A reader that has gone away, such as `head`, is no error.
-pub fn print(text: &str) -> Result<()> {
+pub(crate) fn print(text: &str) -> Result<()> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
@@ -18,13 +18,13 @@ pub fn print(text: &str) -> Result<()> {
 }
 
 /// Whether a stream should get colors: it is a terminal, and the user does not ask otherwise (<https://no-color.org>).
-pub fn color_on(stream: &impl IsTerminal) -> bool {
+pub(crate) fn color_on(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
 /// What a file holds, by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     Png,
     Exr,
     Scene,
@@ -32,7 +32,7 @@ pub enum Kind {
 
 impl Kind {
     /// The kind of the file at `path`, if its extension is known.
-    pub fn of(path: &Path) -> Option<Self> {
+    pub(crate) fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         match extension.as_str() {
             "png" => Some(Self::Png),
@@ -43,7 +43,7 @@ impl Kind {
     }
 
     /// The kind of picture to write to `path`.
-    pub fn of_picture(path: &Path) -> Result<PictureKind> {
+    pub(crate) fn of_picture(path: &Path) -> Result<PictureKind> {
         match Self::of(path) {
             Some(Self::Png) => Ok(PictureKind::Png),
             Some(Self::Exr) => Ok(PictureKind::Exr),
@@ -57,23 +57,23 @@ impl Kind {
 
 /// A kind of picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PictureKind {
+pub(crate) enum PictureKind {
     Png,
     Exr,
 }
 
 impl DevelopmentArguments {
-    pub fn development(&self) -> Development {
+    pub(crate) fn development(&self) -> Development {
         Development { exposure_stops: self.exposure, tone_curve: self.tone_curve }
     }
 
-    pub fn depth(&self) -> BitDepth {
+    pub(crate) fn depth(&self) -> BitDepth {
         if self.bits == "16" { BitDepth::Sixteen } else { BitDepth::Eight }
     }
 }
 
 /// Writes a picture; returns the milliseconds spent on developing and on writing it.
-pub fn write_picture(
+pub(crate) fn write_picture(
     path: &Path,
     kind: PictureKind,
     picture: &Picture,

@@ -9,7 +9,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 /// Does `work` while a bar on standard error shows `control`'s progress to `pixels`; no bar if `quiet`, or when
 /// standard error is not a terminal.
-pub fn show<T: Send>(control: &Control, pixels: u64, quiet: bool, work: impl FnOnce() -> T + Send) -> T {
+pub(crate) fn show<T: Send>(
+    control: &Control,
+    pixels: u64,
+    quiet: bool,
+    work: impl FnOnce() -> T + Send,
+) -> T {
     if quiet || !std::io::stderr().is_terminal() {
         return work();
     }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 /// Milliseconds of each step.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Times {
+pub(crate) struct Times {
     pub read: f64,
     pub prepare: f64,
     pub trace: f64,
@@ -14,7 +14,7 @@ pub struct Times {
 }
 
 /// Everything `--stats` reports.
-pub struct Stats<'a> {
+pub(crate) struct Stats<'a> {
     pub scene: &'a str,
     pub width: u32,
     pub height: u32,
@@ -31,12 +31,12 @@ pub struct Stats<'a> {
 
 impl Stats<'_> {
     /// Millions of rays of all kinds traced in a second.
-    pub fn mrays_per_second(&self) -> f64 {
+    pub(crate) fn mrays_per_second(&self) -> f64 {
         let rays = self.rays.total() as f64;
         if self.times.trace > 0.0 { rays / (self.times.trace * 1e3) } else { 0.0 }
     }
 
-    pub fn to_json(&self) -> Value {
+    pub(crate) fn to_json(&self) -> Value {
         let Times { read, prepare, trace, develop, write } = self.times;
         let RayCounts { primary, shadow, reflected, refracted } = self.rays;
         json!({

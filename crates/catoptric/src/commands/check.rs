@@ -8,7 +8,7 @@ use crate::arguments::CheckArguments;
 use crate::input;
 use crate::output::{color_on, print};
 
-pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
     let mut outcome = Outcome::Done;
     let color = color_on(&std::io::stdout());
     for name in &arguments.scenes {

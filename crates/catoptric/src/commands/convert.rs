@@ -8,7 +8,7 @@ use super::Outcome;
 use crate::arguments::ConvertArguments;
 use crate::output::{Kind, write_picture};
 
-pub fn run(arguments: &ConvertArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &ConvertArguments) -> Result<Outcome> {
     let ConvertArguments { from, to, development } = arguments;
     check_writable(to)?;
     match (Kind::of(from), Kind::of(to)) {

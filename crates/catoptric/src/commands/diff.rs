@@ -10,7 +10,7 @@ use super::Outcome;
 use crate::arguments::DiffArguments;
 use crate::output::print;
 
-pub fn run(arguments: &DiffArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
     if let Some(path) = &arguments.heat {
         check_writable(path)?;
     }

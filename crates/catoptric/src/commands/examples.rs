@@ -7,7 +7,7 @@ use super::Outcome;
 use crate::arguments::ExamplesArguments;
 use crate::output::print;
 
-pub fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
     let Some(name) = &arguments.name else {
         let width = Example::ALL.iter().map(|example| example.name.len()).max().unwrap_or(0);
         let list: String = Example::ALL

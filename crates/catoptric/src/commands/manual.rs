@@ -7,14 +7,14 @@ use super::Outcome;
 use crate::arguments::{Arguments, CompletionsArguments, ManArguments};
 use crate::output::print;
 
-pub fn completions(arguments: &CompletionsArguments) -> Result<Outcome> {
+pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<Outcome> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut Arguments::command(), "catoptric", &mut script);
     print(&String::from_utf8_lossy(&script))?;
     Ok(Outcome::Done)
 }
 
-pub fn man(arguments: &ManArguments) -> Result<Outcome> {
+pub(crate) fn man(arguments: &ManArguments) -> Result<Outcome> {
     let program = Arguments::command();
     let command = match &arguments.command {
         None => program,

@@ -15,7 +15,7 @@ use crate::output::{Kind, color_on, print, write_picture};
 use crate::stats::{Stats, Times};
 use crate::{input, interrupt, memory, progress};
 
-pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     // Whatever can be refused is refused before the work begins.
     let kind = Kind::of_picture(&arguments.output)?;
     if arguments.backend == Backend::Gpu {
