@@ -28,6 +28,7 @@ pub mod srgb;
 mod tone;
 mod write;
 
+pub use catoptric_files::{WriteError, check_writable, write_bytes};
 pub use compare::difference::{Comparison, Difference, SizeMismatch};
 pub use compare::heat::{HeatMap, HeatMapError, heat_map};
 pub use develop::{BitDepth, Codes, Developed, Development};
@@ -36,5 +37,4 @@ pub use read::{DecodeError, ReadError, decode, read};
 pub use tone::{ToneCurve, UnknownToneCurve};
 pub use write::encode_exr::encode_exr;
 pub use write::encode_png::encode_png;
-pub use write::target::{check_writable, write_bytes};
-pub use write::{EncodeError, WriteError, write_exr, write_png};
+pub use write::{EncodeError, write_exr, write_png};

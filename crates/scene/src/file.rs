@@ -1,8 +1,10 @@
 //! Scene files on disk.
 
 use std::fs::{self, File};
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+
+use catoptric_files::{WriteError, write_bytes};
 
 use crate::Scene;
 use crate::format::{Diagnostics, LONGEST_TEXT, read_bytes};
@@ -41,16 +43,6 @@ pub enum LoadError {
         /// The errors, and warnings.
         diagnostics: Diagnostics,
     },
-}
-
-/// A scene file could not be written. What stood there before still does.
-#[derive(Debug, thiserror::Error)]
-#[error("cannot write {}: {source}", path.display())]
-pub struct SaveError {
-    /// The file.
-    pub path: PathBuf,
-    /// The system's error.
-    pub source: io::Error,
 }
 
 /// Reads a scene file.
@@ -95,70 +87,11 @@ fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {
     Ok(bytes)
 }
 
-/// Writes `text` to the file at `path` in one step: a crash leaves the old file or the new one, never half of one.
-/// Symbolic links are followed, and a file that is replaced hands on its permissions.
-pub fn save(path: impl AsRef<Path>, text: &str) -> Result<(), SaveError> {
-    let path = path.as_ref();
-    write_file(path, text.as_bytes()).map_err(|source| SaveError { path: path.to_owned(), source })
-}
-
-fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let target = followed(path)?;
-    let existing = match fs::metadata(&target) {
-        Ok(metadata) if metadata.is_dir() => return Err(io::Error::from(io::ErrorKind::IsADirectory)),
-        Ok(metadata) if !metadata.is_file() => return File::create(&target)?.write_all(bytes),
-        Ok(metadata) => Some(metadata.permissions()),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(error),
-    };
-    if existing.as_ref().is_some_and(fs::Permissions::readonly) {
-        return Err(io::Error::from(io::ErrorKind::PermissionDenied));
-    }
-    let folder = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".catoptric-").suffix(".tmp");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        // Less what the user's mask takes away.
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.flush()?;
-    if let Some(permissions) = existing {
-        file.as_file().set_permissions(permissions)?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(&target).map_err(|error| error.error)?;
-    sync_folder(folder);
-    Ok(())
-}
-
-/// Makes the new name durable, where the system can; the file itself is safe already.
-fn sync_folder(folder: &Path) {
-    if cfg!(unix) {
-        let _ = File::open(folder).and_then(|folder| folder.sync_all());
-    }
-}
-
-/// Where symbolic links lead to, even when nothing stands there yet.
-fn followed(path: &Path) -> io::Result<PathBuf> {
-    /// As many links as Linux follows.
-    const MOST_LINKS: usize = 40;
-    let mut target = path.to_owned();
-    for _ in 0..MOST_LINKS {
-        match fs::read_link(&target) {
-            Ok(next) => {
-                let folder = target.parent().map(Path::to_owned).unwrap_or_default();
-                target = folder.join(next);
-            }
-            // Not a link, or not there.
-            Err(_) => return Ok(target),
-        }
-    }
-    Err(io::Error::other("too many symbolic links"))
+/// Writes `text` to the file at `path`, whole or not at all: a crash leaves the old file or the new one, never half of
+/// one. Symbolic links are followed, and a file that is replaced hands on its permissions.
+///
+/// # Errors
+/// What stands in the way; the old file is untouched then.
+pub fn save(path: impl AsRef<Path>, text: &str) -> Result<(), WriteError> {
+    write_bytes(path.as_ref(), text.as_bytes())
 }
