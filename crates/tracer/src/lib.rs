@@ -4,6 +4,7 @@
 
 mod counts;
 mod medium;
+mod pick;
 mod ray;
 mod render;
 mod sampling;
@@ -15,6 +16,7 @@ mod whitted;
 
 pub use counts::RayCounts;
 pub use medium::{Media, MediaArena};
+pub use pick::SurfaceHit;
 pub use ray::{NO_BODY, Ray, Start};
 pub use render::{Control, RenderError, RenderSettings, Rendering, render};
 pub use sampling::sample_offset;
@@ -23,4 +25,4 @@ pub use stage::{
     Bounds, Bvh, Node, Stage, StageBody, StageCamera, StageChecker, StageError, StageFalloff, StageLight,
     StageMaterial,
 };
-pub use whitted::Whitted;
+pub use whitted::{RayKind, TracedRay, Whitted};

@@ -2,6 +2,8 @@
 //!
 //! Turner Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980.
 
+mod tree;
+
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DVec2, Vec3};
@@ -12,6 +14,8 @@ use crate::ray::{Ray, Start};
 use crate::search::{Flight, Hit};
 use crate::stage::{Pending, Stage, StageBody, StageMaterial};
 use crate::surface::{phong_highlight, reflect, refract};
+
+pub use tree::{RayKind, TracedRay};
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {
@@ -79,15 +83,7 @@ impl<'a> Whitted<'a> {
     /// The light that reaches the point `at` of a picture of `size` pixels (see [`StageCamera::ray`](crate::StageCamera::ray)).
     pub fn trace(&mut self, at: DVec2, size: DVec2) -> Vec3 {
         let primary = self.stage.camera().ray(at, size);
-        self.arena.rewind(self.eye_mark);
-        let media = match self.eye_media {
-            Some(media) => media,
-            None => self.arena.at_point(self.stage, primary.origin),
-        };
-        self.counts.primary += 1;
-        self.pending.clear();
-        let weight = Vec3::ONE;
-        let mut branch = Branch { ray: primary, weight, generation: 1, media, mark: self.arena.mark() };
+        let mut branch = self.root(primary, self.eye_media);
         let mut light = Vec3::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
         loop {
@@ -108,6 +104,15 @@ impl<'a> Whitted<'a> {
                 branch = next;
             }
         }
+    }
+
+    /// The first branch of a tree, in `media` if they are known already.
+    fn root(&mut self, primary: Ray, media: Option<Media>) -> Branch {
+        self.arena.rewind(self.eye_mark);
+        let media = media.unwrap_or_else(|| self.arena.at_point(self.stage, primary.origin));
+        self.counts.primary += 1;
+        self.pending.clear();
+        Branch { ray: primary, weight: Vec3::ONE, generation: 1, media, mark: self.arena.mark() }
     }
 
     /// Traces one ray and returns its own weighted share of the light. If true comes with it, the branch was replaced
