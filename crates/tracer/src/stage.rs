@@ -12,7 +12,7 @@ mod material;
 use std::ops::Range;
 
 use catoptric_scene::{Body, Color, MaterialChoice, Scene, Tracing};
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec3A};
 
 pub use body::StageBody;
 pub use bounds::Bounds;
@@ -42,8 +42,8 @@ pub struct Stage {
     pub(crate) checkers: Vec<StageChecker>,
     pub(crate) lights: Vec<StageLight>,
     pub(crate) camera: StageCamera,
-    pub(crate) background: Vec3,
-    pub(crate) ambient: Vec3,
+    pub(crate) background: Vec3A,
+    pub(crate) ambient: Vec3A,
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
     pub(crate) has_transparency: bool,
@@ -260,6 +260,6 @@ fn undefined_material(index: usize, body: &Body) -> StageError {
 }
 
 /// A color as single-precision components.
-fn vec3(color: Color) -> Vec3 {
-    Vec3::from_array(color.to_array().map(|component| component as f32))
+fn vec3(color: Color) -> Vec3A {
+    Vec3A::from_array(color.to_array().map(|component| component as f32))
 }
