@@ -57,7 +57,7 @@ fn write_jpeg(path: &Path, picture: &Picture) -> Result<()> {
     let developed = Development::default().develop(picture, BitDepth::Eight)?;
     let mut bytes = Vec::new();
     if let Codes::Eight(codes) = developed.codes() {
-        let mut encoder = Encoder::new(&mut bytes, 88);
+        let mut encoder = Encoder::new(&mut bytes, 82);
         encoder.set_sampling_factor(SamplingFactor::F_1_1);
         encoder.set_optimized_huffman_tables(true);
         encoder.encode(codes, picture.width() as u16, picture.height() as u16, ColorType::Rgb)?;
