@@ -3,8 +3,8 @@
 //! The program leaves at once, wherever it is, except while a file is being written: then the file is finished first,
 //! so that neither half a file nor a temporary stays behind. A second request is obeyed at once even then.
 
+use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
@@ -18,19 +18,47 @@ const INTERRUPTED: i32 = 130;
 static WRITTEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// From now on, Ctrl-C (or a request to end) ends the program with exit status 130.
-///
-/// If a signal is already handled or ignored, as under `nohup`, that stays so.
 pub(crate) fn listen() {
-    let again = AtomicBool::new(false);
     // Without a handler the system's own is at work, which ends the program too.
-    let _ = ctrlc::try_set_handler(move || {
-        let first = !again.swap(true, Ordering::Relaxed);
+    let _ = on_request(request());
+}
+
+/// What to do at each request.
+fn request() -> impl FnMut() + Send + 'static {
+    let mut again = false;
+    move || {
         // A thread of its own waits for the file, and this one for a second request.
-        let waiting = first && thread::Builder::new().spawn(|| leave(&written())).is_ok();
-        if !waiting {
+        let waits = !again && thread::Builder::new().spawn(|| leave(&written())).is_ok();
+        again = true;
+        if !waits {
             std::process::exit(INTERRUPTED);
         }
-    });
+    }
+}
+
+/// Calls `act` at every SIGINT, SIGTERM and SIGHUP. Those that are ignored stay so: `nohup` has it that a render
+/// outlives its terminal.
+#[cfg(unix)]
+fn on_request(mut act: impl FnMut() + Send + 'static) -> io::Result<()> {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+
+    let ignored = ignored_signals();
+    let heard = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| ignored & (1 << (signal - 1)) == 0);
+    let mut signals = signal_hook::iterator::Signals::new(heard)?;
+    thread::Builder::new().spawn(move || signals.forever().for_each(|_| act())).map(drop)
+}
+
+/// The signals that this process ignores, a bit each: signal 1 is the lowest. Linux only so far; elsewhere none.
+#[cfg(unix)]
+fn ignored_signals() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0)
+}
+
+#[cfg(not(unix))]
+fn on_request(act: impl FnMut() + Send + 'static) -> io::Result<()> {
+    ctrlc::set_handler(act).map_err(io::Error::other)
 }
 
 /// Does `work`, which creates or replaces the file at `path`, undisturbed by interruptions.

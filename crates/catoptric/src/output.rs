@@ -95,7 +95,11 @@ impl DevelopmentArguments {
 /// same command reads or writes.
 pub(crate) fn check_output(path: &Path, others: &[&Path]) -> Result<()> {
     if let Some(other) = others.iter().find(|other| place(other) == place(path)) {
-        bail!("{} and {} are the same file; write to another", other.display(), path.display());
+        bail!(
+            "cannot write {}: the same command uses this file as {}; give another name",
+            path.display(),
+            other.display()
+        );
     }
     Ok(interrupt::undisturbed(|| catoptric_picture::check_writable(path))?)
 }

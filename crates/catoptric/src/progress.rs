@@ -1,5 +1,6 @@
 //! What the terminal shows while one waits.
 
+use std::fmt;
 use std::io::IsTerminal as _;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -7,7 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use catoptric_tracer::Control;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 
 /// What is shown now, so that an interruption can clear it.
 static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
@@ -35,7 +36,7 @@ impl Progress {
         if !self.shown {
             return work();
         }
-        show(ProgressBar::new(pixels), "{bar:40} {percent:>3} %  {elapsed} elapsed, {eta} left");
+        show(ProgressBar::new(pixels), "{bar:40} {percent:>3} %  {elapsed} elapsed{left}");
         let finished = AtomicBool::new(false);
         let result = thread::scope(|scope| {
             let watcher = scope.spawn(|| watch(control, &finished));
@@ -70,9 +71,17 @@ pub(crate) fn clear() {
 }
 
 fn show(bar: ProgressBar, template: &str) {
-    let style = ProgressStyle::with_template(template);
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    bar.set_style(style.with_key("left", time_left));
     *SHOWN.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar);
+}
+
+/// The time left, once there is something to tell it by.
+fn time_left(state: &ProgressState, out: &mut dyn fmt::Write) {
+    if state.pos() > 0 {
+        // A bar that cannot be drawn is no reason to stop.
+        let _ = write!(out, ", {:#} left", HumanDuration(state.eta()));
+    }
 }
 
 fn with_shown(draw: impl FnOnce(&ProgressBar)) {
