@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
-use catoptric_picture::{BitDepth, Codes, Development, Picture, write_bytes};
+use catoptric_files::write_bytes;
+use catoptric_picture::{BitDepth, Codes, Development, Picture};
 use catoptric_scene::Example;
 use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use clap::Args;

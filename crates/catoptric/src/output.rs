@@ -101,7 +101,7 @@ pub(crate) fn check_output(path: &Path, others: &[&Path]) -> Result<()> {
             other.display()
         );
     }
-    Ok(interrupt::undisturbed(|| catoptric_picture::check_writable(path))?)
+    Ok(interrupt::undisturbed(|| catoptric_files::check_writable(path))?)
 }
 
 /// Where `path` leads, whether or not something is there yet.
@@ -118,7 +118,7 @@ fn place(path: &Path) -> PathBuf {
 
 /// Writes a text file, whole or not at all.
 pub(crate) fn write_text(path: &Path, text: &str) -> Result<()> {
-    Ok(interrupt::while_writing(path, || catoptric_picture::write_bytes(path, text.as_bytes()))?)
+    Ok(interrupt::while_writing(path, || catoptric_files::write_bytes(path, text.as_bytes()))?)
 }
 
 /// Writes a picture, whole or not at all; returns the milliseconds spent on developing and on writing it.

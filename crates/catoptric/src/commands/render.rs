@@ -28,17 +28,18 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         warn_of_scene(&input);
     }
 
+    let threads = arguments.threads.map_or(0, usize::from);
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
     let start = Instant::now();
-    let mut stage = Stage::prepare(&input.loaded.scene).with_context(|| input.name.clone())?;
+    let stage = pool.install(|| Stage::prepare(&input.loaded.scene));
+    let mut stage = stage.with_context(|| input.name.clone())?;
     drop(input.loaded);
     if let Some(generations) = arguments.generations {
         stage = stage.with_generations(generations);
     }
     times.prepare = milliseconds(start);
 
-    let threads = arguments.threads.map_or(0, usize::from);
-    let pool =
-        rayon::ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
     let settings = RenderSettings {
         width: arguments.size.width,
         height: arguments.size.height,
