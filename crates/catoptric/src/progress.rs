@@ -55,7 +55,7 @@ impl Progress {
             return work();
         }
         show(ProgressBar::new_spinner().with_message(format!("writing {what}")), "{msg}");
-        with_shown(|bar| bar.tick());
+        with_shown(ProgressBar::tick);
         let result = work();
         clear();
         result

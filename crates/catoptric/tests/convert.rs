@@ -1,4 +1,5 @@
 //! `catoptric convert`
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 mod common;
 

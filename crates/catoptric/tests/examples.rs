@@ -1,4 +1,5 @@
 //! `catoptric examples`, and what explains the program: help, completions, manual pages.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 mod common;
 

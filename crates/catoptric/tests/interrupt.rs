@@ -1,5 +1,6 @@
 //! Ctrl-C, and requests to end.
 #![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 mod common;
 

@@ -117,10 +117,11 @@ fn temporary(path: &Path, directory: &Path) -> Result<NamedTempFile, WriteError>
     let permissions = <fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666);
     #[cfg(unix)]
     builder.permissions(permissions);
-    builder.tempfile_in(directory).map_err(|source| WriteError::Closed {
+    builder.tempfile_in(directory).map_err(|error| WriteError::Closed {
         path: path.to_owned(),
         directory: directory.to_owned(),
-        source,
+        // The whole error names the temporary file, of which nobody has heard.
+        source: error.kind().into(),
     })
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, anyhow, bail};
 use catoptric_picture::Picture;
 use catoptric_tracer::{Control, RenderSettings, Rendering, Stage, render};
 
@@ -29,8 +29,10 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     }
 
     let threads = arguments.threads.map_or(0, usize::from);
-    let pool =
-        rayon::ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|error| anyhow!("cannot start the threads; ask for fewer with --threads: {error}"))?;
     let start = Instant::now();
     let stage = pool.install(|| Stage::prepare(&input.loaded.scene));
     let mut stage = stage.with_context(|| input.name.clone())?;
