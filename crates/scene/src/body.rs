@@ -117,7 +117,9 @@ impl Placement {
     /// The transform from the body's own frame to the world, `T · R · S`.
     pub fn world_from_body(&self) -> DAffine3 {
         let (rotation, position) = match self.anchor {
-            Anchor::Frame { position, rotation_degrees } => (rotation_from_degrees(rotation_degrees), position),
+            Anchor::Frame { position, rotation_degrees } => {
+                (rotation_from_degrees(rotation_degrees), position)
+            }
             Anchor::Axis { base, top } => {
                 let axis = (top - base).try_normalize().unwrap_or(DVec3::Y);
                 (DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Y, axis)), base)
