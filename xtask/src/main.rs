@@ -1,2 +1,45 @@
-//! The program.
-fn main() {}
+//! Project chores: `cargo xtask ci`, `cargo xtask gallery`, `cargo xtask bench`.
+
+mod bench;
+mod ci;
+mod gallery;
+mod sheet;
+mod shell;
+#[cfg(test)]
+mod tidy;
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+/// Project chores.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask")]
+struct Arguments {
+    #[command(subcommand)]
+    chore: Chore,
+}
+
+#[derive(Debug, Subcommand)]
+enum Chore {
+    /// The whole check: format, lints, documentation, dependencies, tests, the README's first command
+    Ci,
+    /// Render the built-in scenes into docs/gallery and the README's picture
+    Gallery(gallery::GalleryArguments),
+    /// Time the tracer against POV-Ray on the same scenes, by turns
+    Bench(bench::BenchArguments),
+}
+
+fn main() -> anyhow::Result<()> {
+    match Arguments::parse().chore {
+        Chore::Ci => ci::run(),
+        Chore::Gallery(arguments) => gallery::run(&arguments),
+        Chore::Bench(arguments) => bench::run(&arguments),
+    }
+}
+
+/// The repository's root.
+fn root() -> PathBuf {
+    let manifest = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    manifest.parent().map_or(manifest.clone(), std::path::Path::to_path_buf)
+}

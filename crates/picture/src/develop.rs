@@ -1,6 +1,6 @@
 //! From linear light to what a display shows.
 
-use crate::picture::Picture;
+use crate::picture::{Picture, SizeError};
 use crate::quantize::{Table8, exact16};
 use crate::tone::{self, ToneCurve};
 
@@ -27,48 +27,91 @@ impl Development {
         self.exposure_stops.exp2() as f32
     }
 
-    /// Appends the 8-bit codes of these pixels.
-    pub(crate) fn append8(&self, pixels: &[[f32; 3]], codes: &mut Vec<u8>) {
-        let table = Table8::get();
-        self.append(pixels, codes, |x| table.code(x));
-    }
-
-    /// Appends the 16-bit codes of these pixels.
-    pub(crate) fn append16(&self, pixels: &[[f32; 3]], codes: &mut Vec<u16>) {
-        self.append(pixels, codes, exact16);
+    /// Develops a picture into display codes.
+    ///
+    /// ```
+    /// use catoptric_picture::{BitDepth, Codes, Development, Picture};
+    /// let grey = Picture::from_fn(1, 1, |_, _| [0.5; 3])?;
+    /// let developed = Development::default().develop(&grey, BitDepth::Eight)?;
+    /// assert_eq!(developed.codes(), &Codes::Eight(vec![188; 3]));
+    /// # Ok::<(), catoptric_picture::SizeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When there is too little memory.
+    pub fn develop(&self, picture: &Picture, depth: BitDepth) -> Result<Developed, SizeError> {
+        let codes = match depth {
+            BitDepth::Eight => {
+                let table = Table8::get();
+                Codes::Eight(self.codes(picture, |x| table.code(x))?)
+            }
+            BitDepth::Sixteen => Codes::Sixteen(self.codes(picture, exact16)?),
+        };
+        Ok(Developed { width: picture.width(), height: picture.height(), codes })
     }
 
     /// The curve is chosen outside the loop over the pixels.
-    fn append<T>(&self, pixels: &[[f32; 3]], codes: &mut Vec<T>, quantize: impl Fn(f32) -> T) {
+    fn codes<T>(&self, picture: &Picture, quantize: impl Fn(f32) -> T) -> Result<Vec<T>, SizeError> {
+        let values = picture.pixels().as_flattened();
+        let mut codes = Vec::new();
+        codes.try_reserve_exact(values.len()).map_err(|_| SizeError::Memory {
+            width: picture.width(),
+            height: picture.height(),
+            bytes: size_of_val(values) as u64 / size_of::<f32>() as u64 * size_of::<T>() as u64,
+        })?;
         let scale = self.scale();
-        let light = pixels.as_flattened().iter().map(|x| x * scale);
+        let light = values.iter().map(|x| x * scale);
         match self.tone_curve {
             ToneCurve::None => codes.extend(light.map(|x| quantize(tone::clamp(x)))),
             ToneCurve::Reinhard => codes.extend(light.map(|x| quantize(tone::reinhard(x)))),
             ToneCurve::Filmic => codes.extend(light.map(|x| quantize(tone::filmic(x)))),
         }
+        Ok(codes)
     }
 }
 
-/// The picture as 8-bit sRGB: red, green, blue of every pixel, row by row from the top.
-///
-/// ```
-/// use catoptric_picture::{Development, Picture, develop8};
-/// let grey = Picture::from_fn(1, 1, |_, _| [0.5; 3])?;
-/// assert_eq!(develop8(&grey, &Development::default()), [188; 3]);
-/// # Ok::<(), catoptric_picture::SizeError>(())
-/// ```
-pub fn develop8(picture: &Picture, development: &Development) -> Vec<u8> {
-    let mut codes = Vec::new();
-    development.append8(picture.pixels(), &mut codes);
-    codes
+/// Bits per channel of a developed picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum BitDepth {
+    /// 256 codes per channel; what displays show. The default.
+    #[default]
+    Eight,
+    /// 65536 codes per channel; for further processing.
+    Sixteen,
 }
 
-/// The picture as 16-bit sRGB: red, green, blue of every pixel, row by row from the top.
-pub fn develop16(picture: &Picture, development: &Development) -> Vec<u16> {
-    let mut codes = Vec::new();
-    development.append16(picture.pixels(), &mut codes);
-    codes
+/// A picture as a display shows it: sRGB codes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Developed {
+    width: u32,
+    height: u32,
+    codes: Codes,
+}
+
+/// Red, green, blue of every pixel, row by row from the top.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Codes {
+    /// 0 to 255.
+    Eight(Vec<u8>),
+    /// 0 to 65535.
+    Sixteen(Vec<u16>),
+}
+
+impl Developed {
+    /// Pixels across.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Pixels down.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// The codes.
+    pub fn codes(&self) -> &Codes {
+        &self.codes
+    }
 }
 
 #[cfg(test)]
@@ -78,6 +121,20 @@ mod tests {
 
     const SPECIAL: [f32; 8] =
         [0.0, -0.0, -1.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN_POSITIVE];
+
+    fn develop8(picture: &Picture, development: &Development) -> Vec<u8> {
+        match development.develop(picture, BitDepth::Eight).unwrap().codes {
+            Codes::Eight(codes) => codes,
+            Codes::Sixteen(_) => panic!("asked for 8 bits"),
+        }
+    }
+
+    fn develop16(picture: &Picture, development: &Development) -> Vec<u16> {
+        match development.develop(picture, BitDepth::Sixteen).unwrap().codes {
+            Codes::Sixteen(codes) => codes,
+            Codes::Eight(_) => panic!("asked for 16 bits"),
+        }
+    }
 
     fn ramp() -> Picture {
         let value = |i: u32| SPECIAL.get(i as usize).copied().unwrap_or(i as f32 * 3.7e-4);

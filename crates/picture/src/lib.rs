@@ -1,7 +1,7 @@
 //! Linear-light pictures: what the tracer fills, the display shows, files hold and tests compare.
 //!
 //! - [`Picture`]: RGB in linear light, 32-bit floats, top row first.
-//! - [`Development`]: exposure → tone curve → sRGB → 8 or 16 bits ([`develop8`], [`develop16`]).
+//! - [`Development`]: exposure → tone curve → sRGB → 8 or 16 bits ([`Developed`]).
 //! - [`write_png`], [`write_exr`]: whole files or none; [`check_writable`] asks before the work begins.
 //! - [`read`]: PNG and EXR by content, safe on hostile files.
 //! - [`Difference`] and [`heat_map`]: how far two pictures are apart, and where.
@@ -9,12 +9,13 @@
 //! The crate knows nothing of scenes or rays. Nothing here panics on any input.
 //!
 //! ```
-//! use catoptric_picture::{Development, Difference, Picture, decode, encode_exr, develop8};
+//! use catoptric_picture::{Development, Difference, Picture, decode, BitDepth, encode_exr, encode_png};
 //!
 //! let picture = Picture::from_fn(4, 2, |x, y| [x as f32 / 3.0, y as f32, 0.5])?;
 //! let file = encode_exr(&picture)?;
 //! assert_eq!(Difference::between(&picture, &decode(&file)?)?.max, 0.0);
-//! assert_eq!(develop8(&picture, &Development::default()).len(), 4 * 2 * 3);
+//! let shown = Development::default().develop(&picture, BitDepth::Eight)?;
+//! assert!(encode_png(&shown)?.starts_with(b"\x89PNG"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -27,13 +28,13 @@ pub mod srgb;
 mod tone;
 mod write;
 
+pub use catoptric_files::{WriteError, check_writable, write_bytes};
 pub use compare::difference::{Comparison, Difference, SizeMismatch};
 pub use compare::heat::{HeatMap, HeatMapError, heat_map};
-pub use develop::{Development, develop8, develop16};
+pub use develop::{BitDepth, Codes, Developed, Development};
 pub use picture::{Picture, SizeError};
 pub use read::{DecodeError, ReadError, decode, read};
 pub use tone::{ToneCurve, UnknownToneCurve};
 pub use write::encode_exr::encode_exr;
-pub use write::encode_png::{BitDepth, encode_png};
-pub use write::target::{check_writable, write_bytes};
-pub use write::{EncodeError, WriteError, write_exr, write_png};
+pub use write::encode_png::encode_png;
+pub use write::{EncodeError, write_exr, write_png};

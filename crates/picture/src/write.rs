@@ -2,14 +2,14 @@
 
 pub(crate) mod encode_exr;
 pub(crate) mod encode_png;
-pub(crate) mod target;
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use crate::develop::Development;
+use catoptric_files::{WriteError, write_whole};
+
+use crate::develop::Developed;
 use crate::picture::Picture;
-use encode_png::BitDepth;
 
 /// Why a picture could not be turned into a file's bytes.
 #[derive(Debug, thiserror::Error)]
@@ -27,80 +27,12 @@ pub enum EncodeError {
     },
 }
 
-/// Why a file could not be written. The file that was there before, if any, is untouched
-/// (for a device or a pipe, which has no before, some bytes may have gone out).
-#[derive(Debug, thiserror::Error)]
-pub enum WriteError {
-    /// The path names no file, like `..` or the empty path.
-    #[error("cannot write \"{}\": this path names no file; give a file name", path.display())]
-    NoName {
-        /// The path asked for.
-        path: PathBuf,
-    },
-    /// The path is a directory.
-    #[error("cannot write {}: it is a directory; give the name of a file in it", path.display())]
-    IsDirectory {
-        /// The path asked for.
-        path: PathBuf,
-    },
-    /// The directory does not exist, or is not one.
-    #[error(
-        "cannot write {}: there is no directory {}; create it or choose another place",
-        path.display(), directory.display()
-    )]
-    NoDirectory {
-        /// The path asked for.
-        path: PathBuf,
-        /// What should be a directory.
-        directory: PathBuf,
-    },
-    /// Nothing can be created in the directory.
-    #[error(
-        "cannot write {}: nothing can be created in the directory {}; change its permissions or choose another place",
-        path.display(), directory.display()
-    )]
-    Closed {
-        /// The path asked for.
-        path: PathBuf,
-        /// The directory.
-        directory: PathBuf,
-        /// The system's reason.
-        source: io::Error,
-    },
-    /// The existing file is marked read-only. It is respected, though renaming could replace it.
-    #[error("cannot write {}: the file is write-protected; choose another name or make it writable", path.display())]
-    Protected {
-        /// The file.
-        path: PathBuf,
-    },
-    /// A symbolic link leads in a circle.
-    #[error("cannot write {}: its symbolic links lead in a circle; choose another name", path.display())]
-    Circle {
-        /// The path asked for.
-        path: PathBuf,
-    },
-    /// The system refused while the file was looked at, written or renamed.
-    #[error("cannot write {}; check the free space and the permissions", path.display())]
-    Io {
-        /// The path asked for.
-        path: PathBuf,
-        /// The system's reason.
-        source: io::Error,
-    },
-    /// The picture could not be encoded.
-    #[error("cannot write {}", path.display())]
-    Encode {
-        /// The path asked for.
-        path: PathBuf,
-        /// The encoder's reason.
-        source: EncodeError,
-    },
-}
-
-impl WriteError {
-    /// Wraps what the system said about `path`.
-    pub(crate) fn io(path: &Path, source: io::Error) -> WriteError {
-        WriteError::Io { path: path.to_owned(), source }
+impl From<EncodeError> for io::Error {
+    fn from(error: EncodeError) -> Self {
+        match error {
+            EncodeError::Io(error) => error,
+            refused @ EncodeError::Refused { .. } => Self::other(refused),
+        }
     }
 }
 
@@ -110,14 +42,9 @@ impl WriteError {
 /// target, which is then renamed over it; a symbolic link is followed first and stays one.
 ///
 /// # Errors
-/// What [`check_writable`](target::check_writable) finds, a full disk, or a failing system.
-pub fn write_png(
-    path: &Path,
-    picture: &Picture,
-    development: &Development,
-    depth: BitDepth,
-) -> Result<(), WriteError> {
-    target::write_whole(path, |sink| encode_png::encode_png_to(sink, picture, development, depth))
+/// What [`check_writable`](catoptric_files::check_writable) finds, a full disk, or a failing system.
+pub fn write_png(path: &Path, picture: &Developed) -> Result<(), WriteError> {
+    write_whole(path, |sink| Ok(encode_png::encode_png_to(sink, picture)?))
 }
 
 /// Writes the picture's linear light as EXR, whole or not at all; an existing file is replaced.
@@ -127,12 +54,13 @@ pub fn write_png(
 /// # Errors
 /// As for [`write_png`].
 pub fn write_exr(path: &Path, picture: &Picture) -> Result<(), WriteError> {
-    target::write_whole(path, |sink| encode_exr::encode_exr_to(sink, picture))
+    write_whole(path, |sink| Ok(encode_exr::encode_exr_to(sink, picture)?))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::develop::{BitDepth, Development};
     use std::io::{Cursor, Seek, SeekFrom, Write};
 
     /// A disk with this much room.
@@ -163,14 +91,14 @@ mod tests {
     #[test]
     fn a_full_disk_is_an_error_wherever_it_happens() {
         let picture = Picture::from_fn(60, 50, |x, y| [(x * y % 17) as f32 / 16.0; 3]).unwrap();
-        let development = Development::default();
-        let png = encode_png::encode_png(&picture, &development, BitDepth::Eight).unwrap().len();
+        let developed = Development::default().develop(&picture, BitDepth::Eight).unwrap();
+        let png = encode_png::encode_png(&developed).unwrap().len();
         let exr = encode_exr::encode_exr(&picture).unwrap().len();
         let full = |room: usize| Full { file: Cursor::default(), room: room as u64 };
         let is_full =
             |error| matches!(error, Err(EncodeError::Io(e)) if e.kind() == io::ErrorKind::StorageFull);
         for room in (0..png).step_by(7).chain([png - 1]) {
-            let written = encode_png::encode_png_to(full(room), &picture, &development, BitDepth::Eight);
+            let written = encode_png::encode_png_to(full(room), &developed);
             assert!(is_full(written), "PNG with room for {room} of {png} bytes");
         }
         for room in (0..exr).step_by(7).chain([exr - 1]) {

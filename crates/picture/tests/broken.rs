@@ -96,7 +96,7 @@ fn broken_files_are_errors_and_never_panics() {
     let pxr = Encoding { compression: Compression::PXR24, ..Encoding::SMALL_LOSSLESS };
     let b44 = Encoding { compression: Compression::B44, ..Encoding::SMALL_LOSSLESS };
     let channels = ["B", "G", "R"].map(|name| (name, halves(0.37)));
-    let png = |depth| encode_png(&small(), &Development::default(), depth).unwrap();
+    let png = |depth| encode_png(&Development::default().develop(&small(), depth).unwrap()).unwrap();
     let palette = png_of((9, 1), png::ColorType::Indexed, png::BitDepth::Two, &[7, 21, 0], |encoder| {
         encoder.set_palette(vec![0, 0, 0, 10, 20, 30]);
     });

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests may panic as tests may")]
 
 use catoptric_picture::{
-    BitDepth, Comparison, Development, Difference, HeatMap, HeatMapError, Picture, SizeMismatch, decode,
-    develop8, encode_png, heat_map,
+    BitDepth, Codes, Comparison, Development, Difference, HeatMap, HeatMapError, Picture, SizeMismatch,
+    decode, encode_png, heat_map,
 };
 use proptest::prelude::*;
 
@@ -128,7 +128,8 @@ fn equal_pixels_are_dark_and_wrong_ones_are_light() {
     let options = HeatMap { maximum: 0.1, legend: false, ..HeatMap::default() };
     let map = heat_map(&a, &b, &options).unwrap();
     assert_eq!((map.width(), map.height()), (16, 9));
-    let codes = develop8(&map, &Development::default());
+    let shown = Development::default().develop(&map, BitDepth::Eight).unwrap();
+    let Codes::Eight(codes) = shown.codes() else { panic!("8 bits") };
     let lit: Vec<usize> =
         codes.chunks(3).enumerate().filter(|(_, code)| code.iter().any(|&c| c > 2)).map(|(i, _)| i).collect();
     assert_eq!(lit, [0, 143]);
@@ -163,6 +164,6 @@ fn the_legend_shows_the_scale_and_moves_no_pixel() {
     assert_eq!(ticks, [0, 10, 20, 30, 40]);
     assert_eq!(map.pixel(40, map.height() - 1), map.pixel(40, 4), "the scale ends with the top color");
     // It is an ordinary picture.
-    let png = encode_png(&map, &Development::default(), BitDepth::Eight).unwrap();
+    let png = encode_png(&Development::default().develop(&map, BitDepth::Eight).unwrap()).unwrap();
     assert_eq!(decode(&png).unwrap().height(), map.height());
 }

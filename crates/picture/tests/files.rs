@@ -21,7 +21,7 @@ fn picture() -> Picture {
 }
 
 fn png8(picture: &Picture) -> Vec<u8> {
-    encode_png(picture, &Development::default(), BitDepth::Eight).unwrap()
+    encode_png(&Development::default().develop(picture, BitDepth::Eight).unwrap()).unwrap()
 }
 
 /// Name and data of every chunk of a PNG, read without the crate that wrote it.
@@ -48,7 +48,7 @@ fn names(directory: &Path) -> Vec<String> {
 fn png_codes_round_trip() {
     let picture = picture();
     for (depth, step) in [(BitDepth::Eight, 255.0), (BitDepth::Sixteen, 65535.0)] {
-        let bytes = encode_png(&picture, &Development::default(), depth).unwrap();
+        let bytes = encode_png(&Development::default().develop(&picture, depth).unwrap()).unwrap();
         let back = decode(&bytes).unwrap();
         assert_eq!((back.width(), back.height()), (67, 41));
         for (a, b) in picture.pixels().as_flattened().iter().zip(back.pixels().as_flattened()) {
@@ -56,7 +56,7 @@ fn png_codes_round_trip() {
             let bound = 0.5 / step * 2.275 + 1e-6;
             assert!((a.clamp(0.0, 1.0) - b).abs() < bound, "{a} became {b} at {depth:?}");
         }
-        assert_eq!(encode_png(&back, &Development::default(), depth).unwrap(), bytes);
+        assert_eq!(encode_png(&Development::default().develop(&back, depth).unwrap()).unwrap(), bytes);
     }
 }
 
@@ -106,7 +106,7 @@ fn files_hold_what_the_memory_functions_give_and_the_content_decides() {
     let picture = picture();
     // The names are swapped on purpose.
     let (png, exr) = (directory.path().join("a.exr"), directory.path().join("b.png"));
-    write_png(&png, &picture, &Development::default(), BitDepth::Eight).unwrap();
+    write_png(&png, &Development::default().develop(&picture, BitDepth::Eight).unwrap()).unwrap();
     write_exr(&exr, &picture).unwrap();
     assert_eq!(fs::read(&png).unwrap(), png8(&picture));
     assert_eq!(fs::read(&exr).unwrap(), encode_exr(&picture).unwrap());
@@ -196,7 +196,10 @@ mod unix {
     fn a_device_is_written_to_and_not_replaced() {
         let picture = picture();
         write_exr(Path::new("/dev/null"), &picture).unwrap();
-        let full = write_png(Path::new("/dev/full"), &picture, &Development::default(), BitDepth::Eight);
+        let full = write_png(
+            Path::new("/dev/full"),
+            &Development::default().develop(&picture, BitDepth::Eight).unwrap(),
+        );
         let Err(WriteError::Io { source, .. }) = full else { panic!("{full:?}") };
         assert_eq!(source.kind(), std::io::ErrorKind::StorageFull);
         for device in ["/dev/null", "/dev/full"] {

@@ -7,12 +7,21 @@
 mod body;
 mod camera;
 mod color;
+mod examples;
+mod file;
+pub mod format;
 mod light;
 mod material;
 
 pub use body::{Anchor, Body, Placement, Shape};
 pub use camera::{Camera, Projection};
 pub use color::Color;
+pub use examples::Example;
+pub use file::{LoadError, Loaded, load, save};
+pub use format::{
+    Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
+    read, read_bytes, update, write,
+};
 pub use light::{Falloff, Light};
 pub use material::{Checker, Material, MaterialChoice, NamedMaterial};
 

@@ -1,6 +1,6 @@
 //! The transparent bodies a ray is inside of.
 
-use glam::Vec3;
+use glam::Vec3A;
 
 use crate::stage::{Hierarchy, Stage};
 
@@ -81,7 +81,7 @@ impl MediaArena {
     }
 
     /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.
-    pub fn at_point(&mut self, stage: &Stage, point: Vec3) -> Media {
+    pub fn at_point(&mut self, stage: &Stage, point: Vec3A) -> Media {
         if !stage.has_transparency {
             return Media::AIR;
         }

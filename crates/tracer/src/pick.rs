@@ -22,12 +22,14 @@ pub struct SurfaceHit {
 
 impl SurfaceHit {
     pub(crate) fn new(stage: &Stage, ray: &Ray, hit: Hit) -> Option<Self> {
-        let body = stage.body(hit.body);
-        let span = body.span(ray.origin.into(), ray.direction.into());
-        let face = if hit.leaving { span.exit_face } else { span.enter_face };
-        let point = body.surface_point(face, ray.at(hit.t).into());
+        let point = stage.body(hit.body).surface_point(ray.origin, ray.direction, hit.t, hit.leaving);
         let normal = if hit.leaving { -point.normal } else { point.normal };
-        Some(Self { body: stage.scene_index(hit.body)?, hit, position: point.in_world, normal })
+        Some(Self {
+            body: stage.scene_index(hit.body)?,
+            hit,
+            position: point.in_world.into(),
+            normal: normal.into(),
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rays and where they start.
 
-use glam::Vec3;
+use glam::Vec3A;
 
 /// Stands for "no body" wherever a body's index is kept.
 pub const NO_BODY: u32 = u32::MAX;
@@ -12,24 +12,26 @@ pub const NO_BODY: u32 = u32::MAX;
 pub(crate) const POINT_ROUNDING: f32 = 16.0 * f32::EPSILON;
 
 /// A half-line in world space.
+///
+/// Vectors that go through the tracer are `Vec3A`, which is kept and moved as one piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Start, metres.
-    pub origin: Vec3,
+    pub origin: Vec3A,
     /// Unit direction, so that the ray parameter t is the distance in metres.
-    pub direction: Vec3,
+    pub direction: Vec3A,
     /// What is known about the start.
     pub start: Start,
 }
 
 impl Ray {
     /// A ray from a free point in space, such as the eye.
-    pub fn from_point(origin: Vec3, direction: Vec3) -> Self {
-        Self { origin, direction, start: Start::FREE }
+    pub fn from_point(origin: impl Into<Vec3A>, direction: impl Into<Vec3A>) -> Self {
+        Self { origin: origin.into(), direction: direction.into(), start: Start::FREE }
     }
 
     /// The point at parameter `t`.
-    pub fn at(&self, t: f32) -> Vec3 {
+    pub fn at(&self, t: f32) -> Vec3A {
         self.origin + self.direction * t
     }
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use catoptric_picture::{Picture, SizeError};
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec3A};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
@@ -128,7 +128,7 @@ fn fill(tile: &mut Tile<'_>, tracer: &mut Whitted<'_>, settings: RenderSettings,
                 return;
             }
             let corner = DVec2::new(x as f64, y as f64);
-            let light: Vec3 =
+            let light: Vec3A =
                 (0..samples).map(|sample| tracer.trace(corner + sample_offset(sample), size)).sum();
             *pixel = (light / samples as f32).to_array();
         }

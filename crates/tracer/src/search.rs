@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use glam::Vec3;
+use glam::Vec3A;
 
 use crate::medium::{Media, MediaArena};
 use crate::ray::{POINT_ROUNDING, Ray};
@@ -77,7 +77,7 @@ impl Flight<'_> {
         if matches!(relation, Relation::Left) {
             return;
         }
-        let span = body.span(self.ray.origin.into(), self.ray.direction.into());
+        let span = body.span(self.ray.origin, self.ray.direction);
         let (t, leaving) = match relation {
             Relation::Inside => (exit_of(&span), true),
             _ => match crossing_from_unknown(&span, best.start_slack + body.slack) {
@@ -90,20 +90,20 @@ impl Flight<'_> {
 
     /// What reaches the ray's start from a light at distance `distance` along it: the product of the filters of all
     /// surfaces crossed, 0 if any body between is opaque. Nothing is bent.
-    pub(crate) fn transmittance(&self, distance: f32, pending: &mut Vec<Pending>) -> Vec3 {
+    pub(crate) fn transmittance(&self, distance: f32, pending: &mut Vec<Pending>) -> Vec3A {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
         let start_slack = self.ray.slack();
-        let mut passed = Vec3::ONE;
+        let mut passed = Vec3A::ONE;
         for index in self.stage.planes() {
             passed *= self.filter(index, start_slack, distance);
         }
-        if passed == Vec3::ZERO {
+        if passed == Vec3A::ZERO {
             return passed;
         }
         let mut cross = |index: u32| {
             passed *= self.filter(index, start_slack, distance);
-            if passed == Vec3::ZERO { f32::NEG_INFINITY } else { distance }
+            if passed == Vec3A::ZERO { f32::NEG_INFINITY } else { distance }
         };
         match &self.stage.hierarchy {
             Hierarchy::Few(few) => few.visit(&self.ray, distance, cross),
@@ -118,13 +118,13 @@ impl Flight<'_> {
 
     /// What one body lets through on the way to a light at `distance`.
     #[inline(always)]
-    fn filter(&self, index: u32, start_slack: f32, distance: f32) -> Vec3 {
+    fn filter(&self, index: u32, start_slack: f32, distance: f32) -> Vec3A {
         let body = self.stage.body(index);
         let relation = self.relation(index, body);
         if matches!(relation, Relation::Left) {
-            return Vec3::ONE;
+            return Vec3A::ONE;
         }
-        let span = body.span(self.ray.origin.into(), self.ray.direction.into());
+        let span = body.span(self.ray.origin, self.ray.direction);
         let crossings = match relation {
             Relation::Inside => u32::from(exit_of(&span) < distance),
             _ => match crossing_from_unknown(&span, start_slack + body.slack) {
@@ -133,8 +133,8 @@ impl Flight<'_> {
             },
         };
         match crossings {
-            0 => Vec3::ONE,
-            _ if !body.is_transparent() => Vec3::ZERO,
+            0 => Vec3A::ONE,
+            _ if !body.is_transparent() => Vec3A::ZERO,
             1 => self.stage.material(body).filter,
             _ => self.stage.material(body).filter * self.stage.material(body).filter,
         }
@@ -178,9 +178,9 @@ impl Best {
         Self { hit: None, reach: f32::INFINITY, start_slack }
     }
 
-    /// Takes `new` if it comes first. Of hits that coincide within rounding, one that leads into a body comes before
-    /// one that leads out, so that a ray in glass meets the floor the glass stands on instead of slipping between;
-    /// of equal ones the body that comes first in the scene.
+    /// Takes `new` if it comes first. Of hits that coincide within rounding, one that leads out of a body comes before
+    /// one that leads in: bodies that touch have a film of air between them. Of equal ones the body that comes first
+    /// in the scene.
     #[inline]
     fn offer(&mut self, stage: &Stage, new: Hit, body_slack: f32) {
         if !(new.t <= self.reach && new.t < f32::INFINITY) {
@@ -194,8 +194,8 @@ impl Best {
                 Ordering::Equal => stage.scene_order(new.body, old.body).is_lt(),
                 Ordering::Greater => false,
             },
-            Some(old) if old.leaving => new.t <= old.t + slack,
-            Some(old) => new.t < old.t - slack,
+            Some(old) if old.leaving => new.t < old.t - slack,
+            Some(old) => new.t <= old.t + slack,
         };
         if first {
             self.hit = Some(new);

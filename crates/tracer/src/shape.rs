@@ -11,7 +11,7 @@ mod plane;
 mod slab;
 mod sphere;
 
-use glam::{Vec3, Vec3A};
+use glam::Vec3A;
 
 /// Which canonical shape, as it stands in the stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -97,14 +97,14 @@ impl Canonical {
         match self.kind {
             ShapeKind::Sphere => sphere::span(origin, direction),
             ShapeKind::Cube => cube::span(origin, direction),
-            ShapeKind::Cylinder => cylinder::span(origin.into(), direction.into()),
-            ShapeKind::Cone => cone::span(self.cone_ratio, origin.into(), direction.into()),
+            ShapeKind::Cylinder => cylinder::span(origin, direction),
+            ShapeKind::Cone => cone::span(self.cone_ratio, origin, direction),
             ShapeKind::Plane => plane::span(origin.y, direction.y),
         }
     }
 
     /// The point of `face` nearest to `point`, which lies on it but for rounding.
-    pub fn pull_to_surface(&self, face: Face, point: Vec3) -> Vec3 {
+    pub fn pull_to_surface(&self, face: Face, point: Vec3A) -> Vec3A {
         match self.kind {
             ShapeKind::Sphere => sphere::pull_to_surface(point),
             ShapeKind::Cube => cube::pull_to_surface(face, point),
@@ -115,18 +115,18 @@ impl Canonical {
     }
 
     /// Outward normal of `face` at `point` on it, of any length above 0.
-    pub fn normal(&self, face: Face, point: Vec3) -> Vec3 {
+    pub fn normal(&self, face: Face, point: Vec3A) -> Vec3A {
         match self.kind {
             ShapeKind::Sphere => sphere::normal(point),
             ShapeKind::Cube => cube::normal(face),
             ShapeKind::Cylinder => cone::normal(1.0, face, point),
             ShapeKind::Cone => cone::normal(self.cone_ratio, face, point),
-            ShapeKind::Plane => Vec3::Y,
+            ShapeKind::Plane => Vec3A::Y,
         }
     }
 
     /// Whether `point` lies in the shape or on its surface.
-    pub fn contains(&self, point: Vec3) -> bool {
+    pub fn contains(&self, point: Vec3A) -> bool {
         match self.kind {
             ShapeKind::Sphere => point.length_squared() <= 1.0,
             ShapeKind::Cube => point.abs().max_element() <= 1.0,

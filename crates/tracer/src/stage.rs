@@ -12,13 +12,14 @@ mod material;
 use std::ops::Range;
 
 use catoptric_scene::{Body, Color, MaterialChoice, Scene, Tracing};
-use glam::Vec3;
+use glam::{DVec3, Vec3A};
 
 pub use body::StageBody;
 pub use bounds::Bounds;
 pub(crate) use bvh::Pending;
 pub use bvh::{Bvh, Node};
 pub use camera::StageCamera;
+use camera::Surroundings;
 pub use checker::StageChecker;
 use few::FewBodies;
 pub use light::{StageFalloff, StageLight};
@@ -41,8 +42,8 @@ pub struct Stage {
     pub(crate) checkers: Vec<StageChecker>,
     pub(crate) lights: Vec<StageLight>,
     pub(crate) camera: StageCamera,
-    pub(crate) background: Vec3,
-    pub(crate) ambient: Vec3,
+    pub(crate) background: Vec3A,
+    pub(crate) ambient: Vec3A,
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
     pub(crate) has_transparency: bool,
@@ -87,6 +88,7 @@ impl Stage {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
         }
         let mut cast = Cast::prepare(scene)?;
+        let camera = StageCamera::new(&scene.camera, cast.surroundings(scene));
         let (order, hierarchy) = cast.order();
         let bounded = cast.boxes.len() as u32;
         let Tracing { generations, threshold } = scene.tracing;
@@ -99,7 +101,7 @@ impl Stage {
             materials: cast.materials,
             checkers: cast.checkers,
             lights: scene.lights.iter().map(StageLight::new).collect(),
-            camera: StageCamera::new(&scene.camera),
+            camera,
             background: vec3(scene.environment.background),
             ambient: vec3(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
@@ -208,6 +210,22 @@ impl Cast {
         Ok(cast)
     }
 
+    /// What is in the way of rays from afar.
+    fn surroundings(&self, scene: &Scene) -> Surroundings {
+        let all = self.boxes.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.0));
+        let (center, radius) = if self.boxes.is_empty() {
+            (DVec3::ZERO, f64::INFINITY)
+        } else {
+            (0.5 * all.doubled_center().as_dvec3(), 0.5 * f64::from(all.min.distance(all.max)))
+        };
+        let plane = |&index: &u32| {
+            let frame = scene.bodies[index as usize].placement.world_from_body();
+            let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
+            (frame.translation, normal.normalize_or(DVec3::Y))
+        };
+        Surroundings { center, radius, planes: self.planes.iter().map(plane).collect() }
+    }
+
     /// The order in which the bodies stand in the stage, and the hierarchy over the bounded ones.
     fn order(&mut self) -> (Vec<u32>, Hierarchy) {
         let kind = |index: u32| self.bodies[index as usize].kind;
@@ -242,6 +260,6 @@ fn undefined_material(index: usize, body: &Body) -> StageError {
 }
 
 /// A color as single-precision components.
-fn vec3(color: Color) -> Vec3 {
-    Vec3::from_array(color.to_array().map(|component| component as f32))
+fn vec3(color: Color) -> Vec3A {
+    Vec3A::from_array(color.to_array().map(|component| component as f32))
 }

@@ -6,14 +6,14 @@ mod tree;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
 use crate::medium::{Media, MediaArena};
 use crate::ray::{Ray, Start};
 use crate::search::{Flight, Hit};
 use crate::stage::{Pending, Stage, StageBody, StageMaterial};
-use crate::surface::{phong_highlight, reflect, refract};
+use crate::surface::{mend_unit, phong_highlight, reflect, refract};
 
 pub use tree::{RayKind, TracedRay};
 
@@ -36,7 +36,7 @@ pub struct Whitted<'a> {
 struct Branch {
     ray: Ray,
     /// Product of the coefficients on the way from the eye.
-    weight: Vec3,
+    weight: Vec3A,
     generation: u32,
     media: Media,
     /// The arena's length when this branch was made: all later lists are free once it is taken up.
@@ -48,10 +48,10 @@ struct Encounter<'a> {
     hit: Hit,
     body: &'a StageBody,
     material: &'a StageMaterial,
-    color: Vec3,
-    position: Vec3,
+    color: Vec3A,
+    position: Vec3A,
     /// Unit normal facing the ray.
-    normal: Vec3,
+    normal: Vec3A,
 }
 
 impl<'a> Whitted<'a> {
@@ -81,10 +81,10 @@ impl<'a> Whitted<'a> {
     }
 
     /// The light that reaches the point `at` of a picture of `size` pixels (see [`StageCamera::ray`](crate::StageCamera::ray)).
-    pub fn trace(&mut self, at: DVec2, size: DVec2) -> Vec3 {
+    pub fn trace(&mut self, at: DVec2, size: DVec2) -> Vec3A {
         let primary = self.stage.camera().ray(at, size);
         let mut branch = self.root(primary, self.eye_media);
-        let mut light = Vec3::ZERO;
+        let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
         loop {
             let (own, goes_on) = self.follow(&mut branch);
@@ -112,12 +112,12 @@ impl<'a> Whitted<'a> {
         let media = media.unwrap_or_else(|| self.arena.at_point(self.stage, primary.origin));
         self.counts.primary += 1;
         self.pending.clear();
-        Branch { ray: primary, weight: Vec3::ONE, generation: 1, media, mark: self.arena.mark() }
+        Branch { ray: primary, weight: Vec3A::ONE, generation: 1, media, mark: self.arena.mark() }
     }
 
     /// Traces one ray and returns its own weighted share of the light. If true comes with it, the branch was replaced
     /// by its reflected child, to be followed next; a refracted child is left pending.
-    fn follow(&mut self, branch: &mut Branch) -> (Vec3, bool) {
+    fn follow(&mut self, branch: &mut Branch) -> (Vec3A, bool) {
         let flight = Flight { stage: self.stage, arena: &self.arena, ray: branch.ray, media: branch.media };
         let Some(hit) = flight.nearest(&mut self.parts) else {
             return (branch.weight * self.stage.background, false);
@@ -128,11 +128,11 @@ impl<'a> Whitted<'a> {
     }
 
     /// The ambient, diffuse and highlight terms.
-    fn local_light(&mut self, branch: &Branch, at: &Encounter<'_>) -> Vec3 {
+    fn local_light(&mut self, branch: &Branch, at: &Encounter<'_>) -> Vec3A {
         let material = at.material;
         let mut light = material.ambient * at.color * self.stage.ambient;
         let diffuse = material.diffuse * at.color;
-        if diffuse == Vec3::ZERO && material.specular == 0.0 {
+        if diffuse == Vec3A::ZERO && material.specular == 0.0 {
             return light;
         }
         for source in &self.stage.lights {
@@ -141,7 +141,7 @@ impl<'a> Whitted<'a> {
             let to_light = offset / distance;
             let cos = at.normal.dot(to_light);
             // No comparison holds when the light stands exactly here and `to_light` is NaN.
-            let lit = cos > 0.0 && source.power != Vec3::ZERO;
+            let lit = cos > 0.0 && source.power != Vec3A::ZERO;
             if !lit {
                 continue;
             }
@@ -149,7 +149,7 @@ impl<'a> Whitted<'a> {
             let ray = at.ray_on_this_side(to_light);
             let flight = Flight { stage: self.stage, arena: &self.arena, ray, media: branch.media };
             let passed = flight.transmittance(distance, &mut self.parts);
-            if passed == Vec3::ZERO {
+            if passed == Vec3A::ZERO {
                 continue;
             }
             let highlight = if material.specular == 0.0 {
@@ -165,7 +165,7 @@ impl<'a> Whitted<'a> {
     /// Leaves the refracted ray pending and turns the branch into the reflected one, each if it carries anything;
     /// false if there is no reflected one.
     fn spawn(&mut self, branch: &mut Branch, at: &Encounter<'_>) -> bool {
-        let mut reflection = Vec3::splat(at.material.reflection);
+        let mut reflection = Vec3A::splat(at.material.reflection);
         if at.body.is_transparent() {
             let (ratio, beyond) = self.cross(branch, at);
             match refract(branch.ray.direction, at.normal, ratio) {
@@ -173,24 +173,27 @@ impl<'a> Whitted<'a> {
                     let weight = branch.weight * at.material.filter;
                     if self.carries(weight) {
                         self.counts.refracted += 1;
+                        // A ray that goes straight on is the same ray still, unless it stands still: between bodies
+                        // thinner than rounding it could go on for ever.
+                        let same = ratio == 1.0 && at.hit.t > branch.ray.slack();
                         self.pending.push(Branch {
                             ray: at.ray_on_far_side(direction),
                             weight,
-                            generation: branch.generation + 1,
+                            generation: branch.generation + u32::from(!same),
                             media: beyond,
                             mark: self.arena.mark(),
                         });
                     }
                 }
                 // Total internal reflection: all of the light, and nothing twice.
-                None => reflection = Vec3::ONE,
+                None => reflection = Vec3A::ONE,
             }
         }
         let weight = branch.weight * reflection;
         let carries = self.carries(weight);
         if carries {
             self.counts.reflected += 1;
-            branch.ray = at.ray_on_this_side(reflect(branch.ray.direction, at.normal).normalize());
+            branch.ray = at.ray_on_this_side(mend_unit(reflect(branch.ray.direction, at.normal)));
             branch.weight = weight;
             branch.generation += 1;
         }
@@ -198,7 +201,7 @@ impl<'a> Whitted<'a> {
     }
 
     /// Whether a ray of this weight is traced.
-    fn carries(&self, weight: Vec3) -> bool {
+    fn carries(&self, weight: Vec3A) -> bool {
         let strongest = weight.max_element();
         strongest > 0.0 && strongest >= self.stage.threshold
     }
@@ -223,9 +226,7 @@ impl<'a> Encounter<'a> {
     fn new(stage: &'a Stage, ray: &Ray, hit: Hit) -> Self {
         let body = stage.body(hit.body);
         let material = stage.material(body);
-        let span = body.span(ray.origin.into(), ray.direction.into());
-        let face = if hit.leaving { span.exit_face } else { span.enter_face };
-        let point = body.surface_point(face, ray.at(hit.t).into());
+        let point = body.surface_point(ray.origin, ray.direction, hit.t, hit.leaving);
         let color = match stage.checkers.get(body.checker as usize) {
             Some(checker) if checker.is_odd(point.in_body) => checker.color,
             _ => material.color,
@@ -235,13 +236,13 @@ impl<'a> Encounter<'a> {
     }
 
     /// A ray from here to the side that the incoming ray came from.
-    fn ray_on_this_side(&self, direction: Vec3) -> Ray {
+    fn ray_on_this_side(&self, direction: Vec3A) -> Ray {
         let start = Start { body: self.hit.body, inwards: self.hit.leaving };
         Ray { origin: self.position, direction, start }
     }
 
     /// A ray from here to the other side of the surface.
-    fn ray_on_far_side(&self, direction: Vec3) -> Ray {
+    fn ray_on_far_side(&self, direction: Vec3A) -> Ray {
         let start = Start { body: self.hit.body, inwards: !self.hit.leaving };
         Ray { origin: self.position, direction, start }
     }

@@ -3,18 +3,7 @@
 use std::io::{self, Write};
 
 use super::EncodeError;
-use crate::develop::Development;
-use crate::picture::Picture;
-
-/// Bits per channel of a PNG.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum BitDepth {
-    /// 256 codes per channel; what displays show. The default.
-    #[default]
-    Eight,
-    /// 65536 codes per channel; for further processing.
-    Sixteen,
-}
+use crate::develop::{Codes, Developed};
 
 /// The developed picture as the bytes of a PNG file: RGB, no alpha, marked as sRGB.
 ///
@@ -22,26 +11,17 @@ pub enum BitDepth {
 /// text `Software` = `Catoptric`. The same picture gives the same bytes: no date, no machine.
 ///
 /// # Errors
-/// None is known for a [`Picture`]; the encoder's refusals are passed on.
-pub fn encode_png(
-    picture: &Picture,
-    development: &Development,
-    depth: BitDepth,
-) -> Result<Vec<u8>, EncodeError> {
+/// None is known for a [`Developed`] picture; the encoder's refusals are passed on.
+pub fn encode_png(picture: &Developed) -> Result<Vec<u8>, EncodeError> {
     let mut bytes = Vec::new();
-    encode_png_to(&mut bytes, picture, development, depth)?;
+    encode_png_to(&mut bytes, picture)?;
     Ok(bytes)
 }
 
-/// Writes the bytes of [`encode_png`], developing row by row.
-pub(crate) fn encode_png_to(
-    sink: impl Write,
-    picture: &Picture,
-    development: &Development,
-    depth: BitDepth,
-) -> Result<(), EncodeError> {
+/// Writes the bytes of [`encode_png`].
+pub(crate) fn encode_png_to(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
     let mut sink = Witness { sink, failure: None };
-    let encoded = encode_rows(&mut sink, picture, development, depth);
+    let encoded = encode_rows(&mut sink, picture);
     sink.failure.map_or(encoded, |failure| Err(EncodeError::Io(failure)))
 }
 
@@ -75,17 +55,12 @@ impl<W: Write> Write for Witness<W> {
     }
 }
 
-fn encode_rows(
-    sink: impl Write,
-    picture: &Picture,
-    development: &Development,
-    depth: BitDepth,
-) -> Result<(), EncodeError> {
+fn encode_rows(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
     let mut encoder = png::Encoder::new(sink, picture.width(), picture.height());
     encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(match depth {
-        BitDepth::Eight => png::BitDepth::Eight,
-        BitDepth::Sixteen => png::BitDepth::Sixteen,
+    encoder.set_depth(match picture.codes() {
+        Codes::Eight(_) => png::BitDepth::Eight,
+        Codes::Sixteen(_) => png::BitDepth::Sixteen,
     });
     // Six times as quick as the usual level 6, and a tenth larger on traced pictures.
     encoder.set_deflate_compression(png::DeflateCompression::Level(3));
@@ -99,18 +74,16 @@ fn encode_rows(
     let mut header_written = encoder.write_header()?;
     let mut writer = header_written.stream_writer()?;
 
-    let (mut bytes, mut codes) = (Vec::new(), Vec::new());
-    for row in picture.rows() {
-        bytes.clear();
-        match depth {
-            BitDepth::Eight => development.append8(row, &mut bytes),
-            BitDepth::Sixteen => {
-                codes.clear();
-                development.append16(row, &mut codes);
-                bytes.extend(codes.iter().flat_map(|code| code.to_be_bytes()));
+    match picture.codes() {
+        Codes::Eight(codes) => writer.write_all(codes)?,
+        Codes::Sixteen(codes) => {
+            let mut bytes = Vec::new();
+            for row in codes.chunks(3 * picture.width() as usize) {
+                bytes.clear();
+                bytes.extend(row.iter().flat_map(|code| code.to_be_bytes()));
+                writer.write_all(&bytes)?;
             }
         }
-        writer.write_all(&bytes)?;
     }
     writer.finish()?;
     Ok(header_written.finish()?)

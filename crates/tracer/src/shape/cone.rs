@@ -9,7 +9,7 @@
 //! height = 1.0
 //! ```
 
-use glam::{Vec3, Vec3Swizzles};
+use glam::{Vec3A, Vec3Swizzles};
 
 use super::{Face, LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
 
@@ -19,8 +19,8 @@ use super::{Face, LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
 /// the quadratic are about 1 however far the ray comes from (Embree's `coneline_intersector` does the same with the
 /// middle). Near a pointed cone's apex, where both roots fall together, they are small, and so is their rounding.
 #[inline]
-pub(super) fn span(ratio: f32, origin: Vec3, direction: Vec3) -> Span {
-    let shift = (Vec3::Y - origin).dot(direction) / direction.length_squared();
+pub(super) fn span(ratio: f32, origin: Vec3A, direction: Vec3A) -> Span {
+    let shift = (Vec3A::Y - origin).dot(direction) / direction.length_squared();
     let near = origin + shift * direction;
     let mut span = nappe(ratio - 1.0, near, direction);
     span.enter += shift;
@@ -35,7 +35,7 @@ pub(super) fn span(ratio: f32, origin: Vec3, direction: Vec3) -> Span {
 /// the line is steeper than the cone and runs in both nappes outside the roots: the wanted half is the one in which
 /// r grows. For A = 0 one root is infinite.
 #[inline]
-fn nappe(slope: f32, origin: Vec3, direction: Vec3) -> Span {
+fn nappe(slope: f32, origin: Vec3A, direction: Vec3A) -> Span {
     let radius = 1.0 + slope * origin.y;
     let radius_change = slope * direction.y;
     let a = direction.xz().length_squared() - radius_change * radius_change;
@@ -73,32 +73,32 @@ fn nappe(slope: f32, origin: Vec3, direction: Vec3) -> Span {
     }
 }
 
-pub(super) fn pull_to_surface(ratio: f32, face: Face, point: Vec3) -> Vec3 {
+pub(super) fn pull_to_surface(ratio: f32, face: Face, point: Vec3A) -> Vec3A {
     match face {
-        LOWER_CAP => Vec3::new(point.x, 0.0, point.z),
-        UPPER_CAP => Vec3::new(point.x, 1.0, point.z),
+        LOWER_CAP => Vec3A::new(point.x, 0.0, point.z),
+        UPPER_CAP => Vec3A::new(point.x, 1.0, point.z),
         _ => {
             let y = point.y.clamp(0.0, 1.0);
             let around = point.xz().normalize_or_zero() * (1.0 + (ratio - 1.0) * y);
-            Vec3::new(around.x, y, around.y)
+            Vec3A::new(around.x, y, around.y)
         }
     }
 }
 
 /// On the side, the gradient of x² + z² - r(y)²; at the apex, where it vanishes, the axis.
-pub(super) fn normal(ratio: f32, face: Face, point: Vec3) -> Vec3 {
+pub(super) fn normal(ratio: f32, face: Face, point: Vec3A) -> Vec3A {
     match face {
-        LOWER_CAP => Vec3::NEG_Y,
-        UPPER_CAP => Vec3::Y,
+        LOWER_CAP => Vec3A::NEG_Y,
+        UPPER_CAP => Vec3A::Y,
         _ => {
             let around = point.xz().normalize_or_zero();
-            let normal = Vec3::new(around.x, 1.0 - ratio, around.y);
-            if normal == Vec3::ZERO { Vec3::Y } else { normal }
+            let normal = Vec3A::new(around.x, 1.0 - ratio, around.y);
+            if normal == Vec3A::ZERO { Vec3A::Y } else { normal }
         }
     }
 }
 
-pub(super) fn contains(ratio: f32, point: Vec3) -> bool {
+pub(super) fn contains(ratio: f32, point: Vec3A) -> bool {
     let radius = 1.0 + (ratio - 1.0) * point.y;
     (0.0..=1.0).contains(&point.y) && point.xz().length_squared() <= radius * radius
 }

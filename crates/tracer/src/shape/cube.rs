@@ -6,7 +6,7 @@
 //! size = 1.6                      # or [x, y, z]
 //! ```
 
-use glam::{Vec3, Vec3A};
+use glam::Vec3A;
 
 use super::{Face, Span};
 
@@ -45,17 +45,17 @@ pub(super) fn span(origin: Vec3A, direction: Vec3A) -> Span {
     }
 }
 
-pub(super) fn pull_to_surface(face: Face, point: Vec3) -> Vec3 {
+pub(super) fn pull_to_surface(face: Face, point: Vec3A) -> Vec3A {
     let normal = normal(face);
-    let clamped = point.clamp(Vec3::NEG_ONE, Vec3::ONE);
-    Vec3::select(normal.cmpne(Vec3::ZERO), normal, clamped)
+    let clamped = point.clamp(Vec3A::NEG_ONE, Vec3A::ONE);
+    Vec3A::select(normal.cmpne(Vec3A::ZERO), normal, clamped)
 }
 
-pub(super) fn normal(face: Face) -> Vec3 {
+pub(super) fn normal(face: Face) -> Vec3A {
     let axis = match face / 2 {
-        0 => Vec3::X,
-        1 => Vec3::Y,
-        _ => Vec3::Z,
+        0 => Vec3A::X,
+        1 => Vec3A::Y,
+        _ => Vec3A::Z,
     };
     if face.is_multiple_of(2) { -axis } else { axis }
 }

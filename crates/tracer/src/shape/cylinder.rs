@@ -7,13 +7,13 @@
 //! height = 1.0
 //! ```
 
-use glam::{Vec2, Vec3, Vec3Swizzles};
+use glam::{Vec2, Vec3A, Vec3Swizzles};
 
 use super::{LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
 
 /// The circle's chord in the xz-plane (as for the sphere), cut by the layer between the caps.
 #[inline]
-pub(super) fn span(origin: Vec3, direction: Vec3) -> Span {
+pub(super) fn span(origin: Vec3A, direction: Vec3A) -> Span {
     side(origin.xz(), direction.xz()).intersect(slab::span(
         origin.y,
         direction.y,

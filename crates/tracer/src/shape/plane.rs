@@ -5,7 +5,7 @@
 //! shape = "plane"
 //! ```
 
-use glam::Vec3;
+use glam::Vec3A;
 
 use super::{SIDE, Span};
 
@@ -23,6 +23,6 @@ pub(super) fn span(height: f32, rise: f32) -> Span {
     }
 }
 
-pub(super) fn pull_to_surface(point: Vec3) -> Vec3 {
-    Vec3::new(point.x, 0.0, point.z)
+pub(super) fn pull_to_surface(point: Vec3A) -> Vec3A {
+    Vec3A::new(point.x, 0.0, point.z)
 }

@@ -6,7 +6,7 @@
 //! radius = 1.0
 //! ```
 
-use glam::{Vec3, Vec3A};
+use glam::Vec3A;
 
 use super::{SIDE, Span};
 
@@ -29,10 +29,10 @@ pub(super) fn span(origin: Vec3A, direction: Vec3A) -> Span {
     }
 }
 
-pub(super) fn pull_to_surface(point: Vec3) -> Vec3 {
-    point.normalize_or(Vec3::Y)
+pub(super) fn pull_to_surface(point: Vec3A) -> Vec3A {
+    point.normalize_or(Vec3A::Y)
 }
 
-pub(super) fn normal(point: Vec3) -> Vec3 {
+pub(super) fn normal(point: Vec3A) -> Vec3A {
     point
 }

@@ -2,10 +2,10 @@
 
 use bytemuck::{Pod, Zeroable};
 use catoptric_scene::{Body, Shape};
-use glam::{DAffine3, DMat3, DVec3, Vec3, Vec3A, Vec3Swizzles, Vec4};
+use glam::{DAffine3, DMat3, DVec3, Vec3A, Vec3Swizzles, Vec4};
 
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::shape::{Canonical, Face, ShapeKind, Span};
+use crate::shape::{Canonical, ShapeKind, Span};
 
 /// A body: a canonical shape and the transforms between its frame and the world.
 ///
@@ -88,8 +88,8 @@ impl StageBody {
     }
 
     /// Whether a point of the world lies in the body.
-    pub fn contains(&self, point: Vec3) -> bool {
-        self.canonical().contains(self.point_in_body(point.into()).into())
+    pub fn contains(&self, point: Vec3A) -> bool {
+        self.canonical().contains(self.point_in_body(point))
     }
 
     #[inline(always)]
@@ -97,25 +97,38 @@ impl StageBody {
         mul(&self.body_from_world, point - vec3a(self.origin))
     }
 
-    /// The point of `face` nearest to a point of the world that lies on it but for rounding, and the normal there.
+    /// The point where a line of the world crosses the body's surface at parameter `t`, on the way out if `leaving`,
+    /// pulled onto the surface, and the normal there.
+    ///
+    /// All is computed in the body's frame, where numbers are small.
     #[inline]
-    pub(crate) fn surface_point(&self, face: Face, near: Vec3A) -> SurfacePoint {
+    pub(crate) fn surface_point(
+        &self,
+        origin: Vec3A,
+        direction: Vec3A,
+        t: f32,
+        leaving: bool,
+    ) -> SurfacePoint {
         let canonical = self.canonical();
-        let in_body = canonical.pull_to_surface(face, self.point_in_body(near).into());
-        let in_world = mul(&self.world_from_body, in_body.into()) + vec3a(self.origin);
+        let origin = self.point_in_body(origin);
+        let direction = mul(&self.body_from_world, direction);
+        let span = canonical.span(origin, direction);
+        let face = if leaving { span.exit_face } else { span.enter_face };
+        let in_body = canonical.pull_to_surface(face, origin + t * direction);
+        let in_world = mul(&self.world_from_body, in_body) + vec3a(self.origin);
         // Normals go back by the inverse transpose.
-        let normal = mul_transposed(&self.body_from_world, canonical.normal(face, in_body).into());
-        SurfacePoint { in_body, in_world: in_world.into(), normal: normal.normalize().into() }
+        let normal = mul_transposed(&self.body_from_world, canonical.normal(face, in_body));
+        SurfacePoint { in_body, in_world, normal: normal.normalize() }
     }
 }
 
 /// A point on a body's surface.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SurfacePoint {
-    pub in_body: Vec3,
-    pub in_world: Vec3,
+    pub in_body: Vec3A,
+    pub in_world: Vec3A,
     /// Unit outward normal in the world.
-    pub normal: Vec3,
+    pub normal: Vec3A,
 }
 
 #[inline(always)]

@@ -8,7 +8,7 @@ mod build;
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Vec3, Vec4};
+use glam::{Vec3A, Vec4};
 
 use super::Bounds;
 use crate::ray::Ray;
@@ -67,7 +67,7 @@ impl Bvh {
     }
 
     /// Calls `leaf` with the bodies of every leaf whose box contains `point`.
-    pub(crate) fn visit_at(&self, point: Vec3, mut leaf: impl FnMut(Range<u32>)) {
+    pub(crate) fn visit_at(&self, point: Vec3A, mut leaf: impl FnMut(Range<u32>)) {
         let mut pending = vec![0_u32];
         while let Some(index) = pending.pop() {
             let node = &self.nodes[index as usize];
@@ -189,8 +189,8 @@ fn join(binary: &[build::Node], root: usize, place: usize, nodes: &mut Vec<Node>
 
 /// A ray prepared for box tests.
 struct BoxTest {
-    origin: Vec3,
-    inverse: Vec3,
+    origin: Vec3A,
+    inverse: Vec3A,
     /// Which of a node's sides the ray meets first along each axis.
     near: [usize; 3],
 }
@@ -201,8 +201,8 @@ impl BoxTest {
     const TINY: f32 = 1e-20;
 
     fn new(ray: &Ray) -> Self {
-        let tiny = Vec3::splat(Self::TINY).copysign(ray.direction);
-        let inverse = Vec3::select(ray.direction.abs().cmplt(tiny.abs()), tiny, ray.direction).recip();
+        let tiny = Vec3A::splat(Self::TINY).copysign(ray.direction);
+        let inverse = Vec3A::select(ray.direction.abs().cmplt(tiny.abs()), tiny, ray.direction).recip();
         let near = |axis: usize| 2 * axis + usize::from(inverse[axis] < 0.0);
         let near = [near(0), near(1), near(2)];
         Self { origin: ray.origin, inverse, near }

@@ -1,13 +1,13 @@
 //! From a place in the picture to its primary ray.
 
 use catoptric_scene::{Camera, Projection};
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3A};
 
 use crate::ray::Ray;
 
 /// The camera's frame, in double precision: near the horizon of a plane the smallest error of a primary ray's
 /// direction moves the hit point far, and one frame is small.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StageCamera {
     position: DVec3,
     /// Unit vectors to the right, up, and against the view.
@@ -15,6 +15,39 @@ pub struct StageCamera {
     v: DVec3,
     w: DVec3,
     window: Window,
+    surroundings: Surroundings,
+    /// Squared distance from the surroundings' centre below which rays are not moved.
+    far_squared: f64,
+}
+
+/// Where a ray can meet something at all: a sphere around the bounded bodies, and the planes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Surroundings {
+    pub(super) center: DVec3,
+    pub(super) radius: f64,
+    /// A point and a normal of each plane.
+    pub(super) planes: Vec<(DVec3, DVec3)>,
+}
+
+impl Surroundings {
+    /// Rays that start further from the bodies than this many times their extent are moved closer.
+    const FAR: f64 = 8.0;
+
+    /// How far a ray from `origin` along the unit vector `direction` can surely go without meeting anything; 0 unless
+    /// that is far.
+    fn free_way(&self, origin: DVec3, direction: DVec3) -> f64 {
+        /// Keeps well away from what rounding of the sphere or a plane could put in the way.
+        const MARGIN: f64 = 0.01;
+        let way = (self.center - origin).dot(direction) - (1.0 + MARGIN) * self.radius;
+        if way < Self::FAR * self.radius {
+            return 0.0;
+        }
+        let crossings = self
+            .planes
+            .iter()
+            .map(|(point, normal)| (1.0 - MARGIN) * (*point - origin).dot(*normal) / direction.dot(*normal));
+        crossings.filter(|&crossing| crossing >= 0.0).fold(way, f64::min)
+    }
 }
 
 /// Where primary rays start and point.
@@ -27,7 +60,7 @@ enum Window {
 }
 
 impl StageCamera {
-    pub(super) fn new(camera: &Camera) -> Self {
+    pub(super) fn new(camera: &Camera, surroundings: Surroundings) -> Self {
         let w = (camera.position - camera.target).normalize_or(DVec3::Z);
         let u = camera.up.cross(w).try_normalize().unwrap_or_else(|| w.any_orthonormal_vector());
         let window = match camera.projection {
@@ -36,25 +69,43 @@ impl StageCamera {
             }
             Projection::Parallel { height } => Window::Parallel { height },
         };
-        Self { position: camera.position, u, v: w.cross(u), w, window }
+        Self {
+            position: camera.position,
+            u,
+            v: w.cross(u),
+            w,
+            window,
+            far_squared: (Surroundings::FAR * surroundings.radius).powi(2),
+            surroundings,
+        }
     }
 
     /// The ray through the point (x, y) of a picture of `size` pixels, x to the right and y down from the upper left
     /// corner: the centre of the first pixel is (0.5, 0.5).
+    ///
+    /// When the eye is far from all bodies, the ray starts closer to them, where nothing has been passed yet: in
+    /// single precision a long way would blur what it meets.
     pub fn ray(&self, at: DVec2, size: DVec2) -> Ray {
-        let aspect = size.x / size.y;
-        let on_window = DVec2::new(aspect * (at.x / size.x - 0.5), 0.5 - at.y / size.y);
-        let offset = on_window.x * self.u + on_window.y * self.v;
+        let on_window = (at - 0.5 * size) / size.y;
+        let offset = on_window.x * self.u - on_window.y * self.v;
         let (origin, direction) = match self.window {
             Window::Perspective { distance } => (self.position, offset - distance * self.w),
             Window::Parallel { height } => (self.position + height * offset, -self.w),
         };
         // Each component keeps its own relative precision when the vector is made a unit one.
-        Ray::from_point(origin.as_vec3(), direction.as_vec3().normalize())
+        let unit = direction.as_vec3a().normalize();
+        let far = (self.surroundings.center - origin).length_squared() > self.far_squared;
+        let start = if far {
+            let direction = direction.normalize();
+            origin + self.surroundings.free_way(origin, direction) * direction
+        } else {
+            origin
+        };
+        Ray::from_point(start.as_vec3a(), unit)
     }
 
     /// The eye, if all rays start there.
-    pub fn eye(&self) -> Option<Vec3> {
-        matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3())
+    pub fn eye(&self) -> Option<Vec3A> {
+        matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3a())
     }
 }

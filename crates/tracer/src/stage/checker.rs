@@ -1,7 +1,7 @@
 //! The checkerboard of the world's axes, seen from a body.
 
 use catoptric_scene::{Body, Checker};
-use glam::{Mat3, Vec3};
+use glam::{Mat3A, Vec3A};
 
 use super::body::world_from_canonical;
 use super::vec3;
@@ -14,12 +14,12 @@ use super::vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageChecker {
     /// From the body's frame to cells, without the origin's whole cells.
-    cells_from_body: Mat3,
-    offset: Vec3,
+    cells_from_body: Mat3A,
+    offset: Vec3A,
     /// Parity of the origin's whole cells.
     odd_origin: bool,
     /// Color of odd cells.
-    pub color: Vec3,
+    pub color: Vec3A,
 }
 
 impl StageChecker {
@@ -31,18 +31,23 @@ impl StageChecker {
         let origin = transform.translation / checker.size;
         let whole = origin.floor();
         Self {
-            cells_from_body: (transform.matrix3 * checker.size.recip()).as_mat3(),
-            offset: (origin - whole).as_vec3(),
+            cells_from_body: (transform.matrix3 * checker.size.recip()).as_mat3().into(),
+            offset: (origin - whole).as_vec3a(),
             odd_origin: whole.element_sum().rem_euclid(2.0) == 1.0,
             color: vec3(checker.color),
         }
     }
 
     /// Whether a point of the body's frame lies in an odd cell.
-    pub fn is_odd(&self, in_body: Vec3) -> bool {
-        let cells = (self.cells_from_body * in_body + self.offset + Self::BORDER).floor();
-        // Each parity by itself: the sum of large cell numbers would not be exact.
-        let odd = |cell: f32| (cell * 0.5).fract() != 0.0;
+    pub fn is_odd(&self, in_body: Vec3A) -> bool {
+        let cells = self.cells_from_body * in_body + self.offset + Self::BORDER;
+        let odd = |cell: f32| floor(cell) & 1 == 1;
         odd(cells.x) ^ odd(cells.y) ^ odd(cells.z) ^ self.odd_origin
     }
+}
+
+/// The largest whole number not above `x`, for |x| < 2³¹; beyond, single precision knows no odd numbers anyway.
+fn floor(x: f32) -> i32 {
+    let whole = x as i32;
+    whole.wrapping_sub(i32::from(whole as f32 > x))
 }

@@ -3,7 +3,7 @@
 //! Below some number of bodies this is quicker than any hierarchy: no order, no stack, one short loop.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Vec3, Vec4};
+use glam::{Vec3A, Vec4};
 
 use super::Bounds;
 use crate::ray::{POINT_ROUNDING, Ray};
@@ -66,7 +66,7 @@ impl Four {
     /// A bit for each sphere that the ray meets before `reach`: those no further from the line than their radius,
     /// which is widened by the rounding of a long way.
     #[inline]
-    fn met(&self, origin: Vec3, direction: Vec3, reach: f32) -> u32 {
+    fn met(&self, origin: Vec3A, direction: Vec3A, reach: f32) -> u32 {
         let x = Vec4::from_array(self.x) - Vec4::splat(origin.x);
         let y = Vec4::from_array(self.y) - Vec4::splat(origin.y);
         let z = Vec4::from_array(self.z) - Vec4::splat(origin.z);

@@ -1,7 +1,7 @@
 //! Lights of the stage.
 
 use catoptric_scene::{Falloff, Light};
-use glam::Vec3;
+use glam::Vec3A;
 
 use super::vec3;
 
@@ -9,9 +9,9 @@ use super::vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageLight {
     /// World position, metres.
-    pub position: Vec3,
+    pub position: Vec3A,
     /// Color times intensity, I_j.
-    pub power: Vec3,
+    pub power: Vec3A,
     /// Law of falloff.
     pub falloff: StageFalloff,
 }
@@ -30,7 +30,7 @@ pub enum StageFalloff {
 impl StageLight {
     pub(super) fn new(light: &Light) -> Self {
         Self {
-            position: light.position.as_vec3(),
+            position: light.position.as_vec3a(),
             power: vec3(light.color) * light.intensity as f32,
             falloff: match light.falloff {
                 Falloff::None => StageFalloff::None,
@@ -41,7 +41,7 @@ impl StageLight {
     }
 
     /// A(d)·I_j at the distance `d` > 0.
-    pub fn power_at(&self, d: f32) -> Vec3 {
+    pub fn power_at(&self, d: f32) -> Vec3A {
         match self.falloff {
             StageFalloff::None => self.power,
             StageFalloff::Linear(constant) => self.power / (d + constant),

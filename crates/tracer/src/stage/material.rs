@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use catoptric_scene::{Material, MaterialChoice, Scene};
-use glam::Vec3;
+use glam::Vec3A;
 
 use super::vec3;
 
@@ -11,7 +11,7 @@ use super::vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageMaterial {
     /// Color C.
-    pub color: Vec3,
+    pub color: Vec3A,
     /// k_a.
     pub ambient: f32,
     /// k_d.
@@ -23,7 +23,7 @@ pub struct StageMaterial {
     /// k_r.
     pub reflection: f32,
     /// k_t·τ, what one crossing of the surface lets through.
-    pub filter: Vec3,
+    pub filter: Vec3A,
     /// Index of refraction.
     pub ior: f32,
 }
@@ -44,7 +44,7 @@ impl StageMaterial {
 
     /// Whether a ray can pass at all.
     pub(crate) fn is_transparent(&self) -> bool {
-        self.filter != Vec3::ZERO
+        self.filter != Vec3A::ZERO
     }
 }
 

@@ -54,6 +54,7 @@ impl Whitted<'_> {
             let hit = flight.nearest(&mut self.parts).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit));
             let (kind, parent) = node;
             let (light, goes_on) = self.follow(&mut branch);
+            let (weight, light) = (weight.into(), light.into());
             tree.push(TracedRay { ray, kind, parent, generation, weight, light, hit });
             let own = Some(tree.len() - 1);
             parents.resize(self.pending.len(), own);

@@ -6,7 +6,7 @@ use catoptric_scene::{Body, Color, Material, Shape};
 use catoptric_tracer::{
     Control, RenderError, RenderSettings, Rendering, Stage, StageError, render, sample_offset,
 };
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3A};
 use rayon::ThreadPoolBuilder;
 
 use crate::common::{ball, block, glass, placed, scene, stage, v};
@@ -124,9 +124,9 @@ fn samples_are_averaged_over_the_pixel() {
     let mut tracer = catoptric_tracer::Whitted::new(&stage, &cancel);
     for (x, y) in [(0, 0), (7, 5), (19, 11)] {
         let corner = DVec2::new(f64::from(x), f64::from(y));
-        let light: Vec3 =
+        let light: Vec3A =
             (0..5).map(|sample| tracer.trace(corner + sample_offset(sample), DVec2::new(20.0, 12.0))).sum();
-        let pixel = Vec3::from_array(averaged.pixel(x, y).unwrap());
+        let pixel = Vec3A::from_array(averaged.pixel(x, y).unwrap());
         assert!((pixel - light / 5.0).length() < 1e-6);
     }
     // No samples are taken for one.

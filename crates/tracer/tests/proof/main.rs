@@ -1,6 +1,8 @@
 //! The proof of the tracer: answers that are known exactly, what must not change a picture, and an independent tracer
 //! in double precision to be held against.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
+
 mod common;
 mod driver;
 mod invariance;

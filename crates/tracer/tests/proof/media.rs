@@ -106,16 +106,29 @@ fn faces_in_contact_pass_the_light_on() {
 }
 
 #[test]
-fn glass_on_a_floor_shows_the_floor() {
+fn glass_on_a_floor_shows_the_floor_through_a_film_of_air() {
     let floor = plane(DVec3::ZERO, 0.0, glow(Color::new(0.3, 0.6, 0.9)));
     let stage = stage_of(vec![floor, layer(0.0, 1.0, 1.5)]);
+    let kinds = [RayKind::Primary, RayKind::Refracted, RayKind::Refracted];
     for step in 0..2000 {
         let x = 0.037 * f64::from(step) - 37.0;
         let path = chain(&stage, ray(v(x, 4.0, 1.3), v(0.3, -1.0, 0.2)));
-        assert_eq!(path.len(), 2);
-        assert_eq!(path[1].hit.unwrap().body, 0, "at {x}");
-        assert_eq!(path[1].light, glam::Vec3::new(0.3, 0.6, 0.9));
+        assert_eq!(path.iter().map(|ray| ray.kind).collect::<Vec<_>>(), kinds, "at {x}");
+        assert_eq!(path[2].hit.unwrap().body, 0, "at {x}");
+        assert_eq!(path[2].light, glam::Vec3::new(0.3, 0.6, 0.9));
+        // From within and aslant, the film reflects totally.
+        let path = chain(&stage, ray(v(x, 0.5, 1.3), v(1.0, -1.0, 0.0)));
+        assert_eq!(path[1].kind, RayKind::Reflected, "at {x}");
     }
+}
+
+#[test]
+fn a_ray_that_goes_straight_on_is_of_the_same_generation() {
+    // Entered in the order A, B and left in the same order: leaving A does not bend the ray and costs no generation.
+    let stage = stage_of(vec![layer(-1.0, 2.0, 1.5), layer(-2.0, 1.0, 1.8), layer(-9.0, -8.0, 1.0)]);
+    let path = chain(&stage, ray(v(0.0, 5.0, 0.0), v(0.6, -0.8, 0.0)));
+    let generations: Vec<u32> = path.iter().map(|ray| ray.generation).collect();
+    assert_eq!(generations, [1, 2, 3, 3, 4, 4, 4]);
 }
 
 #[test]

@@ -111,6 +111,12 @@ fn balls_take_the_published_number_of_rays() {
         .reduce(RayCounts::default, std::ops::Add::add);
     println!("{counts:?}");
     assert_eq!((counts.primary, counts.refracted), (263_169, 0));
+    // Every one of the eye's rays meets something.
+    let meets = |row: u32, column: u32| {
+        let at = DVec2::new(f64::from(column), f64::from(row)) - 0.5;
+        stage.nearest(&stage.camera().ray(at, DVec2::splat(511.0))).is_some()
+    };
+    assert!((0..513).into_par_iter().all(|row| (0..513).all(|column| meets(row, column))));
     for (counted, published) in [(counts.reflected, 175_095), (counts.shadow, 954_368)] {
         let published = f64::from(published);
         assert_close(counted as f64, published, 0.001 * published);

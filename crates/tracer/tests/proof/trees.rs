@@ -22,7 +22,7 @@ fn the_contributions_of_all_rays_sum_to_the_pixel() {
         let at = DVec2::new(f64::from(pixel % 48) + 0.5, f64::from(pixel / 48) + 0.5);
         let light = tracer.trace(at, size);
         let rays = tracer.tree(stage.camera().ray(at, size), usize::MAX);
-        assert_eq!(rays.iter().map(|ray| ray.light).sum::<Vec3>(), light, "at {at}");
+        assert_eq!(rays.iter().map(|ray| ray.light).sum::<Vec3>(), light.into(), "at {at}");
     }
 }
 
@@ -50,7 +50,7 @@ fn weights_are_products_of_coefficients_and_generations_count_from_the_eye() {
                 _ => Vec3::splat(material.reflection() as f32),
             };
             assert!((ray.weight - parent.weight * coefficient).length() < 1e-6);
-            assert_eq!(ray.ray.origin, hit.position);
+            assert_eq!(ray.ray.origin, hit.position.into());
             seen += 1;
         }
     }

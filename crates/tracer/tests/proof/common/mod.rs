@@ -130,7 +130,7 @@ pub(crate) fn ray(from: DVec3, direction: DVec3) -> Ray {
 /// A ray that has left the surface of `hit` in some direction on the side it came from.
 pub(crate) fn ray_from_hit(hit: &SurfaceHit, direction: Vec3) -> Ray {
     let start = Start { body: hit.hit.body, inwards: hit.hit.leaving };
-    Ray { origin: hit.position, direction, start }
+    Ray { origin: hit.position.into(), direction: direction.into(), start }
 }
 
 /// All rays of the tree, however many.
@@ -156,7 +156,7 @@ pub(crate) fn light_along(stage: &Stage, primary: Ray) -> Vec3 {
 /// The light in the middle of the picture.
 pub(crate) fn center(scene: &Scene) -> Vec3 {
     let cancel = AtomicBool::new(false);
-    Whitted::new(&stage(scene), &cancel).trace(DVec2::splat(0.5), DVec2::ONE)
+    Whitted::new(&stage(scene), &cancel).trace(DVec2::splat(0.5), DVec2::ONE).into()
 }
 
 pub(crate) fn direction(ray: &TracedRay) -> DVec3 {

@@ -144,7 +144,11 @@ impl<'a> Oracle<'a> {
             }
             let index = |media: &[usize]| media.last().map_or(1.0, |&body| self.bodies[body].material.ior);
             match snell(direction, n, index(media), index(&beyond)) {
-                Some(bent) => light += placed.filter() * self.trace(at, bent, generation + 1, &beyond),
+                // A ray that goes straight on is the same ray still.
+                Some(bent) => {
+                    let next = generation + u32::from(index(media) != index(&beyond));
+                    light += placed.filter() * self.trace(at, bent, next, &beyond);
+                }
                 None => reflection = 1.0,
             }
         }
@@ -213,7 +217,7 @@ fn snell(direction: DVec3, n: DVec3, from: f64, to: f64) -> Option<DVec3> {
 fn place<'a>(scene: &'a Scene, body: &'a Body) -> Placed<'a> {
     let material = scene.material(&body.material).unwrap();
     let Anchor::Frame { position, rotation_degrees } = body.placement.anchor else {
-        unimplemented!("the oracle's scenes place bodies by frame");
+        unreachable!("the oracle's scenes place bodies by frame");
     };
     let [x, y, z] = rotation_degrees.to_array().map(f64::to_radians);
     let turn = DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);

@@ -1,8 +1,10 @@
-//! The file written to: whole or not at all.
+//! Files written whole or not at all.
 //!
 //! The new content goes to a temporary file in the target's own directory, is synchronized to the disk and
 //! renamed over the target, which POSIX and Windows do in one step. So a reader sees the old file or the
 //! new one. Hard links to the old file keep the old content; its permissions pass to the new one.
+
+mod error;
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Cursor, Seek, Write};
@@ -10,10 +12,10 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::{EncodeError, WriteError};
+pub use error::WriteError;
 
-/// What encoders write to.
-pub(crate) trait Sink: Write + Seek {}
+/// What the content is written to.
+pub trait Sink: Write + Seek {}
 impl<T: Write + Seek> Sink for T {}
 
 /// Where the bytes will go.
@@ -33,7 +35,7 @@ const LINKS: usize = 40;
 ///
 /// ```
 /// use std::path::Path;
-/// let error = catoptric_picture::check_writable(Path::new("/no/such/place/out.png")).unwrap_err();
+/// let error = catoptric_files::check_writable(Path::new("/no/such/place/out.png")).unwrap_err();
 /// assert!(error.to_string().contains("there is no directory /no/such/place"));
 /// ```
 ///
@@ -46,47 +48,50 @@ pub fn check_writable(path: &Path) -> Result<(), WriteError> {
     }
 }
 
-/// Writes these bytes to a file, whole or not at all, as [`write_png`](crate::write_png) does: for reports
-/// and tables that go beside the pictures.
+/// Writes these bytes to a file, whole or not at all; an existing file is replaced.
 ///
 /// # Errors
-/// As for [`write_png`](crate::write_png).
+/// What [`check_writable`] finds, a full disk, or a failing system. The old file, if any, is untouched then.
 pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    write_whole(path, |sink| Ok(sink.write_all(bytes)?))
+    write_whole(path, |sink| sink.write_all(bytes))
 }
 
-/// Lets `encode` write the new content of the file at `path`; on any failure nothing has changed.
-pub(crate) fn write_whole(
+/// Lets `fill` write the new content of the file at `path`.
+///
+/// # Errors
+/// As for [`write_bytes`], and what `fill` returns; nothing has changed then.
+pub fn write_whole(
     path: &Path,
-    encode: impl FnOnce(&mut dyn Sink) -> Result<(), EncodeError>,
+    fill: impl FnOnce(&mut dyn Sink) -> io::Result<()>,
 ) -> Result<(), WriteError> {
-    let failed = |error| match error {
-        EncodeError::Io(source) => WriteError::io(path, source),
-        source @ EncodeError::Refused { .. } => WriteError::Encode { path: path.to_owned(), source },
-    };
-    match find(path)? {
+    let written = match find(path)? {
         Target::Device { path: device } => {
             let mut bytes = Cursor::new(Vec::new());
-            encode(&mut bytes).map_err(failed)?;
-            write_through(&device, bytes.get_ref()).map_err(|source| WriteError::io(path, source))
+            fill(&mut bytes).and_then(|()| write_through(&device, bytes.get_ref()))
         }
         Target::File { path: target, directory, permissions } => {
             let file = temporary(path, &directory)?;
-            fill(file.as_file(), encode).map_err(failed)?;
-            finish(file, &target, permissions).map_err(|source| WriteError::io(path, source))
+            fill_to_disk(file.as_file(), fill)
+                .and_then(|()| finish(file, &target, permissions))
+                .map(|()| sync_directory(&directory))
         }
-    }
+    };
+    written.map_err(|source| WriteError::io(path, source))
 }
 
-/// Encodes into the temporary file, down to the disk.
-fn fill(
-    file: &File,
-    encode: impl FnOnce(&mut dyn Sink) -> Result<(), EncodeError>,
-) -> Result<(), EncodeError> {
+/// Writes the content down to the disk.
+fn fill_to_disk(file: &File, fill: impl FnOnce(&mut dyn Sink) -> io::Result<()>) -> io::Result<()> {
     let mut sink = BufWriter::with_capacity(1 << 16, file);
-    encode(&mut sink)?;
+    fill(&mut sink)?;
     sink.flush()?;
-    Ok(file.sync_all()?)
+    file.sync_all()
+}
+
+/// Makes the new name durable, where the system can; the content is safe already.
+fn sync_directory(directory: &Path) {
+    if cfg!(unix) {
+        let _ = File::open(directory).and_then(|directory| directory.sync_all());
+    }
 }
 
 /// Puts the temporary file in the target's place; if that fails it is removed.
@@ -175,13 +180,13 @@ mod tests {
     }
 
     #[test]
-    fn a_failing_encoder_leaves_the_old_file_and_no_temporary() {
+    fn failing_content_leaves_the_old_file_and_no_temporary() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("picture.png");
         fs::write(&path, "old").unwrap();
         let error = write_whole(&path, |sink| {
             sink.write_all(&[0; 100_000])?;
-            Err(EncodeError::Io(io::Error::from(io::ErrorKind::StorageFull)))
+            Err(io::Error::from(io::ErrorKind::StorageFull))
         });
         assert!(matches!(error, Err(WriteError::Io { .. })), "{error:?}");
         assert_eq!(fs::read(&path).unwrap(), b"old");
@@ -195,7 +200,7 @@ mod tests {
         let error = write_whole(&path, |sink| {
             sink.write_all(b"new")?;
             // Meanwhile someone makes a directory of that name, which no file can replace.
-            Ok(fs::create_dir(&path)?)
+            fs::create_dir(&path)
         });
         assert!(matches!(error, Err(WriteError::Io { .. })), "{error:?}");
         assert_eq!(names(directory.path()), ["picture.png"]);

@@ -1,0 +1,218 @@
+//! The command line's grammar.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use catoptric_picture::ToneCurve;
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
+
+/// A laboratory for reflections from geometric bodies.
+#[derive(Debug, Parser)]
+#[command(name = "catoptric", version, arg_required_else_help = true, propagate_version = true)]
+#[command(after_help = "\
+Examples:
+  catoptric render whitted -o whitted.png --samples 16
+  catoptric examples four-bodies -o my.toml
+  catoptric check my.toml
+  catoptric render my.toml -o my.exr --size 1920x1080
+
+Exit status: 0 done, 1 a comparison failed, 2 the input is wrong, 130 interrupted.")]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Trace a scene into a picture
+    Render(RenderArguments),
+    /// Find all problems of scene files, with line and column
+    Check(CheckArguments),
+    /// Tell how two pictures differ
+    Diff(DiffArguments),
+    /// Convert a picture, or write a scene in its standard form
+    Convert(ConvertArguments),
+    /// List the built-in scenes, or write one
+    Examples(ExamplesArguments),
+    /// Print a script that completes commands and options
+    Completions(CompletionsArguments),
+    /// Print the manual page
+    Man(ManArguments),
+}
+
+/// How linear light becomes what a PNG shows.
+#[derive(Debug, Args)]
+pub(crate) struct DevelopmentArguments {
+    /// Exposure in stops: each doubles the light (PNG only)
+    #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = finite)]
+    pub exposure: f64,
+    /// How light beyond white is fitted in (PNG only)
+    #[arg(long, value_name = "CURVE", default_value_t = ToneCurve::None, value_parser = tone_curves())]
+    pub tone_curve: ToneCurve,
+    /// Bits per channel of a PNG
+    #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
+    pub bits: String,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RenderArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: String,
+    /// The picture to write; its extension decides: .png (display) or .exr (linear light)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720")]
+    pub size: Size,
+    /// How reflections are found
+    #[arg(long, value_enum, default_value_t = Method::Whitted)]
+    pub method: Method,
+    /// What does the work
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    pub backend: Backend,
+    /// Number of threads; all cores by default
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Samples per pixel; one goes through the pixel's center
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=65536))]
+    pub samples: u32,
+    /// Generations of rays, instead of the scene's
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=64))]
+    pub generations: Option<u32>,
+    #[command(flatten)]
+    pub development: DevelopmentArguments,
+    /// Write times, rays and memory as JSON; - for standard output
+    #[arg(long, value_name = "FILE.json")]
+    pub stats: Option<PathBuf>,
+    /// No progress, no warnings
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    /// Scene files, or names of built-in scenes
+    #[arg(required = true)]
+    pub scenes: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DiffArguments {
+    /// A picture: .png or .exr
+    pub a: PathBuf,
+    /// Another picture of the same size
+    pub b: PathBuf,
+    /// Write a picture of where they differ
+    #[arg(long, value_name = "OUT.png")]
+    pub heat: Option<PathBuf>,
+    /// Print the numbers as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// The largest difference of a channel that counts as equal, in linear light; default 1/255
+    #[arg(long, value_name = "D", default_value = "1/255", value_parser = fraction)]
+    pub tolerance: f64,
+    /// The share of pixels that may differ by more, 0 to 1
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = fraction)]
+    pub allow: f64,
+    /// Compare values beyond 0 to 1 too, instead of clamping them as a display does
+    #[arg(long)]
+    pub unclamped: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ConvertArguments {
+    /// A picture (.png, .exr) or a scene (.toml)
+    #[arg(value_name = "IN")]
+    pub from: PathBuf,
+    /// What to write; its extension decides
+    #[arg(value_name = "OUT")]
+    pub to: PathBuf,
+    #[command(flatten)]
+    pub development: DevelopmentArguments,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExamplesArguments {
+    /// The scene to write; without it, all are listed
+    pub name: Option<String>,
+    /// Where to write it, instead of standard output
+    #[arg(short, long, value_name = "FILE.toml", requires = "name")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArguments {
+    /// For which shell
+    pub shell: clap_complete::Shell,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ManArguments {
+    /// The command to explain, such as render; without it, the program
+    pub command: Option<String>,
+}
+
+/// How reflections are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Method {
+    /// Whitted's tree of rays
+    Whitted,
+}
+
+/// What does the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Backend {
+    /// The fastest there is
+    Auto,
+    /// The processor
+    Cpu,
+    /// The graphics card
+    Gpu,
+}
+
+/// Width and height of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Size {
+    pub width: u32,
+    pub height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once(['x', 'X', '×']);
+        let side = |text: &str| text.trim().parse::<u32>().ok();
+        match sides.and_then(|(width, height)| Some((side(width)?, side(height)?))) {
+            Some((width, height)) if width > 0 && height > 0 => Ok(Self { width, height }),
+            _ => Err("give width and height in pixels, such as 1280x720".to_owned()),
+        }
+    }
+}
+
+/// A number or a quotient such as 1/255, not negative.
+fn fraction(text: &str) -> Result<f64, String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    let value = match text.split_once('/') {
+        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
+        None => number(text),
+    };
+    match value {
+        Some(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        _ => Err("give a number of 0 or more, such as 0.01 or 1/255".to_owned()),
+    }
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err("give a number, such as -1.5".to_owned()),
+    }
+}
+
+fn tone_curves() -> impl clap::builder::TypedValueParser<Value = ToneCurve> {
+    use clap::builder::TypedValueParser as _;
+    PossibleValuesParser::new(ToneCurve::ALL.map(ToneCurve::name))
+        .map(|name| name.parse().unwrap_or_default())
+}

@@ -1,0 +1,73 @@
+//! What can stand in the way.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a file could not be written. The file that was there before, if any, is untouched
+/// (for a device or a pipe, which has no before, some bytes may have gone out).
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    /// The path names no file, like `..` or the empty path.
+    #[error("cannot write \"{}\": this path names no file; give a file name", path.display())]
+    NoName {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The path is a directory.
+    #[error("cannot write {}: it is a directory; give the name of a file in it", path.display())]
+    IsDirectory {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The directory does not exist, or is not one.
+    #[error(
+        "cannot write {}: there is no directory {}; create it or choose another place",
+        path.display(), directory.display()
+    )]
+    NoDirectory {
+        /// The path asked for.
+        path: PathBuf,
+        /// What should be a directory.
+        directory: PathBuf,
+    },
+    /// Nothing can be created in the directory.
+    #[error(
+        "cannot write {}: nothing can be created in the directory {}; change its permissions or choose another place",
+        path.display(), directory.display()
+    )]
+    Closed {
+        /// The path asked for.
+        path: PathBuf,
+        /// The directory.
+        directory: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The existing file is marked read-only. It is respected, though renaming could replace it.
+    #[error("cannot write {}: the file is write-protected; choose another name or make it writable", path.display())]
+    Protected {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A symbolic link leads in a circle.
+    #[error("cannot write {}: its symbolic links lead in a circle; choose another name", path.display())]
+    Circle {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The system refused while the file was looked at, written or renamed.
+    #[error("cannot write {}; check the free space and the permissions", path.display())]
+    Io {
+        /// The path asked for.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+}
+
+impl WriteError {
+    /// Wraps what the system said about `path`.
+    pub(crate) fn io(path: &Path, source: io::Error) -> WriteError {
+        WriteError::Io { path: path.to_owned(), source }
+    }
+}

@@ -1,0 +1,115 @@
+//! The built-in scenes.
+
+use std::path::PathBuf;
+
+use crate::file::{LoadError, Loaded};
+use crate::format::{nearest, read};
+
+/// A scene that comes with the program: something to look at, to learn from, and to start from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Example {
+    /// Its name, as on the command line.
+    pub name: &'static str,
+    /// The scene file's text; it begins with a title in English, one in Russian, and what to notice.
+    pub text: &'static str,
+}
+
+macro_rules! examples {
+    ($($name:literal),+ $(,)?) => {
+        [$(Example { name: $name, text: include_str!(concat!("../examples/", $name, ".toml")) }),+]
+    };
+}
+
+impl Example {
+    /// All built-in scenes, in the order in which to show them.
+    pub const ALL: &'static [Self] = &examples![
+        "four-bodies",
+        "whitted",
+        "hall-of-mirrors",
+        "kaleidoscope",
+        "corner-reflector",
+        "glass-row",
+    ];
+
+    /// The built-in scene of this name.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        Self::ALL.iter().find(|example| example.name == name)
+    }
+
+    /// The built-in scene whose name is most like this one, if any is.
+    pub fn nearest(name: &str) -> Option<&'static Self> {
+        nearest(name, Self::ALL.iter().map(|example| example.name)).and_then(Self::find)
+    }
+
+    /// The title in English.
+    pub fn title(&self) -> &'static str {
+        self.comment_line(0)
+    }
+
+    /// The title in Russian.
+    pub fn russian_title(&self) -> &'static str {
+        self.comment_line(1)
+    }
+
+    fn comment_line(&self, line: usize) -> &'static str {
+        self.text.lines().nth(line).map_or(self.name, |line| line.trim_start_matches('#').trim())
+    }
+
+    /// Reads the scene.
+    ///
+    /// # Errors
+    /// None; a test reads every example.
+    pub fn load(&self) -> Result<Loaded, LoadError> {
+        match read(self.text).into_result() {
+            Ok(warned) => {
+                Ok(Loaded { scene: warned.value, text: self.text.to_owned(), warnings: warned.warnings })
+            }
+            Err(diagnostics) => Err(LoadError::Diagnostics {
+                path: PathBuf::from(self.name),
+                text: self.text.to_owned(),
+                diagnostics,
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_example_is_listed_and_reads_without_a_finding() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
+        let mut files: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        files.sort();
+        let mut listed: Vec<String> =
+            Example::ALL.iter().map(|example| format!("{}.toml", example.name)).collect();
+        listed.sort();
+        assert_eq!(files, listed);
+        for example in Example::ALL {
+            let loaded = example.load().unwrap_or_else(|error| panic!("{}: {error}", example.name));
+            assert!(loaded.warnings.is_empty(), "{}: {}", example.name, loaded.warnings);
+        }
+    }
+
+    #[test]
+    fn every_example_says_what_to_notice_in_both_languages() {
+        for Example { name, text } in Example::ALL {
+            assert!(
+                text.contains("\n# What to notice: ") && text.contains("\n# На что смотреть: "),
+                "{name}"
+            );
+            let russian = text.lines().nth(1).unwrap_or_default();
+            assert!(russian.chars().any(|c| ('а'..='я').contains(&c)), "{name}: {russian}");
+        }
+    }
+
+    #[test]
+    fn a_misspelt_name_finds_its_neighbor() {
+        assert_eq!(Example::nearest("whited").map(|example| example.name), Some("whitted"));
+        assert_eq!(Example::nearest("xyzzy"), None);
+    }
+}

@@ -1,0 +1,28 @@
+//! The text format `catoptric/1`: TOML whose tables and keys are those of [`keys`].
+
+mod build;
+mod check;
+mod diagnostic;
+pub mod keys;
+mod nearest;
+mod number;
+mod quote;
+mod read;
+mod record;
+mod render;
+mod rules;
+mod schema;
+pub mod spec;
+mod toml;
+mod tree;
+mod typed;
+mod update;
+mod write;
+
+pub use check::{Part, Problem};
+pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
+pub(crate) use nearest::nearest;
+pub use read::{LONGEST_TEXT, Reading, Warned, read, read_bytes};
+pub use schema::json_schema;
+pub use update::update;
+pub use write::write;

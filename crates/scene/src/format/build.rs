@@ -1,0 +1,269 @@
+//! From tables to the document's types. Everything absent or wrong keeps its default.
+
+use glam::DVec3;
+
+use crate::body::{Anchor, Body, Placement, Shape};
+use crate::camera::{Camera, Projection};
+use crate::format::diagnostic::{Diagnostic, Diagnostics};
+use crate::format::keys;
+use crate::format::rules::{self, Broken};
+use crate::format::spec::TableSpec;
+use crate::format::toml::{Span, Value, ValueKind};
+use crate::format::tree::Table;
+use crate::format::typed::Fields;
+use crate::light::{Falloff, Light};
+use crate::material::{Checker, Material, MaterialChoice};
+use crate::{Environment, Tracing};
+
+/// What tables are built with.
+pub(crate) struct Build<'a, 't> {
+    pub(crate) text: &'t str,
+    pub(crate) found: &'a mut Diagnostics,
+}
+
+/// A body as far as it could be understood.
+pub(crate) struct BuiltBody {
+    pub(crate) body: Body,
+    /// Place of its name, when it has one.
+    pub(crate) name_span: Option<Span>,
+    /// Place of the name of its material, when it has one.
+    pub(crate) material_span: Option<Span>,
+}
+
+impl<'t> Build<'_, 't> {
+    fn fields<'b>(&mut self, spec: &'static TableSpec, table: &'b Table<'t>) -> Fields<'_, 'b, 't> {
+        let mut fields = Fields { text: self.text, spec, table, found: self.found };
+        fields.check_choices();
+        fields
+    }
+
+    /// The table `name` of the file.
+    pub(crate) fn root<'b>(&mut self, root: &'b Table<'t>, name: &str) -> Option<&'b Table<'t>> {
+        self.fields(&keys::ROOT, root).child(name)
+    }
+
+    pub(crate) fn camera(&mut self, table: &Table<'t>) -> Camera {
+        let mut fields = self.fields(&keys::CAMERA, table);
+        let default = Camera::default();
+        let position = fields.vector("position");
+        let target = fields.vector("target");
+        let up = fields.vector("up");
+        let is_known = |name, value: Option<DVec3>| value.is_some() || !table_has(table, name);
+        let all_known = is_known("position", position) && is_known("target", target) && is_known("up", up);
+        let projection = match fields.choice("projection") {
+            Ok(Some("parallel")) => Projection::Parallel { height: fields.number("height").unwrap_or(5.0) },
+            Ok(_) => Projection::Perspective { fov_degrees: fields.number("fov").unwrap_or(27.0) },
+            Err(()) => default.projection,
+        };
+        let mut camera = Camera {
+            position: position.unwrap_or(default.position),
+            target: target.unwrap_or(default.target),
+            up: up.unwrap_or(default.up),
+            projection,
+        };
+        if let Some(broken) = rules::camera(camera.position, camera.target, camera.up) {
+            if all_known {
+                report(&mut fields, &broken, &["target", "position", "up"]);
+            }
+            camera = Camera { projection, ..default };
+        }
+        camera
+    }
+
+    pub(crate) fn environment(&mut self, table: &Table<'t>) -> Environment {
+        let mut fields = self.fields(&keys::ENVIRONMENT, table);
+        let default = Environment::default();
+        Environment {
+            background: fields.color("background").unwrap_or(default.background),
+            ambient: fields.color("ambient").unwrap_or(default.ambient),
+        }
+    }
+
+    pub(crate) fn tracing(&mut self, table: &Table<'t>) -> Tracing {
+        let mut fields = self.fields(&keys::TRACING, table);
+        let default = Tracing::default();
+        Tracing {
+            generations: fields.number("generations").map_or(default.generations, |number| number as u32),
+            threshold: fields.number("threshold").unwrap_or(default.threshold),
+        }
+    }
+
+    pub(crate) fn material(&mut self, table: &Table<'t>) -> Material {
+        let mut fields = self.fields(&keys::MATERIAL, table);
+        let default = Material::default();
+        let mut material = Material {
+            color: fields.color("color").unwrap_or(default.color),
+            ambient: fields.number("ambient").unwrap_or(default.ambient),
+            diffuse: fields.number("diffuse").unwrap_or(default.diffuse),
+            specular: fields.number("specular").unwrap_or(default.specular),
+            shininess: fields.number("shininess").unwrap_or(default.shininess),
+            reflection: fields.number("reflection"),
+            transmission: fields.number("transmission").unwrap_or(default.transmission),
+            ior: fields.number("ior").unwrap_or(default.ior),
+            tint: fields.color("tint").unwrap_or(default.tint),
+            checker: None,
+        };
+        if let Some(checker) = fields.child("checker") {
+            material.checker = Some(self.checker(checker));
+        }
+        material
+    }
+
+    fn checker(&mut self, table: &Table<'t>) -> Checker {
+        let mut fields = self.fields(&keys::CHECKER, table);
+        let default = Checker::default();
+        Checker {
+            color: fields.color("color").unwrap_or(default.color),
+            size: fields.number("size").unwrap_or(default.size),
+        }
+    }
+
+    /// A light, and the place of its name.
+    pub(crate) fn light(&mut self, table: &Table<'t>) -> (Light, Option<Span>) {
+        let mut fields = self.fields(&keys::LIGHT, table);
+        let default = Light::default();
+        let falloff = match fields.choice("falloff") {
+            Ok(Some("linear")) => {
+                Falloff::Linear { constant: fields.number("falloff_constant").unwrap_or(1.0) }
+            }
+            Ok(Some("inverse-square")) => Falloff::InverseSquare,
+            _ => Falloff::None,
+        };
+        let light = Light {
+            name: fields.text("name").unwrap_or_default(),
+            position: fields.vector("position").unwrap_or(default.position),
+            color: fields.color("color").unwrap_or(default.color),
+            intensity: fields.number("intensity").unwrap_or(default.intensity),
+            falloff,
+        };
+        (light, table.get("name").map(|value| value.span))
+    }
+
+    /// A body; nothing when its shape is not known.
+    pub(crate) fn body(&mut self, table: &Table<'t>) -> Option<BuiltBody> {
+        let mut fields = self.fields(&keys::BODY, table);
+        let name = fields.text("name").unwrap_or_default();
+        let shape = shape(&mut fields);
+        let anchor = anchor(&mut fields, shape);
+        let scale = fields.number_or_vector("scale").unwrap_or(DVec3::ONE);
+        let (material, material_span) = self.material_choice(table);
+        let mut shape = shape.ok()?;
+        if let Anchor::Axis { base, top } = anchor {
+            set_height(&mut shape, base.distance(top));
+        }
+        let body = Body { name, shape, placement: Placement { anchor, scale }, material };
+        Some(BuiltBody { body, name_span: table.get("name").map(|value| value.span), material_span })
+    }
+
+    fn material_choice(&mut self, table: &Table<'t>) -> (MaterialChoice, Option<Span>) {
+        match table.get("material") {
+            Some(Value { span, kind: ValueKind::Text(name) }) => {
+                (MaterialChoice::Named(name.as_ref().to_owned()), Some(*span))
+            }
+            Some(Value { kind: ValueKind::Table(material), .. }) => {
+                (MaterialChoice::Inline(Box::new(self.material(material))), None)
+            }
+            None | Some(Value { kind: ValueKind::Invalid, .. }) => (MaterialChoice::default(), None),
+            Some(value) => {
+                let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
+                if let Some((_, key)) = keys::BODY.find("material") {
+                    let _: Option<()> = fields.wrong_type(key, value);
+                }
+                (MaterialChoice::default(), None)
+            }
+        }
+    }
+}
+
+fn table_has(table: &Table<'_>, name: &str) -> bool {
+    table.get(name).is_some()
+}
+
+/// The shape of a body; `Err` when it is not known which.
+fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
+    let is_on_axis = fields.has("base") || fields.has("top");
+    let height = |fields: &mut Fields<'_, '_, '_>| {
+        if is_on_axis { 1.0 } else { fields.number("height").unwrap_or(1.0) }
+    };
+    Ok(match fields.choice("shape")?.unwrap_or("sphere") {
+        "cube" => Shape::Cube { size: fields.number_or_vector("size").unwrap_or(DVec3::ONE) },
+        "cylinder" => {
+            Shape::Cylinder { radius: fields.number("radius").unwrap_or(0.5), height: height(fields) }
+        }
+        "cone" => Shape::Cone {
+            radius: fields.number("radius").unwrap_or(0.5),
+            top_radius: fields.number("top_radius").unwrap_or(0.0),
+            height: height(fields),
+        },
+        "plane" => Shape::Plane,
+        _ => Shape::Sphere { radius: fields.number("radius").unwrap_or(1.0) },
+    })
+}
+
+/// Sets the height of a cylinder or cone.
+fn set_height(shape: &mut Shape, to: f64) {
+    if let Shape::Cylinder { height, .. } | Shape::Cone { height, .. } = shape {
+        *height = to;
+    }
+}
+
+/// Where the body stands: by base and top where both are given and allowed, else by position and rotation.
+fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
+    let takes_axis = matches!(shape, Ok(Shape::Cylinder { .. } | Shape::Cone { .. }));
+    if takes_axis && (fields.has("base") || fields.has("top")) {
+        check_company(fields);
+        let (base, top) = (fields.vector("base"), fields.vector("top"));
+        if let (Some(base), Some(top)) = (base, top) {
+            match rules::axis(base, top) {
+                Some(broken) => report(fields, &broken, &["top"]),
+                None => return Anchor::Axis { base, top },
+            }
+        }
+        return Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::ZERO };
+    }
+    Anchor::Frame {
+        position: fields.vector("position").unwrap_or(DVec3::ZERO),
+        rotation_degrees: fields.vector("rotation").unwrap_or(DVec3::ZERO),
+    }
+}
+
+/// Reports keys that lack the key they need, or stand beside one that excludes them.
+fn check_company(fields: &mut Fields<'_, '_, '_>) {
+    let mut reported: Vec<&str> = Vec::new();
+    for key in fields.spec.keys {
+        let Some(span) = fields.key_span(key.name) else { continue };
+        if let Some(other) = key.requires.filter(|other| !fields.has(other)) {
+            let message = format!("`{}` needs `{other}`", key.name);
+            let help = match fields.spec.find(other) {
+                Some((_, other)) => format!("`{}` is {}", other.name, other.doc),
+                None => String::new(),
+            };
+            fields.found.push(
+                Diagnostic::error(span.clone(), message).label(format!("`{other}` is missing")).help(help),
+            );
+        }
+        for &other in key.excludes {
+            let Some(other_span) = fields.key_span(other) else { continue };
+            if reported.contains(&other) {
+                continue;
+            }
+            reported.push(other);
+            let message = format!("`{other}` cannot stand beside `{}`", key.name);
+            fields.found.push(
+                Diagnostic::error(other_span, message)
+                    .label(format!("`{}` sets this already", key.name))
+                    .help("`base` and `top` set position, rotation and height; write either them or those")
+                    .related(span.clone(), format!("`{}` stands here", key.name)),
+            );
+        }
+    }
+}
+
+/// Reports a broken rule at its key, or at the first of `others` that is given.
+fn report(fields: &mut Fields<'_, '_, '_>, broken: &Broken, others: &[&str]) {
+    let span = fields
+        .key_span(broken.key)
+        .or_else(|| others.iter().find_map(|key| fields.key_span(key)))
+        .unwrap_or_default();
+    fields.found.push(Diagnostic::error(span, broken.message).help(broken.help));
+}

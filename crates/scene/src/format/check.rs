@@ -1,0 +1,238 @@
+//! Validation of scenes in memory, by the rules that scene files are read by.
+
+use std::collections::{HashMap, HashSet};
+use std::fmt;
+
+use crate::Scene;
+use crate::body::{Anchor, Body, Shape};
+use crate::format::number::short_number;
+use crate::format::quote::quoted;
+use crate::format::record::{self, Datum, Record};
+use crate::format::rules;
+use crate::format::spec::{KeySpec, Limits};
+use crate::material::MaterialChoice;
+
+/// The part of a scene that a problem is in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The camera.
+    Camera,
+    /// The environment.
+    Environment,
+    /// The limits of tracing.
+    Tracing,
+    /// The named material at this index.
+    Material(usize),
+    /// The light at this index.
+    Light(usize),
+    /// The body at this index.
+    Body(usize),
+}
+
+/// Something in a scene that its file could not say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// Where it is.
+    pub part: Part,
+    /// The key of the value that is wrong, as files call it.
+    pub key: &'static str,
+    /// What is wrong, with the name of the part: ``body `floor`: …``.
+    pub message: String,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Problem {}
+
+impl Scene {
+    /// All problems of the scene: values out of range, names used twice, materials that are not defined. A scene
+    /// without problems can be written, and reads back the same.
+    pub fn check(&self) -> Vec<Problem> {
+        let mut check = Check { problems: Vec::new() };
+        check.camera(self);
+        check.record(&Part::Environment, "the environment", &record::environment(&self.environment));
+        check.record(&Part::Tracing, "the tracing", &record::tracing(&self.tracing));
+        for (index, named) in self.materials.iter().enumerate() {
+            let title = format!("material {}", quoted(&named.name));
+            check.record(&Part::Material(index), &title, &record::material(&named.material));
+            if named.name.is_empty() {
+                check.add(
+                    Part::Material(index),
+                    "name",
+                    format!("material {}: the name is empty", index + 1),
+                );
+            }
+        }
+        for (index, light) in self.lights.iter().enumerate() {
+            check.record(&Part::Light(index), &title("light", &light.name, index), &record::light(light));
+        }
+        for (index, body) in self.bodies.iter().enumerate() {
+            check.body(index, body);
+        }
+        check.names(self);
+        check.problems
+    }
+}
+
+/// ``body `floor` ``, or `body 3` when it has no name.
+fn title(kind: &str, name: &str, index: usize) -> String {
+    if name.is_empty() { format!("{kind} {}", index + 1) } else { format!("{kind} {}", quoted(name)) }
+}
+
+struct Check {
+    problems: Vec<Problem>,
+}
+
+impl Check {
+    fn add(&mut self, part: Part, key: &'static str, message: String) {
+        self.problems.push(Problem { part, key, message });
+    }
+
+    fn camera(&mut self, scene: &Scene) {
+        let camera = &scene.camera;
+        let before = self.problems.len();
+        self.record(&Part::Camera, "the camera", &record::camera(camera));
+        if self.problems.len() > before {
+            return;
+        }
+        if let Some(broken) = rules::camera(camera.position, camera.target, camera.up) {
+            self.add(Part::Camera, broken.key, format!("the camera: {}", broken.message));
+        }
+    }
+
+    fn body(&mut self, index: usize, body: &Body) {
+        let title = title("body", &body.name, index);
+        let before = self.problems.len();
+        self.record(&Part::Body(index), &title, &record::body(body));
+        let Anchor::Axis { base, top } = body.placement.anchor else { return };
+        if !matches!(body.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
+            let message = format!("{title}: a {} cannot be placed by `base` and `top`", body.shape.key());
+            self.add(Part::Body(index), "base", message);
+            return;
+        }
+        let is_in_range = self.problems.len() == before;
+        if let Some(broken) = rules::axis(base, top).filter(|_| is_in_range) {
+            self.add(Part::Body(index), broken.key, format!("{title}: {}", broken.message));
+        }
+    }
+
+    /// Holds every value against the limits of its key.
+    fn record(&mut self, part: &Part, title: &str, record: &Record<'_>) {
+        for (name, datum) in &record.values {
+            let Some((_, key)) = record.table.0.find(name) else { continue };
+            match datum {
+                Datum::Table(inner) => self.record(part, title, inner),
+                Datum::Text(_) => {}
+                Datum::Number(value) => self.number(part, title, key, *value, ""),
+                Datum::Integer(value) => self.number(part, title, key, f64::from(*value), ""),
+                Datum::Vector(values) => {
+                    for (value, which) in values.iter().zip(["first ", "second ", "third "]) {
+                        self.number(part, title, key, *value, which);
+                    }
+                }
+            }
+        }
+    }
+
+    fn number(&mut self, part: &Part, title: &str, key: &'static KeySpec, value: f64, which: &str) {
+        let limits: Option<Limits> = key.kind.limits();
+        let Some(limits) = limits.filter(|limits| !limits.contains(value)) else { return };
+        let of = if which.is_empty() { String::new() } else { format!("the {which}number of ") };
+        let requirement = limits.requirement(value);
+        let message =
+            format!("{title}: {of}`{}` is {}, but must be {requirement}", key.name, short_number(value));
+        self.add(part.clone(), key.name, message);
+    }
+
+    fn names(&mut self, scene: &Scene) {
+        let materials = scene.materials.iter().map(|named| named.name.as_str());
+        self.unique("materials", materials, Part::Material);
+        self.unique("lights", scene.lights.iter().map(|light| light.name.as_str()), Part::Light);
+        self.unique("bodies", scene.bodies.iter().map(|body| body.name.as_str()), Part::Body);
+        let defined: HashSet<&str> = scene.materials.iter().map(|named| named.name.as_str()).collect();
+        for (index, body) in scene.bodies.iter().enumerate() {
+            let MaterialChoice::Named(name) = &body.material else { continue };
+            if !defined.contains(name.as_str()) {
+                let title = title("body", &body.name, index);
+                let message = format!("{title}: the material {} is not defined", quoted(name));
+                self.add(Part::Body(index), "material", message);
+            }
+        }
+    }
+
+    fn unique<'a>(&mut self, what: &str, names: impl Iterator<Item = &'a str>, part: impl Fn(usize) -> Part) {
+        let mut first_at: HashMap<&str, usize> = HashMap::new();
+        for (index, name) in names.enumerate().filter(|(_, name)| !name.is_empty()) {
+            let first = *first_at.entry(name).or_insert(index);
+            if first != index {
+                let message = format!(
+                    "two {what} have the name {}: numbers {} and {}",
+                    quoted(name),
+                    first + 1,
+                    index + 1
+                );
+                self.add(part(index), "name", message);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::{Light, Material, NamedMaterial, Placement};
+
+    #[test]
+    fn a_default_scene_has_no_problems() {
+        assert_eq!(Scene::default().check(), []);
+    }
+
+    #[test]
+    fn problems_name_their_part() {
+        let ball = Body {
+            name: "ball".to_owned(),
+            shape: Shape::Sphere { radius: -1.0 },
+            placement: Placement::at(DVec3::new(0.0, f64::NAN, 0.0)),
+            material: MaterialChoice::Named("glass".to_owned()),
+        };
+        let axis = Anchor::Axis { base: DVec3::ZERO, top: DVec3::ZERO };
+        let rod = Body {
+            shape: Shape::CYLINDER,
+            placement: Placement { anchor: axis, scale: DVec3::ONE },
+            ..Body::default()
+        };
+        let cube = Body { shape: Shape::CUBE, ..rod.clone() };
+        let material = Material { ior: 0.0, ..Material::default() };
+        let mut scene = Scene {
+            materials: vec![NamedMaterial { name: "m".to_owned(), material }],
+            lights: vec![Light { intensity: -1.0, ..Light::default() }],
+            bodies: vec![ball.clone(), ball, rod, cube],
+            ..Scene::default()
+        };
+        scene.camera.target = scene.camera.position;
+        scene.tracing.generations = 0;
+        let messages: Vec<String> = scene.check().iter().map(Problem::to_string).collect();
+        let expected = [
+            "the camera: `target` and `position` of the camera are the same point",
+            "the tracing: `generations` is 0, but must be at least 1",
+            "material `m`: `ior` is 0, but must be at least 0.01",
+            "light 1: `intensity` is -1, but must be 0 or more",
+            "body `ball`: `radius` is -1, but must be greater than 0",
+            "body `ball`: the second number of `position` is NaN, but must be a finite number",
+            "body `ball`: `radius` is -1, but must be greater than 0",
+            "body `ball`: the second number of `position` is NaN, but must be a finite number",
+            "body 3: `base` and `top` are the same point",
+            "body 4: a cube cannot be placed by `base` and `top`",
+            "two bodies have the name `ball`: numbers 1 and 2",
+            "body `ball`: the material `glass` is not defined",
+            "body `ball`: the material `glass` is not defined",
+        ];
+        assert_eq!(messages, expected);
+    }
+}

@@ -1,0 +1,247 @@
+//! The table of the format `catoptric/1`: every key with its type, limits, default and meaning.
+//!
+//! The reader's checks and hints, the writer's order of keys, the validation of scenes in memory and the JSON schema
+//! all come from here; a test holds the defaults against those of the document's types.
+
+use crate::Tracing;
+use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
+
+/// Versions of the format that can be read; the last one is written.
+pub const VERSIONS: &[&str] = &["catoptric/1"];
+
+const CYLINDER_AND_CONE: &[&str] = &["cylinder", "cone"];
+const WHITE: Default = Default::Vector([1.0; 3]);
+
+/// All tables of the format.
+pub static TABLES: [&TableSpec; 8] =
+    [&ROOT, &CAMERA, &ENVIRONMENT, &TRACING, &MATERIAL, &CHECKER, &LIGHT, &BODY];
+
+/// The file itself.
+pub static ROOT: TableSpec = TableSpec {
+    name: "the scene",
+    doc: "A scene of Catoptric: bodies, materials, lights and a camera",
+    keys: &[
+        KeySpec::new("format", Kind::Version(VERSIONS), "the version of the file format").written(),
+        KeySpec::new("camera", Kind::Table(&CAMERA), "where the picture is taken from")
+            .or(Default::EmptyTable)
+            .written(),
+        KeySpec::new("environment", Kind::Table(&ENVIRONMENT), "what surrounds the bodies")
+            .or(Default::EmptyTable)
+            .written(),
+        KeySpec::new("tracing", Kind::Table(&TRACING), "how far rays are followed")
+            .or(Default::EmptyTable)
+            .written(),
+        KeySpec::new("materials", Kind::Named(&MATERIAL), "materials that bodies share by name"),
+        KeySpec::new("lights", Kind::List(&LIGHT), "point lights"),
+        KeySpec::new("bodies", Kind::List(&BODY), "bodies"),
+    ],
+};
+
+/// `[camera]`
+pub static CAMERA: TableSpec = TableSpec {
+    name: "the camera",
+    doc: "A camera that looks from a point towards another",
+    keys: &[
+        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the eye point, metres")
+            .or(Default::Vector([0.0, 2.2, 8.0]))
+            .written(),
+        KeySpec::new("target", Kind::Vector(Limits::PLACE), "the point in the centre of the picture, metres")
+            .or(Default::Vector([0.0, 1.0, 0.0]))
+            .written(),
+        KeySpec::new("up", Kind::Vector(Limits::PLACE), "the direction that points up in the picture")
+            .or(Default::Vector([0.0, 1.0, 0.0])),
+        KeySpec::new(
+            "projection",
+            Kind::Choice(&["perspective", "parallel"]),
+            "how the world is carried to the picture",
+        )
+        .or(Default::Text("perspective")),
+        KeySpec::new("fov", Kind::Number(Limits::new(0.001, 179.9)), "the vertical angle of view, degrees")
+            .or(Default::Number(27.0))
+            .only("projection", &["perspective"])
+            .written(),
+        KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height of the window, metres")
+            .or(Default::Number(5.0))
+            .only("projection", &["parallel"])
+            .written(),
+    ],
+};
+
+/// `[environment]`
+pub static ENVIRONMENT: TableSpec = TableSpec {
+    name: "the environment",
+    doc: "What surrounds the bodies",
+    keys: &[
+        KeySpec::new(
+            "background",
+            Kind::Color(Limits::AMOUNT),
+            "the light brought by a ray that hits nothing",
+        )
+        .or(Default::Vector([0.2, 0.35, 0.6]))
+        .written(),
+        KeySpec::new("ambient", Kind::Color(Limits::AMOUNT), "the ambient light").or(WHITE).written(),
+    ],
+};
+
+/// `[tracing]`
+pub static TRACING: TableSpec = TableSpec {
+    name: "the tracing",
+    doc: "How far rays are followed",
+    keys: &[
+        KeySpec::new(
+            "generations",
+            Kind::Integer(Limits::new(1.0, Tracing::MAX_GENERATIONS as f64)),
+            "the number of generations of rays, the primary ray being the first",
+        )
+        .or(Default::Number(6.0))
+        .written(),
+        KeySpec::new(
+            "threshold",
+            Kind::Number(Limits::new(0.0, 1.0)),
+            "the weight below which a ray is not traced; 0 follows every ray that carries anything",
+        )
+        .or(Default::Number(0.0)),
+    ],
+};
+
+/// `[materials.NAME]`, and the inline material of a body.
+pub static MATERIAL: TableSpec = TableSpec {
+    name: "a material",
+    doc: "How a surface answers light: the coefficients of Phong (1975) and Whitted (1980)",
+    keys: &[
+        KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the body")
+            .or(Default::Vector([0.8; 3]))
+            .written(),
+        amount("ambient", "the ambient coefficient").or(Default::Number(0.1)),
+        amount("diffuse", "the diffuse coefficient").or(Default::Number(0.9)),
+        amount("specular", "the coefficient of the highlight").or(Default::Number(0.0)),
+        amount("shininess", "the exponent of the highlight").or(Default::Number(32.0)),
+        amount("reflection", "the coefficient of reflected light; when absent, the same as `specular`"),
+        amount("transmission", "the coefficient of transmitted light; 0 is opaque").or(Default::Number(0.0)),
+        KeySpec::new(
+            "ior",
+            Kind::Number(Limits::new(0.01, 100.0)),
+            "the index of refraction relative to air",
+        )
+        .or(Default::Number(1.5)),
+        KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light").or(WHITE),
+        KeySpec::new(
+            "checker",
+            Kind::Table(&CHECKER),
+            "a second color in a checkerboard of the world's axes",
+        ),
+    ],
+};
+
+/// `checker` of a material.
+pub static CHECKER: TableSpec = TableSpec {
+    name: "a checker",
+    doc: "A checkerboard of the world's axes",
+    keys: &[
+        KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the odd cells")
+            .or(Default::Vector([0.2; 3]))
+            .written(),
+        KeySpec::new("size", Kind::Number(Limits::LENGTH), "the edge length of a cell, metres")
+            .or(Default::Number(1.0))
+            .written(),
+    ],
+};
+
+/// `[[lights]]`
+pub static LIGHT: TableSpec = TableSpec {
+    name: "a light",
+    doc: "A point light",
+    keys: &[
+        KeySpec::new("name", Kind::Text, "a name that no other light has"),
+        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the light, metres")
+            .or(Default::Vector([-5.0, 8.0, 6.0]))
+            .written(),
+        KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the light").or(WHITE),
+        amount("intensity", "a factor of the color").or(Default::Number(1.0)),
+        KeySpec::new(
+            "falloff",
+            Kind::Choice(&["none", "linear", "inverse-square"]),
+            "how the light weakens with the distance d: 1, 1/(d + K) or 1/d²",
+        )
+        .or(Default::Text("none")),
+        KeySpec::new(
+            "falloff_constant",
+            Kind::Number(Limits::new(0.0, 1e9)),
+            "K of the linear falloff 1/(d + K), metres",
+        )
+        .or(Default::Number(1.0))
+        .only("falloff", &["linear"])
+        .written(),
+    ],
+};
+
+/// `[[bodies]]`
+pub static BODY: TableSpec = TableSpec {
+    name: "a body",
+    doc: "A body: a shape, where it stands and what it is made of",
+    keys: &[
+        KeySpec::new("name", Kind::Text, "a name that no other body has"),
+        KeySpec::new(
+            "shape",
+            Kind::Choice(&["sphere", "cube", "cylinder", "cone", "plane"]),
+            "the shape of the body",
+        )
+        .or(Default::Text("sphere"))
+        .written(),
+        KeySpec::new("radius", Kind::Number(Limits::LENGTH), "the radius (of the base, for a cone), metres")
+            .or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5)]))
+            .only("shape", &["sphere", "cylinder", "cone"])
+            .written(),
+        KeySpec::new(
+            "top_radius",
+            Kind::Number(Limits::new(0.0, 1e9)),
+            "the radius of the upper cap, metres; 0 makes a pointed cone",
+        )
+        .or(Default::Number(0.0))
+        .only("shape", &["cone"]),
+        KeySpec::new(
+            "size",
+            Kind::NumberOrVector(Limits::LENGTH),
+            "the edge length, or the three edge lengths, metres",
+        )
+        .or(Default::Number(1.0))
+        .only("shape", &["cube"])
+        .written(),
+        KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, metres")
+            .or(Default::Number(1.0))
+            .only("shape", CYLINDER_AND_CONE)
+            .written(),
+        KeySpec::new("base", Kind::Vector(Limits::PLACE), "the centre of the lower base, metres")
+            .only("shape", CYLINDER_AND_CONE)
+            .beside("top", &["position", "rotation", "height"]),
+        KeySpec::new("top", Kind::Vector(Limits::PLACE), "the centre of the upper base, or the apex, metres")
+            .only("shape", CYLINDER_AND_CONE)
+            .beside("base", &["position", "rotation", "height"]),
+        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, metres")
+            .or(Default::Vector([0.0; 3]))
+            .written(),
+        KeySpec::new(
+            "rotation",
+            Kind::Vector(Limits::new(-1e6, 1e6)),
+            "the turns about the fixed X, then Y, then Z axis, degrees",
+        )
+        .or(Default::Vector([0.0; 3])),
+        KeySpec::new(
+            "scale",
+            Kind::NumberOrVector(Limits::LENGTH),
+            "the factor, or the three factors, of the size",
+        )
+        .or(Default::Number(1.0)),
+        KeySpec::new(
+            "material",
+            Kind::NameOrTable(&MATERIAL),
+            "the name of a material, or a material of its own",
+        )
+        .or(Default::EmptyTable),
+    ],
+};
+
+/// A coefficient: 0 or more.
+const fn amount(name: &'static str, doc: &'static str) -> KeySpec {
+    KeySpec::new(name, Kind::Number(Limits::AMOUNT), doc)
+}

@@ -1,0 +1,322 @@
+//! Reads scene files.
+
+mod list;
+mod names;
+
+use crate::Scene;
+use crate::format::build::Build;
+use crate::format::diagnostic::{Diagnostic, Diagnostics};
+use crate::format::keys;
+use crate::format::quote::quoted;
+use crate::format::toml::{Assignment, Header, Key, Line, Lines, Statement, Value, ValueKind, parse};
+use crate::format::tree::{Defined, Schema, Table};
+use crate::material::NamedMaterial;
+use toml_parser::lexer::TokenKind;
+
+use list::{List, ListKind};
+use names::Places;
+
+/// Longest text in bytes: 1 GiB.
+pub const LONGEST_TEXT: usize = 1 << 30;
+
+/// What was read.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The scene as far as it could be understood: wrong values have their defaults, bodies of an unknown shape are
+    /// left out.
+    pub scene: Scene,
+    /// All errors and warnings, in the order of the file.
+    pub diagnostics: Diagnostics,
+}
+
+impl Reading {
+    /// The scene, or the findings when any of them is an error.
+    pub fn into_result(self) -> Result<Warned<Scene>, Diagnostics> {
+        if self.diagnostics.has_errors() {
+            Err(self.diagnostics)
+        } else {
+            Ok(Warned { value: self.scene, warnings: self.diagnostics })
+        }
+    }
+}
+
+/// A value together with warnings about it.
+#[derive(Clone, Debug)]
+pub struct Warned<T> {
+    /// The value.
+    pub value: T,
+    /// The warnings, in the order of the file.
+    pub warnings: Diagnostics,
+}
+
+/// Reads a scene from the text of a file. Never fails: what is wrong is told in the findings.
+///
+/// ```
+/// let reading = catoptric_scene::read("format = 'catoptric/1'\n[camera]\nfov = 300");
+/// assert_eq!(reading.diagnostics.to_string(), "3:7: error: `fov` is `300`, but must be at most 179.9");
+/// ```
+pub fn read(text: &str) -> Reading {
+    if text.len() > LONGEST_TEXT {
+        let mut diagnostics = Diagnostics::default();
+        let help = format!("the longest text that can be read has {LONGEST_TEXT} bytes");
+        diagnostics.push(Diagnostic::error(0..0, "the text is too long").help(help));
+        diagnostics.locate("");
+        return Reading { scene: Scene::default(), diagnostics };
+    }
+    Reader::new(text).read()
+}
+
+/// Reads a scene from the bytes of a file, which should be UTF-8. With the reading comes the text that its places
+/// refer to.
+pub fn read_bytes(bytes: Vec<u8>) -> (Reading, String) {
+    match String::from_utf8(bytes) {
+        Ok(text) => (read(&text), text),
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+            let byte = error.as_bytes().get(at).copied().unwrap_or_default();
+            let mut diagnostics = Diagnostics::default();
+            diagnostics.push(
+                Diagnostic::error(
+                    at..at + char::REPLACEMENT_CHARACTER.len_utf8(),
+                    "the file is not UTF-8 text",
+                )
+                .label(format!("the byte 0x{byte:02x} does not belong here"))
+                .help("save the file as UTF-8"),
+            );
+            diagnostics.locate(&text);
+            (Reading { scene: Scene::default(), diagnostics }, text)
+        }
+    }
+}
+
+/// Which table assignments go to.
+enum Place<'t> {
+    /// The one at this path from the root.
+    Table(Vec<Key<'t>>),
+    /// The one at this path from the open element of a list.
+    Element(ListKind, Vec<Key<'t>>),
+    /// None: the header was wrong.
+    Nowhere,
+}
+
+/// A text that is being read.
+struct Reader<'t> {
+    text: &'t str,
+    /// Findings about the meaning.
+    found: Diagnostics,
+    /// Syntax errors.
+    syntax: Diagnostics,
+    /// Whether tables may have got lost in syntax errors.
+    has_lost_tables: bool,
+    root: Table<'t>,
+    lights: List<'t>,
+    bodies: List<'t>,
+    place: Place<'t>,
+    places: Places,
+    scene: Scene,
+}
+
+impl<'t> Reader<'t> {
+    fn new(text: &'t str) -> Self {
+        Self {
+            text,
+            found: Diagnostics::default(),
+            syntax: Diagnostics::default(),
+            has_lost_tables: false,
+            root: Table::new(Schema::Keys(&keys::ROOT), Defined::ByHeader),
+            lights: List::default(),
+            bodies: List::default(),
+            place: Place::Table(Vec::new()),
+            places: Places::default(),
+            scene: Scene::default(),
+        }
+    }
+
+    fn read(mut self) -> Reading {
+        let mut lines = Lines::new(self.text);
+        while let Some(line) = lines.next() {
+            self.line(&line);
+        }
+        self.close(ListKind::Lights);
+        self.close(ListKind::Bodies);
+        self.finish();
+        self.found.locate(self.text);
+        self.scene.bodies.shrink_to_fit();
+        self.scene.lights.shrink_to_fit();
+        Reading { scene: self.scene, diagnostics: self.found }
+    }
+
+    fn line(&mut self, line: &Line<'_>) {
+        let tokens = match line {
+            Line::Tokens(tokens) => tokens,
+            Line::TooLong(span) => {
+                self.syntax.push(
+                    Diagnostic::error(span.range(), "this value is too long")
+                        .help("write bodies and lights as `[[bodies]]` and `[[lights]]`"),
+                );
+                return;
+            }
+        };
+        let parsed = parse(self.text, tokens);
+        let has_problems = !parsed.problems.is_empty();
+        // A text of several lines that is not closed takes everything after it along.
+        let is_long_text = |kind| matches!(kind, TokenKind::MlBasicString | TokenKind::MlLiteralString);
+        self.has_lost_tables |= has_problems && tokens.iter().any(|token| is_long_text(token.kind()));
+        for problem in parsed.problems {
+            self.syntax.push(problem);
+        }
+        match parsed.statement {
+            Some(Statement::Header(header)) => {
+                self.has_lost_tables |= has_problems;
+                self.header(header);
+            }
+            Some(Statement::Assignment(assignment)) => self.assignment(assignment),
+            None => self.has_lost_tables |= has_problems,
+        }
+    }
+
+    fn header(&mut self, header: Header<'t>) {
+        let Header { path, is_list, span } = header;
+        let Some(first) = path.first() else { return };
+        self.place = match ListKind::from_key(&first.text) {
+            Some(kind) => self.list_header(kind, path, is_list),
+            None => {
+                if is_list {
+                    let name: Vec<&str> = path.iter().map(|key| key.text.as_ref()).collect();
+                    let name = name.join(".");
+                    if keys::ROOT.find(&first.text).is_some() {
+                        self.found.push(
+                            Diagnostic::error(span.range(), format!("{} is not a list", quoted(&name)))
+                                .help(format!("write `[{name}]`")),
+                        );
+                    }
+                }
+                match self.root.open(&path) {
+                    Ok(()) => Place::Table(path),
+                    Err(problem) => {
+                        self.found.push(*problem);
+                        Place::Nowhere
+                    }
+                }
+            }
+        };
+    }
+
+    fn assignment(&mut self, assignment: Assignment<'t>) {
+        let found = &mut self.found;
+        let table = match &self.place {
+            Place::Nowhere => None,
+            Place::Table(path) if path.is_empty() => {
+                let kind = assignment.path.first().and_then(|key| ListKind::from_key(&key.text));
+                if let Some(kind) = kind {
+                    return self.list_value(kind, assignment);
+                }
+                Some(&mut self.root)
+            }
+            Place::Table(path) => self.root.at(path),
+            Place::Element(kind, path) => match kind {
+                ListKind::Lights => &mut self.lights,
+                ListKind::Bodies => &mut self.bodies,
+            }
+            .open
+            .as_mut()
+            .and_then(|table| table.at(path)),
+        };
+        if let Some(table) = table {
+            table.assign(assignment, found);
+        }
+    }
+
+    /// Everything that needs the whole file.
+    fn finish(&mut self) {
+        self.singletons();
+        let materials = self.materials();
+        let is_used =
+            names::check_materials(&mut self.scene, &self.places, self.has_lost_tables, &mut self.found);
+        names::check_unique(&mut self.scene, &self.places, &mut self.found);
+        let is_known = self.version();
+        if !is_known {
+            // A file of another version has other keys; only its syntax can be judged.
+            self.found.retain(|diagnostic| diagnostic.message.contains("`format`"));
+        }
+        self.found.append(&mut self.syntax);
+        if !self.found.has_errors() {
+            names::warn(&self.scene, &materials, &is_used, &mut self.found);
+        }
+    }
+
+    fn singletons(&mut self) {
+        let mut build = Build { text: self.text, found: &mut self.found };
+        if let Some(camera) = build.root(&self.root, "camera") {
+            self.scene.camera = build.camera(camera);
+        }
+        if let Some(environment) = build.root(&self.root, "environment") {
+            self.scene.environment = build.environment(environment);
+        }
+        if let Some(tracing) = build.root(&self.root, "tracing") {
+            self.scene.tracing = build.tracing(tracing);
+        }
+    }
+
+    /// Builds the materials; the answer has the place of each name.
+    fn materials(&mut self) -> Vec<std::ops::Range<usize>> {
+        let mut build = Build { text: self.text, found: &mut self.found };
+        let Some(materials) = build.root(&self.root, "materials") else { return Vec::new() };
+        let mut spans = Vec::new();
+        for entry in &materials.entries {
+            let material = match &entry.value.kind {
+                ValueKind::Table(table) => build.material(table),
+                ValueKind::Invalid => Default::default(),
+                other => {
+                    let message =
+                        format!("{} is {}, but must be a table", quoted(&entry.key.text), other.described());
+                    let help = "a material is a table: `[materials.NAME]`";
+                    build.found.push(Diagnostic::error(entry.value.span.range(), message).help(help));
+                    Default::default()
+                }
+            };
+            self.scene.materials.push(NamedMaterial { name: entry.key.text.as_ref().to_owned(), material });
+            spans.push(entry.key.span.range());
+        }
+        spans
+    }
+
+    /// Whether a key was reported that was probably meant to be `format`.
+    fn misspells_format(&self) -> bool {
+        self.found.iter().any(|diagnostic| diagnostic.label == "did you mean `format`?")
+    }
+
+    /// Checks the version; false when the file is of another one.
+    fn version(&mut self) -> bool {
+        let known: Vec<String> = keys::VERSIONS.iter().map(|version| format!("\"{version}\"")).collect();
+        let known = known.join(", ");
+        match self.root.get("format") {
+            Some(Value { kind: ValueKind::Invalid, .. }) => true,
+            Some(Value { kind: ValueKind::Text(version), .. })
+                if keys::VERSIONS.contains(&version.as_ref()) =>
+            {
+                true
+            }
+            Some(Value { kind: ValueKind::Text(version), span }) => {
+                let message = format!("`format` is {}, which this program does not know", quoted(version));
+                self.found.push(Diagnostic::error(span.range(), message).help(format!("known is {known}")));
+                false
+            }
+            Some(Value { kind, span }) => {
+                let message = format!("`format` is {}, but must be {known}", kind.described());
+                self.found.push(Diagnostic::error(span.range(), message));
+                true
+            }
+            None if !self.syntax.is_empty() || self.misspells_format() => true,
+            None => {
+                let start = if self.text.starts_with('\u{feff}') { 3 } else { 0 };
+                self.found.push(
+                    Diagnostic::error(start..start, "the key `format` is missing")
+                        .help(format!("begin the file with the line `format = {known}`")),
+                );
+                true
+            }
+        }
+    }
+}

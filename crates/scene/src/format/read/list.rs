@@ -1,0 +1,176 @@
+//! The lists of lights and bodies, which are built element by element.
+
+use super::{Place, Reader};
+use crate::format::build::Build;
+use crate::format::diagnostic::Diagnostic;
+use crate::format::keys;
+use crate::format::quote::quoted;
+use crate::format::spec::TableSpec;
+use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
+use crate::format::tree::{Defined, Schema, Table};
+
+/// Which list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ListKind {
+    Lights,
+    Bodies,
+}
+
+/// A list that is being read.
+#[derive(Default)]
+pub(super) struct List<'t> {
+    /// Place of the value that gives the whole list.
+    value: Option<Span>,
+    /// Place of the first header.
+    header: Option<Span>,
+    /// The element that headers and assignments add to.
+    pub(super) open: Option<Table<'t>>,
+}
+
+impl ListKind {
+    /// The list of this key of the root.
+    pub(super) fn from_key(key: &str) -> Option<Self> {
+        match key {
+            "lights" => Some(Self::Lights),
+            "bodies" => Some(Self::Bodies),
+            _ => None,
+        }
+    }
+
+    const fn key(self) -> &'static str {
+        match self {
+            Self::Lights => "lights",
+            Self::Bodies => "bodies",
+        }
+    }
+
+    const fn spec(self) -> &'static TableSpec {
+        match self {
+            Self::Lights => &keys::LIGHT,
+            Self::Bodies => &keys::BODY,
+        }
+    }
+}
+
+impl<'t> Reader<'t> {
+    fn list(&mut self, kind: ListKind) -> &mut List<'t> {
+        match kind {
+            ListKind::Lights => &mut self.lights,
+            ListKind::Bodies => &mut self.bodies,
+        }
+    }
+
+    /// `[[bodies]]`, or `[bodies.material]` for the open body.
+    pub(super) fn list_header(&mut self, kind: ListKind, mut path: Vec<Key<'t>>, is_list: bool) -> Place<'t> {
+        let name = kind.key();
+        let first = path.remove(0);
+        if path.is_empty() {
+            if !is_list {
+                let message = format!("`{name}` is a list");
+                self.found
+                    .push(Diagnostic::error(first.span.range(), message).help(format!("write `[[{name}]]`")));
+            }
+            if let Some(value) = self.list(kind).value.take() {
+                self.found.push(twice(&first, value));
+            }
+            self.close(kind);
+            let list = self.list(kind);
+            list.header.get_or_insert(first.span);
+            list.open = Some(Table::new(Schema::Keys(kind.spec()), Defined::ByHeader));
+            return Place::Element(kind, path);
+        }
+        if is_list {
+            let parts: Vec<&str> = path.iter().map(|key| key.text.as_ref()).collect();
+            let parts = parts.join(".");
+            let message = format!("{} is not a list", quoted(&format!("{name}.{parts}")));
+            self.found.push(
+                Diagnostic::error(first.span.range(), message).help(format!("write `[{name}.{parts}]`")),
+            );
+        }
+        let Some(table) = self.list(kind).open.as_mut() else {
+            let message = format!("`{name}` is a list, and has no element yet");
+            let help = format!("begin an element with `[[{name}]]` before this");
+            self.found.push(Diagnostic::error(first.span.range(), message).help(help));
+            return Place::Nowhere;
+        };
+        match table.open(&path) {
+            Ok(()) => Place::Element(kind, path),
+            Err(problem) => {
+                self.found.push(*problem);
+                Place::Nowhere
+            }
+        }
+    }
+
+    /// `bodies = [{ … }, { … }]`
+    pub(super) fn list_value(&mut self, kind: ListKind, assignment: Assignment<'t>) {
+        let name = kind.key();
+        let Assignment { path, value } = assignment;
+        let Some(first) = path.first() else { return };
+        let help = format!("write `[[{name}]]` before the keys of each element");
+        if path.len() > 1 {
+            let message = format!("`{name}` is a list");
+            return self.found.push(Diagnostic::error(first.span.range(), message).help(help));
+        }
+        let list = self.list(kind);
+        if let Some(earlier) = list.value.or(list.header) {
+            return self.found.push(twice(first, earlier));
+        }
+        list.value = Some(first.span);
+        let values = match value.kind {
+            ValueKind::Array(values) => values,
+            ValueKind::Invalid => return,
+            other => {
+                let message = format!("`{name}` is {}, but must be a list of tables", other.described());
+                return self.found.push(Diagnostic::error(value.span.range(), message).help(help));
+            }
+        };
+        for value in values {
+            self.element(kind, value, &help);
+        }
+    }
+
+    fn element(&mut self, kind: ListKind, value: Value<'t>, help: &str) {
+        match value.kind {
+            ValueKind::Inline(assignments) => {
+                let schema = Schema::Keys(kind.spec());
+                let table = Table::from_inline(schema, assignments, &mut self.found);
+                self.list(kind).open = Some(table);
+                self.close(kind);
+            }
+            other => {
+                let message =
+                    format!("an element of `{}` is {}, but must be a table", kind.key(), other.described());
+                self.found.push(Diagnostic::error(value.span.range(), message).help(help));
+            }
+        }
+    }
+
+    /// Builds the open element of a list.
+    pub(super) fn close(&mut self, kind: ListKind) {
+        let Some(table) = self.list(kind).open.take() else { return };
+        let mut build = Build { text: self.text, found: &mut self.found };
+        match kind {
+            ListKind::Lights => {
+                let (light, name) = build.light(&table);
+                self.places.lights.push(name.unwrap_or_default());
+                self.scene.lights.push(light);
+            }
+            ListKind::Bodies => {
+                let Some(built) = build.body(&table) else { return };
+                if let Some(span) = built.material_span {
+                    self.places.materials.push((self.scene.bodies.len() as u32, span));
+                }
+                self.places.bodies.push(built.name_span.unwrap_or_default());
+                self.scene.bodies.push(built.body);
+            }
+        }
+    }
+}
+
+fn twice(key: &Key<'_>, first: Span) -> Diagnostic {
+    Diagnostic::error(key.span.range(), format!("`{}` is given twice", key.text))
+        .label("the second time")
+        .help("write the list either as a value or with headers")
+        .related(first.range(), "the first time")
+}

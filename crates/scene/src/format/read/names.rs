@@ -1,0 +1,143 @@
+//! Names: every material that is used is defined, and no two bodies or lights share a name.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::format::nearest::nearest;
+use crate::format::quote::{listed, quoted};
+use crate::format::toml::Span;
+use crate::material::MaterialChoice;
+use crate::{Color, Scene};
+
+/// So many defined materials are listed.
+const MOST_LISTED: usize = 8;
+
+/// Where the file says what is in the scene.
+#[derive(Default)]
+pub(super) struct Places {
+    /// The name of each light.
+    pub(super) lights: Vec<Span>,
+    /// The name of each body.
+    pub(super) bodies: Vec<Span>,
+    /// Bodies with a named material, and where it is named.
+    pub(super) materials: Vec<(u32, Span)>,
+}
+
+/// Reports materials that are used but not defined, unless their definitions may have got lost. The answer tells of each
+/// material whether it is used.
+pub(super) fn check_materials(
+    scene: &mut Scene,
+    places: &Places,
+    has_lost_tables: bool,
+    found: &mut Diagnostics,
+) -> Vec<bool> {
+    let names = scene.materials.iter().map(|named| named.name.as_str());
+    let defined: HashMap<&str, usize> = names.enumerate().map(|(index, name)| (name, index)).collect();
+    let mut is_used = vec![false; scene.materials.len()];
+    for &(index, span) in &places.materials {
+        let Some(body) = scene.bodies.get_mut(index as usize) else { continue };
+        let MaterialChoice::Named(name) = &body.material else { continue };
+        if let Some(is_used) = defined.get(name.as_str()).and_then(|&index| is_used.get_mut(index)) {
+            *is_used = true;
+            continue;
+        }
+        if !has_lost_tables {
+            let names = || scene.materials.iter().map(|named| named.name.as_str());
+            found.push_with(|| undefined(name, span, names));
+        }
+        body.material = MaterialChoice::default();
+    }
+    is_used
+}
+
+fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: impl Fn() -> I) -> Diagnostic {
+    let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted).collect();
+    let help = match names().take(MOST_LISTED + 1).count() {
+        0 if name.len() > 40 => "define it with `[materials.NAME]`".to_owned(),
+        0 => format!(
+            "define it with `[materials.{name}]`, or write a material of its own: `{{ color = [r, g, b] }}`"
+        ),
+        count => {
+            if count > MOST_LISTED {
+                listing.push("…".to_owned());
+                format!("defined are {}", listed(&listing, " "))
+            } else if count == 1 {
+                format!("the only defined material is {}", listing.concat())
+            } else {
+                format!("defined are {}", listed(&listing, " and "))
+            }
+        }
+    };
+    let label = match nearest(name, names()) {
+        Some(nearest) => format!("did you mean {}?", quoted(nearest)),
+        None => "not defined".to_owned(),
+    };
+    Diagnostic::error(span.range(), format!("the material {} is not defined", quoted(name)))
+        .label(label)
+        .help(help)
+}
+
+/// Reports second uses of names, and takes these names away.
+pub(super) fn check_unique(scene: &mut Scene, places: &Places, found: &mut Diagnostics) {
+    let lights = scene.lights.iter().map(|light| light.name.as_str());
+    let again = second_uses(lights, &places.lights, "lights", found);
+    for index in again {
+        if let Some(light) = scene.lights.get_mut(index) {
+            light.name.clear();
+        }
+    }
+    let bodies = scene.bodies.iter().map(|body| body.name.as_str());
+    let again = second_uses(bodies, &places.bodies, "bodies", found);
+    for index in again {
+        if let Some(body) = scene.bodies.get_mut(index) {
+            body.name.clear();
+        }
+    }
+}
+
+fn second_uses<'a>(
+    names: impl Iterator<Item = &'a str>,
+    places: &[Span],
+    what: &str,
+    found: &mut Diagnostics,
+) -> Vec<usize> {
+    let mut first_at: HashMap<&str, usize> = HashMap::new();
+    let mut again = Vec::new();
+    for (index, name) in names.enumerate() {
+        if name.is_empty() {
+            continue;
+        }
+        let first = *first_at.entry(name).or_insert(index);
+        if first == index {
+            continue;
+        }
+        again.push(index);
+        let place = |index: usize| places.get(index).copied().unwrap_or_default().range();
+        found.push_with(|| {
+            Diagnostic::error(place(index), format!("two {what} have the name {}", quoted(name)))
+                .label("the second one")
+                .help("give one of them another name, or none")
+                .related(place(first), "the first one")
+        });
+    }
+    again
+}
+
+/// Warnings about a scene without errors.
+pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], is_used: &[bool], found: &mut Diagnostics) {
+    let has_light = !scene.lights.is_empty() || scene.environment.ambient != Color::BLACK;
+    if !has_light && !scene.bodies.is_empty() {
+        found.push(
+            Diagnostic::new(Severity::Warning, 0..0, "the scene has no lights and no ambient light")
+                .help("add a light with `[[lights]]`, or the bodies will be black"),
+        );
+    }
+    for ((named, span), is_used) in scene.materials.iter().zip(defined_at).zip(is_used) {
+        if !is_used {
+            let message = format!("the material {} is not used", quoted(&named.name));
+            let warning = Diagnostic::new(Severity::Warning, span.clone(), message);
+            found.push(warning.help("give it to a body with `material`, or remove it"));
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! The document's types as keys and values: what the writer writes, the update compares and the validation checks.
+
+use std::borrow::Cow;
+
+use glam::DVec3;
+
+use crate::body::{Anchor, Body, Shape};
+use crate::camera::{Camera, Projection};
+use crate::color::Color;
+use crate::format::keys;
+use crate::format::spec::{Default, KeySpec, TableSpec, When};
+use crate::light::{Falloff, Light};
+use crate::material::{Checker, Material, MaterialChoice};
+use crate::{Environment, Tracing};
+
+/// A value of the document.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Datum<'a> {
+    Number(f64),
+    Integer(u32),
+    /// A vector or a color.
+    Vector([f64; 3]),
+    Text(Cow<'a, str>),
+    Table(Record<'a>),
+}
+
+/// The keys of one table that apply, with their values, in the order of writing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Record<'a> {
+    pub(crate) table: TableRef,
+    pub(crate) values: Vec<(&'static str, Datum<'a>)>,
+}
+
+/// A table of the format, equal only to itself.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TableRef(pub(crate) &'static TableSpec);
+
+impl PartialEq for TableRef {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
+}
+
+impl<'a> Record<'a> {
+    fn new(table: &'static TableSpec) -> Self {
+        Self { table: TableRef(table), values: Vec::with_capacity(table.keys.len()) }
+    }
+
+    fn with(mut self, key: &'static str, datum: Datum<'a>) -> Self {
+        self.values.push((key, datum));
+        self
+    }
+
+    fn number(self, key: &'static str, value: f64) -> Self {
+        self.with(key, Datum::Number(value))
+    }
+
+    fn vector(self, key: &'static str, value: DVec3) -> Self {
+        self.with(key, Datum::Vector(value.to_array()))
+    }
+
+    fn color(self, key: &'static str, value: Color) -> Self {
+        self.with(key, Datum::Vector(value.to_array()))
+    }
+
+    fn text(self, key: &'static str, value: &'a str) -> Self {
+        self.with(key, Datum::Text(Cow::Borrowed(value)))
+    }
+
+    /// A name is absent when it is empty.
+    fn name(self, value: &'a str) -> Self {
+        if value.is_empty() { self } else { self.text("name", value) }
+    }
+
+    /// Three factors or lengths; one number when they are equal.
+    fn number_or_vector(self, key: &'static str, value: DVec3) -> Self {
+        if value.x == value.y && value.y == value.z {
+            self.number(key, value.x)
+        } else {
+            self.vector(key, value)
+        }
+    }
+
+    /// The value of a key.
+    pub(crate) fn get(&self, key: &str) -> Option<&Datum<'a>> {
+        self.values.iter().find(|(name, _)| *name == key).map(|(_, datum)| datum)
+    }
+
+    /// Whether `datum` is what the absent `key` of this record stands for.
+    pub(crate) fn is_default(&self, key: &KeySpec, datum: &Datum<'_>) -> bool {
+        match (key.default, datum) {
+            (Default::Number(default), Datum::Number(value)) => default == *value,
+            (Default::Number(default), Datum::Integer(value)) => default == f64::from(*value),
+            (Default::Vector(default), Datum::Vector(value)) => default == *value,
+            (Default::Text(default), Datum::Text(value)) => default == value,
+            (Default::ByChoice(defaults), Datum::Number(value)) => self
+                .choice_of(key)
+                .and_then(|choice| defaults.iter().find(|(name, _)| *name == choice))
+                .is_some_and(|(_, default)| default == value),
+            (Default::EmptyTable, Datum::Table(record)) => record.is_all_default(),
+            _ => false,
+        }
+    }
+
+    fn is_all_default(&self) -> bool {
+        self.values
+            .iter()
+            .all(|(name, datum)| self.table.0.find(name).is_some_and(|(_, key)| self.is_default(key, datum)))
+    }
+
+    /// The word of the choice that `key` depends on.
+    fn choice_of(&self, key: &KeySpec) -> Option<&str> {
+        let When::Choice { choice, .. } = key.when else { return None };
+        match self.get(choice) {
+            Some(Datum::Text(word)) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// The keys that are written: those that always are, and those that are not at their default.
+    pub(crate) fn written(&self) -> impl Iterator<Item = (&'static str, &Datum<'a>)> {
+        self.values.iter().filter_map(|(name, datum)| {
+            let (_, key) = self.table.0.find(name)?;
+            (key.always_written || !self.is_default(key, datum)).then_some((*name, datum))
+        })
+    }
+}
+
+pub(crate) fn camera(camera: &Camera) -> Record<'static> {
+    let record = Record::new(&keys::CAMERA)
+        .vector("position", camera.position)
+        .vector("target", camera.target)
+        .vector("up", camera.up);
+    match camera.projection {
+        Projection::Perspective { fov_degrees } => {
+            record.text("projection", "perspective").number("fov", fov_degrees)
+        }
+        Projection::Parallel { height } => record.text("projection", "parallel").number("height", height),
+    }
+}
+
+pub(crate) fn environment(environment: &Environment) -> Record<'static> {
+    Record::new(&keys::ENVIRONMENT)
+        .color("background", environment.background)
+        .color("ambient", environment.ambient)
+}
+
+pub(crate) fn tracing(tracing: &Tracing) -> Record<'static> {
+    Record::new(&keys::TRACING)
+        .with("generations", Datum::Integer(tracing.generations))
+        .number("threshold", tracing.threshold)
+}
+
+pub(crate) fn material(material: &Material) -> Record<'static> {
+    let mut record = Record::new(&keys::MATERIAL)
+        .color("color", material.color)
+        .number("ambient", material.ambient)
+        .number("diffuse", material.diffuse)
+        .number("specular", material.specular)
+        .number("shininess", material.shininess);
+    if let Some(reflection) = material.reflection {
+        record = record.number("reflection", reflection);
+    }
+    record = record
+        .number("transmission", material.transmission)
+        .number("ior", material.ior)
+        .color("tint", material.tint);
+    if let Some(Checker { color, size }) = material.checker {
+        let checker = Record::new(&keys::CHECKER).color("color", color).number("size", size);
+        record = record.with("checker", Datum::Table(checker));
+    }
+    record
+}
+
+pub(crate) fn light(light: &Light) -> Record<'_> {
+    let record = Record::new(&keys::LIGHT)
+        .name(&light.name)
+        .vector("position", light.position)
+        .color("color", light.color)
+        .number("intensity", light.intensity)
+        .text("falloff", light.falloff.key());
+    match light.falloff {
+        Falloff::Linear { constant } => record.number("falloff_constant", constant),
+        Falloff::None | Falloff::InverseSquare => record,
+    }
+}
+
+pub(crate) fn body(body: &Body) -> Record<'_> {
+    let mut record = Record::new(&keys::BODY).name(&body.name).text("shape", body.shape.key());
+    let own_height = |record: Record<'static>, height| match body.placement.anchor {
+        Anchor::Frame { .. } => record.number("height", height),
+        Anchor::Axis { .. } => record,
+    };
+    let sizes = Record::new(&keys::BODY);
+    let sizes = match body.shape {
+        Shape::Sphere { radius } => sizes.number("radius", radius),
+        Shape::Cube { size } => sizes.number_or_vector("size", size),
+        Shape::Cylinder { radius, height } => own_height(sizes.number("radius", radius), height),
+        Shape::Cone { radius, top_radius, height } => {
+            own_height(sizes.number("radius", radius).number("top_radius", top_radius), height)
+        }
+        Shape::Plane => sizes,
+    };
+    record.values.extend(sizes.values);
+    record = match body.placement.anchor {
+        Anchor::Frame { position, rotation_degrees } => {
+            record.vector("position", position).vector("rotation", rotation_degrees)
+        }
+        Anchor::Axis { base, top } => record.vector("base", base).vector("top", top),
+    };
+    record = record.number_or_vector("scale", body.placement.scale);
+    match &body.material {
+        MaterialChoice::Named(name) => record.text("material", name),
+        MaterialChoice::Inline(own) => record.with("material", Datum::Table(material(own))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_and_the_types_have_the_same_defaults() {
+        assert!(camera(&Camera::default()).is_all_default());
+        assert!(environment(&Environment::default()).is_all_default());
+        assert!(tracing(&Tracing::default()).is_all_default());
+        assert!(material(&Material::default()).is_all_default());
+        assert!(light(&Light::default()).is_all_default());
+        for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE] {
+            let body_of = Body { shape, ..Body::default() };
+            let record = body(&body_of);
+            for (name, datum) in &record.values {
+                let (_, key) = keys::BODY.find(name).unwrap();
+                assert!(*name == "shape" || record.is_default(key, datum), "{name} of {shape:?}");
+            }
+        }
+        assert!(body(&Body::default()).is_all_default());
+        let parallel = Camera { projection: Projection::Parallel { height: 5.0 }, ..Camera::default() };
+        assert!(camera(&parallel).is_default(keys::CAMERA.find("height").unwrap().1, &Datum::Number(5.0)));
+        let linear = Light { falloff: Falloff::Linear { constant: 1.0 }, ..Light::default() };
+        let key = keys::LIGHT.find("falloff_constant").unwrap().1;
+        assert!(light(&linear).is_default(key, &Datum::Number(1.0)));
+        let checker = Checker::default();
+        let material = material(&Material { checker: Some(checker), ..Material::default() });
+        let Some(Datum::Table(checker)) = material.get("checker") else { panic!() };
+        assert!(checker.is_all_default());
+    }
+}

@@ -1,0 +1,151 @@
+//! Findings with the lines of the file, as people know them from compilers.
+
+use std::ops::Range;
+
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
+
+use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
+
+/// At most so many bytes of a line are shown on either side of the mark's beginning.
+const MOST_SHOWN: usize = 160;
+/// Width of a rendered line in columns.
+const WIDTH: usize = 140;
+
+impl Diagnostics {
+    /// The findings with the marked lines of `text`, which must be the text that was read. `file_name` is only shown.
+    /// With `color`, terminal colors are used.
+    pub fn render(&self, file_name: &str, text: &str, color: bool) -> String {
+        let renderer = if color { Renderer::styled().hyperlink(false) } else { Renderer::plain() };
+        let renderer = renderer.term_width(WIDTH);
+        let mut out = String::new();
+        for diagnostic in self {
+            out.push_str(&render_one(diagnostic, file_name, text, &renderer));
+            out.push_str("\n\n");
+        }
+        if self.omitted() > 0 {
+            out.push_str(&format!("… and {} more\n", self.omitted()));
+        } else {
+            out.pop();
+        }
+        out
+    }
+}
+
+/// One finding: message, place, line with mark, help, and the related place.
+fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &Renderer) -> String {
+    let level = match diagnostic.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let marked = Marked::new(text, &diagnostic.span);
+    let snippet = marked.snippet(file_name, diagnostic.line, &diagnostic.label);
+    let mut main = level.primary_title(diagnostic.message.as_str()).element(snippet);
+    if let Some(help) = &diagnostic.help {
+        main = main.element(Level::HELP.message(help.as_str()));
+    }
+    let mut out = marked.with_true_column(renderer.render(&[main]), diagnostic.line, diagnostic.column);
+    if let Some(related) = &diagnostic.related {
+        let marked = Marked::new(text, &related.span);
+        let title = Level::NOTE.secondary_title(related.message.as_str());
+        let group: Group<'_> = title.element(marked.snippet(file_name, related.line, ""));
+        out.push('\n');
+        out.push_str(&marked.with_true_column(renderer.render(&[group]), related.line, related.column));
+    }
+    out
+}
+
+/// The part of one line that is shown.
+struct Marked<'a> {
+    line: &'a str,
+    mark: Range<usize>,
+}
+
+impl<'a> Marked<'a> {
+    fn new(text: &'a str, span: &Range<usize>) -> Self {
+        let start = floor_boundary(text, span.start.min(text.len()));
+        let end = floor_boundary(text, span.end.clamp(start, text.len()));
+        let from = window_start(text, start);
+        let to = window_end(text, start);
+        let line = text.get(from..to).unwrap_or_default();
+        Self { line, mark: start - from..end.min(to).max(start) - from }
+    }
+
+    fn snippet(&self, file_name: &'a str, line: usize, label: &'a str) -> Snippet<'a, Annotation<'a>> {
+        let annotation = AnnotationKind::Primary.span(self.mark.clone());
+        let annotation = if label.is_empty() { annotation } else { annotation.label(label) };
+        Snippet::source(self.line).line_start(line).path(file_name).annotation(annotation)
+    }
+
+    /// Corrects the column, which is counted from the beginning of what is shown.
+    fn with_true_column(&self, rendered: String, line: usize, column: usize) -> String {
+        let shown = self.line.get(..self.mark.start).unwrap_or_default().chars().count() + 1;
+        if shown == column {
+            return rendered;
+        }
+        rendered.replacen(&format!(":{line}:{shown}"), &format!(":{line}:{column}"), 1)
+    }
+}
+
+/// Beginning of the shown part: of the line, or [`MOST_SHOWN`] bytes before `at`.
+fn window_start(text: &str, at: usize) -> usize {
+    let floor = floor_boundary(text, at.saturating_sub(MOST_SHOWN));
+    let before = text.get(floor..at).unwrap_or_default();
+    let start = before.rfind('\n').map_or(floor, |newline| floor + newline + 1);
+    if start == 0 && text.starts_with('\u{feff}') { 3.min(at) } else { start }
+}
+
+/// End of the shown part: of the line, or [`MOST_SHOWN`] bytes after `at`.
+fn window_end(text: &str, at: usize) -> usize {
+    let ceiling = floor_boundary(text, (at + MOST_SHOWN).min(text.len()));
+    let after = text.get(at..ceiling).unwrap_or_default();
+    after.find(['\n', '\r']).map_or(ceiling, |newline| at + newline)
+}
+
+/// The last character boundary at or before `at`.
+fn floor_boundary(text: &str, at: usize) -> usize {
+    (0..=at).rev().find(|&place| text.is_char_boundary(place)).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rendered(text: &str, span: Range<usize>) -> String {
+        let mut diagnostics = Diagnostics::default();
+        diagnostics.push(Diagnostic::error(span, "it is wrong").label("this").help("make it right"));
+        diagnostics.locate(text);
+        diagnostics.render("a.toml", text, false)
+    }
+
+    #[test]
+    fn a_finding_shows_its_line() {
+        let expected = "\
+error: it is wrong
+ --> a.toml:2:5
+  |
+2 | b = 2
+  |     ^ this
+  |
+  = help: make it right
+";
+        assert_eq!(rendered("a = 1\nb = 2\nc = 3\n", 10..11), expected);
+    }
+
+    #[test]
+    fn long_lines_are_cut_and_columns_stay_true() {
+        let text = format!("a = [{}9, {}]\n", "1, ".repeat(100_000), "2, ".repeat(100_000));
+        let place = text.find('9').unwrap();
+        let out = rendered(&text, place..place + 1);
+        assert!(out.len() < 2000, "{out}");
+        assert!(out.contains(&format!("--> a.toml:1:{}\n", place + 1)), "{out}");
+        assert!(out.contains("^ this"), "{out}");
+    }
+
+    #[test]
+    fn places_beyond_the_text_are_clamped() {
+        for span in [0..0, 5..9, 90..99, 2..3] {
+            assert!(rendered("жжж", span).contains("it is wrong"));
+        }
+        assert!(rendered("", 0..0).contains("it is wrong"));
+    }
+}

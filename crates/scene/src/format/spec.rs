@@ -1,0 +1,193 @@
+//! The shape of the table of the format: what can be said about a key.
+
+/// One table of the format: the root, the camera, a material, a body …
+#[derive(Debug)]
+pub struct TableSpec {
+    /// With its article, as messages call it: `a body`, `the camera`.
+    pub name: &'static str,
+    /// What the table describes, one line.
+    pub doc: &'static str,
+    /// Its keys in the order of writing.
+    pub keys: &'static [KeySpec],
+}
+
+impl TableSpec {
+    /// The key called `name` and its place in [`Self::keys`].
+    pub fn find(&self, name: &str) -> Option<(usize, &'static KeySpec)> {
+        self.keys.iter().enumerate().find(|(_, key)| key.name == name)
+    }
+}
+
+/// One key of a table.
+#[derive(Debug)]
+pub struct KeySpec {
+    /// The key itself.
+    pub name: &'static str,
+    /// What it means and in which unit, one line without a full stop.
+    pub doc: &'static str,
+    /// What its value can be.
+    pub kind: Kind,
+    /// The value of an absent key.
+    pub default: Default,
+    /// When the key has a meaning.
+    pub when: When,
+    /// Keys of the same table that cannot stand beside this one.
+    pub excludes: &'static [&'static str],
+    /// The key of the same table that must stand beside this one.
+    pub requires: Option<&'static str>,
+    /// Whether the key is written even at its default.
+    pub always_written: bool,
+}
+
+impl KeySpec {
+    /// A key that always applies, excludes nothing, has no default and is written when it is not at its default.
+    pub const fn new(name: &'static str, kind: Kind, doc: &'static str) -> Self {
+        Self {
+            name,
+            doc,
+            kind,
+            default: Default::Absent,
+            when: When::Always,
+            excludes: &[],
+            requires: None,
+            always_written: false,
+        }
+    }
+
+    /// The same with a default.
+    pub const fn or(mut self, default: Default) -> Self {
+        self.default = default;
+        self
+    }
+
+    /// The same, for some values of the table's choice only.
+    pub const fn only(mut self, choice: &'static str, values: &'static [&'static str]) -> Self {
+        self.when = When::Choice { choice, values };
+        self
+    }
+
+    /// The same, with a key that must and keys that must not stand beside it.
+    pub const fn beside(mut self, requires: &'static str, excludes: &'static [&'static str]) -> Self {
+        self.requires = Some(requires);
+        self.excludes = excludes;
+        self
+    }
+
+    /// The same, written always.
+    pub const fn written(mut self) -> Self {
+        self.always_written = true;
+        self
+    }
+
+    /// Whether the key has a meaning when the table's choice keys have the values that `choice_of` tells.
+    pub fn applies(&self, choice_of: impl Fn(&str) -> Option<&'static str>) -> bool {
+        match self.when {
+            When::Always => true,
+            When::Choice { choice, values } => choice_of(choice).is_none_or(|value| values.contains(&value)),
+        }
+    }
+}
+
+/// What a value can be.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// One of the versions of the format.
+    Version(&'static [&'static str]),
+    /// A name.
+    Text,
+    /// One of some words.
+    Choice(&'static [&'static str]),
+    /// A number.
+    Number(Limits),
+    /// A whole number.
+    Integer(Limits),
+    /// Three numbers.
+    Vector(Limits),
+    /// One number, or three.
+    NumberOrVector(Limits),
+    /// Three linear components, or `"#rrggbb"`.
+    Color(Limits),
+    /// A table.
+    Table(&'static TableSpec),
+    /// A name from the scene's table of such tables, or a table.
+    NameOrTable(&'static TableSpec),
+    /// A table of tables under names of the user's choice.
+    Named(&'static TableSpec),
+    /// A list of tables.
+    List(&'static TableSpec),
+}
+
+/// The range of a number. Every number is finite besides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Smallest value.
+    pub min: f64,
+    /// Largest value.
+    pub max: f64,
+}
+
+impl Limits {
+    /// Sizes, scales and other lengths that cannot vanish.
+    pub const LENGTH: Self = Self::new(1e-9, 1e9);
+    /// Places.
+    pub const PLACE: Self = Self::new(-1e9, 1e9);
+    /// Coefficients, colors, intensities.
+    pub const AMOUNT: Self = Self::new(0.0, 1e6);
+
+    /// From `min` to `max`, both included.
+    pub const fn new(min: f64, max: f64) -> Self {
+        Self { min, max }
+    }
+
+    /// Whether `value` is a number of this range.
+    pub fn contains(&self, value: f64) -> bool {
+        value >= self.min && value <= self.max
+    }
+
+    /// What a value outside of the range should have been: `greater than 0`, `at least 0.01`, `a finite number` …
+    pub fn requirement(&self, value: f64) -> String {
+        use crate::format::number::short_number;
+        if !value.is_finite() {
+            "a finite number".to_owned()
+        } else if value <= 0.0 && self.min > 0.0 && self.min < 1e-6 {
+            "greater than 0".to_owned()
+        } else if value < 0.0 && self.min == 0.0 {
+            "0 or more".to_owned()
+        } else if value < self.min {
+            format!("at least {}", short_number(self.min))
+        } else {
+            format!("at most {}", short_number(self.max))
+        }
+    }
+}
+
+/// The value of an absent key.
+#[derive(Clone, Copy, Debug)]
+pub enum Default {
+    /// None: the thing is absent too, or the key's text says what happens.
+    Absent,
+    /// A number, also where a vector may stand.
+    Number(f64),
+    /// A vector or a color.
+    Vector([f64; 3]),
+    /// A name or word.
+    Text(&'static str),
+    /// A number for each value of the choice that decides whether the key applies.
+    ByChoice(&'static [(&'static str, f64)]),
+    /// A table whose keys are all absent.
+    EmptyTable,
+}
+
+/// When a key has a meaning.
+#[derive(Clone, Copy, Debug)]
+pub enum When {
+    /// Always.
+    Always,
+    /// When the choice of the same table has one of these values.
+    Choice {
+        /// The key that chooses.
+        choice: &'static str,
+        /// Its values for which the key applies.
+        values: &'static [&'static str],
+    },
+}

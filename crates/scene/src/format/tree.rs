@@ -1,0 +1,258 @@
+//! Tables as the file defines them, held against the table of the format while they grow: unknown keys and keys given
+//! twice are reported at once and never stored.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use crate::format::diagnostic::{Diagnostic, Diagnostics};
+use crate::format::keys::{ROOT, TABLES};
+use crate::format::nearest::nearest;
+use crate::format::quote::{listed, quoted};
+use crate::format::spec::{KeySpec, Kind, TableSpec};
+use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
+
+/// Which keys a table can have.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Schema {
+    /// Those of the format.
+    Keys(&'static TableSpec),
+    /// Names of the user's choice, each a table of this kind.
+    Names(&'static TableSpec),
+}
+
+/// How a table came about, which decides who may add to it (TOML 1.1, "Table").
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Defined {
+    /// As the way to a deeper header.
+    Implicitly,
+    /// By its own header.
+    ByHeader,
+    /// By a dotted key.
+    ByDottedKey,
+    /// Inline.
+    Inline,
+}
+
+/// A key with its value.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry<'t> {
+    pub(crate) key: Key<'t>,
+    pub(crate) value: Value<'t>,
+}
+
+/// A table that is being read.
+#[derive(Clone, Debug)]
+pub(crate) struct Table<'t> {
+    pub(crate) schema: Schema,
+    pub(crate) defined: Defined,
+    pub(crate) entries: Vec<Entry<'t>>,
+    /// Places of the entries by name, for tables with names of the user's choice.
+    by_name: HashMap<Cow<'t, str>, usize>,
+}
+
+impl<'t> Table<'t> {
+    pub(crate) fn new(schema: Schema, defined: Defined) -> Self {
+        Self { schema, defined, entries: Vec::new(), by_name: HashMap::new() }
+    }
+
+    /// The entry called `name`.
+    pub(crate) fn entry(&self, name: &str) -> Option<&Entry<'t>> {
+        self.entries.get(self.place(name)?)
+    }
+
+    /// The value called `name`.
+    pub(crate) fn get(&self, name: &str) -> Option<&Value<'t>> {
+        self.entry(name).map(|entry| &entry.value)
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        match self.schema {
+            Schema::Keys(_) => self.entries.iter().position(|entry| entry.key.text == name),
+            Schema::Names(_) => self.by_name.get(name).copied(),
+        }
+    }
+
+    /// Gives `key` its value; everything wrong with it goes to `found`.
+    pub(crate) fn assign(&mut self, assignment: Assignment<'t>, found: &mut Diagnostics) {
+        let Assignment { path, value } = assignment;
+        let mut path = path.into_iter();
+        let Some(mut key) = path.next() else { return };
+        let mut table = self;
+        for next in path {
+            match table.step(&key, Defined::ByDottedKey) {
+                Ok(child) => table = child,
+                Err(problem) => return found.push(*problem),
+            }
+            key = next;
+        }
+        table.put(key, value, found);
+    }
+
+    /// Opens the table of a header; afterwards [`Self::at`] finds it.
+    pub(crate) fn open(&mut self, path: &[Key<'t>]) -> Result<(), Box<Diagnostic>> {
+        let mut table = self;
+        for (index, key) in path.iter().enumerate() {
+            let is_last = index + 1 == path.len();
+            table = table.step(key, if is_last { Defined::ByHeader } else { Defined::Implicitly })?;
+        }
+        Ok(())
+    }
+
+    /// The table below this one at `path`.
+    pub(crate) fn at(&mut self, path: &[Key<'t>]) -> Option<&mut Self> {
+        let mut table = self;
+        for key in path {
+            let place = table.place(&key.text)?;
+            match &mut table.entries.get_mut(place)?.value.kind {
+                ValueKind::Table(child) => table = child,
+                _ => return None,
+            }
+        }
+        Some(table)
+    }
+
+    /// The table `key` of this one, made if need be; `by` is how it is reached.
+    fn step(&mut self, key: &Key<'t>, by: Defined) -> Result<&mut Self, Box<Diagnostic>> {
+        let Some(schema) = self.child_schema(key)? else {
+            let message = format!("{} is not a table", quoted(&key.text));
+            let help = self.spec_of(&key.text).map(crate::format::typed::key_help);
+            let diagnostic = Diagnostic::error(key.span.range(), message);
+            return Err(match help {
+                Some(help) => diagnostic.help(help).into(),
+                None => diagnostic.into(),
+            });
+        };
+        let Some(place) = self.place(&key.text) else {
+            let kind = ValueKind::Table(Table::new(schema, by));
+            self.insert(key.clone(), Value { span: key.span, kind });
+            return self.last_table(key);
+        };
+        let Some(entry) = self.entries.get_mut(place) else { return Err(twice(key, key.span).into()) };
+        let ValueKind::Table(child) = &mut entry.value.kind else {
+            return Err(twice(key, entry.key.span).into());
+        };
+        let may_enter = match by {
+            Defined::Implicitly => child.defined != Defined::Inline,
+            Defined::ByHeader => child.defined == Defined::Implicitly,
+            Defined::ByDottedKey => child.defined == Defined::ByDottedKey,
+            Defined::Inline => false,
+        };
+        if !may_enter {
+            return Err(twice(key, entry.key.span).into());
+        }
+        if by == Defined::ByHeader {
+            child.defined = by;
+        }
+        Ok(child)
+    }
+
+    /// The table that was just inserted.
+    fn last_table(&mut self, key: &Key<'t>) -> Result<&mut Self, Box<Diagnostic>> {
+        match self.entries.last_mut().map(|entry| &mut entry.value.kind) {
+            Some(ValueKind::Table(child)) => Ok(child),
+            _ => Err(twice(key, key.span).into()),
+        }
+    }
+
+    fn put(&mut self, key: Key<'t>, value: Value<'t>, found: &mut Diagnostics) {
+        let schema = match self.child_schema(&key) {
+            Ok(schema) => schema,
+            Err(problem) => return found.push(*problem),
+        };
+        let earlier = self.place(&key.text).and_then(|place| self.entries.get_mut(place));
+        if let Some(earlier) = earlier {
+            // What is reported already is not worth a second report.
+            match (&earlier.value.kind, &value.kind) {
+                (_, ValueKind::Invalid) => {}
+                (ValueKind::Invalid, ValueKind::Inline(_)) => {}
+                (ValueKind::Invalid, _) => earlier.value = value,
+                _ => found.push(twice(&key, earlier.key.span)),
+            }
+            return;
+        }
+        let value = match (schema, value) {
+            (Some(schema), Value { span, kind: ValueKind::Inline(assignments) }) => {
+                let table = Self::from_inline(schema, assignments, found);
+                Value { span, kind: ValueKind::Table(table) }
+            }
+            (_, value) => value,
+        };
+        self.insert(key, value);
+    }
+
+    /// An inline table held against its keys.
+    pub(crate) fn from_inline(
+        schema: Schema,
+        assignments: Vec<Assignment<'t>>,
+        found: &mut Diagnostics,
+    ) -> Self {
+        let mut table = Self::new(schema, Defined::Inline);
+        for assignment in assignments {
+            table.assign(assignment, found);
+        }
+        table
+    }
+
+    fn insert(&mut self, key: Key<'t>, value: Value<'t>) {
+        if matches!(self.schema, Schema::Names(_)) {
+            self.by_name.insert(key.text.clone(), self.entries.len());
+        }
+        self.entries.push(Entry { key, value });
+    }
+
+    fn spec_of(&self, name: &str) -> Option<&'static KeySpec> {
+        match self.schema {
+            Schema::Keys(spec) => spec.find(name).map(|(_, key)| key),
+            Schema::Names(_) => None,
+        }
+    }
+
+    /// What `key` holds when it holds a table; an error when there is no such key.
+    fn child_schema(&self, key: &Key<'t>) -> Result<Option<Schema>, Box<Diagnostic>> {
+        match self.schema {
+            Schema::Names(_) if key.text.is_empty() => {
+                Err(Diagnostic::error(key.span.range(), "a name must not be empty").into())
+            }
+            Schema::Names(spec) => Ok(Some(Schema::Keys(spec))),
+            Schema::Keys(spec) => match spec.find(&key.text) {
+                Some((_, key)) => Ok(match key.kind {
+                    Kind::Table(spec) | Kind::NameOrTable(spec) => Some(Schema::Keys(spec)),
+                    Kind::Named(spec) => Some(Schema::Names(spec)),
+                    _ => None,
+                }),
+                None => Err(unknown_key(key, spec).into()),
+            },
+        }
+    }
+}
+
+/// A key or table that stood already at `first`.
+fn twice(key: &Key<'_>, first: Span) -> Diagnostic {
+    Diagnostic::error(key.span.range(), format!("{} is given twice", quoted(&key.text)))
+        .label("the second time")
+        .help("leave one of them")
+        .related(first.range(), "the first time")
+}
+
+/// A key that the format does not know.
+pub(crate) fn unknown_key(key: &Key<'_>, spec: &TableSpec) -> Diagnostic {
+    let names: Vec<String> = spec.keys.iter().map(|key| format!("`{}`", key.name)).collect();
+    let message = format!("{} has no key {}", spec.name, quoted(&key.text));
+    let diagnostic = Diagnostic::error(key.span.range(), message).help(format!(
+        "the keys of {} are {}",
+        spec.name,
+        listed(&names, " and ")
+    ));
+    if let Some(name) = nearest(&key.text, spec.keys.iter().map(|key| key.name)) {
+        return diagnostic.label(format!("did you mean `{name}`?"));
+    }
+    let elsewhere = |other: &&&TableSpec| other.name != spec.name && other.find(&key.text).is_some();
+    match TABLES.iter().find(elsewhere) {
+        Some(other) if other.name == ROOT.name => diagnostic.label("unknown key").help(format!(
+            "{} belongs to the whole file: write it before the first header",
+            quoted(&key.text)
+        )),
+        Some(other) => diagnostic.label(format!("a key of {}", other.name)),
+        None => diagnostic.label("unknown key"),
+    }
+}

@@ -1,0 +1,204 @@
+//! Arbitrary valid scenes.
+
+use catoptric_scene::{
+    Anchor, Body, Camera, Checker, Color, Environment, Falloff, Light, Material, MaterialChoice,
+    NamedMaterial, Placement, Projection, Scene, Shape, Tracing,
+};
+use glam::DVec3;
+use proptest::prelude::*;
+
+fn amount() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        Just(0.0),
+        Just(1.0),
+        Just(0.1),
+        0.0..1e6f64,
+        (-300.0..5.9f64).prop_map(|power| 10f64.powf(power))
+    ]
+}
+
+fn length() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        Just(1.0),
+        Just(0.5),
+        Just(1e9),
+        Just(1e-9),
+        (-8.9..8.9f64).prop_map(|power| 10f64.powf(power))
+    ]
+}
+
+fn place() -> impl Strategy<Value = DVec3> {
+    let number = || prop_oneof![Just(0.0), Just(-1.5), Just(1e-7), -1e9..1e9f64, -10.0..10.0f64];
+    (number(), number(), number()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn lengths() -> impl Strategy<Value = DVec3> {
+    prop_oneof![
+        length().prop_map(DVec3::splat),
+        (length(), length(), length()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+    ]
+}
+
+fn color() -> impl Strategy<Value = Color> {
+    prop_oneof![
+        Just(Color::WHITE),
+        any::<[u8; 3]>().prop_map(Color::from_srgb8),
+        (amount(), amount(), amount()).prop_map(|(r, g, b)| Color::new(r, g, b))
+    ]
+}
+
+fn camera() -> impl Strategy<Value = Camera> {
+    let projection = prop_oneof![
+        (0.001..179.9f64).prop_map(|fov_degrees| Projection::Perspective { fov_degrees }),
+        length().prop_map(|height| Projection::Parallel { height })
+    ];
+    (place(), place(), place(), projection).prop_map(|(position, target, up, projection)| {
+        let camera = Camera { position, target, up, projection };
+        let scene = Scene { camera, ..Scene::default() };
+        if scene.check().is_empty() { camera } else { Camera { projection, ..Camera::default() } }
+    })
+}
+
+fn material() -> impl Strategy<Value = Material> {
+    let checker = proptest::option::of((color(), length()).prop_map(|(color, size)| Checker { color, size }));
+    let reflection = proptest::option::of(amount());
+    let some = (
+        color(),
+        [amount(), amount(), amount(), amount()],
+        reflection,
+        amount(),
+        0.01..100.0f64,
+        color(),
+        checker,
+    )
+        .prop_map(
+            |(
+                color,
+                [ambient, diffuse, specular, shininess],
+                reflection,
+                transmission,
+                ior,
+                tint,
+                checker,
+            )| {
+                Material {
+                    color,
+                    ambient,
+                    diffuse,
+                    specular,
+                    shininess,
+                    reflection,
+                    transmission,
+                    ior,
+                    tint,
+                    checker,
+                }
+            },
+        );
+    prop_oneof![Just(Material::default()), some]
+}
+
+fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {
+    let frame = || {
+        (place(), place()).prop_map(|(position, turn)| Anchor::Frame {
+            position,
+            rotation_degrees: turn.clamp(DVec3::splat(-1e6), DVec3::splat(1e6)),
+        })
+    };
+    let framed = prop_oneof![
+        length().prop_map(|radius| Shape::Sphere { radius }),
+        lengths().prop_map(|size| Shape::Cube { size }),
+        (length(), length()).prop_map(|(radius, height)| Shape::Cylinder { radius, height }),
+        (length(), length(), length()).prop_map(|(radius, top_radius, height)| Shape::Cone {
+            radius,
+            top_radius,
+            height
+        }),
+        Just(Shape::Plane),
+    ];
+    let on_axis = (place(), place(), length(), proptest::bool::ANY).prop_filter_map(
+        "no axis",
+        |(base, top, radius, is_cone)| {
+            let height = base.distance(top);
+            let shape = if is_cone {
+                Shape::Cone { radius, top_radius: 0.0, height }
+            } else {
+                Shape::Cylinder { radius, height }
+            };
+            let anchor = Anchor::Axis { base, top };
+            let body = Body { shape, placement: Placement { anchor, scale: DVec3::ONE }, ..Body::default() };
+            let scene = Scene { bodies: vec![body], ..Scene::default() };
+            scene.check().is_empty().then_some((shape, anchor))
+        },
+    );
+    prop_oneof![3 => (framed, frame()), 1 => on_axis]
+}
+
+fn light() -> impl Strategy<Value = Light> {
+    let falloff = prop_oneof![
+        Just(Falloff::None),
+        Just(Falloff::InverseSquare),
+        (0.0..1e9f64).prop_map(|constant| Falloff::Linear { constant })
+    ];
+    (name(), place(), color(), amount(), falloff).prop_map(|(name, position, color, intensity, falloff)| {
+        Light { name, position, color, intensity, falloff }
+    })
+}
+
+fn name() -> impl Strategy<Value = String> {
+    prop_oneof![Just(String::new()), "[a-d]", "[a-c \"'\\\\#=.\\]ж\u{7f}\n\t\u{1}]{1,4}"]
+}
+
+fn body() -> impl Strategy<Value = Body> {
+    let choice = prop_oneof![
+        any::<u8>().prop_map(|index| MaterialChoice::Named(index.to_string())),
+        material().prop_map(|material| MaterialChoice::Inline(Box::new(material)))
+    ];
+    (name(), shape_and_anchor(), lengths(), choice).prop_map(|(name, (shape, anchor), scale, material)| {
+        Body { name, shape, placement: Placement { anchor, scale }, material }
+    })
+}
+
+fn unique<T>(mut list: Vec<T>, name: impl Fn(&mut T) -> &mut String) -> Vec<T> {
+    let mut seen = std::collections::HashSet::new();
+    for item in &mut list {
+        let name = name(item);
+        if !name.is_empty() && !seen.insert(name.clone()) {
+            name.clear();
+        }
+    }
+    list
+}
+
+pub(crate) fn scene() -> impl Strategy<Value = Scene> {
+    let materials = proptest::collection::vec((name(), material()), 0..4);
+    let lights = proptest::collection::vec(light(), 0..4);
+    let bodies = proptest::collection::vec(body(), 0..5);
+    let surroundings = (camera(), color(), color(), 1..=64u32, 0.0..=1.0f64);
+    (surroundings, materials, lights, bodies).prop_map(|(surroundings, materials, lights, bodies)| {
+        let (camera, background, ambient, generations, threshold) = surroundings;
+        let materials =
+            materials.into_iter().map(|(name, material)| NamedMaterial { name, material }).collect();
+        let mut materials = unique(materials, |named| &mut named.name);
+        materials.retain(|named| !named.name.is_empty());
+        let mut bodies = unique(bodies, |body| &mut body.name);
+        for body in &mut bodies {
+            // A number stands for one of the materials.
+            if let MaterialChoice::Named(name) = &mut body.material {
+                let index: usize = name.parse().unwrap();
+                match materials.get(index % materials.len().max(1)) {
+                    Some(named) => name.clone_from(&named.name),
+                    None => body.material = MaterialChoice::default(),
+                }
+            }
+        }
+        Scene {
+            camera,
+            environment: Environment { background, ambient },
+            tracing: Tracing { generations, threshold },
+            materials,
+            lights: unique(lights, |light| &mut light.name),
+            bodies,
+        }
+    })
+}

@@ -1,0 +1,138 @@
+//! The house's own rules, as tests: who may use whom, and how long files and functions may be.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::root;
+
+/// Each crate and the crates of this repository that it may use: the table in ARCHITECTURE.md.
+const MAY_USE: &[(&str, &[&str])] = &[
+    ("files", &[]),
+    ("picture", &["files"]),
+    ("scene", &["files"]),
+    ("tracer", &["scene", "picture"]),
+    ("catoptric", &["tracer", "scene", "picture", "files"]),
+];
+
+const LONGEST_FILE: usize = 600;
+const LONGEST_FUNCTION: usize = 80;
+
+fn crates() -> Vec<PathBuf> {
+    let entries = fs::read_dir(root().join("crates")).unwrap();
+    entries.map(|entry| entry.unwrap().path()).filter(|path| path.join("Cargo.toml").exists()).collect()
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().unwrap().to_string_lossy().into_owned()
+}
+
+#[test]
+fn dependencies_run_down_only() {
+    for path in crates() {
+        let name = name(&path);
+        let Some((_, allowed)) = MAY_USE.iter().find(|(known, _)| *known == name) else {
+            panic!("crates/{name} is not in the table of xtask/src/tidy.rs and ARCHITECTURE.md");
+        };
+        let text = fs::read_to_string(path.join("Cargo.toml")).unwrap();
+        let manifest: toml_edit::DocumentMut = text.parse().unwrap();
+        for section in ["dependencies", "build-dependencies"] {
+            let Some(table) = manifest.get(section).and_then(toml_edit::Item::as_table) else { continue };
+            for (dependency, _) in table {
+                if let Some(used) = dependency.strip_prefix("catoptric-") {
+                    assert!(allowed.contains(&used), "crates/{name} may not use crates/{used}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn architecture_names_every_crate() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    for path in crates() {
+        let name = format!("`crates/{}`", name(&path));
+        assert!(text.contains(&name), "ARCHITECTURE.md does not mention {name}");
+    }
+}
+
+#[test]
+fn every_direct_dependency_has_a_reason_in_architecture() {
+    let manifest: toml_edit::DocumentMut =
+        fs::read_to_string(root().join("Cargo.toml")).unwrap().parse().unwrap();
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let dependencies = manifest["workspace"]["dependencies"].as_table().unwrap();
+    let missing: BTreeSet<&str> = dependencies
+        .iter()
+        .map(|(name, _)| name)
+        .filter(|name| !name.starts_with("catoptric-") && !text.contains(&format!("`{name}`")))
+        .collect();
+    assert!(missing.is_empty(), "ARCHITECTURE.md gives no reason for {missing:?}");
+}
+
+fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            rust_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn files_and_functions_are_short() {
+    let mut files = Vec::new();
+    for folder in ["crates", "xtask"] {
+        rust_files(&root().join(folder), &mut files);
+    }
+    assert!(files.len() > 50, "the walk found only {} files", files.len());
+    let mut faults = Vec::new();
+    for path in files {
+        let text = fs::read_to_string(&path).unwrap();
+        let shown = path.strip_prefix(root()).unwrap().display().to_string();
+        let lines = text.lines().count();
+        if lines > LONGEST_FILE {
+            faults.push(format!("{shown}: {lines} lines"));
+        }
+        for (line, length) in long_functions(&text) {
+            faults.push(format!("{shown}:{line}: a function of {length} lines"));
+        }
+    }
+    assert!(faults.is_empty(), "too long:\n{}", faults.join("\n"));
+}
+
+/// The first line and length of each function that is too long. In formatted code a function ends with a brace in the
+/// column where it began.
+fn long_functions(text: &str) -> Vec<(usize, usize)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut found = Vec::new();
+    for (index, line) in lines.iter().enumerate() {
+        let code = line.trim_start();
+        let indent = &line[..line.len() - code.len()];
+        let is_function = code.split("fn ").next().is_some_and(|before| {
+            code.contains("fn ")
+                && before.split_whitespace().all(|word| {
+                    word.starts_with("pub") || ["const", "async", "unsafe", "extern"].contains(&word)
+                })
+        });
+        if !is_function {
+            continue;
+        }
+        let end = format!("{indent}}}");
+        if let Some(length) = lines[index..].iter().position(|line| *line == end)
+            && length + 1 > LONGEST_FUNCTION
+        {
+            found.push((index + 1, length + 1));
+        }
+    }
+    found
+}
+
+#[test]
+fn long_functions_are_found() {
+    let body = "    work();\n".repeat(LONGEST_FUNCTION - 1);
+    let text = format!("pub(crate) fn long() {{\n{body}}}\n\nfn short() {{\n    work();\n}}\n");
+    assert_eq!(long_functions(&text), [(1, LONGEST_FUNCTION + 1)]);
+}
