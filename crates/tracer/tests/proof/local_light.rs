@@ -235,12 +235,25 @@ fn checkers_count_cells_of_the_world() {
         let expected = if x.rem_euclid(2) == 0 { 1.0 } else { 0.0 };
         assert_light(center(&scene), [expected; 3]);
     }
-    // The top of a box, below a border of cells by the rounding of its size, still counts as above it.
-    for (y, expected) in [(0.5, 0.0), (1.0, 1.0), (-0.5, 0.0), (0.3, 1.0), (-0.2, 0.0)] {
-        let mut scene = scene(vec![block(v(0.4, 0.7, 0.4), v(0.25, y - 0.35, 0.25), material)]);
-        scene.camera = camera(v(0.25, 50.0, 0.25), v(0.25, 0.0, 0.25), 1.0);
-        scene.camera.up = DVec3::NEG_Z;
-        assert_light(center(&scene), [expected; 3]);
+}
+
+#[test]
+fn a_face_on_a_border_of_cells_belongs_to_the_cell_above_it() {
+    // The top of a box, on the border, below it by rounding, and really below it.
+    let tops =
+        [(0.5, 0.0), (1.0, 1.0), (-0.5, 0.0), (37.5, 0.0), (0.499_999_8, 0.0), (0.499_995, 1.0), (-0.2, 0.0)];
+    let checker = Some(Checker { color: Color::BLACK, size: 0.5 });
+    let material =
+        Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
+    for step in 0..200 {
+        let height = 0.1 + 0.013 * f64::from(step);
+        for (top, expected) in tops {
+            let mut scene =
+                scene(vec![block(v(0.4, height, 0.4), v(0.25, top - 0.5 * height, 0.25), material)]);
+            scene.camera = camera(v(0.25, 50.0, 0.25), v(0.25, 0.0, 0.25), 1.0);
+            scene.camera.up = DVec3::NEG_Z;
+            assert_eq!(center(&scene), Vec3::splat(expected), "height {height}, top {top}");
+        }
     }
 }
 
