@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
-use catoptric_picture::{BitDepth, Codes, Development, Picture, write_bytes};
+use catoptric_files::write_bytes;
+use catoptric_picture::{BitDepth, Codes, Development, Picture};
 use catoptric_scene::Example;
 use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use clap::Args;
@@ -57,7 +58,7 @@ fn write_jpeg(path: &Path, picture: &Picture) -> Result<()> {
     let developed = Development::default().develop(picture, BitDepth::Eight)?;
     let mut bytes = Vec::new();
     if let Codes::Eight(codes) = developed.codes() {
-        let mut encoder = Encoder::new(&mut bytes, 88);
+        let mut encoder = Encoder::new(&mut bytes, 82);
         encoder.set_sampling_factor(SamplingFactor::F_1_1);
         encoder.set_optimized_huffman_tables(true);
         encoder.encode(codes, picture.width() as u16, picture.height() as u16, ColorType::Rgb)?;

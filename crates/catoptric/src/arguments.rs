@@ -1,9 +1,10 @@
 //! The command line's grammar.
 
+use std::num::IntErrorKind;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use catoptric_picture::ToneCurve;
+use catoptric_picture::{Picture, ToneCurve};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
@@ -58,7 +59,7 @@ pub(crate) struct DevelopmentArguments {
 #[derive(Debug, Args)]
 pub(crate) struct RenderArguments {
     /// A scene file, or the name of a built-in scene
-    pub scene: String,
+    pub scene: PathBuf,
     /// The picture to write; its extension decides: .png (display) or .exr (linear light)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
@@ -91,13 +92,19 @@ pub(crate) struct RenderArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+The findings go to standard output, and after them a line with the verdict on each file.
+
+Exit status: 0 all can be used, 2 some cannot.")]
 pub(crate) struct CheckArguments {
     /// Scene files, or names of built-in scenes
     #[arg(required = true)]
-    pub scenes: Vec<String>,
+    pub scenes: Vec<PathBuf>,
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Exit status: 0 equal within the tolerance, 1 different, 2 they cannot be compared.")]
 pub(crate) struct DiffArguments {
     /// A picture: .png or .exr
     pub a: PathBuf,
@@ -109,11 +116,11 @@ pub(crate) struct DiffArguments {
     /// Print the numbers as JSON
     #[arg(long)]
     pub json: bool,
-    /// The largest difference of a channel that counts as equal, in linear light; default 1/255
-    #[arg(long, value_name = "D", default_value = "1/255", value_parser = fraction)]
+    /// The largest difference of a channel that counts as equal, in linear light
+    #[arg(long, value_name = "D", default_value = "1/255", allow_negative_numbers = true, value_parser = fraction)]
     pub tolerance: f64,
     /// The share of pixels that may differ by more, 0 to 1
-    #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = fraction)]
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0, allow_negative_numbers = true, value_parser = share)]
     pub allow: f64,
     /// Compare values beyond 0 to 1 too, instead of clamping them as a display does
     #[arg(long)]
@@ -182,12 +189,17 @@ impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let sides = text.split_once(['x', 'X', '×']);
-        let side = |text: &str| text.trim().parse::<u32>().ok();
-        match sides.and_then(|(width, height)| Some((side(width)?, side(height)?))) {
-            Some((width, height)) if width > 0 && height > 0 => Ok(Self { width, height }),
-            _ => Err("give width and height in pixels, such as 1280x720".to_owned()),
-        }
+        let unclear = || "give width and height in pixels, such as 1280x720".to_owned();
+        let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(unclear)?;
+        let side = |text: &str| match text.trim().parse::<u32>() {
+            Ok(0) => Err("both sides must be at least 1 pixel".to_owned()),
+            Ok(pixels) => Ok(pixels),
+            Err(error) if *error.kind() == IntErrorKind::PosOverflow => {
+                Err(format!("a side has at most {} pixels", Picture::MAX_SIDE))
+            }
+            Err(_) => Err(unclear()),
+        };
+        Ok(Self { width: side(width)?, height: side(height)? })
     }
 }
 
@@ -201,6 +213,14 @@ fn fraction(text: &str) -> Result<f64, String> {
     match value {
         Some(value) if value.is_finite() && value >= 0.0 => Ok(value),
         _ => Err("give a number of 0 or more, such as 0.01 or 1/255".to_owned()),
+    }
+}
+
+/// A part of the whole.
+fn share(text: &str) -> Result<f64, String> {
+    match fraction(text) {
+        Ok(value) if value <= 1.0 => Ok(value),
+        _ => Err("give a number from 0 to 1, such as 0.001 or 1/1000".to_owned()),
     }
 }
 

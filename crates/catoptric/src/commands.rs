@@ -7,7 +7,9 @@ pub(crate) mod examples;
 pub(crate) mod manual;
 pub(crate) mod render;
 
-/// How a command ended when nothing went wrong with the program itself.
+use catoptric_scene::LoadError;
+
+/// How a command ended when nothing went wrong with the program itself. (An interrupted one does not return.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// Exit status 0.
@@ -16,6 +18,13 @@ pub(crate) enum Outcome {
     Failed,
     /// The input is wrong, and that has been said: exit status 2.
     WrongInput,
-    /// Exit status 130.
-    Interrupted,
+}
+
+/// An error with its causes in one line.
+pub(crate) fn in_words(error: &anyhow::Error) -> String {
+    match error.downcast_ref::<LoadError>() {
+        // Its own words already hold the cause.
+        Some(error) => error.to_string(),
+        None => format!("{error:#}"),
+    }
 }

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow};
 use catoptric_scene::{Example, Loaded, load};
+
+use crate::output::{color_on, say};
 
 /// A scene as the user named it.
 pub(crate) struct Named {
@@ -12,29 +14,51 @@ pub(crate) struct Named {
     pub loaded: Loaded,
 }
 
-/// Loads the scene file at the path `name`, or the built-in scene of that name.
+impl Named {
+    /// Shows the warnings about it on standard error.
+    pub(crate) fn warn(&self) {
+        let Loaded { text, warnings, .. } = &self.loaded;
+        if !warnings.is_empty() {
+            say(&warnings.render(&self.name, text, color_on(&std::io::stderr())));
+        }
+    }
+}
+
+/// Loads the scene file at `path`, or the built-in scene of that name.
 ///
-/// A file wins over a built-in scene, so that nothing of the user's is hidden.
-pub(crate) fn scene(name: &str) -> Result<Named> {
-    let path = Path::new(name);
-    let named = |loaded| Named { name: name.to_owned(), loaded };
-    if path.exists() {
-        return Ok(named(load(path)?));
+/// A file wins over a built-in scene, so that nothing of the user's is hidden; a folder cannot be a scene.
+pub(crate) fn scene(path: &Path) -> Result<Named> {
+    match path.to_str().and_then(Example::find) {
+        Some(example) if !path.exists() || path.is_dir() => {
+            Ok(Named { name: example.name.to_owned(), loaded: example.load()? })
+        }
+        None if !path.exists() && !looks_like_path(path) => Err(no_such_scene(&path.to_string_lossy())),
+        // When there is nothing, the error of reading it says so.
+        _ => file(path),
     }
-    if let Some(example) = Example::find(name) {
-        return Ok(named(example.load()?));
-    }
-    let looks_like_path = path.extension().is_some() || path.components().count() > 1;
-    if looks_like_path {
-        // The error of reading it says what is wrong with it.
-        return Ok(named(load(path)?));
-    }
+}
+
+/// Loads the scene file at `path`.
+pub(crate) fn file(path: &Path) -> Result<Named> {
+    Ok(Named { name: path.display().to_string(), loaded: load(path)? })
+}
+
+/// The error that there is no built-in scene of this name.
+pub(crate) fn no_such_example(name: &str) -> anyhow::Error {
+    missing(&format!("there is no built-in scene \"{name}\""), name)
+}
+
+fn no_such_scene(name: &str) -> anyhow::Error {
+    missing(&format!("there is no file and no built-in scene \"{name}\""), name)
+}
+
+fn missing(what: &str, name: &str) -> anyhow::Error {
     match Example::nearest(name) {
-        Some(near) => {
-            bail!("there is no file and no built-in scene \"{name}\"; did you mean \"{}\"?", near.name)
-        }
-        None => {
-            bail!("there is no file and no built-in scene \"{name}\"; `catoptric examples` lists the scenes")
-        }
+        Some(near) => anyhow!("{what}; did you mean \"{}\"?", near.name),
+        None => anyhow!("{what}; `catoptric examples` lists the scenes"),
     }
+}
+
+fn looks_like_path(path: &Path) -> bool {
+    path.extension().is_some() || path.components().count() > 1
 }

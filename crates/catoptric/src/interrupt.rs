@@ -1,21 +1,99 @@
-//! Ctrl-C.
+//! Ctrl-C, and requests to end.
+//!
+//! The program leaves at once, wherever it is, except while a file is being written: then the file is finished first,
+//! so that neither half a file nor a temporary stays behind. A second request is obeyed at once even then.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 
-use anyhow::{Context as _, Result};
-use catoptric_tracer::Control;
+use crate::output::say;
+use crate::progress;
 
-/// From now on, the first Ctrl-C (or a request to end) cancels `control`, so that work stops in order and no half file
-/// stays behind; a second one ends the program at once.
-pub(crate) fn cancels(control: &Arc<Control>) -> Result<()> {
-    let control = Arc::clone(control);
-    let again = AtomicBool::new(false);
-    ctrlc::set_handler(move || {
-        control.cancel();
-        if again.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+/// The exit status of an interrupted program.
+const INTERRUPTED: i32 = 130;
+
+/// The files written so far; locked while one is being written.
+static WRITTEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// From now on, Ctrl-C (or a request to end) ends the program with exit status 130.
+pub(crate) fn listen() {
+    // Without a handler the system's own is at work, which ends the program too.
+    let _ = on_request(request());
+}
+
+/// What to do at each request.
+fn request() -> impl FnMut() + Send + 'static {
+    let mut again = false;
+    move || {
+        // A thread of its own waits for the file, and this one for a second request.
+        let waits = !again && thread::Builder::new().spawn(|| leave(&written())).is_ok();
+        again = true;
+        if !waits {
+            std::process::exit(INTERRUPTED);
         }
-    })
-    .context("cannot listen to Ctrl-C")
+    }
+}
+
+/// Calls `act` at every SIGINT, SIGTERM and SIGHUP. Those that are ignored stay so: `nohup` has it that a render
+/// outlives its terminal.
+#[cfg(unix)]
+fn on_request(mut act: impl FnMut() + Send + 'static) -> io::Result<()> {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+
+    let ignored = ignored_signals();
+    let heard = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| ignored & (1 << (signal - 1)) == 0);
+    let mut signals = signal_hook::iterator::Signals::new(heard)?;
+    thread::Builder::new().spawn(move || signals.forever().for_each(|_| act())).map(drop)
+}
+
+/// The signals that this process ignores, a bit each: signal 1 is the lowest. Linux only so far; elsewhere none.
+#[cfg(unix)]
+fn ignored_signals() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0)
+}
+
+#[cfg(not(unix))]
+fn on_request(act: impl FnMut() + Send + 'static) -> io::Result<()> {
+    ctrlc::set_handler(act).map_err(io::Error::other)
+}
+
+/// Does `work`, which creates or replaces the file at `path`, undisturbed by interruptions.
+pub(crate) fn while_writing<T, E>(path: &Path, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+    if is_device(path) {
+        // Nothing to tidy up, and it may block for ever.
+        return work();
+    }
+    let mut written = written();
+    let result = work()?;
+    written.push(path.to_owned());
+    Ok(result)
+}
+
+/// Does `work`, which leaves no file behind if it comes to its end.
+pub(crate) fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
+    let _written = written();
+    work()
+}
+
+fn written() -> MutexGuard<'static, Vec<PathBuf>> {
+    WRITTEN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn is_device(path: &Path) -> bool {
+    path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
+fn leave(written: &[PathBuf]) -> ! {
+    progress::clear();
+    if written.is_empty() {
+        say("interrupted; nothing was written");
+    } else {
+        let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
+        say(&format!("interrupted; written before that: {}", names.join(", ")));
+    }
+    std::process::exit(INTERRUPTED)
 }

@@ -9,8 +9,10 @@ mod output;
 mod progress;
 mod stats;
 
+use std::io::Write as _;
 use std::process::ExitCode;
 
+use anyhow::Result;
 use catoptric_scene::LoadError;
 use clap::Parser as _;
 
@@ -18,24 +20,15 @@ use arguments::{Arguments, Command};
 use commands::Outcome;
 
 fn main() -> ExitCode {
-    let Arguments { command } = Arguments::parse();
-    let outcome = match command {
-        Command::Render(arguments) => commands::render::run(&arguments),
-        Command::Check(arguments) => commands::check::run(&arguments),
-        Command::Diff(arguments) => commands::diff::run(&arguments),
-        Command::Convert(arguments) => commands::convert::run(&arguments),
-        Command::Examples(arguments) => commands::examples::run(&arguments),
-        Command::Completions(arguments) => commands::manual::completions(&arguments),
-        Command::Man(arguments) => commands::manual::man(&arguments),
+    interrupt::listen();
+    let outcome = match Arguments::try_parse() {
+        Ok(arguments) => run(&arguments.command),
+        Err(answer) => explain(&answer),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Failed) => ExitCode::from(1),
         Ok(Outcome::WrongInput) => ExitCode::from(2),
-        Ok(Outcome::Interrupted) => {
-            eprintln!("interrupted; nothing was written");
-            ExitCode::from(130)
-        }
         Err(error) => {
             report(&error);
             ExitCode::from(2)
@@ -43,13 +36,35 @@ fn main() -> ExitCode {
     }
 }
 
+fn run(command: &Command) -> Result<Outcome> {
+    match command {
+        Command::Render(arguments) => commands::render::run(arguments),
+        Command::Check(arguments) => commands::check::run(arguments),
+        Command::Diff(arguments) => commands::diff::run(arguments),
+        Command::Convert(arguments) => commands::convert::run(arguments),
+        Command::Examples(arguments) => commands::examples::run(arguments),
+        Command::Completions(arguments) => commands::manual::completions(arguments),
+        Command::Man(arguments) => commands::manual::man(arguments),
+    }
+}
+
+/// Prints what the arguments call for instead of work: help, the version, or what is wrong with them.
+fn explain(answer: &clap::Error) -> Result<Outcome> {
+    let printed = answer.print();
+    if answer.use_stderr() {
+        return Ok(Outcome::WrongInput);
+    }
+    output::unless_closed(printed.and_then(|()| std::io::stdout().flush()))?;
+    Ok(Outcome::Done)
+}
+
 /// Prints an error once, with its causes.
 fn report(error: &anyhow::Error) {
     match error.downcast_ref::<LoadError>() {
         Some(LoadError::Diagnostics { path, text, diagnostics }) => {
             let color = output::color_on(&std::io::stderr());
-            eprintln!("{}", diagnostics.render(&path.to_string_lossy(), text, color));
+            output::say(&diagnostics.render(&path.to_string_lossy(), text, color));
         }
-        _ => eprintln!("error: {error:#}"),
+        _ => output::say(&format!("error: {}", commands::in_words(error))),
     }
 }

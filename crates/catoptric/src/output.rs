@@ -1,33 +1,60 @@
-//! Standard output, colors, and files by extension.
+//! Standard output, standard error, colors, and files by extension.
 
+use std::fs;
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
-use anyhow::{Result, bail};
+use anyhow::{Context as _, Result, bail};
 use catoptric_picture::{BitDepth, Development, Picture, write_exr, write_png};
 
 use crate::arguments::DevelopmentArguments;
+use crate::interrupt;
 
 /// Prints to standard output. A reader that has gone away, such as `head`, is no error.
 pub(crate) fn print(text: &str) -> Result<()> {
     let mut stdout = io::stdout().lock();
-    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
+    unless_closed(stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()))
+}
+
+/// The result of printing to standard output, where a reader that has gone away is no error.
+pub(crate) fn unless_closed(printed: io::Result<()>) -> Result<()> {
+    match printed {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(error).context("cannot write to standard output")
+        }
         _ => Ok(()),
     }
 }
 
+/// Prints a line to standard error; when even that fails, nobody can be told.
+pub(crate) fn say(line: &str) {
+    let _ = writeln!(io::stderr().lock(), "{line}");
+}
+
 /// Whether a stream should get colors: it is a terminal, and the user does not ask otherwise (<https://no-color.org>).
 pub(crate) fn color_on(stream: &impl IsTerminal) -> bool {
-    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+    let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    stream.is_terminal() && !dumb && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+}
+
+/// A number of things: `1 body`, `2 bodies`.
+pub(crate) fn count(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
 }
 
 /// What a file holds, by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
+    Picture(PictureKind),
+    Scene,
+}
+
+/// A kind of picture file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PictureKind {
     Png,
     Exr,
-    Scene,
 }
 
 impl Kind {
@@ -35,8 +62,8 @@ impl Kind {
     pub(crate) fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         match extension.as_str() {
-            "png" => Some(Self::Png),
-            "exr" => Some(Self::Exr),
+            "png" => Some(Self::Picture(PictureKind::Png)),
+            "exr" => Some(Self::Picture(PictureKind::Exr)),
             "toml" => Some(Self::Scene),
             _ => None,
         }
@@ -45,21 +72,13 @@ impl Kind {
     /// The kind of picture to write to `path`.
     pub(crate) fn of_picture(path: &Path) -> Result<PictureKind> {
         match Self::of(path) {
-            Some(Self::Png) => Ok(PictureKind::Png),
-            Some(Self::Exr) => Ok(PictureKind::Exr),
+            Some(Self::Picture(kind)) => Ok(kind),
             _ => bail!(
                 "cannot tell the picture format of {}: give a name that ends in .png or .exr",
                 path.display()
             ),
         }
     }
-}
-
-/// A kind of picture file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PictureKind {
-    Png,
-    Exr,
 }
 
 impl DevelopmentArguments {
@@ -72,26 +91,60 @@ impl DevelopmentArguments {
     }
 }
 
-/// Writes a picture; returns the milliseconds spent on developing and on writing it.
+/// Asks, before the work begins, whether the file at `path` can be written, and that it is none of `others`, which the
+/// same command reads or writes.
+pub(crate) fn check_output(path: &Path, others: &[&Path]) -> Result<()> {
+    if let Some(other) = others.iter().find(|other| place(other) == place(path)) {
+        bail!(
+            "cannot write {}: the same command uses this file as {}; give another name",
+            path.display(),
+            other.display()
+        );
+    }
+    Ok(interrupt::undisturbed(|| catoptric_files::check_writable(path))?)
+}
+
+/// Where `path` leads, whether or not something is there yet.
+fn place(path: &Path) -> PathBuf {
+    if let Ok(place) = fs::canonicalize(path) {
+        return place;
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (fs::canonicalize(folder), path.file_name()) {
+        (Ok(folder), Some(name)) => folder.join(name),
+        _ => path.to_owned(),
+    }
+}
+
+/// Writes a text file, whole or not at all.
+pub(crate) fn write_text(path: &Path, text: &str) -> Result<()> {
+    Ok(interrupt::while_writing(path, || catoptric_files::write_bytes(path, text.as_bytes()))?)
+}
+
+/// Writes a picture, whole or not at all; returns the milliseconds spent on developing and on writing it.
 pub(crate) fn write_picture(
     path: &Path,
     kind: PictureKind,
     picture: &Picture,
     arguments: &DevelopmentArguments,
 ) -> Result<(f64, f64)> {
-    let start = std::time::Instant::now();
-    let milliseconds = |start: std::time::Instant| start.elapsed().as_secs_f64() * 1e3;
+    let start = Instant::now();
     match kind {
         PictureKind::Png => {
             let developed = arguments.development().develop(picture, arguments.depth())?;
             let develop = milliseconds(start);
-            let start = std::time::Instant::now();
-            write_png(path, &developed)?;
+            let start = Instant::now();
+            interrupt::while_writing(path, || write_png(path, &developed))?;
             Ok((develop, milliseconds(start)))
         }
         PictureKind::Exr => {
-            write_exr(path, picture)?;
+            interrupt::while_writing(path, || write_exr(path, picture))?;
             Ok((0.0, milliseconds(start)))
         }
     }
+}
+
+/// Milliseconds since `start`.
+pub(crate) fn milliseconds(start: Instant) -> f64 {
+    start.elapsed().as_secs_f64() * 1e3
 }

@@ -1,38 +1,101 @@
-//! A progress bar on the terminal.
+//! What the terminal shows while one waits.
 
+use std::fmt;
 use std::io::IsTerminal as _;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 use std::time::Duration;
 
 use catoptric_tracer::Control;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 
-/// Does `work` while a bar on standard error shows `control`'s progress to `pixels`; no bar if `quiet`, or when
-/// standard error is not a terminal.
-pub(crate) fn show<T: Send>(
-    control: &Control,
-    pixels: u64,
-    quiet: bool,
-    work: impl FnOnce() -> T + Send,
-) -> T {
-    if quiet || !std::io::stderr().is_terminal() {
-        return work();
+/// What is shown now, so that an interruption can clear it.
+static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
+
+/// Whether to show how far the work is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Progress {
+    shown: bool,
+}
+
+impl Progress {
+    /// Shown on standard error if that is a terminal that can move its cursor, and the user does not want quiet.
+    pub(crate) fn new(quiet: bool) -> Self {
+        let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+        Self { shown: !quiet && !dumb && std::io::stderr().is_terminal() }
     }
-    let bar = ProgressBar::new(pixels);
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} elapsed, {eta} left");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    let finished = AtomicBool::new(false);
-    let result = std::thread::scope(|scope| {
-        scope.spawn(|| {
-            while !finished.load(Ordering::Relaxed) {
-                bar.set_position(control.pixels_done());
-                std::thread::park_timeout(Duration::from_millis(100));
-            }
+
+    /// Whether anything is shown.
+    pub(crate) fn is_shown(self) -> bool {
+        self.shown
+    }
+
+    /// Does `work` while a bar shows `control`'s progress to `pixels`.
+    pub(crate) fn of_tracing<T>(self, control: &Control, pixels: u64, work: impl FnOnce() -> T) -> T {
+        if !self.shown {
+            return work();
+        }
+        show(ProgressBar::new(pixels), "{bar:40} {percent:>3} %  {elapsed} elapsed{left}");
+        let finished = AtomicBool::new(false);
+        let result = thread::scope(|scope| {
+            let watcher = scope.spawn(|| watch(control, &finished));
+            let result = work();
+            finished.store(true, Ordering::Relaxed);
+            watcher.thread().unpark();
+            result
         });
-        let result = work();
-        finished.store(true, Ordering::Relaxed);
+        clear();
         result
-    });
-    bar.finish_and_clear();
-    result
+    }
+
+    /// Does `work` under a line that says what it is.
+    pub(crate) fn of_writing<T>(self, what: &str, work: impl FnOnce() -> T) -> T {
+        if !self.shown {
+            return work();
+        }
+        show(ProgressBar::new_spinner().with_message(format!("writing {what}")), "{msg}");
+        with_shown(|bar| bar.tick());
+        let result = work();
+        clear();
+        result
+    }
+}
+
+/// Takes away what is shown; nothing is drawn any more.
+pub(crate) fn clear() {
+    let shown = SHOWN.lock().unwrap_or_else(PoisonError::into_inner).take();
+    if let Some(bar) = shown {
+        bar.finish_and_clear();
+    }
+}
+
+fn show(bar: ProgressBar, template: &str) {
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    bar.set_style(style.with_key("left", time_left));
+    *SHOWN.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar);
+}
+
+/// The time left, once there is something to tell it by.
+fn time_left(state: &ProgressState, out: &mut dyn fmt::Write) {
+    if state.pos() > 0 {
+        // A bar that cannot be drawn is no reason to stop.
+        let _ = write!(out, ", {:#} left", HumanDuration(state.eta()));
+    }
+}
+
+fn with_shown(draw: impl FnOnce(&ProgressBar)) {
+    if let Some(bar) = &*SHOWN.lock().unwrap_or_else(PoisonError::into_inner) {
+        draw(bar);
+    }
+}
+
+/// Moves the bar until the work is finished; short work shows none.
+fn watch(control: &Control, finished: &AtomicBool) {
+    const INTERVAL: Duration = Duration::from_millis(100);
+    thread::park_timeout(INTERVAL);
+    while !finished.load(Ordering::Relaxed) {
+        with_shown(|bar| bar.set_position(control.pixels_done()));
+        thread::park_timeout(INTERVAL);
+    }
 }

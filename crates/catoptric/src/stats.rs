@@ -33,7 +33,7 @@ impl Stats<'_> {
     /// Millions of rays of all kinds traced in a second.
     pub(crate) fn mrays_per_second(&self) -> f64 {
         let rays = self.rays.total() as f64;
-        if self.times.trace > 0.0 { rays / (self.times.trace * 1e3) } else { 0.0 }
+        if self.times.trace > 0.0 { rounded(rays / (self.times.trace * 1e3)) } else { 0.0 }
     }
 
     pub(crate) fn to_json(&self) -> Value {
@@ -51,11 +51,11 @@ impl Stats<'_> {
             "bodies": self.bodies,
             "lights": self.lights,
             "milliseconds": {
-                "read": read,
-                "prepare": prepare,
-                "trace": trace,
-                "develop": develop,
-                "write": write,
+                "read": rounded(read),
+                "prepare": rounded(prepare),
+                "trace": rounded(trace),
+                "develop": rounded(develop),
+                "write": rounded(write),
             },
             "rays": {
                 "primary": primary,
@@ -69,4 +69,9 @@ impl Stats<'_> {
             "peak_memory_bytes": self.peak_memory_bytes,
         })
     }
+}
+
+/// To three places: more would be noise.
+fn rounded(value: f64) -> f64 {
+    (value * 1e3).round() / 1e3
 }

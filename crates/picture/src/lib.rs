@@ -2,7 +2,7 @@
 //!
 //! - [`Picture`]: RGB in linear light, 32-bit floats, top row first.
 //! - [`Development`]: exposure → tone curve → sRGB → 8 or 16 bits ([`Developed`]).
-//! - [`write_png`], [`write_exr`]: whole files or none; [`check_writable`] asks before the work begins.
+//! - [`write_png`], [`write_exr`]: whole files or none.
 //! - [`read`]: PNG and EXR by content, safe on hostile files.
 //! - [`Difference`] and [`heat_map`]: how far two pictures are apart, and where.
 //!
@@ -28,7 +28,7 @@ pub mod srgb;
 mod tone;
 mod write;
 
-pub use catoptric_files::{WriteError, check_writable, write_bytes};
+pub use catoptric_files::WriteError;
 pub use compare::difference::{Comparison, Difference, SizeMismatch};
 pub use compare::heat::{HeatMap, HeatMapError, heat_map};
 pub use develop::{BitDepth, Codes, Developed, Development};

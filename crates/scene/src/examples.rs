@@ -27,8 +27,22 @@ impl Example {
         "whitted",
         "hall-of-mirrors",
         "kaleidoscope",
+        "mirror-box",
         "corner-reflector",
+        "ring-of-images",
+        "sphereflake",
+        "wada-basins",
         "glass-row",
+        "lens",
+        "nested-glass",
+        "total-reflection",
+        "tinted-glass",
+        "anamorphosis",
+        "anamorphic-cone",
+        "concave-mirror",
+        "falloff",
+        "colored-lights",
+        "still-life",
     ];
 
     /// The built-in scene of this name.

@@ -62,31 +62,3 @@ fn what_cannot_be_written_leaves_the_old_file() {
     assert!(error.to_string().starts_with(&format!("cannot write {}: ", path.display())));
     assert_eq!(fs::read_to_string(&path).unwrap(), "old");
 }
-
-#[cfg(unix)]
-#[test]
-fn links_and_permissions_survive() {
-    use std::os::unix::fs::{PermissionsExt as _, symlink};
-    let folder = folder();
-    let path = folder.path().join("a.toml");
-    fs::write(&path, "old").unwrap();
-    fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
-    let link = folder.path().join("link.toml");
-    symlink("a.toml", &link).unwrap();
-    save(&link, "new").unwrap();
-    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
-    assert_eq!(fs::read_to_string(&path).unwrap(), "new");
-    assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
-    // A link to nothing makes what it names; a new file has the rights that the mask leaves.
-    let dangling = folder.path().join("dangling.toml");
-    symlink("b.toml", &dangling).unwrap();
-    save(&dangling, "b").unwrap();
-    let made = folder.path().join("b.toml");
-    let plain = folder.path().join("plain");
-    fs::write(&plain, "").unwrap();
-    let mode = |path| fs::metadata(path).unwrap().permissions().mode();
-    assert_eq!(mode(&made), mode(&plain));
-    let ring = folder.path().join("ring");
-    symlink("ring", &ring).unwrap();
-    assert!(save(&ring, "x").is_err());
-}

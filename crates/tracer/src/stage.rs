@@ -13,6 +13,7 @@ use std::ops::Range;
 
 use catoptric_scene::{Body, Color, MaterialChoice, Scene, Tracing};
 use glam::{DVec3, Vec3A};
+use rayon::prelude::*;
 
 pub use body::StageBody;
 pub use bounds::Bounds;
@@ -183,31 +184,29 @@ struct Cast {
 
 impl Cast {
     fn prepare(scene: &Scene) -> Result<Self, StageError> {
-        let count = scene.bodies.len();
+        let (mut bodies, bounds): (Vec<StageBody>, Vec<Option<Bounds>>) =
+            scene.bodies.par_iter().map(StageBody::new).unzip();
         let mut table = MaterialTable::new(scene);
-        let mut cast = Self {
-            bodies: Vec::with_capacity(count),
-            materials: Vec::new(),
-            checkers: Vec::new(),
-            boxes: Vec::with_capacity(count),
-            planes: Vec::new(),
-        };
-        for (index, body) in scene.bodies.iter().enumerate() {
+        let mut checkers = Vec::new();
+        for (index, (prepared, body)) in bodies.iter_mut().zip(&scene.bodies).enumerate() {
             let (material, source) =
                 table.find(&body.material).ok_or_else(|| undefined_material(index, body))?;
-            let mut prepared = StageBody::new(body, material, table.prepared(material).is_transparent());
+            prepared.material = material;
+            prepared.transparent = u32::from(table.prepared(material).is_transparent());
             if let Some(checker) = &source.checker {
-                prepared.checker = cast.checkers.len() as u32;
-                cast.checkers.push(StageChecker::new(checker, body));
-            }
-            cast.bodies.push(prepared);
-            match Bounds::of_body(body) {
-                Some(bounds) => cast.boxes.push((bounds, index as u32)),
-                None => cast.planes.push(index as u32),
+                prepared.checker = checkers.len() as u32;
+                checkers.push(StageChecker::new(checker, body));
             }
         }
-        cast.materials = table.into_prepared();
-        Ok(cast)
+        let mut boxes = Vec::with_capacity(bounds.len());
+        let mut planes = Vec::new();
+        for (bounds, index) in bounds.into_iter().zip(0..) {
+            match bounds {
+                Some(bounds) => boxes.push((bounds, index)),
+                None => planes.push(index),
+            }
+        }
+        Ok(Self { bodies, materials: table.into_prepared(), checkers, boxes, planes })
     }
 
     /// What is in the way of rays from afar.

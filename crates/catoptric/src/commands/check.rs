@@ -1,45 +1,70 @@
 //! `catoptric check`
 
-use anyhow::Result;
-use catoptric_scene::LoadError;
+use std::path::Path;
 
-use super::Outcome;
+use anyhow::Result;
+use catoptric_scene::{Diagnostics, LoadError, Scene, Severity};
+
+use super::{Outcome, in_words};
 use crate::arguments::CheckArguments;
 use crate::input;
-use crate::output::{color_on, print};
+use crate::output::{color_on, count, print};
 
 pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
-    let mut outcome = Outcome::Done;
     let color = color_on(&std::io::stdout());
-    for name in &arguments.scenes {
-        let report = match input::scene(name) {
-            Ok(input) => {
-                let warnings = &input.loaded.warnings;
-                let scene = &input.loaded.scene;
-                let found = if warnings.is_empty() {
-                    String::new()
-                } else {
-                    format!("{}\n", warnings.render(name, &input.loaded.text, color))
-                };
-                let verdict = match warnings.len() {
-                    0 => "good".to_owned(),
-                    1 => "good, 1 warning".to_owned(),
-                    count => format!("good, {count} warnings"),
-                };
-                let (bodies, lights) = (scene.bodies.len(), scene.lights.len());
-                format!("{found}{name}: {verdict} ({bodies} bodies, {lights} lights)\n")
-            }
-            Err(error) => {
-                outcome = Outcome::WrongInput;
-                match error.downcast_ref::<LoadError>() {
-                    Some(LoadError::Diagnostics { text, diagnostics, .. }) => {
-                        format!("{}\n", diagnostics.render(name, text, color))
-                    }
-                    _ => format!("error: {error:#}\n"),
-                }
-            }
-        };
+    let mut outcome = Outcome::Done;
+    for path in &arguments.scenes {
+        let (good, report) = check(path, color);
+        if !good {
+            outcome = Outcome::WrongInput;
+        }
         print(&report)?;
     }
     Ok(outcome)
+}
+
+/// Whether the scene can be used, and a report on it: its findings, and a line with the verdict.
+fn check(path: &Path, color: bool) -> (bool, String) {
+    let name = path.display().to_string();
+    match input::scene(path) {
+        Ok(input::Named { loaded, .. }) => {
+            let found = findings(&loaded.warnings, &name, &loaded.text, color);
+            (true, format!("{found}{name}: {}\n", praise(&loaded.scene, &loaded.warnings)))
+        }
+        Err(error) => match error.downcast_ref::<LoadError>() {
+            Some(LoadError::Diagnostics { text, diagnostics, .. }) => {
+                let found = findings(diagnostics, &name, text, color);
+                (false, format!("{found}{name}: {}\n", blame(diagnostics)))
+            }
+            _ => (false, format!("error: {}\n{name}: not read\n", in_words(&error))),
+        },
+    }
+}
+
+fn findings(diagnostics: &Diagnostics, name: &str, text: &str, color: bool) -> String {
+    if diagnostics.is_empty() {
+        return String::new();
+    }
+    format!("{}\n", diagnostics.render(name, text, color))
+}
+
+fn praise(scene: &Scene, warnings: &Diagnostics) -> String {
+    let bodies = count(scene.bodies.len(), "body", "bodies");
+    let lights = count(scene.lights.len(), "light", "lights");
+    match warnings.len() + warnings.omitted() {
+        0 => format!("good ({bodies}, {lights})"),
+        number => format!("good, {} ({bodies}, {lights})", count(number, "warning", "warnings")),
+    }
+}
+
+fn blame(diagnostics: &Diagnostics) -> String {
+    if diagnostics.omitted() > 0 {
+        return format!("bad, {} findings", diagnostics.len() + diagnostics.omitted());
+    }
+    let errors = diagnostics.iter().filter(|finding| finding.severity == Severity::Error).count();
+    let verdict = format!("bad, {}", count(errors, "error", "errors"));
+    match diagnostics.len() - errors {
+        0 => verdict,
+        warnings => format!("{verdict}, {}", count(warnings, "warning", "warnings")),
+    }
 }

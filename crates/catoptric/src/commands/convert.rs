@@ -1,25 +1,35 @@
 //! `catoptric convert`
 
 use anyhow::{Result, bail};
-use catoptric_picture::{check_writable, read};
-use catoptric_scene::{load, save, write};
+use catoptric_picture::read;
+use catoptric_scene::write;
 
 use super::Outcome;
 use crate::arguments::ConvertArguments;
-use crate::output::{Kind, write_picture};
+use crate::input;
+use crate::output::{Kind, check_output, write_picture, write_text};
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<Outcome> {
     let ConvertArguments { from, to, development } = arguments;
-    check_writable(to)?;
     match (Kind::of(from), Kind::of(to)) {
-        (Some(Kind::Scene), Some(Kind::Scene)) => save(to, &write(&load(from)?.scene))?,
-        (Some(Kind::Scene), Some(Kind::Png | Kind::Exr)) => {
+        (Some(Kind::Scene), Some(Kind::Scene)) => {
+            check_output(to, &[from])?;
+            let input = input::file(from)?;
+            input.warn();
+            write_text(to, &write(&input.loaded.scene))?;
+        }
+        (Some(Kind::Scene), Some(Kind::Picture(_))) => {
             bail!("{} is a scene: `catoptric render` makes a picture of it", from.display())
         }
-        (_, Some(Kind::Png | Kind::Exr)) => {
-            write_picture(to, Kind::of_picture(to)?, &read(from)?, development)?;
+        (_, Some(Kind::Picture(kind))) => {
+            check_output(to, &[from])?;
+            write_picture(to, kind, &read(from)?, development)?;
         }
-        (_, Some(Kind::Scene)) => bail!("{} is no scene file (.toml)", from.display()),
+        (_, Some(Kind::Scene)) => bail!(
+            "cannot make a scene of {}: only a file that ends in .toml is one; `catoptric examples` writes the \
+             built-in scenes",
+            from.display()
+        ),
         (_, None) => {
             bail!("cannot tell the format of {}: give a name that ends in .png, .exr or .toml", to.display())
         }

@@ -1,26 +1,30 @@
 //! `catoptric diff`
 
-use anyhow::Result;
-use catoptric_picture::{
-    BitDepth, Comparison, Development, Difference, HeatMap, check_writable, heat_map, read, write_png,
-};
+use anyhow::{Context as _, Result, bail};
+use catoptric_picture::{BitDepth, Comparison, Development, Difference, HeatMap, heat_map, read, write_png};
 use serde_json::json;
 
 use super::Outcome;
 use crate::arguments::DiffArguments;
-use crate::output::print;
+use crate::interrupt::while_writing;
+use crate::output::{Kind, PictureKind, check_output, print};
 
 pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
     if let Some(path) = &arguments.heat {
-        check_writable(path)?;
+        if Kind::of(path) != Some(Kind::Picture(PictureKind::Png)) {
+            bail!("a heat map is a PNG picture: give {} a name that ends in .png", path.display());
+        }
+        check_output(path, &[&arguments.a, &arguments.b])?;
     }
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    let names = || format!("cannot compare {} and {}", arguments.a.display(), arguments.b.display());
     let comparison = Comparison { clamp: !arguments.unclamped, bound: arguments.tolerance };
-    let difference = comparison.compare(&a, &b)?;
+    let difference = comparison.compare(&a, &b).with_context(names)?;
     if let Some(path) = &arguments.heat {
         let options = HeatMap { clamp: comparison.clamp, ..HeatMap::default() };
-        let map = heat_map(&a, &b, &options)?;
-        write_png(path, &Development::default().develop(&map, BitDepth::Eight)?)?;
+        let map = heat_map(&a, &b, &options).with_context(names)?;
+        let developed = Development::default().develop(&map, BitDepth::Eight)?;
+        while_writing(path, || write_png(path, &developed))?;
     }
     let equal = difference.share_above <= arguments.allow;
     let size = [a.width(), a.height()];
@@ -59,15 +63,20 @@ fn as_text(difference: &Difference, arguments: &DiffArguments, size: [u32; 2], e
     };
     let not_a_number = match difference.not_a_number {
         0 => String::new(),
-        count => format!("not a number  {count} pixels\n"),
+        1 => "not a number   1 pixel\n".to_owned(),
+        number => format!("not a number   {number} pixels\n"),
+    };
+    let psnr = match difference.psnr_db {
+        psnr if psnr.is_finite() => format!("{psnr:.2} dB"),
+        _ if difference.rmse == 0.0 => "infinite".to_owned(),
+        _ => "none".to_owned(),
     };
     format!(
-        "largest       {:.6}{worst}\nmean          {:.6}\nRMSE          {:.6}\nPSNR          {:.2} dB\n\
-         above {:.5} {} of {} pixels, {:.4} %\n{not_a_number}{}\n",
+        "largest        {:.6}{worst}\nmean           {:.6}\nRMSE           {:.6}\nPSNR           {psnr}\n\
+         above {:.5}  {} of {} pixels, {:.4} %\n{not_a_number}{}\n",
         difference.max,
         difference.mean,
         difference.rmse,
-        difference.psnr_db,
         arguments.tolerance,
         difference.above,
         u64::from(size[0]) * u64::from(size[1]),

@@ -1,31 +1,32 @@
 //! `catoptric examples`
 
 use anyhow::{Result, bail};
-use catoptric_scene::{Example, save};
+use catoptric_scene::Example;
 
 use super::Outcome;
 use crate::arguments::ExamplesArguments;
-use crate::output::print;
+use crate::input::no_such_example;
+use crate::output::{Kind, print, write_text};
 
 pub(crate) fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
     let Some(name) = &arguments.name else {
-        let width = Example::ALL.iter().map(|example| example.name.len()).max().unwrap_or(0);
-        let list: String = Example::ALL
-            .iter()
-            .map(|example| format!("{:width$}  {}\n", example.name, example.title()))
-            .collect();
-        print(&list)?;
+        print(&list())?;
         return Ok(Outcome::Done);
     };
-    let Some(example) = Example::find(name) else {
-        match Example::nearest(name) {
-            Some(near) => bail!("there is no built-in scene \"{name}\"; did you mean \"{}\"?", near.name),
-            None => bail!("there is no built-in scene \"{name}\"; `catoptric examples` lists them"),
-        }
-    };
+    let example = Example::find(name).ok_or_else(|| no_such_example(name))?;
     match &arguments.output {
-        Some(path) => save(path, example.text)?,
+        Some(path) if matches!(Kind::of(path), Some(Kind::Picture(_))) => bail!(
+            "a scene file should not be called {0}: give a name that ends in .toml; for the picture, use \
+             `catoptric render {name} -o {0}`",
+            path.display()
+        ),
+        Some(path) => write_text(path, example.text)?,
         None => print(example.text)?,
     }
     Ok(Outcome::Done)
+}
+
+fn list() -> String {
+    let width = Example::ALL.iter().map(|example| example.name.len()).max().unwrap_or(0);
+    Example::ALL.iter().map(|example| format!("{:width$}  {}\n", example.name, example.title())).collect()
 }

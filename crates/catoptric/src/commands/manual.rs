@@ -15,13 +15,13 @@ pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<Outcome> {
 }
 
 pub(crate) fn man(arguments: &ManArguments) -> Result<Outcome> {
-    let program = Arguments::command();
+    let mut program = Arguments::command().disable_help_subcommand(true);
+    // Hands the version on to the commands.
+    program.build();
     let command = match &arguments.command {
-        None => program,
+        None => program.clone(),
         Some(name) => match program.find_subcommand(name) {
-            Some(command) => {
-                command.clone().name(format!("catoptric-{name}")).bin_name(format!("catoptric {name}"))
-            }
+            Some(command) => command.clone().name(format!("catoptric-{name}")),
             None => {
                 let names: Vec<&str> = program.get_subcommands().map(clap::Command::get_name).collect();
                 bail!("there is no command \"{name}\"; choose one of: {}", names.join(", "))
@@ -29,7 +29,8 @@ pub(crate) fn man(arguments: &ManArguments) -> Result<Outcome> {
         },
     };
     let mut page = Vec::new();
-    clap_mangen::Man::new(command).render(&mut page)?;
+    let source = concat!("Catoptric ", env!("CARGO_PKG_VERSION"));
+    clap_mangen::Man::new(command).source(source).manual("Catoptric").render(&mut page)?;
     print(&String::from_utf8_lossy(&page))?;
     Ok(Outcome::Done)
 }

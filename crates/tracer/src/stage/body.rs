@@ -4,6 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use catoptric_scene::{Body, Shape};
 use glam::{DAffine3, DMat3, DVec3, Vec3A, Vec3Swizzles, Vec4};
 
+use super::Bounds;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
 use crate::shape::{Canonical, ShapeKind, Span};
 
@@ -39,7 +40,8 @@ pub struct StageBody {
 }
 
 impl StageBody {
-    pub(super) fn new(body: &Body, material: u32, transparent: bool) -> Self {
+    /// An opaque body without a checker, of the first material; and its bounds, if it has any.
+    pub(super) fn new(body: &Body) -> (Self, Option<Bounds>) {
         let world_from_body = world_from_canonical(body);
         let inverse = inverse_linear(&world_from_body.matrix3);
         let (kind, cone_ratio) = canonical(&body.shape);
@@ -47,19 +49,20 @@ impl StageBody {
             ShapeKind::Plane => 0.0,
             _ => world_from_body.matrix3.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs())),
         };
-        Self {
+        let prepared = Self {
             body_from_world: columns(&inverse),
             world_from_body: columns(&world_from_body.matrix3),
             origin: world_from_body.translation.as_vec3().extend(0.0).to_array(),
             kind: kind as u32,
             cone_ratio,
-            material,
+            material: 0,
             checker: NO_BODY,
-            transparent: u32::from(transparent),
+            transparent: 0,
             slack: POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
             volume: volume(kind, f64::from(cone_ratio), world_from_body.matrix3.determinant()) as f32,
             unused: 0,
-        }
+        };
+        (prepared, Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio)))
     }
 
     /// The body's shape in its own frame.
@@ -172,7 +175,7 @@ pub(super) fn world_from_canonical(body: &Body) -> DAffine3 {
     body.placement.world_from_body() * DAffine3::from_scale(sizes)
 }
 
-pub(super) fn canonical(shape: &Shape) -> (ShapeKind, f32) {
+fn canonical(shape: &Shape) -> (ShapeKind, f32) {
     match *shape {
         Shape::Sphere { .. } => (ShapeKind::Sphere, 0.0),
         Shape::Cube { .. } => (ShapeKind::Cube, 0.0),

@@ -1,9 +1,7 @@
 //! Axis-aligned bounding boxes.
 
-use catoptric_scene::Body;
-use glam::{DVec3, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 
-use super::body::{canonical, world_from_canonical};
 use crate::ray::POINT_ROUNDING;
 use crate::shape::ShapeKind;
 
@@ -20,14 +18,12 @@ impl Bounds {
     /// The box that contains nothing.
     pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
-    /// The tight box of a body, widened by the rounding of single precision; `None` for a plane.
+    /// The tight box of the canonical shape that `transform` carries to the world, widened by the rounding of single precision; `None` for a plane.
     ///
     /// With m_i the rows of the transform's linear part, an ellipsoid reaches |m_i| from its centre along axis i, a
     /// box the sum of |m_ij|, and a disc across the frame's Y axis √(m_ix² + m_iz²) from its own centre.
-    pub fn of_body(body: &Body) -> Option<Self> {
-        let transform = world_from_canonical(body);
+    pub(super) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Option<Self> {
         let (x, y, z) = (transform.matrix3.x_axis, transform.matrix3.y_axis, transform.matrix3.z_axis);
-        let (kind, ratio) = canonical(&body.shape);
         let origin = transform.translation;
         let disc = (x * x + z * z).map(f64::sqrt);
         let (min, max) = match kind {
@@ -40,7 +36,7 @@ impl Bounds {
                 (origin - reach, origin + reach)
             }
             ShapeKind::Cylinder | ShapeKind::Cone => {
-                let (top, top_disc) = (origin + y, f64::from(ratio) * disc);
+                let (top, top_disc) = (origin + y, ratio * disc);
                 ((origin - disc).min(top - top_disc), (origin + disc).max(top + top_disc))
             }
             ShapeKind::Plane => return None,

@@ -16,8 +16,6 @@ pub struct StageCamera {
     w: DVec3,
     window: Window,
     surroundings: Surroundings,
-    /// Squared distance from the surroundings' centre below which rays are not moved.
-    far_squared: f64,
 }
 
 /// Where a ray can meet something at all: a sphere around the bounded bodies, and the planes.
@@ -30,16 +28,13 @@ pub(super) struct Surroundings {
 }
 
 impl Surroundings {
-    /// Rays that start further from the bodies than this many times their extent are moved closer.
-    const FAR: f64 = 8.0;
-
-    /// How far a ray from `origin` along the unit vector `direction` can surely go without meeting anything; 0 unless
-    /// that is far.
+    /// How far a ray from `origin` along the unit vector `direction` can surely go without meeting anything; 0 or
+    /// more.
     fn free_way(&self, origin: DVec3, direction: DVec3) -> f64 {
         /// Keeps well away from what rounding of the sphere or a plane could put in the way.
         const MARGIN: f64 = 0.01;
         let way = (self.center - origin).dot(direction) - (1.0 + MARGIN) * self.radius;
-        if way < Self::FAR * self.radius {
+        if way <= 0.0 {
             return 0.0;
         }
         let crossings = self
@@ -69,21 +64,13 @@ impl StageCamera {
             }
             Projection::Parallel { height } => Window::Parallel { height },
         };
-        Self {
-            position: camera.position,
-            u,
-            v: w.cross(u),
-            w,
-            window,
-            far_squared: (Surroundings::FAR * surroundings.radius).powi(2),
-            surroundings,
-        }
+        Self { position: camera.position, u, v: w.cross(u), w, window, surroundings }
     }
 
     /// The ray through the point (x, y) of a picture of `size` pixels, x to the right and y down from the upper left
     /// corner: the centre of the first pixel is (0.5, 0.5).
     ///
-    /// When the eye is far from all bodies, the ray starts closer to them, where nothing has been passed yet: in
+    /// When the eye is away from the bodies, the ray starts closer to them, where nothing has been passed yet: in
     /// single precision a long way would blur what it meets.
     pub fn ray(&self, at: DVec2, size: DVec2) -> Ray {
         let on_window = (at - 0.5 * size) / size.y;
@@ -92,16 +79,9 @@ impl StageCamera {
             Window::Perspective { distance } => (self.position, offset - distance * self.w),
             Window::Parallel { height } => (self.position + height * offset, -self.w),
         };
-        // Each component keeps its own relative precision when the vector is made a unit one.
-        let unit = direction.as_vec3a().normalize();
-        let far = (self.surroundings.center - origin).length_squared() > self.far_squared;
-        let start = if far {
-            let direction = direction.normalize();
-            origin + self.surroundings.free_way(origin, direction) * direction
-        } else {
-            origin
-        };
-        Ray::from_point(start.as_vec3a(), unit)
+        let direction = direction.normalize();
+        let start = origin + self.surroundings.free_way(origin, direction) * direction;
+        Ray::from_point(start.as_vec3a(), direction.as_vec3a())
     }
 
     /// The eye, if all rays start there.

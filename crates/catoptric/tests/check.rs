@@ -1,0 +1,68 @@
+//! `catoptric check`
+
+mod common;
+
+use common::{FIVE_ERRORS, FIVE_PLACES, Folder, NOTHING, ONE_BODY};
+
+#[test]
+fn a_good_scene_gets_a_line_with_what_it_holds() {
+    let folder = Folder::new();
+    folder.write("one.toml", ONE_BODY);
+    folder.write("nothing.toml", NOTHING);
+    assert_eq!(
+        folder.good("check one.toml nothing.toml whitted"),
+        "one.toml: good (1 body, 1 light)\nnothing.toml: good (0 bodies, 0 lights)\n\
+         whitted: good (4 bodies, 2 lights)\n"
+    );
+}
+
+#[test]
+fn all_errors_of_all_files_are_reported_and_good_files_too() {
+    let folder = Folder::new();
+    folder.write("bad.toml", FIVE_ERRORS);
+    folder.write("one.toml", ONE_BODY);
+    let ran = folder.run("check bad.toml no.toml one.toml nonsense");
+    assert_eq!((ran.status, ran.errors.as_str()), (Some(2), ""), "{ran:?}");
+    for place in FIVE_PLACES {
+        assert_eq!(ran.output.matches(&format!("--> bad.toml:{place}\n")).count(), 1, "{place}: {ran:?}");
+    }
+    let verdicts: Vec<&str> = ["bad.toml: bad", "no.toml: not", "one.toml: good", "nonsense: not"]
+        .iter()
+        .filter_map(|start| ran.output.lines().find(|line| line.starts_with(start)))
+        .collect();
+    assert_eq!(
+        verdicts,
+        [
+            "bad.toml: bad, 5 errors",
+            "no.toml: not read",
+            "one.toml: good (1 body, 1 light)",
+            "nonsense: not read"
+        ],
+        "{ran:?}"
+    );
+    assert!(ran.output.contains("error: cannot read no.toml: there is no such file; check its name\n"));
+}
+
+#[test]
+fn one_error_is_singular() {
+    let folder = Folder::new();
+    folder.write("bad.toml", "format = \"catoptric/1\"\n[camera]\nfov = \"wide\"\n");
+    let ran = folder.run("check bad.toml");
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.output.ends_with("\nbad.toml: bad, 1 error\n"), "{ran:?}");
+}
+
+#[test]
+fn a_flood_of_errors_is_counted() {
+    let folder = Folder::new();
+    folder
+        .write("bad.toml", format!("format = \"catoptric/1\"\n{}", "[[bodies]]\nradius = -1\n".repeat(3000)));
+    let ran = folder.run("check bad.toml");
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.output.contains(" more\n") && ran.output.contains("bad.toml: bad, "), "{}", ran.output);
+}
+
+#[test]
+fn something_to_check_must_be_given() {
+    assert!(Folder::new().refused("check").contains("<SCENES>..."));
+}
