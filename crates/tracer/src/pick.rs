@@ -38,6 +38,9 @@ impl Stage {
     ///
     /// The direction must be a unit vector. A ray that is not finite meets nothing.
     pub fn nearest(&self, ray: &Ray) -> Option<SurfaceHit> {
+        if !(ray.origin.is_finite() && ray.direction.is_finite()) {
+            return None;
+        }
         let mut arena = MediaArena::default();
         let media = arena.at_point(self, ray.origin);
         let flight = Flight { stage: self, arena: &arena, ray: *ray, media };

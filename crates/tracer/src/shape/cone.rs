@@ -15,13 +15,12 @@ use super::{Face, LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
 
 /// The nappe's span cut by the layer between the caps.
 ///
-/// The origin is first moved along the line to its closest approach to the middle of the axis, so that the
-/// coefficients of the quadratic are about 1 however far the ray comes from (Embree's `coneline_intersector` does the
-/// same).
+/// The origin is first moved along the line to its closest approach to the top of the axis, so that the coefficients of
+/// the quadratic are about 1 however far the ray comes from (Embree's `coneline_intersector` does the same with the
+/// middle). Near a pointed cone's apex, where both roots fall together, they are small, and so is their rounding.
 #[inline]
 pub(super) fn span(ratio: f32, origin: Vec3A, direction: Vec3A) -> Span {
-    let middle = Vec3A::new(0.0, 0.5, 0.0);
-    let shift = (middle - origin).dot(direction) / direction.length_squared();
+    let shift = (Vec3A::Y - origin).dot(direction) / direction.length_squared();
     let near = origin + shift * direction;
     let mut span = nappe(ratio - 1.0, near, direction);
     span.enter += shift;

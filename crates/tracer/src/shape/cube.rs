@@ -40,7 +40,8 @@ pub(super) fn span(origin: Vec3A, direction: Vec3A) -> Span {
         exit,
         enter_face: face(near.cmpeq(Vec3A::splat(enter)), true),
         exit_face: face(far.cmpeq(Vec3A::splat(exit)), false),
-        hit: enter <= exit,
+        // Each entry by itself: the largest of them may hide that another is not a number.
+        hit: near.cmple(Vec3A::splat(exit)).all(),
     }
 }
 

@@ -1,0 +1,231 @@
+//! Whitted's tree once more, written from the description of the model alone: recursive, in double precision, with a
+//! tiny offset against self-intersection and a list for the media. What the tracer is held against.
+
+use catoptric_picture::Picture;
+use catoptric_scene::{Anchor, Body, Camera, Color, Falloff, Material, Projection, Scene, Shape};
+use glam::{DMat3, DVec3};
+
+use super::textbook;
+
+/// A scene to be traced by the oracle.
+pub(crate) struct Oracle<'a> {
+    scene: &'a Scene,
+    bodies: Vec<Placed<'a>>,
+    /// Crossings nearer than this are taken for the start itself, metres.
+    offset: f64,
+}
+
+struct Placed<'a> {
+    shape: Shape,
+    material: &'a Material,
+    world_from_body: DMat3,
+    body_from_world: DMat3,
+    position: DVec3,
+}
+
+struct Hit {
+    t: f64,
+    body: usize,
+    /// Outward.
+    normal: DVec3,
+}
+
+impl Placed<'_> {
+    fn crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3)> {
+        let o = self.body_from_world * (origin - self.position);
+        let d = self.body_from_world * direction;
+        let normal = |n: DVec3| (self.body_from_world.transpose() * n).normalize();
+        textbook::crossings(&self.shape, o, d).into_iter().map(|(t, n)| (t, normal(n))).collect()
+    }
+
+    fn is_transparent(&self) -> bool {
+        self.filter() != DVec3::ZERO
+    }
+
+    fn filter(&self) -> DVec3 {
+        self.material.transmission * rgb(self.material.tint)
+    }
+
+    fn volume(&self) -> f64 {
+        let own = match self.shape {
+            Shape::Sphere { radius } => 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3),
+            Shape::Cube { size } => size.element_product(),
+            Shape::Cylinder { radius, height } => std::f64::consts::PI * radius * radius * height,
+            Shape::Cone { radius: r, top_radius: s, height } => {
+                std::f64::consts::PI / 3.0 * height * (r * r + r * s + s * s)
+            }
+            Shape::Plane => f64::INFINITY,
+        };
+        own * self.world_from_body.determinant().abs()
+    }
+}
+
+impl<'a> Oracle<'a> {
+    /// Prepares a scene of about the size `extent`, metres.
+    pub(crate) fn new(scene: &'a Scene, extent: f64) -> Self {
+        let bodies = scene.bodies.iter().map(|body| place(scene, body)).collect();
+        Self { scene, bodies, offset: 1e-9 * extent }
+    }
+
+    pub(crate) fn picture(&self, width: u32, height: u32) -> Picture {
+        Picture::from_fn(width, height, |x, y| {
+            let (origin, direction) = self.primary(f64::from(x) + 0.5, f64::from(y) + 0.5, width, height);
+            self.light(origin, direction).as_vec3().to_array()
+        })
+        .unwrap()
+    }
+
+    /// The light that comes along a ray from a free point.
+    pub(crate) fn light(&self, origin: DVec3, direction: DVec3) -> DVec3 {
+        let mut around: Vec<usize> = (0..self.bodies.len())
+            .filter(|&body| {
+                let placed = &self.bodies[body];
+                let p = placed.body_from_world * (origin - placed.position);
+                placed.is_transparent() && textbook::implicit(&placed.shape, p) <= 0.0
+            })
+            .collect();
+        around.sort_by(|&a, &b| self.bodies[b].volume().total_cmp(&self.bodies[a].volume()));
+        self.trace(origin, direction.normalize(), 1, &around)
+    }
+
+    fn primary(&self, x: f64, y: f64, width: u32, height: u32) -> (DVec3, DVec3) {
+        let Camera { position, target, up, projection } = self.scene.camera;
+        let w = (position - target).normalize();
+        let u = up.cross(w).normalize();
+        let v = w.cross(u);
+        let aspect = f64::from(width) / f64::from(height);
+        let (l, r) = (-0.5 * aspect, 0.5 * aspect);
+        let across = l + x * (r - l) / f64::from(width);
+        let down = 0.5 - y / f64::from(height);
+        match projection {
+            Projection::Perspective { fov_degrees } => {
+                let d = 1.0 / (2.0 * (0.5 * fov_degrees).to_radians().tan());
+                (position, across * u + down * v - d * w)
+            }
+            Projection::Parallel { height } => (position + height * (across * u + down * v), -w),
+        }
+    }
+
+    fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
+        let mut best: Option<Hit> = None;
+        for (body, placed) in self.bodies.iter().enumerate() {
+            for (t, normal) in placed.crossings(origin, direction) {
+                if t > self.offset && best.as_ref().is_none_or(|hit| t < hit.t) {
+                    best = Some(Hit { t, body, normal });
+                }
+            }
+        }
+        best
+    }
+
+    fn trace(&self, origin: DVec3, direction: DVec3, generation: u32, media: &[usize]) -> DVec3 {
+        let Some(hit) = self.nearest(origin, direction) else {
+            return rgb(self.scene.environment.background);
+        };
+        let at = origin + hit.t * direction;
+        let leaving = direction.dot(hit.normal) > 0.0;
+        let n = if leaving { -hit.normal } else { hit.normal };
+        let placed = &self.bodies[hit.body];
+        let material = placed.material;
+        let mut light = self.local(material, at, n, -direction);
+        if generation >= self.scene.tracing.generations {
+            return light;
+        }
+        let reflected = || {
+            let mirrored = (direction - 2.0 * n.dot(direction) * n).normalize();
+            self.trace(at, mirrored, generation + 1, media)
+        };
+        let mut reflection = material.reflection();
+        if placed.is_transparent() {
+            let mut beyond = media.to_vec();
+            match beyond.iter().rposition(|&inside| inside == hit.body) {
+                Some(place) => drop(beyond.remove(place)),
+                None => beyond.push(hit.body),
+            }
+            let index = |media: &[usize]| media.last().map_or(1.0, |&body| self.bodies[body].material.ior);
+            match snell(direction, n, index(media), index(&beyond)) {
+                // A ray that goes straight on is the same ray still.
+                Some(bent) => {
+                    let next = generation + u32::from(index(media) != index(&beyond));
+                    light += placed.filter() * self.trace(at, bent, next, &beyond);
+                }
+                None => reflection = 1.0,
+            }
+        }
+        if reflection > 0.0 {
+            light += reflection * reflected();
+        }
+        light
+    }
+
+    fn local(&self, material: &Material, at: DVec3, n: DVec3, to_viewer: DVec3) -> DVec3 {
+        let color = match &material.checker {
+            Some(checker) => {
+                let cells = (at / checker.size + 1e-6).floor();
+                let even = cells.element_sum().rem_euclid(2.0) == 0.0;
+                rgb(if even { material.color } else { checker.color })
+            }
+            None => rgb(material.color),
+        };
+        let mut light = material.ambient * color * rgb(self.scene.environment.ambient);
+        for source in &self.scene.lights {
+            let distance = at.distance(source.position);
+            let to_light = (source.position - at) / distance;
+            let cos = n.dot(to_light);
+            if cos <= 0.0 {
+                continue;
+            }
+            let falloff = match source.falloff {
+                Falloff::None => 1.0,
+                Falloff::Linear { constant } => 1.0 / (distance + constant),
+                Falloff::InverseSquare => 1.0 / (distance * distance),
+            };
+            let mirrored = 2.0 * n.dot(to_light) * n - to_light;
+            let highlight = to_viewer.dot(mirrored).max(0.0).powf(material.shininess);
+            light += self.visibility(at, to_light, distance)
+                * rgb(source.color)
+                * (source.intensity * falloff)
+                * (material.diffuse * color * cos + material.specular * highlight);
+        }
+        light
+    }
+
+    fn visibility(&self, at: DVec3, to_light: DVec3, distance: f64) -> DVec3 {
+        let mut passed = DVec3::ONE;
+        for placed in &self.bodies {
+            for (t, _) in placed.crossings(at, to_light) {
+                if t > self.offset && t < distance - self.offset {
+                    passed *= placed.filter();
+                }
+            }
+        }
+        passed
+    }
+}
+
+/// Snell's law by angles in the plane of incidence: the component along the surface keeps n·sin θ.
+fn snell(direction: DVec3, n: DVec3, from: f64, to: f64) -> Option<DVec3> {
+    let along = direction - direction.dot(n) * n;
+    let sin = along.length() * from / to;
+    if sin > 1.0 {
+        return None;
+    }
+    let tangent = along.normalize_or_zero();
+    Some((sin * tangent - (1.0 - sin * sin).sqrt() * n).normalize())
+}
+
+fn place<'a>(scene: &'a Scene, body: &'a Body) -> Placed<'a> {
+    let material = scene.material(&body.material).unwrap();
+    let Anchor::Frame { position, rotation_degrees } = body.placement.anchor else {
+        unreachable!("the oracle's scenes place bodies by frame");
+    };
+    let [x, y, z] = rotation_degrees.to_array().map(f64::to_radians);
+    let turn = DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);
+    let world_from_body = turn * DMat3::from_diagonal(body.placement.scale);
+    let body_from_world = DMat3::from_diagonal(body.placement.scale.recip()) * turn.transpose();
+    Placed { shape: body.shape, material, world_from_body, body_from_world, position }
+}
+
+fn rgb(color: Color) -> DVec3 {
+    DVec3::from_array(color.to_array())
+}

@@ -1,0 +1,173 @@
+//! The driver: threads, progress, cancellation, counts, samples.
+
+use std::time::{Duration, Instant};
+
+use catoptric_scene::{Body, Color, Material, Shape};
+use catoptric_tracer::{
+    Control, RenderError, RenderSettings, Rendering, Stage, StageError, render, sample_offset,
+};
+use glam::{DVec2, DVec3, Vec3A};
+use rayon::ThreadPoolBuilder;
+
+use crate::common::{ball, block, glass, placed, scene, stage, v};
+use crate::samples::gallery;
+
+const SETTINGS: RenderSettings = RenderSettings { width: 101, height: 67, samples: 1 };
+
+fn on_threads(threads: usize, stage: &Stage, settings: RenderSettings) -> Rendering {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| render(stage, settings, &Control::default())).unwrap()
+}
+
+#[test]
+fn the_picture_and_the_counts_do_not_depend_on_the_threads() {
+    for samples in [1, 3] {
+        let stage = stage(&gallery());
+        let settings = RenderSettings { samples, ..SETTINGS };
+        let one = on_threads(1, &stage, settings);
+        assert!(one.counts.reflected > 0 && one.counts.refracted > 0 && one.counts.shadow > 0);
+        assert_eq!(one.counts.primary, u64::from(101 * 67 * samples));
+        for threads in [2, 3, 7] {
+            let more = on_threads(threads, &stage, settings);
+            let bits = |rendering: &Rendering| -> Vec<u32> {
+                rendering.picture.pixels().iter().flatten().map(|channel| channel.to_bits()).collect()
+            };
+            assert!(bits(&one) == bits(&more), "{threads} threads give another picture");
+            assert_eq!(one.counts, more.counts, "{threads} threads");
+        }
+    }
+}
+
+#[test]
+fn a_stage_prepared_on_any_number_of_threads_is_the_same() {
+    // Enough bodies for the hierarchy to be built in parallel.
+    let mut crowd = scene(
+        (0..9000)
+            .map(|k| {
+                let (i, j) = (f64::from(k % 100), f64::from(k / 100));
+                ball(0.4, v(i - 50.0, (0.7 * i).sin() + (0.9 * j).cos(), -j), Material::default())
+            })
+            .collect(),
+    );
+    crowd.lights = gallery().lights;
+    let pictures = [1, 2, 7].map(|threads| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let stage = pool.install(|| stage(&crowd));
+        on_threads(2, &stage, SETTINGS).picture
+    });
+    assert!(pictures[0] == pictures[1] && pictures[1] == pictures[2]);
+}
+
+#[test]
+fn progress_counts_every_pixel_once() {
+    for (width, height) in [(1, 1), (16, 16), (17, 33), (101, 67)] {
+        let control = Control::default();
+        let settings = RenderSettings { width, height, samples: 1 };
+        render(&stage(&gallery()), settings, &control).unwrap();
+        assert_eq!(control.pixels_done(), u64::from(width) * u64::from(height));
+        assert!(!control.is_cancelled());
+    }
+}
+
+#[test]
+fn a_render_cancelled_before_it_begins_gives_no_picture() {
+    let control = Control::default();
+    control.cancel();
+    assert!(matches!(render(&stage(&gallery()), SETTINGS, &control), Err(RenderError::Cancelled)));
+    assert!(control.pixels_done() < u64::from(SETTINGS.width * SETTINGS.height));
+}
+
+/// A scene of which a single pixel takes longer than the universe is old: 2⁶³ rays between reflecting panes of glass.
+fn endless() -> Stage {
+    let mut pane = glass(1.5);
+    (pane.reflection, pane.transmission) = (Some(0.5), 0.5);
+    let panes: Vec<Body> =
+        (0..4).map(|k| block(v(1e4, 1e4, 0.1), v(0.0, 0.0, -f64::from(k)), pane)).collect();
+    stage(&scene(panes))
+}
+
+#[test]
+fn a_render_stops_within_a_pixel_when_it_is_cancelled() {
+    let stage = endless();
+    let control = Control::default();
+    let settings = RenderSettings { width: 64, height: 64, samples: 4 };
+    let (result, waited) = std::thread::scope(|scope| {
+        let running = scope.spawn(|| render(&stage, settings, &control));
+        std::thread::sleep(Duration::from_millis(200));
+        assert!(!running.is_finished());
+        let cancelled = Instant::now();
+        control.cancel();
+        (running.join().unwrap(), cancelled.elapsed())
+    });
+    assert!(matches!(result, Err(RenderError::Cancelled)));
+    // A thousand rays take well below a millisecond; the rest is for a busy machine.
+    assert!(waited < Duration::from_secs(1), "stopped after {waited:?}");
+}
+
+#[test]
+fn sizes_that_cannot_be_are_errors() {
+    for (width, height) in [(0, 5), (5, 0), (u32::MAX, u32::MAX)] {
+        let settings = RenderSettings { width, height, samples: 1 };
+        assert!(matches!(
+            render(&stage(&gallery()), settings, &Control::default()),
+            Err(RenderError::Size(_))
+        ));
+    }
+}
+
+#[test]
+fn samples_are_averaged_over_the_pixel() {
+    let stage = stage(&gallery());
+    let settings = RenderSettings { width: 20, height: 12, samples: 5 };
+    let averaged = on_threads(2, &stage, settings).picture;
+    let cancel = std::sync::atomic::AtomicBool::new(false);
+    let mut tracer = catoptric_tracer::Whitted::new(&stage, &cancel);
+    for (x, y) in [(0, 0), (7, 5), (19, 11)] {
+        let corner = DVec2::new(f64::from(x), f64::from(y));
+        let light: Vec3A =
+            (0..5).map(|sample| tracer.trace(corner + sample_offset(sample), DVec2::new(20.0, 12.0))).sum();
+        let pixel = Vec3A::from_array(averaged.pixel(x, y).unwrap());
+        assert!((pixel - light / 5.0).length() < 1e-6);
+    }
+    // No samples are taken for one.
+    let none = on_threads(1, &stage, RenderSettings { samples: 0, ..settings }).picture;
+    let one = on_threads(1, &stage, RenderSettings { samples: 1, ..settings }).picture;
+    assert!(none == one);
+}
+
+#[test]
+fn undefined_materials_are_errors_that_say_where() {
+    let mut scene = scene(vec![ball(1.0, DVec3::ZERO, Material::default()); 2]);
+    scene.bodies[1].material = catoptric_scene::MaterialChoice::Named("gold".into());
+    let error = Stage::prepare(&scene).unwrap_err();
+    let body = "number 2".to_owned();
+    assert_eq!(error, StageError::UndefinedMaterial { body, material: "gold".into() });
+    assert!(error.to_string().contains("gold"));
+    scene.bodies[1].name = "crown".into();
+    assert!(Stage::prepare(&scene).unwrap_err().to_string().contains("\"crown\""));
+    let material = Material { color: Color::WHITE, ..Material::default() };
+    scene.materials = vec![catoptric_scene::NamedMaterial { name: "gold".into(), material }];
+    assert_eq!(Stage::prepare(&scene).unwrap().body_count(), 2);
+}
+
+#[test]
+fn extreme_bodies_are_prepared_without_panics() {
+    let mut bodies = Vec::new();
+    for size in [1e-12, 1e-6, 1.0, 1e6, 1e9] {
+        for far in [0.0, 1.0, 1e9] {
+            for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::Plane] {
+                let mut placement = catoptric_scene::Placement::at(DVec3::splat(far));
+                placement.scale = DVec3::splat(size);
+                bodies.push(placed(shape, placement, glass(1.5)));
+            }
+        }
+    }
+    let mut scene = scene(bodies);
+    scene.tracing.generations = 4;
+    let picture = on_threads(2, &stage(&scene), RenderSettings { width: 32, height: 32, samples: 1 }).picture;
+    assert!(picture.pixels().iter().flatten().all(|channel| channel.is_finite()));
+    // The same with the very same place many times over, which no split can part.
+    let same = crate::common::stage_of(vec![ball(1.0, DVec3::ZERO, Material::default()); 1000]);
+    assert_eq!(same.body_count(), 1000);
+    assert!(same.nearest(&crate::common::ray(v(0.0, 0.0, 9.0), DVec3::NEG_Z)).is_some());
+}

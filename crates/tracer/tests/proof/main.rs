@@ -1,0 +1,18 @@
+//! The proof of the tracer: answers that are known exactly, what must not change a picture, and an independent tracer
+//! in double precision to be held against.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
+
+mod common;
+mod driver;
+mod invariance;
+mod local_light;
+mod media;
+mod mirrors;
+mod random;
+mod refraction;
+mod robustness;
+mod samples;
+mod shapes;
+mod spd;
+mod trees;
