@@ -21,7 +21,7 @@ fn folder() -> PathBuf {
 /// The share of pixels that may differ from POV-Ray's by more than 1/255: what is really reached, rounded up. Those
 /// pixels lie on edges, which rounding gives to either side; tiny balls have the most edge.
 fn allowed_share(name: &str) -> f64 {
-    if name == "sphereflake" { 0.0015 } else { 0.0005 }
+    if name == "sphereflake" { 0.001 } else { 0.0005 }
 }
 
 /// Renders a scene in the size of its reference picture.
