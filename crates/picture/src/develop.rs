@@ -31,8 +31,8 @@ impl Development {
     ///
     /// ```
     /// use catoptric_picture::{BitDepth, Codes, Development, Picture};
-    /// let grey = Picture::from_fn(1, 1, |_, _| [0.5; 3])?;
-    /// let developed = Development::default().develop(&grey, BitDepth::Eight)?;
+    /// let gray = Picture::from_fn(1, 1, |_, _| [0.5; 3])?;
+    /// let developed = Development::default().develop(&gray, BitDepth::Eight)?;
     /// assert_eq!(developed.codes(), &Codes::Eight(vec![188; 3]));
     /// # Ok::<(), catoptric_picture::SizeError>(())
     /// ```

@@ -86,11 +86,11 @@ pub enum ReadError {
 /// Reads a PNG or EXR picture into linear light; the content decides which it is, not the name.
 ///
 /// - PNG: any color type, depth and interlacing. Alpha is ignored: the stored color counts as it is, over
-///   no background. Grey becomes three equal channels. Codes are decoded as sRGB, unless there is a `gAMA`
+///   no background. Gray becomes three equal channels. Codes are decoded as sRGB, unless there is a `gAMA`
 ///   chunk without `sRGB` and `iCCP` whose value is not the 0.45455 that stands in for sRGB: then by that
 ///   power. Color profiles and primaries are not converted. Of an animation, the default image.
 /// - EXR: the channels R, G, B (half, float or unsigned, as numbers) of the first part that has them, plain
-///   or within a layer (`diffuse.R` …); otherwise Y as grey. The data window becomes the picture.
+///   or within a layer (`diffuse.R` …); otherwise Y as gray. The data window becomes the picture.
 ///   Chromaticities are not converted. Not read: deep, subsampled and luminance-chroma pictures.
 ///
 /// Corrupt and hostile files are errors. Memory stays below that of [`Picture::MAX_PIXELS`] pixels and a few

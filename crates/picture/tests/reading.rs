@@ -23,16 +23,16 @@ fn every_color_type_and_depth() {
     use png::{BitDepth as D, ColorType as C};
     let first = |bytes: Vec<u8>| decode(&bytes).unwrap().pixel(0, 0).unwrap();
     let plain = |color, depth, data: &[u8]| first(png_of((1, 1), color, depth, data, |_| {}));
-    let grey = |code, maximum| [linear(code, maximum); 3];
+    let gray = |code, maximum| [linear(code, maximum); 3];
     let rgb = |codes: [u32; 3], maximum| codes.map(|code| linear(code, maximum));
 
     assert_eq!(plain(C::Grayscale, D::One, &[0x80]), [1.0; 3]);
-    assert_eq!(plain(C::Grayscale, D::Two, &[0x80]), grey(2, 3));
-    assert_eq!(plain(C::Grayscale, D::Four, &[0x70]), grey(7, 15));
-    assert_eq!(plain(C::Grayscale, D::Eight, &[100]), grey(100, 255));
-    assert_eq!(plain(C::Grayscale, D::Sixteen, &[1, 2]), grey(258, 65535));
-    assert_eq!(plain(C::GrayscaleAlpha, D::Eight, &[100, 7]), grey(100, 255));
-    assert_eq!(plain(C::GrayscaleAlpha, D::Sixteen, &[1, 2, 0, 0]), grey(258, 65535));
+    assert_eq!(plain(C::Grayscale, D::Two, &[0x80]), gray(2, 3));
+    assert_eq!(plain(C::Grayscale, D::Four, &[0x70]), gray(7, 15));
+    assert_eq!(plain(C::Grayscale, D::Eight, &[100]), gray(100, 255));
+    assert_eq!(plain(C::Grayscale, D::Sixteen, &[1, 2]), gray(258, 65535));
+    assert_eq!(plain(C::GrayscaleAlpha, D::Eight, &[100, 7]), gray(100, 255));
+    assert_eq!(plain(C::GrayscaleAlpha, D::Sixteen, &[1, 2, 0, 0]), gray(258, 65535));
     assert_eq!(plain(C::Rgb, D::Eight, &[1, 2, 3]), rgb([1, 2, 3], 255));
     assert_eq!(plain(C::Rgb, D::Sixteen, &[1, 0, 2, 0, 3, 1]), rgb([256, 512, 769], 65535));
     assert_eq!(plain(C::Rgba, D::Eight, &[1, 2, 3, 0]), rgb([1, 2, 3], 255));
@@ -128,8 +128,8 @@ fn exr_channels_of_any_kind_compression_and_tiling() {
 #[test]
 fn grey_layers_and_what_is_not_read() {
     let encoding = Encoding::SMALL_LOSSLESS;
-    let grey = decode(&exr_of(&[("Y", halves(1.0)), ("Z", halves(2.0))], encoding)).unwrap();
-    assert_eq!(grey.pixel(2, 1), Some([7.0; 3]));
+    let gray = decode(&exr_of(&[("Y", halves(1.0)), ("Z", halves(2.0))], encoding)).unwrap();
+    assert_eq!(gray.pixel(2, 1), Some([7.0; 3]));
     let names = ["depth.Z", "glass.B", "glass.G", "glass.R"];
     let layer = decode(&exr_of(&names.map(|name| (name, halves(1.0))), encoding)).unwrap();
     assert_eq!(layer.pixel(4, 2), Some([14.0; 3]));

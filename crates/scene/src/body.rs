@@ -18,7 +18,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// Height of a cylinder or cone in metres: its own, or the distance between its base and top points.
+    /// Height of a cylinder or cone in meters: its own, or the distance between its base and top points.
     /// `None` for shapes without a height.
     pub fn height(&self) -> Option<f64> {
         let own = match self.shape {
@@ -32,7 +32,7 @@ impl Body {
     }
 }
 
-/// The five shapes, each in its own frame (metres).
+/// The five shapes, each in its own frame (meters).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// Ball about the origin.
@@ -134,16 +134,16 @@ impl Placement {
 pub enum Anchor {
     /// By the place of its frame's origin and three turns.
     Frame {
-        /// World place of the frame's origin, metres.
+        /// World place of the frame's origin, meters.
         position: DVec3,
         /// Turns about the fixed X, then Y, then Z axis, degrees, right-hand rule.
         rotation_degrees: DVec3,
     },
     /// By the ends of its axis (cylinders and cones only), which also set the height.
     Axis {
-        /// Centre of the lower base, metres.
+        /// Center of the lower base, meters.
         base: DVec3,
-        /// Centre of the upper base, or the apex, metres.
+        /// Center of the upper base, or the apex, meters.
         top: DVec3,
     },
 }

@@ -5,9 +5,9 @@ use glam::DVec3;
 /// A camera that looks from `position` towards `target`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Eye point, metres. Default (0, 2.2, 8).
+    /// Eye point, meters. Default (0, 2.2, 8).
     pub position: DVec3,
-    /// Point in the centre of the picture, metres. Default (0, 1, 0).
+    /// Point in the center of the picture, meters. Default (0, 1, 0).
     pub target: DVec3,
     /// Direction that points up in the picture. Default +Y.
     pub up: DVec3,
@@ -36,7 +36,7 @@ pub enum Projection {
     },
     /// Rays run parallel to the direction of view.
     Parallel {
-        /// Height of the window in metres. Default 5.
+        /// Height of the window in meters. Default 5.
         height: f64,
     },
 }

@@ -13,9 +13,9 @@ pub struct Color {
 
 impl Color {
     /// (0, 0, 0).
-    pub const BLACK: Self = Self::grey(0.0);
+    pub const BLACK: Self = Self::gray(0.0);
     /// (1, 1, 1).
-    pub const WHITE: Self = Self::grey(1.0);
+    pub const WHITE: Self = Self::gray(1.0);
 
     /// From three linear components.
     pub const fn new(r: f64, g: f64, b: f64) -> Self {
@@ -23,7 +23,7 @@ impl Color {
     }
 
     /// Three equal components.
-    pub const fn grey(value: f64) -> Self {
+    pub const fn gray(value: f64) -> Self {
         Self::new(value, value, value)
     }
 

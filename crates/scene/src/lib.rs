@@ -1,7 +1,7 @@
 //! The Catoptric document: what a person describes and saves.
 //!
 //! A [`Scene`] holds bodies, their materials, lights, a camera, the surroundings and the limits of tracing, in the
-//! units of the file format `catoptric/1`: metres, degrees, linear RGB. It is plain data: cloning and comparing are
+//! units of the file format `catoptric/1`: meters, degrees, linear RGB. It is plain data: cloning and comparing are
 //! cheap enough for undo, and nothing here traces, draws or starts a thread.
 
 mod body;

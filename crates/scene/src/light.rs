@@ -9,7 +9,7 @@ use crate::color::Color;
 pub struct Light {
     /// Unique name; empty when the file gives none.
     pub name: String,
-    /// World position, metres. Default (-5, 8, 6).
+    /// World position, meters. Default (-5, 8, 6).
     pub position: DVec3,
     /// Color. Default white.
     pub color: Color,
@@ -31,7 +31,7 @@ impl Default for Light {
     }
 }
 
-/// Law of falloff A(d), d the distance in metres.
+/// Law of falloff A(d), d the distance in meters.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Falloff {
     /// A(d) = 1.
@@ -39,7 +39,7 @@ pub enum Falloff {
     None,
     /// A(d) = 1 / (d + K).
     Linear {
-        /// K in metres, 0 or more. Default 1.
+        /// K in meters, 0 or more. Default 1.
         constant: f64,
     },
     /// A(d) = 1 / d².

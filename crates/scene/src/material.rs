@@ -7,7 +7,7 @@ use crate::color::Color;
 /// (Phong 1975; Whitted 1980, eq. 2). Coefficients are independent of each other and not negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Color C of the body. Default grey 0.8.
+    /// Color C of the body. Default gray 0.8.
     pub color: Color,
     /// Ambient coefficient k_a. Default 0.1.
     pub ambient: f64,
@@ -39,7 +39,7 @@ impl Material {
 impl Default for Material {
     fn default() -> Self {
         Self {
-            color: Color::grey(0.8),
+            color: Color::gray(0.8),
             ambient: 0.1,
             diffuse: 0.9,
             specular: 0.0,
@@ -56,15 +56,15 @@ impl Default for Material {
 /// Checkerboard: the cell (⌊x/s⌋ + ⌊y/s⌋ + ⌊z/s⌋) of a world point takes the material's color when even, this one when odd.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checker {
-    /// Color of odd cells. Default grey 0.2.
+    /// Color of odd cells. Default gray 0.2.
     pub color: Color,
-    /// Edge length s of a cell, metres. Default 1.
+    /// Edge length s of a cell, meters. Default 1.
     pub size: f64,
 }
 
 impl Default for Checker {
     fn default() -> Self {
-        Self { color: Color::grey(0.2), size: 1.0 }
+        Self { color: Color::gray(0.2), size: 1.0 }
     }
 }
 

@@ -11,7 +11,7 @@ const TEXT: &str = "\
 format = \"catoptric/1\"
 
 [camera] # the eye
-position = [0, 1, 5]   # metres
+position = [0, 1, 5]   # meters
 fov = 30
 
 # -- materials --
@@ -84,8 +84,8 @@ fn a_value_keeps_what_stands_around_it() {
     );
     assert_changes(
         |scene| scene.camera.position.x = 0.25,
-        &["position = [0, 1, 5]   # metres"],
-        &["position = [0.25, 1.0, 5.0]   # metres"],
+        &["position = [0, 1, 5]   # meters"],
+        &["position = [0.25, 1.0, 5.0]   # meters"],
     );
     assert_changes(
         |scene| scene.materials[0].material.ambient = 0.3,

@@ -14,7 +14,7 @@ pub struct SurfaceHit {
     pub body: usize,
     /// Parameter, place in the stage and side, as the search found them.
     pub hit: Hit,
-    /// The point on the surface, world space, metres.
+    /// The point on the surface, world space, meters.
     pub position: Vec3,
     /// Unit normal there, facing the ray.
     pub normal: Vec3,

@@ -16,9 +16,9 @@ pub(crate) const POINT_ROUNDING: f32 = 16.0 * f32::EPSILON;
 /// Vectors that go through the tracer are `Vec3A`, which is kept and moved as one piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Start, metres.
+    /// Start, meters.
     pub origin: Vec3A,
-    /// Unit direction, so that the ray parameter t is the distance in metres.
+    /// Unit direction, so that the ray parameter t is the distance in meters.
     pub direction: Vec3A,
     /// What is known about the start.
     pub start: Start,
@@ -35,7 +35,7 @@ impl Ray {
         self.origin + self.direction * t
     }
 
-    /// How far the start may lie from its true place by rounding, metres.
+    /// How far the start may lie from its true place by rounding, meters.
     pub(crate) fn slack(&self) -> f32 {
         POINT_ROUNDING * self.origin.abs().max_element()
     }

@@ -21,7 +21,7 @@ pub struct RenderSettings {
     pub width: u32,
     /// Height of the picture, pixels.
     pub height: u32,
-    /// Samples per pixel, at least 1; one goes through the pixel's centre.
+    /// Samples per pixel, at least 1; one goes through the pixel's center.
     pub samples: u32,
 }
 

@@ -6,7 +6,7 @@ use glam::DVec2;
 /// (Roberts 2018, The unreasonable effectiveness of quasirandom sequences).
 ///
 /// Any number of first samples is spread evenly, so a picture can be refined sample by sample; the first is the
-/// pixel's centre.
+/// pixel's center.
 pub fn sample_offset(index: u32) -> DVec2 {
     // 1/φ₂ and 1/φ₂², with φ₂ the plastic number, the real root of x³ = x + 1.
     const STEP: DVec2 = DVec2::new(0.754_877_666_246_692_8, 0.569_840_290_998_053_3);

@@ -24,7 +24,7 @@ shape = \"sphre\"
 [[bodies]]
 shape = \"sphere\"
 radius = -1
-colour = 3
+color = 3
 material = \"gold\"
 ";
 /// Where they are.

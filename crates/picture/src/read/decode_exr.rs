@@ -93,7 +93,7 @@ fn find_rgb(channels: &[ChannelDescription]) -> Option<Columns> {
     })
 }
 
-/// Y as grey, unless chroma channels say that it is only a part of the color.
+/// Y as gray, unless chroma channels say that it is only a part of the color.
 fn find_grey(channels: &[ChannelDescription]) -> Option<Columns> {
     let place = |name: &str| channels.iter().position(|channel| channel.name.eq(name));
     let chroma = place("RY").or(place("BY"));

@@ -62,7 +62,7 @@ fn fill<'p, 'd>(
     }
 }
 
-/// The color of one pixel from its samples: three or more are RGB and perhaps alpha, fewer are grey.
+/// The color of one pixel from its samples: three or more are RGB and perhaps alpha, fewer are gray.
 fn color_of(mut samples: impl Iterator<Item = f32>) -> [f32; 3] {
     let first = samples.next().unwrap_or_default();
     match (samples.next(), samples.next()) {

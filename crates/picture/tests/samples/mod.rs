@@ -28,7 +28,7 @@ pub fn png_of(
     bytes
 }
 
-/// An 8-bit grey PNG with these filtered rows, uncompressed.
+/// An 8-bit gray PNG with these filtered rows, uncompressed.
 pub fn stored_png(width: u32, height: u32, interlace: u8, rows: &[u8]) -> Vec<u8> {
     let mut zlib = vec![0x78, 0x01, 1];
     let length = rows.len() as u16;

@@ -42,10 +42,10 @@ pub static CAMERA: TableSpec = TableSpec {
     name: "the camera",
     doc: "A camera that looks from a point towards another",
     keys: &[
-        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the eye point, metres")
+        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the eye point, meters")
             .or(Default::Vector([0.0, 2.2, 8.0]))
             .written(),
-        KeySpec::new("target", Kind::Vector(Limits::PLACE), "the point in the centre of the picture, metres")
+        KeySpec::new("target", Kind::Vector(Limits::PLACE), "the point in the center of the picture, meters")
             .or(Default::Vector([0.0, 1.0, 0.0]))
             .written(),
         KeySpec::new("up", Kind::Vector(Limits::PLACE), "the direction that points up in the picture")
@@ -60,7 +60,7 @@ pub static CAMERA: TableSpec = TableSpec {
             .or(Default::Number(27.0))
             .only("projection", &["perspective"])
             .written(),
-        KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height of the window, metres")
+        KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height of the window, meters")
             .or(Default::Number(5.0))
             .only("projection", &["parallel"])
             .written(),
@@ -141,7 +141,7 @@ pub static CHECKER: TableSpec = TableSpec {
         KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the odd cells")
             .or(Default::Vector([0.2; 3]))
             .written(),
-        KeySpec::new("size", Kind::Number(Limits::LENGTH), "the edge length of a cell, metres")
+        KeySpec::new("size", Kind::Number(Limits::LENGTH), "the edge length of a cell, meters")
             .or(Default::Number(1.0))
             .written(),
     ],
@@ -153,7 +153,7 @@ pub static LIGHT: TableSpec = TableSpec {
     doc: "A point light",
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other light has"),
-        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the light, metres")
+        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the light, meters")
             .or(Default::Vector([-5.0, 8.0, 6.0]))
             .written(),
         KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the light").or(WHITE),
@@ -167,7 +167,7 @@ pub static LIGHT: TableSpec = TableSpec {
         KeySpec::new(
             "falloff_constant",
             Kind::Number(Limits::new(0.0, 1e9)),
-            "K of the linear falloff 1/(d + K), metres",
+            "K of the linear falloff 1/(d + K), meters",
         )
         .or(Default::Number(1.0))
         .only("falloff", &["linear"])
@@ -188,36 +188,36 @@ pub static BODY: TableSpec = TableSpec {
         )
         .or(Default::Text("sphere"))
         .written(),
-        KeySpec::new("radius", Kind::Number(Limits::LENGTH), "the radius (of the base, for a cone), metres")
+        KeySpec::new("radius", Kind::Number(Limits::LENGTH), "the radius (of the base, for a cone), meters")
             .or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5)]))
             .only("shape", &["sphere", "cylinder", "cone"])
             .written(),
         KeySpec::new(
             "top_radius",
             Kind::Number(Limits::new(0.0, 1e9)),
-            "the radius of the upper cap, metres; 0 makes a pointed cone",
+            "the radius of the upper cap, meters; 0 makes a pointed cone",
         )
         .or(Default::Number(0.0))
         .only("shape", &["cone"]),
         KeySpec::new(
             "size",
             Kind::NumberOrVector(Limits::LENGTH),
-            "the edge length, or the three edge lengths, metres",
+            "the edge length, or the three edge lengths, meters",
         )
         .or(Default::Number(1.0))
         .only("shape", &["cube"])
         .written(),
-        KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, metres")
+        KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, meters")
             .or(Default::Number(1.0))
             .only("shape", CYLINDER_AND_CONE)
             .written(),
-        KeySpec::new("base", Kind::Vector(Limits::PLACE), "the centre of the lower base, metres")
+        KeySpec::new("base", Kind::Vector(Limits::PLACE), "the center of the lower base, meters")
             .only("shape", CYLINDER_AND_CONE)
             .beside("top", &["position", "rotation", "height"]),
-        KeySpec::new("top", Kind::Vector(Limits::PLACE), "the centre of the upper base, or the apex, metres")
+        KeySpec::new("top", Kind::Vector(Limits::PLACE), "the center of the upper base, or the apex, meters")
             .only("shape", CYLINDER_AND_CONE)
             .beside("base", &["position", "rotation", "height"]),
-        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, metres")
+        KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, meters")
             .or(Default::Vector([0.0; 3]))
             .written(),
         KeySpec::new(

@@ -56,7 +56,7 @@ pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<Broken> {
         return Some(Broken { key: "top", message: "`base` and `top` are the same point", help });
     }
     if !Limits::LENGTH.contains(base.distance(top)) {
-        return Some(Broken { key: "top", message: "`base` and `top` are more than 1e9 metres apart", help });
+        return Some(Broken { key: "top", message: "`base` and `top` are more than 1e9 meters apart", help });
     }
     None
 }

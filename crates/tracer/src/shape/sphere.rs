@@ -10,7 +10,7 @@ use glam::Vec3A;
 
 use super::{SIDE, Span};
 
-/// The line's closest approach to the centre, plus and minus half the chord.
+/// The line's closest approach to the center, plus and minus half the chord.
 ///
 /// With o' the point of closest approach at t₀ = -(o·d)/(d·d), the half chord is √((1 - o'·o') / (d·d)). The
 /// discriminant arises from lengths about 1, not as a difference of large squares, and stays accurate when the origin

@@ -19,7 +19,7 @@ pub struct StageBody {
     pub body_from_world: [[f32; 4]; 3],
     /// Columns of its inverse.
     pub world_from_body: [[f32; 4]; 3],
-    /// The frame's origin in the world, metres.
+    /// The frame's origin in the world, meters.
     pub origin: [f32; 4],
     /// [`ShapeKind`] as a number.
     pub kind: u32,
@@ -31,9 +31,9 @@ pub struct StageBody {
     pub checker: u32,
     /// 1 if light passes through, else 0.
     pub transparent: u32,
-    /// How far the surface may lie from its true place by rounding, metres.
+    /// How far the surface may lie from its true place by rounding, meters.
     pub slack: f32,
-    /// Volume in cubic metres, infinite for a plane; decides which of several bodies is the outer one.
+    /// Volume in cubic meters, infinite for a plane; decides which of several bodies is the outer one.
     pub volume: f32,
     /// Zero; makes the size a multiple of 16 bytes.
     pub unused: u32,

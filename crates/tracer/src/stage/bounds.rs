@@ -5,7 +5,7 @@ use glam::{DAffine3, DVec3, Vec3};
 use crate::ray::POINT_ROUNDING;
 use crate::shape::ShapeKind;
 
-/// An axis-aligned box, metres.
+/// An axis-aligned box, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Least coordinates.
@@ -20,8 +20,8 @@ impl Bounds {
 
     /// The tight box of the canonical shape that `transform` carries to the world, widened by the rounding of single precision; `None` for a plane.
     ///
-    /// With m_i the rows of the transform's linear part, an ellipsoid reaches |m_i| from its centre along axis i, a
-    /// box the sum of |m_ij|, and a disc across the frame's Y axis √(m_ix² + m_iz²) from its own centre.
+    /// With m_i the rows of the transform's linear part, an ellipsoid reaches |m_i| from its center along axis i, a
+    /// box the sum of |m_ij|, and a disc across the frame's Y axis √(m_ix² + m_iz²) from its own center.
     pub(super) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Option<Self> {
         let (x, y, z) = (transform.matrix3.x_axis, transform.matrix3.y_axis, transform.matrix3.z_axis);
         let origin = transform.translation;

@@ -68,7 +68,7 @@ impl StageCamera {
     }
 
     /// The ray through the point (x, y) of a picture of `size` pixels, x to the right and y down from the upper left
-    /// corner: the centre of the first pixel is (0.5, 0.5).
+    /// corner: the center of the first pixel is (0.5, 0.5).
     ///
     /// When the eye is away from the bodies, the ray starts closer to them, where nothing has been passed yet: in
     /// single precision a long way would blur what it meets.

@@ -8,7 +8,7 @@ use super::vec3;
 /// A point light: where it is and what it sends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageLight {
-    /// World position, metres.
+    /// World position, meters.
     pub position: Vec3A,
     /// Color times intensity, I_j.
     pub power: Vec3A,
@@ -21,7 +21,7 @@ pub struct StageLight {
 pub enum StageFalloff {
     /// A(d) = 1.
     None,
-    /// A(d) = 1 / (d + K), with K in metres.
+    /// A(d) = 1 / (d + K), with K in meters.
     Linear(f32),
     /// A(d) = 1 / d².
     InverseSquare,

@@ -161,7 +161,7 @@ fn a_ball_lens_focuses_at_its_known_length() {
         };
         // Paraxial: nD / (4(n - 1)).
         assert_close(crossing(0.01), 1.5, 3e-4);
-        // Exact: sin i / sin 2(i - r) from the centre.
+        // Exact: sin i / sin 2(i - r) from the center.
         for h in [0.05_f64, 0.2, 0.5, 0.8, 0.95] {
             let (i, r) = (h.asin(), (h / 1.5).asin());
             assert_close(crossing(h), i.sin() / (2.0 * (i - r)).sin(), 1e-5 / h);

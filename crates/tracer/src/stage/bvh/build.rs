@@ -89,7 +89,7 @@ fn partition(entries: &mut [Entry], left: impl Fn(&Entry) -> bool) -> usize {
     middle
 }
 
-/// Equal intervals of the box centres along one axis.
+/// Equal intervals of the box centers along one axis.
 #[derive(Clone, Copy)]
 struct Bins {
     axis: usize,
@@ -111,7 +111,7 @@ struct Choice {
     cost: f32,
 }
 
-/// The cheapest split over all axes; `None` when all centres coincide.
+/// The cheapest split over all axes; `None` when all centers coincide.
 fn best_split(entries: &[Entry], bounds: &Bounds) -> Option<Choice> {
     let centers = entries.iter().fold(Bounds::EMPTY, |all, entry| {
         let center = entry.0.doubled_center();

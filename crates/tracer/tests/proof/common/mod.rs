@@ -51,7 +51,7 @@ pub(crate) fn glass(ior: f64) -> Material {
     }
 }
 
-/// Has this colour however it is lit, in a scene made by [`scene`].
+/// Has this color however it is lit, in a scene made by [`scene`].
 pub(crate) fn glow(color: Color) -> Material {
     Material { color, ambient: 1.0, diffuse: 0.0, ..Material::default() }
 }

@@ -11,7 +11,7 @@ use super::textbook;
 pub(crate) struct Oracle<'a> {
     scene: &'a Scene,
     bodies: Vec<Placed<'a>>,
-    /// Crossings nearer than this are taken for the start itself, metres.
+    /// Crossings nearer than this are taken for the start itself, meters.
     offset: f64,
 }
 
@@ -61,7 +61,7 @@ impl Placed<'_> {
 }
 
 impl<'a> Oracle<'a> {
-    /// Prepares a scene of about the size `extent`, metres.
+    /// Prepares a scene of about the size `extent`, meters.
     pub(crate) fn new(scene: &'a Scene, extent: f64) -> Self {
         let bodies = scene.bodies.iter().map(|body| place(scene, body)).collect();
         Self { scene, bodies, offset: 1e-9 * extent }
