@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Result, anyhow};
 use catoptric_scene::{Example, Loaded, load};
 
-use crate::output::{color_on, say};
+use crate::console::{color_on, say};
 
 /// A scene as the user named it.
 pub(crate) struct Named {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-use crate::output::say;
+use crate::console::say;
 use crate::progress;
 
 /// The exit status of an interrupted program.

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod commands;
+mod console;
 mod input;
 mod interrupt;
 mod memory;
@@ -54,7 +55,7 @@ fn explain(answer: &clap::Error) -> Result<Outcome> {
     if answer.use_stderr() {
         return Ok(Outcome::WrongInput);
     }
-    output::unless_closed(printed.and_then(|()| std::io::stdout().flush()))?;
+    console::unless_closed(printed.and_then(|()| std::io::stdout().flush()))?;
     Ok(Outcome::Done)
 }
 
@@ -62,9 +63,9 @@ fn explain(answer: &clap::Error) -> Result<Outcome> {
 fn report(error: &anyhow::Error) {
     match error.downcast_ref::<LoadError>() {
         Some(LoadError::Diagnostics { path, text, diagnostics }) => {
-            let color = output::color_on(&std::io::stderr());
-            output::say(&diagnostics.render(&path.to_string_lossy(), text, color));
+            let color = console::color_on(&std::io::stderr());
+            console::say(&diagnostics.render(&path.to_string_lossy(), text, color));
         }
-        _ => output::say(&format!("error: {}", commands::in_words(error))),
+        _ => console::say(&format!("error: {}", commands::in_words(error))),
     }
 }

@@ -7,8 +7,8 @@ use catoptric_scene::{Diagnostics, LoadError, Scene, Severity};
 
 use super::{Outcome, in_words};
 use crate::arguments::CheckArguments;
+use crate::console::{color_on, count, print};
 use crate::input;
-use crate::output::{color_on, count, print};
 
 pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
     let color = color_on(&std::io::stdout());

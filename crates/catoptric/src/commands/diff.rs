@@ -6,8 +6,9 @@ use serde_json::json;
 
 use super::Outcome;
 use crate::arguments::DiffArguments;
+use crate::console::print;
 use crate::interrupt::while_writing;
-use crate::output::{Kind, PictureKind, check_output, print};
+use crate::output::{Kind, PictureKind, check_output};
 
 pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
     if let Some(path) = &arguments.heat {

@@ -5,8 +5,9 @@ use catoptric_scene::Example;
 
 use super::Outcome;
 use crate::arguments::ExamplesArguments;
+use crate::console::print;
 use crate::input::no_such_example;
-use crate::output::{Kind, print, write_text};
+use crate::output::{Kind, write_text};
 
 pub(crate) fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
     let Some(name) = &arguments.name else {

@@ -5,7 +5,7 @@ use clap::CommandFactory as _;
 
 use super::Outcome;
 use crate::arguments::{Arguments, CompletionsArguments, ManArguments};
-use crate::output::print;
+use crate::console::print;
 
 pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<Outcome> {
     let mut script = Vec::new();

@@ -9,9 +9,8 @@ use catoptric_tracer::{Control, RenderSettings, Rendering, Stage, render};
 
 use super::Outcome;
 use crate::arguments::{Backend, RenderArguments};
-use crate::output::{
-    Kind, PictureKind, check_output, count, milliseconds, print, say, write_picture, write_text,
-};
+use crate::console::{count, print, say};
+use crate::output::{Kind, PictureKind, check_output, milliseconds, write_picture, write_text};
 use crate::progress::Progress;
 use crate::stats::{Stats, Times};
 use crate::{input, memory};

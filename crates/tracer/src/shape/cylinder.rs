@@ -38,11 +38,5 @@ fn side(origin: Vec2, direction: Vec2) -> Span {
     }
     let closest = -origin.dot(direction) / dd;
     let offset = origin + closest * direction;
-    let half_squared = (1.0 - offset.length_squared()) / dd;
-    if half_squared >= 0.0 {
-        let half = half_squared.sqrt();
-        Span::new(closest - half, closest + half, SIDE)
-    } else {
-        Span::miss(closest)
-    }
+    Span::chord(closest, offset.length_squared(), dd)
 }
