@@ -27,8 +27,12 @@ pub(crate) fn say(line: &str) {
 
 /// Whether a stream should get colors: it is a terminal, and the user does not ask otherwise (<https://no-color.org>).
 pub(crate) fn color_on(stream: &impl IsTerminal) -> bool {
-    let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
-    stream.is_terminal() && !dumb && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+    is_able(stream) && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+}
+
+/// Whether a stream is a terminal that can do more than print line after line.
+pub(crate) fn is_able(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
 }
 
 /// A number of things: `1 body`, `2 bodies`.

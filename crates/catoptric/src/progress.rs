@@ -1,7 +1,6 @@
 //! What the terminal shows while one waits.
 
 use std::fmt;
-use std::io::IsTerminal as _;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
@@ -9,6 +8,8 @@ use std::time::Duration;
 
 use catoptric_tracer::Control;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
+
+use crate::console::is_able;
 
 /// What is shown now, so that an interruption can clear it.
 static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
@@ -22,8 +23,7 @@ pub(crate) struct Progress {
 impl Progress {
     /// Shown on standard error if that is a terminal that can move its cursor, and the user does not want quiet.
     pub(crate) fn new(quiet: bool) -> Self {
-        let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
-        Self { shown: !quiet && !dumb && std::io::stderr().is_terminal() }
+        Self { shown: !quiet && is_able(&std::io::stderr()) }
     }
 
     /// Whether anything is shown.
@@ -40,10 +40,8 @@ impl Progress {
         let finished = AtomicBool::new(false);
         let result = thread::scope(|scope| {
             let watcher = scope.spawn(|| watch(control, &finished));
-            let result = work();
-            finished.store(true, Ordering::Relaxed);
-            watcher.thread().unpark();
-            result
+            let _end = End { finished: &finished, watcher: watcher.thread().clone() };
+            work()
         });
         clear();
         result
@@ -59,6 +57,19 @@ impl Progress {
         let result = work();
         clear();
         result
+    }
+}
+
+/// Ends the watcher when it goes out of scope, even if the work panics: the scope waits for the watcher.
+struct End<'a> {
+    finished: &'a AtomicBool,
+    watcher: thread::Thread,
+}
+
+impl Drop for End<'_> {
+    fn drop(&mut self) {
+        self.finished.store(true, Ordering::Relaxed);
+        self.watcher.unpark();
     }
 }
 

@@ -5,10 +5,11 @@ use glam::Vec3A;
 /// Stands for "no body" wherever a body's index is kept.
 pub const NO_BODY: u32 = u32::MAX;
 
-/// Relative rounding error granted to a point that went through a few transforms: 16 units of single precision.
+/// Relative rounding error granted to a point that went through a few transforms.
 ///
-/// A transform of a point is three products and three sums, γ₄ ≈ 4u (Higham 2002, Accuracy and Stability of Numerical
-/// Algorithms, sec. 3.1); the hit point goes through two of them and the other body's own two more.
+/// A transform of a point is three products and three sums, γ₄ ≈ 4u with u = ε/2 (Higham 2002, Accuracy and Stability of
+/// Numerical Algorithms, sec. 3.1); the hit point goes through two of them and the other body's own two more. That makes
+/// 16u = 8ε, and this is twice the bound.
 pub(crate) const POINT_ROUNDING: f32 = 16.0 * f32::EPSILON;
 
 /// A half-line in world space.

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use catoptric_picture::{Picture, SizeError};
-use glam::{DVec2, Vec3A};
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
@@ -128,9 +128,11 @@ fn fill(tile: &mut Tile<'_>, tracer: &mut Whitted<'_>, settings: RenderSettings,
                 return;
             }
             let corner = DVec2::new(x as f64, y as f64);
-            let light: Vec3A =
-                (0..samples).map(|sample| tracer.trace(corner + sample_offset(sample), size)).sum();
-            *pixel = (light / samples as f32).to_array();
+            // In double precision: thousands of equal samples, added in single, would drift from their mean.
+            let light: DVec3 = (0..samples)
+                .map(|sample| tracer.trace(corner + sample_offset(sample), size).as_dvec3())
+                .sum();
+            *pixel = (light / f64::from(samples)).as_vec3().to_array();
         }
         control.pixels_done.fetch_add(row.len() as u64, Ordering::Relaxed);
     }

@@ -1,7 +1,5 @@
 //! What a ray meets: the nearest body, and what lies between a point and a light.
 
-use std::cmp::Ordering;
-
 use glam::Vec3A;
 
 use crate::medium::{Media, MediaArena};
@@ -67,7 +65,7 @@ impl Flight<'_> {
                 best.reach
             }),
         }
-        best.hit
+        best.first(self.stage)
     }
 
     #[inline(always)]
@@ -80,7 +78,7 @@ impl Flight<'_> {
         let span = body.span(self.ray.origin, self.ray.direction);
         let (t, leaving) = match relation {
             Relation::Inside => (exit_of(&span), true),
-            _ => match crossing_from_unknown(&span, best.start_slack + body.slack) {
+            _ => match self.crossing(body, &span, best.start_slack + body.slack) {
                 Some(crossing) => crossing,
                 None => return,
             },
@@ -116,6 +114,39 @@ impl Flight<'_> {
         passed
     }
 
+    /// The first crossing at or after the start of a ray about which nothing is known, and whether it leads out.
+    #[inline(always)]
+    fn crossing(&self, body: &StageBody, span: &Span, slack: f32) -> Option<(f32, bool)> {
+        if !(span.hit && span.exit > 0.0) {
+            None
+        } else if span.enter > 0.0 {
+            Some((span.enter, false))
+        } else {
+            self.crossing_from_within(body, slack)
+        }
+    }
+
+    /// The same for a start that lies within a body by the numbers, but perhaps only by their rounding.
+    ///
+    /// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than `slack`, the
+    /// bound of rounding, counts as outside: heading in it meets the surface at once, heading out it does not. So
+    /// neither side of a contact can be slipped through or shade itself. Depths are measured across the surface: along
+    /// the ray they grow without bound when it grazes. In a body thinner than rounding the nearer surface counts.
+    #[cold]
+    fn crossing_from_within(&self, body: &StageBody, slack: f32) -> Option<(f32, bool)> {
+        let Ray { origin, direction, .. } = self.ray;
+        let span = body.span(origin, direction);
+        let behind_entry = -span.enter * body.cosine(origin, direction, span.enter, span.enter_face);
+        let before_exit = span.exit * body.cosine(origin, direction, span.exit, span.exit_face);
+        if behind_entry <= slack && behind_entry <= before_exit {
+            Some((0.0, false))
+        } else if before_exit <= slack {
+            None
+        } else {
+            Some((span.exit, true))
+        }
+    }
+
     /// What one body lets through on the way to a light at `distance`.
     #[inline(always)]
     fn filter(&self, index: u32, start_slack: f32, distance: f32) -> Vec3A {
@@ -127,7 +158,7 @@ impl Flight<'_> {
         let span = body.span(self.ray.origin, self.ray.direction);
         let crossings = match relation {
             Relation::Inside => u32::from(exit_of(&span) < distance),
-            _ => match crossing_from_unknown(&span, start_slack + body.slack) {
+            _ => match self.crossing(body, &span, start_slack + body.slack) {
                 Some((t, leaving)) if t < distance => 1 + u32::from(!leaving && span.exit < distance),
                 _ => 0,
             },
@@ -147,59 +178,58 @@ fn exit_of(span: &Span) -> f32 {
     if span.exit < 0.0 { 0.0 } else { span.exit }
 }
 
-/// The first crossing at or after the start of a ray about which nothing is known, and whether it leads out.
-///
-/// Bodies often touch: a box stands on a floor, two panes share a face. A start within `slack` of a surface, the
-/// bound of rounding, counts as outside: heading in it meets the surface at once, heading out it does not. So neither
-/// side of a contact can be slipped through or shade itself.
-#[inline]
-fn crossing_from_unknown(span: &Span, slack: f32) -> Option<(f32, bool)> {
-    if !span.hit {
-        None
-    } else if span.enter >= -slack {
-        Some((span.enter.max(0.0), false))
-    } else if span.exit > slack {
-        Some((span.exit, true))
-    } else {
-        None
-    }
-}
-
-/// The nearest hit so far.
+/// The nearest hits so far: the one that leads out of a body and the one that leads in, each by itself, so that the
+/// outcome does not depend on the order in which bodies are tested.
 struct Best {
-    hit: Option<Hit>,
-    /// No body beyond this parameter can change the hit any more.
+    leaving: Option<Hit>,
+    entering: Option<Hit>,
+    /// No body beyond this parameter can change the outcome any more.
     reach: f32,
     start_slack: f32,
 }
 
 impl Best {
     fn new(start_slack: f32) -> Self {
-        Self { hit: None, reach: f32::INFINITY, start_slack }
+        Self { leaving: None, entering: None, reach: f32::INFINITY, start_slack }
     }
 
-    /// Takes `new` if it comes first. Of hits that coincide within rounding, one that leads out of a body comes before
-    /// one that leads in: bodies that touch have a film of air between them. Of equal ones the body that comes first
-    /// in the scene.
+    /// Takes note of a hit; of equal ones the body that comes first in the scene counts.
     #[inline]
     fn offer(&mut self, stage: &Stage, new: Hit, body_slack: f32) {
         if !(new.t <= self.reach && new.t < f32::INFINITY) {
             return;
         }
-        let slack = self.start_slack + body_slack + POINT_ROUNDING * new.t;
-        let first = match &self.hit {
+        let place = if new.leaving { &mut self.leaving } else { &mut self.entering };
+        let first = match place {
             None => true,
-            Some(old) if old.leaving == new.leaving => match new.t.total_cmp(&old.t) {
-                Ordering::Less => true,
-                Ordering::Equal => stage.scene_order(new.body, old.body).is_lt(),
-                Ordering::Greater => false,
-            },
-            Some(old) if old.leaving => new.t < old.t - slack,
-            Some(old) => new.t <= old.t + slack,
+            Some(old) if new.t == old.t => stage.scene_order(new.body, old.body).is_lt(),
+            Some(old) => new.t < old.t,
         };
         if first {
-            self.hit = Some(new);
-            self.reach = new.t + slack;
+            *place = Some(new);
+            let reach = if new.leaving {
+                new.t
+            } else {
+                new.t + self.slack_at(new.t, body_slack, stage.largest_slack)
+            };
+            self.reach = self.reach.min(reach);
         }
+    }
+
+    /// How far apart by rounding two hits at about `t` can lie that should coincide. Each slack is twice its bound, so
+    /// the larger one covers both bodies.
+    fn slack_at(&self, t: f32, one: f32, other: f32) -> f32 {
+        self.start_slack + one.max(other) + POINT_ROUNDING * t
+    }
+
+    /// The first hit. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:
+    /// bodies that touch have a film of air between them.
+    fn first(&self, stage: &Stage) -> Option<Hit> {
+        let (Some(leaving), Some(entering)) = (self.leaving, self.entering) else {
+            return self.leaving.or(self.entering);
+        };
+        let [one, other] = [leaving, entering].map(|hit| stage.body(hit.body).slack);
+        let slack = self.slack_at(entering.t, one, other);
+        Some(if leaving.t <= entering.t + slack { leaving } else { entering })
     }
 }

@@ -23,7 +23,7 @@ pub enum ShapeKind {
     Cube = 1,
     /// x² + z² ≤ 1, 0 ≤ y ≤ 1.
     Cylinder = 2,
-    /// x² + z² ≤ (1 + (k - 1)·y)², 0 ≤ y ≤ 1, with k the ratio of top to base radius.
+    /// x² + z² ≤ (1 + (k - 1)·y)², 0 ≤ y ≤ 1, with 0 ≤ k ≤ 1 the ratio of top to base radius.
     Cone = 3,
     /// y ≤ 0.
     Plane = 4,
@@ -103,7 +103,7 @@ impl Span {
 pub struct Canonical {
     /// Which shape.
     pub kind: ShapeKind,
-    /// Ratio k of top to base radius; cones only.
+    /// Ratio k of top to base radius, 0 to 1; cones only.
     pub cone_ratio: f32,
 }
 

@@ -30,7 +30,8 @@ use material::MaterialTable;
 
 /// A scene prepared for tracing: immutable, shared by reference between threads.
 ///
-/// Bodies stand in the order of the bounding volume hierarchy's leaves, the unbounded ones last. All is plain single-precision data that can be handed to a GPU as it is.
+/// Bodies stand in the order of the bounding volume hierarchy's leaves, the unbounded ones last. What
+/// the search reads is plain single-precision data.
 #[derive(Clone, Debug)]
 pub struct Stage {
     pub(crate) bodies: Vec<StageBody>,
@@ -48,6 +49,8 @@ pub struct Stage {
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
     pub(crate) has_transparency: bool,
+    /// The largest [`StageBody::slack`].
+    pub(crate) largest_slack: f32,
 }
 
 /// How the bodies that a ray may meet are found among the bounded ones.
@@ -92,12 +95,14 @@ impl Stage {
         let camera = StageCamera::new(&scene.camera, cast.surroundings(scene));
         let (order, hierarchy) = cast.order();
         let bounded = cast.boxes.len() as u32;
+        let largest_slack = cast.bodies.iter().map(|body| body.slack).fold(0.0, f32::max);
         let Tracing { generations, threshold } = scene.tracing;
         Ok(Self {
             bodies: cast.take_bodies(&order),
             scene_indices: order,
             bounded,
             hierarchy,
+            largest_slack,
             has_transparency: cast.materials.iter().any(StageMaterial::is_transparent),
             materials: cast.materials,
             checkers: cast.checkers,
@@ -152,6 +157,7 @@ impl Stage {
             + size_of_val(&*self.scene_indices)
             + size_of_val(&*self.materials)
             + size_of_val(&*self.checkers)
+            + size_of_val(&*self.lights)
             + match &self.hierarchy {
                 Hierarchy::Few(few) => few.bytes(),
                 Hierarchy::Many(bvh) => bvh.bytes(),

@@ -37,9 +37,10 @@ pub fn refract(direction: Vec3A, normal: Vec3A, ratio: f32) -> Option<Vec3A> {
 /// and Ŝ the direction to the viewer. All are unit vectors.
 #[inline]
 pub fn phong_highlight(to_viewer: Vec3A, to_light: Vec3A, normal: Vec3A, shininess: f32) -> f32 {
-    /// -ln of half a unit of single precision.
-    const INVISIBLE: f32 = 17.0;
-    let cos = -to_viewer.dot(reflect(to_light, normal));
+    /// e⁻³⁰ of the brightest light that a scene may have, 10⁶, is nothing in single precision.
+    const INVISIBLE: f32 = 30.0;
+    // Rounding may make the product of two unit vectors more than 1, and a power of it much more.
+    let cos = (-to_viewer.dot(reflect(to_light, normal))).min(1.0);
     // ln x ≤ x - 1, so that the power is at most exp(-n·(1 - cos)): what is certain to vanish is not computed.
     if cos > 0.0 && shininess * (1.0 - cos) < INVISIBLE { cos.powf(shininess) } else { 0.0 }
 }

@@ -6,7 +6,7 @@ use glam::{DAffine3, DMat3, DVec3, Vec3A, Vec3Swizzles, Vec4};
 
 use super::Bounds;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::shape::{Canonical, ShapeKind, Span};
+use crate::shape::{Canonical, Face, ShapeKind, Span};
 
 /// A body: a canonical shape and the transforms between its frame and the world.
 ///
@@ -23,7 +23,7 @@ pub struct StageBody {
     pub origin: [f32; 4],
     /// [`ShapeKind`] as a number.
     pub kind: u32,
-    /// Ratio of top to base radius; cones only.
+    /// Ratio of the smaller to the larger radius; cones only.
     pub cone_ratio: f32,
     /// Index into the stage's materials.
     pub material: u32,
@@ -88,6 +88,14 @@ impl StageBody {
     #[inline(always)]
     pub fn span(&self, origin: Vec3A, direction: Vec3A) -> Span {
         self.canonical().span(self.point_in_body(origin), mul(&self.body_from_world, direction))
+    }
+
+    /// |cos| of the angle between a line of the world and the normal of the face that it crosses at `t`.
+    pub(crate) fn cosine(&self, origin: Vec3A, direction: Vec3A, t: f32, face: Face) -> f32 {
+        let canonical = self.canonical();
+        let point = self.point_in_body(origin) + t * mul(&self.body_from_world, direction);
+        let normal = mul_transposed(&self.body_from_world, canonical.normal(face, point));
+        normal.normalize_or_zero().dot(direction).abs()
     }
 
     /// Whether a point of the world lies in the body.
@@ -172,7 +180,16 @@ pub(super) fn world_from_canonical(body: &Body) -> DAffine3 {
         }
         Shape::Plane => DVec3::ONE,
     };
-    body.placement.world_from_body() * DAffine3::from_scale(sizes)
+    let world_from_body = body.placement.world_from_body();
+    match body.shape {
+        // A frustum that widens is a narrowing one upside down: the canonical base is the larger one.
+        Shape::Cone { radius, top_radius, .. } if top_radius > radius => {
+            world_from_body
+                * DAffine3::from_translation(DVec3::Y * sizes.y)
+                * DAffine3::from_scale(DVec3::new(top_radius, -sizes.y, top_radius))
+        }
+        _ => world_from_body * DAffine3::from_scale(sizes),
+    }
 }
 
 fn canonical(shape: &Shape) -> (ShapeKind, f32) {
@@ -180,7 +197,9 @@ fn canonical(shape: &Shape) -> (ShapeKind, f32) {
         Shape::Sphere { .. } => (ShapeKind::Sphere, 0.0),
         Shape::Cube { .. } => (ShapeKind::Cube, 0.0),
         Shape::Cylinder { .. } => (ShapeKind::Cylinder, 1.0),
-        Shape::Cone { radius, top_radius, .. } => (ShapeKind::Cone, (top_radius / radius) as f32),
+        Shape::Cone { radius, top_radius, .. } => {
+            (ShapeKind::Cone, (radius.min(top_radius) / radius.max(top_radius)) as f32)
+        }
         Shape::Plane => (ShapeKind::Plane, 0.0),
     }
 }

@@ -1,7 +1,7 @@
 //! A hierarchy of bounding boxes over the bodies, four boxes to a node.
 //!
 //! A binary tree is built first and its nodes are then joined in fours (Wald, Benthin, Boulos 2008, Getting rid of
-//! packets), so that one step tests four boxes with vector instructions and even a handful of bodies gains.
+//! packets), so that one step tests four boxes with vector instructions.
 
 mod build;
 
@@ -196,8 +196,8 @@ struct BoxTest {
 }
 
 impl BoxTest {
-    /// Directions are unit vectors and coordinates at most 10⁹: components below this are as good as 0, and their
-    /// inverse times a coordinate stays finite, so that no NaN arises.
+    /// Directions are unit vectors and coordinates at most some 10¹⁸: components below this are as good as 0, and
+    /// their inverse times a coordinate stays below 3.4·10³⁸, so that no NaN arises.
     const TINY: f32 = 1e-20;
 
     fn new(ray: &Ray) -> Self {

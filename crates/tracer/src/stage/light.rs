@@ -42,10 +42,12 @@ impl StageLight {
 
     /// A(d)·I_j at the distance `d` > 0.
     pub fn power_at(&self, d: f32) -> Vec3A {
-        match self.falloff {
+        let power = match self.falloff {
             StageFalloff::None => self.power,
             StageFalloff::Linear(constant) => self.power / (d + constant),
             StageFalloff::InverseSquare => self.power / (d * d),
-        }
+        };
+        // Infinite light on a surface that returns none of it would not be a number.
+        power.min(Vec3A::splat(f32::MAX))
     }
 }

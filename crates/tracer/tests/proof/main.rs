@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
 
 mod common;
+mod contacts;
 mod driver;
 mod invariance;
 mod local_light;
