@@ -15,14 +15,10 @@ pub mod surface;
 mod whitted;
 
 pub use counts::RayCounts;
-pub use medium::{Media, MediaArena};
 pub use pick::SurfaceHit;
 pub use ray::{NO_BODY, Ray, Start};
 pub use render::{Control, RenderError, RenderSettings, Rendering, render};
 pub use sampling::sample_offset;
 pub use search::Hit;
-pub use stage::{
-    Bounds, Bvh, Node, Stage, StageBody, StageCamera, StageChecker, StageError, StageFalloff, StageLight,
-    StageMaterial,
-};
+pub use stage::{Stage, StageCamera, StageError};
 pub use whitted::{RayKind, TracedRay, Whitted};

@@ -9,15 +9,15 @@ const END: u32 = u32::MAX;
 
 /// A list of the transparent bodies that a ray is inside of, in the order entered; lives in a [`MediaArena`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Media(u32);
+pub(crate) struct Media(u32);
 
 impl Media {
     /// In no body: in air.
-    pub const AIR: Self = Self(END);
+    pub(crate) const AIR: Self = Self(END);
 
     /// Whether the ray is in air.
     #[inline]
-    pub fn is_air(self) -> bool {
+    pub(crate) fn is_air(self) -> bool {
         self == Self::AIR
     }
 }
@@ -25,7 +25,7 @@ impl Media {
 /// The lists of all rays of one pixel's tree. Rays share the tails of their lists, so that a ray costs at most one
 /// link, and nesting is not limited.
 #[derive(Clone, Debug, Default)]
-pub struct MediaArena {
+pub(crate) struct MediaArena {
     /// Each link: a body and the rest of the list.
     links: Vec<(u32, u32)>,
 }
@@ -42,13 +42,13 @@ impl MediaArena {
     }
 
     /// The body entered last.
-    pub fn innermost(&self, media: Media) -> Option<u32> {
+    pub(crate) fn innermost(&self, media: Media) -> Option<u32> {
         self.links.get(media.0 as usize).map(|link| link.0)
     }
 
     /// Whether the ray is inside `body`.
     #[inline]
-    pub fn contains(&self, media: Media, body: u32) -> bool {
+    pub(crate) fn contains(&self, media: Media, body: u32) -> bool {
         let mut at = media.0;
         while let Some(&(entered, rest)) = self.links.get(at as usize) {
             if entered == body {
@@ -60,13 +60,13 @@ impl MediaArena {
     }
 
     /// The list after entering `body`.
-    pub fn entered(&mut self, media: Media, body: u32) -> Media {
+    pub(crate) fn entered(&mut self, media: Media, body: u32) -> Media {
         self.links.push((body, media.0));
         Media(self.links.len() as u32 - 1)
     }
 
     /// The list after leaving `body`; unchanged if the ray was not inside it.
-    pub fn left(&mut self, media: Media, body: u32) -> Media {
+    pub(crate) fn left(&mut self, media: Media, body: u32) -> Media {
         let mut outside = Vec::new();
         let mut at = media.0;
         while let Some(&(entered, rest)) = self.links.get(at as usize) {
@@ -81,7 +81,7 @@ impl MediaArena {
     }
 
     /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.
-    pub fn at_point(&mut self, stage: &Stage, point: Vec3A) -> Media {
+    pub(crate) fn at_point(&mut self, stage: &Stage, point: Vec3A) -> Media {
         if !stage.has_transparency {
             return Media::AIR;
         }

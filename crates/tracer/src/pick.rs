@@ -23,12 +23,11 @@ pub struct SurfaceHit {
 impl SurfaceHit {
     pub(crate) fn new(stage: &Stage, ray: &Ray, hit: Hit) -> Option<Self> {
         let point = stage.body(hit.body).surface_point(ray.origin, ray.direction, hit.t, hit.leaving);
-        let normal = if hit.leaving { -point.normal } else { point.normal };
         Some(Self {
             body: stage.scene_index(hit.body)?,
             hit,
             position: point.in_world.into(),
-            normal: normal.into(),
+            normal: point.normal.into(),
         })
     }
 }

@@ -80,6 +80,11 @@ impl Span {
         }
     }
 
+    /// All of the line, if it lies in an unbounded shape at all.
+    fn everywhere(enter_face: Face, exit_face: Face, hit: bool) -> Self {
+        Self { enter: f32::NEG_INFINITY, exit: f32::INFINITY, enter_face, exit_face, hit }
+    }
+
     /// A miss that came closest at `t`.
     fn miss(t: f32) -> Self {
         Self { enter: t, exit: t, enter_face: SIDE, exit_face: SIDE, hit: false }

@@ -15,16 +15,16 @@ use catoptric_scene::{Body, Color, MaterialChoice, Scene, Tracing};
 use glam::{DVec3, Vec3A};
 use rayon::prelude::*;
 
-pub use body::StageBody;
-pub use bounds::Bounds;
+pub(crate) use body::StageBody;
+pub(crate) use bounds::Bounds;
+pub(crate) use bvh::Bvh;
 pub(crate) use bvh::Pending;
-pub use bvh::{Bvh, Node};
 pub use camera::StageCamera;
 use camera::Surroundings;
-pub use checker::StageChecker;
+pub(crate) use checker::StageChecker;
 use few::FewBodies;
-pub use light::{StageFalloff, StageLight};
-pub use material::StageMaterial;
+pub(crate) use light::StageLight;
+pub(crate) use material::StageMaterial;
 
 use material::MaterialTable;
 

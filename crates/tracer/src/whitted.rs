@@ -231,8 +231,7 @@ impl<'a> Encounter<'a> {
             Some(checker) if checker.is_odd(point.in_body) => checker.color,
             _ => material.color,
         };
-        let normal = if hit.leaving { -point.normal } else { point.normal };
-        Self { hit, body, material, color, position: point.in_world, normal }
+        Self { hit, body, material, color, position: point.in_world, normal: point.normal }
     }
 
     /// A ray from here to the side that the incoming ray came from.

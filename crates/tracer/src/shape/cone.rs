@@ -49,11 +49,7 @@ fn nappe(slope: f32, origin: Vec3A, direction: Vec3A) -> Span {
     let q = if b > 0.0 { -(b + root) } else { root - b };
     if q == 0.0 {
         // B = 0 and A·C = 0: the line touches at t = 0 only (A > 0), or runs along the surface or through the apex.
-        return if a > 0.0 {
-            Span::new(0.0, 0.0, SIDE)
-        } else {
-            Span { hit: c <= 0.0, ..Span::new(f32::NEG_INFINITY, f32::INFINITY, SIDE) }
-        };
+        return if a > 0.0 { Span::new(0.0, 0.0, SIDE) } else { Span::everywhere(SIDE, SIDE, c <= 0.0) };
     }
     let (first, second) = (q / a, c / q);
     let (low, high) = if first < second { (first, second) } else { (second, first) };

@@ -28,13 +28,7 @@ fn side(origin: Vec2, direction: Vec2) -> Span {
     let dd = direction.length_squared();
     if dd < f32::MIN_POSITIVE {
         let hit = origin.length_squared() <= 1.0;
-        return Span {
-            enter: f32::NEG_INFINITY,
-            exit: f32::INFINITY,
-            enter_face: SIDE,
-            exit_face: SIDE,
-            hit,
-        };
+        return Span::everywhere(SIDE, SIDE, hit);
     }
     let closest = -origin.dot(direction) / dd;
     let offset = origin + closest * direction;

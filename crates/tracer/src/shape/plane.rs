@@ -19,7 +19,7 @@ pub(super) fn span(height: f32, rise: f32) -> Span {
     } else if rise > 0.0 {
         Span::new(f32::NEG_INFINITY, crossing, SIDE)
     } else {
-        Span { enter: f32::NEG_INFINITY, exit: f32::INFINITY, enter_face: SIDE, exit_face: SIDE, hit: false }
+        Span::everywhere(SIDE, SIDE, false)
     }
 }
 

@@ -10,13 +10,7 @@ use super::{Face, Span};
 pub(super) fn span(origin: f32, direction: f32, low: (f32, Face), high: (f32, Face)) -> Span {
     if direction == 0.0 {
         let hit = low.0 <= origin && origin <= high.0;
-        return Span {
-            enter: f32::NEG_INFINITY,
-            exit: f32::INFINITY,
-            enter_face: low.1,
-            exit_face: high.1,
-            hit,
-        };
+        return Span::everywhere(low.1, high.1, hit);
     }
     let (near, far) = if direction > 0.0 { (low, high) } else { (high, low) };
     let enter = (near.0 - origin) / direction;

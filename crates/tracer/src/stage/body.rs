@@ -14,7 +14,7 @@ use crate::shape::{Canonical, Face, ShapeKind, Span};
 /// the difference is exact, so that precision does not depend on the distance from the world's origin.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(16))]
-pub struct StageBody {
+pub(crate) struct StageBody {
     /// Columns of the linear part of the transform from the world to the body's frame; the fourth numbers are 0.
     pub body_from_world: [[f32; 4]; 3],
     /// Columns of its inverse.
@@ -67,7 +67,7 @@ impl StageBody {
 
     /// The body's shape in its own frame.
     #[inline]
-    pub fn canonical(&self) -> Canonical {
+    pub(crate) fn canonical(&self) -> Canonical {
         let kind = match self.kind {
             0 => ShapeKind::Sphere,
             1 => ShapeKind::Cube,
@@ -80,13 +80,13 @@ impl StageBody {
 
     /// Whether light passes through the body.
     #[inline]
-    pub fn is_transparent(&self) -> bool {
+    pub(crate) fn is_transparent(&self) -> bool {
         self.transparent != 0
     }
 
     /// Where a line of the world crosses the body.
     #[inline(always)]
-    pub fn span(&self, origin: Vec3A, direction: Vec3A) -> Span {
+    pub(crate) fn span(&self, origin: Vec3A, direction: Vec3A) -> Span {
         self.canonical().span(self.point_in_body(origin), mul(&self.body_from_world, direction))
     }
 
@@ -99,7 +99,7 @@ impl StageBody {
     }
 
     /// Whether a point of the world lies in the body.
-    pub fn contains(&self, point: Vec3A) -> bool {
+    pub(crate) fn contains(&self, point: Vec3A) -> bool {
         self.canonical().contains(self.point_in_body(point))
     }
 
@@ -109,7 +109,7 @@ impl StageBody {
     }
 
     /// The point where a line of the world crosses the body's surface at parameter `t`, on the way out if `leaving`,
-    /// pulled onto the surface, and the normal there.
+    /// pulled onto the surface, and the normal there, facing the line's start.
     ///
     /// All is computed in the body's frame, where numbers are small.
     #[inline]
@@ -129,7 +129,8 @@ impl StageBody {
         let in_world = mul(&self.world_from_body, in_body) + vec3a(self.origin);
         // Normals go back by the inverse transpose.
         let normal = mul_transposed(&self.body_from_world, canonical.normal(face, in_body));
-        SurfacePoint { in_body, in_world, normal: normal.normalize() }
+        let normal = normal.normalize();
+        SurfacePoint { in_body, in_world, normal: if leaving { -normal } else { normal } }
     }
 }
 
@@ -138,7 +139,7 @@ impl StageBody {
 pub(crate) struct SurfacePoint {
     pub in_body: Vec3A,
     pub in_world: Vec3A,
-    /// Unit outward normal in the world.
+    /// Unit normal in the world, facing where the line came from.
     pub normal: Vec3A,
 }
 

@@ -7,7 +7,7 @@ use crate::shape::ShapeKind;
 
 /// An axis-aligned box, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub(crate) struct Bounds {
     /// Least coordinates.
     pub min: Vec3,
     /// Greatest coordinates.
@@ -16,7 +16,7 @@ pub struct Bounds {
 
 impl Bounds {
     /// The box that contains nothing.
-    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+    pub(crate) const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
     /// The tight box of the canonical shape that `transform` carries to the world, widened by the rounding of single precision; `None` for a plane.
     ///
@@ -46,7 +46,7 @@ impl Bounds {
     }
 
     /// The smallest box that contains both.
-    pub fn union(self, other: Self) -> Self {
+    pub(crate) fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
@@ -59,10 +59,5 @@ impl Bounds {
     pub(super) fn half_area(&self) -> f32 {
         let size = (self.max - self.min).max(Vec3::ZERO);
         size.x * size.y + size.y * size.z + size.z * size.x
-    }
-
-    /// Whether a point lies in the box.
-    pub fn contains(&self, point: Vec3) -> bool {
-        point.cmpge(self.min).all() && point.cmple(self.max).all()
     }
 }

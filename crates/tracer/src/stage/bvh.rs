@@ -19,7 +19,7 @@ const MAX_DEPTH: usize = 64;
 /// Four boxes and what they contain. An unused box is inside out and is never met.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(16))]
-pub struct Node {
+pub(crate) struct Node {
     /// Least x of the four boxes, greatest x, least y, greatest y, least z, greatest z.
     pub sides: [[f32; 4]; 6],
     /// Leaf: its first body. Inner node: its place in the array.
@@ -30,7 +30,7 @@ pub struct Node {
 
 /// The hierarchy; the root is the first node.
 #[derive(Clone, Debug)]
-pub struct Bvh {
+pub(crate) struct Bvh {
     nodes: Vec<Node>,
 }
 
@@ -56,13 +56,8 @@ impl Bvh {
         Self { nodes }
     }
 
-    /// The nodes.
-    pub fn nodes(&self) -> &[Node] {
-        &self.nodes
-    }
-
     /// Bytes held.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         size_of_val(&*self.nodes)
     }
 

@@ -12,7 +12,7 @@ use super::vec3;
 /// in double precision; what is left for single precision is the part within the body, and a face that lies on a
 /// border of cells keeps to one side of it wherever the body stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StageChecker {
+pub(crate) struct StageChecker {
     /// From the body's frame to cells, without the origin's whole cells.
     cells_from_body: Mat3A,
     offset: Vec3A,
@@ -39,7 +39,7 @@ impl StageChecker {
     }
 
     /// Whether a point of the body's frame lies in an odd cell.
-    pub fn is_odd(&self, in_body: Vec3A) -> bool {
+    pub(crate) fn is_odd(&self, in_body: Vec3A) -> bool {
         let cells = self.cells_from_body * in_body + self.offset + Self::BORDER;
         let odd = |cell: f32| floor(cell) & 1 == 1;
         odd(cells.x) ^ odd(cells.y) ^ odd(cells.z) ^ self.odd_origin

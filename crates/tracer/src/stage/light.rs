@@ -7,7 +7,7 @@ use super::vec3;
 
 /// A point light: where it is and what it sends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StageLight {
+pub(crate) struct StageLight {
     /// World position, meters.
     pub position: Vec3A,
     /// Color times intensity, I_j.
@@ -18,7 +18,7 @@ pub struct StageLight {
 
 /// Law of falloff A(d).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StageFalloff {
+pub(crate) enum StageFalloff {
     /// A(d) = 1.
     None,
     /// A(d) = 1 / (d + K), with K in meters.
@@ -41,7 +41,7 @@ impl StageLight {
     }
 
     /// A(d)·I_j at the distance `d` > 0.
-    pub fn power_at(&self, d: f32) -> Vec3A {
+    pub(crate) fn power_at(&self, d: f32) -> Vec3A {
         let power = match self.falloff {
             StageFalloff::None => self.power,
             StageFalloff::Linear(constant) => self.power / (d + constant),

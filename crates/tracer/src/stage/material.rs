@@ -9,7 +9,7 @@ use super::vec3;
 
 /// Coefficients of a surface, in single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StageMaterial {
+pub(crate) struct StageMaterial {
     /// Color C.
     pub color: Vec3A,
     /// k_a.
