@@ -72,13 +72,13 @@ pub(crate) struct RenderArguments {
     /// What does the work
     #[arg(long, value_enum, default_value_t = Backend::Auto)]
     pub backend: Backend,
-    /// Number of threads; all cores by default
+    /// Number of threads, 1 to 1024; all cores by default
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Samples per pixel; one goes through the pixel's center
+    /// Samples per pixel, 1 to 65536; one goes through the pixel's center
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=65536))]
     pub samples: u32,
-    /// Generations of rays, instead of the scene's
+    /// Generations of rays, 1 to 64, instead of the scene's
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=64))]
     pub generations: Option<u32>,
     #[command(flatten)]
@@ -86,7 +86,7 @@ pub(crate) struct RenderArguments {
     /// Write times, rays and memory as JSON; - for standard output
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
-    /// No progress, no warnings
+    /// No progress, no warnings, no summary
     #[arg(short, long)]
     pub quiet: bool,
 }
@@ -174,7 +174,7 @@ pub(crate) enum Backend {
     Auto,
     /// The processor
     Cpu,
-    /// The graphics card
+    /// The graphics card (not in this version)
     Gpu,
 }
 
