@@ -24,6 +24,8 @@ pub(crate) struct Build<'a, 't> {
 /// A body as far as it could be understood.
 pub(crate) struct BuiltBody {
     pub(crate) body: Body,
+    /// Whether its shape is known; the scene cannot hold it otherwise.
+    pub(crate) is_known: bool,
     /// Place of its name, when it has one.
     pub(crate) name_span: Option<Span>,
     /// Place of the name of its material, when it has one.
@@ -53,7 +55,10 @@ impl<'t> Build<'_, 't> {
         let projection = match fields.choice("projection") {
             Ok(Some("parallel")) => Projection::Parallel { height: fields.number("height").unwrap_or(5.0) },
             Ok(_) => Projection::Perspective { fov_degrees: fields.number("fov").unwrap_or(27.0) },
-            Err(()) => default.projection,
+            Err(()) => {
+                fields.check_dependent("projection", &[]);
+                default.projection
+            }
         };
         let mut camera = Camera {
             position: position.unwrap_or(default.position),
@@ -127,7 +132,11 @@ impl<'t> Build<'_, 't> {
                 Falloff::Linear { constant: fields.number("falloff_constant").unwrap_or(1.0) }
             }
             Ok(Some("inverse-square")) => Falloff::InverseSquare,
-            _ => Falloff::None,
+            Ok(_) => Falloff::None,
+            Err(()) => {
+                fields.check_dependent("falloff", &[]);
+                default.falloff
+            }
         };
         let light = Light {
             name: fields.text("name").unwrap_or_default(),
@@ -139,20 +148,21 @@ impl<'t> Build<'_, 't> {
         (light, table.get("name").map(|value| value.span))
     }
 
-    /// A body; nothing when its shape is not known.
-    pub(crate) fn body(&mut self, table: &Table<'t>) -> Option<BuiltBody> {
+    /// A body; a sphere when its shape is not known.
+    pub(crate) fn body(&mut self, table: &Table<'t>) -> BuiltBody {
         let mut fields = self.fields(&keys::BODY, table);
         let name = fields.text("name").unwrap_or_default();
         let shape = shape(&mut fields);
         let anchor = anchor(&mut fields, shape);
         let scale = fields.number_or_vector("scale").unwrap_or(DVec3::ONE);
         let (material, material_span) = self.material_choice(table);
-        let mut shape = shape.ok()?;
+        let is_known = shape.is_ok();
+        let mut shape = shape.unwrap_or_default();
         if let Anchor::Axis { base, top } = anchor {
             set_height(&mut shape, base.distance(top));
         }
         let body = Body { name, shape, placement: Placement { anchor, scale }, material };
-        Some(BuiltBody { body, name_span: table.get("name").map(|value| value.span), material_span })
+        BuiltBody { body, is_known, name_span: table.get("name").map(|value| value.span), material_span }
     }
 
     fn material_choice(&mut self, table: &Table<'t>) -> (MaterialChoice, Option<Span>) {
@@ -185,7 +195,13 @@ fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
     let height = |fields: &mut Fields<'_, '_, '_>| {
         if is_on_axis { 1.0 } else { fields.number("height").unwrap_or(1.0) }
     };
-    Ok(match fields.choice("shape")?.unwrap_or("sphere") {
+    let Ok(chosen) = fields.choice("shape") else {
+        // `base` and `top` are checked with the place of the body, and leave nothing for `height` to say.
+        let elsewhere: &[&str] = if is_on_axis { &["base", "top", "height"] } else { &[] };
+        fields.check_dependent("shape", elsewhere);
+        return Err(());
+    };
+    Ok(match chosen.unwrap_or("sphere") {
         "cube" => Shape::Cube { size: fields.number_or_vector("size").unwrap_or(DVec3::ONE) },
         "cylinder" => {
             Shape::Cylinder { radius: fields.number("radius").unwrap_or(0.5), height: height(fields) }
@@ -209,7 +225,8 @@ fn set_height(shape: &mut Shape, to: f64) {
 
 /// Where the body stands: by base and top where both are given and allowed, else by position and rotation.
 fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
-    let takes_axis = matches!(shape, Ok(Shape::Cylinder { .. } | Shape::Cone { .. }));
+    // A body of an unknown shape with a base is meant to be one of those that take it.
+    let takes_axis = matches!(shape, Ok(Shape::Cylinder { .. } | Shape::Cone { .. }) | Err(()));
     if takes_axis && (fields.has("base") || fields.has("top")) {
         check_company(fields);
         let (base, top) = (fields.vector("base"), fields.vector("top"));

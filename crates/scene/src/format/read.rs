@@ -235,6 +235,7 @@ impl<'t> Reader<'t> {
         let is_used =
             names::check_materials(&mut self.scene, &self.places, self.has_lost_tables, &mut self.found);
         names::check_unique(&mut self.scene, &self.places, &mut self.found);
+        names::remove_unknown(&mut self.scene, &self.places);
         let is_known = self.version();
         if !is_known {
             // A file of another version has other keys; only its syntax can be judged.

@@ -142,6 +142,30 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         self.wrong(key, value, &format!("`{}` is {what}", key.name))
     }
 
+    /// Reports the wrong values among the keys that depend on `choice`, but for those in `except`. For choices whose
+    /// own value is wrong: any of these keys may be the right one then.
+    pub(crate) fn check_dependent(&mut self, choice: &str, except: &[&str]) {
+        for key in self.spec.keys {
+            let depends = matches!(key.when, When::Choice { choice: other, .. } if other == choice);
+            if depends && !except.contains(&key.name) {
+                self.check_value(key);
+            }
+        }
+    }
+
+    /// Reports the value of a key when it is wrong. Tables are checked where they are built.
+    fn check_value(&mut self, key: &KeySpec) {
+        match key.kind {
+            Kind::Text => _ = self.text(key.name),
+            Kind::Choice(_) => _ = self.choice(key.name),
+            Kind::Number(_) | Kind::Integer(_) => _ = self.number(key.name),
+            Kind::Vector(_) => _ = self.vector(key.name),
+            Kind::NumberOrVector(_) => _ = self.number_or_vector(key.name),
+            Kind::Color(_) => _ = self.color(key.name),
+            Kind::Version(_) | Kind::Table(_) | Kind::NameOrTable(_) | Kind::Named(_) | Kind::List(_) => {}
+        }
+    }
+
     /// Reports the keys that have no meaning for the value of the choice they depend on.
     pub(crate) fn check_choices(&mut self) {
         for entry in &self.table.entries {

@@ -157,7 +157,10 @@ impl<'t> Reader<'t> {
                 self.scene.lights.push(light);
             }
             ListKind::Bodies => {
-                let Some(built) = build.body(&table) else { return };
+                let built = build.body(&table);
+                if !built.is_known {
+                    self.places.unknown.push(self.scene.bodies.len() as u32);
+                }
                 if let Some(span) = built.material_span {
                     self.places.materials.push((self.scene.bodies.len() as u32, span));
                 }

@@ -22,6 +22,8 @@ pub(super) struct Places {
     pub(super) bodies: Vec<Span>,
     /// Bodies with a named material, and where it is named.
     pub(super) materials: Vec<(u32, Span)>,
+    /// Bodies of an unknown shape, in order. They stand in the scene until their names are checked.
+    pub(super) unknown: Vec<u32>,
 }
 
 /// Reports materials that are used but not defined, unless their definitions may have got lost. The answer tells of each
@@ -94,6 +96,17 @@ pub(super) fn check_unique(scene: &mut Scene, places: &Places, found: &mut Diagn
             body.name.clear();
         }
     }
+}
+
+/// Takes the bodies of an unknown shape out of the scene. The places of the other bodies are off after that.
+pub(super) fn remove_unknown(scene: &mut Scene, places: &Places) {
+    let mut unknown = places.unknown.iter().copied().peekable();
+    let mut index = 0;
+    scene.bodies.retain(|_| {
+        let is_unknown = unknown.next_if_eq(&index).is_some();
+        index += 1;
+        !is_unknown
+    });
 }
 
 fn second_uses<'a>(

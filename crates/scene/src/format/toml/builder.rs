@@ -140,7 +140,7 @@ impl<'t> Builder<'t> {
         let mut decoded = Cow::Borrowed("");
         let kind = raw.decode_scalar(&mut decoded, &mut error);
         if let Some(error) = error {
-            self.problem(problem::from_value(&error, raw.as_str(), encoding, span.into()));
+            self.problem(problem::from_value(&error, self.text, raw.as_str(), encoding, span.into()));
             return ValueKind::Invalid;
         }
         match kind {

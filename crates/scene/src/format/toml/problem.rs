@@ -42,9 +42,14 @@ pub(super) fn from_parser(error: &ParseError, text: &str, key: Option<Span>) -> 
                 .help("a line is `key = value`, `[table]`, `[[list]]` or `# a comment`")
         }
         "unexpected key or value" => {
+            let help = if is_decimal_comma(text, found.start) {
+                "a decimal number is written with a point: 1.5"
+            } else {
+                "write each key on a line of its own, and comments after `#`"
+            };
             Diagnostic::error(rest_of_line(text, found.start), "the line should end here")
                 .label("too much")
-                .help("write each key on a line of its own, and comments after `#`")
+                .help(help)
         }
         "missing comma between array elements" | "missing comma between key-value pairs" => {
             Diagnostic::error(found, "a comma is missing").label("before this")
@@ -66,9 +71,10 @@ pub(super) fn from_parser(error: &ParseError, text: &str, key: Option<Span>) -> 
     }
 }
 
-/// An error of a number or text, `raw` at `span`.
+/// An error of a number or text, `raw` at `span` of `text`.
 pub(super) fn from_value(
     error: &ParseError,
+    text: &str,
     raw: &str,
     encoding: Option<Encoding>,
     span: Span,
@@ -76,7 +82,12 @@ pub(super) fn from_value(
     let inner = error.unexpected().map_or(span.range(), |inner| inner.start()..inner.end());
     let description = error.description();
     if raw.is_empty() {
-        return Diagnostic::error(span.range(), "a value is missing").label("here").help(VALUES);
+        let help = if is_comment(text, span) {
+            "# begins a comment; write a color in quotes: \"#ff0000\""
+        } else {
+            VALUES
+        };
+        return Diagnostic::error(span.range(), "a value is missing").label("here").help(help);
     }
     if encoding.is_none() {
         let is_number = raw.starts_with(|first: char| first.is_ascii_digit() || "+-._".contains(first));
@@ -84,6 +95,12 @@ pub(super) fn from_value(
         return match description {
             _ if raw.contains(['"', '\'']) => whole.label("a quote is missing").help(VALUES),
             _ if is_number && raw.contains(' ') => whole.label("is a comma missing?").help(VALUES),
+            _ if raw.starts_with('(') => whole.help("a vector stands in square brackets: [0.0, 1.0, 0.0]"),
+            _ if lacks_digit(raw) => {
+                Diagnostic::error(span.range(), format!("{} is not a number", quoted(raw)))
+                    .label("a digit is missing")
+                    .help("a number has digits before and after the point: 0.5, 27.0")
+            }
             "string values must be quoted" if is_number => whole.label("not a number").help(VALUES),
             "invalid float" => whole.label("not a number"),
             _ if is_number => {
@@ -156,6 +173,37 @@ pub(super) fn is_open(raw: &str) -> bool {
 fn ends_with_escaped_quote(raw: &str) -> bool {
     let Some(inner) = raw.strip_prefix('"').and_then(|raw| raw.strip_suffix('"')) else { return false };
     inner.bytes().rev().take_while(|&byte| byte == b'\\').count() % 2 == 1
+}
+
+/// Whether this is a decimal number, but for digits beside its point.
+fn lacks_digit(raw: &str) -> bool {
+    let number = raw.strip_prefix(['+', '-']).unwrap_or(raw);
+    let number = number.split(['e', 'E']).next().unwrap_or_default();
+    let is_digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit() || byte == b'_');
+    number.split_once('.').is_some_and(|(before, after)| {
+        (before.is_empty() || after.is_empty()) && is_digits(before) && is_digits(after)
+    })
+}
+
+/// Whether a decimal comma stands at `at`: it parts two groups of digits, and is the only comma after the `=`.
+fn is_decimal_comma(text: &str, at: usize) -> bool {
+    let (Some(before), Some(after)) = (text.get(..at), text.get(rest_of_line(text, at))) else {
+        return false;
+    };
+    let line = before.rsplit(['\n', '\r']).next().unwrap_or_default();
+    let Some((_, whole)) = line.split_once('=') else { return false };
+    let is_number = |part: &str| part.parse::<f64>().is_ok_and(f64::is_finite);
+    let Some(fraction) = after.strip_prefix(',') else { return false };
+    let fraction = fraction.split('#').next().unwrap_or_default().trim_end();
+    is_number(whole.trim_start())
+        && fraction.starts_with(|first: char| first.is_ascii_digit())
+        && is_number(fraction)
+}
+
+/// Whether a comment stands where the value at `span` is missing.
+fn is_comment(text: &str, span: Span) -> bool {
+    let rest = text.get(span.range().start..).unwrap_or_default();
+    rest.trim_start_matches([' ', '\t']).starts_with('#')
 }
 
 fn first_line(raw: &str, span: Span) -> std::ops::Range<usize> {
