@@ -1,7 +1,8 @@
-//! Project chores: `cargo xtask ci`, `cargo xtask gallery`, `cargo xtask bench`.
+//! Project chores: `cargo xtask ci`, `cargo xtask gallery`, `cargo xtask bench`, `cargo xtask cloud`.
 
 mod bench;
 mod ci;
+mod cloud;
 mod gallery;
 mod sheet;
 mod shell;
@@ -26,6 +27,8 @@ enum Chore {
     Ci,
     /// Render the built-in scenes into docs/gallery and the README's picture
     Gallery(gallery::GalleryArguments),
+    /// Write a scene of very many bodies, for measuring
+    Cloud(cloud::CloudArguments),
     /// Time the tracer against POV-Ray on the same scenes, by turns
     Bench(bench::BenchArguments),
 }
@@ -34,6 +37,7 @@ fn main() -> anyhow::Result<()> {
     match Arguments::parse().chore {
         Chore::Ci => ci::run(),
         Chore::Gallery(arguments) => gallery::run(&arguments),
+        Chore::Cloud(arguments) => cloud::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
     }
 }
