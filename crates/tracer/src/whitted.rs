@@ -140,8 +140,8 @@ impl<'a> Whitted<'a> {
             let distance = offset.length();
             let to_light = offset / distance;
             let cos = at.normal.dot(to_light);
-            // No comparison holds when the light stands exactly here and `to_light` is NaN.
-            let lit = cos > 0.0 && source.power != Vec3A::ZERO;
+            // A light that stands exactly here has no direction.
+            let lit = distance > 0.0 && cos > 0.0 && source.power != Vec3A::ZERO;
             if !lit {
                 continue;
             }
