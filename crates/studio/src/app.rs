@@ -1,0 +1,157 @@
+//! The studio: its state, and what happens in one frame.
+
+use catoptric_editor::Editor;
+use catoptric_live::{Live, Request};
+use egui::{CentralPanel, Frame, Panel, Ui};
+use egui_notify::Toasts;
+use egui_tiles::Tree;
+
+use crate::StudioError;
+use crate::command::Command;
+use crate::context::Cx;
+use crate::dialogs::Dialogs;
+use crate::documents::Documents;
+use crate::host::Host;
+use crate::layout::{self, Pane};
+use crate::panes::{Docked, Panes};
+use crate::settings::Settings;
+use crate::texts::Texts;
+use crate::theme;
+use crate::view::View;
+use crate::{documents, menu, shortcuts, status_bar};
+
+/// The whole window.
+pub struct Studio {
+    pub(crate) editor: Editor,
+    pub(crate) texts: Texts,
+    pub(crate) settings: Settings,
+    pub(crate) view: View,
+    pub(crate) live: Live,
+    pub(crate) layout: Tree<Pane>,
+    pub(crate) documents: Documents,
+    pub(crate) dialogs: Dialogs,
+    pub(crate) toasts: Toasts,
+    pub(crate) host: Box<dyn Host>,
+    pub(crate) commands: Vec<Command>,
+    pub(crate) panes: Panes,
+}
+
+/// What to open at the start.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Start {
+    /// The scene of the last time, or else a beautiful example.
+    #[default]
+    Last,
+    /// A scene file.
+    File(std::path::PathBuf),
+    /// A built-in example, by name.
+    Example(String),
+}
+
+impl Studio {
+    /// Makes the studio for a window of `context`.
+    ///
+    /// # Errors
+    /// When the thread that traces cannot be started.
+    pub fn new(context: &egui::Context, start: &Start, host: Box<dyn Host>) -> Result<Self, StudioError> {
+        let settings = host.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
+        theme::install(context);
+        theme::choose(context, settings.theme);
+        context.options_mut(|options| options.zoom_with_keyboard = false);
+        context.set_zoom_factor(settings.zoom);
+        let wake = context.clone();
+        let live = Live::start(move || wake.request_repaint()).map_err(StudioError::Thread)?;
+        let layout = settings.layout.clone().filter(layout::is_whole).unwrap_or_else(layout::default_layout);
+        let mut studio = Self {
+            editor: Editor::new(catoptric_scene::Scene::default()),
+            texts: Texts::new(settings.language),
+            settings,
+            view: View::default(),
+            live,
+            layout,
+            documents: Documents::default(),
+            dialogs: Dialogs::default(),
+            toasts: Toasts::default(),
+            host,
+            commands: Vec::new(),
+            panes: Panes::default(),
+        };
+        documents::start(&mut studio, start);
+        Ok(studio)
+    }
+
+    /// Draws the window and does what was asked for in it.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        self.view.is_moving = false;
+        shortcuts::collect(ui, self);
+        let palette = theme::palette(ui.visuals());
+        let bar = Frame::new().fill(palette.bar).inner_margin(egui::Margin::symmetric(8, 3));
+        Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
+        Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
+        CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
+        crate::dialogs::dialogs_ui(ui, self);
+        self.toasts.show(ui.ctx());
+        for command in std::mem::take(&mut self.commands) {
+            crate::run::run(ui.ctx(), self, command);
+        }
+        documents::keep(ui.ctx(), self);
+        self.settle(ui);
+        self.request_picture();
+    }
+
+    /// The parts that panels see.
+    pub(crate) fn cx(&mut self) -> Cx<'_> {
+        Cx {
+            editor: &mut self.editor,
+            texts: &self.texts,
+            settings: &mut self.settings,
+            view: &mut self.view,
+            live: &self.live,
+            toasts: &mut self.toasts,
+            commands: &mut self.commands,
+        }
+    }
+
+    /// Ends the open gesture when nothing is being dragged or typed any more: it becomes one step of the history.
+    fn settle(&mut self, ui: &Ui) {
+        let is_pointer_down = ui.input(|input| input.pointer.any_down());
+        if !is_pointer_down && !self.view.is_moving && !ui.ctx().egui_wants_keyboard_input() {
+            self.editor.settle();
+        }
+    }
+
+    /// Tells the tracer what to show; it finds out what has changed.
+    fn request_picture(&mut self) {
+        let Some(size) = self.panes.viewport.size_in_pixels() else { return };
+        let scene = self.editor.scene();
+        let mut request = Request::new(scene.clone(), self.editor.revision(), size);
+        request.camera = self.view.camera(scene);
+        request.moving = self.view.is_moving || self.editor.is_in_gesture();
+        request.samples = self.settings.viewport_samples;
+        request.development = self.view.development;
+        request.outline = self.editor.selection().bodies().collect();
+        request.hover = self.view.hovered_body;
+        request.grid = self.settings.shows_grid.then(catoptric_live::GridSpec::default);
+        request.paused = self.view.is_rendering;
+        self.live.request(request);
+    }
+
+    fn panes_ui(&mut self, ui: &mut Ui) {
+        let mut layout = std::mem::replace(&mut self.layout, Tree::empty("being drawn"));
+        let mut panes = std::mem::take(&mut self.panes);
+        let viewport = layout.tiles.find_pane(&Pane::Viewport);
+        layout.ui(&mut Docked { cx: self.cx(), panes: &mut panes, viewport }, ui);
+        self.layout = layout;
+        self.panes = panes;
+    }
+}
+
+impl eframe::App for Studio {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        Self::ui(self, ui);
+    }
+
+    fn on_exit(&mut self) {
+        documents::leave(self);
+    }
+}

@@ -1,0 +1,122 @@
+//! Everything a person can tell the studio to do: one list that feeds menus, shortcuts and the command palette.
+
+use std::path::PathBuf;
+
+use catoptric_editor::{Action, Axis, ShapeKind};
+use egui::{Key, KeyboardShortcut, Modifiers};
+use egui_material_icons::icons;
+
+use crate::layout::Pane;
+use crate::settings::Theme;
+use crate::texts::Language;
+
+/// A discrete act.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// An empty scene.
+    New,
+    /// Ask for a scene file and open it.
+    Open,
+    /// Open this file.
+    OpenFile(PathBuf),
+    /// Show the built-in scenes.
+    Examples,
+    /// Open this built-in scene.
+    OpenExample(&'static str),
+    /// Back to the saved file.
+    Revert,
+    /// Write the scene to its file.
+    Save,
+    /// Ask for a file and write the scene to it.
+    SaveAs,
+    /// Make a picture file.
+    Render,
+    /// Copy the picture of the viewport to the clipboard.
+    CopyPicture,
+    /// Close the window.
+    Quit,
+    /// Change the document.
+    Edit(Action),
+    /// Put the selected bodies and lights into the clipboard as text.
+    Copy,
+    /// Copy, then delete.
+    Cut,
+    /// Take bodies and lights from the clipboard.
+    Paste,
+    /// Type another name for the selected thing.
+    Rename,
+    /// Bring the selection into view.
+    FrameSelection,
+    /// Bring all bodies into view.
+    FrameAll,
+    /// Look along an axis.
+    LookAlong(Axis),
+    /// Perspective or parallel projection.
+    ToggleProjection,
+    /// Look around without moving the scene's camera, or back through it.
+    ToggleFreeView,
+    /// Put the scene's camera where the free view is.
+    CameraFromView,
+    /// Fly with the keys.
+    ToggleFly,
+    /// Choose what the gizmo does.
+    Tool(Tool),
+    /// Gizmo along the world's axes or the body's own.
+    ToggleGizmoSpace,
+    /// Ground grid and axes.
+    ToggleGrid,
+    /// Lights and gizmo over the picture.
+    ToggleHandles,
+    /// Show or hide a panel.
+    TogglePane(Pane),
+    /// The first arrangement of the panels.
+    ResetLayout,
+    /// Bigger, smaller, normal.
+    Zoom(Zoom),
+    /// Choose the colors of the window.
+    Theme(Theme),
+    /// Choose the language.
+    Language(Language),
+    /// Find a command by typing.
+    Palette,
+    /// The list of shortcuts.
+    Shortcuts,
+    /// The three steps of the first start.
+    FirstSteps,
+    /// Version and licenses.
+    About,
+}
+
+/// What the gizmo does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Tool {
+    /// Moves.
+    #[default]
+    Move,
+    /// Turns.
+    Rotate,
+    /// Scales.
+    Scale,
+}
+
+/// A step of the window's magnification.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Zoom {
+    /// A tenth bigger.
+    In,
+    /// A tenth smaller.
+    Out,
+    /// As the system has it.
+    Normal,
+}
+
+/// How a command is shown.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    /// The message that names it.
+    pub key: &'static str,
+    /// Its icon, a glyph of the icon font; empty for none.
+    pub icon: &'static str,
+    /// Its shortcut.
+    pub shortcut: Option<KeyboardShortcut>,
+}

@@ -1,0 +1,40 @@
+//! What a panel is handed each frame.
+
+use catoptric_editor::Editor;
+use catoptric_live::Live;
+use egui_notify::Toasts;
+
+use crate::command::Command;
+use crate::settings::Settings;
+use crate::texts::Texts;
+use crate::view::View;
+
+/// The parts of the studio that panels read and change. Borrowed for one frame.
+pub(crate) struct Cx<'a> {
+    /// The document, the selection, the history.
+    pub(crate) editor: &'a mut Editor,
+    /// The messages of the present language.
+    pub(crate) texts: &'a Texts,
+    /// What is remembered.
+    pub(crate) settings: &'a mut Settings,
+    /// How the document is looked at.
+    pub(crate) view: &'a mut View,
+    /// The traced picture.
+    pub(crate) live: &'a Live,
+    /// Short notices in the corner.
+    pub(crate) toasts: &'a mut Toasts,
+    /// What is to be done when the frame is drawn.
+    pub(crate) commands: &'a mut Vec<Command>,
+}
+
+impl<'a> Cx<'a> {
+    /// The message `key`, which takes no arguments.
+    pub(crate) fn t(&self, key: &'a str) -> &'a str {
+        self.texts.get(key)
+    }
+
+    /// Has `command` done at the end of the frame.
+    pub(crate) fn run(&mut self, command: Command) {
+        self.commands.push(command);
+    }
+}

@@ -1,0 +1,123 @@
+//! The docked panels and their first arrangement.
+
+use egui_tiles::{Container, Linear, LinearDir, Tabs, Tile, TileId, Tiles, Tree};
+use serde::{Deserialize, Serialize};
+
+/// A panel that can be docked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Pane {
+    /// The traced picture.
+    Viewport,
+    /// Bodies, lights, camera, materials.
+    Outliner,
+    /// The values of what is selected.
+    Inspector,
+    /// The steps of editing.
+    History,
+    /// What is wrong in the file.
+    Problems,
+}
+
+impl Pane {
+    /// All panels.
+    pub const ALL: [Self; 5] =
+        [Self::Viewport, Self::Outliner, Self::Inspector, Self::History, Self::Problems];
+
+    /// The message that names the panel.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Viewport => "pane-viewport",
+            Self::Outliner => "pane-outliner",
+            Self::Inspector => "pane-inspector",
+            Self::History => "pane-history",
+            Self::Problems => "pane-problems",
+        }
+    }
+}
+
+/// Outliner and history at the left, the picture in the middle, the inspector at the right, problems below (hidden
+/// until there are any).
+pub fn default_layout() -> Tree<Pane> {
+    let mut tiles = Tiles::default();
+    let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
+        let panes = panes.iter().map(|&pane| tiles.insert_pane(pane)).collect();
+        tiles.insert_new(Tile::Container(Container::Tabs(Tabs::new(panes))))
+    };
+    let viewport = tabs(&mut tiles, &[Pane::Viewport]);
+    let outliner = tabs(&mut tiles, &[Pane::Outliner, Pane::History]);
+    let inspector = tabs(&mut tiles, &[Pane::Inspector]);
+    let problems = tabs(&mut tiles, &[Pane::Problems]);
+    let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.78), (problems, 0.22)]);
+    let root = divided(
+        &mut tiles,
+        LinearDir::Horizontal,
+        &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)],
+    );
+    let mut tree = Tree::new(egui::Id::unique("studio-layout"), root, tiles);
+    set_visible(&mut tree, Pane::Problems, false);
+    tree
+}
+
+fn divided(tiles: &mut Tiles<Pane>, direction: LinearDir, children: &[(TileId, f32)]) -> TileId {
+    let mut linear = Linear::new(direction, children.iter().map(|&(child, _)| child).collect());
+    for &(child, share) in children {
+        linear.shares.set_share(child, share);
+    }
+    tiles.insert_new(Tile::Container(Container::Linear(linear)))
+}
+
+/// Whether `pane` can be seen (it may still lie behind another tab).
+pub fn is_visible(tree: &Tree<Pane>, pane: Pane) -> bool {
+    tree.tiles.find_pane(&pane).is_some_and(|tile| tree.is_visible(tile))
+}
+
+/// Shows or hides `pane`; a shown one comes to the front. A panel that the layout has lost is put back.
+pub fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
+    let Some(tile) = tree.tiles.find_pane(&pane) else {
+        if visible {
+            let tile = tree.tiles.insert_pane(pane);
+            match tree.root {
+                Some(root) => tree.move_tile_to_container(tile, root, usize::MAX, true),
+                None => tree.root = Some(tile),
+            }
+        }
+        return;
+    };
+    tree.set_visible(tile, visible);
+    if visible {
+        tree.make_active(|_, other| *other == Tile::Pane(pane));
+    }
+}
+
+/// Whether a remembered layout can be used: every panel once.
+pub fn is_whole(tree: &Tree<Pane>) -> bool {
+    Pane::ALL.iter().all(|pane| {
+        let count = tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();
+        count == 1
+    }) && tree.root.is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_layout_has_every_panel_once() {
+        let mut tree = default_layout();
+        assert!(is_whole(&tree));
+        assert!(is_visible(&tree, Pane::Viewport) && !is_visible(&tree, Pane::Problems));
+        set_visible(&mut tree, Pane::Problems, true);
+        assert!(is_visible(&tree, Pane::Problems));
+    }
+
+    #[test]
+    fn a_lost_panel_comes_back() {
+        let mut tree = default_layout();
+        let tile = tree.tiles.find_pane(&Pane::Inspector).unwrap();
+        tree.remove_recursively(tile);
+        assert!(!is_whole(&tree));
+        set_visible(&mut tree, Pane::Inspector, true);
+        assert!(is_whole(&tree) && is_visible(&tree, Pane::Inspector));
+    }
+}

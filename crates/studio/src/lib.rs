@@ -1,0 +1,34 @@
+//! The studio: a window in which reflections are seen and shaped.
+//!
+//! The picture in the window is the traced scene itself. The thread of the window never traces; it draws, and tells
+//! the worker of `catoptric-live` what to show.
+
+mod app;
+mod command;
+mod context;
+mod dialogs;
+mod documents;
+mod history;
+pub mod host;
+mod inspector;
+mod layout;
+mod menu;
+mod outliner;
+mod panes;
+mod problems;
+mod run;
+mod settings;
+mod shortcuts;
+mod status_bar;
+mod texts;
+mod theme;
+mod view;
+mod viewport;
+mod window;
+
+pub use app::{Start, Studio};
+pub use command::{Command, Tool, Zoom};
+pub use layout::Pane;
+pub use settings::{LastScene, Settings, Theme};
+pub use texts::{Language, Texts};
+pub use window::{StudioError, open};

@@ -1,0 +1,77 @@
+//! The docked panels: which one draws what.
+
+use egui::{Frame, Margin, Ui, Visuals, WidgetText};
+use egui_tiles::{SimplificationOptions, Tabs, TileId, UiResponse};
+
+use crate::context::Cx;
+use crate::history::history_ui;
+use crate::inspector::{Inspector, inspector_ui};
+use crate::layout::Pane;
+use crate::outliner::{Outliner, outliner_ui};
+use crate::problems::{Problems, problems_ui};
+use crate::theme;
+use crate::viewport::{Viewport, viewport_ui};
+
+/// What the panels keep from frame to frame.
+#[derive(Default)]
+pub(crate) struct Panes {
+    pub(crate) viewport: Viewport,
+    pub(crate) outliner: Outliner,
+    pub(crate) inspector: Inspector,
+    pub(crate) problems: Problems,
+}
+
+/// The panels while the layout is drawn.
+pub(crate) struct Docked<'a> {
+    pub(crate) cx: Cx<'a>,
+    pub(crate) panes: &'a mut Panes,
+    /// The viewport's tile, which needs no title while it stands alone.
+    pub(crate) viewport: Option<TileId>,
+}
+
+impl egui_tiles::Behavior<Pane> for Docked<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, pane: &mut Pane) -> UiResponse {
+        let cx = &mut self.cx;
+        let panes = &mut *self.panes;
+        if *pane == Pane::Viewport {
+            viewport_ui(ui, cx, &mut panes.viewport);
+            return UiResponse::None;
+        }
+        let fill = theme::palette(ui.visuals()).panel;
+        Frame::new().fill(fill).inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
+            match pane {
+                Pane::Viewport => {}
+                Pane::Outliner => outliner_ui(ui, cx, &mut panes.outliner),
+                Pane::Inspector => inspector_ui(ui, cx, &mut panes.inspector),
+                Pane::History => history_ui(ui, cx),
+                Pane::Problems => problems_ui(ui, cx, &mut panes.problems),
+            }
+            ui.allocate_space(ui.available_size());
+        });
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
+        self.cx.t(pane.key()).into()
+    }
+
+    fn is_tab_bar_visible(&self, _tile: TileId, tabs: &Tabs) -> bool {
+        tabs.children.len() != 1 || tabs.active != self.viewport
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions { all_panes_must_have_tabs: true, ..SimplificationOptions::default() }
+    }
+
+    fn tab_bar_height(&self, _style: &egui::Style) -> f32 {
+        28.0
+    }
+
+    fn gap_width(&self, _style: &egui::Style) -> f32 {
+        2.0
+    }
+
+    fn tab_bar_color(&self, visuals: &Visuals) -> egui::Color32 {
+        theme::palette(visuals).bar
+    }
+}

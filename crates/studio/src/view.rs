@@ -1,0 +1,35 @@
+//! How the document is looked at: what is neither part of the scene nor remembered.
+
+use catoptric_picture::Development;
+use catoptric_scene::Camera;
+
+use crate::command::Tool;
+
+/// The state of looking.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct View {
+    /// What the gizmo does.
+    pub(crate) tool: Tool,
+    /// Gizmo along the body's own axes instead of the world's.
+    pub(crate) is_gizmo_local: bool,
+    /// The camera of the free view; `None` looks through the scene's camera, which navigation then moves.
+    pub(crate) free_camera: Option<Camera>,
+    /// Whether the keys fly the camera.
+    pub(crate) is_flying: bool,
+    /// Exposure and tone curve of the viewport.
+    pub(crate) development: Development,
+    /// The body under the pointer, in the picture or in the outliner.
+    pub(crate) hovered_body: Option<usize>,
+    /// Set by whatever is being dragged, flown or turned in this frame: the picture is then traced coarsely, and the
+    /// gesture stays open. Cleared at the start of each frame.
+    pub(crate) is_moving: bool,
+    /// Whether a final picture is being rendered; the viewport then does not refine.
+    pub(crate) is_rendering: bool,
+}
+
+impl View {
+    /// The camera through which the viewport looks.
+    pub(crate) fn camera(&self, scene: &catoptric_scene::Scene) -> Camera {
+        self.free_camera.unwrap_or(scene.camera)
+    }
+}

@@ -1,0 +1,69 @@
+//! The window on the desktop.
+
+use std::sync::Arc;
+
+use eframe::{NativeOptions, egui_wgpu};
+use egui::{IconData, ViewportBuilder};
+
+use crate::app::{Start, Studio};
+use crate::host::{Desktop, Host as _};
+use crate::settings::Settings;
+
+/// Why there is no studio.
+#[derive(Debug, thiserror::Error)]
+pub enum StudioError {
+    /// The system has no display to open a window on.
+    #[error("there is no display to open a window on")]
+    NoDisplay,
+    /// The window could not be opened.
+    #[error("the window cannot be opened: {0}")]
+    Window(String),
+    /// The thread that traces could not be started.
+    #[error("the tracing thread cannot be started: {0}")]
+    Thread(std::io::Error),
+}
+
+/// Opens the studio and stays until its window is closed.
+///
+/// # Errors
+/// When there is no display, or neither the graphics card nor a software driver can draw a window.
+pub fn open(start: Start) -> Result<(), StudioError> {
+    if !has_display() {
+        return Err(StudioError::NoDisplay);
+    }
+    let settings = Desktop.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
+    let size = settings.window_size.unwrap_or([1440.0, 900.0]);
+    let viewport = ViewportBuilder::default()
+        .with_title("Catoptric")
+        .with_app_id("catoptric")
+        .with_inner_size(size)
+        .with_min_inner_size([800.0, 500.0])
+        .with_drag_and_drop(true)
+        .with_icon(Arc::new(icon()));
+    let options = NativeOptions { viewport, wgpu_options: graphics(), ..NativeOptions::default() };
+    eframe::run_native(
+        "Catoptric",
+        options,
+        Box::new(move |creation| Ok(Box::new(Studio::new(&creation.egui_ctx, &start, Box::new(Desktop))?))),
+    )
+    .map_err(|error| StudioError::Window(error.to_string()))
+}
+
+fn graphics() -> egui_wgpu::WgpuConfiguration {
+    egui_wgpu::WgpuConfiguration::default()
+}
+
+fn icon() -> IconData {
+    IconData::default()
+}
+
+#[cfg(target_os = "linux")]
+fn has_display() -> bool {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("WAYLAND_SOCKET")
+}
+
+#[cfg(not(target_os = "linux"))]
+fn has_display() -> bool {
+    true
+}
