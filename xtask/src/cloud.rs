@@ -94,10 +94,10 @@ impl Random {
         let position = self.vector(-5.0, 5.0);
         let rotation_degrees = self.vector(-180.0, 180.0);
         Body {
-            name: String::new(),
             shape,
             placement: Placement { anchor: Anchor::Frame { position, rotation_degrees }, scale: DVec3::ONE },
             material: MaterialChoice::Named(format!("m{}", self.next() % MATERIALS)),
+            ..Body::default()
         }
     }
 }

@@ -15,6 +15,10 @@ pub struct Body {
     pub placement: Placement,
     /// What the body is made of.
     pub material: MaterialChoice,
+    /// Whether the body takes no part in the picture: it is not seen, not reflected and throws no shadow. Default false.
+    pub hidden: bool,
+    /// Whether the studio leaves the body as it is. No picture depends on it. Default false.
+    pub locked: bool,
 }
 
 impl Body {
@@ -75,14 +79,61 @@ impl Shape {
     /// A pointed cone of radius 0.5 and height 1.
     pub const CONE: Self = Self::Cone { radius: 0.5, top_radius: 0.0, height: 1.0 };
 
+    /// Which of the five it is.
+    pub const fn kind(&self) -> ShapeKind {
+        match self {
+            Self::Sphere { .. } => ShapeKind::Sphere,
+            Self::Cube { .. } => ShapeKind::Cube,
+            Self::Cylinder { .. } => ShapeKind::Cylinder,
+            Self::Cone { .. } => ShapeKind::Cone,
+            Self::Plane => ShapeKind::Plane,
+        }
+    }
+
     /// The shape's name in scene files: `sphere`, `cube`, `cylinder`, `cone` or `plane`.
     pub const fn key(&self) -> &'static str {
+        self.kind().key()
+    }
+}
+
+/// One of the five shapes, without sizes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ShapeKind {
+    /// [`Shape::Sphere`].
+    Sphere,
+    /// [`Shape::Cube`].
+    Cube,
+    /// [`Shape::Cylinder`].
+    Cylinder,
+    /// [`Shape::Cone`].
+    Cone,
+    /// [`Shape::Plane`].
+    Plane,
+}
+
+impl ShapeKind {
+    /// All shapes, in the order in which to offer them.
+    pub const ALL: [Self; 5] = [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Plane];
+
+    /// The shape's name in scene files.
+    pub const fn key(self) -> &'static str {
         match self {
-            Self::Sphere { .. } => "sphere",
-            Self::Cube { .. } => "cube",
-            Self::Cylinder { .. } => "cylinder",
-            Self::Cone { .. } => "cone",
+            Self::Sphere => "sphere",
+            Self::Cube => "cube",
+            Self::Cylinder => "cylinder",
+            Self::Cone => "cone",
             Self::Plane => "plane",
+        }
+    }
+
+    /// The shape in its default size.
+    pub const fn shape(self) -> Shape {
+        match self {
+            Self::Sphere => Shape::SPHERE,
+            Self::Cube => Shape::CUBE,
+            Self::Cylinder => Shape::CYLINDER,
+            Self::Cone => Shape::CONE,
+            Self::Plane => Shape::Plane,
         }
     }
 }

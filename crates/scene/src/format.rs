@@ -25,4 +25,4 @@ pub(crate) use nearest::nearest;
 pub use read::{LONGEST_TEXT, Reading, Warned, read, read_bytes};
 pub use schema::json_schema;
 pub use update::update;
-pub use write::write;
+pub use write::{write, write_fragment};

@@ -13,14 +13,14 @@ pub mod format;
 mod light;
 mod material;
 
-pub use body::{Anchor, Body, Placement, Shape};
+pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
 pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use examples::Example;
 pub use file::{LoadError, Loaded, load, save};
 pub use format::{
     Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
-    read, read_bytes, update, write,
+    read, read_bytes, update, write, write_fragment,
 };
 pub use light::{Falloff, Light};
 pub use material::{Checker, Material, MaterialChoice, NamedMaterial};

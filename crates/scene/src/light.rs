@@ -17,6 +17,10 @@ pub struct Light {
     pub intensity: f64,
     /// How the light weakens with distance. Default none.
     pub falloff: Falloff,
+    /// Whether the light is out. Default false.
+    pub hidden: bool,
+    /// Whether the studio leaves the light as it is. No picture depends on it. Default false.
+    pub locked: bool,
 }
 
 impl Default for Light {
@@ -27,6 +31,8 @@ impl Default for Light {
             color: Color::WHITE,
             intensity: 1.0,
             falloff: Falloff::None,
+            hidden: false,
+            locked: false,
         }
     }
 }

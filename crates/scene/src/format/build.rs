@@ -144,6 +144,8 @@ impl<'t> Build<'_, 't> {
             color: fields.color("color").unwrap_or(default.color),
             intensity: fields.number("intensity").unwrap_or(default.intensity),
             falloff,
+            hidden: fields.flag("hidden").unwrap_or_default(),
+            locked: fields.flag("locked").unwrap_or_default(),
         };
         (light, table.get("name").map(|value| value.span))
     }
@@ -155,13 +157,21 @@ impl<'t> Build<'_, 't> {
         let shape = shape(&mut fields);
         let anchor = anchor(&mut fields, shape);
         let scale = fields.number_or_vector("scale").unwrap_or(DVec3::ONE);
+        let (hidden, locked) = (fields.flag("hidden"), fields.flag("locked"));
         let (material, material_span) = self.material_choice(table);
         let is_known = shape.is_ok();
         let mut shape = shape.unwrap_or_default();
         if let Anchor::Axis { base, top } = anchor {
             set_height(&mut shape, base.distance(top));
         }
-        let body = Body { name, shape, placement: Placement { anchor, scale }, material };
+        let body = Body {
+            name,
+            shape,
+            placement: Placement { anchor, scale },
+            material,
+            hidden: hidden.unwrap_or_default(),
+            locked: locked.unwrap_or_default(),
+        };
         BuiltBody { body, is_known, name_span: table.get("name").map(|value| value.span), material_span }
     }
 

@@ -172,6 +172,8 @@ pub static LIGHT: TableSpec = TableSpec {
         .or(Default::Number(1.0))
         .only("falloff", &["linear"])
         .written(),
+        flag("hidden", "whether the light is out"),
+        flag("locked", "whether the studio leaves the light as it is; no picture depends on it"),
     ],
 };
 
@@ -238,8 +240,18 @@ pub static BODY: TableSpec = TableSpec {
             "the name of a material, or a material of its own",
         )
         .or(Default::EmptyTable),
+        flag(
+            "hidden",
+            "whether the body takes no part in the picture: not seen, not reflected, without a shadow",
+        ),
+        flag("locked", "whether the studio leaves the body as it is; no picture depends on it"),
     ],
 };
+
+/// `false` by default.
+const fn flag(name: &'static str, doc: &'static str) -> KeySpec {
+    KeySpec::new(name, Kind::Flag, doc).or(Default::Flag(false))
+}
 
 /// A coefficient: 0 or more.
 const fn amount(name: &'static str, doc: &'static str) -> KeySpec {

@@ -21,6 +21,7 @@ pub(crate) enum Datum<'a> {
     /// A vector or a color.
     Vector([f64; 3]),
     Text(Cow<'a, str>),
+    Flag(bool),
     Table(Record<'a>),
 }
 
@@ -67,6 +68,10 @@ impl<'a> Record<'a> {
         self.with(key, Datum::Text(Cow::Borrowed(value)))
     }
 
+    fn flag(self, key: &'static str, value: bool) -> Self {
+        self.with(key, Datum::Flag(value))
+    }
+
     /// A name is absent when it is empty.
     fn name(self, value: &'a str) -> Self {
         if value.is_empty() { self } else { self.text("name", value) }
@@ -93,6 +98,7 @@ impl<'a> Record<'a> {
             (Default::Number(default), Datum::Integer(value)) => default == f64::from(*value),
             (Default::Vector(default), Datum::Vector(value)) => default == *value,
             (Default::Text(default), Datum::Text(value)) => default == value,
+            (Default::Flag(default), Datum::Flag(value)) => default == *value,
             (Default::ByChoice(defaults), Datum::Number(value)) => self
                 .choice_of(key)
                 .and_then(|choice| defaults.iter().find(|(name, _)| *name == choice))
@@ -179,10 +185,11 @@ pub(crate) fn light(light: &Light) -> Record<'_> {
         .color("color", light.color)
         .number("intensity", light.intensity)
         .text("falloff", light.falloff.key());
-    match light.falloff {
+    let record = match light.falloff {
         Falloff::Linear { constant } => record.number("falloff_constant", constant),
         Falloff::None | Falloff::InverseSquare => record,
-    }
+    };
+    record.flag("hidden", light.hidden).flag("locked", light.locked)
 }
 
 pub(crate) fn body(body: &Body) -> Record<'_> {
@@ -209,10 +216,11 @@ pub(crate) fn body(body: &Body) -> Record<'_> {
         Anchor::Axis { base, top } => record.vector("base", base).vector("top", top),
     };
     record = record.number_or_vector("scale", body.placement.scale);
-    match &body.material {
+    record = match &body.material {
         MaterialChoice::Named(name) => record.text("material", name),
         MaterialChoice::Inline(own) => record.with("material", Datum::Table(material(own))),
-    }
+    };
+    record.flag("hidden", body.hidden).flag("locked", body.locked)
 }
 
 #[cfg(test)]

@@ -55,6 +55,7 @@ fn property(key: &'static KeySpec) -> Value {
         (Default::Number(value), _) => Some(json!(value)),
         (Default::Vector(values), _) => Some(json!(values)),
         (Default::Text(text), _) => Some(json!(text)),
+        (Default::Flag(flag), _) => Some(json!(flag)),
         _ => None,
     };
     if let Some(default) = default {
@@ -67,6 +68,7 @@ fn kind(kind: Kind) -> Map<String, Value> {
     let value = match kind {
         Kind::Version(words) | Kind::Choice(words) => json!({ "type": "string", "enum": words }),
         Kind::Text => json!({ "type": "string" }),
+        Kind::Flag => json!({ "type": "boolean" }),
         Kind::Number(limits) => number("number", limits),
         Kind::Integer(limits) => number("integer", limits),
         Kind::Vector(limits) => three(limits),

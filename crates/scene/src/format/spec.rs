@@ -12,6 +12,18 @@ pub struct TableSpec {
 }
 
 impl TableSpec {
+    /// The key called `name`.
+    ///
+    /// ```
+    /// use catoptric_scene::format::keys;
+    /// let radius = keys::BODY.key("radius").unwrap();
+    /// assert_eq!(radius.limits().map(|limits| limits.min), Some(1e-9));
+    /// assert_eq!(radius.default_number(Some("cylinder")), Some(0.5));
+    /// ```
+    pub fn key(&self, name: &str) -> Option<&'static KeySpec> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+
     /// The key called `name` and its place in [`Self::keys`].
     pub fn find(&self, name: &str) -> Option<(usize, &'static KeySpec)> {
         self.keys.iter().enumerate().find(|(_, key)| key.name == name)
@@ -79,6 +91,32 @@ impl KeySpec {
         self
     }
 
+    /// The range of its numbers; `None` for what is no number, vector or color.
+    pub fn limits(&self) -> Option<Limits> {
+        self.kind.limits()
+    }
+
+    /// The number that an absent key stands for, also where three equal ones may stand. `chosen` is the word of the
+    /// choice that the key depends on (the shape, for sizes), where its default differs with it.
+    pub fn default_number(&self, chosen: Option<&str>) -> Option<f64> {
+        match self.default {
+            Default::Number(number) => Some(number),
+            Default::ByChoice(defaults) => {
+                defaults.iter().find(|(word, _)| Some(*word) == chosen).map(|(_, number)| *number)
+            }
+            _ => None,
+        }
+    }
+
+    /// The vector or color that an absent key stands for.
+    pub fn default_vector(&self) -> Option<[f64; 3]> {
+        match (self.default, self.kind) {
+            (Default::Vector(vector), _) => Some(vector),
+            (Default::Number(number), Kind::NumberOrVector(_)) => Some([number; 3]),
+            _ => None,
+        }
+    }
+
     /// Whether the key has a meaning when the table's choice keys have the values that `choice_of` tells.
     pub fn applies(&self, choice_of: impl Fn(&str) -> Option<&'static str>) -> bool {
         match self.when {
@@ -95,6 +133,8 @@ pub enum Kind {
     Version(&'static [&'static str]),
     /// A name.
     Text,
+    /// `true` or `false`.
+    Flag,
     /// One of some words.
     Choice(&'static [&'static str]),
     /// A number.
@@ -172,6 +212,8 @@ pub enum Default {
     Vector([f64; 3]),
     /// A name or word.
     Text(&'static str),
+    /// A truth value.
+    Flag(bool),
     /// A number for each value of the choice that decides whether the key applies.
     ByChoice(&'static [(&'static str, f64)]),
     /// A table whose keys are all absent.

@@ -68,7 +68,7 @@ pub(crate) enum ValueKind<'t> {
         value: f64,
         is_integer: bool,
     },
-    Boolean,
+    Boolean(bool),
     DateTime,
     Array(Vec<Value<'t>>),
     /// An inline table as it is written; [`Table`] checks it.
@@ -83,7 +83,7 @@ impl ValueKind<'_> {
             Self::Invalid => "something else",
             Self::Text(_) => "a text",
             Self::Number { .. } => "a number",
-            Self::Boolean => "a truth value",
+            Self::Boolean(_) => "a truth value",
             Self::DateTime => "a date",
             Self::Array(_) => "a list",
             Self::Inline(_) | Self::Table(_) => "a table",

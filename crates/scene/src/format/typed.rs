@@ -94,6 +94,15 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
     }
 
+    /// A truth value.
+    pub(crate) fn flag(&mut self, name: &str) -> Option<bool> {
+        let (key, value) = self.given(name)?;
+        match value.kind {
+            ValueKind::Boolean(flag) => Some(flag),
+            _ => self.wrong_type(key, value),
+        }
+    }
+
     /// One of the words of a choice; `Err` when something else is given.
     pub(crate) fn choice(&mut self, name: &str) -> Result<Option<&'static str>, ()> {
         let Some((_, key)) = self.spec.find(name) else { return Ok(None) };
@@ -157,6 +166,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     fn check_value(&mut self, key: &KeySpec) {
         match key.kind {
             Kind::Text => _ = self.text(key.name),
+            Kind::Flag => _ = self.flag(key.name),
             Kind::Choice(_) => _ = self.choice(key.name),
             Kind::Number(_) | Kind::Integer(_) => _ = self.number(key.name),
             Kind::Vector(_) => _ = self.vector(key.name),
@@ -267,8 +277,8 @@ impl<'b, 't> Fields<'_, 'b, 't> {
 }
 
 impl Kind {
-    /// The range of its numbers.
-    pub(crate) fn limits(&self) -> Option<Limits> {
+    /// The range of its numbers; `None` for what is no number, vector or color.
+    pub fn limits(&self) -> Option<Limits> {
         match *self {
             Self::Number(limits)
             | Self::Integer(limits)
@@ -287,6 +297,7 @@ impl Kind {
                 listed(&words, " or ")
             }
             Self::Text => "a text in quotes".to_owned(),
+            Self::Flag => "`true` or `false`".to_owned(),
             Self::Number(_) => "a number".to_owned(),
             Self::Integer(_) => "a whole number".to_owned(),
             Self::Vector(_) => "three numbers".to_owned(),

@@ -17,22 +17,39 @@ use crate::format::record::{self, Datum, Record};
 /// ```
 pub fn write(scene: &Scene) -> String {
     let mut out = String::with_capacity(512 + 160 * scene.bodies.len());
-    let version = keys::VERSIONS.last().copied().unwrap_or_default();
-    push_key_text(&mut out, "format", version);
+    push_version(&mut out);
     push_section(&mut out, "[camera]", &record::camera(&scene.camera));
     push_section(&mut out, "[environment]", &record::environment(&scene.environment));
     push_section(&mut out, "[tracing]", &record::tracing(&scene.tracing));
+    push_lists(&mut out, scene);
+    out
+}
+
+/// The bodies, lights and materials of a scene as a scene file of their own, without camera, environment and tracing:
+/// what a clipboard carries.
+pub fn write_fragment(scene: &Scene) -> String {
+    let mut out = String::with_capacity(64 + 160 * scene.bodies.len());
+    push_version(&mut out);
+    push_lists(&mut out, scene);
+    out
+}
+
+fn push_version(out: &mut String) {
+    let version = keys::VERSIONS.last().copied().unwrap_or_default();
+    push_key_text(out, "format", version);
+}
+
+fn push_lists(out: &mut String, scene: &Scene) {
     for named in &scene.materials {
         let header = format!("[materials.{}]", key_text(&named.name));
-        push_section(&mut out, &header, &record::material(&named.material));
+        push_section(out, &header, &record::material(&named.material));
     }
     for light in &scene.lights {
-        push_section(&mut out, "[[lights]]", &record::light(light));
+        push_section(out, "[[lights]]", &record::light(light));
     }
     for body in &scene.bodies {
-        push_section(&mut out, "[[bodies]]", &record::body(body));
+        push_section(out, "[[bodies]]", &record::body(body));
     }
-    out
 }
 
 fn push_key_text(out: &mut String, key: &str, text: &str) {
@@ -61,6 +78,7 @@ pub(super) fn push_datum(out: &mut String, datum: &Datum<'_>) {
         Datum::Number(value) => push_number(out, *value),
         Datum::Integer(value) => out.push_str(&value.to_string()),
         Datum::Text(text) => push_text(out, text),
+        Datum::Flag(flag) => out.push_str(if *flag { "true" } else { "false" }),
         Datum::Vector(values) => {
             for (index, value) in values.iter().enumerate() {
                 out.push_str(if index == 0 { "[" } else { ", " });

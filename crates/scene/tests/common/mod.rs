@@ -140,9 +140,18 @@ fn light() -> impl Strategy<Value = Light> {
         Just(Falloff::InverseSquare),
         (0.0..1e9f64).prop_map(|constant| Falloff::Linear { constant })
     ];
-    (name(), place(), color(), amount(), falloff).prop_map(|(name, position, color, intensity, falloff)| {
-        Light { name, position, color, intensity, falloff }
-    })
+    let flags = any::<[bool; 2]>();
+    (name(), place(), color(), amount(), falloff, flags).prop_map(
+        |(name, position, color, intensity, falloff, [hidden, locked])| Light {
+            name,
+            position,
+            color,
+            intensity,
+            falloff,
+            hidden,
+            locked,
+        },
+    )
 }
 
 fn name() -> impl Strategy<Value = String> {
@@ -154,9 +163,13 @@ fn body() -> impl Strategy<Value = Body> {
         any::<u8>().prop_map(|index| MaterialChoice::Named(index.to_string())),
         material().prop_map(|material| MaterialChoice::Inline(Box::new(material)))
     ];
-    (name(), shape_and_anchor(), lengths(), choice).prop_map(|(name, (shape, anchor), scale, material)| {
-        Body { name, shape, placement: Placement { anchor, scale }, material }
-    })
+    let flags = any::<[bool; 2]>();
+    (name(), shape_and_anchor(), lengths(), choice, flags).prop_map(
+        |(name, (shape, anchor), scale, material, [hidden, locked])| {
+            let placement = Placement { anchor, scale };
+            Body { name, shape, placement, material, hidden, locked }
+        },
+    )
 }
 
 fn unique<T>(mut list: Vec<T>, name: impl Fn(&mut T) -> &mut String) -> Vec<T> {

@@ -145,7 +145,7 @@ impl<'t> Builder<'t> {
         }
         match kind {
             ScalarKind::String => ValueKind::Text(decoded),
-            ScalarKind::Boolean(_) => ValueKind::Boolean,
+            ScalarKind::Boolean(flag) => ValueKind::Boolean(flag),
             ScalarKind::DateTime => ValueKind::DateTime,
             ScalarKind::Float => ValueKind::Number { value: decimal(&decoded), is_integer: false },
             ScalarKind::Integer(IntegerRadix::Dec) => {

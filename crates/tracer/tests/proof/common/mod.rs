@@ -77,7 +77,7 @@ pub(crate) fn turned(shape: Shape, position: DVec3, rotation_degrees: DVec3, mat
 
 pub(crate) fn placed(shape: Shape, placement: Placement, material: Material) -> Body {
     let material = MaterialChoice::Inline(Box::new(material));
-    Body { name: String::new(), shape, placement, material }
+    Body { shape, placement, material, ..Body::default() }
 }
 
 pub(crate) fn ball(radius: f64, position: DVec3, material: Material) -> Body {
@@ -110,7 +110,7 @@ pub(crate) fn camera(position: DVec3, target: DVec3, fov_degrees: f64) -> Camera
 }
 
 pub(crate) fn light(position: DVec3, intensity: f64, falloff: Falloff) -> Light {
-    Light { name: String::new(), position, color: Color::WHITE, intensity, falloff }
+    Light { position, intensity, falloff, ..Light::default() }
 }
 
 pub(crate) fn stage(scene: &Scene) -> Stage {

@@ -1,0 +1,245 @@
+//! The document and its gestures.
+
+mod change;
+mod saving;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use catoptric_scene::{Problem, Scene};
+
+use crate::history::{Difference, History, Step};
+use crate::selection::Selection;
+pub use saving::Writing;
+
+/// What an undo step did, for a history menu.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Label {
+    /// A key of message catalogues, such as `edit-move`.
+    pub key: &'static str,
+    /// The name of what was edited; may be empty.
+    pub subject: String,
+}
+
+impl Label {
+    /// A label with a subject.
+    pub fn new(key: &'static str, subject: impl Into<String>) -> Self {
+        Self { key, subject: subject.into() }
+    }
+}
+
+/// A change that would have made the scene one that no file can say; the scene is as it was.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}", problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("; "))]
+pub struct Refused {
+    /// What would have been wrong, at least one.
+    pub problems: Vec<Problem>,
+}
+
+/// A change that has begun and not ended.
+#[derive(Clone, Debug)]
+struct Gesture {
+    label: Label,
+    start: Arc<Scene>,
+    selection: Selection,
+}
+
+/// An open document.
+///
+/// The scene is shared: a clone of [`Editor::scene`] is a snapshot that later edits do not touch.
+#[derive(Clone, Debug)]
+pub struct Editor {
+    scene: Arc<Scene>,
+    revision: u64,
+    selection: Selection,
+    history: History,
+    gesture: Option<Gesture>,
+    path: Option<PathBuf>,
+    title: String,
+    /// The text that the scene was read from or saved as.
+    text: Arc<str>,
+    /// The scene that the text says.
+    saved: Arc<Scene>,
+}
+
+impl Editor {
+    /// A new document without a file.
+    pub fn new(scene: Scene) -> Self {
+        Self::untitled("", "", scene)
+    }
+
+    /// A document that was read from the file at `path`, with the text of the file.
+    pub fn open(path: impl Into<PathBuf>, text: impl Into<Arc<str>>, scene: Scene) -> Self {
+        let mut editor = Self::untitled("", text, scene);
+        editor.set_path(path.into());
+        editor
+    }
+
+    /// A document with a title and a text but without a file, such as an example.
+    pub fn untitled(title: impl Into<String>, text: impl Into<Arc<str>>, scene: Scene) -> Self {
+        let scene = Arc::new(scene);
+        Self {
+            saved: Arc::clone(&scene),
+            scene,
+            revision: 0,
+            selection: Selection::none(),
+            history: History::default(),
+            gesture: None,
+            path: None,
+            title: title.into(),
+            text: text.into(),
+        }
+    }
+
+    /// The scene as it is now, also in the middle of a gesture.
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// A number that grows with every change of the scene, undo included.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// What is selected.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+
+    /// Selects something else. What the scene does not have is left out. This is no undo step; steps remember what was
+    /// selected before and after them.
+    pub fn select(&mut self, selection: impl Into<Selection>) {
+        self.selection = selection.into();
+        self.selection.keep_in(&self.scene);
+    }
+
+    /// Whether a gesture is open.
+    pub fn is_in_gesture(&self) -> bool {
+        self.gesture.is_some()
+    }
+
+    /// The scene at the start of the open gesture.
+    pub fn gesture_start(&self) -> Option<&Arc<Scene>> {
+        self.gesture.as_ref().map(|gesture| &gesture.start)
+    }
+
+    /// The label of the open gesture.
+    pub fn gesture_label(&self) -> Option<&Label> {
+        self.gesture.as_ref().map(|gesture| &gesture.label)
+    }
+
+    /// Ends the open gesture: what it changed becomes one undo step. Returns whether there was such a change.
+    pub fn settle(&mut self) -> bool {
+        let Some(gesture) = self.gesture.take() else { return false };
+        let Some(difference) = Difference::between(&gesture.start, &self.scene) else { return false };
+        self.history.push(Step {
+            label: gesture.label,
+            difference,
+            selection_before: gesture.selection,
+            selection_after: self.selection.clone(),
+        });
+        true
+    }
+
+    /// Ends the open gesture and restores the scene and the selection at its start. Returns whether one was open.
+    pub fn abandon(&mut self) -> bool {
+        let Some(gesture) = self.gesture.take() else { return false };
+        if self.scene != gesture.start {
+            self.scene = gesture.start;
+            self.revision += 1;
+        }
+        self.selection = gesture.selection;
+        true
+    }
+
+    /// Takes the last step back; an open gesture is settled first. Returns whether there was a step.
+    pub fn undo(&mut self) -> bool {
+        self.settle();
+        let Some(selection) = self.history.undo(&mut self.scene) else { return false };
+        self.revision += 1;
+        self.selection = selection;
+        true
+    }
+
+    /// Does the step again that was taken back last; an open gesture is settled first. Returns whether there was one.
+    pub fn redo(&mut self) -> bool {
+        self.settle();
+        let Some(selection) = self.history.redo(&mut self.scene) else { return false };
+        self.revision += 1;
+        self.selection = selection;
+        true
+    }
+
+    /// Whether there is something to undo.
+    pub fn can_undo(&self) -> bool {
+        self.undo_label().is_some()
+    }
+
+    /// Whether there is something to do again.
+    pub fn can_redo(&self) -> bool {
+        self.redo_label().is_some()
+    }
+
+    /// What [`Self::undo`] takes back: the open gesture, if it changed anything, or the last step.
+    pub fn undo_label(&self) -> Option<&Label> {
+        match &self.gesture {
+            Some(gesture) if self.has_gesture_changed() => Some(&gesture.label),
+            _ => self.history.last_done().map(|step| &step.label),
+        }
+    }
+
+    /// What [`Self::redo`] does again. An open gesture that changed something leaves nothing to do again.
+    pub fn redo_label(&self) -> Option<&Label> {
+        let step = self.history.first_undone().filter(|_| !self.has_gesture_changed());
+        step.map(|step| &step.label)
+    }
+
+    fn has_gesture_changed(&self) -> bool {
+        self.gesture.as_ref().is_some_and(|gesture| gesture.start != self.scene)
+    }
+
+    /// All steps, the oldest first, those that were taken back included; [`Self::steps_done`] tells how many are done.
+    /// An open gesture is no step yet.
+    pub fn steps(&self) -> impl ExactSizeIterator<Item = &Label> {
+        self.history.steps().iter().map(|step| &step.label)
+    }
+
+    /// How many of [`Self::steps`] are done.
+    pub fn steps_done(&self) -> usize {
+        self.history.done()
+    }
+
+    /// Undoes or redoes until so many steps are done, or as many as there are. An open gesture is settled first.
+    pub fn go_to_step(&mut self, done: usize) {
+        self.settle();
+        while self.history.done() > done && self.undo() {}
+        while self.history.done() < done && self.redo() {}
+    }
+
+    /// Holds everything against everything else; for tests.
+    ///
+    /// # Errors
+    /// What is broken.
+    pub fn check_invariants(&self) -> Result<(), String> {
+        if let Some(problem) = self.scene.check().first() {
+            return Err(format!("the scene has a problem: {problem}"));
+        }
+        if let Some(item) = self.selection.iter().find(|item| !item.is_in(&self.scene)) {
+            return Err(format!("{item:?} is selected, but the scene has none"));
+        }
+        let distinct: std::collections::HashSet<_> = self.selection.iter().collect();
+        if distinct.len() != self.selection.len() {
+            return Err(format!("something is selected twice: {:?}", self.selection));
+        }
+        let mut settled = self.clone();
+        settled.settle();
+        let now = Arc::clone(&settled.scene);
+        if settled.undo() && !(settled.redo() && settled.scene == now) {
+            return Err("undoing and redoing gives another scene".to_owned());
+        }
+        if settled.redo() && !(settled.undo() && settled.scene == now) {
+            return Err("redoing and undoing gives another scene".to_owned());
+        }
+        Ok(())
+    }
+}

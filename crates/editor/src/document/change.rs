@@ -1,0 +1,242 @@
+//! Changes of the scene, each a part of a gesture.
+
+use std::sync::Arc;
+
+use catoptric_scene::{Body, Camera, Environment, Light, Material, Part, Problem, Scene, Tracing};
+
+use super::{Editor, Gesture, Label, Refused};
+
+impl Editor {
+    /// Changes the scene at once. Consecutive changes with equal labels are one gesture and, when it is settled, one
+    /// undo step; another label settles the open gesture first. Returns whether this changed anything.
+    ///
+    /// The whole scene is checked. Where only one part changes, the methods below cost less.
+    ///
+    /// # Errors
+    /// When the scene would have problems that it does not have now. It stays as it was, and so does the gesture.
+    pub fn change(&mut self, label: Label, edit: impl FnOnce(&mut Scene)) -> Result<bool, Refused> {
+        self.settle_unless(&label);
+        let mut scene = Scene::clone(&self.scene);
+        edit(&mut scene);
+        if scene == *self.scene {
+            return Ok(false);
+        }
+        let problems = scene.check();
+        if !problems.is_empty() {
+            only_known(problems, || self.scene.check())?;
+        }
+        let start = std::mem::replace(&mut self.scene, Arc::new(scene));
+        self.open_at(label, start);
+        self.selection.keep_in(&self.scene);
+        self.revision += 1;
+        Ok(true)
+    }
+
+    /// Changes one body; one that does not exist stays so.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_body(
+        &mut self,
+        index: usize,
+        label: Label,
+        edit: impl FnOnce(&mut Body),
+    ) -> Result<bool, Refused> {
+        let mut edit = Some(edit);
+        self.change_bodies([index], label, |_, body| {
+            if let Some(edit) = edit.take() {
+                edit(body);
+            }
+        })
+    }
+
+    /// Changes several bodies, all or none; `edit` is told the place of each.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_bodies(
+        &mut self,
+        indices: impl IntoIterator<Item = usize>,
+        label: Label,
+        edit: impl FnMut(usize, &mut Body),
+    ) -> Result<bool, Refused> {
+        self.change_elements(indices, label, |scene| &mut scene.bodies, Part::Body, edit)
+    }
+
+    /// Changes one light; one that does not exist stays so.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_light(
+        &mut self,
+        index: usize,
+        label: Label,
+        edit: impl FnOnce(&mut Light),
+    ) -> Result<bool, Refused> {
+        let mut edit = Some(edit);
+        self.change_lights([index], label, |_, light| {
+            if let Some(edit) = edit.take() {
+                edit(light);
+            }
+        })
+    }
+
+    /// Changes several lights, all or none; `edit` is told the place of each.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_lights(
+        &mut self,
+        indices: impl IntoIterator<Item = usize>,
+        label: Label,
+        edit: impl FnMut(usize, &mut Light),
+    ) -> Result<bool, Refused> {
+        self.change_elements(indices, label, |scene| &mut scene.lights, Part::Light, edit)
+    }
+
+    /// Changes the coefficients of a named material; one that does not exist stays so. Its name is changed by
+    /// [`crate::Action::Rename`].
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_material(
+        &mut self,
+        index: usize,
+        label: Label,
+        edit: impl FnOnce(&mut Material),
+    ) -> Result<bool, Refused> {
+        let mut edit = Some(edit);
+        self.change_elements(
+            [index],
+            label,
+            |scene| &mut scene.materials,
+            Part::Material,
+            |_, named| {
+                if let Some(edit) = edit.take() {
+                    edit(&mut named.material);
+                }
+            },
+        )
+    }
+
+    /// Changes the camera.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_camera(&mut self, label: Label, edit: impl FnOnce(&mut Camera)) -> Result<bool, Refused> {
+        self.change_value(label, |scene| &mut scene.camera, Part::Camera, edit)
+    }
+
+    /// Changes the environment.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_environment(
+        &mut self,
+        label: Label,
+        edit: impl FnOnce(&mut Environment),
+    ) -> Result<bool, Refused> {
+        self.change_value(label, |scene| &mut scene.environment, Part::Environment, edit)
+    }
+
+    /// Changes the limits of tracing.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn change_tracing(&mut self, label: Label, edit: impl FnOnce(&mut Tracing)) -> Result<bool, Refused> {
+        self.change_value(label, |scene| &mut scene.tracing, Part::Tracing, edit)
+    }
+
+    fn change_value<T: Clone + PartialEq>(
+        &mut self,
+        label: Label,
+        value_of: impl Fn(&mut Scene) -> &mut T,
+        part: Part,
+        edit: impl FnOnce(&mut T),
+    ) -> Result<bool, Refused> {
+        let swap = |scene: &mut Scene, value: &mut T| std::mem::swap(value_of(scene), value);
+        self.settle_unless(&label);
+        let start = Arc::clone(&self.scene);
+        let scene = Arc::make_mut(&mut self.scene);
+        let mut old = value_of(scene).clone();
+        edit(value_of(scene));
+        let has_changed = *value_of(scene) != old;
+        let problems = scene.check_part(&part);
+        if !problems.is_empty() {
+            swap(scene, &mut old);
+            only_known(problems, || scene.check_part(&part))?;
+            swap(scene, &mut old);
+        }
+        self.finish_change(label, start, has_changed)
+    }
+
+    fn change_elements<T: Clone + PartialEq>(
+        &mut self,
+        indices: impl IntoIterator<Item = usize>,
+        label: Label,
+        list_of: impl Fn(&mut Scene) -> &mut Vec<T>,
+        part: impl Fn(usize) -> Part,
+        mut edit: impl FnMut(usize, &mut T),
+    ) -> Result<bool, Refused> {
+        self.settle_unless(&label);
+        let start = Arc::clone(&self.scene);
+        let scene = Arc::make_mut(&mut self.scene);
+        let mut old: Vec<(usize, T)> = Vec::new();
+        for index in indices {
+            let Some(element) = list_of(scene).get_mut(index) else { continue };
+            let before = element.clone();
+            edit(index, element);
+            if *element != before {
+                old.push((index, before));
+            }
+        }
+        let swap = |scene: &mut Scene, old: &mut Vec<(usize, T)>| {
+            // Backwards, so that a place that was given twice ends as it began.
+            for (index, value) in old.iter_mut().rev() {
+                if let Some(element) = list_of(scene).get_mut(*index) {
+                    std::mem::swap(element, value);
+                }
+            }
+        };
+        let check = |scene: &Scene, old: &[(usize, T)]| -> Vec<Problem> {
+            old.iter().flat_map(|(index, _)| scene.check_part(&part(*index))).collect()
+        };
+        let has_changed = !old.is_empty();
+        let problems = check(scene, &old);
+        if !problems.is_empty() {
+            swap(scene, &mut old);
+            only_known(problems, || check(scene, &old))?;
+            old.reverse();
+            swap(scene, &mut old);
+        }
+        self.finish_change(label, start, has_changed)
+    }
+
+    fn finish_change(&mut self, label: Label, start: Arc<Scene>, has_changed: bool) -> Result<bool, Refused> {
+        if has_changed {
+            self.open_at(label, start);
+            self.revision += 1;
+        }
+        Ok(has_changed)
+    }
+
+    fn settle_unless(&mut self, label: &Label) {
+        if self.gesture.as_ref().is_some_and(|gesture| gesture.label != *label) {
+            self.settle();
+        }
+    }
+
+    /// Opens a gesture, unless one is open.
+    fn open_at(&mut self, label: Label, start: Arc<Scene>) {
+        if self.gesture.is_none() {
+            self.gesture = Some(Gesture { label, start, selection: self.selection.clone() });
+        }
+    }
+}
+
+/// Refuses problems that were not there before.
+fn only_known(problems: Vec<Problem>, before: impl FnOnce() -> Vec<Problem>) -> Result<(), Refused> {
+    let before = before();
+    let problems: Vec<Problem> = problems.into_iter().filter(|problem| !before.contains(problem)).collect();
+    if problems.is_empty() { Ok(()) } else { Err(Refused { problems }) }
+}

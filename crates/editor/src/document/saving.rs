@@ -1,0 +1,92 @@
+//! Where a document is saved, and whether it is.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use catoptric_scene::{Scene, update, write};
+
+use super::{Editor, Label, Refused};
+
+/// A scene to be written, apart from the editor, so that another thread can make its text.
+#[derive(Clone, Debug)]
+pub struct Writing {
+    scene: Arc<Scene>,
+    original_text: Arc<str>,
+}
+
+impl Writing {
+    /// The scene.
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// Its text: that of the file it came from, with what was edited since, comments and order kept.
+    pub fn text(&self) -> String {
+        if self.original_text.is_empty() {
+            write(&self.scene)
+        } else {
+            update(&self.original_text, &self.scene)
+        }
+    }
+}
+
+impl Editor {
+    /// The scene as it is now, to be written. Its text takes as long to make as the file takes to read.
+    pub fn writing(&self) -> Writing {
+        Writing { scene: Arc::clone(&self.scene), original_text: Arc::clone(&self.text) }
+    }
+
+    /// The text of [`Self::writing`].
+    pub fn save_text(&self) -> String {
+        self.writing().text()
+    }
+
+    /// Tells that the scene as it is now was saved as `text` in the file at `path`.
+    pub fn mark_saved(&mut self, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
+        let writing = self.writing();
+        self.mark_written(&writing, path, text);
+    }
+
+    /// Tells that `writing` was saved as `text` in the file at `path`. The scene may have changed since.
+    pub fn mark_written(&mut self, writing: &Writing, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
+        self.set_path(path.into());
+        self.text = text.into();
+        self.saved = Arc::clone(&writing.scene);
+    }
+
+    /// Whether the scene is another than the saved one. Undoing back to that makes this false again.
+    pub fn is_changed(&self) -> bool {
+        self.scene != self.saved
+    }
+
+    /// The file, if there is one.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// The name of the file, or of the example; empty when there is neither.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Takes the scene that the document's file says now, as one undo step. What was selected stays so by its name.
+    ///
+    /// # Errors
+    /// When the scene has problems.
+    pub fn revert(&mut self, text: impl Into<Arc<str>>, scene: Scene) -> Result<(), Refused> {
+        self.settle();
+        let saved = Arc::new(scene);
+        let target = Arc::clone(&saved);
+        let label = Label::new("edit-revert", self.title.clone());
+        self.change(label, move |scene| target.as_ref().clone_into(scene))?;
+        self.settle();
+        self.text = text.into();
+        self.saved = saved;
+        Ok(())
+    }
+
+    pub(super) fn set_path(&mut self, path: PathBuf) {
+        self.title = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        self.path = Some(path);
+    }
+}

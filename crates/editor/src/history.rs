@@ -1,0 +1,72 @@
+//! What was done, so that it can be undone and done again.
+
+mod difference;
+
+use std::sync::Arc;
+
+use catoptric_scene::Scene;
+
+use crate::document::Label;
+use crate::selection::Selection;
+pub(crate) use difference::Difference;
+
+/// One undo step.
+#[derive(Clone, Debug)]
+pub(crate) struct Step {
+    pub(crate) label: Label,
+    pub(crate) difference: Difference,
+    pub(crate) selection_before: Selection,
+    pub(crate) selection_after: Selection,
+}
+
+/// All steps since the document was opened, and how many of them are done.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct History {
+    steps: Vec<Step>,
+    done: usize,
+}
+
+impl History {
+    /// Adds a step that has just been done; what was undone before is forgotten.
+    pub(crate) fn push(&mut self, step: Step) {
+        self.steps.truncate(self.done);
+        self.steps.push(step);
+        self.done = self.steps.len();
+    }
+
+    pub(crate) fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    pub(crate) fn done(&self) -> usize {
+        self.done
+    }
+
+    /// The step that would be undone next.
+    pub(crate) fn last_done(&self) -> Option<&Step> {
+        self.steps.get(self.done.checked_sub(1)?)
+    }
+
+    /// The step that would be done again next.
+    pub(crate) fn first_undone(&self) -> Option<&Step> {
+        self.steps.get(self.done)
+    }
+
+    /// Takes the scene one step back, and tells what was selected then.
+    pub(crate) fn undo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
+        let step = self.last_done()?;
+        step.difference.undo(Arc::make_mut(scene));
+        let selection = step.selection_before.clone();
+        self.done -= 1;
+        Some(selection)
+    }
+
+    /// Takes the scene one step forward again, and tells what was selected then.
+    pub(crate) fn redo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
+        let step = self.first_undone()?;
+        step.difference.redo(Arc::make_mut(scene));
+        let selection = step.selection_after.clone();
+        self.done += 1;
+        Some(selection)
+    }
+}

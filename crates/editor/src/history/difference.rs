@@ -1,0 +1,120 @@
+//! The difference of two scenes, as small as the edit between them.
+
+use catoptric_scene::{Body, Camera, Environment, Light, NamedMaterial, Scene, Tracing};
+
+/// What has to change in a scene to make another of it, and back.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Difference {
+    camera: Option<[Camera; 2]>,
+    environment: Option<[Environment; 2]>,
+    tracing: Option<[Tracing; 2]>,
+    materials: ListDifference<NamedMaterial>,
+    lights: ListDifference<Light>,
+    bodies: ListDifference<Body>,
+}
+
+/// What has to change in a list.
+#[derive(Clone, Debug, PartialEq)]
+enum ListDifference<T> {
+    /// Some elements, each with its place and its values before and after.
+    Elements(Vec<(usize, [T; 2])>),
+    /// A part of the list from a place on, as it was before and after.
+    Part(usize, [Vec<T>; 2]),
+}
+
+const BEFORE: usize = 0;
+const AFTER: usize = 1;
+
+impl Difference {
+    /// The difference between two scenes; `None` when there is none.
+    pub(crate) fn between(before: &Scene, after: &Scene) -> Option<Self> {
+        let difference = Self {
+            camera: values(&before.camera, &after.camera),
+            environment: values(&before.environment, &after.environment),
+            tracing: values(&before.tracing, &after.tracing),
+            materials: ListDifference::between(&before.materials, &after.materials),
+            lights: ListDifference::between(&before.lights, &after.lights),
+            bodies: ListDifference::between(&before.bodies, &after.bodies),
+        };
+        (!difference.is_empty()).then_some(difference)
+    }
+
+    fn is_empty(&self) -> bool {
+        self.camera.is_none()
+            && self.environment.is_none()
+            && self.tracing.is_none()
+            && self.materials.is_empty()
+            && self.lights.is_empty()
+            && self.bodies.is_empty()
+    }
+
+    /// Makes the scene before of the one after.
+    pub(crate) fn undo(&self, scene: &mut Scene) {
+        self.take::<BEFORE>(scene);
+    }
+
+    /// Makes the scene after of the one before.
+    pub(crate) fn redo(&self, scene: &mut Scene) {
+        self.take::<AFTER>(scene);
+    }
+
+    fn take<const SIDE: usize>(&self, scene: &mut Scene) {
+        if let Some(camera) = self.camera {
+            scene.camera = camera[SIDE];
+        }
+        if let Some(environment) = self.environment {
+            scene.environment = environment[SIDE];
+        }
+        if let Some(tracing) = self.tracing {
+            scene.tracing = tracing[SIDE];
+        }
+        self.materials.take::<SIDE>(&mut scene.materials);
+        self.lights.take::<SIDE>(&mut scene.lights);
+        self.bodies.take::<SIDE>(&mut scene.bodies);
+    }
+}
+
+fn values<T: Copy + PartialEq>(before: &T, after: &T) -> Option<[T; 2]> {
+    (before != after).then_some([*before, *after])
+}
+
+impl<T: Clone + PartialEq> ListDifference<T> {
+    fn between(before: &[T], after: &[T]) -> Self {
+        if before.len() == after.len() {
+            let pairs = before.iter().zip(after).enumerate().filter(|(_, (before, after))| before != after);
+            let pairs = pairs.map(|(index, (before, after))| (index, [before.clone(), after.clone()]));
+            return Self::Elements(pairs.collect());
+        }
+        let head = before.iter().zip(after).take_while(|(before, after)| before == after).count();
+        let (before, after) = (before.get(head..).unwrap_or_default(), after.get(head..).unwrap_or_default());
+        let pairs = before.iter().rev().zip(after.iter().rev());
+        let tail = pairs.take_while(|(before, after)| before == after).count();
+        let middle = |list: &[T]| list.get(..list.len() - tail).unwrap_or_default().to_vec();
+        Self::Part(head, [middle(before), middle(after)])
+    }
+
+    fn is_empty(&self) -> bool {
+        matches!(self, Self::Elements(elements) if elements.is_empty())
+    }
+
+    /// Brings a list from one side to the other. A list that is on neither side is a fault of the caller; it is left
+    /// as it is where it does not fit.
+    fn take<const SIDE: usize>(&self, list: &mut Vec<T>) {
+        match self {
+            Self::Elements(elements) => {
+                for (index, sides) in elements {
+                    if let Some(element) = list.get_mut(*index) {
+                        element.clone_from(&sides[SIDE]);
+                    }
+                }
+            }
+            Self::Part(start, sides) => {
+                let end = start + sides[1 - SIDE].len();
+                debug_assert!(end <= list.len(), "the step was made for another list");
+                if end <= list.len() {
+                    list.splice(*start..end, sides[SIDE].iter().cloned());
+                }
+            }
+        }
+    }
+}
