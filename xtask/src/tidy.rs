@@ -12,6 +12,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("picture", &["files"]),
     ("scene", &["files"]),
     ("tracer", &["scene", "picture"]),
+    ("live", &["tracer", "scene", "picture"]),
     ("catoptric", &["tracer", "scene", "picture", "files"]),
 ];
 
