@@ -13,7 +13,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("scene", &["files"]),
     ("tracer", &["scene", "picture"]),
     ("editor", &["scene", "files"]),
-    ("catoptric", &["tracer", "scene", "picture", "files"]),
+    ("live", &["tracer", "scene", "picture"]),
+    ("studio", &["live", "editor", "tracer", "scene", "picture", "files"]),
+    ("catoptric", &["studio", "tracer", "scene", "picture", "files"]),
 ];
 
 const LONGEST_FILE: usize = 600;

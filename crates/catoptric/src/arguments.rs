@@ -10,7 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
 /// A laboratory for reflections from geometric bodies.
 #[derive(Debug, Parser)]
-#[command(name = "catoptric", version, arg_required_else_help = true, propagate_version = true)]
+#[command(name = "catoptric", version, propagate_version = true)]
 #[command(after_help = "\
 Examples:
   catoptric render whitted -o whitted.png --samples 16
@@ -21,11 +21,13 @@ Examples:
 Exit status: 0 done, 1 a comparison failed, 2 the input is wrong, 130 interrupted.")]
 pub(crate) struct Arguments {
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Open the studio (also what happens without a command)
+    Studio(StudioArguments),
     /// Trace a scene into a picture
     Render(RenderArguments),
     /// Find all problems of scene files, with line and column
@@ -54,6 +56,13 @@ pub(crate) struct DevelopmentArguments {
     /// Bits per channel of a PNG
     #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
     pub bits: String,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct StudioArguments {
+    /// A scene file, or the name of a built-in scene; without it, the scene of the last time
+    #[arg(value_name = "SCENE")]
+    pub scene: Option<String>,
 }
 
 #[derive(Debug, Args)]

@@ -6,6 +6,7 @@ pub(crate) mod diff;
 pub(crate) mod examples;
 pub(crate) mod manual;
 pub(crate) mod render;
+pub(crate) mod studio;
 
 use catoptric_scene::LoadError;
 

@@ -23,7 +23,8 @@ use commands::Outcome;
 fn main() -> ExitCode {
     interrupt::listen();
     let outcome = match Arguments::try_parse() {
-        Ok(arguments) => run(&arguments.command),
+        Ok(Arguments { command: Some(command) }) => run(&command),
+        Ok(Arguments { command: None }) => commands::studio::run(None),
         Err(answer) => explain(&answer),
     };
     match outcome {
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
 
 fn run(command: &Command) -> Result<Outcome> {
     match command {
+        Command::Studio(arguments) => commands::studio::run(arguments.scene.as_deref()),
         Command::Render(arguments) => commands::render::run(arguments),
         Command::Check(arguments) => commands::check::run(arguments),
         Command::Diff(arguments) => commands::diff::run(arguments),

@@ -80,6 +80,36 @@ impl Studio {
         Ok(studio)
     }
 
+    /// The open document.
+    pub fn editor(&self) -> &Editor {
+        &self.editor
+    }
+
+    /// The open document, to be changed from outside the window.
+    pub fn editor_mut(&mut self) -> &mut Editor {
+        &mut self.editor
+    }
+
+    /// What is remembered.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The messages of the present language.
+    pub fn texts(&self) -> &Texts {
+        &self.texts
+    }
+
+    /// The traced picture.
+    pub fn live(&self) -> &Live {
+        &self.live
+    }
+
+    /// Has `command` done at the end of the next frame.
+    pub fn run(&mut self, command: Command) {
+        self.commands.push(command);
+    }
+
     /// Draws the window and does what was asked for in it.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.view.is_moving = false;
@@ -137,7 +167,7 @@ impl Studio {
     }
 
     fn panes_ui(&mut self, ui: &mut Ui) {
-        let mut layout = std::mem::replace(&mut self.layout, Tree::empty("being drawn"));
+        let mut layout = std::mem::replace(&mut self.layout, Tree::empty(egui::Id::unique("being drawn")));
         let mut panes = std::mem::take(&mut self.panes);
         let viewport = layout.tiles.find_pane(&Pane::Viewport);
         layout.ui(&mut Docked { cx: self.cx(), panes: &mut panes, viewport }, ui);

@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use catoptric_editor::{Action, Axis, ShapeKind};
-use egui::{Key, KeyboardShortcut, Modifiers};
-use egui_material_icons::icons;
+use catoptric_editor::Action;
+use catoptric_editor::navigate::Axis;
+use catoptric_scene::ShapeKind;
+use egui::KeyboardShortcut;
 
 use crate::layout::Pane;
 use crate::settings::Theme;
@@ -35,6 +36,12 @@ pub enum Command {
     CopyPicture,
     /// Close the window.
     Quit,
+    /// Add a body where the view looks.
+    AddBody(ShapeKind),
+    /// Add a light above where the view looks.
+    AddLight,
+    /// Add a material that bodies can share.
+    AddMaterial,
     /// Change the document.
     Edit(Action),
     /// Put the selected bodies and lights into the clipboard as text.

@@ -5,6 +5,7 @@ use catoptric_scene::Example;
 use egui::Context;
 
 use crate::app::{Start, Studio};
+use crate::command::Command;
 
 /// The example shown at the very first start.
 const FIRST: &str = "four-bodies";
@@ -29,3 +30,6 @@ pub(crate) fn keep(_context: &Context, _studio: &mut Studio) {}
 
 /// The studio is being left.
 pub(crate) fn leave(_studio: &mut Studio) {}
+
+/// Does a command of the menu File.
+pub(crate) fn run(_context: &Context, _studio: &mut Studio, _command: Command) {}

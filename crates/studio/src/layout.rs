@@ -49,11 +49,8 @@ pub fn default_layout() -> Tree<Pane> {
     let inspector = tabs(&mut tiles, &[Pane::Inspector]);
     let problems = tabs(&mut tiles, &[Pane::Problems]);
     let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.78), (problems, 0.22)]);
-    let root = divided(
-        &mut tiles,
-        LinearDir::Horizontal,
-        &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)],
-    );
+    let root =
+        divided(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)]);
     let mut tree = Tree::new(egui::Id::unique("studio-layout"), root, tiles);
     set_visible(&mut tree, Pane::Problems, false);
     tree
@@ -93,7 +90,8 @@ pub fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
 /// Whether a remembered layout can be used: every panel once.
 pub fn is_whole(tree: &Tree<Pane>) -> bool {
     Pane::ALL.iter().all(|pane| {
-        let count = tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();
+        let count =
+            tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();
         count == 1
     }) && tree.root.is_some()
 }

@@ -1,13 +1,130 @@
 //! Doing what was asked for.
 
-use egui::Context;
+use catoptric_editor::{Action, ActionError, navigate};
+use egui::{Context, OutputCommand, ViewportCommand};
 
 use crate::app::Studio;
-use crate::command::Command;
+use crate::command::{Command, Zoom};
+use crate::texts::Texts;
+use crate::{documents, layout, theme, viewport};
 
 /// Does `command`.
-pub(crate) fn run(_context: &Context, studio: &mut Studio, command: Command) {
+pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
     match command {
-        _ => {}
+        Command::New
+        | Command::Open
+        | Command::OpenFile(_)
+        | Command::OpenExample(_)
+        | Command::Revert
+        | Command::Save
+        | Command::SaveAs
+        | Command::Quit => documents::run(context, studio, command),
+        Command::AddBody(shape) => {
+            let name = studio.texts.get(shape_name(shape)).to_owned();
+            apply(studio, Action::AddBody { shape, at: viewport::place_for_new(studio), name });
+        }
+        Command::AddLight => {
+            let name = studio.texts.get("name-light").to_owned();
+            apply(studio, Action::AddLight { at: viewport::place_for_new_light(studio), name });
+        }
+        Command::AddMaterial => {
+            let name = studio.texts.get("name-material").to_owned();
+            apply(studio, Action::AddMaterial { name });
+        }
+        Command::Edit(action) => apply(studio, action),
+        Command::Copy => copy(context, studio),
+        Command::Cut => {
+            copy(context, studio);
+            apply(studio, Action::Cut);
+        }
+        // The text comes with a later event; see `shortcuts`.
+        Command::Paste => context.send_viewport_cmd(ViewportCommand::RequestPaste),
+        Command::ToggleFreeView => studio.view.toggle_free(studio.editor.scene()),
+        Command::CameraFromView => {
+            if let Some(camera) = studio.view.free_camera.take() {
+                viewport::set_scene_camera(studio, "edit-camera-from-view", camera);
+            }
+        }
+        Command::FrameSelection => viewport::frame(studio, false),
+        Command::FrameAll => viewport::frame(studio, true),
+        Command::LookAlong(axis) => viewport::look_along(studio, axis),
+        Command::ToggleProjection => {
+            let camera = studio.view.camera(studio.editor.scene());
+            viewport::set_camera(studio, "edit-projection", navigate::toggle_projection(&camera));
+        }
+        Command::ToggleFly => studio.view.is_flying = !studio.view.is_flying,
+        Command::Tool(tool) => studio.view.tool = tool,
+        Command::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
+        Command::ToggleGrid => studio.settings.shows_grid = !studio.settings.shows_grid,
+        Command::ToggleHandles => studio.settings.shows_handles = !studio.settings.shows_handles,
+        Command::TogglePane(pane) => {
+            let visible = layout::is_visible(&studio.layout, pane);
+            layout::set_visible(&mut studio.layout, pane, !visible);
+        }
+        Command::ResetLayout => studio.layout = layout::default_layout(),
+        Command::Zoom(step) => zoom(context, studio, step),
+        Command::Theme(theme) => {
+            studio.settings.theme = theme;
+            theme::choose(context, theme);
+        }
+        Command::Language(language) => {
+            studio.settings.language = language;
+            studio.texts = Texts::new(language);
+        }
+        Command::Examples
+        | Command::Render
+        | Command::CopyPicture
+        | Command::Rename
+        | Command::Palette
+        | Command::Shortcuts
+        | Command::FirstSteps
+        | Command::About => crate::dialogs::run(context, studio, command),
     }
+}
+
+/// The message with the name that a new body of this shape gets.
+fn shape_name(shape: catoptric_scene::ShapeKind) -> &'static str {
+    use catoptric_scene::ShapeKind;
+    match shape {
+        ShapeKind::Sphere => "name-sphere",
+        ShapeKind::Cube => "name-cube",
+        ShapeKind::Cylinder => "name-cylinder",
+        ShapeKind::Cone => "name-cone",
+        ShapeKind::Plane => "name-plane",
+    }
+}
+
+/// Does an action; tells in the corner why, if it cannot be done.
+fn apply(studio: &mut Studio, action: Action) {
+    let Err(error) = studio.editor.apply(action) else { return };
+    let key = match &error {
+        ActionError::NothingSelected => "refused-nothing-selected",
+        ActionError::Locked => "refused-locked",
+        ActionError::NothingToDo => return,
+        ActionError::NoSuchItem => "refused-no-such-item",
+        ActionError::EmptyName => "refused-empty-name",
+        ActionError::BadText(_) => "refused-bad-text",
+        ActionError::NothingToPaste => "refused-nothing-to-paste",
+        ActionError::Refused(refused) => {
+            studio.toasts.warning(refused.to_string());
+            return;
+        }
+    };
+    studio.toasts.warning(studio.texts.get(key));
+}
+
+fn copy(context: &Context, studio: &mut Studio) {
+    if let Some(text) = studio.editor.copy() {
+        context.output_mut(|output| output.commands.push(OutputCommand::CopyText(text)));
+    }
+}
+
+fn zoom(context: &Context, studio: &mut Studio, step: Zoom) {
+    let zoom = match step {
+        Zoom::In => studio.settings.zoom * 1.1,
+        Zoom::Out => studio.settings.zoom / 1.1,
+        Zoom::Normal => 1.0,
+    };
+    studio.settings.zoom = zoom.clamp(0.5, 3.0);
+    context.set_zoom_factor(studio.settings.zoom);
 }

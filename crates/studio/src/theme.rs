@@ -1,6 +1,8 @@
 //! How the window looks: colors, fonts, spacing. Calm, so that the picture is the brightest thing.
 
-use egui::{Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, ThemePreference, Visuals, vec2};
+use egui::{
+    Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, ThemePreference, Visuals, vec2,
+};
 
 use crate::settings::Theme;
 

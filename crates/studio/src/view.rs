@@ -32,4 +32,12 @@ impl View {
     pub(crate) fn camera(&self, scene: &catoptric_scene::Scene) -> Camera {
         self.free_camera.unwrap_or(scene.camera)
     }
+
+    /// Leaves the scene's camera where it is and looks around freely from there, or looks through it again.
+    pub(crate) fn toggle_free(&mut self, scene: &catoptric_scene::Scene) {
+        self.free_camera = match self.free_camera {
+            Some(_) => None,
+            None => Some(scene.camera),
+        };
+    }
 }

@@ -1,8 +1,10 @@
 //! The optics: a prepared [`Stage`], the mathematics of rays and bodies, Whitted's tree, and the CPU driver.
 //!
-//! [`Stage::prepare`] turns a scene into flat arrays once; [`render`] traces it into a linear-light picture.
+//! [`Stage::prepare`] turns a scene into flat arrays once; [`render`] traces it into a linear-light picture, [`Film`]
+//! sample by sample.
 
 mod counts;
+mod film;
 mod medium;
 mod pick;
 mod ray;
@@ -12,12 +14,14 @@ mod search;
 pub mod shape;
 mod stage;
 pub mod surface;
+mod tile;
 mod whitted;
 
 pub use counts::RayCounts;
+pub use film::Film;
 pub use pick::SurfaceHit;
 pub use ray::{NO_BODY, Ray, Start};
-pub use render::{Control, RenderError, RenderSettings, Rendering, render};
+pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_through};
 pub use sampling::sample_offset;
 pub use search::Hit;
 pub use stage::{Stage, StageCamera, StageError};

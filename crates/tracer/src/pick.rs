@@ -37,13 +37,39 @@ impl Stage {
     ///
     /// The direction must be a unit vector. A ray that is not finite meets nothing.
     pub fn nearest(&self, ray: &Ray) -> Option<SurfaceHit> {
+        self.on_flight(ray, |flight| {
+            flight.nearest(&mut Vec::new()).and_then(|hit| SurfaceHit::new(self, ray, hit))
+        })?
+    }
+
+    /// The first meeting of a ray with each body in its way, the nearest first, the others in order of distance: a second
+    /// click picks the body behind. The first is [`Self::nearest`]. Bodies are looked through whatever they are made
+    /// of, and no ray is bent; each body is tested once.
+    pub fn hits_along(&self, ray: &Ray) -> Vec<SurfaceHit> {
+        let hits = self.on_flight(ray, |flight| {
+            let mut hits = Vec::new();
+            flight.each(&mut Vec::new(), |hit| hits.push(hit));
+            // Bodies that touch are ordered by the search, within rounding.
+            let first = flight.nearest(&mut Vec::new()).map(|hit| hit.body);
+            hits.sort_by(|a, b| {
+                let is_later = |hit: &Hit| Some(hit.body) != first;
+                is_later(a)
+                    .cmp(&is_later(b))
+                    .then(a.t.total_cmp(&b.t))
+                    .then_with(|| self.scene_order(a.body, b.body))
+            });
+            hits
+        });
+        hits.into_iter().flatten().filter_map(|hit| SurfaceHit::new(self, ray, hit)).collect()
+    }
+
+    /// What `look` finds on the way of a ray in the media of its start, if it is finite.
+    fn on_flight<T>(&self, ray: &Ray, look: impl FnOnce(Flight<'_>) -> T) -> Option<T> {
         if !(ray.origin.is_finite() && ray.direction.is_finite()) {
             return None;
         }
         let mut arena = MediaArena::default();
         let media = arena.at_point(self, ray.origin);
-        let flight = Flight { stage: self, arena: &arena, ray: *ray, media };
-        let hit = flight.nearest(&mut Vec::new())?;
-        SurfaceHit::new(self, ray, hit)
+        Some(look(Flight { stage: self, arena: &arena, ray: *ray, media }))
     }
 }

@@ -3,16 +3,13 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use catoptric_picture::{Picture, SizeError};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
-use crate::sampling::sample_offset;
-use crate::stage::Stage;
+use crate::stage::{Stage, StageCamera};
+use crate::tile::{Place, TILE};
 use crate::whitted::Whitted;
-
-/// Edge of a tile, pixels: small enough to balance, large enough that rays of a tile meet the same bodies.
-const TILE: usize = 16;
 
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +25,7 @@ pub struct RenderSettings {
 /// How a running render is watched and stopped, from any thread.
 #[derive(Debug, Default)]
 pub struct Control {
-    cancel: AtomicBool,
+    pub(crate) cancel: AtomicBool,
     pixels_done: AtomicU64,
 }
 
@@ -41,6 +38,11 @@ impl Control {
     /// Whether [`Self::cancel`] was called.
     pub fn is_cancelled(&self) -> bool {
         self.cancel.load(Ordering::Relaxed)
+    }
+
+    /// Counts the pixels of a tile that was gone through.
+    pub(crate) fn add_done(&self, place: Place) {
+        self.pixels_done.fetch_add(place.pixels() as u64, Ordering::Relaxed);
     }
 
     /// Pixels finished so far.
@@ -76,15 +78,38 @@ pub enum RenderError {
 /// # Errors
 /// When the size is 0 or too large, or the render is cancelled.
 pub fn render(stage: &Stage, settings: RenderSettings, control: &Control) -> Result<Rendering, RenderError> {
+    render_through(stage, stage.camera(), settings, control)
+}
+
+/// The same through a camera of [`Stage::camera_for`].
+///
+/// # Errors
+/// As for [`render`].
+pub fn render_through(
+    stage: &Stage,
+    camera: &StageCamera,
+    settings: RenderSettings,
+    control: &Control,
+) -> Result<Rendering, RenderError> {
     let mut picture = Picture::new(settings.width, settings.height)?;
+    let size = DVec2::new(f64::from(settings.width), f64::from(settings.height));
+    let samples = settings.samples.max(1);
     let mut tiles = tiles(&mut picture);
     let counts = tiles
         .par_iter_mut()
         .map_init(
-            || Whitted::new(stage, &control.cancel),
+            || Whitted::through(stage, camera, &control.cancel),
             |tracer, tile| {
                 let before = tracer.counts();
-                fill(tile, tracer, settings, control);
+                let mut pixels = tile.rows.iter_mut().flat_map(|row| row.iter_mut());
+                let finished = tile.place.trace(tracer, size, 0..samples, control, |light| {
+                    if let Some(pixel) = pixels.next() {
+                        *pixel = (light / f64::from(samples)).as_vec3().to_array();
+                    }
+                });
+                if finished {
+                    control.add_done(tile.place);
+                }
                 tracer.counts() - before
             },
         )
@@ -96,44 +121,23 @@ pub fn render(stage: &Stage, settings: RenderSettings, control: &Control) -> Res
     Ok(Rendering { picture, counts })
 }
 
-/// A square of the picture: its upper left pixel and its rows.
+/// A square of the picture and its rows.
 struct Tile<'a> {
-    x: usize,
-    y: usize,
+    place: Place,
     rows: Vec<&'a mut [[f32; 3]]>,
 }
 
 fn tiles(picture: &mut Picture) -> Vec<Tile<'_>> {
-    let width = picture.width() as usize;
-    let across = width.div_ceil(TILE);
-    let mut tiles: Vec<Tile<'_>> = Vec::new();
-    for (band, rows) in picture.pixels_mut().chunks_mut(width * TILE).enumerate() {
-        let first = tiles.len();
-        tiles.extend((0..across).map(|column| Tile { x: column * TILE, y: band * TILE, rows: Vec::new() }));
+    let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
+    let mut tiles: Vec<Tile<'_>> =
+        Place::all(width, height).map(|place| Tile { place, rows: Vec::with_capacity(TILE) }).collect();
+    let bands = tiles.chunks_mut(width.div_ceil(TILE));
+    for (band, rows) in bands.zip(picture.pixels_mut().chunks_mut(width * TILE)) {
         for row in rows.chunks_mut(width) {
-            for (tile, part) in tiles[first..].iter_mut().zip(row.chunks_mut(TILE)) {
+            for (tile, part) in band.iter_mut().zip(row.chunks_mut(TILE)) {
                 tile.rows.push(part);
             }
         }
     }
     tiles
-}
-
-fn fill(tile: &mut Tile<'_>, tracer: &mut Whitted<'_>, settings: RenderSettings, control: &Control) {
-    let size = DVec2::new(f64::from(settings.width), f64::from(settings.height));
-    let samples = settings.samples.max(1);
-    for (row, y) in tile.rows.iter_mut().zip(tile.y..) {
-        for (pixel, x) in row.iter_mut().zip(tile.x..) {
-            if control.is_cancelled() {
-                return;
-            }
-            let corner = DVec2::new(x as f64, y as f64);
-            // In double precision: thousands of equal samples, added in single, would drift from their mean.
-            let light: DVec3 = (0..samples)
-                .map(|sample| tracer.trace(corner + sample_offset(sample), size).as_dvec3())
-                .sum();
-            *pixel = (light / f64::from(samples)).as_vec3().to_array();
-        }
-        control.pixels_done.fetch_add(row.len() as u64, Ordering::Relaxed);
-    }
 }

@@ -68,22 +68,50 @@ impl Flight<'_> {
         best.first(self.stage)
     }
 
+    /// The first meeting with every body that the ray meets, in no particular order.
+    pub(crate) fn each(&self, pending: &mut Vec<Pending>, mut found: impl FnMut(Hit)) {
+        let start_slack = self.ray.slack();
+        let mut test = |index: u32| {
+            if let Some(hit) = self.meeting(index, self.stage.body(index), start_slack)
+                && hit.t < f32::INFINITY
+            {
+                found(hit);
+            }
+        };
+        self.stage.planes().for_each(&mut test);
+        match &self.stage.hierarchy {
+            Hierarchy::Few(few) => few.visit(&self.ray, f32::INFINITY, |index| {
+                test(index);
+                f32::INFINITY
+            }),
+            Hierarchy::Many(bvh) => bvh.traverse(&self.ray, f32::INFINITY, pending, |leaf| {
+                leaf.for_each(&mut test);
+                f32::INFINITY
+            }),
+        }
+    }
+
     #[inline(always)]
     fn test(&self, index: u32, best: &mut Best) {
         let body = self.stage.body(index);
+        if let Some(hit) = self.meeting(index, body, best.start_slack) {
+            best.offer(self.stage, hit, body.slack);
+        }
+    }
+
+    /// Where the ray meets one body first.
+    #[inline(always)]
+    fn meeting(&self, index: u32, body: &StageBody, start_slack: f32) -> Option<Hit> {
         let relation = self.relation(index, body);
         if matches!(relation, Relation::Left) {
-            return;
+            return None;
         }
         let span = body.span(self.ray.origin, self.ray.direction);
         let (t, leaving) = match relation {
             Relation::Inside => (exit_of(&span), true),
-            _ => match self.crossing(body, &span, best.start_slack + body.slack) {
-                Some(crossing) => crossing,
-                None => return,
-            },
+            _ => self.crossing(body, &span, start_slack + body.slack)?,
         };
-        best.offer(self.stage, Hit { t, body: index, leaving }, body.slack);
+        Some(Hit { t, body: index, leaving })
     }
 
     /// What reaches the ray's start from a light at distance `distance` along it: the product of the filters of all

@@ -8,10 +8,11 @@ mod checker;
 mod few;
 mod light;
 mod material;
+mod only;
 
 use std::ops::Range;
 
-use catoptric_scene::{Body, Color, MaterialChoice, Scene, Tracing};
+use catoptric_scene::{Body, Camera, Color, MaterialChoice, Scene, Tracing};
 use glam::{DVec3, Vec3A};
 use rayon::prelude::*;
 
@@ -58,6 +59,18 @@ pub struct Stage {
 pub(crate) enum Hierarchy {
     Few(FewBodies),
     Many(Bvh),
+}
+
+impl Hierarchy {
+    /// The hierarchy over these boxes, which are put into its order.
+    fn over(boxes: &mut [(Bounds, u32)], kind: impl Fn(u32) -> u32 + Copy + Sync) -> Self {
+        if boxes.len() <= Stage::FEW {
+            boxes.sort_by_key(|&(_, index)| kind(index));
+            Self::Few(FewBodies::new(boxes.iter().map(|entry| entry.0)))
+        } else {
+            Self::Many(Bvh::build(boxes, kind))
+        }
+    }
 }
 
 /// Why a scene cannot be prepared.
@@ -139,6 +152,11 @@ impl Stage {
     /// The camera.
     pub fn camera(&self) -> &StageCamera {
         &self.camera
+    }
+
+    /// The same stage seen by another camera; nothing is prepared again.
+    pub fn camera_for(&self, camera: &Camera) -> StageCamera {
+        self.camera.replaced_by(camera)
     }
 
     /// The place in [`Scene::bodies`] of the stage's body `index`.
@@ -233,13 +251,7 @@ impl Cast {
 
     /// The order in which the bodies stand in the stage, and the hierarchy over the bounded ones.
     fn order(&mut self) -> (Vec<u32>, Hierarchy) {
-        let kind = |index: u32| self.bodies[index as usize].kind;
-        let hierarchy = if self.boxes.len() <= Stage::FEW {
-            self.boxes.sort_by_key(|&(_, index)| kind(index));
-            Hierarchy::Few(FewBodies::new(self.boxes.iter().map(|entry| entry.0)))
-        } else {
-            Hierarchy::Many(Bvh::build(&mut self.boxes, kind))
-        };
+        let hierarchy = Hierarchy::over(&mut self.boxes, |index| self.bodies[index as usize].kind);
         let bounded = self.boxes.iter().map(|&(_, index)| index);
         (bounded.chain(self.planes.iter().copied()).collect(), hierarchy)
     }

@@ -12,7 +12,7 @@ use crate::counts::RayCounts;
 use crate::medium::{Media, MediaArena};
 use crate::ray::{Ray, Start};
 use crate::search::{Flight, Hit};
-use crate::stage::{Pending, Stage, StageBody, StageMaterial};
+use crate::stage::{Pending, Stage, StageBody, StageCamera, StageMaterial};
 use crate::surface::{mend_unit, phong_highlight, reflect, refract};
 
 pub use tree::{RayKind, TracedRay};
@@ -20,6 +20,7 @@ pub use tree::{RayKind, TracedRay};
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {
     stage: &'a Stage,
+    camera: &'a StageCamera,
     cancel: &'a AtomicBool,
     pending: Vec<Branch>,
     /// Working memory of searches.
@@ -60,11 +61,17 @@ impl<'a> Whitted<'a> {
 
     /// A walker over `stage` that stops early, with unfinished pixels, when `cancel` is set.
     pub fn new(stage: &'a Stage, cancel: &'a AtomicBool) -> Self {
+        Self::through(stage, stage.camera(), cancel)
+    }
+
+    /// The same through a camera of [`Stage::camera_for`].
+    pub fn through(stage: &'a Stage, camera: &'a StageCamera, cancel: &'a AtomicBool) -> Self {
         let mut arena = MediaArena::default();
-        let eye_media = stage.camera().eye().map(|eye| arena.at_point(stage, eye));
+        let eye_media = camera.eye().map(|eye| arena.at_point(stage, eye));
         let eye_mark = arena.mark();
         Self {
             stage,
+            camera,
             cancel,
             pending: Vec::new(),
             parts: Vec::new(),
@@ -80,9 +87,9 @@ impl<'a> Whitted<'a> {
         self.counts
     }
 
-    /// The light that reaches the point `at` of a picture of `size` pixels (see [`StageCamera::ray`](crate::StageCamera::ray)).
+    /// The light that reaches the point `at` of a picture of `size` pixels (see [`StageCamera::ray`]).
     pub fn trace(&mut self, at: DVec2, size: DVec2) -> Vec3A {
-        let primary = self.stage.camera().ray(at, size);
+        let primary = self.camera.ray(at, size);
         let mut branch = self.root(primary, self.eye_media);
         let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;

@@ -65,6 +65,14 @@ impl StageBody {
         (prepared, Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio)))
     }
 
+    /// The bounds of the body as it is kept; `None` for a plane.
+    pub(super) fn bounds(&self) -> Option<Bounds> {
+        let [x, y, z] = self.world_from_body.map(|column| vec3a(column).as_dvec3());
+        let transform = DAffine3::from_cols(x, y, z, vec3a(self.origin).as_dvec3());
+        let Canonical { kind, cone_ratio } = self.canonical();
+        Bounds::of_canonical(&transform, kind, f64::from(cone_ratio))
+    }
+
     /// The body's shape in its own frame.
     #[inline]
     pub(crate) fn canonical(&self) -> Canonical {

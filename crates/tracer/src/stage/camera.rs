@@ -84,6 +84,30 @@ impl StageCamera {
         Ray::from_point(start.as_vec3a(), direction.as_vec3a())
     }
 
+    /// Where a point of the world lies in a picture of `size` pixels, and its depth, the distance along the view: the
+    /// inverse of [`Self::ray`]. `None` for a point that is not before the eye.
+    pub fn project(&self, point: DVec3, size: DVec2) -> Option<(DVec2, f64)> {
+        let offset = point - self.position;
+        let depth = -offset.dot(self.w);
+        let scale = match self.window {
+            Window::Perspective { distance } => distance / depth,
+            Window::Parallel { height } => 1.0 / height,
+        };
+        let on_window = scale * DVec2::new(offset.dot(self.u), -offset.dot(self.v));
+        let at = on_window * size.y + 0.5 * size;
+        (depth > 0.0 && at.is_finite()).then_some((at, depth))
+    }
+
+    /// The unit vectors of the view: to the right, up, and forward.
+    pub fn axes(&self) -> [DVec3; 3] {
+        [self.u, self.v, -self.w]
+    }
+
+    /// The same surroundings seen by another camera.
+    pub(super) fn replaced_by(&self, camera: &Camera) -> Self {
+        Self::new(camera, self.surroundings.clone())
+    }
+
     /// The eye, if all rays start there.
     pub fn eye(&self) -> Option<Vec3A> {
         matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3a())

@@ -2,14 +2,14 @@
 
 use std::time::{Duration, Instant};
 
-use catoptric_scene::{Body, Color, Material, Shape};
+use catoptric_scene::{Color, Material, Shape};
 use catoptric_tracer::{
     Control, RenderError, RenderSettings, Rendering, Stage, StageError, render, sample_offset,
 };
 use glam::{DVec2, DVec3, Vec3A};
 use rayon::ThreadPoolBuilder;
 
-use crate::common::{ball, block, glass, placed, scene, stage, v};
+use crate::common::{ball, endless, glass, placed, scene, stage, v};
 use crate::samples::gallery;
 
 const SETTINGS: RenderSettings = RenderSettings { width: 101, height: 67, samples: 1 };
@@ -75,15 +75,6 @@ fn a_render_cancelled_before_it_begins_gives_no_picture() {
     control.cancel();
     assert!(matches!(render(&stage(&gallery()), SETTINGS, &control), Err(RenderError::Cancelled)));
     assert!(control.pixels_done() < u64::from(SETTINGS.width * SETTINGS.height));
-}
-
-/// A scene of which a single pixel takes longer than the universe is old: 2⁶³ rays between reflecting panes of glass.
-fn endless() -> Stage {
-    let mut pane = glass(1.5);
-    (pane.reflection, pane.transmission) = (Some(0.5), 0.5);
-    let panes: Vec<Body> =
-        (0..4).map(|k| block(v(1e4, 1e4, 0.1), v(0.0, 0.0, -f64::from(k)), pane)).collect();
-    stage(&scene(panes))
 }
 
 #[test]

@@ -121,6 +121,15 @@ pub(crate) fn stage_of(bodies: Vec<Body>) -> Stage {
     stage(&scene(bodies))
 }
 
+/// A scene of which a single pixel takes longer than the universe is old: 2⁶³ rays between reflecting panes of glass.
+pub(crate) fn endless() -> Stage {
+    let mut pane = glass(1.5);
+    (pane.reflection, pane.transmission) = (Some(0.5), 0.5);
+    let panes: Vec<Body> =
+        (0..4).map(|k| block(v(1e4, 1e4, 0.1), v(0.0, 0.0, -f64::from(k)), pane)).collect();
+    stage(&scene(panes))
+}
+
 // ---- rays ----
 
 pub(crate) fn ray(from: DVec3, direction: DVec3) -> Ray {

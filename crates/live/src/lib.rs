@@ -1,0 +1,20 @@
+//! The picture that follows the document: a window asks, a worker traces, the newest picture is there to be shown.
+//!
+//! [`Live`] never blocks the thread that asks. While something moves, pictures are traced at the resolution that holds
+//! the frame rate; then the picture grows to the full resolution and is antialiased sample by sample. The fully
+//! refined picture equals [`catoptric_tracer::render`] bit by bit. Beside the picture stand the [outlines](Polyline) of
+//! chosen bodies and a [ground grid](GridLine), both found by tracing.
+//!
+//! [`RenderJob`] renders a final picture in the background.
+
+mod frame;
+mod job;
+mod live;
+mod request;
+mod status;
+
+pub use frame::{Frame, GridKind, GridLine, Polyline};
+pub use job::{JobError, JobProgress, RenderJob};
+pub use live::{Live, LiveOptions};
+pub use request::{GridSpec, Request};
+pub use status::{LiveError, Status};

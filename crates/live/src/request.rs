@@ -1,0 +1,73 @@
+//! What a window asks for.
+
+use std::sync::Arc;
+
+use catoptric_picture::Development;
+use catoptric_scene::{Camera, Scene};
+
+/// A snapshot of all that decides what the view shows.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// The document at this moment; its own camera is not looked at.
+    pub scene: Arc<Scene>,
+    /// The number of this state of the document; goes into [`Frame::revision`](crate::Frame::revision).
+    pub revision: u64,
+    /// Where the view looks from.
+    pub camera: Camera,
+    /// Width and height of the view in physical pixels. A view of no pixels asks for nothing.
+    pub size: [u32; 2],
+    /// Whether a hand moves something: pictures stay coarse until nothing changes for a moment.
+    pub moving: bool,
+    /// Samples per pixel to refine to.
+    pub samples: u32,
+    /// How light becomes display codes.
+    pub development: Development,
+    /// Bodies to outline, by their places in [`Scene::bodies`].
+    pub outline: Vec<usize>,
+    /// The body under the pointer, outlined by itself.
+    pub hover: Option<usize>,
+    /// The ground grid, if it is wanted.
+    pub grid: Option<GridSpec>,
+    /// Do not refine, while a final render has the processors; first pictures still follow changes.
+    pub paused: bool,
+}
+
+impl Request {
+    /// Samples per pixel unless said otherwise.
+    pub const DEFAULT_SAMPLES: u32 = 16;
+
+    /// The largest view, pixels: beyond the largest displays.
+    pub const MAX_PIXELS: u64 = 1 << 25;
+
+    /// Asks for the view of the scene's own camera: still, without outlines or grid.
+    pub fn new(scene: Arc<Scene>, revision: u64, size: [u32; 2]) -> Self {
+        Self {
+            camera: scene.camera,
+            scene,
+            revision,
+            size,
+            moving: false,
+            samples: Self::DEFAULT_SAMPLES,
+            development: Development::default(),
+            outline: Vec::new(),
+            hover: None,
+            grid: None,
+            paused: false,
+        }
+    }
+}
+
+/// What to show of the ground grid, which lies in the plane y = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GridSpec {
+    /// The lines, their step chosen from the camera's distance.
+    pub lines: bool,
+    /// The X and Z axes.
+    pub axes: bool,
+}
+
+impl Default for GridSpec {
+    fn default() -> Self {
+        Self { lines: true, axes: true }
+    }
+}

@@ -1,0 +1,46 @@
+//! How the worker is doing.
+
+use catoptric_picture::SizeError;
+use catoptric_tracer::StageError;
+
+/// How the worker is doing, for a status bar.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Status {
+    /// What traces.
+    pub backend: &'static str,
+    /// How many threads trace.
+    pub threads: usize,
+    /// How far the picture is refined, 0…1.
+    pub progress: f32,
+    /// Samples in every pixel of the full picture.
+    pub samples_done: u32,
+    /// Samples asked for.
+    pub samples_wanted: u32,
+    /// Width and height of the last picture, pixels.
+    pub picture_size: [u32; 2],
+    /// What tracing and developing the last picture took.
+    pub milliseconds: f64,
+    /// Rays a second while the last picture was traced.
+    pub rays_per_second: f64,
+    /// Whether there is nothing left to do.
+    pub is_idle: bool,
+    /// Why the newest request has no picture.
+    pub error: Option<LiveError>,
+}
+
+/// Why there is no picture of a request.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum LiveError {
+    /// The scene cannot be prepared.
+    #[error(transparent)]
+    Stage(#[from] StageError),
+    /// There can be no picture of this size.
+    #[error(transparent)]
+    Size(#[from] SizeError),
+    /// A number of the camera is infinite or not a number.
+    #[error("the camera's position, target, up and angle must be finite numbers")]
+    Camera,
+    /// A fault in the program itself; the worker goes on with the next request.
+    #[error("the tracer failed by a fault of its own: {0}")]
+    Fault(String),
+}

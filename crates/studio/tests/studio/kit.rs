@@ -1,0 +1,92 @@
+//! A studio without a window, and hands to use it.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+use std::sync::mpsc;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
+use catoptric_studio::{Start, Studio};
+use egui_kittest::Harness;
+use tempfile::TempDir;
+
+/// A system of its own for each test: a temporary folder, and answers to the questions for files.
+#[derive(Clone)]
+pub(crate) struct TestHost {
+    folder: Arc<TempDir>,
+    answers: Arc<Mutex<VecDeque<Option<PathBuf>>>>,
+    pub(crate) questions: Arc<Mutex<Vec<FileQuestion>>>,
+}
+
+impl TestHost {
+    pub(crate) fn new() -> Self {
+        Self {
+            folder: Arc::new(tempfile::tempdir().unwrap()),
+            answers: Arc::default(),
+            questions: Arc::default(),
+        }
+    }
+
+    /// A path in the folder of this host.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// The next question for a file gets this answer.
+    pub(crate) fn answer(&self, path: Option<PathBuf>) {
+        self.answers.lock().unwrap().push_back(path);
+    }
+}
+
+impl Host for TestHost {
+    fn ask_file(&mut self, question: &FileQuestion) -> Option<FileAnswer> {
+        self.questions.lock().unwrap().push(question.clone());
+        let answer = self.answers.lock().unwrap().pop_front()?;
+        let (sender, receiver) = mpsc::channel();
+        sender.send(answer).unwrap();
+        Some(receiver)
+    }
+
+    fn settings_path(&self) -> Option<PathBuf> {
+        Some(self.path("settings.json"))
+    }
+
+    fn recovery_folder(&self) -> Option<PathBuf> {
+        Some(self.path("recovery"))
+    }
+}
+
+/// A studio of 1280 × 800 points that shows the example four-bodies, in English.
+pub(crate) fn studio() -> Harness<'static, Studio> {
+    studio_with(TestHost::new(), Start::Example("four-bodies".to_owned()))
+}
+
+/// A studio on `host`. Its settings, if there are none yet, are English with the first hint dismissed.
+pub(crate) fn studio_with(host: TestHost, start: Start) -> Harness<'static, Studio> {
+    let settings = host.settings_path().unwrap();
+    if !settings.exists() {
+        std::fs::write(settings, r#"{"language": "english", "is_hint_dismissed": true}"#).unwrap();
+    }
+    Harness::builder()
+        .with_size([1280.0, 800.0])
+        .with_max_steps(64)
+        .build_eframe(move |creation| Studio::new(&creation.egui_ctx, &start, Box::new(host)).unwrap())
+}
+
+/// Steps until `condition` holds; panics with `what` when it does not within a minute.
+pub(crate) fn wait_until(
+    harness: &mut Harness<'static, Studio>,
+    what: &str,
+    condition: impl Fn(&Studio) -> bool,
+) {
+    let deadline = Instant::now() + Duration::from_secs(60);
+    loop {
+        harness.step();
+        if condition(harness.state()) {
+            return;
+        }
+        assert!(Instant::now() < deadline, "waited in vain: {what}");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}

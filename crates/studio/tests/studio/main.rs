@@ -1,0 +1,5 @@
+//! The studio used as a person uses it, headless: widgets are found by their accessible labels.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
+
+mod kit;
+mod window;

@@ -1,0 +1,166 @@
+//! A picture that is refined sample by sample.
+
+use catoptric_picture::{Picture, SizeError};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+use crate::counts::RayCounts;
+use crate::render::{Control, RenderError};
+use crate::stage::{Stage, StageCamera};
+use crate::tile::{Place, TILE};
+use crate::whitted::Whitted;
+
+/// The light gathered so far in every pixel of a picture.
+///
+/// After n samples [`Self::picture`] equals [`render`](crate::render) with n samples bit by bit: sums are kept in double
+/// precision and grow in the order of the samples.
+///
+/// A tile takes a sample as a whole or not at all, and remembers how many it has. So a cancelled pass spoils nothing:
+/// the picture stays valid, some tiles being a sample ahead, and the next pass does what is missing.
+#[derive(Clone, Debug)]
+pub struct Film {
+    width: u32,
+    height: u32,
+    tiles: Vec<FilmTile>,
+    samples: u32,
+}
+
+#[derive(Clone, Debug)]
+struct FilmTile {
+    place: Place,
+    /// The sums of the pixels, row by row.
+    sums: Vec<DVec3>,
+    samples: u32,
+    counts: RayCounts,
+}
+
+impl Film {
+    /// A film without light.
+    ///
+    /// # Errors
+    /// When the size is 0 or too large, or there is too little memory.
+    pub fn new(width: u32, height: u32) -> Result<Self, SizeError> {
+        Picture::check_size(width, height)?;
+        let places = Place::all(width as usize, height as usize);
+        let tile = |place: Place| {
+            let mut sums = Vec::new();
+            sums.try_reserve_exact(place.pixels()).ok()?;
+            sums.resize(place.pixels(), DVec3::ZERO);
+            Some(FilmTile { place, sums, samples: 0, counts: RayCounts::default() })
+        };
+        let bytes = u64::from(width) * u64::from(height) * size_of::<DVec3>() as u64;
+        let tiles =
+            places.map(tile).collect::<Option<_>>().ok_or(SizeError::Memory { width, height, bytes })?;
+        Ok(Self { width, height, tiles, samples: 0 })
+    }
+
+    /// Pixels across.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Pixels down.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Samples that every pixel has.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The rays behind the light on the film.
+    pub fn counts(&self) -> RayCounts {
+        self.tiles.iter().fold(RayCounts::default(), |all, tile| all + tile.counts)
+    }
+
+    /// Forgets all light; the memory is kept for the next picture of this size.
+    pub fn clear(&mut self) {
+        self.samples = 0;
+        for tile in &mut self.tiles {
+            tile.sums.fill(DVec3::ZERO);
+            tile.samples = 0;
+            tile.counts = RayCounts::default();
+        }
+    }
+
+    /// Adds the next sample of every pixel, on the threads of the current rayon pool, and returns the rays it took.
+    /// Stage and camera must be those of the earlier samples.
+    ///
+    /// # Errors
+    /// When `control` is cancelled; see above for what becomes of the film.
+    pub fn add_sample(
+        &mut self,
+        stage: &Stage,
+        camera: &StageCamera,
+        control: &Control,
+    ) -> Result<RayCounts, RenderError> {
+        let size = DVec2::new(f64::from(self.width), f64::from(self.height));
+        let sample = self.samples;
+        let counts = self
+            .tiles
+            .par_iter_mut()
+            .filter(|tile| tile.samples == sample)
+            .map_init(
+                || (Whitted::through(stage, camera, &control.cancel), Vec::with_capacity(TILE * TILE)),
+                |(tracer, lights), tile| tile.add_sample(tracer, lights, size, control),
+            )
+            .reduce(RayCounts::default, std::ops::Add::add);
+        if self.tiles.iter().any(|tile| tile.samples == sample) {
+            return Err(RenderError::Cancelled);
+        }
+        self.samples = sample + 1;
+        Ok(counts)
+    }
+
+    /// The mean of the samples so far; black before the first.
+    ///
+    /// # Errors
+    /// When there is too little memory.
+    pub fn picture(&self) -> Result<Picture, SizeError> {
+        let mut picture = Picture::new(self.width, self.height)?;
+        let width = self.width as usize;
+        let bands = self.tiles.par_chunks(width.div_ceil(TILE));
+        bands.zip(picture.pixels_mut().par_chunks_mut(width * TILE)).for_each(|(tiles, rows)| {
+            for tile in tiles {
+                tile.write(rows, width);
+            }
+        });
+        Ok(picture)
+    }
+}
+
+impl FilmTile {
+    fn add_sample(
+        &mut self,
+        tracer: &mut Whitted<'_>,
+        lights: &mut Vec<DVec3>,
+        size: DVec2,
+        control: &Control,
+    ) -> RayCounts {
+        let before = tracer.counts();
+        lights.clear();
+        let samples = self.samples..self.samples + 1;
+        if !self.place.trace(tracer, size, samples, control, |light| lights.push(light)) {
+            return RayCounts::default();
+        }
+        for (sum, light) in self.sums.iter_mut().zip(&*lights) {
+            *sum += light;
+        }
+        self.samples += 1;
+        let counts = tracer.counts() - before;
+        self.counts += counts;
+        control.add_done(self.place);
+        counts
+    }
+
+    /// Writes the means into the picture's rows from this tile's first on.
+    fn write(&self, rows: &mut [[f32; 3]], width: usize) {
+        let samples = f64::from(self.samples.max(1));
+        for (row, sums) in rows.chunks_mut(width).zip(self.sums.chunks(self.place.width)) {
+            for (pixel, sum) in row.iter_mut().skip(self.place.x).zip(sums) {
+                *pixel = (sum / samples).as_vec3().to_array();
+            }
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! A small stage with some of the bodies of another.
+
+use std::collections::BTreeSet;
+
+use super::{Hierarchy, Stage};
+
+impl Stage {
+    /// The same stage with just those of its bodies that stand at these places in
+    /// [`Scene::bodies`](catoptric_scene::Scene::bodies).
+    ///
+    /// Camera and numbering stay, so that the same rays meet the same points: what an outline needs. The cost grows
+    /// with the number of all bodies, by a comparison each.
+    pub fn only(&self, scene_indices: &[usize]) -> Self {
+        let wanted: BTreeSet<usize> = scene_indices.iter().copied().collect();
+        let chosen: Vec<u32> = self
+            .scene_indices
+            .iter()
+            .zip(0..)
+            .filter(|&(&scene_index, _)| wanted.contains(&(scene_index as usize)))
+            .map(|(_, index)| index)
+            .collect();
+        let mut boxes = Vec::new();
+        let mut planes = Vec::new();
+        for &index in &chosen {
+            match self.body(index).bounds() {
+                Some(bounds) => boxes.push((bounds, index)),
+                None => planes.push(index),
+            }
+        }
+        let hierarchy = Hierarchy::over(&mut boxes, |index| self.body(index).kind);
+        let order: Vec<u32> = boxes.iter().map(|entry| entry.1).chain(planes).collect();
+        Self {
+            bodies: order.iter().map(|&index| *self.body(index)).collect(),
+            scene_indices: order
+                .iter()
+                .filter_map(|&index| self.scene_indices.get(index as usize))
+                .copied()
+                .collect(),
+            bounded: boxes.len() as u32,
+            hierarchy,
+            materials: self.materials.clone(),
+            checkers: self.checkers.clone(),
+            lights: self.lights.clone(),
+            camera: self.camera.clone(),
+            background: self.background,
+            ambient: self.ambient,
+            generations: self.generations,
+            threshold: self.threshold,
+            has_transparency: order.iter().any(|&index| self.body(index).is_transparent()),
+            largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
+        }
+    }
+}
