@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::format::spec::Limits;
+use catoptric_scene::format::spec::{KeySpec, Limits};
 use catoptric_scene::{Camera, Projection};
 use glam::{DMat3, DQuat, DVec3};
 
@@ -36,7 +36,7 @@ impl Axis {
     pub const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
     /// The direction to look from, and the one that points up in the picture.
-    const fn from_and_up(self) -> (DVec3, DVec3) {
+    const fn place_and_up(self) -> (DVec3, DVec3) {
         match self {
             Self::Front => (DVec3::Z, DVec3::Y),
             Self::Back => (DVec3::NEG_Z, DVec3::Y),
@@ -187,7 +187,7 @@ pub fn frame(camera: &Camera, center: DVec3, radius: f64, aspect: f64) -> Camera
 
 /// Looks at `center` from a side, at the same distance.
 pub fn look_along(camera: &Camera, axis: Axis, center: DVec3) -> Camera {
-    let (from, up) = axis.from_and_up();
+    let (from, up) = axis.place_and_up();
     let distance = camera.position.distance(camera.target);
     moved(camera, Camera { position: center + from * distance, target: center, up, ..*camera })
 }
@@ -215,7 +215,7 @@ pub fn toggle_projection(camera: &Camera) -> Camera {
 
 /// A parallel projection with a window of this height, or the nearest that is allowed.
 fn parallel(height: f64) -> Projection {
-    let limits = keys::CAMERA.key("height").and_then(|key| key.limits()).unwrap_or(Limits::LENGTH);
+    let limits = keys::CAMERA.key("height").and_then(KeySpec::limits).unwrap_or(Limits::LENGTH);
     Projection::Parallel { height: height.clamp(limits.min, limits.max) }
 }
 
