@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_scene::{Body, Camera, Environment, Light, Material, Part, Problem, Scene, Tracing};
 
-use super::{Editor, Gesture, Label, Refused};
+use super::{Difference, Editor, Gesture, Label, Refused, Selection, Step};
 
 impl Editor {
     /// Changes the scene at once. Consecutive changes with equal labels are one gesture and, when it is settled, one
@@ -124,7 +124,7 @@ impl Editor {
     /// # Errors
     /// As for [`Self::change`].
     pub fn change_camera(&mut self, label: Label, edit: impl FnOnce(&mut Camera)) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.camera, Part::Camera, edit)
+        self.change_value(label, |scene| &mut scene.camera, &Part::Camera, edit)
     }
 
     /// Changes the environment.
@@ -136,7 +136,7 @@ impl Editor {
         label: Label,
         edit: impl FnOnce(&mut Environment),
     ) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.environment, Part::Environment, edit)
+        self.change_value(label, |scene| &mut scene.environment, &Part::Environment, edit)
     }
 
     /// Changes the limits of tracing.
@@ -144,14 +144,37 @@ impl Editor {
     /// # Errors
     /// As for [`Self::change`].
     pub fn change_tracing(&mut self, label: Label, edit: impl FnOnce(&mut Tracing)) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.tracing, Part::Tracing, edit)
+        self.change_value(label, |scene| &mut scene.tracing, &Part::Tracing, edit)
+    }
+
+    /// Takes over a whole new scene and selection as one undo step, no gesture being open. Returns whether this changed
+    /// anything; another selection alone is no step.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub(crate) fn step(&mut self, label: Label, scene: Scene, selection: Selection) -> Result<bool, Refused> {
+        let Some(difference) = Difference::between(&self.scene, &scene) else {
+            let is_new = self.selection != selection;
+            self.selection = selection;
+            return Ok(is_new);
+        };
+        let problems = scene.check();
+        if !problems.is_empty() {
+            only_known(problems, || self.scene.check())?;
+        }
+        self.scene = Arc::new(scene);
+        self.revision += 1;
+        let selection_before = std::mem::replace(&mut self.selection, selection);
+        let selection_after = self.selection.clone();
+        self.history.push(Step { label, difference, selection_before, selection_after });
+        Ok(true)
     }
 
     fn change_value<T: Clone + PartialEq>(
         &mut self,
         label: Label,
         value_of: impl Fn(&mut Scene) -> &mut T,
-        part: Part,
+        part: &Part,
         edit: impl FnOnce(&mut T),
     ) -> Result<bool, Refused> {
         let swap = |scene: &mut Scene, value: &mut T| std::mem::swap(value_of(scene), value);
@@ -161,10 +184,10 @@ impl Editor {
         let mut old = value_of(scene).clone();
         edit(value_of(scene));
         let has_changed = *value_of(scene) != old;
-        let problems = scene.check_part(&part);
+        let problems = scene.check_part(part);
         if !problems.is_empty() {
             swap(scene, &mut old);
-            only_known(problems, || scene.check_part(&part))?;
+            only_known(problems, || scene.check_part(part))?;
             swap(scene, &mut old);
         }
         self.finish_change(label, start, has_changed)
