@@ -42,7 +42,8 @@ fn main() {
     let viewport = egui::ViewportBuilder::default().with_inner_size([size[0], size[1]]);
     let options = eframe::NativeOptions { viewport, ..catoptric_studio::window_options() };
     let create = |creation: &eframe::CreationContext<'_>| {
-        let studio = Studio::new(&creation.egui_ctx, &Start::Example("four-bodies".to_owned()), Box::new(Nowhere))?;
+        let studio =
+            Studio::new(&creation.egui_ctx, &Start::Example("four-bodies".to_owned()), Box::new(Nowhere))?;
         Ok(Box::new(Bench::new(studio)) as Box<dyn eframe::App>)
     };
     eframe::run_native("Catoptric", options, Box::new(create)).unwrap();
@@ -200,7 +201,10 @@ impl Bench {
         println!("| edit to new picture on the screen, ms | {} |", spread(&self.edits));
         println!("| new pictures a second while turning | {per_second:.1} |");
         println!("| from one of these to the next, ms | {} |", spread(&self.gaps));
-        println!("| window's thread in a frame during a render of 3840×2160, ms | {} |", spread(&self.frames));
+        println!(
+            "| window's thread in a frame during a render of 3840×2160, ms | {} |",
+            spread(&self.frames)
+        );
         println!("| frames measured there | {} |", self.frames.len());
     }
 }
