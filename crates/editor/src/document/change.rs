@@ -257,9 +257,16 @@ impl Editor {
     }
 }
 
-/// Refuses problems that were not there before.
-fn only_known(problems: Vec<Problem>, before: impl FnOnce() -> Vec<Problem>) -> Result<(), Refused> {
-    let before = before();
-    let problems: Vec<Problem> = problems.into_iter().filter(|problem| !before.contains(problem)).collect();
+/// Refuses problems that were not there before. Names and places may have changed, so problems of one key count as the
+/// same.
+fn only_known(mut problems: Vec<Problem>, before: impl FnOnce() -> Vec<Problem>) -> Result<(), Refused> {
+    let mut known: Vec<&str> = before().iter().map(|problem| problem.key).collect();
+    problems.retain(|problem| match known.iter().position(|key| *key == problem.key) {
+        Some(place) => {
+            known.swap_remove(place);
+            false
+        }
+        None => true,
+    });
     if problems.is_empty() { Ok(()) } else { Err(Refused { problems }) }
 }
