@@ -160,7 +160,7 @@ impl Studio {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
-        request.camera = self.view.camera(scene);
+        request.camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;

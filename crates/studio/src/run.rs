@@ -39,7 +39,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         }
         // The text comes with a later event; see `shortcuts`.
         Command::Paste => context.send_viewport_cmd(ViewportCommand::RequestPaste),
-        Command::ToggleFreeView => studio.view.toggle_free(studio.editor.scene()),
+        Command::ToggleFreeView => viewport::toggle_free(studio),
         Command::CameraFromView => {
             if let Some(camera) = studio.view.free_camera.take() {
                 viewport::set_scene_camera(studio, "edit-camera-from-view", camera);
