@@ -116,6 +116,11 @@ impl Studio {
         &self.live
     }
 
+    /// Where the picture is in the window, points, once it has been drawn.
+    pub fn viewport_rect(&self) -> Option<egui::Rect> {
+        self.panes.viewport.rect()
+    }
+
     /// Has `command` done at the end of the next frame.
     pub fn run(&mut self, command: Command) {
         self.commands.push(command);
