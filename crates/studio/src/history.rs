@@ -53,11 +53,7 @@ pub(crate) fn history_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
 fn names(editor: &Editor, texts: &Texts, rows: &std::ops::Range<usize>) -> Vec<String> {
     let opened = (rows.start == 0).then(|| texts.get("history-opened").to_owned());
     let steps = editor.steps().skip(rows.start.saturating_sub(1));
-    opened
-        .into_iter()
-        .chain(steps.map(|label| step_name(texts, label)))
-        .take(rows.len())
-        .collect()
+    opened.into_iter().chain(steps.map(|label| step_name(texts, label))).take(rows.len()).collect()
 }
 
 /// Draws a row; returns whether it was clicked.

@@ -106,9 +106,9 @@ fn command_of(event: &Event, listeners: Listeners) -> Option<Option<&'static Com
 fn find(key: Key, modifiers: Modifiers) -> Option<(&'static Command, KeyboardShortcut)> {
     Command::all().find_map(|command| {
         let shortcuts = command.look()?.shortcuts;
-        let hit = shortcuts.iter().find(|shortcut| {
-            shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
-        })?;
+        let hit = shortcuts
+            .iter()
+            .find(|shortcut| shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers))?;
         Some((command, *hit))
     })
 }
@@ -217,7 +217,8 @@ mod tests {
 
     #[test]
     fn a_held_key_deletes_once_and_undoes_many_times() {
-        let held = |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: true, modifiers };
+        let held =
+            |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: true, modifiers };
         let control = Modifiers::COMMAND | Modifiers::CTRL;
         assert_eq!(command_of(&held(Key::D, control), Listeners::default()), Some(None));
         let undo = command_of(&held(Key::Z, control), Listeners::default());
