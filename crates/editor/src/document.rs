@@ -60,6 +60,8 @@ pub struct Editor {
     text: Arc<str>,
     /// The scene that the text says.
     saved: Arc<Scene>,
+    /// Whether no file has what `saved` says.
+    is_unsaved: bool,
 }
 
 impl Editor {
@@ -88,7 +90,15 @@ impl Editor {
             path: None,
             title: title.into(),
             text: text.into(),
+            is_unsaved: false,
         }
+    }
+
+    /// The same document as the successor of another in the same window: its [revision](Self::revision) is greater.
+    #[must_use]
+    pub fn succeeding(mut self, before: &Self) -> Self {
+        self.revision = self.revision.max(before.revision + 1);
+        self
     }
 
     /// The scene as it is now, also in the middle of a gesture.

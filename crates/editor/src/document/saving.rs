@@ -52,11 +52,17 @@ impl Editor {
         self.set_path(path.into());
         self.text = text.into();
         self.saved = Arc::clone(&writing.scene);
+        self.is_unsaved = false;
     }
 
     /// Whether the scene is another than the saved one. Undoing back to that makes this false again.
     pub fn is_changed(&self) -> bool {
-        self.scene != self.saved
+        self.is_unsaved || !Arc::ptr_eq(&self.scene, &self.saved) && self.scene != self.saved
+    }
+
+    /// Tells that no file has this document as it is, such as one that was recovered: it is changed until it is saved.
+    pub fn mark_unsaved(&mut self) {
+        self.is_unsaved = true;
     }
 
     /// The file, if there is one.
@@ -82,6 +88,7 @@ impl Editor {
         self.settle();
         self.text = text.into();
         self.saved = saved;
+        self.is_unsaved = false;
         Ok(())
     }
 

@@ -232,3 +232,19 @@ fn snapshots_are_not_touched_by_later_edits() {
     editor.undo();
     assert_eq!(snapshot.as_ref(), &copy);
 }
+
+#[test]
+fn a_recovered_document_is_changed_until_it_is_saved() {
+    let scene = read(TEXT).into_result().unwrap().value;
+    let before = { 
+        let mut editor = editor();
+        move_a_bit(&mut editor, "edit-move");
+        editor
+    };
+    let mut editor = Editor::open("mine.toml", TEXT, scene).succeeding(&before);
+    assert!(editor.revision() > before.revision());
+    editor.mark_unsaved();
+    assert!(editor.is_changed() && !editor.can_undo());
+    editor.mark_saved("mine.toml", editor.save_text());
+    assert!(!editor.is_changed());
+}
