@@ -107,6 +107,13 @@ impl Editor {
         editor
     }
 
+    /// The same document as the successor of another in the same window: its [revision](Self::revision) is greater.
+    #[must_use]
+    pub fn succeeding(mut self, before: &Self) -> Self {
+        self.revision = self.revision.max(before.revision + 1);
+        self
+    }
+
     /// The scene as it is now, also in the middle of a gesture.
     pub fn scene(&self) -> &Arc<Scene> {
         &self.scene

@@ -56,7 +56,12 @@ impl Editor {
 
     /// Whether the scene is another than the saved one. Undoing back to that makes this false again.
     pub fn is_changed(&self) -> bool {
-        self.saved.as_ref() != Some(&self.scene)
+        self.saved.as_ref().is_none_or(|saved| !Arc::ptr_eq(saved, &self.scene) && *saved != self.scene)
+    }
+
+    /// Tells that no file has this document as it is, such as one that was recovered: it is changed until it is saved.
+    pub fn mark_unsaved(&mut self) {
+        self.saved = None;
     }
 
     /// The file, if there is one.

@@ -244,4 +244,8 @@ fn a_recovered_document_is_changed_until_it_is_saved() {
     assert!(!editor.is_changed());
     let untitled = Editor::unsaved(None, "Lens", TEXT, scene);
     assert_eq!((untitled.title(), untitled.path(), untitled.is_changed()), ("Lens", None, true));
+    let revision = editor.revision();
+    assert!(Editor::open("mine.toml", TEXT, read(TEXT).scene).succeeding(&editor).revision() > revision);
+    editor.mark_unsaved();
+    assert!(editor.is_changed());
 }
