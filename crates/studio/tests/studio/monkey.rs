@@ -8,12 +8,15 @@ use std::path::PathBuf;
 use catoptric_editor::{Action, Item, Label};
 use catoptric_scene::{Example, MaterialChoice, ShapeKind};
 use catoptric_studio::{Command, Start, Studio};
-use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, TouchPhase, accesskit, pos2, vec2};
+use egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, accesskit,
+    pos2, vec2,
+};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
 use glam::DVec3;
 
-use crate::kit::{TestHost, studio_on};
+use crate::kit::{TestHost, studio_with};
 
 /// Steps in the usual tests.
 const STEPS: u64 = 1500;
@@ -74,7 +77,7 @@ struct Monkey {
 impl Monkey {
     fn new(seed: u64) -> Self {
         let host = TestHost::new();
-        let harness = studio_on(host.clone(), Start::Example("four-bodies".to_owned()));
+        let harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
         Self { dice: Dice(seed), host, harness, log: Vec::new() }
     }
 
@@ -107,7 +110,7 @@ impl Monkey {
         let all: Vec<&Command> = Command::all().collect();
         let command = match self.dice.below(12) {
             0 => Command::OpenExample(self.dice.one(Example::ALL).name),
-            1 => Command::OpenFile(self.host.path(self.dice.one(&["a.toml", "b.toml", "missing.toml"]))),
+            1 => Command::OpenFile(self.scene_file()),
             _ => (*self.dice.one(&all)).clone(),
         };
         let said = format!("{command:?}");
@@ -192,7 +195,8 @@ impl Monkey {
             return format!("type {text}");
         }
         let key = *self.dice.one(KEYS);
-        let modifiers = *self.dice.one(&[Modifiers::NONE, Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND]);
+        let modifiers =
+            *self.dice.one(&[Modifiers::NONE, Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND]);
         self.harness.key_press_modifiers(modifiers, key);
         format!("press {key:?} with {modifiers:?}")
     }
@@ -209,7 +213,8 @@ impl Monkey {
             let label = Label::new("edit-move", "monkey");
             // A refusal is a good answer.
             let _ = editor.change_body(index, label, |body| body.placement = body.placement.moved_by(vector));
-            let _ = editor.change_light(index, Label::new("edit-light", "monkey"), |light| light.intensity = number);
+            let _ = editor
+                .change_light(index, Label::new("edit-light", "monkey"), |light| light.intensity = number);
             return format!("move {index} by {vector}, intensity {number}");
         }
         let _ = editor.apply(action);
@@ -217,7 +222,8 @@ impl Monkey {
     }
 
     fn action(&mut self) -> Action {
-        let item = *self.dice.one(&[Item::Camera, Item::Body(0), Item::Body(7), Item::Light(0), Item::Material(1)]);
+        let item =
+            *self.dice.one(&[Item::Camera, Item::Body(0), Item::Body(7), Item::Light(0), Item::Material(1)]);
         let name = (*self.dice.one(&["", "a", "шар", "a\"b\n", "sphere 2"])).to_owned();
         match self.dice.below(22) {
             0 => Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), at: self.dice.vector(), name },
@@ -253,6 +259,7 @@ impl Monkey {
             unit: MouseWheelUnit::Point,
             delta,
             phase: TouchPhase::Move,
+            source: MouseWheelSource::Wheel,
             modifiers: Modifiers::NONE,
         });
         format!("wheel {delta} at {at}")
@@ -264,9 +271,15 @@ impl Monkey {
         format!("resize to {size}")
     }
 
+    fn scene_file(&mut self) -> PathBuf {
+        const NAMES: &[&str] = &["a.toml", "b.toml", "missing.toml"];
+        let name = *self.dice.one(NAMES);
+        self.host.path(name)
+    }
+
     /// Prepares the answer to the next question for a file, or puts a good or bad scene file there.
     fn file(&mut self) -> String {
-        let path = self.host.path(self.dice.one(&["a.toml", "b.toml"]));
+        let path = self.scene_file();
         match self.dice.below(4) {
             0 => self.host.answer(None),
             1 => self.host.answer(Some(path.clone())),
