@@ -85,7 +85,7 @@ fn told(cx: &Cx<'_>, error: &LiveError) -> String {
         LiveError::Stage(StageError::TooManyBodies(count)) => {
             cx.texts.with("viewport-error-bodies", &[("count", (*count).into())])
         }
-        LiveError::Size(_) => cx.t("viewport-error-size").to_owned(),
+        LiveError::Size(_) | LiveError::TooLarge { .. } => cx.t("viewport-error-size").to_owned(),
         LiveError::Camera => cx.t("viewport-error-camera").to_owned(),
         LiveError::Fault(fault) => cx.texts.with("viewport-error-fault", &[("fault", fault.as_str().into())]),
     }

@@ -1,21 +1,18 @@
 //! The little bar over the picture.
 
 use catoptric_picture::ToneCurve;
-use catoptric_scene::Projection;
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Layout, Margin, Popup, PopupCloseBehavior, Rect, Response,
     Sense, Slider, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
 };
 use egui_material_icons::MaterialIcon;
-use egui_material_icons::icons::{
-    ICON_AUTORENEW, ICON_CENTER_FOCUS_STRONG, ICON_DEPLOYED_CODE, ICON_EXPOSURE, ICON_FLIGHT, ICON_GRID_4X4,
-    ICON_ORBIT, ICON_OPEN_WITH, ICON_PUBLIC, ICON_TOUCH_APP, ICON_VIDEOCAM, ICON_VIEW_IN_AR, ICON_ZOOM_OUT_MAP,
-};
+use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
 
 use crate::command::{Command, Tool};
 use crate::context::Cx;
-use crate::theme;
+use crate::widgets::paint_icon;
+use crate::{shortcuts, theme};
 
 /// Side of a button, points.
 const BUTTON: f32 = 28.0;
@@ -65,56 +62,32 @@ fn gap(ui: &mut Ui) {
 }
 
 fn tools(ui: &mut Ui, cx: &mut Cx<'_>) {
-    for (tool, icon, key) in [
-        (Tool::Move, ICON_OPEN_WITH, "viewport-tool-move"),
-        (Tool::Rotate, ICON_AUTORENEW, "viewport-tool-rotate"),
-        (Tool::Scale, ICON_ZOOM_OUT_MAP, "viewport-tool-scale"),
-    ] {
-        if icon_button(ui, cx, icon, key, Some(cx.view.tool == tool)).clicked() {
-            cx.run(Command::Tool(tool));
-        }
+    for tool in [Tool::Move, Tool::Rotate, Tool::Scale] {
+        command_button(ui, cx, Command::Tool(tool));
     }
-    let is_local = cx.view.is_gizmo_local;
-    let icon = if is_local { ICON_DEPLOYED_CODE } else { ICON_PUBLIC };
-    if icon_button(ui, cx, icon, "viewport-local-axes", Some(is_local)).clicked() {
-        cx.run(Command::ToggleGizmoSpace);
-    }
+    command_button(ui, cx, Command::ToggleGizmoSpace);
 }
 
 fn shown(ui: &mut Ui, cx: &mut Cx<'_>) {
-    if icon_button(ui, cx, ICON_GRID_4X4, "viewport-grid", Some(cx.settings.shows_grid)).clicked() {
-        cx.run(Command::ToggleGrid);
-    }
-    if icon_button(ui, cx, ICON_TOUCH_APP, "viewport-handles", Some(cx.settings.shows_handles)).clicked() {
-        cx.run(Command::ToggleHandles);
-    }
+    command_button(ui, cx, Command::ToggleGrid);
+    command_button(ui, cx, Command::ToggleHandles);
 }
 
 fn looking(ui: &mut Ui, cx: &mut Cx<'_>) {
-    if icon_button(ui, cx, ICON_CENTER_FOCUS_STRONG, "viewport-frame", None).clicked() {
-        let selection = cx.editor.selection();
-        let has_selected = selection.bodies().next().is_some() || selection.lights().next().is_some();
-        cx.run(if has_selected { Command::FrameSelection } else { Command::FrameAll });
-    }
-    let camera = cx.view.camera(cx.editor.scene());
-    let is_parallel = matches!(camera.projection, Projection::Parallel { .. });
-    if icon_button(ui, cx, ICON_VIEW_IN_AR, "viewport-parallel", Some(is_parallel)).clicked() {
-        cx.run(Command::ToggleProjection);
-    }
-    let is_free = cx.view.free_camera.is_some();
-    if icon_button(ui, cx, ICON_ORBIT, "viewport-free-view", Some(is_free)).clicked() {
-        cx.run(Command::ToggleFreeView);
-    }
-    if icon_button(ui, cx, ICON_FLIGHT, "viewport-fly", Some(cx.view.is_flying)).clicked() {
-        cx.run(Command::ToggleFly);
-    }
+    let has_selected = cx.situation().can(&Command::FrameSelection);
+    command_button(ui, cx, if has_selected { Command::FrameSelection } else { Command::FrameAll });
+    command_button(ui, cx, Command::ToggleProjection);
+    command_button(ui, cx, Command::ToggleFreeView);
+    command_button(ui, cx, Command::ToggleFly);
 }
 
 /// Exposure and tone curve, in a popup.
 fn exposure(ui: &mut Ui, cx: &mut Cx<'_>) {
     let development = cx.view.development;
     let is_set = development != catoptric_picture::Development::default();
-    let button = icon_button(ui, cx, ICON_EXPOSURE, "viewport-exposure", Some(is_set));
+    let name = cx.t("viewport-exposure");
+    let tip = cx.texts.tip("viewport-exposure").unwrap_or_default();
+    let button = icon_button(ui, ICON_EXPOSURE, name, Some(is_set)).on_hover_text(format!("{name}\n{tip}"));
     if development.exposure_stops != 0.0 {
         let stops = super::labels::signed_stops(development.exposure_stops);
         let text = cx.texts.with("viewport-exposure-stops", &[("stops", stops.into())]);
@@ -152,7 +125,8 @@ fn exposure_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
         (ToneCurve::Reinhard, "viewport-tone-reinhard"),
         (ToneCurve::Filmic, "viewport-tone-filmic"),
     ] {
-        let choice = ui.radio_value(&mut cx.view.development.tone_curve, curve, cx.t(key));
+        let name = cx.texts.get(key);
+        let choice = ui.radio_value(&mut cx.view.development.tone_curve, curve, name);
         choice.on_hover_text(cx.texts.tip(key).unwrap_or_default());
     }
 }
@@ -162,28 +136,39 @@ fn free_view(ui: &mut Ui, cx: &mut Cx<'_>) {
     let palette = theme::palette(ui.visuals());
     ui.spacing_mut().item_spacing.x = 6.0;
     ui.add_space(6.0);
-    ui.label(egui::RichText::new(ICON_ORBIT.codepoint).color(palette.accent));
+    ui.label(ICON_360.rich_text().size(16.0).color(palette.accent));
     ui.label(cx.t("viewport-free-badge"));
     let put = ui.button(cx.t("viewport-camera-here"));
     if put.on_hover_text(cx.texts.tip("viewport-camera-here").unwrap_or_default()).clicked() {
         cx.run(Command::CameraFromView);
     }
-    let back = icon_button(ui, cx, ICON_VIDEOCAM, "viewport-camera-back", None);
-    if back.clicked() {
+    let name = cx.t("viewport-camera-back");
+    if ui.button(name).clicked() {
         cx.run(Command::ToggleFreeView);
     }
 }
 
+/// A button for a command, with its icon, name and shortcut.
+fn command_button(ui: &mut Ui, cx: &mut Cx<'_>, command: Command) {
+    let Some(look) = command.look() else { return };
+    let situation = cx.situation();
+    let name = situation.name(&command);
+    let mut tip = name.clone();
+    if let Some(shortcut) = look.shortcuts.first() {
+        tip = format!("{tip} ({})", shortcuts::text(ui.ctx(), shortcut));
+    }
+    if let Some(explained) = situation.tip(&command) {
+        tip = format!("{tip}\n{explained}");
+    }
+    let is_on = situation.is_on(&command);
+    if icon_button(ui, look.icon, &name, is_on).on_hover_text(tip).clicked() {
+        cx.run(command);
+    }
+}
+
 /// A flat button with an icon; `is_on` is given for those that can be on.
-fn icon_button(
-    ui: &mut Ui,
-    cx: &Cx<'_>,
-    icon: MaterialIcon,
-    key: &str,
-    is_on: Option<bool>,
-) -> Response {
+fn icon_button(ui: &mut Ui, icon: MaterialIcon, name: &str, is_on: Option<bool>) -> Response {
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(BUTTON), Sense::click());
-    let name = cx.texts.get(key);
     response.widget_info(|| match is_on {
         Some(is_on) => WidgetInfo::selected(Role::Button, true, is_on, name),
         None => WidgetInfo::labeled(Role::Button, true, name),
@@ -201,10 +186,6 @@ fn icon_button(
         painter.rect_stroke(rect, 5.0, Stroke::new(1.5, palette.accent), StrokeKind::Inside);
     }
     let color = if is_on || response.hovered() { palette.text } else { palette.text.gamma_multiply(0.85) };
-    let font = FontId::new(17.0, icon.font_family());
-    painter.text(rect.center(), Align2::CENTER_CENTER, icon.codepoint, font, color);
-    match cx.texts.tip(key) {
-        Some(tip) => response.on_hover_text(format!("{name}\n{tip}")),
-        None => response.on_hover_text(name),
-    }
+    paint_icon(ui, icon, rect.center(), 17.0, color);
+    response
 }
