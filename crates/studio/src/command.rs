@@ -146,16 +146,8 @@ pub enum Group {
 
 impl Group {
     /// All groups, in the order in which to show them.
-    pub const ALL: [Self; 8] = [
-        Self::File,
-        Self::Edit,
-        Self::Select,
-        Self::Add,
-        Self::View,
-        Self::Tool,
-        Self::Window,
-        Self::Help,
-    ];
+    pub const ALL: [Self; 8] =
+        [Self::File, Self::Edit, Self::Select, Self::Add, Self::View, Self::Tool, Self::Window, Self::Help];
 
     /// The message that names the group.
     pub const fn key(self) -> &'static str {

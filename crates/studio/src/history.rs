@@ -28,7 +28,7 @@ pub(crate) fn history_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
     let count = cx.editor.steps().len() + 1;
     let done = cx.editor.steps_done();
     let mut wanted = None;
-    let seen = ui.id().with("seen");
+    let seen = ui.scope_id().with("seen");
     let is_new = ui.data_mut(|data| data.get_temp(seen)) != Some((count, done));
     let mut scroll = ScrollArea::vertical().auto_shrink(false);
     if is_new {
@@ -53,11 +53,7 @@ pub(crate) fn history_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
 fn names(editor: &Editor, texts: &Texts, rows: &std::ops::Range<usize>) -> Vec<String> {
     let opened = (rows.start == 0).then(|| texts.get("history-opened").to_owned());
     let steps = editor.steps().skip(rows.start.saturating_sub(1));
-    opened
-        .into_iter()
-        .chain(steps.map(|label| step_name(texts, label)))
-        .take(rows.len())
-        .collect()
+    opened.into_iter().chain(steps.map(|label| step_name(texts, label))).take(rows.len()).collect()
 }
 
 /// Draws a row; returns whether it was clicked.

@@ -71,7 +71,9 @@ pub fn is_visible(tree: &Tree<Pane>, pane: Pane) -> bool {
 
 /// Whether `pane` can be seen and lies before other tabs.
 pub fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
-    tree.tiles.find_pane(&pane).is_some_and(|tile| tree.is_visible(tile) && tree.active_tiles().contains(&tile))
+    tree.tiles
+        .find_pane(&pane)
+        .is_some_and(|tile| tree.is_visible(tile) && tree.active_tiles().contains(&tile))
 }
 
 /// Shows or hides `pane`; a shown one comes to the front. A panel that the layout has lost is put back.

@@ -122,7 +122,8 @@ fn entries_ui(ui: &mut Ui, studio: &Studio, entries: Vec<Entry>, commands: &mut 
             }
             Entry::Sub(key, icon, content) => {
                 let text = studio.texts.get(key);
-                let button = Button::new((icon.rich_text(), text)).right_text(SubMenuButton::arrow_atom(None));
+                let button =
+                    Button::new((icon.rich_text(), text)).right_text(SubMenuButton::arrow_atom(None));
                 let (response, _) =
                     SubMenuButton::from_button(button).ui(ui, |ui| content(ui, studio, commands));
                 response.accessible_name(text);
@@ -236,7 +237,12 @@ fn select_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 
 fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     use Action::{MakeMaterialUnique, RemoveUnusedMaterials, ShareMaterial};
-    do_ui(ui, studio, commands, [ShareMaterial, MakeMaterialUnique, RemoveUnusedMaterials].map(Command::Edit));
+    do_ui(
+        ui,
+        studio,
+        commands,
+        [ShareMaterial, MakeMaterialUnique, RemoveUnusedMaterials].map(Command::Edit),
+    );
 }
 
 fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {

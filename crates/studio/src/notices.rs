@@ -72,9 +72,7 @@ impl Toasts {
         self.notices.retain(|notice| notice.text != text);
         let surplus = (self.notices.len() + 1).saturating_sub(MOST);
         self.notices.drain(..surplus);
-        let place = self.notices.len();
-        self.notices.push(Notice { kind, text, left: Some(STAY.as_secs_f32()) });
-        &mut self.notices[place]
+        self.notices.push_mut(Notice { kind, text, left: Some(STAY.as_secs_f32()) })
     }
 
     /// Draws them at the lower right, above the status bar; `close` names the button that closes one.

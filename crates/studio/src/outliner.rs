@@ -19,7 +19,7 @@ use crate::context::Cx;
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
-use rows::{Row, Rows, Section};
+use rows::{Row, Rows};
 
 /// Height of a row, points.
 const ROW: f32 = 23.0;
@@ -122,7 +122,8 @@ fn filter_ui(ui: &mut Ui, texts: &Texts, filter: &mut String) {
     crate::widgets::paint_icon(ui, icons::ICON_SEARCH, center, 15.0, color);
     if !filter.is_empty() {
         let right = Rect::from_center_size(pos2(rect.right() - 13.0, rect.center().y), vec2(22.0, 22.0));
-        let clear = |ui: &mut Ui| icon_button(ui, icons::ICON_CLOSE, texts.get("outliner-filter-clear"), false);
+        let clear =
+            |ui: &mut Ui| icon_button(ui, icons::ICON_CLOSE, texts.get("outliner-filter-clear"), false);
         if ui.scope_builder(egui::UiBuilder::new().max_rect(right), clear).inner.clicked() {
             filter.clear();
         }

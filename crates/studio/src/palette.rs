@@ -8,7 +8,6 @@ use egui::{Align2, Context, Id, Key, Modal, Modifiers, Rect, ScrollArea, Sense, 
 use egui::{WidgetInfo, pos2, vec2};
 
 use crate::app::Studio;
-use crate::command::Command;
 use crate::theme;
 use crate::widgets::paint_icon;
 use entries::{Entry, What};
@@ -166,7 +165,7 @@ impl Open {
         let mut area = ScrollArea::vertical().max_height(height).auto_shrink([false, true]);
         if std::mem::take(&mut self.scrolls) {
             let seen = egui::scroll_area::State::load(ui.ctx(), ui.make_persistent_id("palette list"));
-            let offset = seen.map_or(0.0, |state| state.offset().y);
+            let offset = seen.map_or(0.0, |state| state.clamped_offset().y);
             let top = self.chosen as f32 * ROW;
             area = area.vertical_scroll_offset(offset.clamp((top + ROW - height).max(0.0), top));
         }

@@ -31,7 +31,9 @@ struct Listeners {
 pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     let context = ui.ctx().clone();
     let mut commands = Vec::new();
-    if context.memory(|memory| memory.top_modal_layer().is_none()) {
+    let is_behind =
+        studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());
+    if !is_behind {
         let listeners = Listeners {
             is_typing: context.text_edit_focused(),
             is_menu_open: Popup::is_any_open(&context),
@@ -106,9 +108,9 @@ fn command_of(event: &Event, listeners: Listeners) -> Option<Option<&'static Com
 fn find(key: Key, modifiers: Modifiers) -> Option<(&'static Command, KeyboardShortcut)> {
     Command::all().find_map(|command| {
         let shortcuts = command.look()?.shortcuts;
-        let hit = shortcuts.iter().find(|shortcut| {
-            shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
-        })?;
+        let hit = shortcuts
+            .iter()
+            .find(|shortcut| shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers))?;
         Some((command, *hit))
     })
 }
@@ -217,7 +219,8 @@ mod tests {
 
     #[test]
     fn a_held_key_deletes_once_and_undoes_many_times() {
-        let held = |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: true, modifiers };
+        let held =
+            |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: true, modifiers };
         let control = Modifiers::COMMAND | Modifiers::CTRL;
         assert_eq!(command_of(&held(Key::D, control), Listeners::default()), Some(None));
         let undo = command_of(&held(Key::Z, control), Listeners::default());

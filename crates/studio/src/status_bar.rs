@@ -82,7 +82,7 @@ fn progress_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
 fn error_ui(ui: &mut Ui, texts: &Texts, error: &LiveError) {
     let key = match error {
         LiveError::Stage(_) => "status-error-scene",
-        LiveError::Size(_) => "status-error-size",
+        LiveError::Size(_) | LiveError::TooLarge { .. } => "status-error-size",
         LiveError::Camera => "status-error-camera",
         LiveError::Fault(_) => "status-error-fault",
     };

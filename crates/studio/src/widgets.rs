@@ -11,9 +11,8 @@ pub(crate) const ICON_BUTTON: f32 = 22.0;
 /// A flat button that shows only an icon; `name` is its accessible name and its tooltip. `is_on` marks it.
 pub(crate) fn icon_button(ui: &mut Ui, icon: MaterialIcon, name: &str, is_on: bool) -> Response {
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(ICON_BUTTON), Sense::click());
-    response.widget_info(|| {
-        WidgetInfo::selected(egui::accesskit::Role::Button, ui.is_enabled(), is_on, name)
-    });
+    response
+        .widget_info(|| WidgetInfo::selected(egui::accesskit::Role::Button, ui.is_enabled(), is_on, name));
     if ui.is_rect_visible(rect) {
         let palette = theme::palette(ui.visuals());
         let visuals = ui.style().interact(&response);

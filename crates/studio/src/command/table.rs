@@ -167,7 +167,9 @@ mod tests {
     fn no_command_stands_twice_and_no_two_share_a_shortcut() {
         let mut owners: HashMap<KeyboardShortcut, &str> = HashMap::new();
         for (place, row) in ROWS.iter().enumerate() {
-            let twin = ROWS[..place].iter().find(|other| other.command == row.command || other.look.key == row.look.key);
+            let twin = ROWS[..place]
+                .iter()
+                .find(|other| other.command == row.command || other.look.key == row.look.key);
             assert!(twin.is_none(), "{}", row.look.key);
             for shortcut in row.look.shortcuts {
                 let owner = owners.insert(*shortcut, row.look.key);

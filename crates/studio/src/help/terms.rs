@@ -59,7 +59,12 @@ pub(super) fn terms_ui(ui: &mut Ui, texts: &Texts) {
 
 fn sign(term: &Term, color: egui::Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
-    let format = |size, valign| TextFormat { font_id: FontId::proportional(size), color, valign, ..Default::default() };
+    let format = |size, valign| TextFormat {
+        font_id: FontId::proportional(size),
+        color,
+        valign,
+        ..Default::default()
+    };
     job.append(term.sign, 0.0, format(17.0, Align::Center));
     job.append(term.index, 0.0, format(11.0, Align::BOTTOM));
     job

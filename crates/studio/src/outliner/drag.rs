@@ -80,7 +80,9 @@ fn find(rows: &[Row], item: Item, height: f32) -> Option<Drop> {
         Some(Row::Head(under, _)) if *under == section => Some(Drop::Place { index: 0, row: row + 1 }),
         // The next head, or nothing more: the end of the list.
         other => {
-            let last = rows.iter().rposition(|row| matches!(row, Row::Item(item) if Section::of(*item) == Some(section)))?;
+            let last = rows
+                .iter()
+                .rposition(|row| matches!(row, Row::Item(item) if Section::of(*item) == Some(section)))?;
             let is_end = other.is_none() || row == last + 1;
             let Some(Row::Item(item)) = rows.get(last).filter(|_| is_end) else { return None };
             Some(Drop::Place { index: index_of(*item) + 1, row: last + 1 })
@@ -143,7 +145,8 @@ fn ghost(ui: &Ui, cx: &Cx<'_>, item: Item, at: egui::Pos2) {
     let name = item_name(cx.texts, cx.editor.scene(), item);
     let selection = cx.editor.selection();
     let count = selection.iter().filter(|other| Section::of(*other) == Section::of(item)).count();
-    let text = if selection.contains(item) && count > 1 { format!("{name}  +{}", count - 1) } else { name.into() };
+    let text =
+        if selection.contains(item) && count > 1 { format!("{name}  +{}", count - 1) } else { name.into() };
     let palette = theme::palette(ui.visuals());
     let painter = ui.ctx().layer_painter(LayerId::new(Order::Tooltip, Id::unique("outliner ghost")));
     let font = TextStyle::Body.resolve(ui.style());

@@ -7,7 +7,9 @@ use egui::{pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
 use super::rows::Section;
-use super::{Outliner, ROW, click, drag, item_color, item_icon, item_name, list_id, menu, rename_ui, shared_material};
+use super::{
+    Outliner, ROW, click, drag, item_color, item_icon, item_name, list_id, menu, rename_ui, shared_material,
+};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;

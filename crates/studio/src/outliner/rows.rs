@@ -101,8 +101,9 @@ impl Rows {
             return;
         }
         let filter = filter.trim().to_lowercase();
-        let fits =
-            |item: &Item| filter.is_empty() || item_name(texts, scene, *item).to_lowercase().contains(&filter);
+        let fits = |item: &Item| {
+            filter.is_empty() || item_name(texts, scene, *item).to_lowercase().contains(&filter)
+        };
         self.rows.clear();
         let fixed = [Item::Camera, Item::Environment, Item::Tracing];
         self.rows.extend(fixed.into_iter().filter(fits).map(Row::Item));

@@ -12,7 +12,8 @@ pub(super) struct Query {
 impl Query {
     pub(super) fn new(text: &str) -> Self {
         let typed = folded(text.trim());
-        let mut readings = vec![typed.clone(), swapped(&typed, LATIN, RUSSIAN), swapped(&typed, RUSSIAN, LATIN)];
+        let mut readings =
+            vec![typed.clone(), swapped(&typed, LATIN, RUSSIAN), swapped(&typed, RUSSIAN, LATIN)];
         readings.dedup();
         Self { readings }
     }
@@ -24,7 +25,9 @@ impl Query {
                 let name = folded(name);
                 let scores = self.readings.iter().enumerate();
                 scores
-                    .filter_map(|(place, reading)| Some(score(reading, &name)? - if place > 0 { 15 } else { 0 }))
+                    .filter_map(|(place, reading)| {
+                        Some(score(reading, &name)? - if place > 0 { 15 } else { 0 })
+                    })
                     .max()
             })
             .max()
@@ -57,7 +60,10 @@ fn score(query: &[char], name: &[char]) -> Option<i32> {
 /// The same with the first letter at `start`, the others as early as they come, beginnings of words preferred.
 fn score_from(query: &[char], name: &[char], start: usize) -> Option<i32> {
     let is_beginning = |place: usize| {
-        place.checked_sub(1).and_then(|before| name.get(before)).is_none_or(|letter| !letter.is_alphanumeric())
+        place
+            .checked_sub(1)
+            .and_then(|before| name.get(before))
+            .is_none_or(|letter| !letter.is_alphanumeric())
     };
     let mut total = if start == 0 { 12 } else { 0 };
     let mut place = start;
