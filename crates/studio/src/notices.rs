@@ -127,7 +127,7 @@ fn notice_ui(ui: &mut egui::Ui, notice: &Notice, close: &str) -> bool {
         .inner_margin(egui::Margin::symmetric(12, 8))
         .show(ui, |ui| {
             ui.set_width(320.0);
-            ui.horizontal_top(|ui| {
+            ui.horizontal(|ui| {
                 ui.label(icon.rich_text().size(18.0).color(color));
                 let width = ui.available_width() - 30.0;
                 ui.allocate_ui(vec2(width, 0.0), |ui| {

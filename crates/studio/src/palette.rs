@@ -9,7 +9,7 @@ use egui::{WidgetInfo, pos2, vec2};
 
 use crate::app::Studio;
 use crate::theme;
-use crate::widgets::paint_icon;
+use crate::widgets::{paint_icon, paint_line};
 use entries::{Entry, What};
 
 /// Height of a row, points.
@@ -200,14 +200,7 @@ fn row_ui(ui: &mut Ui, studio: &Studio, entry: &Entry, is_chosen: bool) -> egui:
     let right = pos2(rect.right() - 10.0, rect.center().y);
     let detail = ui.painter().text(right, Align2::RIGHT_CENTER, &entry.detail, small, palette.weak);
     let text = Rect::from_min_max(rect.min + vec2(38.0, 0.0), pos2(detail.left() - 8.0, rect.bottom()));
-    let body = TextStyle::Body.resolve(ui.style());
-    ui.painter().with_clip_rect(text.intersect(ui.clip_rect())).text(
-        text.left_center(),
-        Align2::LEFT_CENTER,
-        &entry.name,
-        body,
-        color,
-    );
+    paint_line(ui, text, &entry.name, color);
     match &entry.tip {
         Some(tip) => response.on_hover_text(tip),
         None => response,

@@ -151,8 +151,6 @@ pub(crate) fn text(context: &Context, shortcut: &KeyboardShortcut) -> String {
     let names = ModifierNames::NAMES;
     let modifiers = names.format(&shortcut.modifiers, context.os().is_mac());
     let key = match shortcut.logical_key {
-        Key::ArrowUp => "↑",
-        Key::ArrowDown => "↓",
         Key::OpenBracket => "[",
         Key::CloseBracket => "]",
         Key::Plus => "+",

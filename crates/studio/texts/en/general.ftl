@@ -11,8 +11,6 @@ cancel = Cancel
 close = Close
 language = Language
     .tip = Switches the language of the studio.
-theme = Theme
-    .tip = Light or dark window.
 
 # The status bar.
 status-threads = { $count ->

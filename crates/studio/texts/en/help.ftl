@@ -74,5 +74,5 @@ first-title = First steps
 first-dismiss = Dismiss the hint
 first-move = Drag a ball with the left mouse button: its reflections follow.
 first-orbit = Drag with the right button: the view turns about its target.
-first-reflection = Select a body and change its reflection coefficient k_r at the right.
+first-reflection = Select a body and change its reflection coefficient at the right.
 first-done = That was all of it.
