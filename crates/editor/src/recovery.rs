@@ -73,7 +73,8 @@ impl Session {
         }
     }
 
-    /// Keeps a document instead of the one kept before, whole or not at all.
+    /// Keeps a document instead of the one kept before, whole or not at all. This waits for the disk: not for a thread
+    /// that draws.
     ///
     /// # Errors
     /// What stands in the way; the one kept before is untouched then.

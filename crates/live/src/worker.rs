@@ -199,7 +199,10 @@ impl Worker {
             self.shared.watch_pass(&control, &patience);
         });
         let milliseconds = milliseconds_since(start);
-        self.pace.passed(control.pixels_done(), milliseconds);
+        match (&result, until) {
+            (Err(_), Some(_)) => self.pace.gave_up(control.pixels_done(), milliseconds),
+            _ => self.pace.passed(control.pixels_done(), milliseconds),
+        }
         match result {
             Ok(rays) => Ok(Some(Passed { rays, milliseconds })),
             Err(RenderError::Cancelled) => Ok(None),
@@ -291,6 +294,39 @@ pub(crate) fn message_of(panic: &(dyn Any + Send)) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
+    use catoptric_scene::Scene;
+
+    use super::*;
+    use crate::live::Live;
+
     /// A request of this revision panics.
-    pub(crate) const FAULTY: u64 = u64::MAX;
+    pub(super) const FAULTY: u64 = u64::MAX;
+
+    #[test]
+    fn a_panic_is_reported_and_the_next_request_is_served() {
+        let (ring, bell) = std::sync::mpsc::channel();
+        let live = Live::start(move || {
+            let _ = ring.send(());
+            panic!("the window's own fault");
+        })
+        .unwrap();
+        let scene = Arc::new(Scene::default());
+        for revision in [FAULTY, 1, FAULTY, 2] {
+            live.request(Request { samples: 1, ..Request::new(Arc::clone(&scene), revision, [40, 30]) });
+            while !live.status().is_idle {
+                let _ = bell.recv_timeout(Duration::from_millis(100));
+            }
+            if revision == FAULTY {
+                let Some(LiveError::Fault(message)) = live.status().error else {
+                    panic!("{:?}", live.status())
+                };
+                assert_eq!(message, "a fault for the test");
+            } else {
+                assert_eq!(live.status().error, None);
+                assert_eq!(live.latest().map(|frame| frame.revision), Some(revision));
+            }
+        }
+    }
 }

@@ -3,5 +3,6 @@
 
 mod commands;
 mod kit;
+mod monkey;
 mod outliner;
 mod window;
