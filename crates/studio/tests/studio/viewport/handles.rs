@@ -53,7 +53,7 @@ fn a_local_arrow_moves_along_the_bodys_own_axis() {
     let way = position(hand.scene(), CUBE) - start;
     assert!(way.distance(0.4 * own) < 1e-8, "{way}");
     hand.undo();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
 }
 
 #[test]
@@ -146,10 +146,10 @@ fn escape_abandons_a_pull() {
     let from = hand.arrow(pivot, DVec3::Y);
     hand.press(from);
     hand.way(from, from - Vec2::new(0.0, 60.0));
-    assert_ne!(hand.scene(), &before);
+    assert!(hand.scene() != &before);
     hand.tap(Key::Escape);
     hand.release();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
 }
 
 #[test]
@@ -179,7 +179,7 @@ fn a_light_is_chosen_and_dragged_by_its_handle() {
     assert!(moved.y > light.y + 0.2 && moved.x == light.x && moved.z == light.z, "{moved}");
     let mut expected = before.clone();
     expected.lights[1].position = moved;
-    assert_eq!(hand.scene(), &expected);
+    assert_same(hand.scene(), &expected);
     assert_eq!(hand.steps(), steps + 1);
 }
 

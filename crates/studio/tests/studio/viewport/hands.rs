@@ -66,7 +66,7 @@ fn a_body_is_dragged_along_the_ground_and_stays_under_the_pointer() {
     assert!(rendered.distance(to) < 20.0, "{rendered} instead of {to}");
     assert_eq!(hand.steps(), 1);
     hand.undo();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
 }
 
 #[test]
@@ -95,13 +95,13 @@ fn escape_abandons_what_the_hand_does() {
     let from = hand.place(position(&before, SPHERE));
     hand.press(from);
     hand.way(from, from + Vec2::new(80.0, 20.0));
-    assert_ne!(hand.scene(), &before);
+    assert!(hand.scene() != &before);
     hand.tap(Key::Escape);
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
     // The button is still down; nothing moves any more.
     hand.way(hand.pos, from + Vec2::new(160.0, 60.0));
     hand.release();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
     assert_eq!(hand.steps(), 0);
 }
 
@@ -127,7 +127,7 @@ fn all_that_is_selected_goes_along_but_what_is_locked() {
     assert_eq!(after.bodies[CYLINDER], before.bodies[CYLINDER]);
     assert_eq!(hand.steps(), 2);
     hand.undo();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
 }
 
 #[test]

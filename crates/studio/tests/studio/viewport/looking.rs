@@ -28,7 +28,7 @@ fn dragging_beside_the_bodies_orbits_in_one_step() {
     assert_eq!(hand.scene().bodies, before.bodies);
     assert_eq!(hand.steps(), 1);
     hand.undo();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
     // The right button orbits over bodies, too.
     let ball = hand.place(position(hand.scene(), SPHERE));
     hand.drag_with(PointerButton::Secondary, ball, ball + Vec2::new(60.0, 0.0));
@@ -73,7 +73,7 @@ fn the_wheel_comes_closer_to_what_is_under_the_pointer_in_one_step() {
     assert!(hand.scene().camera.position.distance(before.camera.position) < 0.3);
     hand.undo();
     hand.undo();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn the_free_view_leaves_the_scene_alone() {
     hand.go(from);
     hand.wheel(120.0);
     hand.rest();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
     assert_eq!(hand.steps(), 0);
     let seen = hand.harness.state().live().latest().unwrap().camera;
     assert_ne!(seen, before.camera);
@@ -174,9 +174,9 @@ fn framing_and_looking_along_an_axis_arrive() {
     assert!(matches!(hand.scene().camera.projection, Projection::Parallel { .. }));
     hand.undo();
     hand.undo();
-    assert_eq!(hand.scene(), &before);
+    assert_same(hand.scene(), &before);
     hand.run(Command::LookAlong(Axis::Top));
-    assert_eq!(hand.scene(), &before, "the scene's camera stays");
+    assert_same(hand.scene(), &before);
     let seen = hand.harness.state().live().latest().unwrap().camera;
     assert_eq!((seen.position.x, seen.position.z), (seen.target.x, seen.target.z));
 }
