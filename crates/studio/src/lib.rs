@@ -22,8 +22,10 @@ mod shortcuts;
 mod status_bar;
 mod texts;
 mod theme;
+mod typeset;
 mod view;
 mod viewport;
+mod widgets;
 mod window;
 
 pub use app::{Start, Studio};
