@@ -5,6 +5,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result};
 
+use crate::packages;
 use crate::root;
 use crate::shell::{self, command, exists};
 
@@ -49,6 +50,7 @@ fn checks() -> Result<Vec<String>> {
         })?,
         Err(error) => skipped.push(format!("dependencies: cargo-deny cannot be had: {error:#}")),
     }
+    skipped.extend(packages::provide());
     step("tests", || run_cargo(&["test", "--workspace", "--locked"]))?;
     step("the README's first command", || {
         let picture = root().join("target/whitted.png");

@@ -1,13 +1,16 @@
-//! Project chores: `cargo xtask ci`, `cargo xtask gallery`, `cargo xtask bench`, `cargo xtask cloud`.
+//! Project chores: `cargo xtask ci`, and those that `cargo xtask help` lists.
 
 mod bench;
 mod ci;
 mod cloud;
+mod dist;
 mod gallery;
+mod packages;
 mod sheet;
 mod shell;
 #[cfg(test)]
 mod tidy;
+mod window;
 
 use std::path::PathBuf;
 
@@ -31,6 +34,12 @@ enum Chore {
     Cloud(cloud::CloudArguments),
     /// Time the tracer against POV-Ray on the same scenes, by turns
     Bench(bench::BenchArguments),
+    /// Time how quickly the studio answers, in a real window
+    BenchStudio,
+    /// Draw the documents' pictures of the studio
+    Screenshots(window::ScreenshotArguments),
+    /// Make an archive of the program for Linux
+    Dist,
 }
 
 fn main() -> anyhow::Result<()> {
@@ -39,6 +48,9 @@ fn main() -> anyhow::Result<()> {
         Chore::Gallery(arguments) => gallery::run(&arguments),
         Chore::Cloud(arguments) => cloud::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
+        Chore::BenchStudio => window::bench(),
+        Chore::Screenshots(arguments) => window::screenshots(&arguments),
+        Chore::Dist => dist::run(),
     }
 }
 

@@ -1,10 +1,22 @@
 //! Discrete acts on the document, for menus, shortcuts and a command palette.
 
-use catoptric_scene::{Diagnostics, MaterialChoice, ShapeKind};
+mod add;
+mod flags;
+mod list;
+mod material;
+mod outcome;
+mod place;
+mod select;
+
+use catoptric_scene::{Diagnostics, MaterialChoice, Scene, ShapeKind};
 use glam::DVec3;
 
-use crate::document::{Editor, Refused};
-use crate::selection::Item;
+use crate::document::{Editor, Label, Refused};
+use crate::fragment;
+use crate::selection::{Item, Selection};
+use flags::Flag;
+use list::Move;
+pub(crate) use outcome::{Outcome, subject};
 
 /// Something that can be done to a document in one go. Each is one undo step, but for those that only select, undo or
 /// redo. Locked bodies and lights stay as they are, where nothing else is said.
@@ -134,18 +146,201 @@ pub enum ActionError {
     Refused(#[from] Refused),
 }
 
+impl Action {
+    /// Every key that [`Self::key`] and the labels of this crate have, for a test that a catalogue has them all.
+    pub const KEYS: &'static [&'static str] = &[
+        "edit-add-sphere",
+        "edit-add-cube",
+        "edit-add-cylinder",
+        "edit-add-cone",
+        "edit-add-plane",
+        "edit-add-light",
+        "edit-add-material",
+        "edit-duplicate",
+        "edit-delete",
+        "edit-toggle-hidden",
+        "edit-toggle-locked",
+        "edit-hide",
+        "edit-show",
+        "edit-lock",
+        "edit-unlock",
+        "edit-show-all",
+        "edit-unlock-all",
+        "edit-move-up",
+        "edit-move-down",
+        "edit-reorder",
+        "edit-select-all",
+        "edit-select-none",
+        "edit-invert-selection",
+        "edit-select-next",
+        "edit-select-previous",
+        "edit-rename",
+        "edit-cut",
+        "edit-paste",
+        "edit-assign-material",
+        "edit-share-material",
+        "edit-make-material-unique",
+        "edit-drop-to-ground",
+        "edit-reset-placement",
+        "edit-remove-unused-materials",
+        "edit-undo",
+        "edit-redo",
+        "edit-revert",
+    ];
+
+    /// The key of its label in the history, for message catalogues: `edit-delete` … Acts that are no undo step have one
+    /// too, for menus.
+    pub const fn key(&self) -> &'static str {
+        match self {
+            Self::AddBody { shape, .. } => match shape {
+                ShapeKind::Sphere => "edit-add-sphere",
+                ShapeKind::Cube => "edit-add-cube",
+                ShapeKind::Cylinder => "edit-add-cylinder",
+                ShapeKind::Cone => "edit-add-cone",
+                ShapeKind::Plane => "edit-add-plane",
+            },
+            Self::AddLight { .. } => "edit-add-light",
+            Self::AddMaterial { .. } => "edit-add-material",
+            Self::Duplicate => "edit-duplicate",
+            Self::Delete => "edit-delete",
+            Self::ToggleHidden => "edit-toggle-hidden",
+            Self::ToggleLocked => "edit-toggle-locked",
+            Self::SetHidden { hidden: true, .. } => "edit-hide",
+            Self::SetHidden { hidden: false, .. } => "edit-show",
+            Self::SetLocked { locked: true, .. } => "edit-lock",
+            Self::SetLocked { locked: false, .. } => "edit-unlock",
+            Self::ShowAll => "edit-show-all",
+            Self::UnlockAll => "edit-unlock-all",
+            Self::MoveUp => "edit-move-up",
+            Self::MoveDown => "edit-move-down",
+            Self::MoveToIndex(_) => "edit-reorder",
+            Self::SelectAll => "edit-select-all",
+            Self::SelectNone => "edit-select-none",
+            Self::InvertSelection => "edit-invert-selection",
+            Self::SelectNext => "edit-select-next",
+            Self::SelectPrevious => "edit-select-previous",
+            Self::Rename { .. } => "edit-rename",
+            Self::Cut => "edit-cut",
+            Self::Paste(_) => "edit-paste",
+            Self::AssignMaterial(_) => "edit-assign-material",
+            Self::ShareMaterial => "edit-share-material",
+            Self::MakeMaterialUnique => "edit-make-material-unique",
+            Self::DropToGround => "edit-drop-to-ground",
+            Self::ResetPlacement => "edit-reset-placement",
+            Self::RemoveUnusedMaterials => "edit-remove-unused-materials",
+            Self::Undo => "edit-undo",
+            Self::Redo => "edit-redo",
+        }
+    }
+
+    /// What is selected after an act that only selects.
+    fn selection(&self, scene: &Scene, selection: &Selection) -> Option<Selection> {
+        Some(match self {
+            Self::SelectAll => select::select_all(scene),
+            Self::SelectNone => Selection::none(),
+            Self::InvertSelection => select::invert(scene, selection),
+            Self::SelectNext => select::next(scene, selection, true),
+            Self::SelectPrevious => select::next(scene, selection, false),
+            _ => return None,
+        })
+    }
+
+    /// Whether an act on the scene has something to do.
+    fn check(&self, scene: &Scene, selection: &Selection) -> Result<(), ActionError> {
+        match self {
+            Self::AddBody { .. } | Self::AddLight { .. } | Self::AddMaterial { .. } => Ok(()),
+            Self::Duplicate => list::check_duplicate(selection).map(drop),
+            Self::Delete | Self::Cut => list::check_delete(scene, selection).map(drop),
+            Self::ToggleHidden => flags::check_toggle(scene, selection, Flag::Hidden).map(drop),
+            Self::ToggleLocked => flags::check_toggle(scene, selection, Flag::Locked).map(drop),
+            Self::SetHidden { item, hidden } => flags::check_set(scene, Flag::Hidden, *item, *hidden),
+            Self::SetLocked { item, locked } => flags::check_set(scene, Flag::Locked, *item, *locked),
+            Self::ShowAll => flags::check_clear(scene, Flag::Hidden).map(drop),
+            Self::UnlockAll => flags::check_clear(scene, Flag::Locked).map(drop),
+            Self::MoveUp => list::check_reorder(scene, selection, Move::Up).map(drop),
+            Self::MoveDown => list::check_reorder(scene, selection, Move::Down).map(drop),
+            Self::MoveToIndex(place) => list::check_reorder(scene, selection, Move::To(*place)).map(drop),
+            Self::Rename { item, name } => material::check_rename(scene, *item, name).map(drop),
+            Self::Paste(text) if text.trim().is_empty() => Err(ActionError::NothingToPaste),
+            Self::Paste(_) => Ok(()),
+            Self::AssignMaterial(choice) => material::check_assign(scene, selection, choice),
+            Self::ShareMaterial => material::check_share(scene, selection).map(drop),
+            Self::MakeMaterialUnique => material::check_make_unique(scene, selection),
+            Self::DropToGround => place::check_drop(scene, selection),
+            Self::ResetPlacement => place::check_reset(scene, selection),
+            Self::RemoveUnusedMaterials => material::check_unused(scene).map(drop),
+            Self::SelectAll
+            | Self::SelectNone
+            | Self::InvertSelection
+            | Self::SelectNext
+            | Self::SelectPrevious
+            | Self::Undo
+            | Self::Redo => Err(ActionError::NothingToDo),
+        }
+    }
+
+    /// What an act makes of the scene.
+    fn outcome(&self, scene: &Scene, selection: &Selection) -> Result<Outcome, ActionError> {
+        self.check(scene, selection)?;
+        match self {
+            Self::AddBody { shape, at, name } => Ok(add::body(scene, *shape, *at, name.trim())),
+            Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),
+            Self::AddMaterial { name } => Ok(add::named_material(scene, name.trim())),
+            Self::Duplicate => list::duplicate(scene, selection),
+            Self::Delete | Self::Cut => list::delete(scene, selection),
+            Self::ToggleHidden => flags::toggle(scene, selection, Flag::Hidden),
+            Self::ToggleLocked => flags::toggle(scene, selection, Flag::Locked),
+            Self::SetHidden { item, hidden } => flags::set(scene, selection, Flag::Hidden, *item, *hidden),
+            Self::SetLocked { item, locked } => flags::set(scene, selection, Flag::Locked, *item, *locked),
+            Self::ShowAll => flags::clear(scene, selection, Flag::Hidden),
+            Self::UnlockAll => flags::clear(scene, selection, Flag::Locked),
+            Self::MoveUp => list::reorder(scene, selection, Move::Up),
+            Self::MoveDown => list::reorder(scene, selection, Move::Down),
+            Self::MoveToIndex(place) => list::reorder(scene, selection, Move::To(*place)),
+            Self::Rename { item, name } => material::rename(scene, selection, *item, name),
+            Self::Paste(text) => fragment::paste(scene, text),
+            Self::AssignMaterial(choice) => material::assign(scene, selection, choice),
+            Self::ShareMaterial => material::share(scene, selection),
+            Self::MakeMaterialUnique => material::make_unique(scene, selection),
+            Self::DropToGround => place::drop_to_ground(scene, selection),
+            Self::ResetPlacement => place::reset(scene, selection),
+            Self::RemoveUnusedMaterials => material::remove_unused(scene, selection),
+            Self::SelectAll
+            | Self::SelectNone
+            | Self::InvertSelection
+            | Self::SelectNext
+            | Self::SelectPrevious
+            | Self::Undo
+            | Self::Redo => Err(ActionError::NothingToDo),
+        }
+    }
+}
+
 impl Editor {
     /// Does it; an open gesture is settled first.
     ///
     /// # Errors
     /// Why it could not be done. Nothing has changed then, but that the open gesture is settled.
+    #[expect(clippy::needless_pass_by_value, reason = "an action is made to be done")]
     pub fn apply(&mut self, action: Action) -> Result<(), ActionError> {
         self.settle();
-        match action {
-            Action::Undo => self.undo().then_some(()).ok_or(ActionError::NothingToDo),
-            Action::Redo => self.redo().then_some(()).ok_or(ActionError::NothingToDo),
-            _ => Err(ActionError::NothingToDo),
-        }
+        let is_done = match action {
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            _ => match action.selection(self.scene(), self.selection()) {
+                Some(selection) => {
+                    let is_new = selection != *self.selection();
+                    self.select(selection);
+                    is_new
+                }
+                None => {
+                    let Outcome { scene, selection, subject } =
+                        action.outcome(self.scene(), self.selection())?;
+                    self.step(Label::new(action.key(), subject), scene, selection)?
+                }
+            },
+        };
+        if is_done { Ok(()) } else { Err(ActionError::NothingToDo) }
     }
 
     /// Whether [`Self::apply`] has something to do. Cheap enough for every frame: a text to be pasted is not read, and
@@ -154,13 +349,16 @@ impl Editor {
         match action {
             Action::Undo => self.can_undo(),
             Action::Redo => self.can_redo(),
-            _ => false,
+            _ => match action.selection(self.scene(), self.selection()) {
+                Some(selection) => selection != *self.selection(),
+                None => action.check(self.scene(), self.selection()).is_ok(),
+            },
         }
     }
 
     /// The selected bodies and lights, and the materials they name or that are selected, as the text of a scene file:
     /// what a clipboard carries. `None` when nothing of that is selected.
     pub fn copy(&self) -> Option<String> {
-        None
+        fragment::copy(self.scene(), self.selection())
     }
 }

@@ -1,6 +1,6 @@
 //! How far bodies reach.
 
-use catoptric_scene::{Body, Scene};
+use catoptric_scene::{Body, Scene, Shape};
 use glam::DVec3;
 
 use crate::selection::Selection;
@@ -14,6 +14,33 @@ pub struct Bounds {
     pub max: DVec3,
 }
 
+impl Bounds {
+    /// The box of a single point.
+    pub const fn at(point: DVec3) -> Self {
+        Self { min: point, max: point }
+    }
+
+    /// The smallest box that contains both.
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// The middle.
+    pub fn center(&self) -> DVec3 {
+        0.5 * (self.min + self.max)
+    }
+
+    /// The three edge lengths.
+    pub fn size(&self) -> DVec3 {
+        self.max - self.min
+    }
+
+    /// Whether the boxes have more than their surfaces in common.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.min.cmplt(other.max).all() && other.min.cmplt(self.max).all()
+    }
+}
+
 /// A ball around something, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
@@ -23,32 +50,198 @@ pub struct Ball {
     pub radius: f64,
 }
 
+/// How far a body reaches along a direction d: the largest d·p of its points p (its support function, times the length
+/// of d). `None` for a plane.
+///
+/// With the placement p = M·q + o it is d·o plus the support of the shape's own frame along Mᵀ·d.
+pub fn reach(body: &Body, direction: DVec3) -> Option<f64> {
+    let world_from_body = body.placement.world_from_body();
+    let local = world_from_body.matrix3.transpose() * direction;
+    let across = local.x.hypot(local.z);
+    let height = body.height().unwrap_or_default();
+    let own = match body.shape {
+        Shape::Sphere { radius } => radius * local.length(),
+        Shape::Cube { size } => 0.5 * size.dot(local.abs()),
+        Shape::Cylinder { radius, .. } => radius * across + (height * local.y).max(0.0),
+        Shape::Cone { radius, top_radius, .. } => {
+            (radius * across).max(top_radius * across + height * local.y)
+        }
+        Shape::Plane => return None,
+    };
+    Some(direction.dot(world_from_body.translation) + own)
+}
+
 /// The smallest box around a body; `None` for a plane.
-pub fn of_body(_body: &Body) -> Option<Bounds> {
-    None
+pub fn of_body(body: &Body) -> Option<Bounds> {
+    let max = |axis| reach(body, axis);
+    let min = |axis: DVec3| reach(body, -axis).map(|reach| -reach);
+    Some(Bounds {
+        min: DVec3::new(min(DVec3::X)?, min(DVec3::Y)?, min(DVec3::Z)?),
+        max: DVec3::new(max(DVec3::X)?, max(DVec3::Y)?, max(DVec3::Z)?),
+    })
 }
 
-/// The smallest ball around a body; `None` for a plane.
-pub fn ball_of_body(_body: &Body) -> Option<Ball> {
-    None
+/// A ball around a body, the smallest one where a cylinder's or cone's cross section is a circle; `None` for a plane.
+pub fn ball_of_body(body: &Body) -> Option<Ball> {
+    let world_from_body = body.placement.world_from_body();
+    let scale = body.placement.scale;
+    let wide = scale.x.max(scale.z);
+    let height = body.height().unwrap_or_default();
+    let (center, radius) = match body.shape {
+        Shape::Sphere { radius } => (DVec3::ZERO, radius * scale.max_element()),
+        Shape::Cube { size } => (DVec3::ZERO, 0.5 * (size * scale).length()),
+        Shape::Cylinder { radius, .. } => {
+            (0.5 * height * DVec3::Y, (radius * wide).hypot(0.5 * height * scale.y))
+        }
+        Shape::Cone { radius, top_radius, .. } => {
+            // The ball of two coaxial circles of radii a and b at the distance h, each on its surface: its center at y
+            // from the first has a² + y² = b² + (h − y)². Where y leaves the axis, one circle's own ball holds both.
+            let (a, b, h) = (radius * wide, top_radius * wide, height * scale.y);
+            let y = (0.5 * (h + (b - a) * (b + a) / h)).clamp(0.0, h);
+            (y / scale.y * DVec3::Y, a.hypot(y).max(b.hypot(h - y)))
+        }
+        Shape::Plane => return None,
+    };
+    Some(Ball { center: world_from_body.transform_point3(center), radius })
 }
 
-/// The box around the selected bodies and lights; `None` when they have none.
-pub fn of_selection(_scene: &Scene, _selection: &Selection) -> Option<Bounds> {
-    None
+/// The box around the selected bodies and lights; `None` when there are none but planes.
+pub fn of_selection(scene: &Scene, selection: &Selection) -> Option<Bounds> {
+    let bodies = selection.bodies().filter_map(|index| of_body(scene.bodies.get(index)?));
+    let lights = selection.lights().filter_map(|index| Some(Bounds::at(scene.lights.get(index)?.position)));
+    bodies.chain(lights).reduce(Bounds::union)
 }
 
-/// A ball around the selected bodies and lights; `None` when they have none.
-pub fn ball_of_selection(_scene: &Scene, _selection: &Selection) -> Option<Ball> {
-    None
+/// A ball around the selected bodies and lights; `None` when there are none but planes.
+pub fn ball_of_selection(scene: &Scene, selection: &Selection) -> Option<Ball> {
+    let bodies = selection.bodies().filter_map(|index| ball_of_body(scene.bodies.get(index)?));
+    let lights = selection.lights().filter_map(|index| scene.lights.get(index));
+    let lights = lights.map(|light| Ball { center: light.position, radius: 0.0 });
+    Some(around(of_selection(scene, selection)?, bodies.chain(lights)))
 }
 
 /// The box around all bodies that are not hidden; `None` when there are none but planes.
-pub fn of_scene(_scene: &Scene) -> Option<Bounds> {
-    None
+pub fn of_scene(scene: &Scene) -> Option<Bounds> {
+    shown(scene).filter_map(of_body).reduce(Bounds::union)
 }
 
 /// A ball around all bodies that are not hidden; `None` when there are none but planes.
-pub fn ball_of_scene(_scene: &Scene) -> Option<Ball> {
-    None
+pub fn ball_of_scene(scene: &Scene) -> Option<Ball> {
+    Some(around(of_scene(scene)?, shown(scene).filter_map(ball_of_body)))
+}
+
+fn shown(scene: &Scene) -> impl Iterator<Item = &Body> {
+    scene.bodies.iter().filter(|body| !body.hidden)
+}
+
+/// A ball about the middle of `bounds` that holds all of `balls`, and is no larger than that of the whole box.
+fn around(bounds: Bounds, balls: impl Iterator<Item = Ball>) -> Ball {
+    let center = bounds.center();
+    let radius = balls.map(|ball| ball.center.distance(center) + ball.radius).fold(0.0, f64::max);
+    Ball { center, radius: radius.min(0.5 * bounds.size().length()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Anchor, Placement};
+
+    use super::*;
+    use crate::selection::Item;
+
+    fn body(shape: Shape, position: DVec3, rotation_degrees: DVec3, scale: DVec3) -> Body {
+        let anchor = Anchor::Frame { position, rotation_degrees };
+        Body { shape, placement: Placement { anchor, scale }, ..Body::default() }
+    }
+
+    fn assert_close(bounds: Bounds, min: [f64; 3], max: [f64; 3]) {
+        let off =
+            (bounds.min - DVec3::from_array(min)).length() + (bounds.max - DVec3::from_array(max)).length();
+        assert!(off < 1e-12, "{bounds:?} is not {min:?} … {max:?}");
+    }
+
+    #[test]
+    fn boxes_are_exact() {
+        let (root, half) = (2f64.sqrt(), 0.5f64.sqrt());
+        let at = DVec3::new(1.0, 2.0, 3.0);
+        let turn = DVec3::Z * 45.0;
+        let sphere = body(Shape::SPHERE, at, turn, DVec3::ONE);
+        assert_close(of_body(&sphere).unwrap(), [0.0, 1.0, 2.0], [2.0, 3.0, 4.0]);
+        // The ellipse x²/9 + y² = 1 turned by 45° reaches √((9 + 1)/2).
+        let egg = body(Shape::SPHERE, DVec3::ZERO, turn, DVec3::new(3.0, 1.0, 2.0));
+        assert_close(
+            of_body(&egg).unwrap(),
+            [-(5f64.sqrt()), -(5f64.sqrt()), -2.0],
+            [5f64.sqrt(), 5f64.sqrt(), 2.0],
+        );
+        let cube = body(Shape::Cube { size: DVec3::new(2.0, 2.0, 1.0) }, at, turn, DVec3::ONE);
+        assert_close(of_body(&cube).unwrap(), [1.0 - root, 2.0 - root, 2.5], [1.0 + root, 2.0 + root, 3.5]);
+        // A rod of height 2 that leans towards −X; its discs reach r·cos 45° to either side.
+        let rod = body(Shape::Cylinder { radius: 0.5, height: 2.0 }, DVec3::ZERO, turn, DVec3::ONE);
+        let lean = 0.5 * half;
+        assert_close(of_body(&rod).unwrap(), [-root - lean, -lean, -0.5], [lean, root + lean, 0.5]);
+        let cone =
+            body(Shape::Cone { radius: 0.5, top_radius: 0.0, height: 2.0 }, DVec3::ZERO, turn, DVec3::ONE);
+        assert_close(of_body(&cone).unwrap(), [-root, -lean, -0.5], [lean, root, 0.5]);
+        let funnel = Shape::Cone { radius: 0.5, top_radius: 2.0, height: 1.0 };
+        let funnel = body(funnel, at, DVec3::X * 180.0, DVec3::new(1.0, 3.0, 1.0));
+        assert_close(of_body(&funnel).unwrap(), [-1.0, -1.0, 1.0], [3.0, 2.0, 5.0]);
+        let anchor = Anchor::Axis { base: DVec3::X, top: DVec3::X * 4.0 };
+        let mut lying = body(Shape::CYLINDER, DVec3::ZERO, DVec3::ZERO, DVec3::ONE);
+        lying.placement.anchor = anchor;
+        assert_close(of_body(&lying).unwrap(), [1.0, -0.5, -0.5], [4.0, 0.5, 0.5]);
+        assert_eq!(of_body(&body(Shape::Plane, at, turn, DVec3::ONE)), None);
+    }
+
+    #[test]
+    fn balls_hold_the_body_and_are_tight() {
+        let ball =
+            |shape, scale| ball_of_body(&body(shape, DVec3::X, DVec3::new(30.0, 40.0, 50.0), scale)).unwrap();
+        assert_eq!(ball(Shape::SPHERE, DVec3::new(1.0, 3.0, 2.0)), Ball { center: DVec3::X, radius: 3.0 });
+        assert_eq!(ball(Shape::Cube { size: DVec3::new(2.0, 3.0, 6.0) }, DVec3::ONE).radius, 3.5);
+        assert_eq!(ball(Shape::Cylinder { radius: 3.0, height: 8.0 }, DVec3::ONE).radius, 5.0);
+        // A cone of a base of 3 and height 9: the ball through apex and rim, r = (9² + 3²)/(2·9).
+        let cone = ball(Shape::Cone { radius: 3.0, top_radius: 0.0, height: 9.0 }, DVec3::ONE);
+        assert!((cone.radius - 5.0).abs() < 1e-12);
+        assert!((cone.center.distance(DVec3::X) - 4.0).abs() < 1e-12);
+        // A flat one lies within the ball of its base.
+        let flat = ball(Shape::Cone { radius: 3.0, top_radius: 1.0, height: 1.0 }, DVec3::ONE);
+        assert_eq!(flat, Ball { center: DVec3::X, radius: 3.0 });
+        let funnel =
+            ball(Shape::Cone { radius: 1.0, top_radius: 3.0, height: 1.0 }, DVec3::new(1.0, 0.5, 1.0));
+        assert_eq!(funnel.radius, 3.0);
+        assert!((funnel.center.distance(DVec3::X) - 0.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_ball_holds_its_body() {
+        for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE] {
+            for scale in [DVec3::ONE, DVec3::new(2.0, 0.3, 1.0), DVec3::new(0.2, 5.0, 0.4)] {
+                let body = body(shape, DVec3::Y, DVec3::new(10.0, 20.0, 30.0), scale);
+                let ball = ball_of_body(&body).unwrap();
+                for step in 0..200 {
+                    let (turn, tilt) = (f64::from(step), f64::from(step) / 200.0 * std::f64::consts::PI);
+                    let direction = DVec3::new(tilt.sin() * turn.cos(), tilt.cos(), tilt.sin() * turn.sin());
+                    let room = direction.dot(ball.center) + ball.radius - reach(&body, direction).unwrap();
+                    assert!(room > -1e-12, "{shape:?} {scale} {direction}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn scenes_and_selections_are_held() {
+        let at = |x| body(Shape::SPHERE, DVec3::X * x, DVec3::ZERO, DVec3::ONE);
+        let mut scene = Scene { bodies: vec![at(0.0), at(4.0), at(50.0)], ..Scene::default() };
+        scene.bodies[2].hidden = true;
+        scene.bodies.push(Body { shape: Shape::Plane, ..Body::default() });
+        scene.lights.push(catoptric_scene::Light { position: DVec3::Y * 7.0, ..Default::default() });
+        assert_close(of_scene(&scene).unwrap(), [-1.0; 3], [5.0, 1.0, 1.0]);
+        assert_eq!(ball_of_scene(&scene), Some(Ball { center: DVec3::X * 2.0, radius: 3.0 }));
+        let selection: Selection =
+            [Item::Body(3), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
+        assert_close(of_selection(&scene, &selection).unwrap(), [0.0, -1.0, -1.0], [51.0, 7.0, 1.0]);
+        assert_eq!(of_selection(&scene, &Selection::one(Item::Body(3))), None);
+        let light = Selection::one(Item::Light(0));
+        assert_eq!(ball_of_selection(&scene, &light), Some(Ball { center: DVec3::Y * 7.0, radius: 0.0 }));
+    }
 }

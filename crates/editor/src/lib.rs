@@ -20,7 +20,9 @@
 mod action;
 pub mod bounds;
 mod document;
+mod fragment;
 mod history;
+mod names;
 pub mod navigate;
 pub mod recovery;
 mod selection;

@@ -1,11 +1,21 @@
 //! What is left of documents whose program ended without saving them.
+//!
+//! Every running editor has a place in a folder: a lock file, held as long as the editor runs, and beside it the
+//! document, a scene file whose first lines tell where it came from. The system lets go of the lock whatever ends the
+//! program; a document whose lock nobody holds is an orphan. Orphans are removed by [`Orphan::discard`] alone.
 
+mod entry;
+
+use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use catoptric_files::{WriteError, write_bytes};
 
 /// A document to be kept against a crash.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Snapshot {
     /// The file that the document belongs to, if any.
     pub original_path: Option<PathBuf>,
@@ -15,25 +25,61 @@ pub struct Snapshot {
     pub text: String,
 }
 
-/// The place of one running editor in a folder of recovery files.
+const LOCK: &str = "lock";
+const DOCUMENT: &str = "toml";
+
+/// Tells apart the sessions of one process.
+static SESSIONS: AtomicU32 = AtomicU32::new(0);
+
+/// The place of one running editor in a folder of recovery files. When it is dropped, its files are removed.
 #[derive(Debug)]
-pub struct Session {}
+pub struct Session {
+    document: PathBuf,
+    lock_path: PathBuf,
+    /// Open, and therefore locked, as long as the session lives.
+    lock: Option<File>,
+}
 
 impl Session {
     /// Takes a place in `folder`, which is made when it does not exist.
     ///
     /// # Errors
     /// When the folder cannot be written, or files in it cannot be locked.
-    pub fn start(_folder: &Path) -> io::Result<Self> {
-        Ok(Self {})
+    pub fn start(folder: &Path) -> io::Result<Self> {
+        fs::create_dir_all(folder)?;
+        loop {
+            let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+            let count = SESSIONS.fetch_add(1, Ordering::Relaxed);
+            let stem = format!("{:x}-{:x}-{count:x}", now.as_nanos(), std::process::id());
+            let lock_path = folder.join(&stem).with_extension(LOCK);
+            let lock = match File::options().read(true).write(true).create_new(true).open(&lock_path) {
+                Ok(lock) => lock,
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
+                Err(error) => return Err(error),
+            };
+            match lock.try_lock() {
+                Ok(()) => {
+                    let document = folder.join(&stem).with_extension(DOCUMENT);
+                    return Ok(Self { document, lock_path, lock: Some(lock) });
+                }
+                // Somebody looks for orphans just now; another name is free.
+                Err(TryLockError::WouldBlock) => _ = fs::remove_file(&lock_path),
+                Err(TryLockError::Error(error)) => {
+                    drop(lock);
+                    let _ = fs::remove_file(&lock_path);
+                    return Err(error);
+                }
+            }
+        }
     }
 
-    /// Keeps a document instead of the one kept before, whole or not at all.
+    /// Keeps a document instead of the one kept before, whole or not at all. This waits for the disk: not for a thread
+    /// that draws.
     ///
     /// # Errors
     /// What stands in the way; the one kept before is untouched then.
-    pub fn write(&mut self, _snapshot: &Snapshot) -> io::Result<()> {
-        Ok(())
+    pub fn write(&mut self, snapshot: &Snapshot) -> Result<(), WriteError> {
+        write_bytes(&self.document, entry::to_text(snapshot).as_bytes())
     }
 
     /// Keeps nothing: the document is saved, or there is none.
@@ -41,14 +87,27 @@ impl Session {
     /// # Errors
     /// When the file cannot be removed.
     pub fn clear(&mut self) -> io::Result<()> {
-        Ok(())
+        remove(&self.document)
     }
 }
 
-/// A document left behind.
+impl Drop for Session {
+    fn drop(&mut self) {
+        // Where the document cannot be removed it becomes an orphan, which is better than lost.
+        let _ = self.clear();
+        drop(self.lock.take());
+        let _ = fs::remove_file(&self.lock_path);
+    }
+}
+
+/// A document left behind. As long as this lives, no other program takes it for its own to recover.
 #[derive(Debug)]
 pub struct Orphan {
+    document: PathBuf,
+    lock_path: PathBuf,
     written: SystemTime,
+    /// The lock, where it could be had.
+    lock: Option<File>,
 }
 
 impl Orphan {
@@ -57,24 +116,70 @@ impl Orphan {
         self.written
     }
 
-    /// Reads it.
+    /// Its file.
+    pub fn path(&self) -> &Path {
+        &self.document
+    }
+
+    /// Reads it. The text may have errors like any file's; nothing is checked.
     ///
     /// # Errors
-    /// When the file cannot be read, or is none of this program.
+    /// When the file cannot be read, or is no text.
     pub fn read(&self) -> io::Result<Snapshot> {
-        Err(io::ErrorKind::NotFound.into())
+        fs::read_to_string(&self.document).map(|text| entry::from_text(&text))
     }
 
     /// Removes it for good.
     ///
     /// # Errors
     /// When the file cannot be removed.
-    pub fn discard(self) -> io::Result<()> {
-        Ok(())
+    pub fn discard(mut self) -> io::Result<()> {
+        remove(&self.document)?;
+        drop(self.lock.take());
+        remove(&self.lock_path)
     }
 }
 
-/// The documents in `folder` that no running editor holds, the latest first. Other files there are passed over.
-pub fn orphans(_folder: &Path) -> Vec<Orphan> {
-    Vec::new()
+/// The documents in `folder` that no running editor holds, the latest first. Other files there are passed over, and
+/// nothing is removed; a folder that cannot be read has none.
+pub fn orphans(folder: &Path) -> Vec<Orphan> {
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let mut found: Vec<Orphan> = entries.filter_map(|entry| orphan(entry.ok()?.path())).collect();
+    found.sort_by(|a, b| b.written.cmp(&a.written).then_with(|| a.document.cmp(&b.document)));
+    found
 }
+
+/// The orphan whose document is at this path, if it is one.
+fn orphan(document: PathBuf) -> Option<Orphan> {
+    if document.extension()? != DOCUMENT || !entry::is_one(&document) {
+        return None;
+    }
+    let lock_path = document.with_extension(LOCK);
+    let options = File::options().read(true).write(true).create(true).truncate(false).open(&lock_path);
+    // Without a lock file, or locks at all, nobody can hold it.
+    let lock = options.ok();
+    if let Some(lock) = &lock
+        && matches!(lock.try_lock(), Err(TryLockError::WouldBlock))
+    {
+        return None;
+    }
+    // The session may have ended well since the folder was read.
+    let Ok(metadata) = fs::metadata(&document) else {
+        drop(lock);
+        let _ = fs::remove_file(&lock_path);
+        return None;
+    };
+    let written = metadata.modified().unwrap_or(UNIX_EPOCH);
+    metadata.is_file().then_some(Orphan { document, lock_path, written, lock })
+}
+
+/// Removes a file that need not exist.
+fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests;

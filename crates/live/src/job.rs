@@ -1,15 +1,42 @@
 //! A final picture, rendered in the background.
 
 use std::io;
-use std::sync::Arc;
-use std::time::Duration;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
-use catoptric_picture::SizeError;
+use catoptric_picture::{Picture, SizeError};
 use catoptric_scene::Scene;
-use catoptric_tracer::{RenderSettings, Rendering, StageError};
+use catoptric_tracer::{Control, RenderError, RenderSettings, Rendering, Stage, StageError, render};
+
+use crate::priority::{self, Priority};
+use crate::worker::message_of;
 
 /// A render on threads of its own. Dropping it cancels it.
-pub struct RenderJob {}
+pub struct RenderJob {
+    work: Arc<Work>,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// What the job and its thread share.
+struct Work {
+    scene: Arc<Scene>,
+    settings: RenderSettings,
+    generations: Option<u32>,
+    threads: usize,
+    start: Instant,
+    control: Control,
+    done: Mutex<Done>,
+}
+
+#[derive(Default)]
+struct Done {
+    /// When tracing began.
+    tracing_since: Option<Instant>,
+    finished: Option<Duration>,
+    result: Option<Result<Rendering, JobError>>,
+}
 
 /// How far a render is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,29 +69,97 @@ pub enum JobError {
 }
 
 impl RenderJob {
-    /// Starts to render `scene` through its own camera, followed to `generations` if given, on `threads` threads (0: one on each processor).
+    /// Starts to render `scene` through its own camera, followed to `generations` if given, on `threads` threads
+    /// (0: one on each processor).
     ///
     /// # Errors
     /// When the system gives no thread.
     pub fn start(
-        _scene: Arc<Scene>,
-        _settings: RenderSettings,
-        _generations: Option<u32>,
-        _threads: usize,
+        scene: Arc<Scene>,
+        settings: RenderSettings,
+        generations: Option<u32>,
+        threads: usize,
     ) -> io::Result<Self> {
-        Ok(Self {})
+        let (start, control, done) = (Instant::now(), Control::default(), Mutex::default());
+        let work = Arc::new(Work { scene, settings, generations, threads, start, control, done });
+        let own = Arc::clone(&work);
+        let thread = std::thread::Builder::new().name("render".to_owned()).spawn(move || own.run())?;
+        Ok(Self { work, thread: Some(thread) })
     }
 
     /// How far it is.
     pub fn progress(&self) -> JobProgress {
-        JobProgress::default()
+        let Work { settings, control, start, .. } = &*self.work;
+        let pixels = u64::from(settings.width) * u64::from(settings.height);
+        let fraction = (control.pixels_done() as f64 / pixels.max(1) as f64).min(1.0);
+        let done = self.work.done();
+        let tracing = done.tracing_since.map(|since| since.elapsed().as_secs_f64());
+        let left = tracing.map(|seconds| seconds * (1.0 - fraction) / fraction);
+        let is_finished = done.finished.is_some();
+        JobProgress {
+            fraction,
+            elapsed: done.finished.unwrap_or_else(|| start.elapsed()),
+            remaining: if is_finished { Some(Duration::ZERO) } else { left.and_then(duration) },
+            is_finished,
+        }
     }
 
-    /// Asks it to stop; the result is then [`JobError::Cancelled`].
-    pub fn cancel(&self) {}
+    /// Asks it to stop; the result is then [`JobError::Cancelled`], unless it was finished already.
+    pub fn cancel(&self) {
+        self.work.control.cancel();
+    }
 
     /// The result, once, when there is one.
     pub fn take_result(&self) -> Option<Result<Rendering, JobError>> {
-        None
+        self.work.done().result.take()
     }
+}
+
+impl Drop for RenderJob {
+    fn drop(&mut self) {
+        self.cancel();
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+impl Work {
+    fn done(&self) -> MutexGuard<'_, Done> {
+        self.done.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn run(&self) {
+        let result = catch_unwind(AssertUnwindSafe(|| self.render()))
+            .unwrap_or_else(|panic| Err(JobError::Fault(message_of(&*panic))));
+        let mut done = self.done();
+        done.finished = Some(self.start.elapsed());
+        done.result = Some(result);
+    }
+
+    fn render(&self) -> Result<Rendering, JobError> {
+        Picture::check_size(self.settings.width, self.settings.height)?;
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(self.threads)
+            .thread_name(|index| format!("render {index}"))
+            .start_handler(|_| priority::lower(Priority::Lowest))
+            .build()
+            .map_err(|error| JobError::Fault(error.to_string()))?;
+        pool.install(|| {
+            let mut stage = Stage::prepare(&self.scene)?;
+            if let Some(generations) = self.generations {
+                stage = stage.with_generations(generations);
+            }
+            self.done().tracing_since = Some(Instant::now());
+            render(&stage, self.settings, &self.control).map_err(|error| match error {
+                RenderError::Size(error) => error.into(),
+                RenderError::Cancelled => JobError::Cancelled,
+            })
+        })
+    }
+}
+
+/// A time of so many seconds; `None` for what is none.
+fn duration(seconds: f64) -> Option<Duration> {
+    Duration::try_from_secs_f64(seconds).ok()
 }

@@ -8,10 +8,17 @@
 //! [`RenderJob`] renders a final picture in the background.
 
 mod frame;
+mod grid;
 mod job;
 mod live;
+mod outline;
+mod pace;
+mod priority;
 mod request;
+mod shared;
 mod status;
+mod view;
+mod worker;
 
 pub use frame::{Frame, GridKind, GridLine, Polyline};
 pub use job::{JobError, JobProgress, RenderJob};

@@ -2,12 +2,16 @@
 
 use std::io;
 use std::sync::Arc;
+use std::thread::JoinHandle;
 
 use catoptric_tracer::Stage;
 
 use crate::frame::Frame;
+use crate::priority::{self, Priority};
 use crate::request::Request;
+use crate::shared::Shared;
 use crate::status::Status;
+use crate::worker::Worker;
 
 /// How the worker works.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +29,10 @@ impl Default for LiveOptions {
 }
 
 /// A worker that traces what is asked of it, the newest request first. Dropping it stops the worker.
-pub struct Live {}
+pub struct Live {
+    shared: Arc<Shared>,
+    worker: Option<JoinHandle<()>>,
+}
 
 impl Live {
     /// Starts a worker; `wake` is called from its thread whenever there is something new to show.
@@ -40,25 +47,52 @@ impl Live {
     ///
     /// # Errors
     /// When the system gives no threads.
-    pub fn with_options(_options: LiveOptions, _wake: impl Fn() + Send + Sync + 'static) -> io::Result<Self> {
-        Ok(Self {})
+    pub fn with_options(options: LiveOptions, wake: impl Fn() + Send + Sync + 'static) -> io::Result<Self> {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(options.threads)
+            .thread_name(|index| format!("live trace {index}"))
+            .start_handler(|_| priority::lower(Priority::Low))
+            .build()
+            .map_err(io::Error::other)?;
+        let status = Status {
+            backend: "CPU",
+            threads: pool.current_num_threads(),
+            is_idle: true,
+            ..Status::default()
+        };
+        let shared = Arc::new(Shared::new(status, wake));
+        let worker = Worker::new(Arc::clone(&shared), pool, options.budget);
+        let worker = std::thread::Builder::new().name("live".to_owned()).spawn(move || worker.run())?;
+        Ok(Self { shared, worker: Some(worker) })
     }
 
     /// Asks for another picture; returns at once. What was asked before and not yet begun is forgotten.
-    pub fn request(&self, _request: Request) {}
+    pub fn request(&self, request: Request) {
+        self.shared.request(request);
+    }
 
     /// The newest frame.
     pub fn latest(&self) -> Option<Arc<Frame>> {
-        None
+        self.shared.latest()
     }
 
     /// How the worker is doing.
     pub fn status(&self) -> Status {
-        Status::default()
+        self.shared.status()
     }
 
     /// The stage of the newest prepared scene with its revision: for picking, one ray being cheap.
     pub fn stage(&self) -> Option<(u64, Arc<Stage>)> {
-        None
+        self.shared.stage()
+    }
+}
+
+impl Drop for Live {
+    fn drop(&mut self) {
+        self.shared.stop();
+        if let Some(worker) = self.worker.take() {
+            // It catches its panics; there is nothing to do about one that came all the same.
+            let _ = worker.join();
+        }
     }
 }

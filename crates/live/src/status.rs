@@ -37,6 +37,14 @@ pub enum LiveError {
     /// There can be no picture of this size.
     #[error(transparent)]
     Size(#[from] SizeError),
+    /// The view is larger than [`Request::MAX_PIXELS`](crate::Request::MAX_PIXELS).
+    #[error("a view of {width}x{height} pixels is too large to follow")]
+    TooLarge {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+    },
     /// A number of the camera is infinite or not a number.
     #[error("the camera's position, target, up and angle must be finite numbers")]
     Camera,

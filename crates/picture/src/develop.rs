@@ -50,6 +50,18 @@ impl Development {
         Ok(Developed { width: picture.width(), height: picture.height(), codes })
     }
 
+    /// Develops a run of pixels for a texture: red, green, blue as by [`Self::develop`] with 8 bits, and 255. What is
+    /// longer of the two is left as it is. Threads can develop a picture in pieces.
+    pub fn develop_rgba8(&self, light: &[[f32; 3]], rgba: &mut [[u8; 4]]) {
+        let table = Table8::get();
+        let scale = self.scale();
+        match self.tone_curve {
+            ToneCurve::None => fill_rgba(light, rgba, |x| table.code(tone::clamp(x * scale))),
+            ToneCurve::Reinhard => fill_rgba(light, rgba, |x| table.code(tone::reinhard(x * scale))),
+            ToneCurve::Filmic => fill_rgba(light, rgba, |x| table.code(tone::filmic(x * scale))),
+        }
+    }
+
     /// The curve is chosen outside the loop over the pixels.
     fn codes<T>(&self, picture: &Picture, quantize: impl Fn(f32) -> T) -> Result<Vec<T>, SizeError> {
         let values = picture.pixels().as_flattened();
@@ -67,6 +79,13 @@ impl Development {
             ToneCurve::Filmic => codes.extend(light.map(|x| quantize(tone::filmic(x)))),
         }
         Ok(codes)
+    }
+}
+
+fn fill_rgba(light: &[[f32; 3]], rgba: &mut [[u8; 4]], code: impl Fn(f32) -> u8) {
+    for (light, codes) in light.iter().zip(rgba) {
+        let [red, green, blue] = light.map(&code);
+        *codes = [red, green, blue, 255];
     }
 }
 
@@ -150,6 +169,13 @@ mod tests {
                 let exact: Vec<u8> =
                     picture.pixels().as_flattened().iter().map(|&x| exact8(development.tone(x))).collect();
                 assert_eq!(develop8(&picture, &development), exact, "{development:?}");
+                let mut rgba = vec![[0; 4]; picture.pixels().len()];
+                development.develop_rgba8(picture.pixels(), &mut rgba);
+                assert!(
+                    rgba.iter()
+                        .zip(exact.chunks(3))
+                        .all(|(codes, exact)| { codes.starts_with(exact) && codes[3] == 255 })
+                );
             }
         }
     }

@@ -165,6 +165,25 @@ impl Placement {
         Self { anchor: Anchor::Frame { position, rotation_degrees: DVec3::ZERO }, scale: DVec3::ONE }
     }
 
+    /// The same placement moved in the world by `offset`, meters.
+    pub fn moved_by(self, offset: DVec3) -> Self {
+        let anchor = match self.anchor {
+            Anchor::Frame { position, rotation_degrees } => {
+                Anchor::Frame { position: position + offset, rotation_degrees }
+            }
+            Anchor::Axis { base, top } => Anchor::Axis { base: base + offset, top: top + offset },
+        };
+        Self { anchor, ..self }
+    }
+
+    /// World place of the frame's origin, meters: the position, or the center of the lower base.
+    pub const fn origin(&self) -> DVec3 {
+        match self.anchor {
+            Anchor::Frame { position, .. } => position,
+            Anchor::Axis { base, .. } => base,
+        }
+    }
+
     /// The transform from the body's own frame to the world, `T · R · S`.
     pub fn world_from_body(&self) -> DAffine3 {
         let (rotation, position) = match self.anchor {
@@ -250,6 +269,19 @@ mod tests {
             scale: DVec3::new(2.0, 1.0, 1.0),
         };
         assert_eq!(placement.world_from_body().transform_point3(DVec3::X), DVec3::new(1.0, 4.0, 3.0));
+    }
+
+    #[test]
+    fn a_moved_placement_carries_its_points_along() {
+        let (offset, scale) = (DVec3::new(1.0, -2.0, 4.0), DVec3::new(1.0, 2.0, 3.0));
+        let frame = Anchor::Frame { position: DVec3::Z, rotation_degrees: DVec3::splat(20.0) };
+        let axis = Anchor::Axis { base: DVec3::Y, top: DVec3::X };
+        for placement in [frame, axis].map(|anchor| Placement { anchor, scale }) {
+            let moved = placement.moved_by(offset);
+            assert_eq!(moved.origin(), placement.origin() + offset);
+            let point = |placement: Placement| placement.world_from_body().transform_point3(DVec3::ONE);
+            assert!((point(moved) - point(placement) - offset).length() < 1e-12);
+        }
     }
 
     #[test]

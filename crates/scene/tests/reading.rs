@@ -85,3 +85,23 @@ fn too_much_is_refused() {
     assert_eq!((found.len(), found.omitted()), (1000, 500));
     assert_eq!(LONGEST_TEXT, 1_073_741_824);
 }
+
+#[test]
+fn flags_are_true_or_false() {
+    let text =
+        "format = \"catoptric/1\"\n[[lights]]\nhidden = true\n[[bodies]]\nlocked = true\nhidden = false\n";
+    let scene = read(text).into_result().unwrap().value;
+    assert_eq!((scene.lights[0].hidden, scene.lights[0].locked), (true, false));
+    assert_eq!((scene.bodies[0].hidden, scene.bodies[0].locked), (false, true));
+    let standard = catoptric_scene::write(&scene);
+    assert_eq!(standard.matches("hidden = true\n").count(), 1);
+    assert_eq!(standard.matches("locked = true\n").count(), 1);
+    assert!(!standard.contains("false"), "{standard}");
+    let mut edited = scene.clone();
+    (edited.bodies[0].locked, edited.bodies[0].hidden) = (false, true);
+    let updated = catoptric_scene::update(text, &edited);
+    assert_eq!(updated, text.replace("locked = true\n", "").replace("hidden = false", "hidden = true"));
+    let found = read("format = \"catoptric/1\"\n[[bodies]]\nhidden = 1\n").diagnostics;
+    let messages: Vec<&str> = found.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
+    assert_eq!(messages, ["`hidden` is a number, but must be `true` or `false`"]);
+}

@@ -3,7 +3,6 @@
 use catoptric_editor::Editor;
 use catoptric_live::{Live, Request};
 use egui::{CentralPanel, Frame, Panel, Ui};
-use egui_notify::Toasts;
 use egui_tiles::Tree;
 
 use crate::StudioError;
@@ -11,8 +10,12 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::dialogs::Dialogs;
 use crate::documents::Documents;
+use crate::first_steps::FirstSteps;
+use crate::help::Help;
 use crate::host::Host;
 use crate::layout::{self, Pane};
+use crate::notices::Toasts;
+use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
 use crate::settings::Settings;
 use crate::texts::Texts;
@@ -30,6 +33,10 @@ pub struct Studio {
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
     pub(crate) dialogs: Dialogs,
+    pub(crate) palette: Palette,
+    pub(crate) help: Help,
+    pub(crate) first_steps: FirstSteps,
+    pub(crate) keys: shortcuts::Keys,
     pub(crate) toasts: Toasts,
     pub(crate) host: Box<dyn Host>,
     pub(crate) commands: Vec<Command>,
@@ -71,6 +78,10 @@ impl Studio {
             layout,
             documents: Documents::default(),
             dialogs: Dialogs::default(),
+            palette: Palette::default(),
+            help: Help::default(),
+            first_steps: FirstSteps::default(),
+            keys: shortcuts::Keys::default(),
             toasts: Toasts::default(),
             host,
             commands: Vec::new(),
@@ -105,6 +116,11 @@ impl Studio {
         &self.live
     }
 
+    /// Where the picture is in the window, points, once it has been drawn.
+    pub fn viewport_rect(&self) -> Option<egui::Rect> {
+        self.panes.viewport.rect()
+    }
+
     /// Has `command` done at the end of the next frame.
     pub fn run(&mut self, command: Command) {
         self.commands.push(command);
@@ -119,8 +135,11 @@ impl Studio {
         Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
+        crate::first_steps::first_steps_ui(ui.ctx(), self);
         crate::dialogs::dialogs_ui(ui, self);
-        self.toasts.show(ui.ctx());
+        crate::palette::palette_ui(ui.ctx(), self);
+        crate::help::help_ui(ui.ctx(), self);
+        self.toasts.show(ui.ctx(), self.texts.get("close"));
         for command in std::mem::take(&mut self.commands) {
             crate::run::run(ui.ctx(), self, command);
         }
@@ -145,7 +164,10 @@ impl Studio {
     /// Ends the open gesture when nothing is being dragged or typed any more: it becomes one step of the history.
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
-        if !is_pointer_down && !self.view.is_moving && !ui.ctx().egui_wants_keyboard_input() {
+        // The outliner's list has the focus while it is used, and nothing is typed into it.
+        let focused = ui.memory(|memory| memory.focused());
+        let is_used = focused.is_some_and(|id| id != crate::outliner::list_id());
+        if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();
         }
     }

@@ -1,16 +1,158 @@
-//! Windows over the window: one open at a time.
+//! Windows over the window, which must be answered before anything else.
+//!
+//! A dialog is a type that implements [`Dialog`], in a file of its own in `dialogs/`; [`Dialogs::open`] opens it. One
+//! that asks something more about itself opens another on top.
 
-use egui::{Context, Ui};
+mod message;
+
+use egui::{
+    Align, Button, Context, Frame, Key, Layout, Margin, Modal, Modifiers, Popup, RichText, Stroke, Ui,
+};
 
 use crate::app::Studio;
 use crate::command::Command;
+use crate::texts::Texts;
+use crate::theme;
+pub(crate) use message::Message;
 
-/// The dialogs' state.
+/// What becomes of a dialog after a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Flow {
+    /// It stays open.
+    Stay,
+    /// It has been answered, or is no longer needed.
+    Close,
+}
+
+/// A window over the window.
+pub(crate) trait Dialog {
+    /// What stands above it; also its accessible name.
+    fn title(&self, texts: &Texts) -> String;
+
+    /// The width of the content, points; less in a small window.
+    fn width(&self) -> f32 {
+        420.0
+    }
+
+    /// Draws what stands below the title, the [`buttons`] last, and does what they say.
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow;
+
+    /// Esc was pressed: the dialog closes. To be overridden where that means more.
+    fn cancel(&mut self, _studio: &mut Studio) {}
+}
+
+/// The open dialogs.
 #[derive(Default)]
-pub(crate) struct Dialogs {}
+pub(crate) struct Dialogs {
+    /// The last one is on top and has the keyboard.
+    open: Vec<Opened>,
+    count: u64,
+}
+
+struct Opened {
+    number: u64,
+    is_new: bool,
+    dialog: Box<dyn Dialog>,
+}
+
+impl Dialogs {
+    /// Opens `dialog` on top of the others.
+    pub(crate) fn open(&mut self, dialog: impl Dialog + 'static) {
+        self.count += 1;
+        self.open.push(Opened { number: self.count, is_new: true, dialog: Box::new(dialog) });
+    }
+
+    /// Whether any dialog is open; shortcuts rest then.
+    pub(crate) fn is_any_open(&self) -> bool {
+        !self.open.is_empty()
+    }
+}
 
 /// Draws the open dialogs.
-pub(crate) fn dialogs_ui(_ui: &mut Ui, _studio: &mut Studio) {}
+pub(crate) fn dialogs_ui(ui: &mut Ui, studio: &mut Studio) {
+    let mut open = std::mem::take(&mut studio.dialogs.open);
+    let top = open.last().map(|opened| opened.number);
+    open.retain_mut(|opened| {
+        let is_top = top == Some(opened.number);
+        show(ui.ctx(), studio, opened, is_top) == Flow::Stay
+    });
+    // Those that were opened meanwhile lie on top.
+    open.append(&mut studio.dialogs.open);
+    studio.dialogs.open = open;
+}
+
+/// Whether Enter presses the default button, for [`buttons`].
+#[derive(Clone, Copy)]
+struct EnterDecides(bool);
+
+fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: bool) -> Flow {
+    if std::mem::take(&mut opened.is_new) {
+        // Whatever lies below must not hear the keys any more.
+        context.memory_mut(|memory| memory.focused().map(|focused| memory.surrender_focus(focused)));
+    }
+    let has_keys = is_top && !Popup::is_any_open(context);
+    // On another button, Enter presses that one.
+    let is_typing = context.text_edit_focused() || context.memory(|memory| memory.focused().is_none());
+    let enter = has_keys && is_typing && context.input(|input| input.key_pressed(Key::Enter));
+    let enter_id = egui::Id::unique("enter decides");
+    context.data_mut(|data| data.insert_temp(enter_id, EnterDecides(enter)));
+
+    let title = opened.dialog.title(&studio.texts);
+    let id = egui::Id::unique(("dialog", opened.number));
+    let area = Modal::default_area(id).accessible_name(&title);
+    let style = context.global_style();
+    let frame = Frame::window(&style).inner_margin(Margin::symmetric(20, 16));
+    let mut flow = Modal::new(id)
+        .area(area)
+        .frame(frame)
+        .show(context, |ui| {
+            ui.set_width(opened.dialog.width().min(ui.ctx().content_rect().width() - 80.0));
+            ui.heading(RichText::new(&title).strong());
+            ui.add_space(6.0);
+            opened.dialog.ui(ui, studio)
+        })
+        .inner;
+    let escape = || context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+    if flow == Flow::Stay && has_keys && escape() {
+        opened.dialog.cancel(studio);
+        flow = Flow::Close;
+    }
+    if flow == Flow::Close {
+        context.request_repaint();
+    }
+    flow
+}
+
+/// Draws the row of buttons of a dialog, the first label at the right as the default, which Enter presses, the others
+/// to the left of it. Returns which one was pressed.
+pub(crate) fn buttons(ui: &mut Ui, labels: &[&str]) -> Option<usize> {
+    buttons_if(ui, labels, true)
+}
+
+/// The same with a default button that can only be pressed when `is_ready`.
+pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option<usize> {
+    let palette = theme::palette(ui.visuals());
+    let enter_id = egui::Id::unique("enter decides");
+    let enter = ui.data(|data| data.get_temp::<EnterDecides>(enter_id)).is_some_and(|enter| enter.0);
+    let mut pressed = None;
+    ui.add_space(10.0);
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        for (index, label) in labels.iter().enumerate() {
+            let mut button = Button::new(*label).min_size(egui::vec2(84.0, 28.0));
+            if index == 0 {
+                button = button.fill(palette.selection).stroke(Stroke::new(1.0, palette.accent));
+            }
+            let response = ui.add_enabled(index > 0 || is_ready, button);
+            if index == 0 && is_ready && ui.memory(|memory| memory.focused().is_none()) {
+                response.request_focus();
+            }
+            if response.clicked() || index == 0 && is_ready && enter {
+                pressed = Some(index);
+            }
+        }
+    });
+    pressed
+}
 
 /// Opens the dialog that `command` asks for.
 pub(crate) fn run(_context: &Context, _studio: &mut Studio, _command: Command) {}

@@ -16,12 +16,18 @@ pub(crate) struct Viewport {
     /// The picture in the texture.
     shown: Option<u64>,
     size_in_pixels: Option<[u32; 2]>,
+    rect: Option<Rect>,
 }
 
 impl Viewport {
     /// The size for which a picture is wanted, once the panel has been drawn.
     pub(crate) fn size_in_pixels(&self) -> Option<[u32; 2]> {
         self.size_in_pixels
+    }
+
+    /// Where the picture is in the window.
+    pub(crate) fn rect(&self) -> Option<Rect> {
+        self.rect
     }
 
     /// Width over height.
@@ -33,6 +39,7 @@ impl Viewport {
 /// Draws the picture.
 pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport) {
     let (rect, _response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+    viewport.rect = Some(rect);
     let scale = ui.ctx().pixels_per_point();
     let pixels = (rect.size() * scale).round().max(egui::Vec2::ZERO);
     viewport.size_in_pixels = Some([pixels.x as u32, pixels.y as u32]);

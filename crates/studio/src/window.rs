@@ -40,7 +40,7 @@ pub fn open(start: Start) -> Result<(), StudioError> {
         .with_min_inner_size([800.0, 500.0])
         .with_drag_and_drop(true)
         .with_icon(Arc::new(icon()));
-    let options = NativeOptions { viewport, wgpu_options: graphics(), ..NativeOptions::default() };
+    let options = NativeOptions { viewport, ..options() };
     eframe::run_native(
         "Catoptric",
         options,
@@ -49,8 +49,9 @@ pub fn open(start: Start) -> Result<(), StudioError> {
     .map_err(|error| StudioError::Window(error.to_string()))
 }
 
-fn graphics() -> egui_wgpu::WgpuConfiguration {
-    egui_wgpu::WgpuConfiguration::default()
+/// How the window is drawn.
+pub fn options() -> NativeOptions {
+    NativeOptions { wgpu_options: egui_wgpu::WgpuConfiguration::default(), ..NativeOptions::default() }
 }
 
 fn icon() -> IconData {

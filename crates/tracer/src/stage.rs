@@ -96,10 +96,10 @@ impl Stage {
     /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
     const FEW: usize = 12;
 
-    /// Prepares `scene`, whose values are taken to be valid.
+    /// Prepares `scene`, whose values are taken to be valid. Hidden bodies and lights are left out.
     ///
     /// # Errors
-    /// When a body names an undefined material, or there are too many bodies.
+    /// When a body that is not hidden names an undefined material, or there are too many bodies.
     pub fn prepare(scene: &Scene) -> Result<Self, StageError> {
         if scene.bodies.len() > Self::MAX_BODIES {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
@@ -108,7 +108,7 @@ impl Stage {
         let camera = StageCamera::new(&scene.camera, cast.surroundings(scene));
         let (order, hierarchy) = cast.order();
         let bounded = cast.boxes.len() as u32;
-        let largest_slack = cast.bodies.iter().map(|body| body.slack).fold(0.0, f32::max);
+        let largest_slack = order.iter().map(|&index| cast.bodies[index as usize].slack).fold(0.0, f32::max);
         let Tracing { generations, threshold } = scene.tracing;
         Ok(Self {
             bodies: cast.take_bodies(&order),
@@ -119,7 +119,7 @@ impl Stage {
             has_transparency: cast.materials.iter().any(StageMaterial::is_transparent),
             materials: cast.materials,
             checkers: cast.checkers,
-            lights: scene.lights.iter().map(StageLight::new).collect(),
+            lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),
             camera,
             background: vec3(scene.environment.background),
             ambient: vec3(scene.environment.ambient),
@@ -213,6 +213,9 @@ impl Cast {
         let mut table = MaterialTable::new(scene);
         let mut checkers = Vec::new();
         for (index, (prepared, body)) in bodies.iter_mut().zip(&scene.bodies).enumerate() {
+            if body.hidden {
+                continue;
+            }
             let (material, source) =
                 table.find(&body.material).ok_or_else(|| undefined_material(index, body))?;
             prepared.material = material;
@@ -224,8 +227,9 @@ impl Cast {
         }
         let mut boxes = Vec::with_capacity(bounds.len());
         let mut planes = Vec::new();
-        for (bounds, index) in bounds.into_iter().zip(0..) {
+        for ((bounds, body), index) in bounds.into_iter().zip(&scene.bodies).zip(0..) {
             match bounds {
+                _ if body.hidden => {}
                 Some(bounds) => boxes.push((bounds, index)),
                 None => planes.push(index),
             }

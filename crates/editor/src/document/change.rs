@@ -4,7 +4,10 @@ use std::sync::Arc;
 
 use catoptric_scene::{Body, Camera, Environment, Light, Material, Part, Problem, Scene, Tracing};
 
-use super::{Editor, Gesture, Label, Refused};
+use super::{Difference, Editor, Gesture, Label, Refused, Selection, Step};
+
+/// Changes of more elements than this are checked by a check of the whole scene.
+const MOST_PARTS: usize = 16;
 
 impl Editor {
     /// Changes the scene at once. Consecutive changes with equal labels are one gesture and, when it is settled, one
@@ -26,7 +29,7 @@ impl Editor {
             only_known(problems, || self.scene.check())?;
         }
         let start = std::mem::replace(&mut self.scene, Arc::new(scene));
-        self.open_at(label, start);
+        self.open_at(label, self.gesture.is_none().then_some(start));
         self.selection.keep_in(&self.scene);
         self.revision += 1;
         Ok(true)
@@ -124,7 +127,7 @@ impl Editor {
     /// # Errors
     /// As for [`Self::change`].
     pub fn change_camera(&mut self, label: Label, edit: impl FnOnce(&mut Camera)) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.camera, Part::Camera, edit)
+        self.change_value(label, |scene| &mut scene.camera, &Part::Camera, edit)
     }
 
     /// Changes the environment.
@@ -136,7 +139,7 @@ impl Editor {
         label: Label,
         edit: impl FnOnce(&mut Environment),
     ) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.environment, Part::Environment, edit)
+        self.change_value(label, |scene| &mut scene.environment, &Part::Environment, edit)
     }
 
     /// Changes the limits of tracing.
@@ -144,27 +147,50 @@ impl Editor {
     /// # Errors
     /// As for [`Self::change`].
     pub fn change_tracing(&mut self, label: Label, edit: impl FnOnce(&mut Tracing)) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.tracing, Part::Tracing, edit)
+        self.change_value(label, |scene| &mut scene.tracing, &Part::Tracing, edit)
+    }
+
+    /// Takes over a whole new scene and selection as one undo step, no gesture being open. Returns whether this changed
+    /// anything; another selection alone is no step.
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub(crate) fn step(&mut self, label: Label, scene: Scene, selection: Selection) -> Result<bool, Refused> {
+        let Some(difference) = Difference::between(&self.scene, &scene) else {
+            let is_new = self.selection != selection;
+            self.selection = selection;
+            return Ok(is_new);
+        };
+        let problems = scene.check();
+        if !problems.is_empty() {
+            only_known(problems, || self.scene.check())?;
+        }
+        self.scene = Arc::new(scene);
+        self.revision += 1;
+        let selection_before = std::mem::replace(&mut self.selection, selection);
+        let selection_after = self.selection.clone();
+        self.history.push(Step { label, difference, selection_before, selection_after });
+        Ok(true)
     }
 
     fn change_value<T: Clone + PartialEq>(
         &mut self,
         label: Label,
         value_of: impl Fn(&mut Scene) -> &mut T,
-        part: Part,
+        part: &Part,
         edit: impl FnOnce(&mut T),
     ) -> Result<bool, Refused> {
         let swap = |scene: &mut Scene, value: &mut T| std::mem::swap(value_of(scene), value);
         self.settle_unless(&label);
-        let start = Arc::clone(&self.scene);
+        let start = self.gesture_start_now();
         let scene = Arc::make_mut(&mut self.scene);
         let mut old = value_of(scene).clone();
         edit(value_of(scene));
         let has_changed = *value_of(scene) != old;
-        let problems = scene.check_part(&part);
+        let problems = scene.check_part(part);
         if !problems.is_empty() {
             swap(scene, &mut old);
-            only_known(problems, || scene.check_part(&part))?;
+            only_known(problems, || scene.check_part(part))?;
             swap(scene, &mut old);
         }
         self.finish_change(label, start, has_changed)
@@ -179,7 +205,7 @@ impl Editor {
         mut edit: impl FnMut(usize, &mut T),
     ) -> Result<bool, Refused> {
         self.settle_unless(&label);
-        let start = Arc::clone(&self.scene);
+        let start = self.gesture_start_now();
         let scene = Arc::make_mut(&mut self.scene);
         let mut old: Vec<(usize, T)> = Vec::new();
         for index in indices {
@@ -199,6 +225,10 @@ impl Editor {
             }
         };
         let check = |scene: &Scene, old: &[(usize, T)]| -> Vec<Problem> {
+            // Each part's name is held against all others.
+            if old.len() > MOST_PARTS {
+                return scene.check();
+            }
             old.iter().flat_map(|(index, _)| scene.check_part(&part(*index))).collect()
         };
         let has_changed = !old.is_empty();
@@ -212,7 +242,12 @@ impl Editor {
         self.finish_change(label, start, has_changed)
     }
 
-    fn finish_change(&mut self, label: Label, start: Arc<Scene>, has_changed: bool) -> Result<bool, Refused> {
+    fn finish_change(
+        &mut self,
+        label: Label,
+        start: Option<Arc<Scene>>,
+        has_changed: bool,
+    ) -> Result<bool, Refused> {
         if has_changed {
             self.open_at(label, start);
             self.revision += 1;
@@ -226,17 +261,30 @@ impl Editor {
         }
     }
 
+    /// The scene that a gesture starts from; none where one is open. A scene that nobody else holds is edited in place,
+    /// so it must not be held here without need.
+    fn gesture_start_now(&self) -> Option<Arc<Scene>> {
+        self.gesture.is_none().then(|| Arc::clone(&self.scene))
+    }
+
     /// Opens a gesture, unless one is open.
-    fn open_at(&mut self, label: Label, start: Arc<Scene>) {
-        if self.gesture.is_none() {
+    fn open_at(&mut self, label: Label, start: Option<Arc<Scene>>) {
+        if let Some(start) = start {
             self.gesture = Some(Gesture { label, start, selection: self.selection.clone() });
         }
     }
 }
 
-/// Refuses problems that were not there before.
-fn only_known(problems: Vec<Problem>, before: impl FnOnce() -> Vec<Problem>) -> Result<(), Refused> {
-    let before = before();
-    let problems: Vec<Problem> = problems.into_iter().filter(|problem| !before.contains(problem)).collect();
+/// Refuses problems that were not there before. Names and places may have changed, so problems of one key count as the
+/// same.
+fn only_known(mut problems: Vec<Problem>, before: impl FnOnce() -> Vec<Problem>) -> Result<(), Refused> {
+    let mut known: Vec<&str> = before().iter().map(|problem| problem.key).collect();
+    problems.retain(|problem| match known.iter().position(|key| *key == problem.key) {
+        Some(place) => {
+            known.swap_remove(place);
+            false
+        }
+        None => true,
+    });
     if problems.is_empty() { Ok(()) } else { Err(Refused { problems }) }
 }

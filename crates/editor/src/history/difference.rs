@@ -118,3 +118,46 @@ impl<T: Clone + PartialEq> ListDifference<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    fn scene() -> Scene {
+        let body = |index: usize| Body { name: index.to_string(), ..Body::default() };
+        Scene { bodies: (0..1000).map(body).collect(), ..Scene::default() }
+    }
+
+    /// How many bodies the difference of an edit holds; the edit is undone and done again on the way.
+    fn size(edit: impl FnOnce(&mut Scene)) -> usize {
+        let before = scene();
+        let mut after = before.clone();
+        edit(&mut after);
+        let difference = Difference::between(&before, &after).unwrap();
+        let mut scene = after.clone();
+        difference.undo(&mut scene);
+        assert_eq!(scene, before);
+        difference.redo(&mut scene);
+        assert_eq!(scene, after);
+        match difference.bodies {
+            ListDifference::Elements(elements) => 2 * elements.len(),
+            ListDifference::Part(_, sides) => sides[0].len() + sides[1].len(),
+        }
+    }
+
+    #[test]
+    fn a_difference_is_as_small_as_the_edit() {
+        assert_eq!(size(|scene| scene.camera.position = DVec3::ONE), 0);
+        assert_eq!(size(|scene| scene.bodies[500].hidden = true), 2);
+        assert_eq!(size(|scene| [0, 999].into_iter().for_each(|at| scene.bodies[at].hidden = true)), 4);
+        assert_eq!(size(|scene| scene.bodies.swap(3, 4)), 4);
+        assert_eq!(size(|scene| drop(scene.bodies.remove(500))), 1);
+        assert_eq!(size(|scene| scene.bodies.insert(0, Body::default())), 1);
+        assert_eq!(size(|scene| scene.bodies.push(scene.bodies[999].clone())), 1);
+        assert_eq!(size(|scene| drop(scene.bodies.drain(10..20))), 10);
+        assert_eq!(size(|scene| scene.bodies.clear()), 1000);
+        assert_eq!(Difference::between(&scene(), &scene()), None);
+    }
+}

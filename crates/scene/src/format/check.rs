@@ -305,4 +305,46 @@ mod tests {
         ];
         assert_eq!(messages, expected);
     }
+
+    #[test]
+    fn a_part_has_the_problems_that_it_has_in_the_whole() {
+        let named = |name: &str, ior| NamedMaterial {
+            name: name.to_owned(),
+            material: Material { ior, ..Material::default() },
+        };
+        let body = |name: &str, radius, material: &str| Body {
+            name: name.to_owned(),
+            shape: Shape::Sphere { radius },
+            material: MaterialChoice::Named(material.to_owned()),
+            ..Body::default()
+        };
+        let light = |name: &str| Light { name: name.to_owned(), ..Light::default() };
+        let mut scene = Scene {
+            materials: vec![named("m", 0.0), named("", 1.5), named("m", 1.5)],
+            lights: vec![light(""), light("a"), light("a"), light("")],
+            bodies: vec![
+                body("", 1.0, "m"),
+                body("b", -1.0, "none"),
+                body("c", 1.0, "m"),
+                body("b", 1.0, "m"),
+            ],
+            ..Scene::default()
+        };
+        scene.camera.up = DVec3::ZERO;
+        scene.tracing.threshold = 2.0;
+        scene.environment.ambient.r = f64::INFINITY;
+        let whole = scene.check();
+        let parts = [Part::Camera, Part::Environment, Part::Tracing].into_iter();
+        let parts = parts.chain((0..3).map(Part::Material)).chain((0..4).map(Part::Light));
+        let mut alone: Vec<Problem> =
+            parts.chain((0..5).map(Part::Body)).flat_map(|part| scene.check_part(&part)).collect();
+        for problem in whole {
+            let at = alone.iter().position(|other| *other == problem);
+            alone.remove(at.unwrap_or_else(|| panic!("{problem} is in no part")));
+        }
+        // By itself the first of two with a name is as wrong as the second.
+        let left: Vec<&Part> = alone.iter().map(|problem| &problem.part).collect();
+        assert_eq!(left, [&Part::Material(0), &Part::Light(1), &Part::Body(1)]);
+        assert!(alone.iter().all(|problem| problem.key == "name"));
+    }
 }

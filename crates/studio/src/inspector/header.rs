@@ -8,9 +8,9 @@ use egui_material_icons::icons::{ICON_LOCK, ICON_LOCK_OPEN, ICON_VISIBILITY, ICO
 use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;
-use crate::widgets::icon;
 use crate::widgets::number::HEIGHT;
 use crate::widgets::text::text_field;
+use crate::widgets::{explained_icon_button, paint_icon};
 
 /// Draws the name field of `item`, with the buttons of what can be hidden and locked.
 pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item, icon: MaterialIcon) {
@@ -23,7 +23,7 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item, icon: Material
         ui.spacing_mut().item_spacing.x = 4.0;
         let palette = theme::palette(ui.visuals());
         let (rect, _) = ui.allocate_exact_size(vec2(20.0, HEIGHT), Sense::hover());
-        icon::paint(ui, icon, rect.center(), 18.0, palette.weak);
+        paint_icon(ui, icon, rect.center(), 18.0, palette.weak);
         let room = ui.available_width() - if has_toggles { 2.0 * 26.0 } else { 0.0 };
         let name = item.name(&scene);
         let (response, typed, draft) = text_field(ui, texts.get("name"), name, texts.get("name-none"), room);
@@ -35,12 +35,12 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item, icon: Material
         if has_toggles {
             let icon = if is_hidden { ICON_VISIBILITY_OFF } else { ICON_VISIBILITY };
             let (name, tip) = (texts.get("hidden"), texts.tip("hidden").unwrap_or_default());
-            if icon::toggle(ui, icon, name, tip, is_hidden).clicked() {
+            if explained_icon_button(ui, icon, name, tip, is_hidden).clicked() {
                 cx.run(Command::Edit(Action::SetHidden { item, hidden: !is_hidden }));
             }
             let icon = if is_locked { ICON_LOCK } else { ICON_LOCK_OPEN };
             let (name, tip) = (texts.get("locked"), texts.tip("locked").unwrap_or_default());
-            if icon::toggle(ui, icon, name, tip, is_locked).clicked() {
+            if explained_icon_button(ui, icon, name, tip, is_locked).clicked() {
                 cx.run(Command::Edit(Action::SetLocked { item, locked: !is_locked }));
             }
         }
@@ -71,7 +71,7 @@ pub(super) fn locked_ui(ui: &mut Ui, cx: &mut Cx<'_>, items: &[Item]) {
         ui.set_width(ui.available_width());
         ui.horizontal_wrapped(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(16.0, HEIGHT), Sense::hover());
-            icon::paint(ui, ICON_LOCK, rect.center(), 15.0, palette.warning);
+            paint_icon(ui, ICON_LOCK, rect.center(), 15.0, palette.warning);
             ui.label(texts.get("is-locked"));
         });
         let button = egui::Button::new(texts.get("unlock")).min_size(vec2(80.0, HEIGHT));

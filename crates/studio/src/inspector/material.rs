@@ -16,7 +16,7 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;
 use crate::widgets::choice::{Choice, choice_ui};
-use crate::widgets::icon;
+use crate::widgets::paint_icon;
 use crate::widgets::number::{HEIGHT, shown};
 use crate::widgets::row::control_width;
 use crate::widgets::section::section;
@@ -403,7 +403,7 @@ fn energy_ui(ui: &mut Ui, sheet: &Sheet<'_, '_, Material>) {
     let palette = theme::palette(ui.visuals());
     let response = ui.horizontal_wrapped(|ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), egui::Sense::hover());
-        icon::paint(ui, ICON_WARNING, rect.center(), 14.0, palette.warning);
+        paint_icon(ui, ICON_WARNING, rect.center(), 14.0, palette.warning);
         let text = texts.with("energy-warning", &[("sum", format!("{sum:.2}").into())]);
         ui.label(egui::RichText::new(text).color(palette.warning).size(12.0))
     });

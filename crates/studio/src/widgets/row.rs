@@ -5,7 +5,7 @@ use egui_material_icons::icons::ICON_RESTART_ALT;
 
 use crate::theme;
 use crate::typeset::{self, Line};
-use crate::widgets::icon;
+use crate::widgets::paint_icon;
 use crate::widgets::number::HEIGHT;
 
 /// The width of the column of labels.
@@ -89,7 +89,7 @@ pub(crate) fn reset_button(ui: &mut Ui, is_default: bool, name: &str, tip: &str)
     let palette = theme::palette(ui.visuals());
     let is_lit = response.hovered() || response.has_focus();
     let color = if is_lit { palette.accent } else { palette.weak };
-    icon::paint(ui, ICON_RESTART_ALT, rect.center(), 14.0, color);
+    paint_icon(ui, ICON_RESTART_ALT, rect.center(), 14.0, color);
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     response.on_hover_text(tip).clicked()

@@ -5,7 +5,7 @@ use egui::{Align2, FontId, Id, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 use egui_material_icons::icons::{ICON_CHEVRON_RIGHT, ICON_EXPAND_MORE};
 
 use crate::theme;
-use crate::widgets::icon;
+use crate::widgets::paint_icon;
 
 /// Draws a heading with what belongs under it. Whether it is folded is remembered under its `key`.
 pub(crate) fn section(ui: &mut Ui, key: &'static str, title: &str, summary: &str, body: impl FnOnce(&mut Ui)) {
@@ -25,7 +25,7 @@ pub(crate) fn section(ui: &mut Ui, key: &'static str, title: &str, summary: &str
     let icon = if state.is_open() { ICON_EXPAND_MORE } else { ICON_CHEVRON_RIGHT };
     let middle = rect.center().y;
     let left = rect.left();
-    icon::paint(ui, icon, pos2(left + 8.0, middle), 16.0, palette.weak);
+    paint_icon(ui, icon, pos2(left + 8.0, middle), 16.0, palette.weak);
     painter.text(
         pos2(left + 20.0, middle),
         Align2::LEFT_CENTER,

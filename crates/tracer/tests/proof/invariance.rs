@@ -234,3 +234,41 @@ fn axis_points_place_cylinders_and_cones_like_a_frame() {
         assert_same_picture(&a, &b, SHARE);
     }
 }
+
+#[test]
+fn what_is_hidden_takes_no_part() {
+    let shown = checkered();
+    let mut scene = shown.clone();
+    // In front of everything: a dark ball, glass that would make the scene transparent, a plane and a light.
+    let middle = 0.5 * (scene.camera.position + scene.camera.target);
+    for (place, body) in [
+        (0, ball(1.0, middle, chalk())),
+        (3, ball(2.0, middle, glass(1.5))),
+        (4, turned(Shape::Plane, middle, v(90.0, 0.0, 0.0), mirror())),
+    ] {
+        scene.bodies.insert(place, Body { hidden: true, ..body });
+    }
+    // It names no material of the scene, and is not asked for one.
+    scene.bodies.push(Body {
+        hidden: true,
+        material: MaterialChoice::Named("none".to_owned()),
+        ..Body::default()
+    });
+    let mut lamp = light(middle, 50.0, Falloff::None);
+    lamp.hidden = true;
+    scene.lights.insert(0, lamp);
+    let (with, without) = (stage(&scene), stage(&shown));
+    assert_eq!((with.body_count(), with.light_count()), (without.body_count(), without.light_count()));
+    for index in 0..with.body_count() as u32 {
+        let (at, expected) = (with.scene_index(index).unwrap(), without.scene_index(index).unwrap());
+        assert_eq!(scene.bodies[at], shown.bodies[expected]);
+    }
+    assert_eq!(with.scene_index(with.body_count() as u32), None);
+    assert!(taken(&scene) == taken(&shown), "the pictures differ");
+    // The same things, seen, change the picture.
+    scene.bodies.pop();
+    for body in &mut scene.bodies {
+        body.hidden = false;
+    }
+    assert!(taken(&scene) != taken(&shown));
+}

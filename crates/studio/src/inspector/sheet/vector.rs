@@ -1,7 +1,7 @@
 //! Rows with three numbers.
 
 use super::*;
-use crate::widgets::icon;
+use crate::widgets::explained_icon_button;
 use egui_material_icons::icons::{ICON_LINK, ICON_LINK_OFF};
 
 /// How a change of the primary thing's vector is carried to the others.
@@ -144,7 +144,7 @@ impl<T> Sheet<'_, '_, T> {
         let icon = if *is_linked { ICON_LINK } else { ICON_LINK_OFF };
         let label = texts.with("linked-of", &[("name", name.into())]);
         let tip = texts.tip("linked").unwrap_or_default();
-        if icon::toggle(ui, icon, &label, tip, *is_linked).clicked() {
+        if explained_icon_button(ui, icon, &label, tip, *is_linked).clicked() {
             *is_linked = !*is_linked;
         }
     }

@@ -1,0 +1,56 @@
+//! Where bodies stand.
+
+use catoptric_scene::{Anchor, Body, Placement, Scene, Shape};
+use glam::DVec3;
+
+use super::outcome::{Result, edit_bodies, wanting};
+use crate::bounds;
+use crate::selection::Selection;
+
+/// How far a body has to move up to stand on the ground; `None` when it stands there, within rounding, or is a plane.
+fn to_ground(body: &Body) -> Option<f64> {
+    let bounds = bounds::of_body(body)?;
+    let rounding = 1e-12 * bounds.min.abs().max(bounds.max.abs()).max_element();
+    (bounds.min.y.abs() > rounding).then_some(-bounds.min.y)
+}
+
+pub(super) fn check_drop(scene: &Scene, selection: &Selection) -> Result<()> {
+    wanting(scene, selection, |body| to_ground(body).is_some()).map(drop)
+}
+
+pub(super) fn drop_to_ground(scene: &Scene, selection: &Selection) -> Result {
+    edit_bodies(
+        scene,
+        selection,
+        |body| to_ground(body).is_some(),
+        |body| {
+            if let Some(up) = to_ground(body) {
+                body.placement = body.placement.moved_by(DVec3::Y * up);
+            }
+        },
+    )
+}
+
+/// A body that stands upright, unturned and unscaled where it is; one between two points keeps its length.
+fn upright(body: &Body) -> Body {
+    let mut body = body.clone();
+    if let (Anchor::Axis { .. }, Some(length)) = (body.placement.anchor, body.height())
+        && let Shape::Cylinder { height, .. } | Shape::Cone { height, .. } = &mut body.shape
+    {
+        *height = length;
+    }
+    body.placement = Placement::at(body.placement.origin());
+    body
+}
+
+fn is_turned(body: &Body) -> bool {
+    body.placement != Placement::at(body.placement.origin())
+}
+
+pub(super) fn check_reset(scene: &Scene, selection: &Selection) -> Result<()> {
+    wanting(scene, selection, is_turned).map(drop)
+}
+
+pub(super) fn reset(scene: &Scene, selection: &Selection) -> Result {
+    edit_bodies(scene, selection, is_turned, |body| *body = upright(body))
+}

@@ -1,0 +1,11 @@
+//! The editor as a user interface sees it: gestures, history, actions, clipboard, saving, and a monkey.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
+
+mod actions;
+mod clipboard;
+mod common;
+mod document;
+mod history;
+mod materials;
+mod monkey;

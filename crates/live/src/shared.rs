@@ -1,0 +1,210 @@
+//! What the worker and the window's thread share. Every lock is held for a moment only.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use catoptric_tracer::{Control, Stage};
+
+use crate::frame::Frame;
+use crate::request::Request;
+use crate::status::Status;
+
+pub(crate) struct Shared {
+    mail: Mutex<Mail>,
+    /// Rings when mail comes or a pass ends.
+    bell: Condvar,
+    shown: Mutex<Shown>,
+    wake: Box<dyn Fn() + Send + Sync>,
+}
+
+/// What goes to the worker.
+#[derive(Default)]
+struct Mail {
+    request: Option<Request>,
+    stop: bool,
+    pass_ended: bool,
+}
+
+/// What comes from the worker.
+#[derive(Default)]
+struct Shown {
+    latest: Option<Arc<Frame>>,
+    stage: Option<(u64, Arc<Stage>)>,
+    status: Status,
+}
+
+/// What the worker finds when it looks.
+pub(crate) enum Call {
+    Stop,
+    Request(Box<Request>),
+    Nothing,
+}
+
+/// How long the worker waits for mail.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Wait {
+    /// There is work to do.
+    No,
+    /// There is work at this moment.
+    Until(Instant),
+    /// There is nothing to do.
+    ForEver,
+}
+
+/// When a pass under way gives way to a newer request.
+pub(crate) struct Patience<'a> {
+    /// Whether a request asks for something new.
+    pub(crate) is_new: &'a dyn Fn(&Request) -> bool,
+    /// Until when the pass is finished all the same.
+    pub(crate) until: Option<Instant>,
+    /// What to do from time to time.
+    pub(crate) report: &'a dyn Fn(u64),
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // A panic while a lock was held leaves nothing half done: values are replaced whole.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Shared {
+    pub(crate) fn new(status: Status, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self {
+            mail: Mutex::default(),
+            bell: Condvar::new(),
+            shown: Mutex::new(Shown { status, ..Shown::default() }),
+            wake: Box::new(wake),
+        }
+    }
+
+    pub(crate) fn wake(&self) {
+        // Whatever the window does there, the worker goes on.
+        let _ = catch_unwind(AssertUnwindSafe(|| (self.wake)()));
+    }
+
+    // ---- the window's side ----
+
+    pub(crate) fn request(&self, request: Request) {
+        let mut mail = lock(&self.mail);
+        lock(&self.shown).status.is_idle = false;
+        // What it replaces may be the last of a large scene: it goes after the locks.
+        let _replaced = mail.request.replace(request);
+        drop(mail);
+        self.bell.notify_all();
+    }
+
+    pub(crate) fn stop(&self) {
+        lock(&self.mail).stop = true;
+        self.bell.notify_all();
+    }
+
+    pub(crate) fn latest(&self) -> Option<Arc<Frame>> {
+        lock(&self.shown).latest.clone()
+    }
+
+    pub(crate) fn status(&self) -> Status {
+        lock(&self.shown).status.clone()
+    }
+
+    pub(crate) fn stage(&self) -> Option<(u64, Arc<Stage>)> {
+        lock(&self.shown).stage.clone()
+    }
+
+    // ---- the worker's side ----
+
+    pub(crate) fn publish(&self, frame: Frame) {
+        let replaced = lock(&self.shown).latest.replace(Arc::new(frame));
+        drop(replaced);
+        self.wake();
+    }
+
+    pub(crate) fn publish_stage(&self, revision: u64, stage: Arc<Stage>) {
+        let replaced = lock(&self.shown).stage.replace((revision, stage));
+        drop(replaced);
+    }
+
+    pub(crate) fn change_status(&self, change: impl FnOnce(&mut Status)) {
+        change(&mut lock(&self.shown).status);
+    }
+
+    /// The next request, after a wait.
+    pub(crate) fn look(&self, wait: Wait) -> Call {
+        let mut mail = lock(&self.mail);
+        loop {
+            if mail.stop {
+                return Call::Stop;
+            }
+            if let Some(request) = mail.request.take() {
+                return Call::Request(Box::new(request));
+            }
+            mail = match wait {
+                Wait::No => return Call::Nothing,
+                Wait::Until(moment) => {
+                    let left = moment.saturating_duration_since(Instant::now());
+                    if left.is_zero() {
+                        return Call::Nothing;
+                    }
+                    self.wait(mail, left)
+                }
+                Wait::ForEver => {
+                    // While the mail is locked, so that no request comes in between.
+                    let was_idle = std::mem::replace(&mut lock(&self.shown).status.is_idle, true);
+                    if was_idle {
+                        self.bell.wait(mail).unwrap_or_else(PoisonError::into_inner)
+                    } else {
+                        drop(mail);
+                        self.wake();
+                        lock(&self.mail)
+                    }
+                }
+            };
+        }
+    }
+
+    fn wait<'a>(&self, mail: MutexGuard<'a, Mail>, time: Duration) -> MutexGuard<'a, Mail> {
+        self.bell.wait_timeout(mail, time).unwrap_or_else(PoisonError::into_inner).0
+    }
+
+    /// Notes that a pass begins; when the answer is dropped, it has ended.
+    pub(crate) fn begin_pass(&self) -> PassEnd<'_> {
+        lock(&self.mail).pass_ended = false;
+        PassEnd(self)
+    }
+
+    /// Waits for the end of a pass, and cancels it when something newer is asked for.
+    pub(crate) fn watch_pass(&self, control: &Control, patience: &Patience<'_>) {
+        const REPORT: Duration = Duration::from_millis(100);
+        let mut mail = lock(&self.mail);
+        while !mail.pass_ended {
+            let is_newer = mail.request.as_ref().is_some_and(patience.is_new);
+            let left = patience
+                .until
+                .map_or(Duration::ZERO, |until| until.saturating_duration_since(Instant::now()));
+            if mail.stop || (is_newer && left.is_zero()) {
+                control.cancel();
+            }
+            if control.is_cancelled() {
+                mail = self.bell.wait(mail).unwrap_or_else(PoisonError::into_inner);
+                continue;
+            }
+            let time = if is_newer { left.min(REPORT) } else { REPORT };
+            let looked = Instant::now();
+            mail = self.wait(mail, time);
+            if looked.elapsed() >= REPORT && !mail.pass_ended {
+                drop(mail);
+                (patience.report)(control.pixels_done());
+                mail = lock(&self.mail);
+            }
+        }
+    }
+}
+
+/// Rings when it is dropped, also by a panic.
+pub(crate) struct PassEnd<'a>(&'a Shared);
+
+impl Drop for PassEnd<'_> {
+    fn drop(&mut self) {
+        lock(&self.0.mail).pass_ended = true;
+        self.0.bell.notify_all();
+    }
+}

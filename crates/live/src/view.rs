@@ -1,0 +1,214 @@
+//! What is known about the request that is being worked on.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use catoptric_scene::{Camera, Projection, Scene};
+use catoptric_tracer::{Film, RayCounts, Stage, StageCamera};
+use glam::DVec2;
+
+use crate::frame::{GridLine, Polyline};
+use crate::outline::Outlines;
+use crate::request::Request;
+use crate::shared::Wait;
+use crate::status::LiveError;
+
+/// A hand that holds still this long lets the picture sharpen, though it holds something.
+const STILL: Duration = Duration::from_millis(150);
+
+/// A request, what was found for it so far, and what is still due.
+pub(crate) struct View {
+    pub(crate) request: Request,
+    pub(crate) stage: Arc<Stage>,
+    pub(crate) camera: StageCamera,
+    /// The light of the picture that is shown.
+    pub(crate) film: Option<Film>,
+    /// The light of a sharper picture under way.
+    pub(crate) sharper: Option<Film>,
+    pub(crate) shown: Shown,
+    outlines: Option<Outlines>,
+    hover: Option<Outlines>,
+    pub(crate) due: Due,
+    /// When the picture changed last.
+    changed: Instant,
+}
+
+/// What the last frame showed.
+#[derive(Default)]
+pub(crate) struct Shown {
+    pub(crate) pixels: Arc<Vec<u8>>,
+    pub(crate) size: [u32; 2],
+    pub(crate) outline: Arc<Vec<Polyline>>,
+    pub(crate) hover: Arc<Vec<Polyline>>,
+    pub(crate) grid: Arc<Vec<GridLine>>,
+    pub(crate) milliseconds: f64,
+    pub(crate) rays: RayCounts,
+    pub(crate) at: Option<Instant>,
+}
+
+/// What a change has made out of date.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Due {
+    /// All light; the first picture is coarse.
+    pub(crate) picture: bool,
+    /// The codes of the light.
+    pub(crate) development: bool,
+    /// Outlines and grid.
+    pub(crate) overlays: bool,
+    /// The frame with its numbers.
+    pub(crate) frame: bool,
+}
+
+impl Due {
+    pub(crate) const ALL: Self = Self { picture: true, development: true, overlays: true, frame: true };
+    pub(crate) const NOTHING: Self =
+        Self { picture: false, development: false, overlays: false, frame: false };
+}
+
+impl View {
+    /// A view of a request in a prepared stage, which takes over from an older view what still holds.
+    pub(crate) fn new(request: Request, stage: Arc<Stage>, old: Option<Self>) -> Self {
+        let camera = stage.camera_for(&request.camera);
+        let Some(old) = old else {
+            return Self {
+                outlines: outlines(&stage, &request.outline),
+                hover: outlines(&stage, hovered(&request)),
+                request,
+                stage,
+                camera,
+                film: None,
+                sharper: None,
+                shown: Shown::default(),
+                due: Due::ALL,
+                changed: Instant::now(),
+            };
+        };
+        let same_stage = Arc::ptr_eq(&stage, &old.stage);
+        let before = &old.request;
+        let picture = !same_stage || request.camera != before.camera || request.size != before.size;
+        let due = Due {
+            picture: picture || old.due.picture,
+            development: old.due.development || request.development != before.development,
+            overlays: picture
+                || old.due.overlays
+                || request.outline != before.outline
+                || request.hover != before.hover
+                || request.grid != before.grid,
+            frame: old.due.frame || request.revision != before.revision,
+        };
+        let same = same_stage && request.outline == before.outline;
+        let same_hover = same && request.hover == before.hover;
+        Self {
+            outlines: if same { old.outlines } else { outlines(&stage, &request.outline) },
+            hover: if same_hover { old.hover } else { outlines(&stage, hovered(&request)) },
+            changed: if picture { Instant::now() } else { old.changed },
+            // A film of another scene is of use too: its memory is.
+            film: old.film,
+            sharper: if picture { None } else { old.sharper },
+            shown: old.shown,
+            request,
+            stage,
+            camera,
+            due,
+        }
+    }
+
+    /// How long there is nothing to do.
+    pub(crate) fn wait(&self) -> Wait {
+        if self.due != Due::NOTHING {
+            Wait::No
+        } else if self.request.paused || self.is_refined() {
+            Wait::ForEver
+        } else if self.request.moving && self.changed.elapsed() < STILL {
+            Wait::Until(self.changed + STILL)
+        } else {
+            Wait::No
+        }
+    }
+
+    pub(crate) fn samples_wanted(&self) -> u32 {
+        self.request.samples.max(1)
+    }
+
+    /// The samples of the film, if it is of the full size.
+    pub(crate) fn full_samples(&self) -> u32 {
+        self.film.as_ref().filter(|film| size_of_film(film) == self.request.size).map_or(0, Film::samples)
+    }
+
+    pub(crate) fn is_refined(&self) -> bool {
+        self.full_samples() >= self.samples_wanted()
+    }
+
+    /// Traces outlines and grid, on the current rayon pool.
+    pub(crate) fn trace_overlays(&mut self) {
+        let Request { scene, camera, grid, .. } = &self.request;
+        let size = DVec2::from(self.request.size.map(f64::from));
+        let trace = |outlines: &Option<Outlines>| {
+            let lines =
+                outlines.as_ref().map(|outlines| outlines.trace(scene, &self.stage, &self.camera, size));
+            Arc::new(lines.unwrap_or_default())
+        };
+        self.shown.outline = trace(&self.outlines);
+        self.shown.hover = trace(&self.hover);
+        let lines = grid.map(|grid| crate::grid::trace(grid, camera, &self.camera, &self.stage, size));
+        self.shown.grid = Arc::new(lines.unwrap_or_default());
+        self.due.overlays = false;
+    }
+}
+
+pub(crate) fn size_of_film(film: &Film) -> [u32; 2] {
+    [film.width(), film.height()]
+}
+
+/// The body under the pointer, unless it is outlined anyway.
+fn hovered(request: &Request) -> &[usize] {
+    match &request.hover {
+        Some(body) if !request.outline.contains(body) => std::slice::from_ref(body),
+        _ => &[],
+    }
+}
+
+fn outlines(stage: &Stage, bodies: &[usize]) -> Option<Outlines> {
+    (!bodies.is_empty()).then(|| Outlines::new(stage, bodies))
+}
+
+/// Whether a request, seen while another is worked on, asks for something that should not wait.
+pub(crate) fn is_new(new: &Request, current: &Request) -> bool {
+    !Arc::ptr_eq(&new.scene, &current.scene)
+        || new.revision != current.revision
+        || new.camera != current.camera
+        || new.size != current.size
+        || new.development != current.development
+        || new.outline != current.outline
+        || new.hover != current.hover
+        || new.grid != current.grid
+        || (new.paused && !current.paused)
+}
+
+/// Whether two scenes have the same stage, apart from the camera.
+pub(crate) fn same_stage(one: &Arc<Scene>, other: &Arc<Scene>) -> bool {
+    Arc::ptr_eq(one, other)
+        || (one.environment == other.environment
+            && one.tracing == other.tracing
+            && one.lights == other.lights
+            && one.materials == other.materials
+            && one.bodies == other.bodies)
+}
+
+/// Refuses what cannot be traced.
+pub(crate) fn check(request: &Request) -> Result<(), LiveError> {
+    let [width, height] = request.size;
+    if u64::from(width) * u64::from(height) > Request::MAX_PIXELS {
+        return Err(LiveError::TooLarge { width, height });
+    }
+    let Camera { position, target, up, projection } = request.camera;
+    let number = match projection {
+        Projection::Perspective { fov_degrees } => fov_degrees,
+        Projection::Parallel { height } => height,
+    };
+    if position.is_finite() && target.is_finite() && up.is_finite() && number.is_finite() {
+        Ok(())
+    } else {
+        Err(LiveError::Camera)
+    }
+}

@@ -1,0 +1,332 @@
+//! The thread that traces what is asked for.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use catoptric_picture::{Development, SizeError};
+use catoptric_tracer::{Control, Film, RayCounts, RenderError, Stage, StageCamera};
+use rayon::ThreadPool;
+use rayon::prelude::*;
+
+use crate::frame::Frame;
+use crate::pace::Pace;
+use crate::request::Request;
+use crate::shared::{Call, Patience, Shared, Wait};
+use crate::status::LiveError;
+use crate::view::{Due, View, check, is_new, same_stage, size_of_film};
+
+/// A picture under way while something moves is finished though a newer one is asked for, since otherwise none would
+/// ever be; but not if it takes so many times its budget, and a coarser one would be quicker.
+const OVERRUN: f64 = 3.0;
+
+/// The coarsest picture may take this long.
+const LONGEST: Duration = Duration::from_secs(1);
+
+/// Between frames that only show one more sample.
+const BETWEEN_FRAMES: Duration = Duration::from_millis(60);
+
+pub(crate) struct Worker {
+    shared: Arc<Shared>,
+    pool: ThreadPool,
+    budget: Duration,
+    pace: Pace,
+    view: Option<View>,
+    serial: u64,
+    picture_serial: u64,
+}
+
+/// What a finished pass took.
+struct Passed {
+    rays: RayCounts,
+    milliseconds: f64,
+}
+
+impl Worker {
+    pub(crate) fn new(shared: Arc<Shared>, pool: ThreadPool, budget: f64) -> Self {
+        // What is no number of milliseconds becomes one.
+        let budget = if budget.is_finite() { budget.clamp(1.0, 10_000.0) } else { 20.0 };
+        Self {
+            shared,
+            pool,
+            budget: Duration::from_secs_f64(1e-3 * budget),
+            pace: Pace::new(budget),
+            view: None,
+            serial: 0,
+            picture_serial: 0,
+        }
+    }
+
+    pub(crate) fn run(mut self) {
+        loop {
+            let wait = self.view.as_ref().map_or(Wait::ForEver, View::wait);
+            let call = self.shared.look(wait);
+            if matches!(call, Call::Stop) {
+                return;
+            }
+            let done = catch_unwind(AssertUnwindSafe(|| self.turn(call)))
+                .unwrap_or_else(|panic| Err(LiveError::Fault(message_of(&*panic))));
+            if let Err(error) = done {
+                self.view = None;
+                self.shared.change_status(|status| status.error = Some(error));
+                self.shared.wake();
+            }
+        }
+    }
+
+    fn turn(&mut self, call: Call) -> Result<(), LiveError> {
+        if let Call::Request(request) = call {
+            return self.accept(*request);
+        }
+        match &self.view {
+            None => Ok(()),
+            Some(view) if view.due.picture => self.first_picture(),
+            Some(view) if view.due != Due::NOTHING => self.show(None),
+            Some(_) => self.refine(),
+        }
+    }
+
+    /// Prepares what a request needs; tracing comes after another look at the mail.
+    fn accept(&mut self, request: Request) -> Result<(), LiveError> {
+        #[cfg(test)]
+        assert!(request.revision != tests::FAULTY, "a fault for the test");
+        let old = self.view.take();
+        check(&request)?;
+        self.shared.change_status(|status| status.error = None);
+        if request.size.contains(&0) {
+            return Ok(());
+        }
+        let known = old.as_ref().filter(|old| same_stage(&old.request.scene, &request.scene));
+        let stage = match known {
+            Some(old) => Arc::clone(&old.stage),
+            None => Arc::new(self.pool.install(|| Stage::prepare(&request.scene))?),
+        };
+        self.shared.publish_stage(request.revision, Arc::clone(&stage));
+        self.view = Some(View::new(request, stage, old));
+        Ok(())
+    }
+
+    /// Traces the first picture after a change, as large as time allows.
+    fn first_picture(&mut self) -> Result<(), LiveError> {
+        let Some(view) = &mut self.view else { return Ok(()) };
+        let size = self.pace.coarse(view.request.size);
+        let mut film = match view.film.take() {
+            Some(mut film) if size_of_film(&film) == size => {
+                film.clear();
+                film
+            }
+            _ => Film::new(size[0], size[1])?,
+        };
+        let start = Instant::now();
+        let patience = if self.pace.can_be_coarser(view.request.size, size) {
+            self.budget.mul_f64(OVERRUN)
+        } else {
+            LONGEST
+        };
+        let passed = self.pass(&mut film, Some(start + patience))?;
+        let Some(view) = &mut self.view else { return Ok(()) };
+        view.film = Some(film);
+        match passed {
+            None => Ok(()),
+            Some(passed) => {
+                view.due.picture = false;
+                view.sharper = None;
+                self.show(Some(&passed))
+            }
+        }
+    }
+
+    /// Takes the next step towards the full picture with all samples.
+    fn refine(&mut self) -> Result<(), LiveError> {
+        let Some(view) = &mut self.view else { return Ok(()) };
+        let full = view.request.size;
+        let size = view.film.as_ref().map_or([1, 1], size_of_film);
+        let mut sharper = match view.sharper.take() {
+            Some(film) => Some(film),
+            None if size == full => None,
+            None => {
+                let [width, height] = self.pace.sharper(full, size);
+                Some(Film::new(width, height)?)
+            }
+        };
+        let mut film = view.film.take();
+        let Some(growing) = sharper.as_mut().or(film.as_mut()) else { return Ok(()) };
+        let passed = self.pass(growing, None);
+        let Some(view) = &mut self.view else { return Ok(()) };
+        let passed = match passed {
+            Ok(Some(passed)) => passed,
+            unfinished => {
+                // What is traced already is taken up again later, if nothing moved.
+                (view.film, view.sharper) = (film, sharper);
+                return unfinished.map(drop);
+            }
+        };
+        view.film = sharper.or(film);
+        let samples = view.full_samples();
+        let waited = view.shown.at.is_none_or(|at| at.elapsed() >= BETWEEN_FRAMES);
+        if waited || samples.is_power_of_two() || samples == 0 || view.is_refined() {
+            self.show(Some(&passed))
+        } else {
+            self.report(passed.milliseconds, passed.rays);
+            Ok(())
+        }
+    }
+
+    /// Adds a sample to a film; `None` if something newer came first. Until `until` nothing does.
+    fn pass(&mut self, film: &mut Film, until: Option<Instant>) -> Result<Option<Passed>, LiveError> {
+        let Some(view) = &self.view else { return Ok(None) };
+        let control = Control::default();
+        let start = Instant::now();
+        let pixels = u64::from(film.width()) * u64::from(film.height());
+        let is_full = size_of_film(film) == view.request.size;
+        let before = if is_full { film.samples() } else { 0 };
+        let report = |done: u64| {
+            let share = if is_full { done as f32 / pixels as f32 } else { 0.0 };
+            let progress = (before as f32 + share.min(1.0)) / view.samples_wanted() as f32;
+            self.shared.change_status(|status| status.progress = progress.min(1.0));
+            self.shared.wake();
+        };
+        let patience = Patience { is_new: &|request| is_new(request, &view.request), until, report: &report };
+        let mut result = Err(RenderError::Cancelled);
+        let (stage, camera): (&Stage, &StageCamera) = (&view.stage, &view.camera);
+        self.pool.in_place_scope(|scope| {
+            let end = self.shared.begin_pass();
+            scope.spawn(|_| {
+                let _end = end;
+                result = film.add_sample(stage, camera, &control);
+            });
+            self.shared.watch_pass(&control, &patience);
+        });
+        let milliseconds = milliseconds_since(start);
+        match (&result, until) {
+            (Err(_), Some(_)) => self.pace.gave_up(control.pixels_done(), milliseconds),
+            _ => self.pace.passed(control.pixels_done(), milliseconds),
+        }
+        match result {
+            Ok(rays) => Ok(Some(Passed { rays, milliseconds })),
+            Err(RenderError::Cancelled) => Ok(None),
+            Err(RenderError::Size(error)) => Err(error.into()),
+        }
+    }
+
+    /// Brings a frame up to date and publishes it, after a pass if there was one.
+    fn show(&mut self, passed: Option<&Passed>) -> Result<(), LiveError> {
+        let Some(view) = &mut self.view else { return Ok(()) };
+        let Some(film) = &view.film else { return Ok(()) };
+        let samples = film.samples();
+        if passed.is_some() || view.due.development {
+            let start = Instant::now();
+            let pixels = self.pool.install(|| develop(film, &view.request.development))?;
+            view.shown.pixels = Arc::new(pixels);
+            view.shown.size = size_of_film(film);
+            view.due.development = false;
+            self.picture_serial += 1;
+            if let Some(passed) = passed {
+                view.shown.milliseconds = passed.milliseconds + milliseconds_since(start);
+                view.shown.rays = passed.rays;
+            }
+        }
+        if view.due.overlays {
+            let start = Instant::now();
+            self.pool.install(|| view.trace_overlays());
+            self.pace.overlaid(milliseconds_since(start));
+        }
+        view.due.frame = false;
+        view.shown.at = Some(Instant::now());
+        self.serial += 1;
+        let shown = &view.shown;
+        let frame = Frame {
+            serial: self.serial,
+            picture_serial: self.picture_serial,
+            revision: view.request.revision,
+            camera: view.request.camera,
+            view_size: view.request.size,
+            picture_size: shown.size,
+            pixels: Arc::clone(&shown.pixels),
+            samples,
+            milliseconds: shown.milliseconds,
+            rays: shown.rays,
+            outline: Arc::clone(&shown.outline),
+            hover: Arc::clone(&shown.hover),
+            grid: Arc::clone(&shown.grid),
+        };
+        let (milliseconds, rays) = (shown.milliseconds, shown.rays);
+        self.report(milliseconds, rays);
+        self.shared.publish(frame);
+        Ok(())
+    }
+
+    fn report(&self, milliseconds: f64, rays: RayCounts) {
+        let Some(view) = &self.view else { return };
+        let (done, wanted) = (view.full_samples(), view.samples_wanted());
+        self.shared.change_status(|status| {
+            status.samples_done = done.min(wanted);
+            status.samples_wanted = wanted;
+            status.progress = (done as f32 / wanted as f32).min(1.0);
+            status.picture_size = view.shown.size;
+            status.milliseconds = milliseconds;
+            status.rays_per_second = 1e3 * rays.total() as f64 / milliseconds.max(1e-6);
+        });
+    }
+}
+
+/// Display codes of what is on the film, four bytes a pixel; on the current rayon pool.
+fn develop(film: &Film, development: &Development) -> Result<Vec<u8>, SizeError> {
+    const RUN: usize = 1 << 14;
+    let picture = film.picture()?;
+    let mut codes = vec![0; 4 * picture.pixels().len()];
+    picture.pixels().par_chunks(RUN).zip(codes.par_chunks_mut(4 * RUN)).for_each(|(light, codes)| {
+        development.develop_rgba8(light, codes.as_chunks_mut().0);
+    });
+    Ok(codes)
+}
+
+fn milliseconds_since(start: Instant) -> f64 {
+    1e3 * start.elapsed().as_secs_f64()
+}
+
+/// What a panic said.
+pub(crate) fn message_of(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "no message".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use catoptric_scene::Scene;
+
+    use super::*;
+    use crate::live::Live;
+
+    /// A request of this revision panics.
+    pub(super) const FAULTY: u64 = u64::MAX;
+
+    #[test]
+    fn a_panic_is_reported_and_the_next_request_is_served() {
+        let (ring, bell) = std::sync::mpsc::channel();
+        let live = Live::start(move || {
+            let _ = ring.send(());
+            panic!("the window's own fault");
+        })
+        .unwrap();
+        let scene = Arc::new(Scene::default());
+        for revision in [FAULTY, 1, FAULTY, 2] {
+            live.request(Request { samples: 1, ..Request::new(Arc::clone(&scene), revision, [40, 30]) });
+            while !live.status().is_idle {
+                let _ = bell.recv_timeout(Duration::from_millis(100));
+            }
+            if revision == FAULTY {
+                let Some(LiveError::Fault(message)) = live.status().error else {
+                    panic!("{:?}", live.status())
+                };
+                assert_eq!(message, "a fault for the test");
+            } else {
+                assert_eq!(live.status().error, None);
+                assert_eq!(live.latest().map(|frame| frame.revision), Some(revision));
+            }
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! How quickly the studio answers, in a real window: `cargo xtask bench-studio` calls this.
+//!
+//! Events of a mouse are put into the window's input, so that everything runs as under a hand. A time "to the screen"
+//! ends when the frame that draws the new picture has been handed over and the next one begins.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a benchmark")]
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use catoptric_live::RenderJob;
+use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
+use catoptric_studio::{Start, Studio};
+use catoptric_tracer::RenderSettings;
+use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Ui, ViewportCommand, vec2};
+
+/// How often a body is dragged.
+const EDITS: usize = 30;
+/// Frames of the long drag that turns the camera.
+const ORBIT: Duration = Duration::from_secs(6);
+/// How long the window is watched while a picture of 3840×2160 is made.
+const RENDER: Duration = Duration::from_secs(8);
+
+/// A system without files, so that each run begins alike.
+struct Nowhere;
+
+impl Host for Nowhere {
+    fn ask_file(&mut self, _question: &FileQuestion) -> Option<FileAnswer> {
+        None
+    }
+
+    fn settings_path(&self) -> Option<PathBuf> {
+        None
+    }
+
+    fn recovery_folder(&self) -> Option<PathBuf> {
+        None
+    }
+}
+
+fn main() {
+    let size: Vec<f32> = std::env::args().skip(1).map(|side| side.parse().unwrap()).collect();
+    let viewport = egui::ViewportBuilder::default().with_inner_size([size[0], size[1]]);
+    let options = eframe::NativeOptions { viewport, ..catoptric_studio::window_options() };
+    let create = |creation: &eframe::CreationContext<'_>| {
+        let studio =
+            Studio::new(&creation.egui_ctx, &Start::Example("four-bodies".to_owned()), Box::new(Nowhere))?;
+        Ok(Box::new(Bench::new(studio)) as Box<dyn eframe::App>)
+    };
+    eframe::run_native("Catoptric", options, Box::new(create)).unwrap();
+}
+
+/// What is being measured.
+enum Phase {
+    /// Waiting until the picture is refined.
+    Rest(Next),
+    /// A body has been dragged a step; its first new picture is awaited.
+    Edit { since: Instant, revision: Option<u64>, is_drawn: bool },
+    /// The camera is turned by a long drag.
+    Orbit { since: Instant, last_picture: u64 },
+    /// The pointer wanders while a large picture is made.
+    Render { since: Instant, job: RenderJob },
+}
+
+/// What comes after the rest.
+#[derive(Clone, Copy)]
+enum Next {
+    Edit,
+    Orbit,
+    Render,
+}
+
+struct Bench {
+    studio: Studio,
+    phase: Phase,
+    events: Vec<Event>,
+    pointer: Pos2,
+    /// Milliseconds from a moved mouse to the new picture on the screen.
+    edits: Vec<f64>,
+    /// Milliseconds between new pictures while the camera is turned.
+    gaps: Vec<f64>,
+    /// Milliseconds of the window's thread in each frame while a large picture is made.
+    frames: Vec<f64>,
+    last_picture: Instant,
+}
+
+impl Bench {
+    fn new(studio: Studio) -> Self {
+        Self {
+            studio,
+            phase: Phase::Rest(Next::Edit),
+            events: Vec::new(),
+            pointer: Pos2::ZERO,
+            edits: Vec::new(),
+            gaps: Vec::new(),
+            frames: Vec::new(),
+            last_picture: Instant::now(),
+        }
+    }
+
+    fn point(&mut self, at: Pos2) {
+        self.pointer = at;
+        self.events.push(Event::PointerMoved(at));
+    }
+
+    fn button(&mut self, button: PointerButton, pressed: bool) {
+        let modifiers = Modifiers::NONE;
+        self.events.push(Event::PointerButton { pos: self.pointer, button, pressed, modifiers });
+    }
+
+    fn picture(&self) -> u64 {
+        self.studio.live().latest().map_or(0, |frame| frame.picture_serial)
+    }
+
+    /// Goes on after a frame; `shown` is the revision of which a picture was surely drawn in it.
+    fn advance(&mut self, context: &egui::Context, shown: u64, cpu: Option<f32>) {
+        match &mut self.phase {
+            Phase::Rest(next) => {
+                let next = *next;
+                if self.studio.live().status().is_idle && self.studio.viewport_rect().is_some() {
+                    self.begin(next);
+                }
+            }
+            Phase::Edit { since, revision, is_drawn } => {
+                let now = self.studio.editor().revision();
+                if *is_drawn {
+                    self.edits.push(milliseconds(*since));
+                    self.button(PointerButton::Primary, false);
+                    let next = if self.edits.len() < EDITS { Next::Edit } else { Next::Orbit };
+                    self.phase = Phase::Rest(next);
+                } else if let Some(revision) = *revision {
+                    *is_drawn = shown >= revision;
+                } else if self.studio.editor().is_in_gesture() {
+                    *revision = Some(now);
+                }
+            }
+            Phase::Orbit { since, last_picture } => {
+                let since = *since;
+                let picture = self.studio.live().latest().map_or(0, |frame| frame.picture_serial);
+                if picture != *last_picture {
+                    *last_picture = picture;
+                    self.gaps.push(milliseconds(self.last_picture));
+                    self.last_picture = Instant::now();
+                }
+                let turn = since.elapsed().as_secs_f32();
+                let at = self.start() + vec2(220.0 * turn.sin(), 40.0 * (1.3 * turn).sin());
+                self.point(at);
+                if since.elapsed() > ORBIT {
+                    self.button(PointerButton::Secondary, false);
+                    self.phase = Phase::Rest(Next::Render);
+                }
+            }
+            Phase::Render { since, job } => {
+                self.frames.extend(cpu.map(|seconds| 1e3 * f64::from(seconds)));
+                let is_over = since.elapsed() > RENDER || job.progress().is_finished;
+                if is_over {
+                    job.cancel();
+                    self.report();
+                    context.send_viewport_cmd(ViewportCommand::Close);
+                    self.phase = Phase::Rest(Next::Render);
+                    std::process::exit(0);
+                }
+                let turn = since.elapsed().as_secs_f32();
+                let at = self.start() + vec2(300.0 * turn.sin(), 150.0 * (2.0 * turn).cos());
+                self.point(at);
+            }
+        }
+    }
+
+    /// The middle of the picture, where a body is.
+    fn start(&self) -> Pos2 {
+        self.studio.viewport_rect().map_or(Pos2::ZERO, |rect| rect.center() + vec2(0.0, 0.2 * rect.height()))
+    }
+
+    fn begin(&mut self, next: Next) {
+        self.point(self.start());
+        match next {
+            Next::Edit => {
+                self.button(PointerButton::Primary, true);
+                let side = if self.edits.len().is_multiple_of(2) { 1.0 } else { -1.0 };
+                self.point(self.start() + vec2(24.0 * side, 0.0));
+                self.phase = Phase::Edit { since: Instant::now(), revision: None, is_drawn: false };
+            }
+            Next::Orbit => {
+                self.button(PointerButton::Secondary, true);
+                self.last_picture = Instant::now();
+                self.phase = Phase::Orbit { since: Instant::now(), last_picture: self.picture() };
+            }
+            Next::Render => {
+                let scene = self.studio.editor().scene().clone();
+                let settings = RenderSettings { width: 3840, height: 2160, samples: 16 };
+                let job = RenderJob::start(scene, settings, None, 0).unwrap();
+                self.phase = Phase::Render { since: Instant::now(), job };
+            }
+        }
+    }
+
+    /// One line a figure, for the chore that started this.
+    fn report(&self) {
+        let seconds = self.gaps.iter().sum::<f64>() / 1e3;
+        let per_second = self.gaps.len() as f64 / seconds;
+        println!("| edit to new picture on the screen, ms | {} |", spread(&self.edits));
+        println!("| new pictures a second while turning | {per_second:.1} |");
+        println!("| from one of these to the next, ms | {} |", spread(&self.gaps));
+        println!(
+            "| window's thread in a frame during a render of 3840×2160, ms | {} |",
+            spread(&self.frames)
+        );
+        println!("| frames measured there | {} |", self.frames.len());
+    }
+}
+
+impl eframe::App for Bench {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        let shown = self.studio.live().latest().map_or(0, |frame| frame.revision);
+        let context = ui.ctx().clone();
+        let cpu = frame.info().cpu_usage;
+        self.studio.ui(ui);
+        self.advance(&context, shown, cpu);
+        context.request_repaint();
+    }
+
+    fn raw_input_hook(&mut self, _context: &egui::Context, input: &mut RawInput) {
+        input.events.append(&mut self.events);
+    }
+}
+
+fn milliseconds(since: Instant) -> f64 {
+    1e3 * since.elapsed().as_secs_f64()
+}
+
+/// Median and largest.
+fn spread(values: &[f64]) -> String {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let at = |share: f64| sorted.get((share * sorted.len() as f64) as usize).or(sorted.last()).copied();
+    match (at(0.5), at(0.95), sorted.last()) {
+        (Some(median), Some(most), Some(worst)) => {
+            format!("median {median:.1}, 95 % {most:.1}, largest {worst:.1}")
+        }
+        _ => "none".to_owned(),
+    }
+}

@@ -1,0 +1,49 @@
+//! System packages that the tests of the window want, installed where that is allowed.
+
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::shell::{self, command, exists, output};
+
+/// A display without a screen, a software driver, and what a window on X11 loads when it opens.
+const PACKAGES: &[&str] =
+    &["libegl1", "libxcursor1", "libxi6", "libxkbcommon-x11-0", "mesa-vulkan-drivers", "xvfb"];
+
+/// Installs what is missing on a Debian-like system as root; returns why something cannot be had, if so.
+pub(crate) fn provide() -> Option<String> {
+    if !exists("dpkg-query", "--version") {
+        return (!exists("Xvfb", "-help"))
+            .then(|| "the studio in a real window: Xvfb is not installed".to_owned());
+    }
+    let missing: Vec<&str> = PACKAGES.iter().copied().filter(|package| !is_installed(package)).collect();
+    if missing.is_empty() {
+        return None;
+    }
+    let wanted = missing.join(" ");
+    let advice = format!("the studio in a real window: not installed: {wanted} (apt-get install {wanted})");
+    if !is_root() {
+        return Some(advice);
+    }
+    match install(&missing) {
+        Ok(()) => None,
+        Err(error) => Some(format!("{advice}: {error:#}")),
+    }
+}
+
+fn is_installed(package: &str) -> bool {
+    let mut query = Command::new("dpkg-query");
+    query.args(["--show", "--showformat", "${db:Status-Status}", package]);
+    output(&mut query).is_ok_and(|status| status == "installed")
+}
+
+fn is_root() -> bool {
+    output(&mut command("id", &["-u"])).is_ok_and(|id| id.trim() == "0")
+}
+
+fn install(packages: &[&str]) -> Result<()> {
+    println!("== installing {}", packages.join(" "));
+    shell::run(&mut command("apt-get", &["update", "--quiet=2"]))?;
+    let mut install = command("apt-get", &["install", "--yes", "--quiet=2", "--no-install-recommends"]);
+    shell::run(install.args(packages).env("DEBIAN_FRONTEND", "noninteractive"))
+}
