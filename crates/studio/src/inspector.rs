@@ -20,7 +20,6 @@ mod sheet;
 mod surroundings;
 mod symbol;
 
-use sheet::Sheet;
 use symbol::Symbol;
 
 /// What the inspector keeps from frame to frame.

@@ -14,7 +14,7 @@ use crate::context::Cx;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
 
-static RADIUS: Number<Body> = Number::new(
+static RADIUS: Number<Body> = Number::<Body>::new(
     Quantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     Rail::None,
     |body| match body.shape {
@@ -28,7 +28,7 @@ static RADIUS: Number<Body> = Number::new(
     },
 );
 
-static BASE_RADIUS: Number<Body> = Number::new(
+static BASE_RADIUS: Number<Body> = Number::<Body>::new(
     Quantity::new("base-radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     Rail::None,
     |body| if let Shape::Cone { radius, .. } = body.shape { Some(radius) } else { None },
@@ -39,7 +39,7 @@ static BASE_RADIUS: Number<Body> = Number::new(
     },
 );
 
-static TOP_RADIUS: Number<Body> = Number::new(
+static TOP_RADIUS: Number<Body> = Number::<Body>::new(
     Quantity::new("top-radius", "edit-top-radius", &keys::BODY, "top_radius").in_unit(Unit::Meters),
     Rail::None,
     |body| if let Shape::Cone { top_radius, .. } = body.shape { Some(top_radius) } else { None },
@@ -50,14 +50,14 @@ static TOP_RADIUS: Number<Body> = Number::new(
     },
 );
 
-static HEIGHT: Number<Body> = Number::new(
+static HEIGHT: Number<Body> = Number::<Body>::new(
     Quantity::new("height", "edit-height", &keys::BODY, "height").in_unit(Unit::Meters),
     Rail::None,
     Body::height,
     reshape::set_height,
 );
 
-static SIZE: Vector<Body> = Vector::new(
+static SIZE: Vector<Body> = Vector::<Body>::new(
     Quantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
     Spread::Same,
     |body| if let Shape::Cube { size } = body.shape { Some(size) } else { None },

@@ -17,7 +17,7 @@ use crate::widgets::number::{shown, tidy};
 use crate::widgets::row::control_width;
 use crate::widgets::section::section;
 
-static POSITION: Vector<Camera> = Vector::new(
+static POSITION: Vector<Camera> = Vector::<Camera>::new(
     Quantity::new("camera-position", "edit-camera-position", &keys::CAMERA, "position")
         .in_unit(Unit::Meters),
     Spread::Same,
@@ -25,21 +25,21 @@ static POSITION: Vector<Camera> = Vector::new(
     |camera, value| camera.position = value,
 );
 
-static TARGET: Vector<Camera> = Vector::new(
+static TARGET: Vector<Camera> = Vector::<Camera>::new(
     Quantity::new("camera-target", "edit-camera-target", &keys::CAMERA, "target").in_unit(Unit::Meters),
     Spread::Same,
     |camera| Some(camera.target),
     |camera, value| camera.target = value,
 );
 
-static UP: Vector<Camera> = Vector::new(
+static UP: Vector<Camera> = Vector::<Camera>::new(
     Quantity::new("camera-up", "edit-camera-up", &keys::CAMERA, "up"),
     Spread::Same,
     |camera| Some(camera.up),
     |camera, value| camera.up = value,
 );
 
-static FOV: Number<Camera> = Number::new(
+static FOV: Number<Camera> = Number::<Camera>::new(
     Quantity::new("fov", "edit-fov", &keys::CAMERA, "fov").in_unit(Unit::Degrees),
     Rail::Even(5.0, 120.0),
     |camera| match camera.projection {
@@ -50,7 +50,7 @@ static FOV: Number<Camera> = Number::new(
 )
 .tuned(0.1, 2);
 
-static WINDOW: Number<Camera> = Number::new(
+static WINDOW: Number<Camera> = Number::<Camera>::new(
     Quantity::new("window-height", "edit-window-height", &keys::CAMERA, "height").in_unit(Unit::Meters),
     Rail::None,
     |camera| match camera.projection {
@@ -61,7 +61,7 @@ static WINDOW: Number<Camera> = Number::new(
 );
 
 /// The direction of view in three numbers. Changing one moves the target; the camera stays.
-static DISTANCE: Number<Camera> = Number::new(
+static DISTANCE: Number<Camera> = Number::<Camera>::new(
     // The limits of a window's height are those of all lengths.
     Quantity::new("view-distance", "edit-view-direction", &keys::CAMERA, "height").in_unit(Unit::Meters),
     Rail::None,
@@ -69,7 +69,7 @@ static DISTANCE: Number<Camera> = Number::new(
     |camera, value| look(camera, |view| view.distance = value),
 );
 
-static AZIMUTH: Number<Camera> = Number::new(
+static AZIMUTH: Number<Camera> = Number::<Camera>::new(
     Quantity::new("view-azimuth", "edit-view-direction", &ANGLES, "azimuth").in_unit(Unit::Degrees),
     Rail::Even(-180.0, 180.0),
     |camera| Some(round_angle(View::of(camera).azimuth)),
@@ -77,7 +77,7 @@ static AZIMUTH: Number<Camera> = Number::new(
 )
 .tuned(0.2, 2);
 
-static ELEVATION: Number<Camera> = Number::new(
+static ELEVATION: Number<Camera> = Number::<Camera>::new(
     Quantity::new("view-elevation", "edit-view-direction", &ANGLES, "elevation").in_unit(Unit::Degrees),
     Rail::Even(-90.0, 90.0),
     |camera| Some(round_angle(View::of(camera).elevation)),

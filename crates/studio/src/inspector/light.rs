@@ -15,7 +15,7 @@ use crate::context::Cx;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
 
-static POSITION: Vector<Light> = Vector::new(
+static POSITION: Vector<Light> = Vector::<Light>::new(
     Quantity::new("light-position", "edit-position", &keys::LIGHT, "position").in_unit(Unit::Meters),
     Spread::Offset,
     |light| Some(light.position),
@@ -28,14 +28,14 @@ static COLOR: ColorRow<Light> = ColorRow {
     set: |light, color| light.color = color,
 };
 
-static INTENSITY: Number<Light> = Number::new(
+static INTENSITY: Number<Light> = Number::<Light>::new(
     Quantity::new("intensity", "edit-intensity", &keys::LIGHT, "intensity").with_symbol(Symbol::Intensity),
     Rail::Even(0.0, 4.0),
     |light| Some(light.intensity),
     |light, value| light.intensity = value,
 );
 
-static CONSTANT: Number<Light> = Number::new(
+static CONSTANT: Number<Light> = Number::<Light>::new(
     Quantity::new("falloff-constant", "edit-falloff-constant", &keys::LIGHT, "falloff_constant")
         .in_unit(Unit::Meters)
         .with_symbol(Symbol::FalloffConstant),

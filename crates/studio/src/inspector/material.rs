@@ -33,28 +33,28 @@ static COLOR: ColorRow<Material> = ColorRow {
     set: |material, color| material.color = color,
 };
 
-static AMBIENT: Number<Material> = Number::new(
+static AMBIENT: Number<Material> = Number::<Material>::new(
     coefficient("ambient", "edit-ambient", "ambient", Symbol::Ambient),
     UNIT_RAIL,
     |material| Some(material.ambient),
     |material, value| material.ambient = value,
 );
 
-static DIFFUSE: Number<Material> = Number::new(
+static DIFFUSE: Number<Material> = Number::<Material>::new(
     coefficient("diffuse", "edit-diffuse", "diffuse", Symbol::Diffuse),
     UNIT_RAIL,
     |material| Some(material.diffuse),
     |material, value| material.diffuse = value,
 );
 
-static SPECULAR: Number<Material> = Number::new(
+static SPECULAR: Number<Material> = Number::<Material>::new(
     coefficient("specular", "edit-specular", "specular", Symbol::Specular),
     UNIT_RAIL,
     |material| Some(material.specular),
     |material, value| material.specular = value,
 );
 
-static SHININESS: Number<Material> = Number::new(
+static SHININESS: Number<Material> = Number::<Material>::new(
     coefficient("shininess", "edit-shininess", "shininess", Symbol::Shininess),
     Rail::Logarithmic(1.0, 1000.0),
     |material| Some(material.shininess),
@@ -62,21 +62,21 @@ static SHININESS: Number<Material> = Number::new(
 )
 .tuned(0.5, 1);
 
-static REFLECTION: Number<Material> = Number::new(
+static REFLECTION: Number<Material> = Number::<Material>::new(
     coefficient("reflection", "edit-reflection", "reflection", Symbol::Reflection),
     UNIT_RAIL,
     |material| Some(material.reflection()),
     |material, value| material.reflection = Some(value),
 );
 
-static TRANSMISSION: Number<Material> = Number::new(
+static TRANSMISSION: Number<Material> = Number::<Material>::new(
     coefficient("transmission", "edit-transmission", "transmission", Symbol::Transmission),
     UNIT_RAIL,
     |material| Some(material.transmission),
     |material, value| material.transmission = value,
 );
 
-static IOR: Number<Material> = Number::new(
+static IOR: Number<Material> = Number::<Material>::new(
     coefficient("ior", "edit-ior", "ior", Symbol::Ior),
     Rail::Even(1.0, 3.0),
     |material| Some(material.ior),
@@ -99,7 +99,7 @@ static CHECKER_COLOR: ColorRow<Material> = ColorRow {
     },
 };
 
-static CHECKER_SIZE: Number<Material> = Number::new(
+static CHECKER_SIZE: Number<Material> = Number::<Material>::new(
     Quantity::new("checker-size", "edit-checker-size", &keys::CHECKER, "size")
         .in_unit(Unit::Meters)
         .with_symbol(Symbol::CheckerSize),

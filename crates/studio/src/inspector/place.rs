@@ -9,7 +9,7 @@ use super::sheet::{Quantity, Sheet, Spread, Unit, Vector};
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
 
-static POSITION: Vector<Body> = Vector::new(
+static POSITION: Vector<Body> = Vector::<Body>::new(
     Quantity::new("position", "edit-position", &keys::BODY, "position").in_unit(Unit::Meters),
     Spread::Offset,
     |body| if let Anchor::Frame { position, .. } = body.placement.anchor { Some(position) } else { None },
@@ -20,7 +20,7 @@ static POSITION: Vector<Body> = Vector::new(
     },
 );
 
-static ROTATION: Vector<Body> = Vector::new(
+static ROTATION: Vector<Body> = Vector::<Body>::new(
     Quantity::new("rotation", "edit-rotation", &keys::BODY, "rotation").in_unit(Unit::Degrees),
     Spread::Same,
     |body| match body.placement.anchor {
@@ -35,7 +35,7 @@ static ROTATION: Vector<Body> = Vector::new(
 )
 .tuned(0.5, 2);
 
-static BASE: Vector<Body> = Vector::new(
+static BASE: Vector<Body> = Vector::<Body>::new(
     Quantity::new("base", "edit-base", &keys::BODY, "base").in_unit(Unit::Meters),
     Spread::Offset,
     |body| if let Anchor::Axis { base, .. } = body.placement.anchor { Some(base) } else { None },
@@ -46,7 +46,7 @@ static BASE: Vector<Body> = Vector::new(
     },
 );
 
-static TOP: Vector<Body> = Vector::new(
+static TOP: Vector<Body> = Vector::<Body>::new(
     Quantity::new("top", "edit-top", &keys::BODY, "top").in_unit(Unit::Meters),
     Spread::Offset,
     |body| if let Anchor::Axis { top, .. } = body.placement.anchor { Some(top) } else { None },
@@ -57,7 +57,7 @@ static TOP: Vector<Body> = Vector::new(
     },
 );
 
-static SCALE: Vector<Body> = Vector::new(
+static SCALE: Vector<Body> = Vector::<Body>::new(
     Quantity::new("scale", "edit-scale", &keys::BODY, "scale"),
     Spread::Same,
     |body| Some(body.placement.scale),

@@ -20,7 +20,7 @@ mod vector;
 
 pub(crate) use color::ColorRow;
 pub(crate) use number::{Number, Rail};
-pub(crate) use vector::{Spread, Vector};
+pub(crate) use vector::{Spread, Starts, Vector};
 
 /// Changes all things of a sheet; the function is told the place of each in the sheet.
 pub(crate) type Apply<'s, T> =

@@ -25,7 +25,7 @@ static AMBIENT: ColorRow<Environment> = ColorRow {
     set: |environment, color| environment.ambient = color,
 };
 
-static GENERATIONS: Number<Tracing> = Number::new(
+static GENERATIONS: Number<Tracing> = Number::<Tracing>::new(
     Quantity::new("generations", "edit-generations", &keys::TRACING, "generations"),
     Rail::Even(1.0, 64.0),
     |tracing| Some(f64::from(tracing.generations)),
@@ -34,7 +34,7 @@ static GENERATIONS: Number<Tracing> = Number::new(
 )
 .tuned(0.1, 0);
 
-static THRESHOLD: Number<Tracing> = Number::new(
+static THRESHOLD: Number<Tracing> = Number::<Tracing>::new(
     Quantity::new("threshold", "edit-threshold", &keys::TRACING, "threshold"),
     Rail::Logarithmic(0.0, 1.0),
     |tracing| Some(tracing.threshold),

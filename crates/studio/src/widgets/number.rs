@@ -54,9 +54,10 @@ pub(crate) enum Refusal {
 }
 
 /// What became of the text typed last.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 enum Outcome {
     Taken(f64),
+    #[default]
     Unchanged,
     Refused(Refusal),
 }

@@ -25,7 +25,7 @@ struct Remembered {
 pub(crate) fn picker_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color) -> Picked {
     ui.set_width(236.0);
     let mut picked = Picked::default();
-    let id = ui.id().with("hsv");
+    let id = ui.scope_id().with("hsv");
     let known = ui.data(|data| data.get_temp::<Remembered>(id)).filter(|known| known.color == color);
     let Remembered { mut hsv, strength, .. } = known.unwrap_or_else(|| {
         let strength = color.to_array().into_iter().fold(1.0, f64::max);

@@ -21,7 +21,7 @@ pub(crate) fn text_field(
             .id(id)
             .clip_text(true)
             .hint_text(hint)
-            .vertical_align(egui::Align::Center)
+            .align(egui::Align2::LEFT_CENTER)
             .min_size(vec2(width, HEIGHT))
             .desired_width(width - 8.0);
         let response = ui.add_sized(vec2(width, HEIGHT), edit).accessible_name(name);
