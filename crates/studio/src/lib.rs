@@ -26,6 +26,7 @@ mod shortcuts;
 mod status_bar;
 mod texts;
 mod theme;
+mod typeset;
 mod view;
 mod viewport;
 mod widgets;
