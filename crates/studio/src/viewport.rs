@@ -20,7 +20,8 @@ mod travel;
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
 use egui::{
-    Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    vec2,
 };
 
 use crate::command::Command;

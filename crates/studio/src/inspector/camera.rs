@@ -18,8 +18,7 @@ use crate::widgets::row::control_width;
 use crate::widgets::section::section;
 
 static POSITION: Vector<Camera> = Vector::<Camera>::new(
-    Quantity::new("camera-position", "edit-camera-position", &keys::CAMERA, "position")
-        .in_unit(Unit::Meters),
+    Quantity::new("camera-position", "edit-camera-position", &keys::CAMERA, "position").in_unit(Unit::Meters),
     Spread::Same,
     |camera| Some(camera.position),
     |camera, value| camera.position = value,
@@ -111,11 +110,7 @@ impl View {
         let flat = view.x.hypot(view.z);
         // Straight up or down there is no azimuth.
         let azimuth = if flat == 0.0 { 0.0 } else { view.x.atan2(-view.z).to_degrees() };
-        Self {
-            azimuth,
-            elevation: view.y.atan2(flat).to_degrees(),
-            distance: view.length(),
-        }
+        Self { azimuth, elevation: view.y.atan2(flat).to_degrees(), distance: view.length() }
     }
 
     fn direction(&self) -> DVec3 {

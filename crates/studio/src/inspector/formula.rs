@@ -84,7 +84,8 @@ struct Row<'t> {
 /// Draws the lines of a formula in a frame of their own.
 fn rows_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, rows: &[Row<'_>]) {
     let palette = theme::palette(ui.visuals());
-    let frame = Frame::new().fill(palette.field).corner_radius(4.0).inner_margin(egui::Margin::symmetric(8, 6));
+    let frame =
+        Frame::new().fill(palette.field).corner_radius(4.0).inner_margin(egui::Margin::symmetric(8, 6));
     frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.spacing_mut().item_spacing.y = 0.0;

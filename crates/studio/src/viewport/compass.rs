@@ -55,8 +55,7 @@ pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
     };
     let painter = ui.painter().clone();
     painter.circle_filled(center, ARM + DISC + 4.0, palette.panel.gamma_multiply(0.35));
-    let mut ends: Vec<(&End, Pos2, f64)> =
-        ENDS.iter().map(|end| (end, place(end).0, place(end).1)).collect();
+    let mut ends: Vec<(&End, Pos2, f64)> = ENDS.iter().map(|end| (end, place(end).0, place(end).1)).collect();
     // The widgets first, in a steady order; egui gives the last of those that overlap to the pointer, and so the
     // nearest must be asked for by hand.
     let responses: Vec<_> = ENDS.iter().map(|end| end_response(ui, cx, end, place(end).0)).collect();
@@ -71,7 +70,8 @@ pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
     let is_clicked = responses.iter().any(|response| response.clicked_by(egui::PointerButton::Primary));
     let by_keys = responses.iter().zip(&ENDS).find(|(response, _)| response.clicked() && !is_clicked);
     let chosen = if is_clicked { nearest } else { by_keys.map(|(_, end)| end.side) };
-    let focused = responses.iter().zip(&ENDS).find(|(response, _)| response.has_focus()).map(|(_, end)| end.side);
+    let focused =
+        responses.iter().zip(&ENDS).find(|(response, _)| response.has_focus()).map(|(_, end)| end.side);
     ends.sort_by(|a, b| b.2.total_cmp(&a.2));
     for (end, pos, depth) in &ends {
         let is_bright = nearest == Some(end.side) || focused == Some(end.side);

@@ -79,7 +79,8 @@ impl Pen<'_> {
         self.painter.extend(Shape::dashed_line(&points, Stroke::new(1.2, color), 4.0, 4.0));
         let arm = 8.0 * self.sight.lens.meters_per_point(foot);
         for direction in [DVec3::X, DVec3::Z] {
-            if let Some([from, to]) = self.sight.lens.segment(foot - arm * direction, foot + arm * direction) {
+            if let Some([from, to]) = self.sight.lens.segment(foot - arm * direction, foot + arm * direction)
+            {
                 let ends = [self.sight.pos(from), self.sight.pos(to)];
                 self.painter.line_segment(ends, Stroke::new(1.4, color));
             }
@@ -99,7 +100,9 @@ impl Pen<'_> {
         let width = if self.is_selected || self.is_hovered { 1.8 } else { 1.3 };
         let mut segments: Vec<[DVec3; 2]> = Vec::new();
         for index in 0..4 {
-            let (Some(corner), Some(next)) = (corners.get(index), corners.get((index + 1) % 4)) else { continue };
+            let (Some(corner), Some(next)) = (corners.get(index), corners.get((index + 1) % 4)) else {
+                continue;
+            };
             segments.push([*corner, *next]);
             segments.extend(eye.get(index).map(|eye| [*eye, *corner]));
         }
@@ -129,10 +132,10 @@ fn frustum(camera: &Camera) -> [Vec<DVec3>; 3] {
         Projection::Parallel { height } => (0.5 * height, false),
     };
     let half = half.min(3.0 * reach);
-    let corner = |depth: f64, x: f64, y: f64| {
-        camera.position + depth * forward + half * (ASPECT * x * right + y * up)
-    };
-    let around = |depth: f64| [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| corner(depth, x, y));
+    let corner =
+        |depth: f64, x: f64, y: f64| camera.position + depth * forward + half * (ASPECT * x * right + y * up);
+    let around =
+        |depth: f64| [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| corner(depth, x, y));
     let eye = if is_perspective { vec![camera.position; 4] } else { around(0.0).to_vec() };
     let top = vec![corner(reach, -0.35, 1.12), corner(reach, 0.0, 1.7), corner(reach, 0.35, 1.12)];
     [eye, around(reach).to_vec(), top]

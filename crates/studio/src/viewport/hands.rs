@@ -192,9 +192,9 @@ impl Hands {
     fn click(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
         let modifiers = ui.input(|input| input.modifiers);
         let things = sight.things_at(cx, sight.at(pos));
-        let is_again = self.click.is_some_and(|click| {
-            click.pos.distance(pos) <= SAME_PLACE && click.camera == sight.camera
-        });
+        let is_again = self
+            .click
+            .is_some_and(|click| click.pos.distance(pos) <= SAME_PLACE && click.camera == sight.camera);
         self.click = Some(Click { pos, camera: sight.camera });
         cx.editor.settle();
         let mut selection = cx.editor.selection().clone();
@@ -283,7 +283,13 @@ fn carried(way: glam::DVec3) -> Amount {
 }
 
 /// Takes hold of a thing: it is selected, and all that is selected goes with it. Locked things stay.
-fn carry(cx: &mut Cx<'_>, sight: &Sight, item: Item, grabbed: Option<glam::DVec3>, at: DVec2) -> Option<Hand> {
+fn carry(
+    cx: &mut Cx<'_>,
+    sight: &Sight,
+    item: Item,
+    grabbed: Option<glam::DVec3>,
+    at: DVec2,
+) -> Option<Hand> {
     if item.is_locked(cx.editor.scene()) {
         return None;
     }

@@ -65,6 +65,10 @@ fn outline(painter: &Painter, scale: &Scale, line: &Polyline, stroke: Stroke) {
     let edge = Stroke::new(stroke.width + 1.8, Color32::from_black_alpha(70));
     for stroke in [edge, stroke] {
         let points = points.clone();
-        painter.add(if line.closed { Shape::closed_line(points, stroke) } else { Shape::line(points, stroke) });
+        painter.add(if line.closed {
+            Shape::closed_line(points, stroke)
+        } else {
+            Shape::line(points, stroke)
+        });
     }
 }

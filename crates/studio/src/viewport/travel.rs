@@ -70,8 +70,7 @@ pub(crate) fn pan(cx: &mut Cx<'_>, sight: &Sight, way: Vec2) {
 
 /// Looks around on the spot as the pointer goes.
 pub(crate) fn look(cx: &mut Cx<'_>, way: Vec2) {
-    let turned =
-        navigate::fly(&camera(cx), DVec3::ZERO, f64::from(way.x) * LOOK, -f64::from(way.y) * LOOK);
+    let turned = navigate::fly(&camera(cx), DVec3::ZERO, f64::from(way.x) * LOOK, -f64::from(way.y) * LOOK);
     steer(cx, "edit-fly", turned);
 }
 
@@ -96,9 +95,8 @@ impl Travel {
 
     /// Comes closer to what is under the pointer, or goes away from it, with the wheel or two fingers.
     pub(crate) fn wheel(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
-        let (way, zoom, pointer) = ui.input(|input| {
-            (input.smooth_scroll_delta().y, input.zoom_delta(), input.pointer.hover_pos())
-        });
+        let (way, zoom, pointer) =
+            ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta(), input.pointer.hover_pos()));
         let Some(pointer) = pointer else { return };
         let factor = (-f64::from(way) * WHEEL).exp() / f64::from(zoom.max(0.01));
         if (factor - 1.0).abs() < 1e-6 {
@@ -125,10 +123,8 @@ impl Travel {
         let (arrows, dolly, is_shift) = ui.input(|input| {
             let plain = !input.modifiers.command && !input.modifiers.alt && !input.modifiers.ctrl;
             let held = |key| if plain { held(input, key) } else { 0.0 };
-            let arrows = [
-                held(Key::ArrowRight) - held(Key::ArrowLeft),
-                held(Key::ArrowUp) - held(Key::ArrowDown),
-            ];
+            let arrows =
+                [held(Key::ArrowRight) - held(Key::ArrowLeft), held(Key::ArrowUp) - held(Key::ArrowDown)];
             let closer = held(Key::PageUp).max(held(Key::Plus)).max(held(Key::Equals));
             let farther = held(Key::PageDown).max(held(Key::Minus));
             (arrows, closer - farther, input.modifiers.shift)

@@ -5,8 +5,8 @@ use egui_material_icons::icons::ICON_RESTART_ALT;
 
 use crate::theme;
 use crate::typeset::{self, Line};
-use crate::widgets::paint_icon;
 use crate::widgets::number::HEIGHT;
+use crate::widgets::paint_icon;
 
 /// The width of the column of labels.
 pub(crate) const LABEL: f32 = 106.0;

@@ -8,7 +8,13 @@ use crate::theme;
 use crate::widgets::paint_icon;
 
 /// Draws a heading with what belongs under it. Whether it is folded is remembered under its `key`.
-pub(crate) fn section(ui: &mut Ui, key: &'static str, title: &str, summary: &str, body: impl FnOnce(&mut Ui)) {
+pub(crate) fn section(
+    ui: &mut Ui,
+    key: &'static str,
+    title: &str,
+    summary: &str,
+    body: impl FnOnce(&mut Ui),
+) {
     let id = Id::unique(("section", key));
     let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, true);
     ui.add_space(4.0);

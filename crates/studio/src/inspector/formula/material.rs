@@ -75,11 +75,8 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
     let is_idle = material.diffuse == 0.0 && material.specular == 0.0;
     let name = texts.get("term-sum");
     rows.push(Row { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
-    let symbols = vec![
-        Factor::symbol(Symbol::Diffuse),
-        Factor::symbol(Symbol::Color),
-        Factor::symbol(Symbol::Lambert),
-    ];
+    let symbols =
+        vec![Factor::symbol(Symbol::Diffuse), Factor::symbol(Symbol::Color), Factor::symbol(Symbol::Lambert)];
     let numbers = vec![
         Factor::number(Symbol::Diffuse, material.diffuse),
         Factor::sign("·"),
@@ -152,11 +149,8 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Mat
     }
     let name = texts.get("term-snell");
     let symbols = vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")];
-    let numbers = vec![
-        Factor::sign("sin α = "),
-        Factor::number(Symbol::Ior, material.ior),
-        Factor::sign(" · sin β"),
-    ];
+    let numbers =
+        vec![Factor::sign("sin α = "), Factor::number(Symbol::Ior, material.ior), Factor::sign(" · sin β")];
     let mut rows = Vec::new();
     pair(&mut rows, name, 0.0, false, symbols, numbers);
     rows_ui(ui, texts, memory, Id::unique("formula-snell"), &rows);
