@@ -138,6 +138,8 @@ fn called<'t>(texts: &'t Texts, scene: &'t Scene, item: Item) -> &'t str {
         Item::Tracing => texts.get("thing-tracing"),
         Item::Material(_) => texts.get("thing-material"),
         Item::Light(_) => texts.get("thing-light"),
-        Item::Body(index) => scene.bodies.get(index).map_or("", |body| texts.get(body::shape_key(&body.shape))),
+        Item::Body(index) => {
+            scene.bodies.get(index).map_or("", |body| texts.get(body::shape_key(&body.shape)))
+        }
     }
 }

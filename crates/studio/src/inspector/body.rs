@@ -123,7 +123,12 @@ fn shape_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
     section(ui, "shape", texts.get("section-shape"), summary, |ui| {
         let choices = ShapeKind::ALL.map(|kind| {
             let key = shape_key(&kind.shape());
-            Choice { value: kind, text: texts.get(key), tip: texts.tip(key).unwrap_or_default(), is_enabled: true }
+            Choice {
+                value: kind,
+                text: texts.get(key),
+                tip: texts.tip(key).unwrap_or_default(),
+                is_enabled: true,
+            }
         });
         let is_mixed = sheet.things.iter().any(|body| body.shape.kind() != kind);
         let chosen = (!is_mixed).then_some(kind);

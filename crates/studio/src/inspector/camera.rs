@@ -14,12 +14,10 @@ use super::{Memory, header};
 use crate::context::Cx;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::number::{shown, tidy};
-use crate::widgets::row::control_width;
 use crate::widgets::section::section;
 
 static POSITION: Vector<Camera> = Vector::<Camera>::new(
-    Quantity::new("camera-position", "edit-camera-position", &keys::CAMERA, "position")
-        .in_unit(Unit::Meters),
+    Quantity::new("camera-position", "edit-camera-position", &keys::CAMERA, "position").in_unit(Unit::Meters),
     Spread::Same,
     |camera| Some(camera.position),
     |camera, value| camera.position = value,
@@ -111,11 +109,7 @@ impl View {
         let flat = view.x.hypot(view.z);
         // Straight up or down there is no azimuth.
         let azimuth = if flat == 0.0 { 0.0 } else { view.x.atan2(-view.z).to_degrees() };
-        Self {
-            azimuth,
-            elevation: view.y.atan2(flat).to_degrees(),
-            distance: view.length(),
-        }
+        Self { azimuth, elevation: view.y.atan2(flat).to_degrees(), distance: view.length() }
     }
 
     fn direction(&self) -> DVec3 {
@@ -194,9 +188,7 @@ fn projection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>) {
 fn lens_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>, fov_degrees: f64) {
     let millimeters = 12.0 / (0.5 * fov_degrees).to_radians().tan();
     sheet.plain_row(ui, "lens", |sheet, ui| {
-        let text = sheet.texts().with("lens-value", &[("value", shown(millimeters, 1).into())]);
-        ui.set_max_width(control_width(ui));
-        ui.label(text);
+        ui.label(sheet.texts().with("lens-value", &[("value", shown(millimeters, 1).into())]));
     });
 }
 

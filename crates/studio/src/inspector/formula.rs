@@ -84,7 +84,8 @@ struct Row<'t> {
 /// Draws the lines of a formula in a frame of their own.
 fn rows_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, rows: &[Row<'_>]) {
     let palette = theme::palette(ui.visuals());
-    let frame = Frame::new().fill(palette.field).corner_radius(4.0).inner_margin(egui::Margin::symmetric(8, 6));
+    let frame =
+        Frame::new().fill(palette.field).corner_radius(4.0).inner_margin(egui::Margin::symmetric(8, 6));
     frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -136,7 +137,7 @@ fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>
 
 fn set_factor(ui: &Ui, factor: &Factor, size: f32, color: Color32) -> Line {
     let mut line = Line::default();
-    if factor.symbol.is_some() {
+    if factor.symbol.is_some() && !factor.markup.starts_with('^') {
         line.space(1.5);
     }
     if let Some(chip) = factor.chip {

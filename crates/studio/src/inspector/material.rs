@@ -16,8 +16,8 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;
 use crate::widgets::choice::{Choice, choice_ui};
-use crate::widgets::paint_icon;
 use crate::widgets::number::{HEIGHT, shown};
+use crate::widgets::paint_icon;
 use crate::widgets::row::control_width;
 use crate::widgets::section::section;
 
@@ -175,12 +175,13 @@ fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
 /// Whose material it is: a list of the shared ones, and buttons that share it or make it the body's own.
 fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choice: &MaterialChoice) {
     let texts = cx.texts;
-    let is_mixed =
-        bodies.iter().filter_map(|&index| scene.bodies.get(index)).any(|body| match (&body.material, choice) {
+    let is_mixed = bodies.iter().filter_map(|&index| scene.bodies.get(index)).any(|body| {
+        match (&body.material, choice) {
             (MaterialChoice::Named(a), MaterialChoice::Named(b)) => a != b,
             (MaterialChoice::Inline(_), MaterialChoice::Inline(_)) => false,
             _ => true,
-        });
+        }
+    });
     let (shown, is_own) = match choice {
         _ if is_mixed => (texts.get("material-mixed"), false),
         MaterialChoice::Named(name) => (name.as_str(), false),
@@ -301,8 +302,7 @@ fn apply(
 fn kinds_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let texts = sheet.texts();
     let kind = kind_of(sheet.primary).map(|preset| preset.kind);
-    let is_mixed =
-        sheet.things.iter().any(|material| kind_of(material).map(|preset| preset.kind) != kind);
+    let is_mixed = sheet.things.iter().any(|material| kind_of(material).map(|preset| preset.kind) != kind);
     let mut choices: Vec<Choice<'_, _>> = PRESETS
         .iter()
         .map(|preset| Choice {
@@ -334,8 +334,8 @@ fn reflection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     ui.add_enabled_ui(!follows, |ui| sheet.number_or(ui, &REFLECTION, None));
     let texts = sheet.texts();
     let mut is_clicked = false;
-    sheet.plain_row(ui, "reflection-same", |_, ui| {
-        let response = ui.checkbox(&mut follows, texts.get("reflection-same-words"));
+    sheet.marked_row(ui, "reflection-same", "k_r = k_s", |_, ui| {
+        let response = ui.checkbox(&mut follows, texts.get("reflection-same"));
         let response = response.on_hover_text(texts.tip("reflection-same").unwrap_or_default());
         is_clicked = response.clicked();
     });

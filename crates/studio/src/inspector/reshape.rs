@@ -149,8 +149,7 @@ mod tests {
 
     #[test]
     fn a_body_that_is_not_round_is_not_turned_about_its_axis() {
-        let turned =
-            Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::new(0.0, 30.0, 0.0) };
+        let turned = Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::new(0.0, 30.0, 0.0) };
         let mut body = cone(turned);
         body.placement.scale.z = 1.0;
         assert_eq!(to_axis(&body), None);

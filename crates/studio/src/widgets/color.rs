@@ -1,7 +1,9 @@
 //! Colors: a swatch that opens the picker, and a field for the web's hexadecimal code.
 
 use catoptric_scene::Color;
-use egui::{Color32, Popup, PopupCloseBehavior, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+use egui::{
+    Color32, Popup, PopupCloseBehavior, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
 
 use crate::texts::Texts;
 use crate::theme;

@@ -3,4 +3,5 @@
 
 mod kit;
 mod monkey;
+mod shots;
 mod window;

@@ -134,9 +134,8 @@ shininess = shininess
     .tip = The exponent of the highlight: the higher, the smaller and sharper it is.
 reflection = reflection
     .tip = How much of what the mirrored ray sees is added.
-reflection-same = Same as k_s
+reflection-same = as the highlight
     .tip = Lets k_r follow k_s, as Whitted's formula has one coefficient for both.
-reflection-same-words = follows the highlight
 transmission = transmission
     .tip = How much of what the refracted ray sees is added; 0 is opaque.
 ior = refraction
@@ -188,9 +187,8 @@ term-refracted = I_{"{"}refracted{"}"}
     .tip = The light that the refracted ray brings. At total reflection it is the mirrored ray instead, with the factor 1.
 term-intensity = intensity
 term-color = color
-critical-angle = Total reflection inside, from { $angle }°
-critical-angle-outside = Total reflection outside, from { $angle }°
-formula-light = I{ $number } = { $intensity } · { $color }   { $name }
+critical-angle = α outside, β inside; total reflection inside from β = { $angle }°.
+critical-angle-outside = α outside, β inside; total reflection outside from α = { $angle }°.
 formula-no-light = No light shines: the sum is empty.
 formula-more-lights = { $count ->
     [one] and { $count } more light

@@ -18,11 +18,9 @@ pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut 
     let name = texts.get("term-sent");
     let law = match light.falloff {
         Falloff::None => vec![Factor::text(Symbol::Falloff, "1")],
-        Falloff::Linear { .. } => vec![
-            Factor::sign("1 / (d + "),
-            Factor::text(Symbol::FalloffConstant, "K"),
-            Factor::sign(")"),
-        ],
+        Falloff::Linear { .. } => {
+            vec![Factor::sign("1 / (d + "), Factor::text(Symbol::FalloffConstant, "K"), Factor::sign(")")]
+        }
         Falloff::InverseSquare => vec![Factor::text(Symbol::Falloff, "1 / d^2")],
     };
     let mut symbols = vec![
@@ -56,7 +54,8 @@ pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut 
     rows_ui(ui, texts, memory, Id::unique("formula-falloff"), &rows);
     if light.falloff != Falloff::None {
         let unit = texts.get("unit-meters");
-        let told = DISTANCES.map(|d| format!("A({}{unit}) = {}", shown(d, 0), shown(at(light.falloff, d), 3)));
+        let told =
+            DISTANCES.map(|d| format!("A({}{unit}) = {}", shown(d, 0), shown(at(light.falloff, d), 3)));
         hint(ui, &told.join(",  "));
     }
 }

@@ -1,13 +1,16 @@
 //! The light at a point, term by term.
 
-use catoptric_scene::{Material, Scene};
-use egui::{Id, Ui};
+use catoptric_scene::{Falloff, Light, Material, Scene};
+use egui::{Id, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::{Factor, Row, color_text, rows_ui};
 use crate::inspector::Memory;
 use crate::inspector::header::hint;
 use crate::inspector::symbol::Symbol;
 use crate::texts::Texts;
+use crate::theme;
+use crate::typeset::{self, Line};
+use crate::widgets::color::screen_color;
 use crate::widgets::number::shown;
 
 /// How many lights are listed with their numbers.
@@ -75,11 +78,8 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
     let is_idle = material.diffuse == 0.0 && material.specular == 0.0;
     let name = texts.get("term-sum");
     rows.push(Row { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
-    let symbols = vec![
-        Factor::symbol(Symbol::Diffuse),
-        Factor::symbol(Symbol::Color),
-        Factor::symbol(Symbol::Lambert),
-    ];
+    let symbols =
+        vec![Factor::symbol(Symbol::Diffuse), Factor::symbol(Symbol::Color), Factor::symbol(Symbol::Lambert)];
     let numbers = vec![
         Factor::number(Symbol::Diffuse, material.diffuse),
         Factor::sign("·"),
@@ -152,11 +152,8 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Mat
     }
     let name = texts.get("term-snell");
     let symbols = vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")];
-    let numbers = vec![
-        Factor::sign("sin α = "),
-        Factor::number(Symbol::Ior, material.ior),
-        Factor::sign(" · sin β"),
-    ];
+    let numbers =
+        vec![Factor::sign("sin α = "), Factor::number(Symbol::Ior, material.ior), Factor::sign(" · sin β")];
     let mut rows = Vec::new();
     pair(&mut rows, name, 0.0, false, symbols, numbers);
     rows_ui(ui, texts, memory, Id::unique("formula-snell"), &rows);
@@ -168,6 +165,28 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Mat
     }
 }
 
+/// I_1 = intensity · color, the law of falloff if there is one, and the name.
+fn light_ui(ui: &mut Ui, light: &Light, number: usize, name: &str) {
+    let palette = theme::palette(ui.visuals());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 17.0), Sense::hover());
+    let law = match light.falloff {
+        Falloff::None => String::new(),
+        Falloff::Linear { constant } => format!(",  A = 1/(d + {})", shown(constant, 3)),
+        Falloff::InverseSquare => ",  A = 1/d^2".to_owned(),
+    };
+    let markup = format!("I_{{{number}}} = {} · ", shown(light.intensity, 3));
+    let mut line = Line::default();
+    line.push(ui, &markup, 12.0, palette.weak);
+    line.push_chip(8.0, screen_color(light.color));
+    line.push(ui, &format!("{}{law}", color_text(light.color)), 12.0, palette.weak);
+    line.space(8.0);
+    let room = (rect.width() - line.width()).max(0.0);
+    line.push_words(ui, name, 12.0, palette.weak, room);
+    line.paint(ui, rect.left_center());
+    let words = format!("{}{}{law} {name}", typeset::plain(&markup), color_text(light.color));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
+}
+
 /// What the lights of the sum send.
 fn lights_ui(ui: &mut Ui, texts: &Texts, scene: &Scene) {
     let lit: Vec<_> = scene.lights.iter().filter(|light| !light.hidden).collect();
@@ -177,16 +196,7 @@ fn lights_ui(ui: &mut Ui, texts: &Texts, scene: &Scene) {
     }
     for (index, light) in lit.iter().take(LISTED).enumerate() {
         let name = if light.name.is_empty() { texts.get("thing-light") } else { &light.name };
-        let text = texts.with(
-            "formula-light",
-            &[
-                ("number", (index + 1).into()),
-                ("intensity", shown(light.intensity, 3).into()),
-                ("color", color_text(light.color).into()),
-                ("name", name.into()),
-            ],
-        );
-        hint(ui, &text);
+        light_ui(ui, light, index + 1, name);
     }
     if lit.len() > LISTED {
         hint(ui, &texts.with("formula-more-lights", &[("count", (lit.len() - LISTED).into())]));
