@@ -105,7 +105,7 @@ fn overlays(live: &Live, bell: &(Mutex<bool>, std::sync::Condvar), base: &Reques
         let start = Instant::now();
         live.request(request);
         while !live.status().is_idle || live.latest().is_none_or(|frame| frame.revision != revision) {
-            watch(live, bell, Instant::now() + Duration::from_millis(1), &mut Log::default());
+            watch(live, bell, Instant::now() + Duration::from_micros(100), &mut Log::default());
         }
         1e3 * start.elapsed().as_secs_f64()
     };

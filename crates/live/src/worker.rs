@@ -69,8 +69,7 @@ impl Worker {
                 .unwrap_or_else(|panic| Err(LiveError::Fault(message_of(&*panic))));
             if let Err(error) = done {
                 self.view = None;
-                self.shared.change_status(|status| status.error = Some(error));
-                self.shared.wake();
+                self.shared.publish_error(error);
             }
         }
     }
@@ -93,8 +92,8 @@ impl Worker {
         assert!(request.revision != tests::FAULTY, "a fault for the test");
         let old = self.view.take();
         check(&request)?;
-        self.shared.change_status(|status| status.error = None);
         if request.size.contains(&0) {
+            self.shared.change_status(|status| status.error = None);
             return Ok(());
         }
         let known = old.as_ref().filter(|old| same_stage(&old.request.scene, &request.scene));
@@ -102,6 +101,7 @@ impl Worker {
             Some(old) => Arc::clone(&old.stage),
             None => Arc::new(self.pool.install(|| Stage::prepare(&request.scene))?),
         };
+        self.shared.change_status(|status| status.error = None);
         self.shared.publish_stage(request.revision, Arc::clone(&stage));
         self.view = Some(View::new(request, stage, old));
         Ok(())
@@ -111,13 +111,7 @@ impl Worker {
     fn first_picture(&mut self) -> Result<(), LiveError> {
         let Some(view) = &mut self.view else { return Ok(()) };
         let size = self.pace.coarse(view.request.size);
-        let mut film = match view.film.take() {
-            Some(mut film) if size_of_film(&film) == size => {
-                film.clear();
-                film
-            }
-            _ => Film::new(size[0], size[1])?,
-        };
+        let mut film = view.blank_film(size)?;
         let start = Instant::now();
         let patience = if self.pace.can_be_coarser(view.request.size, size) {
             self.budget.mul_f64(OVERRUN)
@@ -145,10 +139,7 @@ impl Worker {
         let mut sharper = match view.sharper.take() {
             Some(film) => Some(film),
             None if size == full => None,
-            None => {
-                let [width, height] = self.pace.sharper(full, size);
-                Some(Film::new(width, height)?)
-            }
+            None => Some(view.blank_film(self.pace.sharper(full, size))?),
         };
         let mut film = view.film.take();
         let Some(growing) = sharper.as_mut().or(film.as_mut()) else { return Ok(()) };

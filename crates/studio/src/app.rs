@@ -21,6 +21,7 @@ use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
 use crate::view::View;
+use crate::window::Interruption;
 use crate::{documents, menu, shortcuts, status_bar};
 
 /// The whole window.
@@ -61,6 +62,16 @@ impl Studio {
     /// # Errors
     /// When the thread that traces cannot be started.
     pub fn new(context: &egui::Context, start: &Start, host: Box<dyn Host>) -> Result<Self, StudioError> {
+        Self::interruptible(context, start, host, None)
+    }
+
+    /// The same with a way to end it from outside.
+    pub(crate) fn interruptible(
+        context: &egui::Context,
+        start: &Start,
+        host: Box<dyn Host>,
+        interruption: Option<Interruption>,
+    ) -> Result<Self, StudioError> {
         let settings = host.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
         theme::install(context);
         theme::choose(context, settings.theme);
@@ -87,7 +98,7 @@ impl Studio {
             commands: Vec::new(),
             panes: Panes::default(),
         };
-        documents::start(&mut studio, start);
+        documents::start(context, &mut studio, start, interruption);
         Ok(studio)
     }
 
@@ -133,12 +144,14 @@ impl Studio {
         let palette = theme::palette(ui.visuals());
         let bar = Frame::new().fill(palette.bar).inner_margin(egui::Margin::symmetric(8, 3));
         Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
+        documents::banner_ui(ui, self);
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         crate::first_steps::first_steps_ui(ui.ctx(), self);
         crate::dialogs::dialogs_ui(ui, self);
         crate::palette::palette_ui(ui.ctx(), self);
         crate::help::help_ui(ui.ctx(), self);
+        documents::progress_ui(ui, self);
         self.toasts.show(ui.ctx(), self.texts.get("close"));
         for command in std::mem::take(&mut self.commands) {
             crate::run::run(ui.ctx(), self, command);
@@ -177,7 +190,7 @@ impl Studio {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
-        request.camera = self.view.camera(scene);
+        request.camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;

@@ -3,7 +3,11 @@
 //! A dialog is a type that implements [`Dialog`], in a file of its own in `dialogs/`; [`Dialogs::open`] opens it. One
 //! that asks something more about itself opens another on top.
 
+mod examples;
+pub(crate) mod files;
 mod message;
+pub(crate) mod question;
+pub(crate) mod recovery;
 
 use egui::{
     Align, Button, Context, Frame, Key, Layout, Margin, Modal, Modifiers, Popup, RichText, Stroke, Ui,
@@ -47,6 +51,8 @@ pub(crate) struct Dialogs {
     /// The last one is on top and has the keyboard.
     open: Vec<Opened>,
     count: u64,
+    /// Pictures of the examples.
+    thumbnails: examples::thumbnails::Thumbnails,
 }
 
 struct Opened {
@@ -155,4 +161,9 @@ pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option
 }
 
 /// Opens the dialog that `command` asks for.
-pub(crate) fn run(_context: &Context, _studio: &mut Studio, _command: Command) {}
+pub(crate) fn run(_context: &Context, studio: &mut Studio, command: Command) {
+    match command {
+        Command::Examples => studio.dialogs.open(examples::Gallery::new()),
+        _ => {}
+    }
+}

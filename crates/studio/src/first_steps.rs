@@ -7,7 +7,6 @@ use egui::{Align, Align2, Area, Context, Frame, Id, Layout, Order, RichText, Ui}
 use egui_material_icons::icons;
 
 use crate::app::Studio;
-use crate::layout::Pane;
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
@@ -39,8 +38,7 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
         return;
     }
     watch(studio);
-    let tile = studio.layout.tiles.find_pane(&Pane::Viewport);
-    let Some(view) = tile.and_then(|tile| studio.layout.tiles.rect(tile)) else { return };
+    let Some(view) = studio.viewport_rect() else { return };
     if view.width() < 360.0 || view.height() < 260.0 {
         return;
     }

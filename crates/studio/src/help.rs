@@ -42,7 +42,15 @@ impl Page {
 /// The window of explanations: its page, if it is open.
 #[derive(Debug, Default)]
 pub(crate) struct Help {
-    pub(crate) page: Option<Page>,
+    page: Option<Page>,
+}
+
+impl Help {
+    /// Opens a page; what was being typed below ends.
+    pub(crate) fn open(context: &Context, studio: &mut Studio, page: Page) {
+        context.memory_mut(egui::Memory::stop_text_input);
+        studio.help.page = Some(page);
+    }
 }
 
 /// Draws the explanations if they are asked for.

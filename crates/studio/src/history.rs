@@ -2,13 +2,13 @@
 
 use catoptric_editor::{Editor, Label};
 use egui::accesskit::Role;
-use egui::{Align2, Rect, ScrollArea, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2};
+use egui::{Rect, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 use egui_material_icons::icons;
 
 use crate::context::Cx;
 use crate::texts::Texts;
 use crate::theme;
-use crate::widgets::paint_icon;
+use crate::widgets::{paint_icon, paint_line};
 
 /// Height of a row, points.
 const ROW: f32 = 24.0;
@@ -28,7 +28,7 @@ pub(crate) fn history_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
     let count = cx.editor.steps().len() + 1;
     let done = cx.editor.steps_done();
     let mut wanted = None;
-    let seen = ui.id().with("seen");
+    let seen = ui.scope_id().with("seen");
     let is_new = ui.data_mut(|data| data.get_temp(seen)) != Some((count, done));
     let mut scroll = ScrollArea::vertical().auto_shrink(false);
     if is_new {
@@ -76,14 +76,7 @@ fn row_ui(ui: &mut Ui, texts: &Texts, name: &str, row: usize, done: usize) -> bo
     let icon_color = if is_present { palette.accent } else { palette.weak };
     paint_icon(ui, icon, pos2(rect.left() + 14.0, rect.center().y), 14.0, icon_color);
     let text = Rect::from_min_max(rect.min + vec2(28.0, 0.0), rect.max - vec2(6.0, 0.0));
-    let font = TextStyle::Body.resolve(ui.style());
-    ui.painter().with_clip_rect(text.intersect(ui.clip_rect())).text(
-        text.left_center(),
-        Align2::LEFT_CENTER,
-        name,
-        font,
-        color,
-    );
+    paint_line(ui, text, name, color);
     let tip = if is_present { "history-present" } else { "history-go" };
     response.on_hover_text(format!("{name}\n{}", texts.get(tip))).clicked()
 }

@@ -37,4 +37,4 @@ pub use command::{Command, Group, Look, Tool, Zoom};
 pub use layout::Pane;
 pub use settings::{LastScene, Settings, Theme};
 pub use texts::{Language, Texts};
-pub use window::{StudioError, open, options as window_options};
+pub use window::{Interruption, StudioError, open, options as window_options};

@@ -72,9 +72,7 @@ impl Toasts {
         self.notices.retain(|notice| notice.text != text);
         let surplus = (self.notices.len() + 1).saturating_sub(MOST);
         self.notices.drain(..surplus);
-        let place = self.notices.len();
-        self.notices.push(Notice { kind, text, left: Some(STAY.as_secs_f32()) });
-        &mut self.notices[place]
+        self.notices.push_mut(Notice { kind, text, left: Some(STAY.as_secs_f32()) })
     }
 
     /// Draws them at the lower right, above the status bar; `close` names the button that closes one.
@@ -129,7 +127,7 @@ fn notice_ui(ui: &mut egui::Ui, notice: &Notice, close: &str) -> bool {
         .inner_margin(egui::Margin::symmetric(12, 8))
         .show(ui, |ui| {
             ui.set_width(320.0);
-            ui.horizontal_top(|ui| {
+            ui.horizontal(|ui| {
                 ui.label(icon.rich_text().size(18.0).color(color));
                 let width = ui.available_width() - 30.0;
                 ui.allocate_ui(vec2(width, 0.0), |ui| {

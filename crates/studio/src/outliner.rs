@@ -19,7 +19,7 @@ use crate::context::Cx;
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
-use rows::{Row, Rows, Section};
+use rows::{Row, Rows};
 
 /// Height of a row, points.
 const ROW: f32 = 23.0;

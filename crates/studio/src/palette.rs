@@ -8,9 +8,8 @@ use egui::{Align2, Context, Id, Key, Modal, Modifiers, Rect, ScrollArea, Sense, 
 use egui::{WidgetInfo, pos2, vec2};
 
 use crate::app::Studio;
-use crate::command::Command;
 use crate::theme;
-use crate::widgets::paint_icon;
+use crate::widgets::{paint_icon, paint_line};
 use entries::{Entry, What};
 
 /// Height of a row, points.
@@ -166,7 +165,7 @@ impl Open {
         let mut area = ScrollArea::vertical().max_height(height).auto_shrink([false, true]);
         if std::mem::take(&mut self.scrolls) {
             let seen = egui::scroll_area::State::load(ui.ctx(), ui.make_persistent_id("palette list"));
-            let offset = seen.map_or(0.0, |state| state.offset().y);
+            let offset = seen.map_or(0.0, |state| state.clamped_offset().y);
             let top = self.chosen as f32 * ROW;
             area = area.vertical_scroll_offset(offset.clamp((top + ROW - height).max(0.0), top));
         }
@@ -201,14 +200,7 @@ fn row_ui(ui: &mut Ui, studio: &Studio, entry: &Entry, is_chosen: bool) -> egui:
     let right = pos2(rect.right() - 10.0, rect.center().y);
     let detail = ui.painter().text(right, Align2::RIGHT_CENTER, &entry.detail, small, palette.weak);
     let text = Rect::from_min_max(rect.min + vec2(38.0, 0.0), pos2(detail.left() - 8.0, rect.bottom()));
-    let body = TextStyle::Body.resolve(ui.style());
-    ui.painter().with_clip_rect(text.intersect(ui.clip_rect())).text(
-        text.left_center(),
-        Align2::LEFT_CENTER,
-        &entry.name,
-        body,
-        color,
-    );
+    paint_line(ui, text, &entry.name, color);
     match &entry.tip {
         Some(tip) => response.on_hover_text(tip),
         None => response,

@@ -6,7 +6,7 @@ use egui::{Context, OutputCommand, ViewportCommand};
 use crate::app::Studio;
 use crate::command::{Command, Zoom};
 use crate::first_steps::FirstSteps;
-use crate::help::Page;
+use crate::help::{Help, Page};
 use crate::layout::Pane;
 use crate::outliner::shape_name;
 use crate::palette::Palette;
@@ -47,7 +47,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             studio.keys.is_paste_asked = true;
             context.send_viewport_cmd(ViewportCommand::RequestPaste);
         }
-        Command::ToggleFreeView => studio.view.toggle_free(studio.editor.scene()),
+        Command::ToggleFreeView => viewport::toggle_free(studio),
         Command::CameraFromView => {
             if let Some(camera) = studio.view.free_camera.take() {
                 viewport::set_scene_camera(studio, "edit-camera-from-view", camera);
@@ -85,9 +85,9 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         }
         Command::Rename => rename(studio),
         Command::Palette => Palette::open(context, studio),
-        Command::Shortcuts => studio.help.page = Some(Page::Shortcuts),
-        Command::Terms => studio.help.page = Some(Page::Terms),
-        Command::About => studio.help.page = Some(Page::About),
+        Command::Shortcuts => Help::open(context, studio, Page::Shortcuts),
+        Command::Terms => Help::open(context, studio, Page::Terms),
+        Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
         Command::Examples | Command::Render | Command::CopyPicture => {
             crate::dialogs::run(context, studio, command);

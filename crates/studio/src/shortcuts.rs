@@ -31,7 +31,9 @@ struct Listeners {
 pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     let context = ui.ctx().clone();
     let mut commands = Vec::new();
-    if context.memory(|memory| memory.top_modal_layer().is_none()) {
+    let is_behind =
+        studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());
+    if !is_behind {
         let listeners = Listeners {
             is_typing: context.text_edit_focused(),
             is_menu_open: Popup::is_any_open(&context),
@@ -149,8 +151,6 @@ pub(crate) fn text(context: &Context, shortcut: &KeyboardShortcut) -> String {
     let names = ModifierNames::NAMES;
     let modifiers = names.format(&shortcut.modifiers, context.os().is_mac());
     let key = match shortcut.logical_key {
-        Key::ArrowUp => "↑",
-        Key::ArrowDown => "↓",
         Key::OpenBracket => "[",
         Key::CloseBracket => "]",
         Key::Plus => "+",

@@ -59,7 +59,7 @@ fn size_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
 
 fn progress_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
     let wanted = status.samples_wanted;
-    let is_done = status.is_idle && wanted > 0 && status.samples_done >= wanted;
+    let is_done = wanted > 0 && status.samples_done >= wanted;
     let text = if is_done {
         texts.get("status-done").to_owned()
     } else if status.samples_done == 0 {
@@ -134,11 +134,11 @@ fn tip(response: Response, text: Option<&str>) {
 }
 
 fn line(ui: &mut Ui) {
-    ui.add_space(4.0);
+    ui.add_space(6.0);
     let color = theme::palette(ui.visuals()).line;
     let (rect, _) = ui.allocate_exact_size(vec2(1.0, 14.0), egui::Sense::hover());
     ui.painter().rect_filled(rect, 0.0, color);
-    ui.add_space(4.0);
+    ui.add_space(6.0);
 }
 
 fn dash() -> String {

@@ -57,7 +57,17 @@ pub(crate) fn paint_icon(ui: &Ui, icon: MaterialIcon, center: egui::Pos2, size: 
     ui.painter().text(center, Align2::CENTER_CENTER, icon.codepoint, font, color);
 }
 
-/// A name at the left and a text at the right of a line of the list of shortcuts and the like.
+/// Paints a line of text in the middle of `rect`, with an ellipsis where it has no room.
+pub(crate) fn paint_line(ui: &Ui, rect: egui::Rect, text: &str, color: egui::Color32) {
+    let font = TextStyle::Body.resolve(ui.style());
+    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width());
+    let galley = ui.painter().layout_job(job);
+    let corner = egui::pos2(rect.left(), rect.center().y - galley.size().y / 2.0);
+    ui.painter().galley(corner, galley, color);
+}
+
+/// A key or a gesture, drawn like the cap of a key.
 pub(crate) fn key_caps(ui: &mut Ui, text: &str) -> Response {
     let palette = theme::palette(ui.visuals());
     let font = TextStyle::Small.resolve(ui.style());

@@ -1,10 +1,11 @@
 //! A change redoes what depends on it and nothing else.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use catoptric_live::{GridSpec, Request};
 use catoptric_picture::{Development, ToneCurve};
-use catoptric_scene::{Color, Projection, Scene};
+use catoptric_scene::{Body, Color, MaterialChoice, Projection, Scene};
 
 use crate::{Window, expected, four_bodies, from_side, request};
 
@@ -93,6 +94,24 @@ fn the_same_request_again_changes_nothing() {
     // Only its number is new.
     let renamed = window.shown(request(2));
     assert_eq!((renamed.serial, renamed.picture_serial), (before.serial + 1, before.picture_serial));
+}
+
+#[test]
+fn a_window_that_always_asks_the_same_is_left_in_peace() {
+    let window = Window::open();
+    let unknown = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
+    let broken = Arc::new(Scene { bodies: vec![unknown], ..Scene::default() });
+    for asked in [request(1), Request::new(broken, 2, [16, 16])] {
+        window.live.request(asked.clone());
+        window.settle();
+        // The last ring may come just after the engine is idle.
+        while window.bell.recv_timeout(Duration::from_millis(100)).is_ok() {}
+        for _ in 0..3 {
+            window.live.request(asked.clone());
+            window.settle();
+        }
+        assert!(window.bell.recv_timeout(Duration::from_millis(100)).is_err());
+    }
 }
 
 #[test]

@@ -30,7 +30,7 @@ const TERMS: [Term; 18] = [
     term("τ", "", "term-tint"),
     term("s", "", "term-checker"),
     term("I", "j", "term-intensity"),
-    term("A", "d", "term-falloff"),
+    term("A(d)", "", "term-falloff"),
     term("I", "a", "term-ambient-light"),
     term("I", "b", "term-background"),
     term("K", "", "term-generations"),
@@ -48,9 +48,9 @@ pub(super) fn terms_ui(ui: &mut Ui, texts: &Texts) {
             ui.label(sign(term, palette.accent));
             ui.vertical(|ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
-                ui.label(RichText::new(texts.get(term.key)).strong());
+                ui.label(RichText::new(texts.get(term.key)).color(palette.text));
                 let tip = texts.tip(term.key).unwrap_or_default();
-                ui.add(egui::Label::new(RichText::new(tip).color(palette.text)).wrap());
+                ui.add(egui::Label::new(RichText::new(tip).color(palette.weak)).wrap());
             });
             ui.end_row();
         }

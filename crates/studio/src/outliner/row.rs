@@ -13,7 +13,7 @@ use super::{
 use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;
-use crate::widgets::{icon_button, paint_icon};
+use crate::widgets::{icon_button, paint_icon, paint_line};
 
 /// Where the names of things begin, points from the left.
 const INDENT: f32 = 14.0;
@@ -91,7 +91,7 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
         rename_ui(ui, cx, outliner, field);
         return;
     }
-    paint_name(ui, text, &name, color);
+    paint_line(ui, text, &name, color);
     if matches!(item, Item::Body(_) | Item::Light(_)) {
         flags_ui(ui, cx, rect, item, &name, is_hovered);
     }
@@ -125,16 +125,6 @@ fn paint_background(ui: &Ui, cx: &Cx<'_>, rect: Rect, item: Item, is_selected: b
         let stroke = Stroke::new(1.0, palette.accent.gamma_multiply(0.7));
         ui.painter().rect_stroke(rect, 4.0, stroke, StrokeKind::Inside);
     }
-}
-
-/// Paints a name, with an ellipsis where it has no room.
-fn paint_name(ui: &Ui, rect: Rect, name: &str, color: Color32) {
-    let font = TextStyle::Body.resolve(ui.style());
-    let mut job = egui::text::LayoutJob::simple_singleline(name.to_owned(), font, color);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width());
-    let galley = ui.painter().layout_job(job);
-    let corner = pos2(rect.left(), rect.center().y - galley.size().y / 2.0);
-    ui.painter().galley(corner, galley, color);
 }
 
 /// Eye and lock at the right: seen when they are set, and under the pointer.
@@ -198,6 +188,7 @@ fn tip_ui(ui: &mut Ui, cx: &Cx<'_>, item: Item, name: &str) {
 /// Clicks and the beginning of a drag.
 fn act(ui: &Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, response: &Response) {
     if response.double_clicked() {
+        cx.editor.select(item);
         outliner.rename(&std::sync::Arc::clone(cx.editor.scene()), item);
         return;
     }

@@ -79,6 +79,20 @@ impl Lens {
         (depth > 0.0 && at.is_finite() && at.abs().max_element() < 1e6).then_some(at)
     }
 
+    /// A segment in the picture, without what is behind the eye or right before it.
+    pub(crate) fn segment(&self, from: DVec3, to: DVec3) -> Option<[DVec2; 2]> {
+        let [near, far] = [from, to].map(|point| self.depth(point));
+        let least = 0.01 * near.max(far);
+        let cut = |point: DVec3, depth: f64, other: DVec3, other_depth: f64| {
+            if depth >= least { point } else { point.lerp(other, (least - depth) / (other_depth - depth)) }
+        };
+        if least <= 0.0 {
+            return None;
+        }
+        let ends = [cut(from, near, to, far), cut(to, far, from, near)];
+        Some([self.project(ends[0])?, self.project(ends[1])?])
+    }
+
     /// The ray through a place in the picture.
     pub(crate) fn ray(&self, at: DVec2) -> Line {
         let on_window = (at - 0.5 * self.size) / self.size.y;
@@ -125,8 +139,11 @@ mod tests {
     use super::*;
 
     fn cameras() -> [Camera; 3] {
-        let tilted =
-            Camera { position: DVec3::new(3.0, 4.0, -5.0), up: DVec3::new(0.2, 1.0, 0.1), ..Camera::default() };
+        let tilted = Camera {
+            position: DVec3::new(3.0, 4.0, -5.0),
+            up: DVec3::new(0.2, 1.0, 0.1),
+            ..Camera::default()
+        };
         let parallel = Camera { projection: Projection::Parallel { height: 3.0 }, ..tilted };
         [Camera::default(), tilted, parallel]
     }
@@ -163,9 +180,20 @@ mod tests {
             let lens = Lens::new(&camera, DVec2::new(800.0, 600.0));
             let [right, ..] = lens.axes();
             let step = 10.0 * lens.meters_per_point(camera.target);
-            let ends = [camera.target, camera.target + step * right].map(|point| lens.project(point).unwrap());
+            let ends =
+                [camera.target, camera.target + step * right].map(|point| lens.project(point).unwrap());
             assert!((ends[1] - ends[0] - DVec2::new(10.0, 0.0)).length() < 1e-9);
         }
+    }
+
+    #[test]
+    fn a_segment_ends_before_the_eye() {
+        let lens = Lens::new(&Camera::default(), DVec2::new(800.0, 600.0));
+        let target = Camera::default().target;
+        let [from, to] = lens.segment(target, target + DVec3::new(1.0, 0.0, 20.0)).unwrap();
+        assert_eq!(from, DVec2::new(400.0, 300.0));
+        assert!(to.x > 1000.0);
+        assert_eq!(lens.segment(DVec3::Z * 20.0, DVec3::Z * 30.0), None);
     }
 
     #[test]

@@ -35,7 +35,9 @@ impl Load {
             _ => None,
         });
         let camera = (with_camera && items.contains(&Item::Camera)).then_some(scene.camera);
-        let (bodies, lights): (Vec<_>, Vec<_>) = (bodies.collect(), lights.collect());
+        let (mut bodies, mut lights): (Vec<_>, Vec<_>) = (bodies.collect(), lights.collect());
+        bodies.sort_by_key(|(index, _)| *index);
+        lights.sort_by_key(|(index, _)| *index);
         let subject = match (bodies.as_slice(), lights.as_slice(), camera) {
             ([(index, _)], [], None) => Item::Body(*index).name(scene),
             ([], [(index, _)], None) => Item::Light(*index).name(scene),
@@ -50,19 +52,17 @@ impl Load {
     pub(crate) fn apply(&self, editor: &mut Editor, change: &Change) {
         let label = || self.label.clone();
         if !self.bodies.is_empty() {
-            let mut starts = self.bodies.iter();
             let indices = self.bodies.iter().map(|(index, _)| *index);
-            let _ = editor.change_bodies(indices, label(), |_, body| {
-                if let Some((_, start)) = starts.next() {
+            let _ = editor.change_bodies(indices, label(), |index, body| {
+                if let Some(start) = find(&self.bodies, index) {
                     body.placement = change.placement(start, degrees(&body.placement));
                 }
             });
         }
         if !self.lights.is_empty() {
-            let mut starts = self.lights.iter();
             let indices = self.lights.iter().map(|(index, _)| *index);
-            let _ = editor.change_lights(indices, label(), |_, light| {
-                if let Some((_, start)) = starts.next() {
+            let _ = editor.change_lights(indices, label(), |index, light| {
+                if let Some(start) = find(&self.lights, index) {
                     light.position = change.point(*start);
                 }
             });
@@ -71,6 +71,12 @@ impl Load {
             let _ = editor.change_camera(label(), |camera| *camera = change.camera(start));
         }
     }
+}
+
+/// How the thing at a place was; the list is sorted.
+fn find<T>(starts: &[(usize, T)], index: usize) -> Option<&T> {
+    let at = starts.binary_search_by_key(&index, |(index, _)| *index).ok()?;
+    starts.get(at).map(|(_, start)| start)
 }
 
 /// The turns of a placement; zeros when its axis is given by two points.
@@ -111,7 +117,8 @@ mod tests {
         let mut editor = editor();
         editor.select(Item::Body(1));
         assert_eq!(Load::take(editor.scene(), editor.selection(), true, "edit-move"), None);
-        let all: Selection = [Item::Body(1), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
+        let all: Selection =
+            [Item::Body(1), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
         let load = Load::take(editor.scene(), &all, false, "edit-move").unwrap();
         let before = editor.scene().clone();
         load.apply(&mut editor, &Change::Move(DVec3::X));

@@ -1,7 +1,9 @@
 //! The studio used as a person uses it, headless: widgets are found by their accessible labels.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
 
+mod commands;
+mod inspector;
 mod kit;
 mod monkey;
-mod shots;
+mod outliner;
 mod window;
