@@ -355,7 +355,11 @@ fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let mut picked = None;
     sheet.plain_row(ui, "medium", |_, ui| {
         let shown = medium.map_or_else(|| texts.get("medium-other"), |medium| texts.get(medium.key));
-        let combo = ComboBox::from_id_salt("medium").selected_text(shown).width(control_width(ui)).truncate();
+        let combo = ComboBox::from_id_salt("medium")
+            .selected_text(shown)
+            .width(control_width(ui))
+            .height(280.0)
+            .truncate();
         let list = combo.show_ui(ui, |ui| {
             for medium in &MEDIA {
                 let text = format!("{}  {}", texts.get(medium.key), shown_ior(medium.ior));

@@ -110,7 +110,9 @@ fn with_body(shape: Shape) -> Window {
     editor.select(item);
     editor.apply(Action::MakeMaterialUnique).unwrap();
     let Item::Body(index) = item else { unreachable!() };
-    editor.change_body(index, catoptric_editor::Label::new("edit-shape", ""), |body| body.shape = shape).unwrap();
+    editor
+        .change_body(index, catoptric_editor::Label::new("edit-shape", ""), |body| body.shape = shape)
+        .unwrap();
     editor.settle();
     window.run_steps(4);
     window

@@ -63,7 +63,7 @@ fn ambient<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material, s
         Factor::sign("·"),
         Factor::color(Symbol::AmbientLight, scene.environment.ambient),
     ];
-    pair(rows, texts.get("term-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
 }
 
 /// Σ_j V_j A(d_j) I_j [ k_d C (N·L_j)
@@ -76,7 +76,7 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
         Factor::sign(" ["),
     ];
     let is_idle = material.diffuse == 0.0 && material.specular == 0.0;
-    let name = texts.get("term-sum");
+    let name = texts.get("in-formula-sum");
     rows.push(Row { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
     let symbols =
         vec![Factor::symbol(Symbol::Diffuse), Factor::symbol(Symbol::Color), Factor::symbol(Symbol::Lambert)];
@@ -87,7 +87,7 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
         Factor::sign("·"),
         Factor::symbol(Symbol::Lambert),
     ];
-    pair(rows, texts.get("term-diffuse"), 44.0, material.diffuse == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-diffuse"), 44.0, material.diffuse == 0.0, symbols, numbers);
 }
 
 /// + k_s ((S·R)⁺)ⁿ ]
@@ -106,12 +106,12 @@ fn highlight<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material)
         Factor::symbol(Symbol::Mirrored),
         Factor::text(Symbol::Shininess, exponent),
     ];
-    pair(rows, texts.get("term-highlight"), 32.0, material.specular == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-highlight"), 32.0, material.specular == 0.0, symbols, numbers);
 }
 
 /// + k_r I_reflected
 fn reflection<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
-    let reflected = texts.get("term-reflected");
+    let reflected = texts.get("in-formula-reflected");
     let symbols = vec![
         Factor::sign("+ "),
         Factor::symbol(Symbol::Reflection),
@@ -123,12 +123,12 @@ fn reflection<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material
         Factor::sign("·"),
         Factor::text(Symbol::Reflected, reflected),
     ];
-    pair(rows, texts.get("term-reflection"), 14.0, value == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-reflection"), 14.0, value == 0.0, symbols, numbers);
 }
 
 /// + k_t τ I_refracted
 fn transmission<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
-    let refracted = texts.get("term-refracted");
+    let refracted = texts.get("in-formula-refracted");
     let symbols = vec![
         Factor::sign("+ "),
         Factor::symbol(Symbol::Transmission),
@@ -142,7 +142,7 @@ fn transmission<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Materi
         Factor::sign("·"),
         Factor::text(Symbol::Refracted, refracted),
     ];
-    pair(rows, texts.get("term-transmission"), 14.0, material.transmission == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-transmission"), 14.0, material.transmission == 0.0, symbols, numbers);
 }
 
 /// Snell's law and the critical angle, for what lets light through.
@@ -150,7 +150,7 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Mat
     if material.transmission == 0.0 {
         return;
     }
-    let name = texts.get("term-snell");
+    let name = texts.get("in-formula-snell");
     let symbols = vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")];
     let numbers =
         vec![Factor::sign("sin α = "), Factor::number(Symbol::Ior, material.ior), Factor::sign(" · sin β")];

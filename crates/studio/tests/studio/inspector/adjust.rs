@@ -173,7 +173,9 @@ fn the_camera() {
         adjusts(&mut window, &format!("Target {letter}"), -value, "edit-camera-target", |scene| {
             scene.camera.target[axis]
         });
-        adjusts(&mut window, &format!("Up {letter}"), value, "edit-camera-up", |scene| scene.camera.up[axis]);
+        adjusts(&mut window, &format!("Up {letter}"), [0.5, 2.0, 0.25][axis], "edit-camera-up", |scene| {
+            scene.camera.up[axis]
+        });
     }
     adjusts(&mut window, "Angle of view", 40.0, "edit-fov", |scene| match scene.camera.projection {
         Projection::Perspective { fov_degrees } => fov_degrees,
@@ -279,11 +281,11 @@ fn escape_takes_typing_back() {
 fn leaving_a_field_without_typing_changes_nothing() {
     let mut window = with_body(Shape::Sphere { radius: 1.0 / 3.0 });
     let before = scene(&window);
-    click(&mut window, Role::SpinButton, "Radius");
-    window.key_press(Key::Tab);
-    window.run_steps(3);
-    window.key_press(Key::Enter);
-    window.run_steps(3);
+    for leave in [Key::Tab, Key::Enter] {
+        click(&mut window, Role::SpinButton, "Radius");
+        window.key_press(leave);
+        window.run_steps(3);
+    }
     assert_eq!(scene(&window), before);
 }
 

@@ -138,11 +138,9 @@ fn a_material_is_shared_made_own_and_chosen() {
 #[test]
 fn names_are_typed() {
     let mut window = window("four-bodies", None);
-    for (item, new) in [
-        (body(&window, "cube"), "die"),
-        (Item::Light(0), "sun"),
-        (Item::Material(0), "ground"),
-    ] {
+    for (item, new) in
+        [(body(&window, "cube"), "die"), (Item::Light(0), "sun"), (Item::Material(0), "ground")]
+    {
         select(&mut window, [item]);
         let before = scene(&window);
         window.get_by_role_and_label(Role::TextInput, "Name").click();
