@@ -6,4 +6,5 @@ mod inspector;
 mod kit;
 mod monkey;
 mod outliner;
+mod viewport;
 mod window;
