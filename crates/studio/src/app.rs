@@ -14,6 +14,7 @@ use crate::documents::Documents;
 use crate::host::Host;
 use crate::layout::{self, Pane};
 use crate::panes::{Docked, Panes};
+use crate::pictures::{self, Pictures};
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
@@ -34,6 +35,7 @@ pub struct Studio {
     pub(crate) host: Box<dyn Host>,
     pub(crate) commands: Vec<Command>,
     pub(crate) panes: Panes,
+    pub(crate) pictures: Pictures,
 }
 
 /// What to open at the start.
@@ -75,6 +77,7 @@ impl Studio {
             host,
             commands: Vec::new(),
             panes: Panes::default(),
+            pictures: Pictures::default(),
         };
         documents::start(&mut studio, start);
         Ok(studio)
@@ -124,11 +127,13 @@ impl Studio {
         Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
+        pictures::pictures_ui(ui, self);
         crate::dialogs::dialogs_ui(ui, self);
         self.toasts.show(ui.ctx());
         for command in std::mem::take(&mut self.commands) {
             crate::run::run(ui.ctx(), self, command);
         }
+        pictures::hold_window(ui.ctx(), self);
         documents::keep(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();

@@ -4,6 +4,8 @@
 //! that asks something more about itself opens another on top.
 
 mod message;
+pub(crate) mod question;
+mod render;
 
 use egui::{
     Align, Button, Context, Frame, Key, Layout, Margin, Modal, Modifiers, Popup, RichText, Stroke, Ui,
@@ -155,4 +157,10 @@ pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option
 }
 
 /// Opens the dialog that `command` asks for.
-pub(crate) fn run(_context: &Context, _studio: &mut Studio, _command: Command) {}
+pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
+    match command {
+        Command::Render => render::open(studio),
+        Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
+        _ => {}
+    }
+}
