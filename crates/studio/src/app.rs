@@ -108,6 +108,11 @@ impl Studio {
         &self.live
     }
 
+    /// Whether a final picture is being rendered.
+    pub fn is_rendering(&self) -> bool {
+        self.pictures.is_rendering()
+    }
+
     /// Where the picture is in the window, points, once it has been drawn.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()

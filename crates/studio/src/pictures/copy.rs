@@ -7,7 +7,7 @@ use catoptric_picture::{Development, Picture};
 use egui::{ColorImage, Context};
 
 use super::job::{Job, Progress};
-use super::result::Finished;
+use super::result::{Finished, Kept};
 use super::told;
 use crate::app::Studio;
 use crate::host::PictureClipboard;
@@ -100,7 +100,7 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
 fn copied_from(studio: &mut Studio, source: Source) {
     let (Source::Viewport(size) | Source::Finished(_, size)) = source;
     if let Source::Finished(number, _) = source {
-        Finished::with(studio, number, |_, finished| finished.is_kept = true);
+        Finished::with(studio, number, |_, finished| finished.kept = Some(Kept::Clipboard));
     }
     let size = told::size(size[0], size[1]);
     studio.toasts.success(studio.texts.with("picture-copied", &[("size", size.into())]));

@@ -48,13 +48,14 @@ pub(crate) fn hold_window(context: &Context, studio: &mut Studio) {
 /// Whether something would be lost that nobody has agreed to lose.
 fn may_be_missed(studio: &Studio) -> bool {
     let pictures = &studio.pictures;
-    let is_missed = pictures.is_rendering() || pictures.finished.iter().any(|finished| !finished.is_kept);
+    let is_missed =
+        pictures.is_rendering() || pictures.finished.iter().any(|finished| finished.kept.is_none());
     is_missed && !pictures.leaving.is_agreed
 }
 
 fn ask(studio: &mut Studio) {
     let texts = &studio.texts;
-    let unkept = studio.pictures.finished.iter().filter(|finished| !finished.is_kept).count();
+    let unkept = studio.pictures.finished.iter().filter(|finished| finished.kept.is_none()).count();
     let text = match studio.pictures.is_rendering() {
         true => texts.get("picture-leave-rendering").to_owned(),
         false => texts.with("picture-leave-unsaved", &[("count", unkept.into())]),

@@ -11,7 +11,7 @@ use egui::{
     RichText, Role, Sense, Stroke, TextStyle, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, Window,
     pos2, vec2,
 };
-use egui_material_icons::icons::{ICON_CONTENT_COPY, ICON_SAVE};
+use egui_material_icons::icons::{ICON_CHECK, ICON_CONTENT_COPY, ICON_SAVE};
 
 use super::job::{Job, Progress};
 use super::proof::{Wanted, fitting, proof};
@@ -27,12 +27,20 @@ pub(crate) struct Finished {
     pub(super) number: u64,
     pub(super) picture: Arc<Picture>,
     pub(super) order: Order,
-    /// Whether it has been saved or copied.
-    pub(super) is_kept: bool,
+    /// Where it has been kept, if anywhere.
+    pub(super) kept: Option<Kept>,
     pub(super) saving: Saving,
     counts: RayCounts,
     elapsed: Duration,
     shown: Shown,
+}
+
+/// Where a picture has been kept.
+pub(super) enum Kept {
+    /// In a file of this name.
+    File(String),
+    /// In the clipboard.
+    Clipboard,
 }
 
 /// The picture in the window.
@@ -58,7 +66,7 @@ impl Finished {
             number,
             picture: Arc::new(rendering.picture),
             order,
-            is_kept: false,
+            kept: None,
             saving: Saving::No,
             counts: rendering.counts,
             elapsed,
@@ -85,7 +93,7 @@ pub(super) fn results_ui(context: &Context, studio: &mut Studio) {
         match window_ui(context, studio, finished) {
             Some(Press::Save) => save::ask(studio, finished),
             Some(Press::Copy) => copy::copy_finished(context, studio, finished),
-            Some(Press::Close) if finished.is_kept => closed = Some(finished.number),
+            Some(Press::Close) if finished.kept.is_some() => closed = Some(finished.number),
             Some(Press::Close) => ask_to_drop(studio, finished.number),
             None => {}
         }
@@ -186,6 +194,13 @@ fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &Finished) -> Option<Press
             ui.spinner();
             let key = if is_copying { "picture-copying" } else { "picture-writing" };
             ui.label(RichText::new(texts.get(key)).color(palette.weak));
+        } else if let Some(kept) = &finished.kept {
+            let text = match kept {
+                Kept::File(name) => texts.with("picture-saved", &[("name", name.as_str().into())]),
+                Kept::Clipboard => texts.get("picture-in-clipboard").to_owned(),
+            };
+            let text = RichText::new(format!("{}  {text}", ICON_CHECK.codepoint)).color(palette.weak);
+            ui.add(Label::new(text).truncate());
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let all = [

@@ -8,7 +8,7 @@ use egui::Context;
 
 use super::ask::{Answer, Asking, Chosen};
 use super::job::{Job, Progress};
-use super::result::Finished;
+use super::result::{Finished, Kept};
 use super::{PictureKind, file_name, told};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
@@ -108,10 +108,10 @@ impl Order {
 }
 
 fn saved(studio: &mut Studio, finished: &mut Finished, path: &Path) {
-    finished.is_kept = true;
     studio.settings.render.folder = path.parent().map(Path::to_owned);
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    studio.toasts.success(studio.texts.with("picture-saved", &[("name", name.into())]));
+    studio.toasts.success(studio.texts.with("picture-saved", &[("name", name.as_str().into())]));
+    finished.kept = Some(Kept::File(name));
 }
 
 fn failed(studio: &mut Studio, finished: &Finished, order: Order, failure: &Failure) {

@@ -99,6 +99,7 @@ picture-replace = Replace
 picture-drop-title = Close without saving?
 picture-drop-text = The picture has been neither saved nor copied. If it is closed, it must be rendered again.
 picture-drop = Do not save
+picture-in-clipboard = In the clipboard
 picture-copied = Copied the picture, { $size } pixels
 picture-copy-too-large = The picture is too large for the clipboard. Save it to a file instead.
 picture-copy-memory = There is not enough memory to copy the picture. Save it to a file instead.
