@@ -3,6 +3,8 @@
 use catoptric_live::{LiveError, Status};
 use egui::{Align, Label, Layout, ProgressBar, Response, RichText, TextStyle, Ui, vec2};
 
+use egui_material_icons::icons;
+
 use crate::context::Cx;
 use crate::texts::Texts;
 use crate::theme;
@@ -69,11 +71,16 @@ fn progress_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
         texts.with("status-refining", &arguments)
     };
     let sample = texts.with("status-refining", &[("done", 88.into()), ("wanted", 88.into())]);
-    cell(ui, &text, &sample, texts.tip("status-refining-name"));
     let palette = theme::palette(ui.visuals());
-    let fraction = if is_done { 1.0 } else { status.progress.clamp(0.0, 1.0) };
-    let fill = if is_done { palette.button } else { palette.accent };
-    let bar = ProgressBar::new(fraction).desired_width(90.0).desired_height(6.0).fill(fill);
+    if is_done {
+        let check = icons::ICON_CHECK.rich_text().color(palette.weak);
+        tip(ui.label(check), texts.tip("status-refining-name"));
+        cell(ui, &text, &sample, texts.tip("status-refining-name"));
+        return;
+    }
+    cell(ui, &text, &sample, texts.tip("status-refining-name"));
+    let fraction = status.progress.clamp(0.0, 1.0);
+    let bar = ProgressBar::new(fraction).desired_width(90.0).desired_height(6.0).fill(palette.accent);
     let response = ui.add(bar).accessible_name(texts.get("status-progress"));
     tip(response, texts.tip("status-refining-name"));
 }

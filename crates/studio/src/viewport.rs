@@ -26,7 +26,7 @@ use egui::{
 
 use crate::command::Command;
 use crate::context::Cx;
-use crate::theme;
+use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
 pub(crate) use jumps::{
@@ -96,6 +96,9 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
     let sight = Sight::new(cx, rect, camera);
     act(ui, cx, viewport, (&sight, &response));
+    if cx.view.free_camera.is_none() {
+        picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
+    }
     if let Some(frame) = &frame {
         marks::grid(&painter, rect, frame, palette);
         if cx.settings.shows_handles {
