@@ -1,6 +1,6 @@
 //! The panel of values of what is selected.
 
-use catoptric_editor::{Item, Label, Refused};
+use catoptric_editor::{Item, Label, Refused, Selection};
 use catoptric_scene::Scene;
 use egui::{Id, Key, ScrollArea, Ui};
 
@@ -37,6 +37,8 @@ pub(crate) struct Memory {
     pub(crate) row_hovered: Option<Symbol>,
     /// The symbol in the formula under the pointer in this frame.
     pub(crate) term_hovered: Option<Symbol>,
+    /// What was selected in the last frame.
+    pub(crate) selection: Selection,
     /// Why the last change was refused.
     pub(crate) note: Option<Note>,
     /// The last change made here, to know which gesture Escape takes back.
@@ -72,6 +74,10 @@ pub(crate) struct Note {
 /// Draws the values of what is selected; those of the scene as a whole when nothing is.
 pub(crate) fn inspector_ui(ui: &mut Ui, cx: &mut Cx<'_>, inspector: &mut Inspector) {
     let memory = &mut inspector.memory;
+    if memory.selection != *cx.editor.selection() {
+        memory.selection = cx.editor.selection().clone();
+        memory.note = None;
+    }
     escape(ui, cx, memory);
     memory.row_hovered = None;
     memory.term_hovered = None;
