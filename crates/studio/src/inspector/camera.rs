@@ -14,7 +14,6 @@ use super::{Memory, header};
 use crate::context::Cx;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::number::{shown, tidy};
-use crate::widgets::row::control_width;
 use crate::widgets::section::section;
 
 static POSITION: Vector<Camera> = Vector::<Camera>::new(
@@ -189,9 +188,7 @@ fn projection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>) {
 fn lens_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>, fov_degrees: f64) {
     let millimeters = 12.0 / (0.5 * fov_degrees).to_radians().tan();
     sheet.plain_row(ui, "lens", |sheet, ui| {
-        let text = sheet.texts().with("lens-value", &[("value", shown(millimeters, 1).into())]);
-        ui.set_max_width(control_width(ui));
-        ui.label(text);
+        ui.label(sheet.texts().with("lens-value", &[("value", shown(millimeters, 1).into())]));
     });
 }
 

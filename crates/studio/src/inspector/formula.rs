@@ -137,7 +137,7 @@ fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>
 
 fn set_factor(ui: &Ui, factor: &Factor, size: f32, color: Color32) -> Line {
     let mut line = Line::default();
-    if factor.symbol.is_some() {
+    if factor.symbol.is_some() && !factor.markup.starts_with('^') {
         line.space(1.5);
     }
     if let Some(chip) = factor.chip {

@@ -334,8 +334,8 @@ fn reflection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     ui.add_enabled_ui(!follows, |ui| sheet.number_or(ui, &REFLECTION, None));
     let texts = sheet.texts();
     let mut is_clicked = false;
-    sheet.plain_row(ui, "reflection-same", |_, ui| {
-        let response = ui.checkbox(&mut follows, texts.get("reflection-same-words"));
+    sheet.marked_row(ui, "reflection-same", "k_r = k_s", |_, ui| {
+        let response = ui.checkbox(&mut follows, texts.get("reflection-same"));
         let response = response.on_hover_text(texts.tip("reflection-same").unwrap_or_default());
         is_clicked = response.clicked();
     });
@@ -355,7 +355,11 @@ fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let mut picked = None;
     sheet.plain_row(ui, "medium", |_, ui| {
         let shown = medium.map_or_else(|| texts.get("medium-other"), |medium| texts.get(medium.key));
-        let combo = ComboBox::from_id_salt("medium").selected_text(shown).width(control_width(ui)).truncate();
+        let combo = ComboBox::from_id_salt("medium")
+            .selected_text(shown)
+            .width(control_width(ui))
+            .height(280.0)
+            .truncate();
         let list = combo.show_ui(ui, |ui| {
             for medium in &MEDIA {
                 let text = format!("{}  {}", texts.get(medium.key), shown_ior(medium.ior));

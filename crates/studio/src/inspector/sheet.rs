@@ -186,10 +186,31 @@ impl<'a, T> Sheet<'_, 'a, T> {
         key: &'static str,
         contents: impl FnOnce(&mut Self, &mut Ui),
     ) {
-        let texts = self.texts();
-        let tip = texts.tip(key).unwrap_or_default().to_owned();
-        let label =
-            RowLabel { id: self.id.with(key), text: texts.get(key), symbol: "", tip, is_highlighted: false };
+        let text = self.texts().get(key);
+        self.labelled_row(ui, key, "", text, contents);
+    }
+
+    /// The same with a formula for a label.
+    pub(crate) fn marked_row(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        markup: &str,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        self.labelled_row(ui, key, markup, "", contents);
+    }
+
+    fn labelled_row(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        symbol: &str,
+        text: &str,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        let tip = self.texts().tip(key).unwrap_or_default().to_owned();
+        let label = RowLabel { id: self.id.with(key), text, symbol, tip, is_highlighted: false };
         row(ui, &label, |ui, _| contents(self, ui));
         self.note(ui, key);
     }

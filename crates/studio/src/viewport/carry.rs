@@ -59,23 +59,24 @@ impl Carry {
     /// The move from the beginning to the pointer at `at`; `None` when that place says nothing.
     pub(crate) fn to(&mut self, lens: &Lens, at: DVec2, is_upright: bool, care: Care) -> Option<DVec3> {
         if is_upright != (self.leg.manner == Manner::Upright) {
-            self.before = self.way(lens, at).unwrap_or(self.before);
+            self.before = self.way(lens, at).map_or(self.before, |way| self.rounded(way, lens, care));
             let manner = if is_upright { Manner::Upright } else { level_or_facing(lens, at) };
             self.leg = Leg { manner, from: at };
         }
-        let way = self.way(lens, at)?;
-        let grid = if care.snaps {
-            steps::MOVE
-        } else {
-            let fine = if care.is_fine { 0.1 } else { 1.0 };
-            steps::decimal_below(fine * lens.meters_per_point(self.grabbed))
-        };
+        Some(self.rounded(self.way(lens, at)?, lens, care))
+    }
+
+    /// A move that brings what moves in the present leg to round numbers.
+    fn rounded(&self, way: DVec3, lens: &Lens, care: Care) -> DVec3 {
+        let fine = if care.is_fine { 0.1 } else { 1.0 };
+        let grain = fine * lens.meters_per_point(self.grabbed);
+        let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(grain) };
         let moves = match self.leg.manner {
             Manner::Level => [true, false, true],
             Manner::Upright => [false, true, false],
             Manner::Facing => [true; 3],
         };
-        Some(steps::to_grid(way, self.lead, moves, grid))
+        steps::to_grid(way, self.lead, moves, grid)
     }
 
     /// The whole move, without rounding.

@@ -7,7 +7,8 @@ use egui_material_icons::icons::{ICON_CHEVRON_RIGHT, ICON_EXPAND_MORE};
 use crate::theme;
 use crate::widgets::paint_icon;
 
-/// Draws a heading with what belongs under it. Whether it is folded is remembered under its `key`.
+/// Draws a heading with what belongs under it, for which `summary` stands while it is folded. Whether it is, is
+/// remembered under its `key`.
 pub(crate) fn section(
     ui: &mut Ui,
     key: &'static str,
@@ -40,7 +41,9 @@ pub(crate) fn section(
         palette.text,
     );
     let font = FontId::proportional(12.0);
-    painter.text(pos2(rect.right() - 4.0, middle), Align2::RIGHT_CENTER, summary, font, palette.weak);
+    if !state.is_open() {
+        painter.text(pos2(rect.right() - 4.0, middle), Align2::RIGHT_CENTER, summary, font, palette.weak);
+    }
     let is_open = state.is_open();
     response.widget_info(|| WidgetInfo::selected(Role::DisclosureTriangle, true, is_open, title));
     state.show_body_unindented(ui, |ui| {

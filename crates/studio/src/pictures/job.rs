@@ -1,0 +1,70 @@
+//! Work that a thread does while the window goes on.
+
+use std::io;
+use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::time::Instant;
+
+use egui::Context;
+
+/// Work under way. Dropping this lets it end unheard.
+pub(crate) struct Job<T> {
+    receiver: Receiver<T>,
+    since: Instant,
+}
+
+/// How work is doing.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Progress<T> {
+    /// It is under way.
+    Waiting,
+    /// Its result.
+    Done(T),
+    /// It broke down.
+    Lost,
+}
+
+impl<T: Send + 'static> Job<T> {
+    /// Starts `work` on a thread of its own; the window wakes up when it is done.
+    ///
+    /// # Errors
+    /// When the system gives no thread.
+    pub(crate) fn start(
+        context: &Context,
+        name: &str,
+        work: impl FnOnce() -> T + Send + 'static,
+    ) -> io::Result<Self> {
+        let (sender, receiver) = mpsc::channel();
+        let context = context.clone();
+        std::thread::Builder::new().name(name.to_owned()).spawn(move || {
+            let wake = WakeAtEnd(context);
+            // Whoever started it may have gone.
+            let _ = sender.send(work());
+            drop(sender);
+            drop(wake);
+        })?;
+        Ok(Self { receiver, since: Instant::now() })
+    }
+
+    /// How it is doing; the result comes once.
+    pub(crate) fn poll(&self) -> Progress<T> {
+        match self.receiver.try_recv() {
+            Ok(result) => Progress::Done(result),
+            Err(TryRecvError::Empty) => Progress::Waiting,
+            Err(TryRecvError::Disconnected) => Progress::Lost,
+        }
+    }
+
+    /// When it was started.
+    pub(crate) fn since(&self) -> Instant {
+        self.since
+    }
+}
+
+/// Wakes the window even when the work panics.
+struct WakeAtEnd(Context);
+
+impl Drop for WakeAtEnd {
+    fn drop(&mut self) {
+        self.0.request_repaint();
+    }
+}
