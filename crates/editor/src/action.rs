@@ -147,6 +147,47 @@ pub enum ActionError {
 }
 
 impl Action {
+    /// Every key that [`Self::key`] and the labels of this crate have, for a test that a catalogue has them all.
+    pub const KEYS: &'static [&'static str] = &[
+        "edit-add-sphere",
+        "edit-add-cube",
+        "edit-add-cylinder",
+        "edit-add-cone",
+        "edit-add-plane",
+        "edit-add-light",
+        "edit-add-material",
+        "edit-duplicate",
+        "edit-delete",
+        "edit-toggle-hidden",
+        "edit-toggle-locked",
+        "edit-hide",
+        "edit-show",
+        "edit-lock",
+        "edit-unlock",
+        "edit-show-all",
+        "edit-unlock-all",
+        "edit-move-up",
+        "edit-move-down",
+        "edit-reorder",
+        "edit-select-all",
+        "edit-select-none",
+        "edit-invert-selection",
+        "edit-select-next",
+        "edit-select-previous",
+        "edit-rename",
+        "edit-cut",
+        "edit-paste",
+        "edit-assign-material",
+        "edit-share-material",
+        "edit-make-material-unique",
+        "edit-drop-to-ground",
+        "edit-reset-placement",
+        "edit-remove-unused-materials",
+        "edit-undo",
+        "edit-redo",
+        "edit-revert",
+    ];
+
     /// The key of its label in the history, for message catalogues: `edit-delete` … Acts that are no undo step have one
     /// too, for menus.
     pub const fn key(&self) -> &'static str {

@@ -58,8 +58,8 @@ pub struct Editor {
     title: String,
     /// The text that the scene was read from or saved as.
     text: Arc<str>,
-    /// The scene that the text says.
-    saved: Arc<Scene>,
+    /// The scene that was saved or read; none when no file has it.
+    saved: Option<Arc<Scene>>,
 }
 
 impl Editor {
@@ -79,7 +79,7 @@ impl Editor {
     pub fn untitled(title: impl Into<String>, text: impl Into<Arc<str>>, scene: Scene) -> Self {
         let scene = Arc::new(scene);
         Self {
-            saved: Arc::clone(&scene),
+            saved: Some(Arc::clone(&scene)),
             scene,
             revision: 0,
             selection: Selection::none(),
@@ -89,6 +89,29 @@ impl Editor {
             title: title.into(),
             text: text.into(),
         }
+    }
+
+    /// A document that no file has: one recovered after a crash, or the good part of a file with errors. It counts as
+    /// changed until it is saved. `path` is the file that it belongs to, if any; without one, `title` is its title.
+    pub fn unsaved(
+        path: Option<PathBuf>,
+        title: impl Into<String>,
+        text: impl Into<Arc<str>>,
+        scene: Scene,
+    ) -> Self {
+        let mut editor = Self::untitled(title, text, scene);
+        if let Some(path) = path {
+            editor.set_path(path);
+        }
+        editor.saved = None;
+        editor
+    }
+
+    /// The same document as the successor of another in the same window: its [revision](Self::revision) is greater.
+    #[must_use]
+    pub fn succeeding(mut self, before: &Self) -> Self {
+        self.revision = self.revision.max(before.revision + 1);
+        self
     }
 
     /// The scene as it is now, also in the middle of a gesture.

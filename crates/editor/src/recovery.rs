@@ -38,6 +38,7 @@ pub struct Session {
     lock_path: PathBuf,
     /// Open, and therefore locked, as long as the session lives.
     lock: Option<File>,
+    is_left_behind: bool,
 }
 
 impl Session {
@@ -60,7 +61,7 @@ impl Session {
             match lock.try_lock() {
                 Ok(()) => {
                     let document = folder.join(&stem).with_extension(DOCUMENT);
-                    return Ok(Self { document, lock_path, lock: Some(lock) });
+                    return Ok(Self { document, lock_path, lock: Some(lock), is_left_behind: false });
                 }
                 // Somebody looks for orphans just now; another name is free.
                 Err(TryLockError::WouldBlock) => _ = fs::remove_file(&lock_path),
@@ -73,7 +74,8 @@ impl Session {
         }
     }
 
-    /// Keeps a document instead of the one kept before, whole or not at all.
+    /// Keeps a document instead of the one kept before, whole or not at all. This waits for the disk: not for a thread
+    /// that draws.
     ///
     /// # Errors
     /// What stands in the way; the one kept before is untouched then.
@@ -88,10 +90,18 @@ impl Session {
     pub fn clear(&mut self) -> io::Result<()> {
         remove(&self.document)
     }
+
+    /// Ends without removing anything: the document is offered at the next start.
+    pub fn leave_behind(mut self) {
+        self.is_left_behind = true;
+    }
 }
 
 impl Drop for Session {
     fn drop(&mut self) {
+        if self.is_left_behind {
+            return;
+        }
         // Where the document cannot be removed it becomes an orphan, which is better than lost.
         let _ = self.clear();
         drop(self.lock.take());

@@ -1,15 +1,19 @@
 //! Replays an orbit at 60 requests a second, without a window, and says how many frames come and how late.
+//! A thread that works for half of every sixtieth of a second stands for a window drawn by software; how long it takes
+//! for that says what a person would feel.
 //!
 //! `cargo run --release -p catoptric-live --example latency -- [SCENE] [WIDTHxHEIGHT] [SECONDS]`
 
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
 use std::error::Error;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use catoptric_live::{GridSpec, Live, Request};
-use catoptric_scene::{Camera, Example};
+use catoptric_live::{GridSpec, Live, RenderJob, Request};
+use catoptric_scene::{Camera, Example, Scene};
+use catoptric_tracer::RenderSettings;
 use glam::{DQuat, DVec3};
 
 /// When each request was made, by its number, and when its frame came.
@@ -41,6 +45,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         *ring.0.lock().unwrap_or_else(PoisonError::into_inner) = true;
         ring.1.notify_all();
     })?;
+    let stop = Arc::new(AtomicBool::new(false));
+    let stopped = Arc::clone(&stop);
+    let window = std::thread::spawn(move || window(Duration::from_millis(8), &stopped));
     let mut log = Log::default();
     let start = Instant::now();
     let mut base = Request::new(Arc::new(scene), 0, size);
@@ -79,12 +86,83 @@ fn main() -> Result<(), Box<dyn Error>> {
         1e3 * released.elapsed().as_secs_f64()
     );
     println!("{:?}", live.status());
+    stop.store(true, Ordering::Relaxed);
+    let mut took = window.join().map_err(|_| "the window panicked")?;
+    print_spread("window at work for 8 ms, ms", &mut took);
+    overlays(&live, &bell, &base);
+    drop(live);
+    beside_a_render(&base.scene)
+}
+
+/// How long outlines and grid take by themselves, the way to the worker and back included.
+fn overlays(live: &Live, bell: &(Mutex<bool>, std::sync::Condvar), base: &Request) {
+    let still = Request { outline: Vec::new(), grid: None, paused: true, ..base.clone() };
+    // Every request has a number of its own, so that a frame comes of each.
+    let mut revision = 1 << 32;
+    let mut wait = |request: Request| {
+        revision += 1;
+        let request = Request { revision, ..request };
+        let start = Instant::now();
+        live.request(request);
+        while !live.status().is_idle || live.latest().is_none_or(|frame| frame.revision != revision) {
+            watch(live, bell, Instant::now() + Duration::from_micros(100), &mut Log::default());
+        }
+        1e3 * start.elapsed().as_secs_f64()
+    };
+    wait(still.clone());
+    for (what, outline, grid) in [
+        ("outline of a body, ms", vec![1], None),
+        ("outlines of all bodies, ms", (0..base.scene.bodies.len()).collect(), None),
+        ("grid, ms", Vec::new(), Some(GridSpec::default())),
+    ] {
+        let mut took: Vec<f64> = (0..30)
+            .map(|_| {
+                wait(still.clone());
+                wait(Request { outline: outline.clone(), grid, ..still.clone() })
+            })
+            .collect();
+        print_spread(what, &mut took);
+    }
+}
+
+/// How the window fares while a large picture is rendered.
+fn beside_a_render(scene: &Arc<Scene>) -> Result<(), Box<dyn Error>> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let stopped = Arc::clone(&stop);
+    let window = std::thread::spawn(move || window(Duration::from_millis(8), &stopped));
+    let settings = RenderSettings { width: 3840, height: 2160, samples: 4 };
+    let job = RenderJob::start(Arc::clone(scene), settings, None, 0)?;
+    std::thread::sleep(Duration::from_secs(3));
+    println!("4K render: {:?}", job.progress());
+    drop(job);
+    stop.store(true, Ordering::Relaxed);
+    let mut took = window.join().map_err(|_| "the window panicked")?;
+    print_spread("window beside the render, ms", &mut took);
     Ok(())
 }
 
 fn orbit(camera: &Camera, degrees: f64) -> Camera {
     let turn = DQuat::from_axis_angle(DVec3::Y, degrees.to_radians());
     Camera { position: camera.target + turn * (camera.position - camera.target), ..*camera }
+}
+
+/// Works for `busy` in every sixtieth of a second, as a window drawn by software does, until it is to stop. Returns what
+/// each of them took, milliseconds.
+fn window(busy: Duration, stop: &AtomicBool) -> Vec<f64> {
+    let mut took = Vec::new();
+    while !stop.load(Ordering::Relaxed) {
+        let start = Instant::now();
+        // Steps of some microseconds, so that the work is the same however long it takes.
+        for _ in 0..busy.as_micros() / 10 {
+            let step = Instant::now();
+            while step.elapsed() < Duration::from_micros(10) {
+                std::hint::spin_loop();
+            }
+        }
+        took.push(1e3 * start.elapsed().as_secs_f64());
+        std::thread::sleep(Duration::from_secs_f64(1.0 / 60.0).saturating_sub(start.elapsed()));
+    }
+    took
 }
 
 /// Takes note of frames until a moment.

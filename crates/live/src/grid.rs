@@ -1,5 +1,8 @@
 //! The ground grid: lines in the plane y = 0, cut where bodies stand before them.
 
+#[cfg(test)]
+mod tests;
+
 use catoptric_scene::{Camera, Projection};
 use catoptric_tracer::{Stage, StageCamera};
 use glam::{DVec2, DVec3};

@@ -10,6 +10,7 @@ use catoptric_picture::{Picture, SizeError};
 use catoptric_scene::Scene;
 use catoptric_tracer::{Control, RenderError, RenderSettings, Rendering, Stage, StageError, render};
 
+use crate::priority::{self, Priority};
 use crate::worker::message_of;
 
 /// A render on threads of its own. Dropping it cancels it.
@@ -141,6 +142,7 @@ impl Work {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(self.threads)
             .thread_name(|index| format!("render {index}"))
+            .start_handler(|_| priority::lower(Priority::Lowest))
             .build()
             .map_err(|error| JobError::Fault(error.to_string()))?;
         pool.install(|| {

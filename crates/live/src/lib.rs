@@ -13,6 +13,7 @@ mod job;
 mod live;
 mod outline;
 mod pace;
+mod priority;
 mod request;
 mod shared;
 mod status;

@@ -7,6 +7,7 @@ use std::thread::JoinHandle;
 use catoptric_tracer::Stage;
 
 use crate::frame::Frame;
+use crate::priority::{self, Priority};
 use crate::request::Request;
 use crate::shared::Shared;
 use crate::status::Status;
@@ -23,7 +24,7 @@ pub struct LiveOptions {
 
 impl Default for LiveOptions {
     fn default() -> Self {
-        Self { threads: 0, budget: 18.0 }
+        Self { threads: 0, budget: 20.0 }
     }
 }
 
@@ -50,6 +51,7 @@ impl Live {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(options.threads)
             .thread_name(|index| format!("live trace {index}"))
+            .start_handler(|_| priority::lower(Priority::Low))
             .build()
             .map_err(io::Error::other)?;
         let status = Status {

@@ -2,6 +2,8 @@
 
 mod area;
 mod contour;
+#[cfg(test)]
+mod tests;
 
 use catoptric_scene::Scene;
 use catoptric_tracer::{Stage, StageCamera};

@@ -43,6 +43,14 @@ impl Pace {
         self.per_pixel += weight * (new - self.per_pixel);
     }
 
+    /// Takes note of a coarse picture that was given up after so many pixels: the next one must be coarser, or none
+    /// would ever be finished.
+    pub(crate) fn gave_up(&mut self, pixels: u64, milliseconds: f64) {
+        /// Pixels that may be under way when nothing else is known of them.
+        const UNDER_WAY: f64 = 512.0;
+        self.per_pixel = (2.0 * self.per_pixel).max(milliseconds / (pixels as f64 + UNDER_WAY));
+    }
+
     /// Takes note of what outlines and grid took.
     pub(crate) fn overlaid(&mut self, milliseconds: f64) {
         self.overlays += 0.3 * (milliseconds - self.overlays);
@@ -139,6 +147,19 @@ mod tests {
         assert_eq!(steps, [320, 640, 1280]);
         let (pace, coarse) = settled(100.0, VIEW);
         assert_eq!(pace.sharper(VIEW, coarse), VIEW);
+    }
+
+    #[test]
+    fn pictures_given_up_become_as_coarse_as_can_be() {
+        let mut pace = Pace::new(20.0);
+        let mut given_up = 0;
+        let mut size = pace.coarse(VIEW);
+        while pace.can_be_coarser(VIEW, size) {
+            pace.gave_up(0, 60.0);
+            given_up += 1;
+            size = pace.coarse(VIEW);
+        }
+        assert!(size == [160, 90] && given_up <= 7, "{given_up}");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use catoptric_tracer::{Control, Stage};
 
 use crate::frame::Frame;
 use crate::request::Request;
-use crate::status::Status;
+use crate::status::{LiveError, Status};
 
 pub(crate) struct Shared {
     mail: Mutex<Mail>,
@@ -32,6 +32,9 @@ struct Shown {
     latest: Option<Arc<Frame>>,
     stage: Option<(u64, Arc<Stage>)>,
     status: Status,
+    /// Whether something new was published since the worker was idle last. A window that asks again whenever it is
+    /// woken, for the same, is not woken again.
+    is_news: bool,
 }
 
 /// What the worker finds when it looks.
@@ -113,7 +116,10 @@ impl Shared {
     // ---- the worker's side ----
 
     pub(crate) fn publish(&self, frame: Frame) {
-        let replaced = lock(&self.shown).latest.replace(Arc::new(frame));
+        let mut shown = lock(&self.shown);
+        let replaced = shown.latest.replace(Arc::new(frame));
+        shown.is_news = true;
+        drop(shown);
         drop(replaced);
         self.wake();
     }
@@ -121,6 +127,18 @@ impl Shared {
     pub(crate) fn publish_stage(&self, revision: u64, stage: Arc<Stage>) {
         let replaced = lock(&self.shown).stage.replace((revision, stage));
         drop(replaced);
+    }
+
+    /// Says that there is no picture, if that is news.
+    pub(crate) fn publish_error(&self, error: LiveError) {
+        let mut shown = lock(&self.shown);
+        let error = Some(error);
+        if shown.status.error != error {
+            shown.status.error = error;
+            shown.is_news = true;
+            drop(shown);
+            self.wake();
+        }
     }
 
     pub(crate) fn change_status(&self, change: impl FnOnce(&mut Status)) {
@@ -148,13 +166,17 @@ impl Shared {
                 }
                 Wait::ForEver => {
                     // While the mail is locked, so that no request comes in between.
-                    let was_idle = std::mem::replace(&mut lock(&self.shown).status.is_idle, true);
-                    if was_idle {
-                        self.bell.wait(mail).unwrap_or_else(PoisonError::into_inner)
-                    } else {
+                    let is_news = {
+                        let mut shown = lock(&self.shown);
+                        shown.status.is_idle = true;
+                        std::mem::take(&mut shown.is_news)
+                    };
+                    if is_news {
                         drop(mail);
                         self.wake();
                         lock(&self.mail)
+                    } else {
+                        self.bell.wait(mail).unwrap_or_else(PoisonError::into_inner)
                     }
                 }
             };

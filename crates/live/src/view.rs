@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use catoptric_picture::SizeError;
 use catoptric_scene::{Camera, Projection, Scene};
 use catoptric_tracer::{Film, RayCounts, Stage, StageCamera};
 use glam::DVec2;
@@ -25,6 +26,8 @@ pub(crate) struct View {
     pub(crate) film: Option<Film>,
     /// The light of a sharper picture under way.
     pub(crate) sharper: Option<Film>,
+    /// A film of the full size that is not in use; a new one takes as long as a coarse picture.
+    spare: Option<Film>,
     pub(crate) shown: Shown,
     outlines: Option<Outlines>,
     hover: Option<Outlines>,
@@ -78,6 +81,7 @@ impl View {
                 camera,
                 film: None,
                 sharper: None,
+                spare: None,
                 shown: Shown::default(),
                 due: Due::ALL,
                 changed: Instant::now(),
@@ -102,14 +106,36 @@ impl View {
             outlines: if same { old.outlines } else { outlines(&stage, &request.outline) },
             hover: if same_hover { old.hover } else { outlines(&stage, hovered(&request)) },
             changed: if picture { Instant::now() } else { old.changed },
-            // A film of another scene is of use too: its memory is.
+            // Films of another picture are of use too: their memory is.
             film: old.film,
-            sharper: if picture { None } else { old.sharper },
+            sharper: old.sharper,
+            spare: old.spare,
             shown: old.shown,
             request,
             stage,
             camera,
             due,
+        }
+    }
+
+    /// A film of this size for a new picture, which takes the place of the one before.
+    pub(crate) fn blank_film(&mut self, size: [u32; 2]) -> Result<Film, SizeError> {
+        let mut blank = None;
+        // While a sharper picture is traced, the present one stays: it may have to be developed again.
+        let film = if self.due.picture { self.film.take() } else { None };
+        for film in [film, self.sharper.take(), self.spare.take()].into_iter().flatten() {
+            if size_of_film(&film) == size {
+                blank = Some(film);
+            } else if size_of_film(&film) == self.request.size {
+                self.spare = Some(film);
+            }
+        }
+        match blank {
+            Some(mut film) => {
+                film.clear();
+                Ok(film)
+            }
+            None => Film::new(size[0], size[1]),
         }
     }
 

@@ -69,8 +69,7 @@ impl Worker {
                 .unwrap_or_else(|panic| Err(LiveError::Fault(message_of(&*panic))));
             if let Err(error) = done {
                 self.view = None;
-                self.shared.change_status(|status| status.error = Some(error));
-                self.shared.wake();
+                self.shared.publish_error(error);
             }
         }
     }
@@ -93,8 +92,8 @@ impl Worker {
         assert!(request.revision != tests::FAULTY, "a fault for the test");
         let old = self.view.take();
         check(&request)?;
-        self.shared.change_status(|status| status.error = None);
         if request.size.contains(&0) {
+            self.shared.change_status(|status| status.error = None);
             return Ok(());
         }
         let known = old.as_ref().filter(|old| same_stage(&old.request.scene, &request.scene));
@@ -102,6 +101,7 @@ impl Worker {
             Some(old) => Arc::clone(&old.stage),
             None => Arc::new(self.pool.install(|| Stage::prepare(&request.scene))?),
         };
+        self.shared.change_status(|status| status.error = None);
         self.shared.publish_stage(request.revision, Arc::clone(&stage));
         self.view = Some(View::new(request, stage, old));
         Ok(())
@@ -111,13 +111,7 @@ impl Worker {
     fn first_picture(&mut self) -> Result<(), LiveError> {
         let Some(view) = &mut self.view else { return Ok(()) };
         let size = self.pace.coarse(view.request.size);
-        let mut film = match view.film.take() {
-            Some(mut film) if size_of_film(&film) == size => {
-                film.clear();
-                film
-            }
-            _ => Film::new(size[0], size[1])?,
-        };
+        let mut film = view.blank_film(size)?;
         let start = Instant::now();
         let patience = if self.pace.can_be_coarser(view.request.size, size) {
             self.budget.mul_f64(OVERRUN)
@@ -145,10 +139,7 @@ impl Worker {
         let mut sharper = match view.sharper.take() {
             Some(film) => Some(film),
             None if size == full => None,
-            None => {
-                let [width, height] = self.pace.sharper(full, size);
-                Some(Film::new(width, height)?)
-            }
+            None => Some(view.blank_film(self.pace.sharper(full, size))?),
         };
         let mut film = view.film.take();
         let Some(growing) = sharper.as_mut().or(film.as_mut()) else { return Ok(()) };
@@ -199,7 +190,10 @@ impl Worker {
             self.shared.watch_pass(&control, &patience);
         });
         let milliseconds = milliseconds_since(start);
-        self.pace.passed(control.pixels_done(), milliseconds);
+        match (&result, until) {
+            (Err(_), Some(_)) => self.pace.gave_up(control.pixels_done(), milliseconds),
+            _ => self.pace.passed(control.pixels_done(), milliseconds),
+        }
         match result {
             Ok(rays) => Ok(Some(Passed { rays, milliseconds })),
             Err(RenderError::Cancelled) => Ok(None),
@@ -291,6 +285,39 @@ pub(crate) fn message_of(panic: &(dyn Any + Send)) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
+    use catoptric_scene::Scene;
+
+    use super::*;
+    use crate::live::Live;
+
     /// A request of this revision panics.
-    pub(crate) const FAULTY: u64 = u64::MAX;
+    pub(super) const FAULTY: u64 = u64::MAX;
+
+    #[test]
+    fn a_panic_is_reported_and_the_next_request_is_served() {
+        let (ring, bell) = std::sync::mpsc::channel();
+        let live = Live::start(move || {
+            let _ = ring.send(());
+            panic!("the window's own fault");
+        })
+        .unwrap();
+        let scene = Arc::new(Scene::default());
+        for revision in [FAULTY, 1, FAULTY, 2] {
+            live.request(Request { samples: 1, ..Request::new(Arc::clone(&scene), revision, [40, 30]) });
+            while !live.status().is_idle {
+                let _ = bell.recv_timeout(Duration::from_millis(100));
+            }
+            if revision == FAULTY {
+                let Some(LiveError::Fault(message)) = live.status().error else {
+                    panic!("{:?}", live.status())
+                };
+                assert_eq!(message, "a fault for the test");
+            } else {
+                assert_eq!(live.status().error, None);
+                assert_eq!(live.latest().map(|frame| frame.revision), Some(revision));
+            }
+        }
+    }
 }

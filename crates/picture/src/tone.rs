@@ -66,19 +66,17 @@ impl FromStr for ToneCurve {
     }
 }
 
-/// Into 0…1; NaN becomes 0, since `max` prefers the number.
-#[expect(clippy::manual_clamp, reason = "NaN must become 0")]
+/// Into 0…1; NaN becomes 0, and so does -0, of which `max` could make either: codes are looked up by the bits.
 #[inline]
 pub(crate) fn clamp(x: f32) -> f32 {
-    x.max(0.0).min(1.0)
+    if x > 0.0 { x.min(1.0) } else { 0.0 }
 }
 
 /// Infinity is taken as the largest number, so that ∞ / ∞ does not arise. In double precision, since
 /// rounding in 1 + x would let the curve step back now and then.
-#[expect(clippy::manual_clamp, reason = "NaN must become 0")]
 #[inline]
 pub(crate) fn reinhard(x: f32) -> f32 {
-    let x = f64::from(x.max(0.0).min(f32::MAX));
+    let x = f64::from(if x > 0.0 { x.min(f32::MAX) } else { 0.0 });
     (x / (1.0 + x)) as f32
 }
 

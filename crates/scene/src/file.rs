@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use catoptric_files::{WriteError, write_bytes};
 
 use crate::Scene;
-use crate::format::{Diagnostics, LONGEST_TEXT, read_bytes};
+use crate::format::{Diagnostics, LONGEST_TEXT, Reading, read_bytes};
 
 /// A scene file that could be read.
 #[derive(Clone, Debug)]
@@ -48,12 +48,20 @@ pub enum LoadError {
 /// Reads a scene file.
 pub fn load(path: impl AsRef<Path>) -> Result<Loaded, LoadError> {
     let path = path.as_ref();
-    let bytes = read_file(path)?;
-    let (reading, text) = read_bytes(bytes);
+    let (reading, text) = load_partly(path)?;
     match reading.into_result() {
         Ok(warned) => Ok(Loaded { scene: warned.value, text, warnings: warned.warnings }),
         Err(diagnostics) => Err(LoadError::Diagnostics { path: path.to_owned(), text, diagnostics }),
     }
+}
+
+/// Reads a scene file as far as it can be understood, whatever is wrong in it. With the reading comes the text that its
+/// places refer to.
+///
+/// # Errors
+/// When the file cannot be read at all.
+pub fn load_partly(path: impl AsRef<Path>) -> Result<(Reading, String), LoadError> {
+    read_file(path.as_ref()).map(read_bytes)
 }
 
 fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {

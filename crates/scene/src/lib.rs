@@ -17,7 +17,7 @@ pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
 pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use examples::Example;
-pub use file::{LoadError, Loaded, load, save};
+pub use file::{LoadError, Loaded, load, load_partly, save};
 pub use format::{
     Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
     read, read_bytes, update, write, write_fragment,

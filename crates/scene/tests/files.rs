@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use catoptric_scene::{LoadError, Scene, load, save, write};
+use catoptric_scene::{LoadError, Scene, load, load_partly, save, write};
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
@@ -46,6 +46,18 @@ fn what_cannot_be_read_is_said() {
     let file = fs::File::create(&path).unwrap();
     file.set_len((1 << 30) + 1).unwrap();
     assert!(load(&path).unwrap_err().to_string().contains("longer than 1024 MiB"));
+}
+
+#[test]
+fn the_good_part_of_a_bad_file_can_be_loaded() {
+    let folder = folder();
+    let path = folder.path().join("a.toml");
+    let text = "format = 'catoptric/1'\n[[bodies]]\nshape = 'sphere'\n[[bodies]]\nshape = 'banana'\n";
+    fs::write(&path, text).unwrap();
+    let (reading, read) = load_partly(&path).unwrap();
+    assert_eq!((reading.scene.bodies.len(), read.as_str()), (1, text));
+    assert!(reading.diagnostics.has_errors() && load(&path).is_err());
+    assert!(load_partly(folder.path()).is_err());
 }
 
 #[test]

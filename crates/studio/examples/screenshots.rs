@@ -90,7 +90,9 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
     );
     std::fs::write(&settings, text).unwrap();
     let start = Start::Example(shot.scene.to_owned());
-    let mut harness = Harness::builder().with_size(size).with_max_steps(64).wgpu().build_eframe(|creation| {
+    let theme = if shot.theme == "light" { egui::Theme::Light } else { egui::Theme::Dark };
+    let builder = Harness::builder().with_size(size).with_max_steps(64).with_theme(theme).wgpu();
+    let mut harness = builder.build_eframe(|creation| {
         Studio::new(&creation.egui_ctx, &start, Box::new(Nowhere { settings })).unwrap()
     });
     harness.step();

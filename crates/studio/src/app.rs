@@ -3,7 +3,6 @@
 use catoptric_editor::Editor;
 use catoptric_live::{Live, Request};
 use egui::{CentralPanel, Frame, Panel, Ui};
-use egui_notify::Toasts;
 use egui_tiles::Tree;
 
 use crate::StudioError;
@@ -11,14 +10,19 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::dialogs::Dialogs;
 use crate::documents::Documents;
+use crate::first_steps::FirstSteps;
+use crate::help::Help;
 use crate::host::Host;
 use crate::layout::{self, Pane};
+use crate::notices::Toasts;
+use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
 use crate::pictures::{self, Pictures};
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
 use crate::view::View;
+use crate::window::Interruption;
 use crate::{documents, menu, shortcuts, status_bar};
 
 /// The whole window.
@@ -31,6 +35,10 @@ pub struct Studio {
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
     pub(crate) dialogs: Dialogs,
+    pub(crate) palette: Palette,
+    pub(crate) help: Help,
+    pub(crate) first_steps: FirstSteps,
+    pub(crate) keys: shortcuts::Keys,
     pub(crate) toasts: Toasts,
     pub(crate) host: Box<dyn Host>,
     pub(crate) commands: Vec<Command>,
@@ -56,6 +64,16 @@ impl Studio {
     /// # Errors
     /// When the thread that traces cannot be started.
     pub fn new(context: &egui::Context, start: &Start, host: Box<dyn Host>) -> Result<Self, StudioError> {
+        Self::interruptible(context, start, host, None)
+    }
+
+    /// The same with a way to end it from outside.
+    pub(crate) fn interruptible(
+        context: &egui::Context,
+        start: &Start,
+        host: Box<dyn Host>,
+        interruption: Option<Interruption>,
+    ) -> Result<Self, StudioError> {
         let settings = host.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
         theme::install(context);
         theme::choose(context, settings.theme);
@@ -73,13 +91,17 @@ impl Studio {
             layout,
             documents: Documents::default(),
             dialogs: Dialogs::default(),
+            palette: Palette::default(),
+            help: Help::default(),
+            first_steps: FirstSteps::default(),
+            keys: shortcuts::Keys::default(),
             toasts: Toasts::default(),
             host,
             commands: Vec::new(),
             panes: Panes::default(),
             pictures: Pictures::default(),
         };
-        documents::start(&mut studio, start);
+        documents::start(context, &mut studio, start, interruption);
         Ok(studio)
     }
 
@@ -130,15 +152,19 @@ impl Studio {
         let palette = theme::palette(ui.visuals());
         let bar = Frame::new().fill(palette.bar).inner_margin(egui::Margin::symmetric(8, 3));
         Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
+        documents::banner_ui(ui, self);
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
+        crate::first_steps::first_steps_ui(ui.ctx(), self);
         pictures::pictures_ui(ui, self);
         crate::dialogs::dialogs_ui(ui, self);
-        self.toasts.show(ui.ctx());
+        crate::palette::palette_ui(ui.ctx(), self);
+        crate::help::help_ui(ui.ctx(), self);
+        documents::progress_ui(ui, self);
+        self.toasts.show(ui.ctx(), self.texts.get("close"));
         for command in std::mem::take(&mut self.commands) {
             crate::run::run(ui.ctx(), self, command);
         }
-        pictures::hold_window(ui.ctx(), self);
         documents::keep(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();
@@ -160,7 +186,10 @@ impl Studio {
     /// Ends the open gesture when nothing is being dragged or typed any more: it becomes one step of the history.
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
-        if !is_pointer_down && !self.view.is_moving && !ui.ctx().egui_wants_keyboard_input() {
+        // The outliner's list has the focus while it is used, and nothing is typed into it.
+        let focused = ui.memory(|memory| memory.focused());
+        let is_used = focused.is_some_and(|id| id != crate::outliner::list_id());
+        if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();
         }
     }
@@ -170,7 +199,7 @@ impl Studio {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
-        request.camera = self.view.camera(scene);
+        request.camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;

@@ -1,11 +1,15 @@
 //! Everything a person can tell the studio to do: one list that feeds menus, shortcuts and the command palette.
 
+mod state;
+mod table;
+
 use std::path::PathBuf;
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
 use catoptric_scene::ShapeKind;
 use egui::KeyboardShortcut;
+use egui_material_icons::MaterialIcon;
 
 use crate::layout::Pane;
 use crate::settings::Theme;
@@ -88,6 +92,8 @@ pub enum Command {
     Palette,
     /// The list of shortcuts.
     Shortcuts,
+    /// The terms of optics, explained.
+    Terms,
     /// The three steps of the first start.
     FirstSteps,
     /// Version and licenses.
@@ -117,13 +123,70 @@ pub enum Zoom {
     Normal,
 }
 
+/// What commands are about: the sections of the list of shortcuts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Group {
+    /// Files and pictures.
+    File,
+    /// The document.
+    Edit,
+    /// What is selected.
+    Select,
+    /// New things.
+    Add,
+    /// The camera and the view.
+    View,
+    /// What the pointer does in the picture.
+    Tool,
+    /// Panels, theme, language.
+    Window,
+    /// Explanations.
+    Help,
+}
+
+impl Group {
+    /// All groups, in the order in which to show them.
+    pub const ALL: [Self; 8] =
+        [Self::File, Self::Edit, Self::Select, Self::Add, Self::View, Self::Tool, Self::Window, Self::Help];
+
+    /// The message that names the group.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::File => "group-file",
+            Self::Edit => "group-edit",
+            Self::Select => "group-select",
+            Self::Add => "group-add",
+            Self::View => "group-view",
+            Self::Tool => "group-tool",
+            Self::Window => "group-window",
+            Self::Help => "group-help",
+        }
+    }
+}
+
 /// How a command is shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
-    /// The message that names it.
+    /// The message that names it; its attribute `.tip` explains it.
     pub key: &'static str,
-    /// Its icon, a glyph of the icon font; empty for none.
-    pub icon: &'static str,
-    /// Its shortcut.
-    pub shortcut: Option<KeyboardShortcut>,
+    /// Its icon.
+    pub icon: MaterialIcon,
+    /// Where it belongs.
+    pub group: Group,
+    /// Its shortcuts, the usual one first.
+    pub shortcuts: &'static [KeyboardShortcut],
 }
+
+impl Command {
+    /// All commands that need nothing to be said besides, in the order in which to show them.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        table::ROWS.iter().map(|row| &row.command)
+    }
+
+    /// How it is shown; `None` for a command of which there is one for each file, example or thing.
+    pub fn look(&self) -> Option<&'static Look> {
+        table::ROWS.iter().find(|row| row.command == *self).map(|row| &row.look)
+    }
+}
+
+pub(crate) use state::Situation;

@@ -2,9 +2,9 @@
 
 use catoptric_editor::Editor;
 use catoptric_live::Live;
-use egui_notify::Toasts;
 
 use crate::command::Command;
+use crate::notices::Toasts;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;

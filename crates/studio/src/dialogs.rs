@@ -3,8 +3,11 @@
 //! A dialog is a type that implements [`Dialog`], in a file of its own in `dialogs/`; [`Dialogs::open`] opens it. One
 //! that asks something more about itself opens another on top.
 
+mod examples;
+pub(crate) mod files;
 mod message;
 pub(crate) mod question;
+pub(crate) mod recovery;
 mod render;
 
 use egui::{
@@ -49,6 +52,8 @@ pub(crate) struct Dialogs {
     /// The last one is on top and has the keyboard.
     open: Vec<Opened>,
     count: u64,
+    /// Pictures of the examples.
+    thumbnails: examples::thumbnails::Thumbnails,
 }
 
 struct Opened {
@@ -159,6 +164,7 @@ pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option
 /// Opens the dialog that `command` asks for.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
     match command {
+        Command::Examples => studio.dialogs.open(examples::Gallery::new()),
         Command::Render => render::open(studio),
         Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
         _ => {}

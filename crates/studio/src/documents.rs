@@ -1,35 +1,257 @@
 //! Scene files: opening, saving, and never losing a change.
+//!
+//! Files are read and written by threads; what they bring is taken up in [`keep`], once a frame.
+
+pub(crate) mod ask;
+pub(crate) mod disk;
+mod fresh;
+pub(crate) mod job;
+mod keeper;
+mod leave;
+mod notice;
+mod open;
+mod recent;
+mod recover;
+mod remember;
+mod save;
+mod start;
+
+use std::path::PathBuf;
+use std::rc::Weak;
+use std::time::SystemTime;
 
 use catoptric_editor::Editor;
 use catoptric_scene::Example;
-use egui::Context;
+use egui::{Context, ViewportCommand};
 
-use crate::app::{Start, Studio};
+use crate::app::Studio;
 use crate::command::Command;
+use crate::host::{FileKind, FileQuestion};
+use crate::settings::LastScene;
+use crate::texts::Language;
+use ask::{Answer, Asking, Chosen};
+use disk::{May, Opened};
+pub(crate) use leave::Next;
+pub(crate) use notice::{banner_ui, progress_ui};
+pub(crate) use recover::{Found, discard, restore};
+pub(crate) use start::start;
 
-/// The example shown at the very first start.
-const FIRST: &str = "four-bodies";
-
-/// What is known about the open document beyond the editor.
+/// What is known about the open document beyond the editor, and what is being done with files.
 #[derive(Default)]
-pub(crate) struct Documents {}
+pub(crate) struct Documents {
+    /// Which document of this window it is.
+    number: u64,
+    /// Grows when the document is saved or reverted.
+    saves: u64,
+    changed: Option<((u64, u64, u64), bool)>,
+    /// When the document's own file may be replaced.
+    may: Option<May>,
+    /// Whether the document is only the part of its file that could be read.
+    is_partial: bool,
+    /// The example that it is, or was made of.
+    example: Option<&'static Example>,
+    reading: Option<open::Reading>,
+    restoring: Option<recover::Restoring>,
+    saving: Option<save::Saving>,
+    /// To be saved when the present saving is done.
+    next_saving: Option<save::Order>,
+    asking: Option<(Asking, For)>,
+    /// Lives as long as the question whether to save changes is open.
+    asked_to_save: Weak<()>,
+    /// Whether the window may close.
+    is_leaving: bool,
+    keeper: keeper::Keeper,
+    memory: remember::Memory,
+    recent: recent::Recent,
+    notice: notice::Notice,
+    title: String,
+    interruption: Option<crate::window::Interruption>,
+}
 
-/// Opens the scene to start with.
-pub(crate) fn start(studio: &mut Studio, start: &Start) {
-    let name = match start {
-        Start::Example(name) => name.as_str(),
-        Start::Last | Start::File(_) => FIRST,
-    };
-    if let Some(loaded) = Example::find(name).and_then(|example| example.load().ok()) {
-        studio.editor = Editor::untitled(name, loaded.text, loaded.scene);
+/// What a file is asked for.
+enum For {
+    Opening,
+    Saving(Option<Next>),
+}
+
+/// Takes up what threads have done, keeps unsaved work and settings, minds the window's title: once a frame.
+pub(crate) fn keep(context: &Context, studio: &mut Studio) {
+    take_answer(context, studio);
+    open::poll(context, studio);
+    save::poll(context, studio);
+    open::take_dropped(context, studio);
+    leave::mind_close(context, studio);
+    recover::poll(context, studio);
+    keeper::keep(context, studio);
+    remember::keep(context, studio);
+    recent::keep(context, studio);
+    show_title(context, studio);
+}
+
+/// Does a command of the menu File.
+pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
+    studio.editor.settle();
+    match command {
+        Command::New => leave::replace(context, studio, Next::New),
+        Command::Open => ask_for(studio, For::Opening),
+        Command::OpenFile(path) => leave::replace(context, studio, Next::Open(path)),
+        Command::OpenExample(name) => match Example::find(name) {
+            Some(example) => leave::replace(context, studio, Next::Example(example)),
+            None => {}
+        },
+        Command::Revert => open::revert(context, studio),
+        Command::Save => save::save(context, studio, None),
+        Command::SaveAs => save_as(studio, None),
+        Command::Quit => leave::replace(context, studio, Next::Quit),
+        _ => {}
     }
 }
 
-/// Keeps what is not saved: once a frame.
-pub(crate) fn keep(_context: &Context, _studio: &mut Studio) {}
-
 /// The studio is being left.
-pub(crate) fn leave(_studio: &mut Studio) {}
+pub(crate) fn leave(studio: &mut Studio) {
+    remember::finish(studio);
+    keeper::finish(studio);
+}
 
-/// Does a command of the menu File.
-pub(crate) fn run(_context: &Context, _studio: &mut Studio, _command: Command) {}
+/// Whether the document has changes that no file has. Cheap, unlike [`Editor::is_changed`] in a large scene.
+pub(crate) fn is_changed(studio: &mut Studio) -> bool {
+    let documents = &mut studio.documents;
+    let state = (documents.number, documents.saves, studio.editor.revision());
+    match documents.changed {
+        Some((known, changed)) if known == state => changed,
+        _ => {
+            let changed = studio.editor.is_changed();
+            documents.changed = Some((state, changed));
+            changed
+        }
+    }
+}
+
+/// What to call the document, in the present language.
+pub(crate) fn name(studio: &Studio) -> String {
+    let title = studio.editor.title();
+    match (studio.editor.path(), studio.documents.example) {
+        (None, Some(example)) => example_title(example, studio.texts.language()).to_owned(),
+        _ if title.is_empty() => studio.texts.get("document-untitled").to_owned(),
+        _ => title.to_owned(),
+    }
+}
+
+/// The example's title in a language.
+pub(crate) fn example_title(example: &Example, language: Language) -> &'static str {
+    match language {
+        Language::English => example.title(),
+        Language::Russian => example.russian_title(),
+    }
+}
+
+/// Puts another document into the window.
+fn show(studio: &mut Studio, editor: Editor) {
+    studio.editor = editor.succeeding(&studio.editor);
+    let documents = &mut studio.documents;
+    documents.number += 1;
+    documents.may = None;
+    documents.is_partial = false;
+    documents.example = None;
+    studio.view.free_camera = None;
+    studio.view.is_flying = false;
+    studio.view.hovered_body = None;
+    notice::clear_findings(studio);
+}
+
+fn show_fresh(studio: &mut Studio) {
+    let scene = fresh::fresh_scene(&studio.texts);
+    show(studio, Editor::new(scene));
+    studio.settings.last = None;
+}
+
+fn show_example(studio: &mut Studio, example: &'static Example) {
+    // Every example can be read; a test sees to it.
+    let Ok(loaded) = example.load() else { return };
+    show(studio, Editor::untitled(example.name, loaded.text, loaded.scene));
+    studio.documents.example = Some(example);
+    studio.settings.last = Some(LastScene::Example(example.name.to_owned()));
+}
+
+fn show_opened(studio: &mut Studio, opened: Opened) {
+    let Opened { path, text, scene, findings, stamp } = opened;
+    show(studio, Editor::open(path.clone(), text.clone(), scene));
+    studio.documents.may = stamp.map(May::Update);
+    studio.documents.is_partial = findings.has_errors();
+    studio.settings.remember_recent(&path);
+    studio.settings.last = Some(LastScene::File(path));
+    notice::show_findings(studio, text, findings);
+}
+
+/// Shows an unsaved document that was left behind.
+fn show_recovered(studio: &mut Studio, editor: Editor, written: SystemTime) {
+    show(studio, editor);
+    studio.editor.mark_unsaved();
+    studio.documents.may = Some(May::UpdateBefore(written));
+    if let Some(path) = studio.editor.path() {
+        studio.settings.last = Some(LastScene::File(path.to_owned()));
+    }
+}
+
+fn ask_for(studio: &mut Studio, purpose: For) {
+    if studio.documents.asking.is_some() {
+        return;
+    }
+    let is_saving = matches!(purpose, For::Saving(_));
+    let key = if is_saving { "ask-save-as" } else { "ask-open" };
+    let question = FileQuestion {
+        kind: FileKind::Scene,
+        is_saving,
+        title: studio.texts.get(key).to_owned(),
+        folder: usual_folder(studio),
+        name: if is_saving { usual_name(studio) } else { String::new() },
+    };
+    let asking = Asking::start(studio, question);
+    studio.documents.asking = Some((asking, purpose));
+}
+
+/// Asks for a file and saves the document to it; then does what was meant to come after.
+pub(crate) fn save_as(studio: &mut Studio, then: Option<Next>) {
+    ask_for(studio, For::Saving(then));
+}
+
+/// Where scenes are: beside the document, or where the last one was.
+fn usual_folder(studio: &Studio) -> Option<PathBuf> {
+    let last = || studio.settings.recent.first().map(PathBuf::as_path);
+    let beside = studio.editor.path().or_else(last).and_then(std::path::Path::parent);
+    beside.map(PathBuf::from).or_else(|| etcetera::home_dir().ok())
+}
+
+fn usual_name(studio: &Studio) -> String {
+    let title = studio.editor.title();
+    let title = if title.is_empty() { studio.texts.get("document-file-name") } else { title };
+    ask::with_extension(PathBuf::from(title), FileKind::Scene).to_string_lossy().into_owned()
+}
+
+fn take_answer(context: &Context, studio: &mut Studio) {
+    let Some((mut asking, purpose)) = studio.documents.asking.take() else { return };
+    match (asking.poll(context, studio), purpose) {
+        (Answer::Waiting, purpose) => studio.documents.asking = Some((asking, purpose)),
+        (Answer::Cancelled, _) => {}
+        (Answer::Chosen(Chosen { path, .. }), For::Opening) => {
+            leave::replace(context, studio, Next::Open(path));
+        }
+        (Answer::Chosen(Chosen { path, may_replace }), For::Saving(then)) => {
+            let may = if may_replace { May::Replace } else { May::Create };
+            // Its own file is known; only a change by another program matters.
+            let is_own = studio.editor.path() == Some(path.as_path());
+            let may = if is_own && !may_replace { studio.documents.may.unwrap_or(may) } else { may };
+            save::order(context, studio, save::Order { path, may, then });
+        }
+    }
+}
+
+fn show_title(context: &Context, studio: &mut Studio) {
+    let name = name(studio);
+    let key = if is_changed(studio) { "window-title-changed" } else { "window-title" };
+    let title = studio.texts.with(key, &[("name", name.into())]);
+    if title != studio.documents.title {
+        context.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+        studio.documents.title = title;
+    }
+}

@@ -3,7 +3,15 @@
 #[cfg(target_os = "linux")]
 use std::path::Path;
 use std::path::PathBuf;
+use std::pin::Pin;
+use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver};
+use std::task::{Context, Poll, Wake, Waker};
+use std::thread::Thread;
+use std::time::{Duration, Instant};
+
+/// A dialog that is gone within this has not been seen.
+const FASTEST: Duration = Duration::from_millis(250);
 
 /// What kind of file a person chooses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +47,7 @@ pub struct FileQuestion {
     pub name: String,
 }
 
-/// The answer to come; `None` when the person cancelled.
+/// The answer to come; `None` when the person cancelled. When it is dropped without an answer, no dialog could appear.
 pub type FileAnswer = Receiver<Option<PathBuf>>;
 
 /// Puts a picture into the clipboard: width and height in pixels; red, green, blue and 255 of every pixel. It can be
@@ -78,12 +86,19 @@ impl Host for Desktop {
             return None;
         }
         let (sender, answer) = mpsc::channel();
-        let question = question.clone();
+        // The dialog is made on the thread of the window, as macOS demands, and awaited on another.
+        let dialog = native_dialog(question);
         std::thread::Builder::new()
             .name("file dialog".to_owned())
             .spawn(move || {
+                let asked = Instant::now();
+                let chosen = wait_for(dialog).map(|file| file.path().to_owned());
+                if chosen.is_none() && asked.elapsed() < FASTEST {
+                    // No hand is so fast: the dialog could not appear. Without an answer, the studio's own does.
+                    return;
+                }
                 // The studio may be gone by the time of the answer.
-                let _ = sender.send(native_dialog(&question));
+                let _ = sender.send(chosen);
             })
             .ok()?;
         Some(answer)
@@ -143,15 +158,46 @@ fn strategy() -> Option<impl etcetera::AppStrategy> {
     .ok()
 }
 
-fn native_dialog(question: &FileQuestion) -> Option<PathBuf> {
-    let mut dialog = rfd::FileDialog::new().set_title(&question.title);
-    for extension in question.kind.extensions() {
-        dialog = dialog.add_filter(extension.to_uppercase(), &[*extension]);
+/// A dialog of the system and what it will answer.
+type Dialog = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
+
+fn native_dialog(question: &FileQuestion) -> Dialog {
+    let mut dialog = rfd::AsyncFileDialog::new().set_title(&question.title);
+    let extensions = question.kind.extensions();
+    let names: Vec<String> = extensions.iter().map(|extension| format!("*.{extension}")).collect();
+    dialog = dialog.add_filter(names.join(", "), extensions);
+    if !question.is_saving {
+        dialog = dialog.add_filter("*", &["*"]);
     }
     if let Some(folder) = &question.folder {
         dialog = dialog.set_directory(folder);
     }
-    if question.is_saving { dialog.set_file_name(&question.name).save_file() } else { dialog.pick_file() }
+    if question.is_saving {
+        Box::pin(dialog.set_file_name(&question.name).save_file())
+    } else {
+        Box::pin(dialog.pick_file())
+    }
+}
+
+/// Wakes a thread that waits for a future.
+struct Unpark(Thread);
+
+impl Wake for Unpark {
+    fn wake(self: Arc<Self>) {
+        self.0.unpark();
+    }
+}
+
+/// Waits until `future` is there.
+fn wait_for<T>(mut future: Pin<Box<dyn Future<Output = T> + Send>>) -> T {
+    let waker = Waker::from(Arc::new(Unpark(std::thread::current())));
+    let mut context = Context::from_waker(&waker);
+    loop {
+        match future.as_mut().poll(&mut context) {
+            Poll::Ready(value) => return value,
+            Poll::Pending => std::thread::park(),
+        }
+    }
 }
 
 /// Whether a native dialog can appear. On Linux without a desktop portal and without zenity, it would look as if the

@@ -69,6 +69,13 @@ pub fn is_visible(tree: &Tree<Pane>, pane: Pane) -> bool {
     tree.tiles.find_pane(&pane).is_some_and(|tile| tree.is_visible(tile))
 }
 
+/// Whether `pane` can be seen and lies before other tabs.
+pub fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
+    tree.tiles
+        .find_pane(&pane)
+        .is_some_and(|tile| tree.is_visible(tile) && tree.active_tiles().contains(&tile))
+}
+
 /// Shows or hides `pane`; a shown one comes to the front. A panel that the layout has lost is put back.
 pub fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     let Some(tile) = tree.tiles.find_pane(&pane) else {

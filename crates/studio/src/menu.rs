@@ -1,10 +1,309 @@
 //! The menu bar.
 
-use egui::Ui;
+use catoptric_editor::Action;
+use catoptric_editor::navigate::Axis;
+use catoptric_scene::{Example, ShapeKind};
+use egui::containers::menu::{MenuBar, MenuButton, MenuConfig, SubMenuButton};
+use egui::{Align, Button, Layout, ScrollArea, Style, TextWrapMode, Ui, vec2};
+use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
+use crate::command::{Command, Situation, Tool, Zoom};
+use crate::layout::Pane;
+use crate::settings::Theme;
+use crate::texts::Language;
+use crate::widgets::icon_button;
+use crate::{shortcuts, theme};
+
+/// What the bar needs to show all menus beside each other, points; below it they are folded into one.
+const FULL_WIDTH: f32 = 460.0;
+
+/// An entry of a menu.
+enum Entry {
+    /// A command.
+    Do(Command),
+    /// A line.
+    Line,
+    /// A menu of its own.
+    Sub(&'static str, MenuIcon, fn(&mut Ui, &Studio, &mut Vec<Command>)),
+}
+
+type MenuIcon = MaterialIcon;
+
+/// A menu of the bar.
+struct Menu {
+    key: &'static str,
+    entries: fn() -> Vec<Entry>,
+}
+
+const MENUS: [Menu; 5] = [
+    Menu { key: "menu-file", entries: file },
+    Menu { key: "menu-edit", entries: edit },
+    Menu { key: "menu-add", entries: add },
+    Menu { key: "menu-view", entries: view },
+    Menu { key: "menu-help", entries: help },
+];
 
 /// Draws the menus, and at the right the language and the theme.
 pub(crate) fn menu_ui(ui: &mut Ui, studio: &mut Studio) {
-    ui.label(studio.texts.get("app-name"));
+    let mut commands = Vec::new();
+    let bar = MenuBar::new().config(MenuConfig::new().style(dress_menu as fn(&mut Style)));
+    bar.style(dress_bar as fn(&mut Style)).ui(ui, |ui| {
+        if ui.available_width() < FULL_WIDTH {
+            let (response, _) = MenuButton::new(icons::ICON_MENU.rich_text()).ui(ui, |ui| {
+                for menu in &MENUS {
+                    SubMenuButton::new(studio.texts.get(menu.key))
+                        .ui(ui, |ui| entries_ui(ui, studio, (menu.entries)(), &mut commands));
+                }
+            });
+            response.accessible_name(studio.texts.get("menu-all"));
+        } else {
+            for menu in &MENUS {
+                ui.menu_button(studio.texts.get(menu.key), |ui| {
+                    entries_ui(ui, studio, (menu.entries)(), &mut commands);
+                });
+            }
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| right_ui(ui, studio, &mut commands));
+    });
+    studio.commands.append(&mut commands);
+}
+
+/// Menus of this studio are airier than egui's.
+pub(crate) fn dress_menu(style: &mut Style) {
+    egui::containers::menu::menu_style(style);
+    style.spacing.button_padding = vec2(8.0, 3.0);
+    style.spacing.item_spacing.y = 1.0;
+    style.wrap_mode = Some(TextWrapMode::Extend);
+}
+
+fn dress_bar(style: &mut Style) {
+    egui::containers::menu::menu_style(style);
+    style.spacing.button_padding = vec2(8.0, 2.0);
+    style.spacing.item_spacing.x = 2.0;
+}
+
+/// The theme, then the languages, from right to left.
+fn right_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    let is_dark = ui.visuals().dark_mode;
+    let (icon, other, key) = if is_dark {
+        (icons::ICON_LIGHT_MODE, Theme::Light, "theme-to-light")
+    } else {
+        (icons::ICON_DARK_MODE, Theme::Dark, "theme-to-dark")
+    };
+    if icon_button(ui, icon, studio.texts.get(key), false).clicked() {
+        commands.push(Command::Theme(other));
+    }
+    ui.add_space(6.0);
+    let palette = theme::palette(ui.visuals());
+    for language in Language::ALL.into_iter().rev() {
+        let is_on = studio.texts.language() == language;
+        let color = if is_on { palette.text } else { palette.weak };
+        let text = egui::RichText::new(language.letters()).color(color);
+        let button = Button::selectable(is_on, text).min_size(vec2(30.0, 20.0));
+        let response = ui.add(button).on_hover_text(studio.texts.tip("language").unwrap_or_default());
+        if response.accessible_name(language.own_name()).clicked() {
+            commands.push(Command::Language(language));
+        }
+    }
+}
+
+fn entries_ui(ui: &mut Ui, studio: &Studio, entries: Vec<Entry>, commands: &mut Vec<Command>) {
+    ui.set_min_width(230.0);
+    for entry in entries {
+        match entry {
+            Entry::Do(command) => {
+                if item(ui, studio.situation(), &command) {
+                    commands.push(command);
+                }
+            }
+            Entry::Line => {
+                ui.separator();
+            }
+            Entry::Sub(key, icon, content) => {
+                let text = studio.texts.get(key);
+                let button =
+                    Button::new((icon.rich_text(), text)).right_text(SubMenuButton::arrow_atom(None));
+                let (response, _) =
+                    SubMenuButton::from_button(button).ui(ui, |ui| content(ui, studio, commands));
+                response.accessible_name(text);
+            }
+        }
+    }
+}
+
+/// Draws a command as an entry of a menu; returns whether it was chosen.
+pub(crate) fn item(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> bool {
+    let Some(look) = command.look() else { return false };
+    let name = situation.name(command);
+    let is_on = situation.is_on(command);
+    let icon = match (is_on, command.is_choice()) {
+        (None, _) => look.icon,
+        (Some(true), false) => icons::ICON_CHECK_BOX,
+        (Some(false), false) => icons::ICON_CHECK_BOX_OUTLINE_BLANK,
+        (Some(true), true) => icons::ICON_RADIO_BUTTON_CHECKED,
+        (Some(false), true) => icons::ICON_RADIO_BUTTON_UNCHECKED,
+    };
+    let mut button = Button::new((icon.rich_text(), name.as_str()));
+    if let Some(shortcut) = look.shortcuts.first() {
+        button = button.shortcut_text(format!("    {}", shortcuts::text(ui.ctx(), shortcut)));
+    }
+    let mut response = ui.add_enabled(situation.can(command), button).accessible_name(name);
+    if let Some(is_on) = is_on {
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_toggled(is_on.into()));
+    }
+    if let Some(tip) = situation.tip(command) {
+        response = response.on_hover_text(tip).on_disabled_hover_text(tip);
+    }
+    response.clicked()
+}
+
+fn commands_of<const N: usize>(commands: [Command; N]) -> impl Iterator<Item = Entry> {
+    commands.into_iter().map(Entry::Do)
+}
+
+fn file() -> Vec<Entry> {
+    let mut entries: Vec<Entry> = commands_of([Command::New, Command::Open]).collect();
+    entries.push(Entry::Sub("menu-recent", icons::ICON_HISTORY, recent_ui));
+    entries.push(Entry::Sub("menu-examples", icons::ICON_PHOTO_LIBRARY, examples_ui));
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Command::Save, Command::SaveAs, Command::Revert]));
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Command::Render, Command::CopyPicture]));
+    entries.push(Entry::Line);
+    entries.push(Entry::Do(Command::Quit));
+    entries
+}
+
+fn edit() -> Vec<Entry> {
+    let edit = Command::Edit;
+    let mut entries: Vec<Entry> = commands_of([edit(Action::Undo), edit(Action::Redo)]).collect();
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Command::Cut, Command::Copy, Command::Paste]));
+    entries.extend(commands_of([edit(Action::Duplicate), edit(Action::Delete), Command::Rename]));
+    entries.push(Entry::Line);
+    entries.push(Entry::Sub("menu-select", icons::ICON_SELECT_ALL, select_ui));
+    entries.push(Entry::Sub("menu-material", icons::ICON_PALETTE, material_ui));
+    entries.push(Entry::Line);
+    entries.extend(commands_of([edit(Action::ToggleHidden), edit(Action::ShowAll)]));
+    entries.extend(commands_of([edit(Action::ToggleLocked), edit(Action::UnlockAll)]));
+    entries.push(Entry::Line);
+    entries.extend(commands_of([edit(Action::MoveUp), edit(Action::MoveDown)]));
+    entries.extend(commands_of([edit(Action::DropToGround), edit(Action::ResetPlacement)]));
+    entries
+}
+
+fn add() -> Vec<Entry> {
+    let mut entries: Vec<Entry> = commands_of(ShapeKind::ALL.map(Command::AddBody)).collect();
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Command::AddLight, Command::AddMaterial]));
+    entries
+}
+
+fn view() -> Vec<Entry> {
+    let mut entries: Vec<Entry> = commands_of([Command::FrameSelection, Command::FrameAll]).collect();
+    entries.push(Entry::Sub("menu-sides", icons::ICON_VIEW_IN_AR, sides_ui));
+    entries.extend(commands_of([Command::ToggleProjection, Command::ToggleFreeView]));
+    entries.extend(commands_of([Command::CameraFromView, Command::ToggleFly]));
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool)));
+    entries.extend(commands_of([Command::ToggleGizmoSpace, Command::ToggleGrid, Command::ToggleHandles]));
+    entries.push(Entry::Line);
+    entries.push(Entry::Sub("menu-panels", icons::ICON_DASHBOARD, panels_ui));
+    entries.push(Entry::Sub("menu-theme", icons::ICON_CONTRAST, theme_ui));
+    entries.push(Entry::Sub("menu-language", icons::ICON_LANGUAGE, language_ui));
+    entries.push(Entry::Sub("menu-zoom", icons::ICON_ZOOM_IN, zoom_ui));
+    entries
+}
+
+fn help() -> Vec<Entry> {
+    let mut entries: Vec<Entry> = commands_of([Command::Palette]).collect();
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Command::FirstSteps, Command::Terms, Command::Shortcuts]));
+    entries.push(Entry::Line);
+    entries.push(Entry::Do(Command::About));
+    entries
+}
+
+fn do_ui<const N: usize>(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>, list: [Command; N]) {
+    entries_ui(ui, studio, commands_of(list).collect(), commands);
+}
+
+fn select_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    use Action::{InvertSelection, SelectAll, SelectNext, SelectNone, SelectPrevious};
+    let list = [SelectAll, SelectNone, InvertSelection, SelectNext, SelectPrevious];
+    do_ui(ui, studio, commands, list.map(Command::Edit));
+}
+
+fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    use Action::{MakeMaterialUnique, RemoveUnusedMaterials, ShareMaterial};
+    do_ui(
+        ui,
+        studio,
+        commands,
+        [ShareMaterial, MakeMaterialUnique, RemoveUnusedMaterials].map(Command::Edit),
+    );
+}
+
+fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, Axis::ALL.map(Command::LookAlong));
+}
+
+fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    let panes = [Pane::Outliner, Pane::History, Pane::Inspector, Pane::Problems, Pane::Viewport];
+    do_ui(ui, studio, commands, panes.map(Command::TogglePane));
+    ui.separator();
+    do_ui(ui, studio, commands, [Command::ResetLayout]);
+}
+
+fn theme_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, [Theme::Dark, Theme::Light, Theme::System].map(Command::Theme));
+}
+
+fn language_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, Language::ALL.map(Command::Language));
+}
+
+fn zoom_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, [Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));
+}
+
+/// The files opened or saved last.
+fn recent_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    ui.set_min_width(200.0);
+    if studio.settings.recent.is_empty() {
+        ui.add_enabled(false, Button::new(studio.texts.get("menu-no-recent")));
+    }
+    for path in &studio.settings.recent {
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let button = Button::new((icons::ICON_DESCRIPTION.rich_text(), name.as_ref()));
+        let response = ui.add(button).accessible_name(name.as_ref());
+        if response.on_hover_text(path.display().to_string()).clicked() {
+            commands.push(Command::OpenFile(path.clone()));
+        }
+    }
+}
+
+/// The built-in scenes, and all of them with pictures.
+fn examples_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, [Command::Examples]);
+    ui.separator();
+    let height = (ui.ctx().content_rect().height() - 180.0).max(120.0);
+    ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        for example in Example::ALL {
+            let title = example_title(example, studio.texts.language());
+            if ui.button(title).clicked() {
+                commands.push(Command::OpenExample(example.name));
+                ui.close();
+            }
+        }
+    });
+}
+
+/// The title of a built-in scene.
+pub(crate) fn example_title(example: &Example, language: Language) -> &'static str {
+    match language {
+        Language::English => example.title(),
+        Language::Russian => example.russian_title(),
+    }
 }

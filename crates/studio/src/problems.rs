@@ -1,12 +1,252 @@
-//! The panel of what is wrong in the file.
+//! The panel of what is wrong in the file: its findings, and the text that they speak of.
 
-use egui::Ui;
+mod excerpt;
+mod source;
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use catoptric_editor::Item;
+use catoptric_scene::{Diagnostic, Diagnostics, Part, Problem, Severity};
+use egui::text::LayoutJob;
+use egui::{
+    Align2, Color32, FontId, Rect, RichText, ScrollArea, Sense, TextFormat, Ui, WidgetInfo, pos2, vec2,
+};
+use egui_material_icons::icons;
 
 use crate::context::Cx;
+use crate::theme::{self, Palette};
+use excerpt::Excerpt;
+
+/// Scenes with more bodies than this are not checked as a whole while they are edited; each edit is.
+const MOST_CHECKED: usize = 20_000;
 
 /// What the panel keeps from frame to frame.
 #[derive(Default)]
-pub(crate) struct Problems {}
+pub(crate) struct Problems {
+    name: String,
+    text: Arc<str>,
+    findings: Diagnostics,
+    excerpts: Vec<Excerpt>,
+    selected: Option<usize>,
+    /// Scroll the text to the selected finding.
+    scrolls: bool,
+    /// What is wrong with the scene as it is now, and the revision that was checked.
+    live: Vec<Problem>,
+    checked: Option<u64>,
+}
 
-/// Lists the findings with their lines.
-pub(crate) fn problems_ui(_ui: &mut Ui, _cx: &mut Cx<'_>, _problems: &mut Problems) {}
+impl Problems {
+    /// Lists the findings of a file's `text`.
+    pub(crate) fn set(&mut self, name: &str, text: Arc<str>, findings: Diagnostics) {
+        name.clone_into(&mut self.name);
+        self.excerpts = findings.iter().map(|finding| Excerpt::new(&text, &finding.span)).collect();
+        self.text = text;
+        self.findings = findings;
+        self.selected = (!self.findings.is_empty()).then_some(0);
+        self.scrolls = true;
+    }
+
+    /// Lists no findings of a file.
+    pub(crate) fn clear(&mut self) {
+        *self = Self::default();
+    }
+}
+
+/// Lists the findings with their lines; a click shows the text.
+pub(crate) fn problems_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &mut Problems) {
+    check_scene(cx, problems);
+    let fault = cx.live.status().error.map(|error| error.to_string());
+    let has_live = fault.is_some() || !problems.live.is_empty();
+    if problems.findings.is_empty() && !has_live {
+        ui.centered_and_justified(|ui| ui.weak(cx.t("problems-none")));
+        return;
+    }
+    if has_live {
+        live_ui(ui, cx, problems, fault);
+    }
+    if problems.findings.is_empty() {
+        return;
+    }
+    let width = ui.available_width();
+    if width < 560.0 {
+        list_ui(ui, cx, problems);
+        return;
+    }
+    let height = ui.available_height();
+    ui.horizontal_top(|ui| {
+        let list = vec2((width * 0.52).floor(), height);
+        ui.allocate_ui(list, |ui| ui.vertical(|ui| list_ui(ui, cx, problems)));
+        ui.allocate_ui(ui.available_size(), |ui| ui.vertical(|ui| source::source_ui(ui, cx, problems)));
+    });
+}
+
+/// Holds the scene against the rules, once for each revision.
+fn check_scene(cx: &Cx<'_>, problems: &mut Problems) {
+    let revision = cx.editor.revision();
+    if problems.checked == Some(revision) || cx.editor.is_in_gesture() {
+        return;
+    }
+    problems.checked = Some(revision);
+    let scene = cx.editor.scene();
+    problems.live = if scene.bodies.len() > MOST_CHECKED { Vec::new() } else { scene.check() };
+}
+
+/// What is wrong with the scene itself; a click selects the thing.
+fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &Problems, fault: Option<String>) {
+    let color = theme::palette(ui.visuals()).error;
+    ui.label(RichText::new(cx.t("problems-scene")).strong());
+    if let Some(fault) = fault {
+        ui.label(RichText::new(fault).color(color));
+    }
+    for problem in &problems.live {
+        if ui.selectable_label(false, RichText::new(&problem.message).color(color)).clicked()
+            && let Some(item) = item(&problem.part)
+        {
+            cx.editor.select(item);
+        }
+    }
+    ui.separator();
+}
+
+fn item(part: &Part) -> Option<Item> {
+    match *part {
+        Part::Body(index) => Some(Item::Body(index)),
+        Part::Light(index) => Some(Item::Light(index)),
+        Part::Camera | Part::Environment | Part::Tracing | Part::Material(_) => None,
+    }
+}
+
+fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut Problems) {
+    let number = problems.findings.len() + problems.findings.omitted();
+    let arguments = [("number", number.into()), ("name", problems.name.as_str().into())];
+    ui.label(RichText::new(cx.texts.with("problems-in", &arguments)).strong());
+    let line =
+        ui.text_style_height(&egui::TextStyle::Body).max(ui.text_style_height(&egui::TextStyle::Monospace));
+    let tops = tops(&problems.findings, line);
+    let height = tops.last().copied().unwrap_or(0.0);
+    let palette = theme::palette(ui.visuals());
+    ScrollArea::vertical().id_salt("findings").auto_shrink(false).show_viewport(ui, |ui, view| {
+        ui.set_height(height);
+        let corner = ui.max_rect().min;
+        let width = ui.available_width();
+        let first = tops.partition_point(|top| *top <= view.min.y).saturating_sub(1);
+        for (index, finding) in problems.findings.iter().enumerate().skip(first) {
+            let (Some(&top), Some(&bottom)) = (tops.get(index), tops.get(index + 1)) else { break };
+            if top > view.max.y {
+                break;
+            }
+            let rect = Rect::from_min_max(corner + vec2(0.0, top), pos2(corner.x + width, corner.y + bottom));
+            let is_selected = problems.selected == Some(index);
+            let excerpt = problems.excerpts.get(index);
+            if finding_ui(ui, cx, rect, finding, excerpt, is_selected, palette) {
+                problems.selected = Some(index);
+                problems.scrolls = true;
+            }
+        }
+    });
+    if problems.findings.omitted() > 0 {
+        let omitted = [("number", problems.findings.omitted().into())];
+        ui.weak(cx.texts.with("problems-omitted", &omitted));
+    }
+}
+
+const PADDING: f32 = 4.0;
+
+/// Where each finding begins, and the last one ends.
+fn tops(findings: &Diagnostics, line: f32) -> Vec<f32> {
+    let mut tops = vec![0.0];
+    let mut top = 0.0;
+    for finding in findings {
+        let lines = if finding.help.is_some() { 3.0 } else { 2.0 };
+        top += lines * (line + 1.0) + 2.0 * PADDING;
+        tops.push(top);
+    }
+    tops
+}
+
+/// Draws a finding; returns whether it was clicked.
+fn finding_ui(
+    ui: &Ui,
+    cx: &Cx<'_>,
+    rect: Rect,
+    finding: &Diagnostic,
+    excerpt: Option<&Excerpt>,
+    is_selected: bool,
+    palette: &Palette,
+) -> bool {
+    let id = ui.scope_id().with(("finding", finding.span.start, finding.line, &finding.message));
+    let response = ui.interact(rect, id, Sense::click());
+    let severity = match finding.severity {
+        Severity::Error => cx.t("problem-error"),
+        Severity::Warning => cx.t("problem-warning"),
+    };
+    response.widget_info(|| {
+        let place = [("line", finding.line.into()), ("column", finding.column.into())];
+        let place = cx.texts.with("problem-place", &place);
+        let name = format!("{place}: {severity}: {}", finding.message);
+        WidgetInfo::selected(egui::accesskit::Role::Button, true, is_selected, name)
+    });
+    let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+    if is_selected {
+        painter.rect_filled(rect, 4.0, palette.selection);
+    } else if response.hovered() || response.has_focus() {
+        painter.rect_filled(rect, 4.0, palette.button);
+    }
+    let (icon, color) = match finding.severity {
+        Severity::Error => (icons::ICON_ERROR.codepoint, palette.error),
+        Severity::Warning => (icons::ICON_WARNING.codepoint, palette.warning),
+    };
+    let body = FontId::proportional(13.5);
+    let mono = FontId::monospace(12.5);
+    let mut at = rect.min + vec2(6.0, PADDING);
+    let place = format!("{}:{}", finding.line, finding.column);
+    let mark = painter.text(at, Align2::LEFT_TOP, icon, FontId::proportional(15.0), color);
+    let place =
+        painter.text(pos2(mark.max.x + 6.0, at.y), Align2::LEFT_TOP, place, mono.clone(), palette.weak);
+    painter.text(
+        pos2(place.max.x + 8.0, at.y),
+        Align2::LEFT_TOP,
+        &finding.message,
+        body.clone(),
+        palette.text,
+    );
+    let step = (rect.height() - 2.0 * PADDING) / if finding.help.is_some() { 3.0 } else { 2.0 };
+    at += vec2(mark.width() + 6.0, step);
+    if let Some(excerpt) = excerpt {
+        let job = marked(&excerpt.line, &excerpt.mark, &mono, palette.weak, color);
+        let galley = ui.ctx().fonts_mut(|fonts| fonts.layout_job(job));
+        painter.galley(at, galley, palette.weak);
+    }
+    if let Some(help) = &finding.help {
+        at.y += step;
+        painter.text(at, Align2::LEFT_TOP, help, body, palette.weak);
+    }
+    if response.hovered() {
+        let mut full = finding.message.clone();
+        for more in [Some(&finding.label), finding.help.as_ref()].into_iter().flatten() {
+            if !more.is_empty() {
+                full.push('\n');
+                full.push_str(more);
+            }
+        }
+        return response.on_hover_text(full).clicked();
+    }
+    response.clicked()
+}
+
+/// A line with its mark in color and underlined.
+fn marked(line: &str, mark: &Range<usize>, font: &FontId, color: Color32, mark_color: Color32) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    job.wrap.max_rows = 1;
+    let plain = TextFormat::simple(font.clone(), color);
+    let underlined = TextFormat {
+        underline: egui::Stroke::new(1.5, mark_color),
+        ..TextFormat::simple(font.clone(), mark_color)
+    };
+    let part = |range: Range<usize>| line.get(range).unwrap_or_default();
+    job.append(part(0..mark.start), 0.0, plain.clone());
+    job.append(part(mark.start..mark.end), 0.0, underlined);
+    job.append(part(mark.end..line.len()), 0.0, plain);
+    job
+}

@@ -5,6 +5,11 @@ use egui::{Context, OutputCommand, ViewportCommand};
 
 use crate::app::Studio;
 use crate::command::{Command, Zoom};
+use crate::first_steps::FirstSteps;
+use crate::help::{Help, Page};
+use crate::layout::Pane;
+use crate::outliner::shape_name;
+use crate::palette::Palette;
 use crate::texts::Texts;
 use crate::{documents, layout, theme, viewport};
 
@@ -38,8 +43,11 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             apply(studio, Action::Cut);
         }
         // The text comes with a later event; see `shortcuts`.
-        Command::Paste => context.send_viewport_cmd(ViewportCommand::RequestPaste),
-        Command::ToggleFreeView => studio.view.toggle_free(studio.editor.scene()),
+        Command::Paste => {
+            studio.keys.is_paste_asked = true;
+            context.send_viewport_cmd(ViewportCommand::RequestPaste);
+        }
+        Command::ToggleFreeView => viewport::toggle_free(studio),
         Command::CameraFromView => {
             if let Some(camera) = studio.view.free_camera.take() {
                 viewport::set_scene_camera(studio, "edit-camera-from-view", camera);
@@ -52,14 +60,18 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             let camera = studio.view.camera(studio.editor.scene());
             viewport::set_camera(studio, "edit-projection", navigate::toggle_projection(&camera));
         }
-        Command::ToggleFly => studio.view.is_flying = !studio.view.is_flying,
+        Command::ToggleFly => {
+            studio.view.is_flying = !studio.view.is_flying;
+            // The keys of flight must not choose rows of a list.
+            context.memory_mut(egui::Memory::stop_text_input);
+        }
         Command::Tool(tool) => studio.view.tool = tool,
         Command::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
         Command::ToggleGrid => studio.settings.shows_grid = !studio.settings.shows_grid,
         Command::ToggleHandles => studio.settings.shows_handles = !studio.settings.shows_handles,
         Command::TogglePane(pane) => {
-            let visible = layout::is_visible(&studio.layout, pane);
-            layout::set_visible(&mut studio.layout, pane, !visible);
+            let is_in_front = layout::is_in_front(&studio.layout, pane);
+            layout::set_visible(&mut studio.layout, pane, !is_in_front);
         }
         Command::ResetLayout => studio.layout = layout::default_layout(),
         Command::Zoom(step) => zoom(context, studio, step),
@@ -71,27 +83,23 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             studio.settings.language = language;
             studio.texts = Texts::new(language);
         }
-        Command::Examples
-        | Command::Render
-        | Command::CopyPicture
-        | Command::Rename
-        | Command::Palette
-        | Command::Shortcuts
-        | Command::FirstSteps
-        | Command::About => crate::dialogs::run(context, studio, command),
+        Command::Rename => rename(studio),
+        Command::Palette => Palette::open(context, studio),
+        Command::Shortcuts => Help::open(context, studio, Page::Shortcuts),
+        Command::Terms => Help::open(context, studio, Page::Terms),
+        Command::About => Help::open(context, studio, Page::About),
+        Command::FirstSteps => FirstSteps::open(studio),
+        Command::Examples | Command::Render | Command::CopyPicture => {
+            crate::dialogs::run(context, studio, command);
+        }
     }
 }
 
-/// The message with the name that a new body of this shape gets.
-fn shape_name(shape: catoptric_scene::ShapeKind) -> &'static str {
-    use catoptric_scene::ShapeKind;
-    match shape {
-        ShapeKind::Sphere => "name-sphere",
-        ShapeKind::Cube => "name-cube",
-        ShapeKind::Cylinder => "name-cylinder",
-        ShapeKind::Cone => "name-cone",
-        ShapeKind::Plane => "name-plane",
-    }
+/// Begins to type another name for the primary thing, in the outliner.
+fn rename(studio: &mut Studio) {
+    let Some(item) = studio.editor.selection().primary() else { return };
+    layout::set_visible(&mut studio.layout, Pane::Outliner, true);
+    studio.panes.outliner.rename(studio.editor.scene(), item);
 }
 
 /// Does an action; tells in the corner why, if it cannot be done.

@@ -1,10 +1,227 @@
 //! From keys to commands.
 
-use egui::Ui;
+use catoptric_editor::Action;
+use egui::{Context, Event, Key, KeyboardShortcut, ModifierNames, Modifiers, Popup, Ui};
 
 use crate::app::Studio;
+use crate::command::{Command, Zoom};
+
+/// What is remembered about keys from frame to frame.
+#[derive(Debug, Default)]
+pub(crate) struct Keys {
+    /// A command has asked for the clipboard; its text comes with a later event, whatever has the focus then.
+    pub(crate) is_paste_asked: bool,
+}
+
+/// What else listens to the keyboard.
+#[derive(Clone, Copy, Debug, Default)]
+struct Listeners {
+    /// A text is being typed.
+    is_typing: bool,
+    /// A menu is open.
+    is_menu_open: bool,
+    /// The keys fly the camera.
+    is_flying: bool,
+}
 
 /// Takes the shortcuts that were pressed out of the input and asks for their commands.
 ///
-/// While a text is being typed, only shortcuts with a command key count.
-pub(crate) fn collect(_ui: &mut Ui, _studio: &mut Studio) {}
+/// While a text is being typed, only shortcuts with a command key count, and of them those that text fields do not
+/// know; while flying, letters and digits belong to the flight; behind a dialog there are none.
+pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
+    let context = ui.ctx().clone();
+    let mut commands = Vec::new();
+    let is_behind =
+        studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());
+    if !is_behind {
+        let listeners = Listeners {
+            is_typing: context.text_edit_focused(),
+            is_menu_open: Popup::is_any_open(&context),
+            is_flying: studio.view.is_flying,
+        };
+        context.input_mut(|input| {
+            input.events.retain(|event| match command_of(event, listeners) {
+                Some(command) => {
+                    commands.extend(command.into_iter().cloned());
+                    false
+                }
+                None => true,
+            });
+        });
+        if !listeners.is_typing {
+            collect_clipboard(&context, &mut commands);
+        }
+    }
+    if studio.keys.is_paste_asked && take_paste(&context, &mut commands) {
+        studio.keys.is_paste_asked = false;
+    }
+    let situation = studio.situation();
+    commands.retain(|command| situation.can(command));
+    studio.commands.append(&mut commands);
+}
+
+/// The system's own events of cutting, copying and pasting.
+fn collect_clipboard(context: &Context, commands: &mut Vec<Command>) {
+    context.input_mut(|input| {
+        input.events.retain(|event| {
+            commands.push(match event {
+                Event::Copy => Command::Copy,
+                Event::Cut => Command::Cut,
+                Event::Paste(text) => Command::Edit(Action::Paste(text.clone())),
+                _ => return true,
+            });
+            false
+        });
+    });
+}
+
+/// Takes a text that was pasted; returns whether there was one.
+fn take_paste(context: &Context, commands: &mut Vec<Command>) -> bool {
+    let count = commands.len();
+    context.input_mut(|input| {
+        input.events.retain(|event| match event {
+            Event::Paste(text) => {
+                commands.push(Command::Edit(Action::Paste(text.clone())));
+                false
+            }
+            _ => true,
+        });
+    });
+    commands.len() > count
+}
+
+/// The command whose shortcut `event` is; `Some(None)` for a shortcut whose repetition means nothing.
+fn command_of(event: &Event, listeners: Listeners) -> Option<Option<&'static Command>> {
+    let Event::Key { key, physical_key, pressed: true, repeat, modifiers } = event else { return None };
+    let (command, shortcut) = find(*key, *modifiers).or_else(|| {
+        // Layouts put other signs on the keys of digits and brackets: `"` on Shift+2 and ъ on ] in Russian. Letters
+        // and digits of the layout itself go first, so that no other key than the one labeled Q quits.
+        let physical = (*physical_key).filter(|_| !is_letter_or_digit(*key))?;
+        find(physical, *modifiers)
+    })?;
+    if !is_heard(command, shortcut, listeners) {
+        return None;
+    }
+    Some((!repeat || can_repeat(command)).then_some(command))
+}
+
+fn find(key: Key, modifiers: Modifiers) -> Option<(&'static Command, KeyboardShortcut)> {
+    Command::all().find_map(|command| {
+        let shortcuts = command.look()?.shortcuts;
+        let hit = shortcuts
+            .iter()
+            .find(|shortcut| shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers))?;
+        Some((command, *hit))
+    })
+}
+
+fn is_letter_or_digit(key: Key) -> bool {
+    let name = key.name();
+    name.len() == 1 && name.chars().all(|letter| letter.is_ascii_alphanumeric())
+}
+
+/// Whether a shortcut counts beside what else listens.
+fn is_heard(command: &Command, shortcut: KeyboardShortcut, listeners: Listeners) -> bool {
+    let KeyboardShortcut { modifiers, logical_key: key } = shortcut;
+    let is_function = key >= Key::F1 && key <= Key::F35;
+    let is_bare = !modifiers.command && !modifiers.alt && !is_function;
+    if listeners.is_typing {
+        // Text fields know these themselves.
+        let is_text = matches!(key, Key::A | Key::C | Key::V | Key::X | Key::Y | Key::Z);
+        return is_function || modifiers.command && !is_text;
+    }
+    if listeners.is_menu_open {
+        return !is_bare;
+    }
+    !(listeners.is_flying && is_bare && *command != Command::ToggleFly)
+}
+
+/// Whether holding the key does it again and again.
+fn can_repeat(command: &Command) -> bool {
+    use Action::{MoveDown, MoveUp, Redo, SelectNext, SelectPrevious, Undo};
+    matches!(
+        command,
+        Command::Edit(Undo | Redo | SelectNext | SelectPrevious | MoveUp | MoveDown)
+            | Command::Zoom(Zoom::In | Zoom::Out)
+    )
+}
+
+/// A shortcut as menus show it.
+pub(crate) fn text(context: &Context, shortcut: &KeyboardShortcut) -> String {
+    let names = ModifierNames::NAMES;
+    let modifiers = names.format(&shortcut.modifiers, context.os().is_mac());
+    let key = match shortcut.logical_key {
+        Key::OpenBracket => "[",
+        Key::CloseBracket => "]",
+        Key::Plus => "+",
+        Key::Minus => "−",
+        Key::Equals => "=",
+        Key::Delete => "Del",
+        other => other.name(),
+    };
+    if modifiers.is_empty() { key.to_owned() } else { format!("{modifiers}{}{key}", names.concat) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(key: Key, physical: Key, modifiers: Modifiers) -> Event {
+        Event::Key { key, physical_key: Some(physical), pressed: true, repeat: false, modifiers }
+    }
+
+    fn heard(event: &Event) -> Option<&'static Command> {
+        command_of(event, Listeners::default()).flatten()
+    }
+
+    #[test]
+    fn keys_that_a_layout_labels_otherwise_are_found_by_their_place() {
+        use catoptric_editor::navigate::Axis;
+        // Russian: `?` on Shift+7.
+        let bottom = press(Key::Questionmark, Key::Num7, Modifiers::SHIFT);
+        assert_eq!(heard(&bottom), Some(&Command::LookAlong(Axis::Bottom)));
+        // German: `+` beside the return key, where ] is.
+        let next = press(Key::Plus, Key::CloseBracket, Modifiers::NONE);
+        assert_eq!(heard(&next), Some(&Command::Edit(Action::SelectNext)));
+    }
+
+    #[test]
+    fn letters_of_the_layout_go_before_places() {
+        // French: A on the place of Q; Ctrl+A must never quit.
+        let all = press(Key::A, Key::Q, Modifiers::COMMAND | Modifiers::CTRL);
+        assert_eq!(heard(&all), Some(&Command::Edit(Action::SelectAll)));
+        // Dvorak: B on the place of N; there is no Ctrl+B.
+        assert_eq!(heard(&press(Key::B, Key::N, Modifiers::COMMAND | Modifiers::CTRL)), None);
+    }
+
+    #[test]
+    fn bare_keys_belong_to_who_listens() {
+        let key = |key, modifiers| press(key, key, modifiers);
+        let typing = Listeners { is_typing: true, ..Listeners::default() };
+        let flying = Listeners { is_flying: true, ..Listeners::default() };
+        let control = Modifiers::COMMAND | Modifiers::CTRL;
+        for (event, typed, flown) in [
+            (key(Key::W, Modifiers::NONE), false, false),
+            (key(Key::Delete, Modifiers::NONE), false, false),
+            (key(Key::F, Modifiers::SHIFT), false, true),
+            (key(Key::H, Modifiers::ALT), false, true),
+            (key(Key::Z, control), false, true),
+            (key(Key::S, control), true, true),
+            (key(Key::F1, Modifiers::NONE), true, true),
+        ] {
+            assert!(command_of(&event, Listeners::default()).is_some(), "{event:?}");
+            assert_eq!(command_of(&event, typing).is_some(), typed, "{event:?}");
+            assert_eq!(command_of(&event, flying).is_some(), flown, "{event:?}");
+        }
+    }
+
+    #[test]
+    fn a_held_key_deletes_once_and_undoes_many_times() {
+        let held =
+            |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: true, modifiers };
+        let control = Modifiers::COMMAND | Modifiers::CTRL;
+        assert_eq!(command_of(&held(Key::D, control), Listeners::default()), Some(None));
+        let undo = command_of(&held(Key::Z, control), Listeners::default());
+        assert_eq!(undo, Some(Some(&Command::Edit(Action::Undo))));
+    }
+}

@@ -191,3 +191,6 @@ fn plain_messages(
     }
     plain
 }
+
+#[cfg(test)]
+mod tests;

@@ -14,6 +14,8 @@ pub(crate) struct View {
     pub(crate) is_gizmo_local: bool,
     /// The camera of the free view; `None` looks through the scene's camera, which navigation then moves.
     pub(crate) free_camera: Option<Camera>,
+    /// The eye on its way after a jump of the camera: what the picture shows meanwhile. No part of the document.
+    pub(crate) eased: Option<Camera>,
     /// Whether the keys fly the camera.
     pub(crate) is_flying: bool,
     /// Exposure and tone curve of the viewport.

@@ -1,22 +1,50 @@
-//! The panel of the picture.
+//! The panel of the picture: the traced scene itself, with what can be seen and held drawn over it.
 
-use catoptric_editor::navigate::{self, Axis};
-use catoptric_editor::{Label, bounds};
-use catoptric_scene::Camera;
-use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2};
-use glam::DVec3;
+mod carry;
+mod compass;
+mod gizmo;
+mod glide;
+mod handles;
+mod hands;
+mod jumps;
+mod labels;
+mod lens;
+mod load;
+mod marks;
+mod menu;
+mod picture;
+mod sight;
+mod toolbar;
+mod travel;
 
-use crate::app::Studio;
+use catoptric_editor::{Action, Item};
+use egui::accesskit::Role;
+use egui::{
+    Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    vec2,
+};
+
+use crate::command::Command;
 use crate::context::Cx;
+use crate::theme;
+use gizmo::{Gizmo, Handle};
+use hands::{Hand, Hands};
+pub(crate) use jumps::{
+    frame, look_along, place_for_new, place_for_new_light, set_camera, set_scene_camera, toggle_free,
+};
+use picture::Picture;
+use sight::{Sight, Target};
+use travel::Travel;
 
 /// What the viewport keeps from frame to frame.
 #[derive(Default)]
 pub(crate) struct Viewport {
-    texture: Option<TextureHandle>,
-    /// The picture in the texture.
-    shown: Option<u64>,
+    picture: Picture,
     size_in_pixels: Option<[u32; 2]>,
     rect: Option<Rect>,
+    hands: Hands,
+    travel: Travel,
+    glide: Option<glide::Glide>,
 }
 
 impl Viewport {
@@ -34,71 +62,214 @@ impl Viewport {
     pub(crate) fn aspect(&self) -> f64 {
         self.size_in_pixels.map_or(1.0, |[width, height]| f64::from(width.max(1)) / f64::from(height.max(1)))
     }
-}
 
-/// Draws the picture.
-pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport) {
-    let (rect, _response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-    viewport.rect = Some(rect);
-    let scale = ui.ctx().pixels_per_point();
-    let pixels = (rect.size() * scale).round().max(egui::Vec2::ZERO);
-    viewport.size_in_pixels = Some([pixels.x as u32, pixels.y as u32]);
-    let Some(frame) = cx.live.latest() else { return };
-    if viewport.shown != Some(frame.picture_serial) {
-        let size = frame.picture_size.map(|side| side as usize);
-        let image = ColorImage::from_rgba_unmultiplied(size, &frame.pixels);
-        match &mut viewport.texture {
-            Some(texture) => texture.set(image, TextureOptions::LINEAR),
-            None => viewport.texture = Some(ui.ctx().load_texture("picture", image, TextureOptions::LINEAR)),
+    fn measure(&mut self, ui: &Ui, rect: Rect) {
+        self.rect = Some(rect);
+        let pixels = (rect.size() * ui.ctx().pixels_per_point()).round().max(egui::Vec2::ZERO);
+        self.size_in_pixels = Some([pixels.x as u32, pixels.y as u32]);
+    }
+
+    /// Where the eye is on its way to where the camera has jumped.
+    fn ease(&mut self, ui: &Ui, cx: &mut Cx<'_>) {
+        let camera = cx.view.camera(cx.editor.scene());
+        let time = ui.input(|input| input.time);
+        cx.view.eased = self.glide.as_mut().and_then(|glide| glide.now(&camera, time));
+        if cx.view.eased.is_none() {
+            self.glide = None;
+        } else {
+            cx.view.is_moving = true;
+            ui.ctx().request_repaint();
         }
-        viewport.shown = Some(frame.picture_serial);
-    }
-    if let Some(texture) = &viewport.texture {
-        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
     }
 }
 
-/// Where a new body is to stand: on the ground, where the view looks.
-pub(crate) fn place_for_new(studio: &Studio) -> DVec3 {
-    let target = studio.view.camera(studio.editor.scene()).target;
-    DVec3::new(target.x, 0.0, target.z)
+/// Draws the picture and does what hands and keys do in it.
+pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport) {
+    let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+    viewport.measure(ui, rect);
+    viewport.ease(ui, cx);
+    let palette = theme::palette(ui.visuals());
+    let painter = ui.painter_at(rect);
+    let frame = viewport.picture.show(&painter, rect, cx, palette);
+    // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
+    let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
+    let sight = Sight::new(cx, rect, camera);
+    act(ui, cx, viewport, (&sight, &response));
+    if let Some(frame) = &frame {
+        marks::grid(&painter, rect, frame, palette);
+        if cx.settings.shows_handles {
+            marks::outlines(&painter, rect, frame, palette);
+        }
+    }
+    over_picture(&painter, cx, viewport, &sight, palette);
+    tell(ui, cx, &response);
+    toolbar::toolbar_ui(ui, cx, rect);
+    compass::compass_ui(ui, cx, &sight);
+    notes(ui, cx, viewport, &sight);
 }
 
-/// Where a new light is to hang: above where the view looks.
-pub(crate) fn place_for_new_light(studio: &Studio) -> DVec3 {
-    let camera = studio.view.camera(studio.editor.scene());
-    camera.target + 0.5 * camera.target.distance(camera.position) * DVec3::Y
-}
-
-/// Moves the camera of the view: the free one, or else the scene's as one step of the history.
-pub(crate) fn set_camera(studio: &mut Studio, key: &'static str, camera: Camera) {
-    match &mut studio.view.free_camera {
-        Some(free) => *free = camera,
-        None => set_scene_camera(studio, key, camera),
+/// What hands and keys do.
+fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response): (&Sight, &Response)) {
+    let Viewport { hands, travel, .. } = viewport;
+    if cx.view.is_flying {
+        hands.hand = Hand::Open;
+        hands.over = None;
+        travel.fly(ui, cx);
+    } else {
+        travel.land(ui, cx);
+        let gizmo = hands::gizmo(cx);
+        hands.act(ui, cx, (sight, response), gizmo.as_ref(), travel);
+        if response.contains_pointer() {
+            travel.wheel(ui, cx, sight);
+        }
+        if listens(ui, response) {
+            keys(ui, cx);
+            travel.keys(ui, cx, sight);
+        }
+        if hands.opens_menu() {
+            response.context_menu(|ui| menu::menu_ui(ui, cx));
+        }
+    }
+    travel.settle(ui, cx);
+    let is_busy = !matches!(viewport.hands.hand, Hand::Open);
+    if response.has_focus() {
+        // Arrows move the camera, and Esc ends what the hand does.
+        let filter =
+            EventFilter { tab: false, horizontal_arrows: true, vertical_arrows: true, escape: is_busy };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        // While a panel has the keyboard, only the panel itself knows when its gesture is over.
+        if !is_busy && !cx.view.is_moving && !ui.input(|input| input.pointer.any_down()) {
+            cx.editor.settle();
+        }
     }
 }
 
-/// Moves the scene's camera as one step of the history.
-pub(crate) fn set_scene_camera(studio: &mut Studio, key: &'static str, camera: Camera) {
-    studio.editor.settle();
-    // A camera that navigation made is valid.
-    let _ = studio.editor.change_camera(Label::new(key, ""), |own| *own = camera);
-    studio.editor.settle();
+/// Whether keys are for the picture: when it has the focus, or nothing has.
+fn listens(ui: &Ui, response: &Response) -> bool {
+    let focused = ui.memory(|memory| memory.focused());
+    let is_free = ui.memory(|memory| memory.allows_interaction(ui.layer_id()));
+    is_free && focused.is_none_or(|id| id == response.id) && !Popup::is_any_open(ui.ctx())
 }
 
-/// Brings the selected or all bodies into view.
-pub(crate) fn frame(studio: &mut Studio, all: bool) {
-    let scene = studio.editor.scene();
-    let selected = if all { None } else { bounds::ball_of_selection(scene, studio.editor.selection()) };
-    let Some(ball) = selected.or_else(|| bounds::ball_of_scene(scene)) else { return };
-    let camera = studio.view.camera(scene);
-    let camera = navigate::frame(&camera, ball.center, ball.radius, studio.panes.viewport.aspect());
-    set_camera(studio, "edit-frame", camera);
+/// The keys that choose the next or the last thing.
+fn keys(ui: &Ui, cx: &mut Cx<'_>) {
+    let (next, previous) = ui.input_mut(|input| {
+        let next = input.consume_key(Modifiers::CTRL, Key::Tab)
+            || input.consume_key(Modifiers::NONE, Key::CloseBracket);
+        let previous = input.consume_key(Modifiers::CTRL | Modifiers::SHIFT, Key::Tab)
+            || input.consume_key(Modifiers::NONE, Key::OpenBracket);
+        (next, previous)
+    });
+    if next {
+        cx.run(Command::Edit(Action::SelectNext));
+    }
+    if previous {
+        cx.run(Command::Edit(Action::SelectPrevious));
+    }
 }
 
-/// Looks along an axis, in the free view: the scene's camera stays.
-pub(crate) fn look_along(studio: &mut Studio, axis: Axis) {
-    let camera = studio.view.camera(studio.editor.scene());
-    studio.view.free_camera = Some(navigate::look_along(&camera, axis, camera.target));
+/// Draws lights, camera and gizmo.
+fn over_picture(
+    painter: &egui::Painter,
+    cx: &Cx<'_>,
+    viewport: &Viewport,
+    sight: &Sight,
+    palette: &theme::Palette,
+) {
+    let over = viewport.hands.over;
+    let hovered = if let Some(Target::Mark(item)) = over { Some(item) } else { None };
+    handles::draw(painter, sight, cx, hovered, palette);
+    let pulled: Option<(Gizmo, Handle)> = match &viewport.hands.hand {
+        Hand::Pull(held) => {
+            gizmo::draw::ghost(painter, sight, &held.by, palette);
+            // It goes with what it moves, and keeps its axes while it turns.
+            let pivot = hands::gizmo(cx).map_or(held.by.gizmo.pivot, |gizmo| gizmo.pivot);
+            Some((Gizmo { pivot, ..held.by.gizmo }, held.by.handle))
+        }
+        _ => None,
+    };
+    let active = match (pulled, over) {
+        (Some((_, handle)), _) | (None, Some(Target::Handle(handle))) => Some(handle),
+        _ => None,
+    };
+    if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(|| hands::gizmo(cx)) {
+        gizmo::draw::draw(painter, sight, &gizmo, active, palette);
+    }
+}
+
+/// Tells what is seen to those who do not see it, and shows the focus.
+fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
+    response.widget_info(|| {
+        let scene = cx.editor.scene();
+        let names: Vec<String> = cx.editor.selection().iter().map(|item| name_of(cx, scene, item)).collect();
+        let label = if names.is_empty() {
+            cx.t("viewport-picture").to_owned()
+        } else {
+            cx.texts.with("viewport-picture-selected", &[("names", names.join(", ").into())])
+        };
+        WidgetInfo::labeled(Role::Image, true, label)
+    });
+    if response.has_focus() {
+        let stroke = Stroke::new(2.0, theme::palette(ui.visuals()).accent);
+        ui.painter().rect_stroke(response.rect, 0.0, stroke, StrokeKind::Inside);
+    }
+}
+
+/// What a thing is called; what has no name of its own is called by its kind.
+fn name_of(cx: &Cx<'_>, scene: &catoptric_scene::Scene, item: Item) -> String {
+    let name = item.name(scene);
+    if !name.is_empty() {
+        return name.to_owned();
+    }
+    let key = match item {
+        Item::Camera => "viewport-name-camera",
+        Item::Light(_) => "viewport-name-light",
+        Item::Body(_) => "viewport-name-body",
+        Item::Environment | Item::Tracing | Item::Material(_) => "viewport-name-other",
+    };
+    cx.t(key).to_owned()
+}
+
+/// Short texts: what is being changed, what is under the pointer, how to fly, what a file dropped here would do.
+fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
+    /// How long the pointer rests before it is told what it is over, seconds.
+    const REST: f32 = 0.5;
+    let palette = theme::palette(ui.visuals());
+    let painter = ui.painter_at(sight.rect);
+    let (pointer, rest) =
+        ui.input(|input| (input.pointer.latest_pos(), input.pointer.time_since_last_movement()));
+    let amount = match &viewport.hands.hand {
+        Hand::Carry(held) => held.amount,
+        Hand::Pull(held) => held.amount,
+        _ => None,
+    };
+    let scene = cx.editor.scene();
+    let over = match viewport.hands.over {
+        Some(Target::Mark(item)) => Some(item),
+        Some(Target::Body { index, .. }) => Some(Item::Body(index)),
+        _ => None,
+    };
+    if let (Some(amount), Some(pointer)) = (amount, pointer) {
+        let grain = sight.lens.meters_per_point(sight.camera.target);
+        let text = labels::amount_text(cx.texts, amount, grain);
+        labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
+    } else if let (Some(item), Some(pointer)) = (over, pointer) {
+        if rest >= REST {
+            labels::beside_pointer(&painter, sight.rect, pointer, &name_of(cx, scene, item), palette);
+        } else {
+            let left = std::time::Duration::from_secs_f32(REST - rest);
+            ui.ctx().request_repaint_after(left);
+        }
+    }
+    if cx.view.is_flying {
+        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
+        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, cx.t("viewport-fly-hint"), palette);
+    }
+    if ui.input(|input| !input.raw.hovered_files.is_empty()) {
+        painter.rect_filled(sight.rect, 0.0, palette.accent.gamma_multiply(0.12));
+        let stroke = Stroke::new(3.0, palette.accent);
+        painter.rect_stroke(sight.rect.shrink(6.0), 8.0, stroke, StrokeKind::Inside);
+        let at = sight.rect.center();
+        labels::plate(&painter, sight.rect, at, Align2::CENTER_CENTER, cx.t("viewport-drop"), palette);
+    }
 }

@@ -1,6 +1,7 @@
 //! The window on the desktop.
 
-use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use eframe::{NativeOptions, egui_wgpu};
 use egui::{IconData, ViewportBuilder};
@@ -23,11 +24,33 @@ pub enum StudioError {
     Thread(std::io::Error),
 }
 
+/// A way to end the studio from outside, such as by Ctrl-C: unsaved work is kept for the next start.
+#[derive(Clone, Debug, Default)]
+pub struct Interruption {
+    is_asked: Arc<AtomicBool>,
+    context: Arc<OnceLock<egui::Context>>,
+}
+
+impl Interruption {
+    /// Asks the studio to end.
+    pub fn ask(&self) {
+        self.is_asked.store(true, Ordering::Relaxed);
+        if let Some(context) = self.context.get() {
+            context.request_repaint();
+        }
+    }
+
+    /// Whether it has been asked to.
+    pub fn is_asked(&self) -> bool {
+        self.is_asked.load(Ordering::Relaxed)
+    }
+}
+
 /// Opens the studio and stays until its window is closed.
 ///
 /// # Errors
 /// When there is no display, or neither the graphics card nor a software driver can draw a window.
-pub fn open(start: Start) -> Result<(), StudioError> {
+pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError> {
     if !has_display() {
         return Err(StudioError::NoDisplay);
     }
@@ -41,10 +64,16 @@ pub fn open(start: Start) -> Result<(), StudioError> {
         .with_drag_and_drop(true)
         .with_icon(Arc::new(icon()));
     let options = NativeOptions { viewport, ..options() };
+    let interruption = interruption.clone();
     eframe::run_native(
         "Catoptric",
         options,
-        Box::new(move |creation| Ok(Box::new(Studio::new(&creation.egui_ctx, &start, Box::new(Desktop))?))),
+        Box::new(move |creation| {
+            let context = &creation.egui_ctx;
+            let _ = interruption.context.set(context.clone());
+            let studio = Studio::interruptible(context, &start, Box::new(Desktop), Some(interruption))?;
+            Ok(Box::new(studio))
+        }),
     )
     .map_err(|error| StudioError::Window(error.to_string()))
 }

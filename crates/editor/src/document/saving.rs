@@ -51,12 +51,17 @@ impl Editor {
     pub fn mark_written(&mut self, writing: &Writing, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
         self.set_path(path.into());
         self.text = text.into();
-        self.saved = Arc::clone(&writing.scene);
+        self.saved = Some(Arc::clone(&writing.scene));
     }
 
     /// Whether the scene is another than the saved one. Undoing back to that makes this false again.
     pub fn is_changed(&self) -> bool {
-        self.scene != self.saved
+        self.saved.as_ref().is_none_or(|saved| !Arc::ptr_eq(saved, &self.scene) && *saved != self.scene)
+    }
+
+    /// Tells that no file has this document as it is, such as one that was recovered: it is changed until it is saved.
+    pub fn mark_unsaved(&mut self) {
+        self.saved = None;
     }
 
     /// The file, if there is one.
@@ -81,7 +86,7 @@ impl Editor {
         self.change(label, move |scene| target.as_ref().clone_into(scene))?;
         self.settle();
         self.text = text.into();
-        self.saved = saved;
+        self.saved = Some(saved);
         Ok(())
     }
 

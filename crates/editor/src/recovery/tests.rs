@@ -81,6 +81,16 @@ fn what_is_left_behind_comes_back_until_it_is_discarded() {
 }
 
 #[test]
+fn a_document_can_be_left_behind_on_purpose() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut session = Session::start(folder.path()).unwrap();
+    session.write(&snapshot("kept")).unwrap();
+    assert!(orphans(folder.path()).is_empty());
+    session.leave_behind();
+    assert_eq!(orphans(folder.path())[0].read().unwrap(), snapshot("kept"));
+}
+
+#[test]
 fn garbage_is_passed_over_and_left() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

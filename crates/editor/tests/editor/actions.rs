@@ -94,7 +94,18 @@ fn deletion_keeps_what_is_locked() {
     assert_eq!(selected(&editor), [Item::Body(0), Item::Tracing]);
     assert!(matches!(gray(&mut editor, &Action::Delete), ActionError::Locked));
     assert!(matches!(gray(&mut editor, &Action::Cut), ActionError::Locked));
-    editor.select(Item::Body(1));
+    editor.apply(Action::Undo).unwrap();
+    editor.select(
+        [Item::Light(1), Item::Light(0), Item::Body(0), Item::Body(3)].into_iter().collect::<Selection>(),
+    );
+    for item in [Item::Light(1), Item::Body(3)] {
+        editor.apply(Action::SetLocked { item, locked: true }).unwrap();
+    }
+    act(&mut editor, &Action::Delete);
+    assert_eq!(selected(&editor), [Item::Light(0), Item::Body(2)]);
+    assert_eq!(editor.scene().lights[0].name, "right");
+    editor.apply(Action::UnlockAll).unwrap();
+    editor.select(Item::Body(2));
     act(&mut editor, &Action::Cut);
     assert_eq!(editor.undo_label().unwrap().subject, "d");
     assert!(matches!(gray(&mut editor, &Action::Delete), ActionError::NothingSelected));

@@ -232,3 +232,20 @@ fn snapshots_are_not_touched_by_later_edits() {
     editor.undo();
     assert_eq!(snapshot.as_ref(), &copy);
 }
+
+#[test]
+fn a_recovered_document_is_changed_until_it_is_saved() {
+    let scene = read(TEXT).scene;
+    let mut editor = Editor::unsaved(Some("a/lost.toml".into()), "", TEXT, scene.clone());
+    assert_eq!((editor.title(), editor.path()), ("lost.toml", Some(Path::new("a/lost.toml"))));
+    assert!(editor.is_changed() && !editor.can_undo());
+    assert_eq!(editor.save_text(), TEXT);
+    editor.mark_saved("a/lost.toml", TEXT);
+    assert!(!editor.is_changed());
+    let untitled = Editor::unsaved(None, "Lens", TEXT, scene);
+    assert_eq!((untitled.title(), untitled.path(), untitled.is_changed()), ("Lens", None, true));
+    let revision = editor.revision();
+    assert!(Editor::open("mine.toml", TEXT, read(TEXT).scene).succeeding(&editor).revision() > revision);
+    editor.mark_unsaved();
+    assert!(editor.is_changed());
+}

@@ -146,6 +146,7 @@ fn act(editor: &mut Editor, action: &Action) {
     let (scene, selection, revision) =
         (editor.scene().clone(), editor.selection().clone(), editor.revision());
     let can = editor.can(action);
+    assert!(Action::KEYS.contains(&action.key()));
     match editor.apply(action.clone()) {
         Ok(()) => {
             assert!(can, "{action:?} was gray, but works");

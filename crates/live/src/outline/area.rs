@@ -7,11 +7,14 @@ use catoptric_tracer::StageCamera;
 use glam::{DVec2, DVec3};
 
 /// Cells of a lattice, pixels: coarse enough for a whole view, fine enough for what people point at.
-const LARGEST_CELL: f64 = 4.0;
+const LARGEST_CELL: f64 = 8.0;
 const SMALLEST_CELL: f64 = 0.25;
 
-/// Cells across the narrowest way through a body.
-const CELLS_ACROSS: f64 = 8.0;
+/// The cell for a body that is so many pixels across where it is narrowest: at least 8 cells, of 4 pixels if there is
+/// room, and larger ones for what is very large. Corners are refined anyway.
+fn cell_for(width: f64) -> f64 {
+    (width / 8.0).min((width / 32.0).max(4.0)).clamp(SMALLEST_CELL, LARGEST_CELL)
+}
 
 /// About the most points that are looked at for one body.
 const MOST_POINTS: f64 = 100_000.0;
@@ -51,7 +54,7 @@ impl Area {
             }
         }
         let hull = convex_hull(corners);
-        let mut cell = (width_of(&hull) / CELLS_ACROSS).clamp(SMALLEST_CELL, LARGEST_CELL);
+        let mut cell = cell_for(width_of(&hull));
         let low = hull.iter().fold(DVec2::INFINITY, |low, &at| low.min(at));
         let high = hull.iter().fold(DVec2::NEG_INFINITY, |high, &at| high.max(at));
         let seen = (high.min(size) - low.max(DVec2::ZERO)).max(DVec2::ZERO);

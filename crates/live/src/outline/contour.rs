@@ -198,8 +198,11 @@ fn refined(contour: &Contour, is_inside: &impl Fn(DVec2) -> bool) -> Contour {
     Contour { points, closed: contour.closed }
 }
 
-/// How often a piece is halved: from a cell of 4 pixels to an eighth of one.
-const MAX_DEPTH: u32 = 5;
+/// How often a piece is halved at most: a narrow tip is climbed step by step.
+const MAX_DEPTH: u32 = 12;
+
+/// Pieces shorter than this are not halved, pixels.
+const SHORTEST: f64 = 0.2;
 
 /// Adds the points that are missing between two.
 ///
@@ -213,11 +216,15 @@ fn refine(
     points: &mut Vec<BorderPoint>,
 ) {
     let chord = to - from;
-    let Some(outwards) = DVec2::new(chord.y, -chord.x).try_normalize() else { return };
+    let length = chord.length();
+    if depth == 0 || length < SHORTEST {
+        return;
+    }
+    let outwards = DVec2::new(chord.y, -chord.x) / length;
     let middle = 0.5 * (from + to);
     let reach = 1.25 * PRECISION * outwards;
     let (low, high) = (is_inside(middle - reach), is_inside(middle + reach));
-    if depth == 0 || (low && !high) {
+    if low && !high {
         return;
     }
     let (direction, wanted) = if low { (outwards, false) } else { (-outwards, true) };

@@ -226,6 +226,33 @@ pub(crate) fn body(body: &Body) -> Record<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::ShapeKind;
+
+    #[test]
+    fn the_table_and_the_types_have_the_same_shapes() {
+        use crate::format::spec::Kind;
+        let Kind::Choice(words) = keys::BODY.key("shape").unwrap().kind else { panic!() };
+        assert_eq!(words, ShapeKind::ALL.map(ShapeKind::key));
+        for kind in ShapeKind::ALL {
+            assert_eq!(kind.shape().kind(), kind);
+        }
+    }
+
+    #[test]
+    fn the_table_tells_limits_and_defaults() {
+        let radius = keys::BODY.key("radius").unwrap();
+        assert_eq!(radius.limits().map(|limits| (limits.min, limits.max)), Some((1e-9, 1e9)));
+        assert_eq!(
+            (radius.default_number(Some("sphere")), radius.default_number(Some("cone"))),
+            (Some(1.0), Some(0.5))
+        );
+        assert_eq!((radius.default_number(Some("cube")), radius.default_number(None)), (None, None));
+        let size = keys::BODY.key("size").unwrap();
+        assert_eq!((size.default_number(None), size.default_vector()), (Some(1.0), Some([1.0; 3])));
+        let color = keys::MATERIAL.key("color").unwrap();
+        assert_eq!((color.default_number(None), color.default_vector()), (None, Some([0.8; 3])));
+        assert!(keys::BODY.key("nothing").is_none() && keys::BODY.key("name").unwrap().limits().is_none());
+    }
 
     #[test]
     fn the_table_and_the_types_have_the_same_defaults() {

@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{Development, Picture};
 use egui::{ColorImage, Context};
 
-use super::job::{Job, Progress};
 use super::result::{Finished, Kept};
 use super::told;
 use crate::app::Studio;
+use crate::documents::job::{Job, Progress};
 use crate::host::PictureClipboard;
 
 /// The most pixels that are copied: a clipboard keeps several copies.

@@ -1,8 +1,8 @@
 //! Scratch.
+use crate::kit::{TestHost, studio_with};
 use catoptric_studio::{Command, Language, Start, Theme};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use crate::kit::{TestHost, studio_with};
 
 #[test]
 fn look() {
@@ -14,7 +14,8 @@ fn look() {
             harness.state_mut().run(Command::Language(language));
             harness.state_mut().run(Command::Theme(theme));
             harness.run_steps(3);
-            let shot = |harness: &mut egui_kittest::Harness<'static, catoptric_studio::Studio>, name: &str| {
+            let shot = |harness: &mut egui_kittest::Harness<'static, catoptric_studio::Studio>,
+                        name: &str| {
                 harness.run_steps(6);
                 std::thread::sleep(std::time::Duration::from_millis(400));
                 harness.run_steps(6);

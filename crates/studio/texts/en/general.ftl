@@ -11,5 +11,43 @@ cancel = Cancel
 close = Close
 language = Language
     .tip = Switches the language of the studio.
-theme = Theme
-    .tip = Light or dark window.
+
+# The status bar.
+status-threads = { $count ->
+    [one] { $count } thread
+   *[other] { $count } threads
+}
+status-threads-name = Backend
+    .tip = What traces the picture, and on how many threads.
+status-size-name = Size
+    .tip = Width and height of the picture traced last, in pixels; smaller while something moves.
+status-time = { $time } ms
+status-time-name = Time
+    .tip = How long tracing the last picture took, in milliseconds.
+status-rays = { $rays } Mray/s
+status-rays-name = Speed
+    .tip = Millions of rays traced per second, of all kinds.
+status-coarse = preview
+status-refining = refining { $done }/{ $wanted }
+status-done = done
+status-progress = Refinement of the picture
+status-refining-name = Refinement
+    .tip = How many rays each pixel has got so far; edges become smoother with each.
+status-error-scene = The scene cannot be traced
+status-error-size = No picture of this size is possible
+status-error-camera = The camera has a number that is not finite
+status-error-fault = The tracer has failed
+status-bodies = { $count ->
+    [one] { $count } body
+   *[other] { $count } bodies
+}
+status-lights = { $count ->
+    [one] { $count } light
+   *[other] { $count } lights
+}
+status-count-name = Contents
+    .tip = How many bodies and lights the scene has, hidden ones included.
+status-free = Free view
+    .tip = The view looks around by itself; the scene’s camera stays where it is. Press 0 to return to it.
+status-flying = Flying
+    .tip = W, A, S and D fly, the mouse turns. Esc or Shift+F ends the flight.

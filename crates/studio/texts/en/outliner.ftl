@@ -1,1 +1,36 @@
-# outliner
+# The panel of everything in the scene, and the history.
+outliner-filter = Filter by name
+    .tip = Shows only what has these letters in its name.
+outliner-filter-clear = Clear the filter
+outliner-camera = Camera
+outliner-environment = Surroundings
+outliner-tracing = Tracing
+outliner-lights = Lights
+    .tip = Point lights; a click folds or unfolds the list.
+outliner-bodies = Bodies
+    .tip = Geometric bodies; a click folds or unfolds the list.
+outliner-materials = Materials
+    .tip = Materials that bodies share; a click folds or unfolds the list.
+outliner-add-body = Add body
+outliner-rename = New name
+outliner-unnamed = { $kind } { $number }
+outliner-hide = Hide “{ $name }”
+outliner-show = Show “{ $name }”
+outliner-lock = Lock “{ $name }”
+outliner-unlock = Unlock “{ $name }”
+outliner-of-material = Material “{ $material }”
+outliner-own-material = Material of its own
+outliner-drag-material = Drag it onto a body to make the body of it.
+
+# What new things are called.
+name-sphere = Sphere
+name-cube = Cube
+name-cylinder = Cylinder
+name-cone = Cone
+name-plane = Plane
+name-light = Light
+name-material = Material
+
+history-opened = Opened
+history-present = This is the present state.
+history-go = A click goes here.

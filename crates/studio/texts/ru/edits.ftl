@@ -1,1 +1,92 @@
-# edits
+# Шаги истории. За действием стоит то, с чем оно сделано: Перемещение: «шар».
+step-of = { $act }: «{ $subject }»
+
+edit-add-sphere = Новая сфера
+edit-add-cube = Новый куб
+edit-add-cylinder = Новый цилиндр
+edit-add-cone = Новый конус
+edit-add-plane = Новая плоскость
+edit-add-light = Новый источник света
+edit-add-material = Новый материал
+edit-duplicate = Дублирование
+edit-delete = Удаление
+edit-cut = Вырезание
+edit-paste = Вставка
+edit-rename = Переименование
+edit-toggle-hidden = Скрытие или показ
+edit-toggle-locked = Закрепление или открепление
+edit-hide = Скрытие
+edit-show = Показ
+edit-show-all = Показ всего
+edit-lock = Закрепление
+edit-unlock = Открепление
+edit-unlock-all = Открепление всего
+edit-move-up = Выше в списке
+edit-move-down = Ниже в списке
+edit-reorder = Перестановка
+edit-assign-material = Назначение материала
+edit-share-material = Общий материал
+edit-make-material-unique = Собственный материал
+edit-remove-unused-materials = Удаление неиспользуемых материалов
+edit-drop-to-ground = Постановка на землю
+edit-reset-placement = Сброс поворота и масштаба
+edit-revert = Возврат к сохранённому
+edit-select-all = Выделение всего
+edit-select-none = Снятие выделения
+edit-invert-selection = Обращение выделения
+edit-select-next = Выделение следующего
+edit-select-previous = Выделение предыдущего
+edit-undo = Отмена
+edit-redo = Повтор
+
+edit-camera-from-view = Камера в точке вида
+edit-projection = Проекция
+edit-frame = Показ целиком
+
+
+# В окне просмотра
+edit-orbit = Облёт камерой
+edit-pan = Сдвиг камеры
+edit-dolly = Приближение камеры
+edit-fly = Полёт камеры
+edit-move = Перемещение
+edit-rotate = Поворот
+edit-scale = Масштаб
+
+# Значения панели свойств
+edit-radius = Радиус
+edit-top-radius = Верхний радиус
+edit-height = Высота
+edit-size = Размер
+edit-shape = Форма
+edit-position = Положение
+edit-rotation = Поворот
+edit-base = Низ оси
+edit-top = Верх оси
+edit-anchor = Способ задания места
+edit-kind = Вид отражения
+edit-color = Цвет
+edit-ambient = Фоновый коэффициент
+edit-diffuse = Диффузный коэффициент
+edit-specular = Блик
+edit-shininess = Степень блика
+edit-reflection = Отражение
+edit-transmission = Пропускание
+edit-ior = Показатель преломления
+edit-tint = Окраска
+edit-checker = Клетки
+edit-checker-color = Цвет клеток
+edit-checker-size = Размер клеток
+edit-intensity = Сила света
+edit-falloff = Ослабление света
+edit-falloff-constant = Постоянная ослабления
+edit-camera-position = Положение камеры
+edit-camera-target = Цель камеры
+edit-camera-up = Верх камеры
+edit-view-direction = Направление взгляда
+edit-fov = Угол зрения
+edit-window-height = Высота окна
+edit-background = Фон
+edit-ambient-light = Фоновый свет
+edit-generations = Поколения лучей
+edit-threshold = Порог

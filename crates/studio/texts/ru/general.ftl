@@ -11,5 +11,46 @@ cancel = Отмена
 close = Закрыть
 language = Язык
     .tip = Переключает язык студии.
-theme = Тема
-    .tip = Светлое или тёмное окно.
+
+# Строка состояния.
+status-threads = { $count ->
+    [one] { $count } поток
+    [few] { $count } потока
+   *[many] { $count } потоков
+}
+status-threads-name = Вычислитель
+    .tip = Что строит изображение и во сколько потоков.
+status-size-name = Размер
+    .tip = Ширина и высота последнего изображения в пикселях; пока что-то движется, оно меньше.
+status-time = { $time } мс
+status-time-name = Время
+    .tip = Сколько миллисекунд заняло построение последнего изображения.
+status-rays = { $rays } млн лучей/с
+status-rays-name = Скорость
+    .tip = Сколько миллионов лучей всех видов прослежено за секунду.
+status-coarse = набросок
+status-refining = уточнение { $done }/{ $wanted }
+status-done = готово
+status-progress = Уточнение изображения
+status-refining-name = Уточнение
+    .tip = Сколько лучей уже получил каждый пиксель; с каждым края становятся глаже.
+status-error-scene = Сцену нельзя построить
+status-error-size = Изображение такого размера невозможно
+status-error-camera = Среди чисел камеры есть не конечное
+status-error-fault = Сбой трассировщика
+status-bodies = { $count ->
+    [one] { $count } тело
+    [few] { $count } тела
+   *[many] { $count } тел
+}
+status-lights = { $count ->
+    [one] { $count } источник света
+    [few] { $count } источника света
+   *[many] { $count } источников света
+}
+status-count-name = Состав
+    .tip = Сколько в сцене тел и источников света, считая скрытые.
+status-free = Свободный вид
+    .tip = Вид движется сам по себе, камера сцены стоит на месте. Клавиша 0 возвращает к ней.
+status-flying = Полёт
+    .tip = W, A, S и D — движение, мышь — поворот. Esc или Shift+F завершает полёт.

@@ -1,1 +1,36 @@
-# outliner
+# Панель всего, что есть в сцене, и история.
+outliner-filter = Отбор по имени
+    .tip = Показывает только то, в имени чего есть эти буквы.
+outliner-filter-clear = Снять отбор
+outliner-camera = Камера
+outliner-environment = Окружение
+outliner-tracing = Трассировка
+outliner-lights = Источники света
+    .tip = Точечные источники; щелчок сворачивает и разворачивает список.
+outliner-bodies = Тела
+    .tip = Геометрические тела; щелчок сворачивает и разворачивает список.
+outliner-materials = Материалы
+    .tip = Материалы, общие для нескольких тел; щелчок сворачивает и разворачивает список.
+outliner-add-body = Добавить тело
+outliner-rename = Новое имя
+outliner-unnamed = { $kind } { $number }
+outliner-hide = Скрыть «{ $name }»
+outliner-show = Показать «{ $name }»
+outliner-lock = Закрепить «{ $name }»
+outliner-unlock = Открепить «{ $name }»
+outliner-of-material = Материал «{ $material }»
+outliner-own-material = Собственный материал
+outliner-drag-material = Перетащите на тело, чтобы сделать его из этого материала.
+
+# Имена новых предметов.
+name-sphere = Сфера
+name-cube = Куб
+name-cylinder = Цилиндр
+name-cone = Конус
+name-plane = Плоскость
+name-light = Свет
+name-material = Материал
+
+history-opened = Открыто
+history-present = Это нынешнее состояние.
+history-go = Щелчок вернёт к этому шагу.

@@ -1,0 +1,26 @@
+//! Tracing threads stand back behind the window's own.
+
+use thread_priority::{ThreadPriority, set_current_thread_priority};
+
+/// How far to stand back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Priority {
+    /// For what is to be seen soon.
+    Low,
+    /// For what may take its time.
+    Lowest,
+}
+
+/// Lowers the priority of the current thread, so that a window drawn by the same processors stays smooth. Where the
+/// system does not allow it, nothing is lost but that.
+pub(crate) fn lower(priority: Priority) {
+    // Of 0…99; the middle is normal. On Linux they make a niceness of 4 and 19: beside other programs that are busy,
+    // such as a compiler, the view should still move.
+    let value: u8 = match priority {
+        Priority::Low => 38,
+        Priority::Lowest => 0,
+    };
+    if let Ok(value) = value.try_into() {
+        let _ = set_current_thread_priority(ThreadPriority::Crossplatform(value));
+    }
+}

@@ -1,0 +1,149 @@
+//! A change redoes what depends on it and nothing else.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use catoptric_live::{GridSpec, Request};
+use catoptric_picture::{Development, ToneCurve};
+use catoptric_scene::{Body, Color, MaterialChoice, Projection, Scene};
+
+use crate::{Window, expected, four_bodies, from_side, request};
+
+#[test]
+fn another_camera_does_not_prepare_the_scene_again() {
+    let window = Window::open();
+    window.shown(request(1));
+    let (revision, stage) = window.live.stage().unwrap();
+    assert_eq!(revision, 1);
+    let mut asked = request(2);
+    asked.camera = from_side(&asked.camera, 90.0);
+    asked.camera.projection = Projection::Parallel { height: 4.0 };
+    let frame = window.shown(asked.clone());
+    assert!(*frame.pixels == expected(&asked, 3));
+    // The scene's own camera is not looked at.
+    let scene = Scene { camera: asked.camera, ..(*four_bodies()).clone() };
+    window.shown(Request { scene: Arc::new(scene), revision: 3, ..asked });
+    let (revision, same) = window.live.stage().unwrap();
+    assert!(revision == 3 && Arc::ptr_eq(&stage, &same));
+}
+
+#[test]
+fn another_scene_is_prepared_and_shown() {
+    let window = Window::open();
+    window.shown(request(1));
+    let (_, stage) = window.live.stage().unwrap();
+    let mut scene = (*four_bodies()).clone();
+    scene.environment.background = Color::new(1.0, 0.0, 0.0);
+    scene.bodies.truncate(2);
+    let asked = Request { scene: Arc::new(scene), ..request(2) };
+    let frame = window.shown(asked.clone());
+    assert!(*frame.pixels == expected(&asked, 3));
+    let (revision, other) = window.live.stage().unwrap();
+    assert!(revision == 2 && !Arc::ptr_eq(&stage, &other) && other.body_count() == 2);
+}
+
+#[test]
+fn exposure_and_tone_curve_only_develop_again() {
+    let window = Window::open();
+    let before = window.shown(request(1));
+    let mut asked = request(1);
+    // What would have to be traced is counted as frames below the wanted samples.
+    for development in [
+        Development { exposure_stops: 1.5, tone_curve: ToneCurve::None },
+        Development { exposure_stops: -0.5, tone_curve: ToneCurve::Filmic },
+    ] {
+        asked.development = development;
+        let serial = window.live.latest().unwrap().serial;
+        let frame = window.shown(asked.clone());
+        assert!(*frame.pixels == expected(&asked, 3));
+        assert_eq!((frame.serial, frame.samples), (serial + 1, 3));
+    }
+    assert_ne!(before.pixels, window.live.latest().unwrap().pixels);
+}
+
+#[test]
+fn outlines_and_grid_leave_the_picture_alone() {
+    let window = Window::open();
+    let before = window.shown(request(1));
+    assert!(before.outline.is_empty() && before.hover.is_empty() && before.grid.is_empty());
+    let mut asked = request(1);
+    asked.outline = vec![1, 4];
+    asked.hover = Some(2);
+    asked.grid = Some(GridSpec::default());
+    let frame = window.shown(asked.clone());
+    assert_eq!(frame.picture_serial, before.picture_serial);
+    assert!(Arc::ptr_eq(&frame.pixels, &before.pixels) && frame.serial == before.serial + 1);
+    assert!(frame.outline.iter().any(|line| line.body == Some(1)));
+    assert!(frame.outline.iter().any(|line| line.body == Some(4)));
+    assert!(frame.hover.iter().all(|line| line.body == Some(2)) && !frame.hover.is_empty());
+    assert!(!frame.grid.is_empty());
+    // What is outlined is not outlined twice.
+    asked.hover = Some(4);
+    assert!(window.shown(asked.clone()).hover.is_empty());
+    (asked.outline, asked.hover, asked.grid) = (Vec::new(), Some(99), None);
+    let frame = window.shown(asked);
+    assert!(frame.outline.is_empty() && frame.hover.is_empty() && frame.grid.is_empty());
+}
+
+#[test]
+fn the_same_request_again_changes_nothing() {
+    let window = Window::open();
+    let before = window.shown(request(1));
+    let again = window.shown(request(1));
+    assert_eq!(again.serial, before.serial);
+    // Only its number is new.
+    let renamed = window.shown(request(2));
+    assert_eq!((renamed.serial, renamed.picture_serial), (before.serial + 1, before.picture_serial));
+}
+
+#[test]
+fn a_window_that_always_asks_the_same_is_left_in_peace() {
+    let window = Window::open();
+    let unknown = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
+    let broken = Arc::new(Scene { bodies: vec![unknown], ..Scene::default() });
+    for asked in [request(1), Request::new(broken, 2, [16, 16])] {
+        window.live.request(asked.clone());
+        window.settle();
+        // The last ring may come just after the engine is idle.
+        while window.bell.recv_timeout(Duration::from_millis(100)).is_ok() {}
+        for _ in 0..3 {
+            window.live.request(asked.clone());
+            window.settle();
+        }
+        assert!(window.bell.recv_timeout(Duration::from_millis(100)).is_err());
+    }
+}
+
+#[test]
+fn more_samples_go_on_from_where_the_picture_is() {
+    let window = Window::open();
+    window.shown(request(1));
+    let asked = Request { samples: 6, ..request(1) };
+    let frame = window.shown(asked.clone());
+    assert_eq!(frame.samples, 6);
+    assert!(*frame.pixels == expected(&asked, 6));
+    // Fewer take nothing back.
+    assert_eq!(window.shown(Request { samples: 0, ..request(1) }).samples, 6);
+}
+
+#[test]
+fn while_paused_first_pictures_come_but_are_not_refined() {
+    let window = Window::open();
+    let paused = Request { paused: true, samples: 50, ..request(1) };
+    let frame = window.shown(paused.clone());
+    assert_eq!(frame.samples, 1);
+    let frame = window.shown(Request { paused: false, samples: 4, ..paused });
+    assert_eq!(frame.samples, 4);
+}
+
+#[test]
+fn a_view_of_another_size_has_a_picture_of_its_size() {
+    let window = Window::open();
+    window.shown(request(1));
+    for size in [[1, 1], [333, 10], [7, 250], [160, 90]] {
+        let asked = Request { size, ..request(2) };
+        let frame = window.shown(asked.clone());
+        assert_eq!((frame.view_size, frame.picture_size), (size, size));
+        assert!(*frame.pixels == expected(&asked, 3));
+    }
+}

@@ -1,0 +1,122 @@
+//! Whether a command can be done now, whether it is on, and what to call it.
+
+use catoptric_editor::{Action, Editor, Item};
+use catoptric_live::Live;
+use egui_tiles::Tree;
+
+use super::Command;
+use crate::app::Studio;
+use crate::context::Cx;
+use crate::history::step_name;
+use crate::layout::{self, Pane};
+use crate::settings::Settings;
+use crate::texts::Texts;
+use crate::view::View;
+
+/// What decides about commands.
+#[derive(Clone, Copy)]
+pub(crate) struct Situation<'a> {
+    pub(crate) editor: &'a Editor,
+    pub(crate) texts: &'a Texts,
+    settings: &'a Settings,
+    view: &'a View,
+    live: &'a Live,
+    /// The panels; `None` while they are being drawn.
+    layout: Option<&'a Tree<Pane>>,
+}
+
+impl Studio {
+    /// What decides about commands.
+    pub(crate) fn situation(&self) -> Situation<'_> {
+        Situation {
+            editor: &self.editor,
+            texts: &self.texts,
+            settings: &self.settings,
+            view: &self.view,
+            live: &self.live,
+            layout: Some(&self.layout),
+        }
+    }
+}
+
+impl Cx<'_> {
+    /// What decides about commands.
+    pub(crate) fn situation(&self) -> Situation<'_> {
+        Situation {
+            editor: self.editor,
+            texts: self.texts,
+            settings: self.settings,
+            view: self.view,
+            live: self.live,
+            layout: None,
+        }
+    }
+}
+
+impl Situation<'_> {
+    /// Whether there is something that `command` could be done to.
+    pub(crate) fn can(&self, command: &Command) -> bool {
+        let selection = self.editor.selection();
+        match command {
+            Command::Edit(action) => self.editor.can(action),
+            Command::Cut => self.editor.can(&Action::Cut),
+            Command::Copy => selection
+                .iter()
+                .any(|item| matches!(item, Item::Body(_) | Item::Light(_) | Item::Material(_))),
+            Command::Rename => {
+                matches!(selection.primary(), Some(Item::Body(_) | Item::Light(_) | Item::Material(_)))
+            }
+            Command::Revert => self.editor.path().is_some() && self.editor.is_changed(),
+            Command::CopyPicture => self.live.latest().is_some(),
+            Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
+            Command::FrameAll => !self.editor.scene().bodies.is_empty(),
+            Command::CameraFromView => self.view.free_camera.is_some(),
+            _ => true,
+        }
+    }
+
+    /// Whether what `command` switches is on; `None` for a command that switches nothing.
+    pub(crate) fn is_on(&self, command: &Command) -> Option<bool> {
+        Some(match command {
+            Command::ToggleFreeView => self.view.free_camera.is_some(),
+            Command::ToggleFly => self.view.is_flying,
+            Command::ToggleGizmoSpace => self.view.is_gizmo_local,
+            Command::ToggleGrid => self.settings.shows_grid,
+            Command::ToggleHandles => self.settings.shows_handles,
+            Command::ToggleProjection => {
+                let camera = self.view.camera(self.editor.scene());
+                matches!(camera.projection, catoptric_scene::Projection::Parallel { .. })
+            }
+            Command::Tool(tool) => self.view.tool == *tool,
+            Command::Theme(theme) => self.settings.theme == *theme,
+            Command::Language(language) => self.settings.language == *language,
+            Command::TogglePane(pane) => layout::is_in_front(self.layout?, *pane),
+            _ => return None,
+        })
+    }
+
+    /// What to call `command` now: undoing tells what it undoes.
+    pub(crate) fn name(&self, command: &Command) -> String {
+        let step = match command {
+            Command::Edit(Action::Undo) => self.editor.undo_label().map(|label| ("undo-step", label)),
+            Command::Edit(Action::Redo) => self.editor.redo_label().map(|label| ("redo-step", label)),
+            _ => None,
+        };
+        if let Some((key, label)) = step {
+            return self.texts.with(key, &[("step", step_name(self.texts, label).into())]);
+        }
+        command.look().map_or_else(String::new, |look| self.texts.get(look.key).to_owned())
+    }
+
+    /// One sentence that explains `command`.
+    pub(crate) fn tip(&self, command: &Command) -> Option<&str> {
+        command.look().and_then(|look| self.texts.tip(look.key))
+    }
+}
+
+impl Command {
+    /// Whether it chooses one of several, of which one is always chosen.
+    pub(crate) fn is_choice(&self) -> bool {
+        matches!(self, Self::Tool(_) | Self::Theme(_) | Self::Language(_))
+    }
+}

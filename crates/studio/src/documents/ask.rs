@@ -1,0 +1,126 @@
+//! Asking for a file: with the system's dialog where there is one, or else with the studio's own.
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, TryRecvError};
+
+use crate::app::Studio;
+use crate::dialogs::files::FileDialog;
+use crate::host::{FileAnswer, FileKind, FileQuestion};
+
+/// A file that was chosen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Chosen {
+    /// Where it is.
+    pub(crate) path: PathBuf,
+    /// Whether the person has agreed that a file there is replaced.
+    pub(crate) may_replace: bool,
+}
+
+/// The answer to a question for a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Answer {
+    /// The person is still choosing.
+    Waiting,
+    /// No file, thank you.
+    Cancelled,
+    /// This file.
+    Chosen(Chosen),
+}
+
+/// A question that has been asked; to be polled once a frame.
+pub(crate) struct Asking {
+    question: FileQuestion,
+    way: Way,
+}
+
+enum Way {
+    System(FileAnswer),
+    Own(Receiver<Option<Chosen>>),
+}
+
+impl Asking {
+    /// Asks `question`.
+    pub(crate) fn start(studio: &mut Studio, question: FileQuestion) -> Self {
+        let way = match studio.host.ask_file(&question) {
+            Some(answer) => Way::System(answer),
+            None => own(studio, &question),
+        };
+        Self { question, way }
+    }
+
+    /// The answer so far.
+    pub(crate) fn poll(&mut self, context: &egui::Context, studio: &mut Studio) -> Answer {
+        match &self.way {
+            Way::System(answer) => match answer.try_recv() {
+                Ok(Some(path)) => Answer::Chosen(self.complete(path)),
+                Ok(None) => Answer::Cancelled,
+                Err(TryRecvError::Empty) => {
+                    // The system does not wake the window.
+                    context.request_repaint_after(std::time::Duration::from_millis(100));
+                    Answer::Waiting
+                }
+                // The system's dialog could not appear.
+                Err(TryRecvError::Disconnected) => {
+                    self.way = own(studio, &self.question);
+                    Answer::Waiting
+                }
+            },
+            Way::Own(answer) => match answer.try_recv() {
+                Ok(Some(chosen)) => Answer::Chosen(chosen),
+                Ok(None) | Err(TryRecvError::Disconnected) => Answer::Cancelled,
+                Err(TryRecvError::Empty) => Answer::Waiting,
+            },
+        }
+    }
+
+    /// The system's dialog has asked before replacing the file that was chosen, but not one of a longer name.
+    fn complete(&self, path: PathBuf) -> Chosen {
+        if !self.question.is_saving {
+            return Chosen { path, may_replace: false };
+        }
+        let whole = with_extension(path.clone(), self.question.kind);
+        Chosen { may_replace: whole == path, path: whole }
+    }
+}
+
+fn own(studio: &mut Studio, question: &FileQuestion) -> Way {
+    let (sender, receiver) = mpsc::channel();
+    let recent = studio.settings.recent.iter().filter_map(|path| Some(path.parent()?.to_owned()));
+    let dialog = FileDialog::new(question.clone(), recent, sender);
+    studio.dialogs.open(dialog);
+    Way::Own(receiver)
+}
+
+/// `path` with an extension that fits; one that fits already stays.
+pub(crate) fn with_extension(path: PathBuf, kind: FileKind) -> PathBuf {
+    if fits(&path, kind) {
+        return path;
+    }
+    let Some(extension) = kind.extensions().first() else { return path };
+    let mut whole = path.into_os_string();
+    whole.push(".");
+    whole.push(extension);
+    whole.into()
+}
+
+/// Whether the extension of `path` is one of this kind of file.
+pub(crate) fn fits(path: &Path, kind: FileKind) -> bool {
+    path.extension().is_some_and(|extension| {
+        kind.extensions().iter().any(|fitting| extension.eq_ignore_ascii_case(fitting))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extensions_are_added_and_never_replaced() {
+        let named = |name: &str| with_extension(name.into(), FileKind::Scene);
+        assert_eq!(named("a"), Path::new("a.toml"));
+        assert_eq!(named("a.TOML"), Path::new("a.TOML"));
+        assert_eq!(named("version 1.2"), Path::new("version 1.2.toml"));
+        assert_eq!(with_extension("a.exr".into(), FileKind::Picture), Path::new("a.exr"));
+        assert_eq!(with_extension("a.toml".into(), FileKind::Picture), Path::new("a.toml.png"));
+    }
+}

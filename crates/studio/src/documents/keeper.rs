@@ -1,0 +1,250 @@
+//! Unsaved work, kept against a crash: a thread writes it every few seconds beside the recovery files of other studios.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use catoptric_editor::Writing;
+use catoptric_editor::recovery::{Orphan, Session, Snapshot, orphans};
+use egui::Context;
+
+use super::recover::Found;
+use super::{is_changed, name};
+use crate::app::Studio;
+
+/// So long after a change it is written, with what is changed meanwhile.
+const DELAY: Duration = Duration::from_millis(500);
+/// At most once in so long; at the worst, a crash loses this, the delay and the time of writing.
+const INTERVAL: Duration = Duration::from_secs(3);
+
+/// A state of a document of this window: its number and revision.
+type State = (u64, u64);
+
+/// Keeps the document.
+#[derive(Default)]
+pub(super) struct Keeper {
+    thread: Option<Thread>,
+    /// What the thread was told to keep last, and when.
+    sent: Option<(State, Instant)>,
+    /// What is kept.
+    kept: Option<State>,
+    /// Since when there is something to be kept.
+    waits_since: Option<Instant>,
+    /// Orphans that have become the document of this number; they go when that is kept.
+    restored: Vec<(u64, Arc<Orphan>)>,
+    is_held: bool,
+    has_failed: bool,
+    /// What was found at the start.
+    pub(super) found: Vec<Found>,
+}
+
+struct Thread {
+    orders: Sender<Order>,
+    reports: Receiver<Report>,
+    handle: JoinHandle<()>,
+}
+
+enum Order {
+    Keep { state: State, writing: Writing, path: Option<PathBuf>, title: String },
+    Clear,
+    Discard(Arc<Orphan>),
+    Finish { leave_behind: bool },
+}
+
+enum Report {
+    Found(Vec<Found>),
+    Kept(State),
+    Failed(String),
+}
+
+impl Keeper {
+    /// Starts the thread, which also looks for what was left behind.
+    pub(super) fn start(context: &Context, folder: PathBuf) -> Self {
+        let (orders, inbox) = mpsc::channel();
+        let (outbox, reports) = mpsc::channel();
+        let context = context.clone();
+        let work = move || {
+            let report = |report| {
+                let _ = outbox.send(report);
+                context.request_repaint();
+            };
+            attend(&folder, &inbox, report);
+        };
+        let thread = std::thread::Builder::new().name("recovery".to_owned()).spawn(work);
+        match thread {
+            Ok(handle) => Self { thread: Some(Thread { orders, reports, handle }), ..Self::default() },
+            Err(_) => Self::default(),
+        }
+    }
+
+    /// What is unsaved is to be offered at the next start.
+    pub(super) fn hold(&mut self) {
+        self.is_held = true;
+    }
+
+    /// The orphan has become the document of this number.
+    pub(super) fn has_restored(&mut self, document: u64, orphan: Arc<Orphan>) {
+        self.restored.push((document, orphan));
+    }
+
+    /// Removes an orphan for good.
+    pub(super) fn discard(&self, orphan: Arc<Orphan>) {
+        self.order(Order::Discard(orphan));
+    }
+
+    fn order(&self, order: Order) {
+        if let Some(thread) = &self.thread {
+            let _ = thread.orders.send(order);
+        }
+    }
+
+    fn is_busy(&self) -> bool {
+        self.sent.is_some_and(|(state, _)| self.kept != Some(state)) && !self.has_failed
+    }
+
+    /// Discards the orphans whose documents are kept, saved or given up.
+    fn discard_restored(&mut self, is_over: impl Fn(u64) -> bool) {
+        let (over, still) =
+            std::mem::take(&mut self.restored).into_iter().partition(|(number, _)| is_over(*number));
+        self.restored = still;
+        let over: Vec<(u64, Arc<Orphan>)> = over;
+        for (_, orphan) in over {
+            self.discard(orphan);
+        }
+    }
+}
+
+/// Keeps the document if it has changed: once a frame.
+pub(super) fn keep(context: &Context, studio: &mut Studio) {
+    take_reports(studio);
+    let state = (studio.documents.number, studio.editor.revision());
+    let changed = is_changed(studio);
+    let keeper = &mut studio.documents.keeper;
+    keeper.discard_restored(|number| number != state.0 || !changed);
+    if !changed {
+        keeper.waits_since = None;
+        if keeper.sent.take().is_some() {
+            keeper.kept = None;
+            keeper.order(Order::Clear);
+        }
+        return;
+    }
+    if keeper.thread.is_none() || keeper.sent.is_some_and(|(sent, _)| sent == state) {
+        keeper.waits_since = None;
+        return;
+    }
+    let now = Instant::now();
+    let since = *keeper.waits_since.get_or_insert(now);
+    let last = keeper.sent.map(|(_, at)| at + INTERVAL);
+    let due = last.map_or(since + DELAY, |last| last.max(since + DELAY));
+    if now < due {
+        context.request_repaint_after(due - now);
+    } else if !keeper.is_busy() {
+        send(studio, state, now);
+    }
+}
+
+fn send(studio: &mut Studio, state: State, now: Instant) {
+    let order = Order::Keep {
+        state,
+        writing: studio.editor.writing(),
+        path: studio.editor.path().map(Path::to_owned),
+        title: title(studio),
+    };
+    let keeper = &mut studio.documents.keeper;
+    keeper.order(order);
+    keeper.sent = Some((state, now));
+    keeper.waits_since = None;
+}
+
+fn title(studio: &Studio) -> String {
+    let title = studio.editor.title();
+    if title.is_empty() { name(studio) } else { title.to_owned() }
+}
+
+fn take_reports(studio: &mut Studio) {
+    let keeper = &mut studio.documents.keeper;
+    let Some(thread) = &keeper.thread else { return };
+    let reports: Vec<Report> = thread.reports.try_iter().collect();
+    for report in reports {
+        let keeper = &mut studio.documents.keeper;
+        match report {
+            Report::Found(found) => keeper.found = found,
+            Report::Kept(state) => {
+                keeper.kept = Some(state);
+                keeper.has_failed = false;
+                keeper.discard_restored(|number| number == state.0);
+            }
+            Report::Failed(reason) => {
+                if !std::mem::replace(&mut keeper.has_failed, true) {
+                    let text = studio.texts.with("keep-failed", &[("reason", reason.into())]);
+                    studio.toasts.error(text);
+                }
+            }
+        }
+    }
+}
+
+/// The studio is being left. Unless changes are given up on purpose, they stay for the next start.
+pub(super) fn finish(studio: &mut Studio) {
+    let changed = is_changed(studio);
+    let leave_behind = changed && (studio.documents.keeper.is_held || !studio.documents.is_leaving);
+    let state = (studio.documents.number, studio.editor.revision());
+    if leave_behind && studio.documents.keeper.sent.is_none_or(|(sent, _)| sent != state) {
+        send(studio, state, Instant::now());
+    }
+    let keeper = &mut studio.documents.keeper;
+    keeper.discard_restored(|_| true);
+    if let Some(Thread { orders, handle, .. }) = keeper.thread.take() {
+        let _ = orders.send(Order::Finish { leave_behind });
+        let _ = handle.join();
+    }
+}
+
+/// The thread's life.
+fn attend(folder: &Path, inbox: &Receiver<Order>, report: impl Fn(Report)) {
+    let found: Vec<Found> = orphans(folder).into_iter().map(Found::new).collect();
+    if !found.is_empty() {
+        report(Report::Found(found));
+    }
+    let mut session: Option<Session> = None;
+    while let Ok(order) = inbox.recv() {
+        match order {
+            Order::Keep { state, writing, path, title } => {
+                let snapshot = Snapshot { original_path: path, title, text: writing.text() };
+                match keep_in(&mut session, folder, &snapshot) {
+                    Ok(()) => report(Report::Kept(state)),
+                    Err(reason) => report(Report::Failed(reason)),
+                }
+            }
+            Order::Clear => {
+                if let Some(Err(error)) = session.as_mut().map(Session::clear) {
+                    report(Report::Failed(error.to_string()));
+                }
+            }
+            Order::Discard(orphan) => {
+                if let Some(Err(error)) = Arc::into_inner(orphan).map(Orphan::discard) {
+                    report(Report::Failed(error.to_string()));
+                }
+            }
+            Order::Finish { leave_behind } => {
+                if leave_behind {
+                    session.take().map(Session::leave_behind);
+                }
+                return;
+            }
+        }
+    }
+    // The window is gone without a word, as after a fault.
+    session.take().map(Session::leave_behind);
+}
+
+fn keep_in(session: &mut Option<Session>, folder: &Path, snapshot: &Snapshot) -> Result<(), String> {
+    let session = match session {
+        Some(session) => session,
+        None => session.insert(Session::start(folder).map_err(|error| error.to_string())?),
+    };
+    session.write(snapshot).map_err(|error| error.to_string())
+}

@@ -1,0 +1,105 @@
+//! Leaving a document for another, or the studio, without losing changes.
+
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use catoptric_scene::Example;
+use egui::{Context, ViewportCommand};
+
+use super::disk::Opened;
+use super::recover::{self, Recovered};
+use super::{is_changed, name, open, save, show_example, show_fresh, show_opened};
+use crate::app::Studio;
+use crate::dialogs::question::Question;
+use crate::pictures;
+
+/// What comes after the present document.
+#[derive(Clone)]
+pub(crate) enum Next {
+    /// A new scene.
+    New,
+    /// The file at this path.
+    Open(PathBuf),
+    /// A file that has been read.
+    Show(Rc<Opened>),
+    /// A built-in scene.
+    Example(&'static Example),
+    /// A document that was left behind.
+    Recovered(Rc<Recovered>),
+    /// Nothing: the window closes.
+    Quit,
+}
+
+/// Goes on to `next`; asks first if the document has changes.
+pub(crate) fn replace(context: &Context, studio: &mut Studio, next: Next) {
+    studio.editor.settle();
+    if matches!(next, Next::Quit) && pictures::hold(studio) {
+        return;
+    }
+    if let Some(saving) = &mut studio.documents.saving {
+        // What is being saved decides whether there is something to ask.
+        saving.then(next);
+    } else if is_changed(studio) {
+        ask(studio, next);
+    } else {
+        go(context, studio, next);
+    }
+}
+
+fn ask(studio: &mut Studio, next: Next) {
+    let texts = &studio.texts;
+    let name = name(studio);
+    let after = next.clone();
+    let question = Question::new(
+        texts.with("unsaved-title", &[("name", name.clone().into())]),
+        texts.with("unsaved-text", &[("name", name.into())]),
+    )
+    .choice(texts.get("save"), move |context, studio| save::save(context, studio, Some(after)))
+    .choice(texts.get("cancel"), |_, _| {})
+    .choice(texts.get("do-not-save"), move |context, studio| go(context, studio, next));
+    studio.documents.asked_to_save = question.watch();
+    studio.dialogs.open(question);
+}
+
+/// Goes on to `next`, whatever becomes of the document.
+fn go(context: &Context, studio: &mut Studio, next: Next) {
+    match next {
+        Next::New => show_fresh(studio),
+        Next::Open(path) => open::begin(context, studio, &path),
+        Next::Show(opened) => show_opened(studio, Rc::unwrap_or_clone(opened)),
+        Next::Example(example) => show_example(studio, example),
+        Next::Recovered(recovered) => recover::show(studio, &recovered),
+        Next::Quit => {
+            studio.documents.is_leaving = true;
+            context.send_viewport_cmd(ViewportCommand::Close);
+        }
+    }
+}
+
+/// Holds the window back from closing until nothing can be lost.
+pub(super) fn mind_close(context: &Context, studio: &mut Studio) {
+    if studio.documents.interruption.as_ref().is_some_and(crate::window::Interruption::is_asked)
+        && !studio.documents.is_leaving
+    {
+        // Nobody is there to answer; what is unsaved is kept for the next start.
+        studio.documents.is_leaving = true;
+        studio.documents.keeper.hold();
+        context.send_viewport_cmd(ViewportCommand::Close);
+    }
+    if !context.input(|input| input.viewport().close_requested()) || studio.documents.is_leaving {
+        return;
+    }
+    if pictures::hold(studio) {
+        context.send_viewport_cmd(ViewportCommand::CancelClose);
+        return;
+    }
+    let is_asked = studio.documents.asked_to_save.strong_count() > 0;
+    if is_asked || studio.documents.saving.is_some() || is_changed(studio) {
+        context.send_viewport_cmd(ViewportCommand::CancelClose);
+        if !is_asked {
+            replace(context, studio, Next::Quit);
+        }
+    } else {
+        studio.documents.is_leaving = true;
+    }
+}

@@ -1,0 +1,154 @@
+//! Opening files.
+
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use catoptric_editor::Refused;
+use egui::Context;
+
+use super::disk::{self, May, Opened, ReadFailure};
+use super::job::{Job, Progress};
+use super::{Next, ask, leave, notice};
+use crate::app::Studio;
+use crate::dialogs::Message;
+use crate::host::FileKind;
+
+/// A file that is being read.
+pub(super) struct Reading {
+    job: Job<Result<Opened, ReadFailure>>,
+    pub(super) path: PathBuf,
+    purpose: Purpose,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Purpose {
+    /// To be opened instead of the document, whose changes up to this revision may be lost.
+    Open { document: u64, revision: u64 },
+    /// To revert the document with this number.
+    Revert { document: u64 },
+}
+
+impl Reading {
+    pub(super) fn since(&self) -> std::time::Instant {
+        self.job.since()
+    }
+}
+
+/// Begins to read the file at `path`, to open it instead of the document as it is now.
+pub(super) fn begin(context: &Context, studio: &mut Studio, path: &Path) {
+    let purpose = Purpose::Open { document: studio.documents.number, revision: studio.editor.revision() };
+    read(context, studio, path, purpose);
+}
+
+/// Takes back all changes since the file was saved, as one step.
+pub(super) fn revert(context: &Context, studio: &mut Studio) {
+    let document = studio.documents.number;
+    match (studio.editor.path().map(Path::to_owned), studio.documents.example) {
+        (Some(path), _) => read(context, studio, &path, Purpose::Revert { document }),
+        (None, Some(example)) => {
+            if let Ok(loaded) = example.load() {
+                let reverted = studio.editor.revert(loaded.text, loaded.scene);
+                after_revert(studio, reverted);
+            }
+        }
+        (None, None) => {
+            let text = studio.texts.get("revert-no-file").to_owned();
+            studio.toasts.info(text);
+        }
+    }
+}
+
+fn read(context: &Context, studio: &mut Studio, path: &Path, purpose: Purpose) {
+    // The path must mean the same whatever the folder of the program is later.
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let read = path.clone();
+    match Job::start(context, "open", move || disk::read(&read)) {
+        // A file that was being read is no longer wanted.
+        Ok(job) => studio.documents.reading = Some(Reading { job, path, purpose }),
+        Err(error) => failed(studio, &path, &ReadFailure::Other(error.to_string())),
+    }
+}
+
+/// Takes up what has been read.
+pub(super) fn poll(context: &Context, studio: &mut Studio) {
+    let Some(reading) = studio.documents.reading.take() else { return };
+    let result = match reading.job.poll() {
+        Progress::Waiting => {
+            studio.documents.reading = Some(reading);
+            return;
+        }
+        Progress::Done(result) => result,
+        Progress::Lost => Err(ReadFailure::Other(studio.texts.get("fault").to_owned())),
+    };
+    match (result, reading.purpose) {
+        (Err(failure), _) => failed(studio, &reading.path, &failure),
+        (Ok(opened), Purpose::Open { document, revision }) => {
+            let is_as_agreed = studio.documents.number == document && studio.editor.revision() == revision;
+            if is_as_agreed {
+                super::show_opened(studio, opened);
+            } else {
+                leave::replace(context, studio, Next::Show(Rc::new(opened)));
+            }
+        }
+        (Ok(opened), Purpose::Revert { document }) if studio.documents.number == document => {
+            let Opened { text, scene, findings, stamp, .. } = opened;
+            let reverted = studio.editor.revert(text.clone(), scene);
+            if reverted.is_ok() {
+                studio.documents.may = stamp.map(May::Update);
+                studio.documents.is_partial = findings.has_errors();
+                notice::show_findings(studio, text, findings);
+            }
+            after_revert(studio, reverted);
+        }
+        (Ok(_), Purpose::Revert { .. }) => {}
+    }
+}
+
+fn after_revert(studio: &mut Studio, reverted: Result<(), Refused>) {
+    studio.documents.saves += 1;
+    match reverted {
+        Ok(()) => {
+            let text = studio.texts.get("reverted").to_owned();
+            studio.toasts.info(text);
+        }
+        Err(refused) => {
+            studio.toasts.warning(refused.to_string());
+        }
+    }
+}
+
+/// Tells that a file cannot be opened. The open document stays.
+pub(super) fn failed(studio: &mut Studio, path: &Path, failure: &ReadFailure) {
+    if matches!(failure, ReadFailure::Missing) {
+        studio.settings.recent.retain(|recent| recent != path);
+    }
+    let text = failure.in_words(&studio.texts, path);
+    studio.dialogs.open(Message::new(studio.texts.get("open-failed"), text));
+}
+
+/// Opens the first scene file that was dropped on the window.
+pub(super) fn take_dropped(context: &Context, studio: &mut Studio) {
+    let dropped: Vec<PathBuf> =
+        context.input(|input| input.raw.dropped_files.iter().map(|file| file.path().to_owned()).collect());
+    if dropped.is_empty() {
+        return;
+    }
+    match dropped.iter().find(|path| ask::fits(path, FileKind::Scene)) {
+        Some(path) if studio.dialogs.is_any_open() => {
+            let name = path.display().to_string();
+            studio.toasts.info(studio.texts.with("dropped-later", &[("name", name.into())]));
+        }
+        Some(path) => {
+            if dropped.len() > 1 {
+                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                studio.toasts.info(studio.texts.with("dropped-several", &[("name", name.into())]));
+            }
+            studio.editor.settle();
+            leave::replace(context, studio, Next::Open(path.clone()));
+        }
+        None => {
+            let text = studio.texts.get("dropped-other").to_owned();
+            studio.toasts.warning(text);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Which of the recent files are still there: looked up by a thread, since a disk may be far away.
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+use egui::Context;
+
+use super::job::{Job, Progress};
+use crate::app::Studio;
+
+/// What is known about the recent files.
+#[derive(Default)]
+pub(super) struct Recent {
+    looked_up: Vec<PathBuf>,
+    missing: HashSet<PathBuf>,
+    job: Option<Job<HashSet<PathBuf>>>,
+}
+
+/// Looks the recent files up when their list has changed: once a frame.
+pub(super) fn keep(context: &Context, studio: &mut Studio) {
+    let recent = &mut studio.documents.recent;
+    if let Some(job) = recent.job.take() {
+        match job.poll() {
+            Progress::Waiting => recent.job = Some(job),
+            Progress::Done(missing) => recent.missing = missing,
+            Progress::Lost => {}
+        }
+    } else if recent.looked_up != studio.settings.recent {
+        recent.looked_up.clone_from(&studio.settings.recent);
+        let paths = recent.looked_up.clone();
+        let work = move || paths.into_iter().filter(|path| !path.exists()).collect();
+        recent.job = Job::start(context, "recent files", work).ok();
+    }
+}
+
+/// Whether a recent file was missing when it was looked up last: the menu shows it weakly.
+pub(crate) fn is_missing(studio: &Studio, path: &Path) -> bool {
+    studio.documents.recent.missing.contains(path)
+}
+
+/// Looks the recent files up again, as when their menu opens.
+pub(crate) fn look_again(studio: &mut Studio) {
+    studio.documents.recent.looked_up.clear();
+}

@@ -1,0 +1,114 @@
+//! What an earlier studio left behind when it crashed.
+
+use std::path::PathBuf;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::time::SystemTime;
+
+use catoptric_editor::Editor;
+use catoptric_editor::recovery::{Orphan, Snapshot};
+use catoptric_scene::{Diagnostics, Scene, read};
+use egui::Context;
+
+use super::job::{Job, Progress};
+use super::{Next, leave, notice, show_recovered};
+use crate::app::Studio;
+use crate::dialogs::Message;
+use crate::dialogs::recovery::Recovery;
+
+/// A document that was left behind, to be offered.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    orphan: Arc<Orphan>,
+    /// Its title.
+    pub(crate) title: String,
+    /// The file that it belongs to.
+    pub(crate) path: Option<PathBuf>,
+    /// When it was written.
+    pub(crate) written: SystemTime,
+}
+
+impl Found {
+    /// Looks into it.
+    pub(super) fn new(orphan: Orphan) -> Self {
+        let written = orphan.written();
+        let (title, path) = match orphan.read() {
+            Ok(Snapshot { title, original_path, .. }) => (title, original_path),
+            // It can at least be told and discarded.
+            Err(_) => (orphan.path().display().to_string(), None),
+        };
+        Self { orphan: Arc::new(orphan), title, path, written }
+    }
+}
+
+/// A document that has been read again.
+pub(crate) struct Recovered {
+    orphan: Arc<Orphan>,
+    snapshot: Snapshot,
+    scene: Scene,
+    findings: Diagnostics,
+}
+
+/// Reading it.
+pub(super) type Restoring = Job<Result<Recovered, String>>;
+
+/// Opens a document that was left behind.
+pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
+    let orphan = Arc::clone(&found.orphan);
+    let work = move || {
+        let snapshot = orphan.read().map_err(|error| error.to_string())?;
+        let reading = read(&snapshot.text);
+        Ok(Recovered { orphan, snapshot, scene: reading.scene, findings: reading.diagnostics })
+    };
+    match Job::start(context, "restore", work) {
+        Ok(job) => studio.documents.restoring = Some(job),
+        Err(error) => failed(studio, &error.to_string()),
+    }
+}
+
+/// Removes a document that was left behind for good.
+pub(crate) fn discard(studio: &mut Studio, found: Found) {
+    studio.documents.keeper.discard(found.orphan);
+}
+
+/// Offers what was found, and opens what was wanted.
+pub(super) fn poll(context: &Context, studio: &mut Studio) {
+    let found = std::mem::take(&mut studio.documents.keeper.found);
+    if !found.is_empty() {
+        studio.dialogs.open(Recovery::new(found));
+        context.request_repaint();
+    }
+    let Some(job) = studio.documents.restoring.take() else { return };
+    match job.poll() {
+        Progress::Waiting => studio.documents.restoring = Some(job),
+        Progress::Done(Ok(recovered)) => leave::replace(context, studio, Next::Recovered(Rc::new(recovered))),
+        Progress::Done(Err(reason)) => failed(studio, &reason),
+        Progress::Lost => {
+            let reason = studio.texts.get("fault").to_owned();
+            failed(studio, &reason);
+        }
+    }
+}
+
+fn failed(studio: &mut Studio, reason: &str) {
+    let text = studio.texts.with("restore-failed", &[("reason", reason.into())]);
+    studio.dialogs.open(Message::new(studio.texts.get("restore-failed-title"), text));
+}
+
+/// Puts it into the window, as a changed document with its own file.
+pub(super) fn show(studio: &mut Studio, recovered: &Recovered) {
+    let Recovered { orphan, snapshot, scene, findings } = recovered;
+    let text: Arc<str> = snapshot.text.as_str().into();
+    let editor = match &snapshot.original_path {
+        Some(path) => Editor::open(path.clone(), Arc::clone(&text), scene.clone()),
+        None => Editor::untitled(snapshot.title.clone(), Arc::clone(&text), scene.clone()),
+    };
+    show_recovered(studio, editor, orphan.written());
+    let number = studio.documents.number;
+    studio.documents.keeper.has_restored(number, Arc::clone(orphan));
+    if !findings.is_empty() {
+        notice::show_findings(studio, text, findings.clone());
+    }
+    let title = super::name(studio);
+    studio.toasts.success(studio.texts.with("restored", &[("name", title.into())]));
+}

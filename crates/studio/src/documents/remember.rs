@@ -1,0 +1,118 @@
+//! Remembering the settings: written by a thread, a moment after they have changed, and at the end.
+
+use std::time::{Duration, Instant};
+
+use egui::Context;
+
+use super::job::{Job, Progress};
+use crate::app::Studio;
+use crate::settings::Settings;
+
+/// So long nothing may change before the settings are written.
+const DELAY: Duration = Duration::from_secs(1);
+
+/// What is known about the settings on the disk.
+#[derive(Default)]
+pub(super) struct Memory {
+    /// Those on the disk.
+    written: Option<Settings>,
+    /// Those of the last frame, if they are others, and since when.
+    waiting: Option<(Settings, Instant)>,
+    job: Option<Job<Result<(), String>>>,
+    has_failed: bool,
+}
+
+impl Memory {
+    /// The settings were read from the disk like this.
+    pub(super) fn of(settings: &Settings) -> Self {
+        Self { written: Some(settings.clone()), ..Self::default() }
+    }
+}
+
+/// Writes the settings if they have changed: once a frame.
+pub(super) fn keep(context: &Context, studio: &mut Studio) {
+    note_window(context, studio);
+    note_layout(studio);
+    if let Some(job) = studio.documents.memory.job.take() {
+        match job.poll() {
+            Progress::Waiting => studio.documents.memory.job = Some(job),
+            Progress::Done(Ok(())) => {}
+            Progress::Done(Err(reason)) => failed(studio, reason),
+            Progress::Lost => {}
+        }
+    }
+    let memory = &mut studio.documents.memory;
+    if memory.written.as_ref() == Some(&studio.settings) {
+        memory.waiting = None;
+        return;
+    }
+    let now = Instant::now();
+    match &memory.waiting {
+        Some((waiting, since)) if *waiting == studio.settings => {
+            let due = *since + DELAY;
+            if now < due {
+                context.request_repaint_after(due - now);
+            } else if memory.job.is_none() {
+                write(context, studio);
+            }
+        }
+        _ => {
+            memory.waiting = Some((studio.settings.clone(), now));
+            context.request_repaint_after(DELAY);
+        }
+    }
+}
+
+fn write(context: &Context, studio: &mut Studio) {
+    let settings = studio.settings.clone();
+    studio.documents.memory.written = Some(settings.clone());
+    let Some(path) = studio.host.settings_path() else { return };
+    let work = move || settings.save(&path).map_err(|error| error.to_string());
+    match Job::start(context, "settings", work) {
+        Ok(job) => studio.documents.memory.job = Some(job),
+        Err(error) => failed(studio, error.to_string()),
+    }
+}
+
+fn failed(studio: &mut Studio, reason: String) {
+    if !std::mem::replace(&mut studio.documents.memory.has_failed, true) {
+        let text = studio.texts.with("settings-failed", &[("reason", reason.into())]);
+        studio.toasts.warning(text);
+    }
+}
+
+fn note_window(context: &Context, studio: &mut Studio) {
+    let zoom = context.zoom_factor();
+    let size = context.input(|input| {
+        let viewport = input.viewport();
+        let is_usual = viewport.fullscreen != Some(true)
+            && viewport.maximized != Some(true)
+            && viewport.minimized != Some(true);
+        viewport.inner_rect.filter(|_| is_usual).map(|rect| rect.size() * zoom)
+    });
+    if let Some(size) = size.filter(|size| size.x >= 100.0 && size.y >= 100.0) {
+        studio.settings.window_size = Some([size.x.round(), size.y.round()]);
+    }
+}
+
+fn note_layout(studio: &mut Studio) {
+    if studio.settings.layout.as_ref() != Some(&studio.layout) {
+        studio.settings.layout = Some(studio.layout.clone());
+    }
+}
+
+/// The studio is being left: writes at once what has not been written.
+pub(super) fn finish(studio: &mut Studio) {
+    note_layout(studio);
+    // One that is under way must not come later.
+    while let Some(Progress::Waiting) = studio.documents.memory.job.as_ref().map(Job::poll) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    if studio.documents.memory.written.as_ref() == Some(&studio.settings) {
+        return;
+    }
+    if let Some(path) = studio.host.settings_path() {
+        // Nobody can be told any more.
+        let _ = studio.settings.save(&path);
+    }
+}

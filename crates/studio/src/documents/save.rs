@@ -1,0 +1,181 @@
+//! Saving.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use catoptric_editor::Writing;
+use egui::Context;
+
+use super::disk::{self, May, WriteFailure, Written};
+use super::job::{Job, Progress};
+use super::{Next, leave, notice, save_as};
+use crate::app::Studio;
+use crate::dialogs::question::{Act, Question};
+use crate::settings::LastScene;
+
+/// A saving to be begun.
+pub(super) struct Order {
+    pub(super) path: PathBuf,
+    pub(super) may: May,
+    /// What was meant to come after it.
+    pub(super) then: Option<Next>,
+}
+
+/// A saving under way.
+pub(super) struct Saving {
+    job: Job<Result<Written, WriteFailure>>,
+    writing: Writing,
+    document: u64,
+    order: Order,
+}
+
+impl Saving {
+    pub(super) fn since(&self) -> Instant {
+        self.job.since()
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.order.path
+    }
+
+    /// Has something done after it, unless something else is meant to come already.
+    pub(super) fn then(&mut self, next: Next) {
+        self.order.then.get_or_insert(next);
+    }
+}
+
+/// Saves the document to its file, or asks for one; then does what was meant to come after.
+pub(crate) fn save(context: &Context, studio: &mut Studio, then: Option<Next>) {
+    let Some(path) = studio.editor.path().map(Path::to_owned) else { return save_as(studio, then) };
+    if studio.documents.is_partial {
+        ask_about_partial(studio, path, then);
+        return;
+    }
+    let may = studio.documents.may.unwrap_or(May::Replace);
+    order(context, studio, Order { path, may, then });
+}
+
+/// Begins to save, or waits until the saving under way is done.
+pub(super) fn order(context: &Context, studio: &mut Studio, order: Order) {
+    if studio.documents.saving.is_some() {
+        studio.documents.next_saving = Some(order);
+        return;
+    }
+    studio.editor.settle();
+    let path = std::path::absolute(&order.path).unwrap_or(order.path);
+    let order = Order { path, ..order };
+    let writing = studio.editor.writing();
+    let (written, path, may) = (writing.clone(), order.path.clone(), order.may);
+    match Job::start(context, "save", move || disk::write(&written, &path, may)) {
+        Ok(job) => {
+            let document = studio.documents.number;
+            studio.documents.saving = Some(Saving { job, writing, document, order });
+        }
+        Err(error) => {
+            let path = order.path.display().to_string();
+            let arguments = [("path", path.into()), ("reason", error.to_string().into())];
+            let text = studio.texts.with("write-other", &arguments);
+            tell_failure(studio, text, order.then);
+        }
+    }
+}
+
+/// Takes up what has been saved.
+pub(super) fn poll(context: &Context, studio: &mut Studio) {
+    let Some(saving) = studio.documents.saving.take() else { return };
+    match saving.job.poll() {
+        Progress::Waiting => {
+            studio.documents.saving = Some(saving);
+            return;
+        }
+        Progress::Done(Ok(written)) => saved(context, studio, saving, written),
+        Progress::Done(Err(WriteFailure::Other)) => ask_about_replacing(studio, saving.order),
+        Progress::Done(Err(WriteFailure::Cannot(error))) => {
+            let text = disk::write_failure_in_words(&studio.texts, &error);
+            tell_failure(studio, text, saving.order.then);
+        }
+        Progress::Lost => {
+            let text = studio.texts.get("fault").to_owned();
+            tell_failure(studio, text, saving.order.then);
+        }
+    }
+    if let Some(next) = studio.documents.next_saving.take() {
+        order(context, studio, next);
+    }
+}
+
+fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Written) {
+    let Saving { writing, document, order: Order { path, then, .. }, .. } = saving;
+    studio.settings.remember_recent(&path);
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    studio.toasts.success(studio.texts.with("saved", &[("name", name.into())]));
+    if document == studio.documents.number {
+        studio.editor.mark_written(&writing, path.clone(), written.text);
+        let documents = &mut studio.documents;
+        documents.saves += 1;
+        documents.may = written.stamp.map(May::Update);
+        documents.is_partial = false;
+        documents.example = None;
+        studio.settings.last = Some(LastScene::File(path));
+        notice::clear_findings(studio);
+    }
+    if let Some(next) = then {
+        // Asks again if the scene has changed while it was being written.
+        leave::replace(context, studio, next);
+    }
+}
+
+/// There is a file already, or another program has changed it.
+fn ask_about_replacing(studio: &mut Studio, order: Order) {
+    let name = order.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let path = order.path.display().to_string();
+    let texts = &studio.texts;
+    let (title, text) = match order.may {
+        May::Create | May::Replace => ("replace-title", "replace-text"),
+        May::Update(_) | May::UpdateBefore(_) => ("overwrite-title", "overwrite-text"),
+    };
+    let question = Question::new(
+        texts.with(title, &[("name", name.into())]),
+        texts.with(text, &[("path", path.into())]),
+    );
+    let Order { path, then, .. } = order;
+    let other = then.clone();
+    let question = question
+        .choice(texts.get("save-as"), move |_, studio| save_as(studio, other))
+        .choice(texts.get("cancel"), |_, _| {})
+        .choice(texts.get("replace"), move |context, studio| {
+            super::save::order(context, studio, Order { path, may: May::Replace, then });
+        });
+    studio.dialogs.open(question);
+}
+
+/// The file has parts that could not be read and would be lost.
+fn ask_about_partial(studio: &mut Studio, path: PathBuf, then: Option<Next>) {
+    let texts = &studio.texts;
+    let name = super::name(studio);
+    let other = then.clone();
+    let question = Question::new(
+        texts.with("partial-title", &[("name", name.clone().into())]),
+        texts.with("partial-text", &[("name", name.into())]),
+    )
+    .choice(texts.get("save-as"), move |_, studio| save_as(studio, other))
+    .choice(texts.get("cancel"), |_, _| {})
+    .choice(texts.get("replace"), move |context, studio: &mut Studio| {
+        let may = studio.documents.may.unwrap_or(May::Replace);
+        order(context, studio, Order { path, may, then });
+    });
+    studio.dialogs.open(question);
+}
+
+/// The document could not be saved; nothing is lost.
+fn tell_failure(studio: &mut Studio, text: String, then: Option<Next>) {
+    let texts = &studio.texts;
+    let rest: Act = Box::new(move |_, studio| save_as(studio, then));
+    let question = Question::new(
+        texts.get("save-failed"),
+        format!("{text}\n\n{}", texts.get("save-failed-nothing-lost")),
+    )
+    .choice(texts.get("save-as"), rest)
+    .choice(texts.get("close"), |_, _| {});
+    studio.dialogs.open(question);
+}

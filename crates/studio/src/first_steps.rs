@@ -1,0 +1,117 @@
+//! The hint of the first start: three things to try, over the picture.
+
+use std::sync::Arc;
+
+use catoptric_scene::{Camera, Scene};
+use egui::{Align, Align2, Area, Context, Frame, Id, Layout, Order, RichText, Ui};
+use egui_material_icons::icons;
+
+use crate::app::Studio;
+use crate::texts::Texts;
+use crate::theme;
+use crate::widgets::icon_button;
+
+/// The messages of the steps.
+const STEPS: [&str; 3] = ["first-move", "first-orbit", "first-reflection"];
+
+/// Which steps have been done.
+#[derive(Debug, Default)]
+pub(crate) struct FirstSteps {
+    done: [bool; 3],
+    /// The scene before anything was done to it, and the camera of the view then.
+    start: Option<(Arc<Scene>, Camera)>,
+}
+
+impl FirstSteps {
+    /// Shows the hint from its beginning.
+    pub(crate) fn open(studio: &mut Studio) {
+        studio.first_steps = Self::default();
+        let camera = studio.view.camera(studio.editor.scene());
+        studio.first_steps.start = Some((Arc::clone(studio.editor.scene()), camera));
+        studio.settings.is_hint_dismissed = false;
+    }
+}
+
+/// Draws the hint, unless it has been dismissed.
+pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
+    if studio.settings.is_hint_dismissed {
+        return;
+    }
+    watch(studio);
+    let Some(view) = studio.viewport_rect() else { return };
+    if view.width() < 360.0 || view.height() < 260.0 {
+        return;
+    }
+    let corner = view.left_bottom() + egui::vec2(14.0, -14.0);
+    let mut is_closed = false;
+    Area::new(Id::unique("first steps"))
+        .order(Order::Middle)
+        .pivot(Align2::LEFT_BOTTOM)
+        .fixed_pos(corner)
+        .show(context, |ui| {
+            Frame::popup(ui.style()).inner_margin(12.0).show(ui, |ui| {
+                ui.set_width(304.0);
+                is_closed = card_ui(ui, &studio.texts, studio.first_steps.done);
+            });
+        });
+    studio.settings.is_hint_dismissed |= is_closed;
+}
+
+/// Ticks the steps that have been done since the start; a scene that nothing was done to is a new start.
+fn watch(studio: &mut Studio) {
+    let scene = studio.editor.scene();
+    let camera = studio.view.camera(scene);
+    let is_fresh = studio.editor.steps().len() == 0 && !studio.editor.is_in_gesture();
+    let steps = &mut studio.first_steps;
+    let is_same = steps.start.as_ref().is_some_and(|(start, _)| Arc::ptr_eq(start, scene));
+    if steps.start.is_none() || is_fresh && !is_same {
+        steps.start = Some((Arc::clone(scene), camera));
+        return;
+    }
+    let Some((start, start_camera)) = &steps.start else { return };
+    if camera.position != start_camera.position {
+        steps.done[1] = true;
+    }
+    if is_same || start.bodies.len() != scene.bodies.len() {
+        return;
+    }
+    let pairs = || start.bodies.iter().zip(&scene.bodies);
+    let reflection =
+        |scene: &Scene, body: &catoptric_scene::Body| scene.material(&body.material).map(|m| m.reflection());
+    steps.done[0] |= pairs().any(|(before, now)| before.placement != now.placement);
+    steps.done[2] |= pairs().any(|(before, now)| reflection(start, before) != reflection(scene, now));
+}
+
+/// Draws the card; returns whether it is to be closed.
+fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> bool {
+    let palette = theme::palette(ui.visuals());
+    let mut is_closed = false;
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(texts.get("first-title")).strong());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            is_closed = icon_button(ui, icons::ICON_CLOSE, texts.get("first-dismiss"), false).clicked();
+        });
+    });
+    ui.add_space(2.0);
+    for (key, is_done) in STEPS.into_iter().zip(done) {
+        let (icon, tint, color) = if is_done {
+            (icons::ICON_CHECK_CIRCLE, palette.axes[1], palette.weak)
+        } else {
+            (icons::ICON_RADIO_BUTTON_UNCHECKED, palette.accent, palette.text)
+        };
+        ui.horizontal_top(|ui| {
+            ui.label(icon.rich_text().size(17.0).color(tint));
+            ui.add(egui::Label::new(RichText::new(texts.get(key)).color(color)).wrap());
+        });
+    }
+    if done == [true; 3] {
+        ui.add_space(2.0);
+        ui.horizontal(|ui| {
+            ui.label(texts.get("first-done"));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                is_closed |= ui.button(texts.get("close")).clicked();
+            });
+        });
+    }
+    is_closed
+}

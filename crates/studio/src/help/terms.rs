@@ -1,0 +1,71 @@
+//! The terms of optics, a sentence each.
+
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, FontId, RichText, Ui};
+
+use crate::texts::Texts;
+use crate::theme;
+
+/// A term: its sign with the index that stands under it, and its message.
+struct Term {
+    sign: &'static str,
+    index: &'static str,
+    key: &'static str,
+}
+
+const fn term(sign: &'static str, index: &'static str, key: &'static str) -> Term {
+    Term { sign, index, key }
+}
+
+/// The terms, from the surface over the light to the rays.
+const TERMS: [Term; 18] = [
+    term("C", "", "term-color"),
+    term("k", "a", "term-ambient"),
+    term("k", "d", "term-diffuse"),
+    term("k", "s", "term-specular"),
+    term("n", "", "term-shininess"),
+    term("k", "r", "term-reflection"),
+    term("k", "t", "term-transmission"),
+    term("η", "", "term-ior"),
+    term("τ", "", "term-tint"),
+    term("s", "", "term-checker"),
+    term("I", "j", "term-intensity"),
+    term("A(d)", "", "term-falloff"),
+    term("I", "a", "term-ambient-light"),
+    term("I", "b", "term-background"),
+    term("K", "", "term-generations"),
+    term("w", "", "term-threshold"),
+    term("", "", "term-total-reflection"),
+    term("", "", "term-shadow"),
+];
+
+/// Draws the terms.
+pub(super) fn terms_ui(ui: &mut Ui, texts: &Texts) {
+    let palette = theme::palette(ui.visuals());
+    ui.add_space(8.0);
+    egui::Grid::new("terms").num_columns(2).spacing([16.0, 10.0]).show(ui, |ui| {
+        for term in &TERMS {
+            ui.label(sign(term, palette.accent));
+            ui.vertical(|ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ui.label(RichText::new(texts.get(term.key)).color(palette.text));
+                let tip = texts.tip(term.key).unwrap_or_default();
+                ui.add(egui::Label::new(RichText::new(tip).color(palette.weak)).wrap());
+            });
+            ui.end_row();
+        }
+    });
+}
+
+fn sign(term: &Term, color: egui::Color32) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let format = |size, valign| TextFormat {
+        font_id: FontId::proportional(size),
+        color,
+        valign,
+        ..Default::default()
+    };
+    job.append(term.sign, 0.0, format(17.0, Align::Center));
+    job.append(term.index, 0.0, format(11.0, Align::BOTTOM));
+    job
+}

@@ -1,0 +1,193 @@
+//! A thing taken by itself and carried: the grabbed point stays under the pointer. Knows nothing of egui.
+
+use glam::{DVec2, DVec3};
+
+use super::gizmo::lines::{along_axis, on_level, on_plane};
+use super::gizmo::pull::Care;
+use super::gizmo::steps;
+use super::lens::Lens;
+
+/// A level plane seen at a smaller angle than this (its sine; 6°) runs away under the hand.
+const LEAST_SLOPE: f64 = 0.1;
+
+/// How far things can be carried towards the horizon, in distances at which they were taken.
+const FARTHEST: f64 = 8.0;
+
+/// What is carried, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Carry {
+    /// The point that was grabbed.
+    grabbed: DVec3,
+    /// The place of the primary thing when it was taken: what snapping brings to the grid.
+    lead: DVec3,
+    /// The move until the present leg.
+    before: DVec3,
+    leg: Leg,
+}
+
+/// A stretch of the way during which things move in one manner.
+#[derive(Clone, Debug, PartialEq)]
+struct Leg {
+    manner: Manner,
+    /// Where the pointer was at the beginning.
+    from: DVec2,
+}
+
+/// How things move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Manner {
+    /// In the level plane.
+    Level,
+    /// Up and down.
+    Upright,
+    /// Parallel to the picture, where the level plane is seen edge-on.
+    Facing,
+}
+
+impl Carry {
+    /// Takes the thing at `lead` by its point `grabbed`, with the pointer at `at`.
+    pub(crate) fn begin(grabbed: DVec3, lead: DVec3, lens: &Lens, at: DVec2) -> Self {
+        let leg = Leg { manner: level_or_facing(lens, at), from: at };
+        Self { grabbed, lead, before: DVec3::ZERO, leg }
+    }
+
+    /// How it moves now.
+    pub(crate) fn manner(&self) -> Manner {
+        self.leg.manner
+    }
+
+    /// The move from the beginning to the pointer at `at`; `None` when that place says nothing.
+    pub(crate) fn to(&mut self, lens: &Lens, at: DVec2, is_upright: bool, care: Care) -> Option<DVec3> {
+        if is_upright != (self.leg.manner == Manner::Upright) {
+            self.before = self.way(lens, at).unwrap_or(self.before);
+            let manner = if is_upright { Manner::Upright } else { level_or_facing(lens, at) };
+            self.leg = Leg { manner, from: at };
+        }
+        let way = self.way(lens, at)?;
+        let grid = if care.snaps {
+            steps::MOVE
+        } else {
+            let fine = if care.is_fine { 0.1 } else { 1.0 };
+            steps::decimal_below(fine * lens.meters_per_point(self.grabbed))
+        };
+        let moves = match self.leg.manner {
+            Manner::Level => [true, false, true],
+            Manner::Upright => [false, true, false],
+            Manner::Facing => [true; 3],
+        };
+        Some(steps::to_grid(way, self.lead, moves, grid))
+    }
+
+    /// The whole move, without rounding.
+    fn way(&self, lens: &Lens, at: DVec2) -> Option<DVec3> {
+        let start = self.grabbed + self.before;
+        let [from, to] = [self.leg.from, at].map(|at| met(lens, at, start, self.leg.manner));
+        let mut step = to? - from?;
+        match self.leg.manner {
+            Manner::Level => step.y = 0.0,
+            Manner::Upright => step = DVec3::new(0.0, step.y, 0.0),
+            Manner::Facing => {}
+        }
+        (self.before + step).is_finite().then_some(self.before + step)
+    }
+}
+
+fn level_or_facing(lens: &Lens, at: DVec2) -> Manner {
+    if lens.ray(at).direction.y.abs() < LEAST_SLOPE { Manner::Facing } else { Manner::Level }
+}
+
+/// Where the pointer's ray meets the plane or line through `point` in which things move.
+fn met(lens: &Lens, at: DVec2, point: DVec3, manner: Manner) -> Option<DVec3> {
+    let ray = lens.ray(at);
+    let [_, _, forward] = lens.axes();
+    match manner {
+        Manner::Level => on_level(&ray, point, FARTHEST * ray.origin.distance(point)),
+        Manner::Facing => on_plane(&ray, point, -forward),
+        Manner::Upright => match along_axis(&ray, point, DVec3::Y) {
+            Some(up) if forward.y.abs() < 0.95 => Some(point + up * DVec3::Y),
+            // From straight above, height has no direction in the picture; the pointer's own up stands for it.
+            _ => Some(point - at.y * lens.meters_per_point(point) * DVec3::Y),
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::Camera;
+
+    use super::*;
+
+    const SIZE: DVec2 = DVec2::new(800.0, 600.0);
+    const FREE: Care = Care { snaps: false, is_fine: false };
+
+    fn lens(position: [f64; 3]) -> Lens {
+        Lens::new(&Camera { position: position.into(), target: DVec3::Y, ..Camera::default() }, SIZE)
+    }
+
+    #[test]
+    fn the_grabbed_point_stays_under_the_pointer() {
+        let lens = lens([0.0, 4.0, 8.0]);
+        let grabbed = DVec3::new(0.3, 0.7, 0.4);
+        let at = lens.project(grabbed).unwrap();
+        let mut carry = Carry::begin(grabbed, DVec3::ZERO, &lens, at);
+        for to in [DVec2::new(100.0, 400.0), DVec2::new(700.0, 300.0), at] {
+            let step = carry.to(&lens, to, false, FREE).unwrap();
+            assert_eq!(step.y, 0.0);
+            assert!((lens.project(grabbed + step).unwrap() - to).length() < 0.5);
+        }
+    }
+
+    #[test]
+    fn up_and_down_takes_over_where_the_level_way_ends() {
+        let lens = lens([0.0, 4.0, 8.0]);
+        let at = lens.project(DVec3::Y).unwrap();
+        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at);
+        let aside = at + DVec2::new(50.0, 30.0);
+        let level = carry.to(&lens, aside, false, FREE).unwrap();
+        let turned = carry.to(&lens, aside, true, FREE).unwrap();
+        assert!(turned.distance(level) < 0.01);
+        let up = carry.to(&lens, aside - DVec2::new(0.0, 60.0), true, FREE).unwrap();
+        assert!(up.y > 0.3 && (up.x - level.x).abs() < 0.01 && (up.z - level.z).abs() < 0.01);
+        let back = carry.to(&lens, aside - DVec2::new(30.0, 60.0), false, FREE).unwrap();
+        assert!((back.y - up.y).abs() < 1e-9 && back.x < up.x);
+    }
+
+    #[test]
+    fn seen_from_the_ground_things_move_with_the_picture() {
+        let lens = lens([0.0, 1.05, 8.0]);
+        let at = lens.project(DVec3::Y).unwrap();
+        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at);
+        assert_eq!(carry.manner(), Manner::Facing);
+        let step = carry.to(&lens, at + DVec2::new(30.0, -40.0), false, FREE).unwrap();
+        assert!(step.x > 0.0 && step.y > 0.0 && step.z.abs() < 0.02);
+    }
+
+    #[test]
+    fn towards_the_horizon_nothing_flies_away() {
+        let lens = lens([0.0, 2.5, 8.0]);
+        let at = lens.project(DVec3::ZERO).unwrap();
+        let mut carry = Carry::begin(DVec3::ZERO, DVec3::ZERO, &lens, at);
+        let mut last = 0.0;
+        for y in (-2000..400).rev().step_by(10) {
+            let step = carry.to(&lens, DVec2::new(400.0, f64::from(y)), false, FREE).unwrap();
+            assert!(step.length() < 10.0 * 9.0, "{step}");
+            // Ever farther away, up to the limit and no way back.
+            assert!(step.z <= last + 1e-9, "{y}: {step}");
+            last = step.z;
+        }
+    }
+
+    #[test]
+    fn snapping_brings_the_thing_itself_to_the_grid() {
+        let lens = lens([0.0, 4.0, 8.0]);
+        let (grabbed, lead) = (DVec3::new(0.3, 0.7, 0.4), DVec3::new(0.123, 0.456, 0.789));
+        let at = lens.project(grabbed).unwrap();
+        let mut carry = Carry::begin(grabbed, lead, &lens, at);
+        let snaps = Care { snaps: true, is_fine: false };
+        let placed = lead + carry.to(&lens, at + DVec2::new(111.0, 37.0), false, snaps).unwrap();
+        for part in [placed.x, placed.z] {
+            assert!((10.0 * part - (10.0 * part).round()).abs() < 1e-9, "{placed}");
+        }
+        assert_eq!(placed.y, lead.y);
+    }
+}

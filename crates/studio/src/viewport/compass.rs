@@ -1,0 +1,132 @@
+//! Which way the axes point, in the upper right corner; a click looks along one of them.
+
+use catoptric_editor::navigate::Axis;
+use egui::accesskit::Role;
+use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use glam::DVec3;
+
+use super::sight::Sight;
+use crate::command::Command;
+use crate::context::Cx;
+use crate::theme;
+
+/// Length of an arm, points.
+const ARM: f32 = 32.0;
+/// Radius of the discs at the ends, points.
+const DISC: f32 = 9.0;
+
+/// An end of an axis.
+struct End {
+    side: Axis,
+    direction: DVec3,
+    /// Which color and letter.
+    axis: usize,
+    key: &'static str,
+}
+
+/// The six ends, in the order of the keyboard.
+const ENDS: [End; 6] = [
+    End { side: Axis::Right, direction: DVec3::X, axis: 0, key: "viewport-look-right" },
+    End { side: Axis::Left, direction: DVec3::NEG_X, axis: 0, key: "viewport-look-left" },
+    End { side: Axis::Top, direction: DVec3::Y, axis: 1, key: "viewport-look-top" },
+    End { side: Axis::Bottom, direction: DVec3::NEG_Y, axis: 1, key: "viewport-look-bottom" },
+    End { side: Axis::Front, direction: DVec3::Z, axis: 2, key: "viewport-look-front" },
+    End { side: Axis::Back, direction: DVec3::NEG_Z, axis: 2, key: "viewport-look-back" },
+];
+
+impl End {
+    fn is_positive(&self) -> bool {
+        self.direction.max_element() > 0.5
+    }
+}
+
+/// Draws the compass.
+pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
+    let palette = theme::palette(ui.visuals());
+    let margin = ARM + DISC + 12.0;
+    let center = sight.rect.right_top() + vec2(-margin, margin);
+    if sight.rect.width() < 4.0 * margin || sight.rect.height() < 3.0 * margin {
+        return;
+    }
+    let [right, up, forward] = sight.lens.axes();
+    let place = |end: &End| -> (Pos2, f64) {
+        let aside = vec2(end.direction.dot(right) as f32, -end.direction.dot(up) as f32);
+        (center + ARM * aside, end.direction.dot(forward))
+    };
+    let painter = ui.painter().clone();
+    painter.circle_filled(center, ARM + DISC + 4.0, palette.panel.gamma_multiply(0.35));
+    let mut ends: Vec<(&End, Pos2, f64)> = ENDS.iter().map(|end| (end, place(end).0, place(end).1)).collect();
+    // The widgets first, in a steady order; egui gives the last of those that overlap to the pointer, and so the
+    // nearest must be asked for by hand.
+    let responses: Vec<_> = ENDS.iter().map(|end| end_response(ui, cx, end, place(end).0)).collect();
+    let pointer = ui.input(|input| input.pointer.hover_pos());
+    let is_over = |pos: &Pos2| pointer.is_some_and(|pointer| pointer.distance(*pos) <= DISC + 2.0);
+    let any_hovered = responses.iter().any(egui::Response::hovered);
+    let nearest = ends
+        .iter()
+        .filter(|(_, pos, _)| any_hovered && is_over(pos))
+        .min_by(|a, b| a.2.total_cmp(&b.2))
+        .map(|(end, ..)| end.side);
+    let is_clicked = responses.iter().any(|response| response.clicked_by(egui::PointerButton::Primary));
+    let by_keys = responses.iter().zip(&ENDS).find(|(response, _)| response.clicked() && !is_clicked);
+    let chosen = if is_clicked { nearest } else { by_keys.map(|(_, end)| end.side) };
+    let focused =
+        responses.iter().zip(&ENDS).find(|(response, _)| response.has_focus()).map(|(_, end)| end.side);
+    ends.sort_by(|a, b| b.2.total_cmp(&a.2));
+    for (end, pos, depth) in &ends {
+        let is_bright = nearest == Some(end.side) || focused == Some(end.side);
+        end_ui(&painter, center, (*end, *pos, *depth), is_bright, palette);
+    }
+    if let Some(side) = chosen {
+        // From where the view already looks, the click goes to the other side.
+        let side = if is_already_there(side, forward) { opposite(side) } else { side };
+        cx.run(Command::LookAlong(side));
+    }
+}
+
+fn end_response(ui: &mut Ui, cx: &Cx<'_>, end: &End, pos: Pos2) -> egui::Response {
+    let rect = Rect::from_center_size(pos, Vec2::splat(2.0 * (DISC + 2.0)));
+    let response = ui.interact(rect, ui.id().with(("compass", end.key)), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, cx.t(end.key)));
+    response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text(cx.t(end.key))
+}
+
+fn end_ui(
+    painter: &egui::Painter,
+    center: Pos2,
+    (end, pos, depth): (&End, Pos2, f64),
+    is_bright: bool,
+    palette: &theme::Palette,
+) {
+    let color = palette.axes.get(end.axis).copied().unwrap_or(palette.text);
+    // What points away is fainter.
+    let strength = 0.72 - 0.28 * depth as f32;
+    let color = if is_bright { color } else { color.gamma_multiply(strength.clamp(0.4, 1.0)) };
+    if end.is_positive() {
+        painter.line_segment([center, pos], Stroke::new(2.2, color));
+        painter.circle_filled(pos, DISC, color);
+        let letter = ["X", "Y", "Z"].get(end.axis).copied().unwrap_or_default();
+        let ink = Color32::from_rgb(20, 22, 26);
+        painter.text(pos, Align2::CENTER_CENTER, letter, FontId::proportional(12.0), ink);
+    } else {
+        painter.circle(pos, DISC - 2.5, color.gamma_multiply(0.30), Stroke::new(1.4, color));
+    }
+    if is_bright {
+        painter.circle_stroke(pos, DISC + 1.5, Stroke::new(1.5, Color32::WHITE));
+    }
+}
+
+fn is_already_there(side: Axis, forward: DVec3) -> bool {
+    ENDS.iter().any(|end| end.side == side && end.direction.dot(forward) < -0.9999)
+}
+
+fn opposite(side: Axis) -> Axis {
+    match side {
+        Axis::Front => Axis::Back,
+        Axis::Back => Axis::Front,
+        Axis::Left => Axis::Right,
+        Axis::Right => Axis::Left,
+        Axis::Top => Axis::Bottom,
+        Axis::Bottom => Axis::Top,
+    }
+}

@@ -1,0 +1,219 @@
+//! A handle of the gizmo in a hand: from where the pointer goes to what changes.
+
+use glam::{DVec2, DVec3};
+
+use super::change::Change;
+use super::lines::{across, along_axis, angle_about, angle_in, in_picture, on_plane, wrapped};
+use super::{Gizmo, Handle, OUTER_RING, RING, arm, steps};
+use crate::viewport::lens::Lens;
+
+/// The least factor of one pull.
+const LEAST_FACTOR: f64 = 0.01;
+
+/// How exactly the hand wants it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Care {
+    /// To whole steps.
+    pub(crate) snaps: bool,
+    /// With more digits.
+    pub(crate) is_fine: bool,
+}
+
+/// How much was changed, to be shown beside the pointer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Amount {
+    /// Meters along the axes of the gizmo; `None` where nothing moves.
+    Meters([Option<f64>; 3]),
+    /// Degrees.
+    Degrees(f64),
+    /// A factor.
+    Factor(f64),
+}
+
+/// A handle that is held.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Pull {
+    pub(crate) gizmo: Gizmo,
+    pub(crate) handle: Handle,
+    start: DVec2,
+    grip: Grip,
+}
+
+/// What was taken hold of.
+#[derive(Clone, Debug, PartialEq)]
+enum Grip {
+    /// A point of an axis, meters from the center.
+    Axis(f64),
+    /// A point of the plane with this normal.
+    Plane { normal: DVec3, from: DVec3 },
+    /// A ring: the frame in its plane, the last angle and the sum of all turns, radians.
+    Ring { frame: [DVec3; 2], last: f64, total: f64 },
+    /// A ring seen edge-on: radians for each point that the pointer moves in the picture.
+    Edge(DVec2),
+    /// The outer ring.
+    Outer { last: f64, total: f64 },
+    /// The center of scaling.
+    Middle,
+}
+
+impl Pull {
+    /// Takes hold of a handle with the pointer at `at`.
+    pub(crate) fn begin(gizmo: Gizmo, handle: Handle, lens: &Lens, at: DVec2) -> Option<Self> {
+        let ray = lens.ray(at);
+        let pivot = gizmo.pivot;
+        let grip = match handle {
+            Handle::Move(axis) => Grip::Axis(along_axis(&ray, pivot, gizmo.axis(axis))?),
+            Handle::Scale(axis) => {
+                let along = along_axis(&ray, pivot, gizmo.axis(axis))?;
+                Grip::Axis(along.max(gizmo.grain(lens)))
+            }
+            Handle::MovePlane(axis) => {
+                let normal = gizmo.axis(axis);
+                Grip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
+            }
+            Handle::MoveScreen => {
+                let [.., normal] = lens.axes();
+                Grip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
+            }
+            Handle::Turn(axis) => turn_grip(&gizmo, axis, lens, at),
+            Handle::TurnView => Grip::Outer { last: angle_about(lens.project(pivot)?, at)?, total: 0.0 },
+            Handle::ScaleAll => Grip::Middle,
+        };
+        Some(Self { gizmo, handle, start: at, grip })
+    }
+
+    /// What the pointer at `at` makes of it; `None` when that place says nothing, and all is to stay as it is.
+    pub(crate) fn to(&mut self, lens: &Lens, at: DVec2, care: Care) -> Option<(Change, Amount)> {
+        let pivot = self.gizmo.pivot;
+        let start = self.start;
+        let ray = lens.ray(at);
+        match (&mut self.grip, self.handle) {
+            (Grip::Axis(from), Handle::Scale(axis)) => {
+                let factor = along_axis(&ray, pivot, self.gizmo.axis(axis))? / *from;
+                Some(self.scale(Some(axis), factor, care))
+            }
+            (Grip::Axis(from), Handle::Move(axis)) => {
+                let direction = self.gizmo.axis(axis);
+                let step = (along_axis(&ray, pivot, direction)? - *from) * direction;
+                Some(self.step(step, [0, 1, 2].map(|other| other == axis), lens, care))
+            }
+            (Grip::Plane { normal, from }, handle) => {
+                let step = on_plane(&ray, pivot, *normal)? - *from;
+                let moves = [0, 1, 2].map(|other| handle != Handle::MovePlane(other));
+                Some(self.step(step, moves, lens, care))
+            }
+            (Grip::Ring { frame, last, total }, Handle::Turn(axis)) => {
+                let axis = self.gizmo.axis(axis);
+                let angle = angle_in(pivot, *frame, on_plane(&ray, pivot, axis)?);
+                *total += wrapped(angle - *last);
+                *last = angle;
+                Some(turn(pivot, axis, *total, care))
+            }
+            (Grip::Edge(radians), Handle::Turn(axis)) => {
+                let total = radians.dot(at - start);
+                Some(turn(pivot, self.gizmo.axis(axis), total, care))
+            }
+            (Grip::Outer { last, total }, _) => {
+                let angle = angle_about(lens.project(pivot)?, at)?;
+                *total += wrapped(angle - *last);
+                *last = angle;
+                Some(turn(pivot, -lens.towards(pivot), *total, care))
+            }
+            (Grip::Middle, _) => {
+                let way = (at - start).dot(DVec2::new(1.0, -1.0));
+                Some(self.scale(None, (way / 120.0).exp2(), care))
+            }
+            (Grip::Axis(_) | Grip::Ring { .. } | Grip::Edge(_), _) => None,
+        }
+    }
+
+    /// The points of the ring's sector that has been swept, from the center.
+    pub(crate) fn swept(&self, lens: &Lens) -> Option<Vec<DVec2>> {
+        let (axis, total, from) = match (&self.grip, self.handle) {
+            (Grip::Ring { total, .. }, Handle::Turn(axis)) => {
+                let axis = self.gizmo.axis(axis);
+                (axis, *total, on_plane(&lens.ray(self.start), self.gizmo.pivot, axis)?)
+            }
+            (Grip::Outer { total, .. }, _) => {
+                let axis = -lens.towards(self.gizmo.pivot);
+                (axis, *total, on_plane(&lens.ray(self.start), self.gizmo.pivot, axis)?)
+            }
+            _ => return None,
+        };
+        let pivot = self.gizmo.pivot;
+        let radius = if self.handle == Handle::TurnView { OUTER_RING } else { RING };
+        let first = (from - pivot).reject_from_normalized(axis).try_normalize()?;
+        let frame = [first, axis.cross(first)];
+        let steps = ((total.abs() * 24.0).ceil() as usize).clamp(1, 160);
+        let rim = (0..=steps).filter_map(|step| {
+            let arm = arm(frame, total * step as f64 / steps as f64);
+            lens.project(pivot + radius * self.gizmo.grain(lens) * arm)
+        });
+        Some(lens.project(pivot).into_iter().chain(rim).collect())
+    }
+
+    /// A move with round numbers.
+    fn step(&self, step: DVec3, moves: [bool; 3], lens: &Lens, care: Care) -> (Change, Amount) {
+        let fine = if care.is_fine { 0.1 } else { 1.0 };
+        let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(fine * self.gizmo.grain(lens)) };
+        let axes = self.gizmo.axes;
+        let lead = if self.gizmo.is_local { DVec3::ZERO } else { self.gizmo.lead };
+        let parts = steps::to_grid(DVec3::from_array(axes.map(|axis| axis.dot(step))), lead, moves, grid);
+        let mut shown = [None; 3];
+        let mut step = DVec3::ZERO;
+        for (((part, axis), moves), shown) in
+            parts.to_array().into_iter().zip(axes).zip(moves).zip(&mut shown)
+        {
+            if moves {
+                step += part * axis;
+                *shown = Some(part);
+            }
+        }
+        (Change::Move(step), Amount::Meters(shown))
+    }
+
+    fn scale(&self, axis: Option<usize>, factor: f64, care: Care) -> (Change, Amount) {
+        let step = match (care.snaps, care.is_fine) {
+            (true, _) => steps::SCALE,
+            (false, true) => 0.001,
+            (false, false) => 0.01,
+        };
+        let least = if care.snaps { steps::SCALE } else { LEAST_FACTOR };
+        let factor = steps::rounded(factor, step).clamp(least, 1e6);
+        let factors = DVec3::from_array(
+            [0, 1, 2].map(|other| if axis.is_none_or(|axis| axis == other) { factor } else { 1.0 }),
+        );
+        let change = Change::Scale { pivot: self.gizmo.pivot, axes: self.gizmo.axes, factors };
+        (change, Amount::Factor(factor))
+    }
+}
+
+fn turn_grip(gizmo: &Gizmo, axis: usize, lens: &Lens, at: DVec2) -> Grip {
+    /// The sine of the angle at which a ring counts as seen edge-on: there, its plane is met too far away.
+    const EDGE_ON: f64 = 0.25;
+    let (pivot, axis) = (gizmo.pivot, gizmo.axis(axis));
+    let frame = across(axis);
+    let met = on_plane(&lens.ray(at), pivot, axis);
+    if lens.towards(pivot).dot(axis).abs() > EDGE_ON
+        && let Some(met) = met
+    {
+        return Grip::Ring { frame, last: angle_in(pivot, frame, met), total: 0.0 };
+    }
+    // The near point of the ring goes where the pointer goes.
+    let radius = RING * gizmo.grain(lens);
+    let near = (-lens.towards(pivot)).reject_from_normalized(axis).normalize_or(frame[0]);
+    let along = axis.cross(near);
+    let meter = in_picture(lens, pivot + radius * near, along).unwrap_or(DVec2::ZERO);
+    let length_squared = meter.length_squared();
+    Grip::Edge(if length_squared > 0.0 { meter / length_squared / radius } else { DVec2::ZERO })
+}
+
+fn turn(pivot: DVec3, axis: DVec3, radians: f64, care: Care) -> (Change, Amount) {
+    let step = match (care.snaps, care.is_fine) {
+        (true, _) => steps::TURN,
+        (false, true) => 0.01,
+        (false, false) => 0.1,
+    };
+    let degrees = steps::rounded(radians.to_degrees(), step);
+    (Change::Turn { pivot, axis, radians: degrees.to_radians() }, Amount::Degrees(degrees))
+}

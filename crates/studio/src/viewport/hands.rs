@@ -1,0 +1,366 @@
+//! What the pointer does in the picture: choosing, carrying, pulling, turning the view.
+
+use catoptric_editor::{Item, Selection};
+use catoptric_scene::Camera;
+use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
+use glam::DVec2;
+
+use super::carry::Carry;
+use super::gizmo::change::Change;
+use super::gizmo::pull::{Amount, Care, Pull};
+use super::gizmo::{Gizmo, Handle};
+use super::load::{Load, place_of};
+use super::sight::{Sight, Target};
+use super::travel::{self, Travel};
+use crate::command::Tool;
+use crate::context::Cx;
+
+/// How near to the last click another one asks for the body behind, points.
+const SAME_PLACE: f32 = 4.0;
+
+/// What a hand does.
+#[derive(Debug, Default)]
+pub(crate) enum Hand {
+    /// Nothing.
+    #[default]
+    Open,
+    /// It turns the view about its target.
+    Orbit,
+    /// It shifts the view.
+    Pan,
+    /// It looks around on the spot, while keys move the camera.
+    Look,
+    /// It carries things.
+    Carry(Box<Held<Carry>>),
+    /// It pulls a handle of the gizmo.
+    Pull(Box<Held<Pull>>),
+    /// It has given up; the button is still down.
+    GivenUp,
+}
+
+/// Things in a hand.
+#[derive(Debug)]
+pub(crate) struct Held<T> {
+    pub(crate) by: T,
+    load: Load,
+    /// Where the pointer would be if it always went at full speed.
+    at: DVec2,
+    /// How much was changed.
+    pub(crate) amount: Option<Amount>,
+}
+
+/// The last click, for the next one at the same place.
+#[derive(Clone, Copy, Debug)]
+struct Click {
+    pos: Pos2,
+    camera: Camera,
+}
+
+/// What the viewport keeps about the pointer.
+#[derive(Debug, Default)]
+pub(crate) struct Hands {
+    pub(crate) hand: Hand,
+    /// Where the pointer was in the last frame of a drag.
+    last: Option<Pos2>,
+    /// The free view's camera at the beginning of the drag.
+    free_before: Option<Camera>,
+    click: Option<Click>,
+    /// Whether the right button has been used to fly.
+    has_flown: bool,
+    /// What the pointer is over.
+    pub(crate) over: Option<Target>,
+}
+
+impl Hands {
+    /// A frame of the pointer.
+    pub(crate) fn act(
+        &mut self,
+        ui: &Ui,
+        cx: &mut Cx<'_>,
+        (sight, response): (&Sight, &Response),
+        gizmo: Option<&Gizmo>,
+        travel: &mut Travel,
+    ) {
+        if response.drag_started() {
+            self.take(ui, cx, sight, gizmo);
+        }
+        self.fly_beside(ui, cx, response, travel);
+        if !matches!(self.hand, Hand::Open) {
+            if ui.input(|input| input.pointer.any_down()) {
+                self.drag(ui, cx, sight);
+            } else {
+                self.hand = Hand::Open;
+                self.last = None;
+                cx.editor.settle();
+            }
+        }
+        let button = |button| response.clicked_by(button);
+        if let Some(pos) = response.interact_pointer_pos() {
+            if button(PointerButton::Primary) {
+                self.click(ui, cx, sight, pos);
+            } else if button(PointerButton::Secondary) {
+                self.choose_for_menu(cx, sight, pos);
+            }
+        }
+        self.hover(ui, cx, (sight, response), gizmo);
+    }
+
+    /// Whether the button that was released just now has only pointed, so that it opens the menu.
+    pub(crate) fn opens_menu(&self) -> bool {
+        !self.has_flown
+    }
+
+    /// Decides at the beginning of a drag what the hand does.
+    fn take(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>) {
+        let (origin, is_primary, is_middle, modifiers) = ui.input(|input| {
+            let pointer = &input.pointer;
+            (pointer.press_origin(), pointer.primary_down(), pointer.middle_down(), input.modifiers)
+        });
+        let Some(origin) = origin else { return };
+        cx.editor.settle();
+        self.last = Some(origin);
+        self.free_before = cx.view.free_camera;
+        self.click = None;
+        let turns = if modifiers.shift || is_middle { Hand::Pan } else { Hand::Orbit };
+        let at = sight.at(origin);
+        self.hand = match is_primary.then(|| sight.target(cx, gizmo, at)) {
+            Some(Target::Handle(handle)) => pull(cx, sight, gizmo, handle, at),
+            Some(Target::Mark(item)) => carry(cx, sight, item, None, at),
+            Some(Target::Body { index, point }) => carry(cx, sight, Item::Body(index), Some(point), at),
+            _ => None,
+        }
+        .unwrap_or(turns);
+    }
+
+    /// The keys of flight count while the right button is down.
+    fn fly_beside(&mut self, ui: &Ui, cx: &mut Cx<'_>, response: &Response, travel: &mut Travel) {
+        let is_down = ui.input(|input| input.pointer.secondary_down());
+        if ui.input(|input| input.pointer.button_pressed(PointerButton::Secondary)) {
+            self.has_flown = false;
+        }
+        let is_here = response.is_pointer_button_down_on() || response.dragged();
+        if is_down && is_here && !matches!(self.hand, Hand::GivenUp) && travel.fly_keys(ui, cx) {
+            self.has_flown = true;
+            if matches!(self.hand, Hand::Orbit) {
+                self.hand = Hand::Look;
+            }
+        }
+    }
+
+    /// A frame of a drag.
+    fn drag(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
+        if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+            cx.editor.abandon();
+            if let (Some(before), Some(free)) = (self.free_before, &mut cx.view.free_camera) {
+                *free = before;
+            }
+            self.hand = Hand::GivenUp;
+        }
+        let (pos, modifiers) = ui.input(|input| (input.pointer.latest_pos(), input.modifiers));
+        let Some(pos) = pos else { return };
+        let way = self.last.map_or(Vec2::ZERO, |last| pos - last);
+        self.last = Some(pos);
+        let care = Care { snaps: modifiers.command || modifiers.ctrl, is_fine: modifiers.shift };
+        let slow = if care.is_fine { 0.1 } else { 1.0 };
+        let step = slow * DVec2::new(f64::from(way.x), f64::from(way.y));
+        cx.view.is_moving = true;
+        match &mut self.hand {
+            Hand::Open => {}
+            Hand::GivenUp => cx.view.is_moving = false,
+            Hand::Orbit if way != Vec2::ZERO => travel::orbit(cx, way),
+            Hand::Pan if way != Vec2::ZERO => travel::pan(cx, sight, way),
+            Hand::Look if way != Vec2::ZERO => travel::look(cx, way),
+            Hand::Orbit | Hand::Pan | Hand::Look => {}
+            Hand::Carry(held) => {
+                held.at += step;
+                if let Some(way) = held.by.to(&sight.lens, held.at, modifiers.alt, care) {
+                    held.load.apply(cx.editor, &Change::Move(way));
+                    held.amount = Some(carried(way));
+                }
+            }
+            Hand::Pull(held) => {
+                held.at += step;
+                if let Some((change, amount)) = held.by.to(&sight.lens, held.at, care) {
+                    held.load.apply(cx.editor, &change);
+                    held.amount = Some(amount);
+                }
+            }
+        }
+    }
+
+    /// Chooses what is under the pointer: at the same place as before, what is behind.
+    fn click(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
+        let modifiers = ui.input(|input| input.modifiers);
+        let things = sight.things_at(cx, sight.at(pos));
+        let is_again = self
+            .click
+            .is_some_and(|click| click.pos.distance(pos) <= SAME_PLACE && click.camera == sight.camera);
+        self.click = Some(Click { pos, camera: sight.camera });
+        cx.editor.settle();
+        let mut selection = cx.editor.selection().clone();
+        let toggles = modifiers.shift || modifiers.command || modifiers.ctrl;
+        match things.first() {
+            Some(first) if toggles => selection.toggle(*first),
+            Some(first) => {
+                let chosen = selection.primary().filter(|_| is_again);
+                let place = things.iter().position(|thing| Some(*thing) == chosen);
+                let behind = place.and_then(|place| things.get(place + 1));
+                selection.set(*behind.unwrap_or(first));
+            }
+            None if toggles => {}
+            None => selection.clear(),
+        }
+        cx.editor.select(selection);
+    }
+
+    /// The menu is about what is under the pointer.
+    fn choose_for_menu(&self, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
+        let things = sight.things_at(cx, sight.at(pos));
+        if let Some(first) = things.first().filter(|_| self.opens_menu())
+            && !things.iter().any(|thing| cx.editor.selection().contains(*thing))
+        {
+            cx.editor.settle();
+            cx.editor.select(*first);
+        }
+    }
+
+    /// Finds out what is under the pointer, and shows with the cursor what a drag would do.
+    fn hover(
+        &mut self,
+        ui: &Ui,
+        cx: &mut Cx<'_>,
+        (sight, response): (&Sight, &Response),
+        gizmo: Option<&Gizmo>,
+    ) {
+        let before = self.over;
+        let pointer = ui.input(|input| input.pointer.hover_pos());
+        let is_open = matches!(self.hand, Hand::Open);
+        self.over = pointer
+            .filter(|_| is_open && response.hovered())
+            .map(|pos| sight.target(cx, gizmo, sight.at(pos)));
+        let body = |over| if let Some(Target::Body { index, .. }) = over { Some(index) } else { None };
+        if self.over.is_some() {
+            cx.view.hovered_body = body(self.over);
+        } else if before.is_some() {
+            // Elsewhere, other panels tell what is under the pointer.
+            cx.view.hovered_body = None;
+        }
+        if let Some(icon) = self.cursor(cx) {
+            ui.ctx().set_cursor_icon(icon);
+        }
+    }
+
+    fn cursor(&self, cx: &Cx<'_>) -> Option<CursorIcon> {
+        let scene = cx.editor.scene();
+        match (&self.hand, self.over) {
+            (Hand::Orbit | Hand::Look, _) => Some(CursorIcon::AllScroll),
+            (Hand::Pan, _) => Some(CursorIcon::Move),
+            (Hand::Carry(_) | Hand::Pull(_), _) => Some(CursorIcon::Grabbing),
+            (Hand::GivenUp, _) => None,
+            (Hand::Open, Some(Target::Handle(_))) => Some(CursorIcon::Grab),
+            (Hand::Open, Some(Target::Mark(item))) => Some(grab_or_point(item.is_locked(scene))),
+            (Hand::Open, Some(Target::Body { index, .. })) => {
+                Some(grab_or_point(Item::Body(index).is_locked(scene)))
+            }
+            (Hand::Open, _) => None,
+        }
+    }
+}
+
+fn grab_or_point(is_locked: bool) -> CursorIcon {
+    if is_locked { CursorIcon::PointingHand } else { CursorIcon::Grab }
+}
+
+/// The parts of a move that are worth telling.
+fn carried(way: glam::DVec3) -> Amount {
+    let is_upright = way.y != 0.0;
+    let is_level = way.x != 0.0 || way.z != 0.0 || !is_upright;
+    Amount::Meters([
+        Some(way.x).filter(|_| is_level),
+        Some(way.y).filter(|_| is_upright),
+        Some(way.z).filter(|_| is_level),
+    ])
+}
+
+/// Takes hold of a thing: it is selected, and all that is selected goes with it. Locked things stay.
+fn carry(
+    cx: &mut Cx<'_>,
+    sight: &Sight,
+    item: Item,
+    grabbed: Option<glam::DVec3>,
+    at: DVec2,
+) -> Option<Hand> {
+    if item.is_locked(cx.editor.scene()) {
+        return None;
+    }
+    if cx.editor.selection().contains(item) {
+        // It becomes the primary one, as it leads the others.
+        let mut selection = cx.editor.selection().clone();
+        selection.add(item);
+        cx.editor.select(selection);
+    } else {
+        cx.editor.select(item);
+    }
+    let scene = cx.editor.scene();
+    let lead = place_of(scene, item)?;
+    let is_free = cx.view.free_camera.is_some();
+    let load = Load::take(scene, cx.editor.selection(), is_free, "edit-move")?;
+    let by = Carry::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at);
+    Some(Hand::Carry(Box::new(Held { by, load, at, amount: None })))
+}
+
+/// Takes hold of a handle.
+fn pull(cx: &Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>, handle: Handle, at: DVec2) -> Option<Hand> {
+    let gizmo = *gizmo?;
+    let key = match gizmo.tool {
+        Tool::Move => "edit-move",
+        Tool::Rotate => "edit-rotate",
+        Tool::Scale => "edit-scale",
+    };
+    let is_free = cx.view.free_camera.is_some();
+    let load = Load::take(cx.editor.scene(), cx.editor.selection(), is_free, key)?;
+    let by = Pull::begin(gizmo, handle, &sight.lens, at)?;
+    Some(Hand::Pull(Box::new(Held { by, load, at, amount: None })))
+}
+
+/// The gizmo at what is selected and can be moved; its center is in the middle of the things' places.
+pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
+    if !cx.settings.shows_handles {
+        return None;
+    }
+    let scene = cx.editor.scene();
+    let selection: &Selection = cx.editor.selection();
+    let has_place = |item: &Item| match item {
+        Item::Camera => cx.view.free_camera.is_some(),
+        other => !other.is_locked(scene) && !other.is_hidden(scene),
+    };
+    let items: Vec<Item> = selection.iter().filter(has_place).collect();
+    let places: Vec<glam::DVec3> = items.iter().filter_map(|item| place_of(scene, *item)).collect();
+    let (lead, primary) = (places.last()?, items.iter().rfind(|item| place_of(scene, **item).is_some())?);
+    let pivot = places.iter().sum::<glam::DVec3>() / places.len() as f64;
+    let own = match primary {
+        Item::Body(index) => scene.bodies.get(*index).map(|body| own_axes(&body.placement)),
+        _ => None,
+    };
+    // A point has neither turns nor sizes.
+    let is_point = matches!(items.as_slice(), [Item::Light(_)]);
+    let tool = match (cx.view.tool, primary) {
+        _ if is_point => Tool::Move,
+        (Tool::Scale, Item::Camera) => Tool::Move,
+        (tool, _) => tool,
+    };
+    let local = own.filter(|_| cx.view.is_gizmo_local);
+    Some(Gizmo {
+        tool,
+        pivot,
+        axes: local.unwrap_or(glam::DVec3::AXES),
+        is_local: local.is_some(),
+        lead: *lead,
+    })
+}
+
+fn own_axes(placement: &catoptric_scene::Placement) -> [glam::DVec3; 3] {
+    let unscaled = catoptric_scene::Placement { scale: glam::DVec3::ONE, ..*placement };
+    let turn = unscaled.world_from_body().matrix3;
+    [turn.x_axis, turn.y_axis, turn.z_axis]
+}

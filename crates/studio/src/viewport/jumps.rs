@@ -1,0 +1,76 @@
+//! Moves of the camera that commands ask for, and where new things go.
+
+use catoptric_editor::navigate::{self, Axis};
+use catoptric_editor::{Label, bounds};
+use catoptric_scene::Camera;
+use glam::DVec3;
+
+use super::glide::Glide;
+use crate::app::Studio;
+
+/// Where a new body is to stand: on the ground, where the view looks.
+pub(crate) fn place_for_new(studio: &Studio) -> DVec3 {
+    let target = studio.view.camera(studio.editor.scene()).target;
+    DVec3::new(target.x, 0.0, target.z).map(to_grid)
+}
+
+/// Where a new light is to hang: above where the view looks.
+pub(crate) fn place_for_new_light(studio: &Studio) -> DVec3 {
+    let camera = studio.view.camera(studio.editor.scene());
+    (camera.target + 0.5 * camera.target.distance(camera.position) * DVec3::Y).map(to_grid)
+}
+
+/// Places that nobody has chosen exactly are told in tenths of a meter.
+fn to_grid(meters: f64) -> f64 {
+    (meters * 10.0).round() / 10.0
+}
+
+/// Moves the camera of the view: the free one, or else the scene's as one step of the history.
+pub(crate) fn set_camera(studio: &mut Studio, key: &'static str, camera: Camera) {
+    let before = studio.view.camera(studio.editor.scene());
+    match &mut studio.view.free_camera {
+        Some(free) => *free = camera,
+        None => set_scene_camera(studio, key, camera),
+    }
+    glide_from(studio, before);
+}
+
+/// Moves the scene's camera as one step of the history.
+pub(crate) fn set_scene_camera(studio: &mut Studio, key: &'static str, camera: Camera) {
+    studio.editor.settle();
+    // A camera that navigation made is valid.
+    let _ = studio.editor.change_camera(Label::new(key, ""), |own| *own = camera);
+    studio.editor.settle();
+}
+
+/// Lets the eye follow a jump of the camera.
+fn glide_from(studio: &mut Studio, before: Camera) {
+    let glide = Glide::new(before, studio.view.camera(studio.editor.scene()));
+    studio.view.eased = glide.map(|_| before);
+    studio.panes.viewport.glide = glide;
+}
+
+/// Brings the selected or all bodies into view.
+pub(crate) fn frame(studio: &mut Studio, all: bool) {
+    let scene = studio.editor.scene();
+    let selected = if all { None } else { bounds::ball_of_selection(scene, studio.editor.selection()) };
+    let Some(ball) = selected.or_else(|| bounds::ball_of_scene(scene)) else { return };
+    let camera = studio.view.camera(scene);
+    let camera = navigate::frame(&camera, ball.center, ball.radius, studio.panes.viewport.aspect());
+    set_camera(studio, "edit-frame", camera);
+}
+
+/// Looks along an axis, in the free view: the scene's camera stays.
+pub(crate) fn look_along(studio: &mut Studio, axis: Axis) {
+    let camera = studio.view.camera(studio.editor.scene());
+    studio.view.free_camera = Some(navigate::look_along(&camera, axis, camera.target));
+    glide_from(studio, camera);
+}
+
+/// Looks around without moving the scene's camera, or through it again.
+pub(crate) fn toggle_free(studio: &mut Studio) {
+    studio.editor.settle();
+    let before = studio.view.camera(studio.editor.scene());
+    studio.view.toggle_free(studio.editor.scene());
+    glide_from(studio, before);
+}

@@ -1,0 +1,90 @@
+//! Short texts over the picture.
+
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, StrokeKind, vec2};
+
+use super::gizmo::pull::Amount;
+use crate::texts::Texts;
+use crate::theme::Palette;
+
+/// Draws a text on a little plate beside the pointer, inside `rect`.
+pub(crate) fn beside_pointer(painter: &Painter, rect: Rect, pointer: Pos2, text: &str, palette: &Palette) {
+    plate(painter, rect, pointer + vec2(16.0, 18.0), Align2::LEFT_TOP, text, palette);
+}
+
+/// Draws a text on a little plate, moved as far as it must be to lie inside `rect`.
+pub(crate) fn plate(
+    painter: &Painter,
+    rect: Rect,
+    pos: Pos2,
+    align: Align2,
+    text: &str,
+    palette: &Palette,
+) -> Rect {
+    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(12.5), palette.text);
+    let plate = align.anchor_size(pos, galley.size() + vec2(14.0, 7.0));
+    let room = rect.shrink(4.0);
+    let plate = plate.translate(vec2(
+        (room.right() - plate.right()).min(0.0) + (room.left() - plate.left()).max(0.0),
+        (room.bottom() - plate.bottom()).min(0.0) + (room.top() - plate.top()).max(0.0),
+    ));
+    let stroke = Stroke::new(1.0, palette.line);
+    painter.rect(plate, 5.0, palette.panel.gamma_multiply(0.92), stroke, StrokeKind::Inside);
+    painter.galley(plate.min + vec2(7.0, 3.5), galley, Color32::PLACEHOLDER);
+    plate
+}
+
+/// How much was changed.
+pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
+    match amount {
+        Amount::Meters(parts) => {
+            let parts: Vec<String> = ["X", "Y", "Z"]
+                .iter()
+                .zip(parts)
+                .filter_map(|(axis, part)| part.map(|part| format!("{axis} {}", signed(part, grain))))
+                .collect();
+            // Figure spaces, so that the numbers stand apart.
+            texts.with("viewport-amount-meters", &[("parts", parts.join("\u{2002}").into())])
+        }
+        Amount::Degrees(degrees) => {
+            let degrees = minus(format!("{degrees:.1}"));
+            texts.with("viewport-amount-degrees", &[("degrees", degrees.into())])
+        }
+        Amount::Factor(factor) => {
+            texts.with("viewport-amount-factor", &[("factor", format!("{factor:.2}").into())])
+        }
+    }
+}
+
+/// Stops with their sign.
+pub(crate) fn signed_stops(stops: f64) -> String {
+    let text = minus(format!("{stops:+.2}"));
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// A number with its sign and such digits as a hand can mean.
+fn signed(value: f64, grain: f64) -> String {
+    let digits = (-super::gizmo::steps::decimal_below(grain).log10()).clamp(1.0, 5.0) as usize;
+    minus(format!("{value:+.digits$}"))
+}
+
+/// With a true minus sign, and none before zero.
+fn minus(number: String) -> String {
+    let is_zero = number.chars().all(|letter| !letter.is_ascii_digit() || letter == '0');
+    if is_zero { number.replace('-', "+") } else { number.replace('-', "\u{2212}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::texts::Language;
+
+    #[test]
+    fn amounts_read_well() {
+        let texts = Texts::new(Language::English);
+        let text = |amount| amount_text(&texts, amount, 0.03);
+        assert_eq!(text(Amount::Meters([Some(0.35), None, Some(-1.2)])), "X +0.35\u{2002}Z \u{2212}1.20 m");
+        assert_eq!(text(Amount::Meters([None, Some(-0.001), None])), "Y +0.00 m");
+        assert_eq!(text(Amount::Degrees(-15.0)), "\u{2212}15.0°");
+        assert_eq!(text(Amount::Factor(1.2)), "×1.20");
+    }
+}

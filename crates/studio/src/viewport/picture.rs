@@ -1,0 +1,92 @@
+//! The traced picture on the screen.
+
+use std::sync::Arc;
+
+use catoptric_live::{Frame, LiveError};
+use catoptric_tracer::StageError;
+use egui::{Align2, Color32, ColorImage, FontId, Painter, Rect, TextureHandle, TextureOptions, pos2};
+
+use crate::context::Cx;
+use crate::theme::Palette;
+
+/// The newest picture, in the memory of whatever draws the window.
+#[derive(Default)]
+pub(crate) struct Picture {
+    texture: Option<TextureHandle>,
+    /// The picture in the texture.
+    shown: Option<u64>,
+}
+
+impl Picture {
+    /// Draws the newest picture, or why there is none, and gives the frame that it belongs to.
+    pub(crate) fn show(
+        &mut self,
+        painter: &Painter,
+        rect: Rect,
+        cx: &Cx<'_>,
+        palette: &Palette,
+    ) -> Option<Arc<Frame>> {
+        painter.rect_filled(rect, 0.0, palette.field);
+        let frame = cx.live.latest();
+        if let Some(frame) = &frame {
+            self.upload(painter, frame);
+        }
+        if let Some(texture) = self.texture.as_ref().filter(|_| frame.is_some()) {
+            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.image(texture.id(), rect, whole, Color32::WHITE);
+        }
+        let error = cx.live.status().error;
+        let message = match (&error, &frame) {
+            (Some(error), _) => Some((told(cx, error), palette.warning)),
+            (None, None) => Some((cx.t("viewport-first-picture").to_owned(), palette.weak)),
+            (None, Some(_)) => None,
+        };
+        if let Some((text, color)) = message {
+            message_ui(painter, rect, text, color, palette);
+        }
+        frame
+    }
+
+    fn upload(&mut self, painter: &Painter, frame: &Frame) {
+        if self.shown == Some(frame.picture_serial) {
+            return;
+        }
+        let size = frame.picture_size.map(|side| side as usize);
+        if frame.pixels.len() != 4 * size[0] * size[1] {
+            return;
+        }
+        let image = ColorImage::from_rgba_unmultiplied(size, &frame.pixels);
+        match &mut self.texture {
+            Some(texture) => texture.set(image, TextureOptions::LINEAR),
+            None => {
+                self.texture = Some(painter.ctx().load_texture("picture", image, TextureOptions::LINEAR));
+            }
+        }
+        self.shown = Some(frame.picture_serial);
+    }
+}
+
+fn message_ui(painter: &Painter, rect: Rect, text: String, color: Color32, palette: &Palette) {
+    let width = (rect.width() - 48.0).clamp(80.0, 460.0);
+    let galley = painter.layout(text, FontId::proportional(14.0), color, width);
+    let size = galley.size() + egui::vec2(28.0, 18.0);
+    let back = Align2::CENTER_CENTER.anchor_size(rect.center(), size);
+    painter.rect_filled(back, 8.0, palette.panel.gamma_multiply(0.92));
+    painter.galley(back.min + egui::vec2(14.0, 9.0), galley, color);
+}
+
+/// Why there is no picture, in the words of the present language.
+fn told(cx: &Cx<'_>, error: &LiveError) -> String {
+    match error {
+        LiveError::Stage(StageError::UndefinedMaterial { body, material }) => cx.texts.with(
+            "viewport-error-material",
+            &[("body", body.as_str().into()), ("material", material.as_str().into())],
+        ),
+        LiveError::Stage(StageError::TooManyBodies(count)) => {
+            cx.texts.with("viewport-error-bodies", &[("count", (*count).into())])
+        }
+        LiveError::Size(_) | LiveError::TooLarge { .. } => cx.t("viewport-error-size").to_owned(),
+        LiveError::Camera => cx.t("viewport-error-camera").to_owned(),
+        LiveError::Fault(fault) => cx.texts.with("viewport-error-fault", &[("fault", fault.as_str().into())]),
+    }
+}

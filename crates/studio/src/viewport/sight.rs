@@ -1,0 +1,137 @@
+//! What is where in the picture that is shown.
+
+use std::sync::Arc;
+
+use catoptric_editor::Item;
+use catoptric_scene::{Camera, Scene};
+use catoptric_tracer::{Stage, StageCamera, SurfaceHit};
+use egui::{Pos2, Rect, pos2};
+use glam::{DVec2, DVec3};
+
+use super::gizmo::{Gizmo, Handle};
+use super::lens::Lens;
+use super::load::place_of;
+use crate::context::Cx;
+
+/// How near to a light's or the camera's handle the pointer takes it, points.
+const REACH: f64 = 12.0;
+
+/// The picture that is shown, for finding things in it.
+pub(crate) struct Sight {
+    /// The panel, points of the window.
+    pub(crate) rect: Rect,
+    /// The camera of the picture.
+    pub(crate) camera: Camera,
+    pub(crate) lens: Lens,
+    /// The scene prepared for rays, with the same camera.
+    stage: Option<(Arc<Stage>, StageCamera)>,
+}
+
+/// What a pointer is over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Target {
+    /// A part of the gizmo.
+    Handle(Handle),
+    /// The handle of a light or of the camera.
+    Mark(Item),
+    /// A body, at a point.
+    Body { index: usize, point: DVec3 },
+    /// A plane, or a body that surrounds the camera: something to stand on, not to take hold of.
+    Surroundings(usize),
+    /// Nothing.
+    Nothing,
+}
+
+impl Sight {
+    /// The picture of `camera` in `rect`.
+    pub(crate) fn new(cx: &Cx<'_>, rect: Rect, camera: Camera) -> Self {
+        let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
+        let stage = cx.live.stage().map(|(_, stage)| {
+            let seen = stage.camera_for(&camera);
+            (stage, seen)
+        });
+        Self { rect, camera, lens: Lens::new(&camera, size), stage }
+    }
+
+    /// A place of the window in the picture.
+    pub(crate) fn at(&self, pos: Pos2) -> DVec2 {
+        let offset = pos - self.rect.min;
+        DVec2::new(f64::from(offset.x), f64::from(offset.y))
+    }
+
+    /// A place of the picture in the window.
+    pub(crate) fn pos(&self, at: DVec2) -> Pos2 {
+        pos2(self.rect.min.x + at.x as f32, self.rect.min.y + at.y as f32)
+    }
+
+    /// A point of the world in the window.
+    pub(crate) fn point(&self, point: DVec3) -> Option<Pos2> {
+        self.lens.project(point).map(|at| self.pos(at))
+    }
+
+    /// The nearest body under a place.
+    pub(crate) fn body_at(&self, at: DVec2) -> Option<SurfaceHit> {
+        let (stage, camera) = self.stage.as_ref()?;
+        stage.nearest(&camera.ray(at, self.lens.size()))
+    }
+
+    /// All bodies under a place, the nearest first.
+    pub(crate) fn bodies_at(&self, at: DVec2) -> Vec<usize> {
+        let Some((stage, camera)) = &self.stage else { return Vec::new() };
+        let hits = stage.hits_along(&camera.ray(at, self.lens.size()));
+        hits.into_iter().map(|hit| hit.body).collect()
+    }
+
+    /// The lights, and the camera in the free view, under a place, the nearest in the picture first.
+    pub(crate) fn marks_at(&self, cx: &Cx<'_>, at: DVec2) -> Vec<Item> {
+        let mut near: Vec<(Item, f64)> = marks(cx)
+            .into_iter()
+            .filter_map(|item| {
+                let place = self.lens.project(place_of(cx.editor.scene(), item)?)?;
+                Some((item, place.distance(at)))
+            })
+            .filter(|(_, distance)| *distance <= REACH)
+            .collect();
+        near.sort_by(|a, b| a.1.total_cmp(&b.1));
+        near.into_iter().map(|(item, _)| item).collect()
+    }
+
+    /// What a pointer at a place takes hold of.
+    pub(crate) fn target(&self, cx: &Cx<'_>, gizmo: Option<&Gizmo>, at: DVec2) -> Target {
+        if let Some(handle) = gizmo.and_then(|gizmo| gizmo.handle_at(&self.lens, at)) {
+            return Target::Handle(handle);
+        }
+        if let Some(item) = self.marks_at(cx, at).first() {
+            return Target::Mark(*item);
+        }
+        match self.body_at(at) {
+            Some(hit) if hit.hit.leaving || is_plane(cx.editor.scene(), hit.body) => {
+                Target::Surroundings(hit.body)
+            }
+            Some(hit) => Target::Body { index: hit.body, point: hit.position.as_dvec3() },
+            None => Target::Nothing,
+        }
+    }
+
+    /// All things under a place, in the order in which clicks choose them.
+    pub(crate) fn things_at(&self, cx: &Cx<'_>, at: DVec2) -> Vec<Item> {
+        let marks = self.marks_at(cx, at);
+        let count = cx.editor.scene().bodies.len();
+        let bodies = self.bodies_at(at).into_iter().filter(|index| *index < count);
+        marks.into_iter().chain(bodies.map(Item::Body)).collect()
+    }
+}
+
+/// What has a handle of its own over the picture.
+pub(crate) fn marks(cx: &Cx<'_>) -> Vec<Item> {
+    if !cx.settings.shows_handles {
+        return Vec::new();
+    }
+    let lights = (0..cx.editor.scene().lights.len()).map(Item::Light);
+    let camera = cx.view.free_camera.is_some().then_some(Item::Camera);
+    lights.chain(camera).collect()
+}
+
+fn is_plane(scene: &Scene, index: usize) -> bool {
+    scene.bodies.get(index).is_none_or(|body| matches!(body.shape, catoptric_scene::Shape::Plane))
+}

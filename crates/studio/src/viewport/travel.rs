@@ -1,0 +1,228 @@
+//! Moving the camera: turning, shifting, coming closer, flying.
+
+use catoptric_editor::{Label, navigate};
+use catoptric_scene::Camera;
+use egui::{Event, Key, Modifiers, Ui, Vec2, ViewportCommand, viewport::CursorGrab};
+use glam::DVec3;
+
+use super::sight::Sight;
+use crate::command::Command;
+use crate::context::Cx;
+
+/// Radians that the camera turns for each point that the pointer moves.
+const TURN: f64 = 0.0055;
+/// The same for looking around on the spot.
+const LOOK: f64 = 0.0035;
+/// How much closer a point of the wheel brings; a notch is 40 to 50 points.
+const WHEEL: f64 = 0.0024;
+/// How long after the last turn of the wheel, or the last key, the next still joins it, seconds.
+const PAUSE: f64 = 0.4;
+/// How fast held keys turn, radians a second; shift, heights of the picture a second; come closer, powers of e.
+const KEY_TURN: f64 = 1.2;
+const KEY_PAN: f64 = 0.45;
+const KEY_DOLLY: f64 = 1.0;
+
+/// What is kept about moving the camera.
+#[derive(Debug)]
+pub(crate) struct Travel {
+    /// Until when the wheel's or the keys' gesture stays open, seconds.
+    open_until: Option<f64>,
+    /// Factor of the speed of flight, set with the wheel.
+    pub(crate) speed: f64,
+    /// Whether the pointer is caught by the flight.
+    is_caught: bool,
+}
+
+impl Default for Travel {
+    fn default() -> Self {
+        Self { open_until: None, speed: 1.0, is_caught: false }
+    }
+}
+
+/// Moves the view's camera: the free one, or the scene's as a part of the gesture `key`.
+pub(crate) fn steer(cx: &mut Cx<'_>, key: &'static str, camera: Camera) {
+    match &mut cx.view.free_camera {
+        Some(free) => *free = camera,
+        None => {
+            // A camera that navigation made is valid.
+            let _ = cx.editor.change_camera(Label::new(key, ""), |own| *own = camera);
+        }
+    }
+}
+
+fn camera(cx: &Cx<'_>) -> Camera {
+    cx.view.camera(cx.editor.scene())
+}
+
+/// Turns about the target as the pointer goes.
+pub(crate) fn orbit(cx: &mut Cx<'_>, way: Vec2) {
+    let turned = navigate::orbit(&camera(cx), -f64::from(way.x) * TURN, f64::from(way.y) * TURN);
+    steer(cx, "edit-orbit", turned);
+}
+
+/// Shifts the picture as the pointer goes.
+pub(crate) fn pan(cx: &mut Cx<'_>, sight: &Sight, way: Vec2) {
+    let present = camera(cx);
+    let meters = sight.lens.meters_per_point(present.target);
+    let shifted = navigate::pan(&present, -f64::from(way.x) * meters, f64::from(way.y) * meters);
+    steer(cx, "edit-pan", shifted);
+}
+
+/// Looks around on the spot as the pointer goes.
+pub(crate) fn look(cx: &mut Cx<'_>, way: Vec2) {
+    let turned = navigate::fly(&camera(cx), DVec3::ZERO, f64::from(way.x) * LOOK, -f64::from(way.y) * LOOK);
+    steer(cx, "edit-fly", turned);
+}
+
+impl Travel {
+    /// Keeps the gesture of the wheel or the keys open for a while.
+    fn keep_open(&mut self, ui: &Ui) {
+        self.open_until = Some(ui.input(|input| input.time) + PAUSE);
+    }
+
+    /// Ends the gesture of the wheel or the keys when its time is over; to be called in every frame.
+    pub(crate) fn settle(&mut self, ui: &Ui, cx: &mut Cx<'_>) {
+        let Some(until) = self.open_until else { return };
+        let left = until - ui.input(|input| input.time);
+        if left > 0.0 {
+            cx.view.is_moving = true;
+            ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64(left));
+        } else {
+            self.open_until = None;
+            cx.editor.settle();
+        }
+    }
+
+    /// Comes closer to what is under the pointer, or goes away from it, with the wheel or two fingers.
+    pub(crate) fn wheel(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
+        let (way, zoom, pointer) =
+            ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta(), input.pointer.hover_pos()));
+        let Some(pointer) = pointer else { return };
+        let factor = (-f64::from(way) * WHEEL).exp() / f64::from(zoom.max(0.01));
+        if (factor - 1.0).abs() < 1e-6 {
+            return;
+        }
+        let present = camera(cx);
+        let at = sight.at(pointer);
+        let reach = present.position.distance(present.target);
+        let ray = sight.lens.ray(at);
+        let met = sight.body_at(at).map(|hit| hit.position.as_dvec3());
+        // Towards the horizon, the camera would be thrown there.
+        let met = met.filter(|point| point.distance(present.position) < 4.0 * reach);
+        let point = met.unwrap_or_else(|| {
+            let [.., forward] = sight.lens.axes();
+            ray.at((present.target - ray.origin).dot(forward) / ray.direction.dot(forward))
+        });
+        steer(cx, "edit-dolly", navigate::zoom_towards(&present, point, factor));
+        self.keep_open(ui);
+        cx.view.is_moving = true;
+    }
+
+    /// The keys that move the camera while nothing else listens to them.
+    pub(crate) fn keys(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
+        let (arrows, dolly, is_shift) = ui.input(|input| {
+            let plain = !input.modifiers.command && !input.modifiers.alt && !input.modifiers.ctrl;
+            let held = |key| if plain { held(input, key) } else { 0.0 };
+            let arrows =
+                [held(Key::ArrowRight) - held(Key::ArrowLeft), held(Key::ArrowUp) - held(Key::ArrowDown)];
+            let closer = held(Key::PageUp).max(held(Key::Plus)).max(held(Key::Equals));
+            let farther = held(Key::PageDown).max(held(Key::Minus));
+            (arrows, closer - farther, input.modifiers.shift)
+        });
+        let [right, up] = arrows;
+        let present = camera(cx);
+        if (right != 0.0 || up != 0.0) && is_shift {
+            let step = KEY_PAN * sight.lens.size().y * sight.lens.meters_per_point(present.target);
+            steer(cx, "edit-pan", navigate::pan(&present, right * step, up * step));
+        } else if right != 0.0 || up != 0.0 {
+            steer(cx, "edit-orbit", navigate::orbit(&present, right * KEY_TURN, up * KEY_TURN));
+        } else if dolly != 0.0 {
+            steer(cx, "edit-dolly", navigate::dolly(&present, (-dolly * KEY_DOLLY).exp()));
+        } else {
+            return;
+        }
+        self.keep_open(ui);
+        cx.view.is_moving = true;
+        ui.ctx().request_repaint();
+    }
+
+    /// Flies with W, A, S, D, Q and E; returns whether one of them was held.
+    pub(crate) fn fly_keys(&mut self, ui: &Ui, cx: &mut Cx<'_>) -> bool {
+        let (step, is_fast) = ui.input(|input| {
+            let held = |key| held(input, key);
+            let step = DVec3::new(
+                held(Key::D) - held(Key::A),
+                held(Key::E) - held(Key::Q),
+                held(Key::W) - held(Key::S),
+            );
+            (step, input.modifiers.shift)
+        });
+        if step == DVec3::ZERO {
+            return false;
+        }
+        let present = camera(cx);
+        let pace = present.position.distance(present.target).clamp(0.2, 1e6) * 0.45 * self.speed;
+        let pace = if is_fast { 4.0 * pace } else { pace };
+        steer(cx, "edit-fly", navigate::fly(&present, pace * step, 0.0, 0.0));
+        self.keep_open(ui);
+        cx.view.is_moving = true;
+        ui.ctx().request_repaint();
+        true
+    }
+
+    /// A frame of flight. The pointer is caught; what it does turns the view.
+    pub(crate) fn fly(&mut self, ui: &Ui, cx: &mut Cx<'_>) {
+        let is_over = ui.input_mut(|input| {
+            input.consume_key(Modifiers::NONE, Key::Escape)
+                || input.consume_key(Modifiers::NONE, Key::Enter)
+                || input.pointer.any_pressed()
+                || !input.focused
+        });
+        if is_over {
+            cx.run(Command::ToggleFly);
+            return;
+        }
+        if !self.is_caught {
+            self.is_caught = true;
+            cx.editor.settle();
+            // Where the system cannot hold the pointer at its place, it at least keeps it in the window.
+            ui.ctx().send_viewport_cmd(ViewportCommand::CursorGrab(CursorGrab::Confined));
+            ui.ctx().send_viewport_cmd(ViewportCommand::CursorGrab(CursorGrab::Locked));
+        }
+        ui.ctx().set_cursor_icon(egui::CursorIcon::None);
+        let (way, wheel) = ui.input(|input| {
+            let way = input.pointer.motion().unwrap_or_else(|| input.pointer.delta());
+            let wheel = input.smooth_scroll_delta();
+            (way, wheel.x + wheel.y)
+        });
+        if way != Vec2::ZERO {
+            look(cx, way);
+            self.keep_open(ui);
+        }
+        self.speed = (self.speed * (f64::from(wheel) * 0.004).exp()).clamp(0.02, 50.0);
+        self.fly_keys(ui, cx);
+    }
+
+    /// Lets the pointer go after a flight; to be called in every frame without one.
+    pub(crate) fn land(&mut self, ui: &Ui, cx: &mut Cx<'_>) {
+        if std::mem::take(&mut self.is_caught) {
+            ui.ctx().send_viewport_cmd(ViewportCommand::CursorGrab(CursorGrab::None));
+            self.open_until = None;
+            cx.editor.settle();
+        }
+    }
+}
+
+/// For how many seconds of this frame a key has been held. A tap counts as a moment, however short it is.
+fn held(input: &egui::InputState, key: Key) -> f64 {
+    const TAP: f64 = 0.05;
+    let is_pressed = input.events.iter().any(|event| {
+        matches!(event, Event::Key { key: pressed, pressed: true, repeat: false, .. } if *pressed == key)
+    });
+    let passed = f64::from(input.stable_dt.min(0.1));
+    match (is_pressed, input.key_down(key)) {
+        (true, _) => TAP.max(passed),
+        (false, true) => passed,
+        (false, false) => 0.0,
+    }
+}

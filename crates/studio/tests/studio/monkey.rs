@@ -1,0 +1,342 @@
+//! A monkey at the studio: random acts from a seed, none of which may find a panic or break the document.
+//!
+//! `CATOPTRIC_MONKEY_STEPS` and `CATOPTRIC_MONKEY_SEED` choose how many and which; `cargo xtask monkey` lets it go on
+//! for as long as is wanted.
+
+use std::path::PathBuf;
+
+use catoptric_editor::{Action, Item, Label};
+use catoptric_scene::{Example, MaterialChoice, ShapeKind};
+use catoptric_studio::{Command, Start, Studio};
+use egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, accesskit,
+    pos2, vec2,
+};
+use egui_kittest::Harness;
+use egui_kittest::kittest::NodeT as _;
+use glam::DVec3;
+
+use crate::kit::{TestHost, studio_with};
+
+/// Steps in the usual tests.
+const STEPS: u64 = 1500;
+/// After so many steps a new document is begun, and memory compared.
+const ROUND: u64 = 500;
+/// Growth of memory over all rounds but the first that would mean a leak.
+const GROWTH: u64 = 96 << 20;
+
+/// SplitMix64 (Steele, Lea, Flood 2014, Fast splittable pseudorandom number generators).
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.roll() % count.max(1) as u64) as usize
+    }
+
+    fn unit(&mut self) -> f32 {
+        (self.roll() >> 40) as f32 / (1_u64 << 24) as f32
+    }
+
+    fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
+        &of[self.below(of.len())]
+    }
+
+    /// From tiny to huge, now and then no number at all.
+    fn number(&mut self) -> f64 {
+        match self.below(20) {
+            0 => f64::NAN,
+            1 => f64::INFINITY,
+            2 => 0.0,
+            3 => -1e12,
+            4 => 1e-12,
+            _ => 20.0 * f64::from(self.unit()) - 10.0,
+        }
+    }
+
+    fn vector(&mut self) -> DVec3 {
+        DVec3::new(self.number(), self.number(), self.number())
+    }
+}
+
+struct Monkey {
+    dice: Dice,
+    host: TestHost,
+    harness: Harness<'static, Studio>,
+    /// What was done, for the message of a failure.
+    log: Vec<String>,
+}
+
+impl Monkey {
+    fn new(seed: u64) -> Self {
+        let host = TestHost::new();
+        let harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+        Self { dice: Dice(seed), host, harness, log: Vec::new() }
+    }
+
+    fn step(&mut self) {
+        let act = match self.dice.below(100) {
+            0..20 => self.command(),
+            20..45 => self.widget(),
+            45..60 => self.drag(),
+            60..75 => self.keys(),
+            75..90 => self.edit(),
+            90..95 => self.wheel(),
+            95..97 => self.resize(),
+            _ => self.file(),
+        };
+        self.log.push(act);
+        self.harness.step();
+    }
+
+    fn check(&self, seed: u64) {
+        let studio = self.harness.state();
+        let tail = || self.log[self.log.len().saturating_sub(12)..].join("\n");
+        if let Err(broken) = studio.editor().check_invariants() {
+            panic!("seed {seed}, step {}: {broken}\n{}", self.log.len(), tail());
+        }
+        let missing = studio.texts().missing();
+        assert!(missing.is_empty(), "seed {seed}, step {}: {missing:?}\n{}", self.log.len(), tail());
+    }
+
+    fn command(&mut self) -> String {
+        let all: Vec<&Command> = Command::all().collect();
+        let command = match self.dice.below(12) {
+            0 => Command::OpenExample(self.dice.one(Example::ALL).name),
+            1 => Command::OpenFile(self.scene_file()),
+            _ => (*self.dice.one(&all)).clone(),
+        };
+        let said = format!("{command:?}");
+        self.harness.state_mut().run(command);
+        said
+    }
+
+    /// Clicks something that can be clicked.
+    fn widget(&mut self) -> String {
+        use accesskit::Role;
+        let nodes: Vec<(Pos2, String)> = self
+            .harness
+            .root()
+            .children_recursive()
+            .filter(|node| {
+                let role = node.accesskit_node().role();
+                !matches!(role, Role::Label | Role::GenericContainer | Role::Window | Role::Unknown)
+            })
+            .map(|node| (node.rect().center(), format!("{:?}", node.accesskit_node().label())))
+            .collect();
+        if nodes.is_empty() {
+            return "nothing to click".to_owned();
+        }
+        let (at, label) = self.dice.one(&nodes).clone();
+        let button = if self.dice.below(6) == 0 { PointerButton::Secondary } else { PointerButton::Primary };
+        self.press(at, button, Modifiers::NONE, true);
+        self.press(at, button, Modifiers::NONE, false);
+        format!("click {button:?} on {label} at {at}")
+    }
+
+    fn press(&self, pos: Pos2, button: PointerButton, modifiers: Modifiers, pressed: bool) {
+        self.harness.event(Event::PointerMoved(pos));
+        self.harness.event_modifiers(Event::PointerButton { pos, button, pressed, modifiers }, modifiers);
+    }
+
+    fn place(&mut self) -> Pos2 {
+        let size = self.harness.input().screen_rect.map_or(vec2(800.0, 600.0), |rect| rect.size());
+        pos2(size.x * self.dice.unit(), size.y * self.dice.unit())
+    }
+
+    fn drag(&mut self) -> String {
+        let (from, to) = (self.place(), self.place());
+        let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
+        let button = *self.dice.one(&buttons);
+        let modifiers = *self.dice.one(&[Modifiers::NONE, Modifiers::SHIFT, Modifiers::CTRL, Modifiers::ALT]);
+        self.press(from, button, modifiers, true);
+        self.harness.step();
+        for part in 1..=4 {
+            self.harness.event(Event::PointerMoved(from.lerp(to, part as f32 / 4.0)));
+            self.harness.step();
+        }
+        if self.dice.below(5) == 0 {
+            self.harness.key_press(Key::Escape);
+        }
+        self.press(to, button, modifiers, false);
+        format!("drag {button:?} with {modifiers:?} from {from} to {to}")
+    }
+
+    fn keys(&mut self) -> String {
+        const KEYS: &[Key] = &[
+            Key::Enter,
+            Key::Escape,
+            Key::Escape,
+            Key::Tab,
+            Key::ArrowUp,
+            Key::ArrowDown,
+            Key::ArrowLeft,
+            Key::Delete,
+            Key::Backspace,
+            Key::Space,
+            Key::W,
+            Key::F,
+            Key::F2,
+            Key::Z,
+            Key::D,
+            Key::PageUp,
+        ];
+        const TEXTS: &[&str] = &["1", "-5", "1e9", "0.25", "abc", "шар", "", "#ff8800", "NaN"];
+        if self.dice.below(3) == 0 {
+            let text = (*self.dice.one(TEXTS)).to_owned();
+            self.harness.event(Event::Text(text.clone()));
+            return format!("type {text}");
+        }
+        let key = *self.dice.one(KEYS);
+        let modifiers =
+            *self.dice.one(&[Modifiers::NONE, Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND]);
+        self.harness.key_press_modifiers(modifiers, key);
+        format!("press {key:?} with {modifiers:?}")
+    }
+
+    /// Changes the document behind the back of the window.
+    fn edit(&mut self) -> String {
+        let action = self.action();
+        let said = format!("{action:?}");
+        let number = self.dice.number();
+        let vector = self.dice.vector();
+        let index = self.dice.below(8);
+        let editor = self.harness.state_mut().editor_mut();
+        if index < 3 {
+            let label = Label::new("edit-move", "monkey");
+            // A refusal is a good answer.
+            let _ = editor.change_body(index, label, |body| body.placement = body.placement.moved_by(vector));
+            let _ = editor
+                .change_light(index, Label::new("edit-light", "monkey"), |light| light.intensity = number);
+            return format!("move {index} by {vector}, intensity {number}");
+        }
+        let _ = editor.apply(action);
+        said
+    }
+
+    fn action(&mut self) -> Action {
+        let item =
+            *self.dice.one(&[Item::Camera, Item::Body(0), Item::Body(7), Item::Light(0), Item::Material(1)]);
+        let name = (*self.dice.one(&["", "a", "шар", "a\"b\n", "sphere 2"])).to_owned();
+        match self.dice.below(22) {
+            0 => Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), at: self.dice.vector(), name },
+            1 => Action::AddLight { at: self.dice.vector(), name },
+            2 => Action::AddMaterial { name },
+            3 => Action::Rename { item, name },
+            4 => Action::Paste(Example::ALL[self.dice.below(Example::ALL.len())].text.to_owned()),
+            5 => Action::Paste(name),
+            6 => Action::MoveToIndex(self.dice.below(9)),
+            7 => Action::AssignMaterial(MaterialChoice::Named(name)),
+            8 => Action::SetHidden { item, hidden: true },
+            9 => Action::SetLocked { item, locked: self.dice.below(2) == 0 },
+            10 => Action::SelectAll,
+            11 => Action::Duplicate,
+            12 => Action::Delete,
+            13 => Action::Cut,
+            14 => Action::ShareMaterial,
+            15 => Action::MakeMaterialUnique,
+            16 => Action::DropToGround,
+            17 => Action::ResetPlacement,
+            18 => Action::Redo,
+            19 => Action::ShowAll,
+            20 => Action::UnlockAll,
+            _ => Action::Undo,
+        }
+    }
+
+    fn wheel(&mut self) -> String {
+        let at = self.place();
+        let delta = vec2(0.0, 200.0 * (self.dice.unit() - 0.5));
+        self.harness.event(Event::PointerMoved(at));
+        self.harness.event(Event::MouseWheel {
+            unit: MouseWheelUnit::Point,
+            delta,
+            phase: TouchPhase::Move,
+            source: MouseWheelSource::Wheel,
+            modifiers: Modifiers::NONE,
+        });
+        format!("wheel {delta} at {at}")
+    }
+
+    fn resize(&mut self) -> String {
+        let size = vec2(300.0 + 1200.0 * self.dice.unit(), 200.0 + 800.0 * self.dice.unit());
+        self.harness.set_size(size);
+        format!("resize to {size}")
+    }
+
+    fn scene_file(&mut self) -> PathBuf {
+        const NAMES: &[&str] = &["a.toml", "b.toml", "missing.toml"];
+        let name = *self.dice.one(NAMES);
+        self.host.path(name)
+    }
+
+    /// Prepares the answer to the next question for a file, or puts a good or bad scene file there.
+    fn file(&mut self) -> String {
+        let path = self.scene_file();
+        match self.dice.below(4) {
+            0 => self.host.answer(None),
+            1 => self.host.answer(Some(path.clone())),
+            2 => write(&path, "format = \"catoptric/1\"\n[[bodies]]\nshape = \"sphere\"\nradius = -1\n"),
+            _ => write(&path, self.dice.one(Example::ALL).text),
+        }
+        format!("file {}", path.display())
+    }
+
+    /// Back to a small document without a history, whatever is open.
+    fn begin_anew(&mut self) {
+        for _ in 0..8 {
+            self.harness.key_press(Key::Escape);
+            self.harness.step();
+        }
+        let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
+        *self.harness.state_mut().editor_mut() = catoptric_editor::Editor::new(scene);
+        self.harness.set_size(vec2(1280.0, 800.0));
+        for _ in 0..4 {
+            self.harness.step();
+        }
+        self.log.clear();
+    }
+}
+
+fn write(path: &PathBuf, text: &str) {
+    std::fs::write(path, text).unwrap();
+}
+
+fn from_environment(name: &str, default: u64) -> u64 {
+    std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(default)
+}
+
+/// Bytes of memory in use, where the system tells.
+fn memory() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/self/statm").ok()?;
+    let pages: u64 = text.split_whitespace().nth(1)?.parse().ok()?;
+    Some(pages * 4096)
+}
+
+#[test]
+fn a_monkey_finds_nothing_to_break() {
+    let steps = from_environment("CATOPTRIC_MONKEY_STEPS", STEPS);
+    let seed = from_environment("CATOPTRIC_MONKEY_SEED", 1);
+    let mut monkey = Monkey::new(seed);
+    let mut at_rest = Vec::new();
+    for step in 0..steps {
+        if step % ROUND == 0 && step > 0 {
+            monkey.begin_anew();
+            at_rest.extend(memory());
+            println!("{step} steps, {} MB", at_rest.last().map_or(0, |bytes| bytes >> 20));
+        }
+        monkey.step();
+        monkey.check(seed);
+    }
+    // The first round fills caches: fonts, thumbnails.
+    if let [_, second, .., last] = at_rest[..] {
+        assert!(last < second + GROWTH, "memory grew from {second} to {last} bytes");
+    }
+}
