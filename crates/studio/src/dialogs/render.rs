@@ -256,7 +256,8 @@ fn generations_row(
             None => {}
         }
         let mut number = generations.unwrap_or(of_scene);
-        let whole = Whole { name, tip, most: Tracing::MAX_GENERATIONS, speed: 0.1 };
+        let name = format!("{name}: {}", texts.get("render-generations-own"));
+        let whole = Whole { name: &name, tip, most: Tracing::MAX_GENERATIONS, speed: 0.1 };
         ui.add_enabled_ui(is_own, |ui| {
             if whole_ui(ui, &whole, &mut number, refused) {
                 *generations = Some(number);

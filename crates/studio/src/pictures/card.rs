@@ -77,7 +77,7 @@ fn progress_ui(ui: &mut Ui, texts: &Texts, running: &Running, title: &str) -> bo
         ui.label(RichText::new(text).color(palette.weak));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let label = format!("{} {}", ICON_CLOSE.codepoint, texts.get("render-cancel"));
-            let response = ui.button(label).accessible_name(texts.get("render-cancel"));
+            let response = ui.button(label).accessible_name(texts.get("render-cancel-name"));
             let response = response.on_hover_text(texts.tip("render-cancel").unwrap_or_default());
             is_cancelled = response.clicked();
         });

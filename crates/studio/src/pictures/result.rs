@@ -23,6 +23,9 @@ use crate::documents::job::{Job, Progress};
 use crate::texts::Texts;
 use crate::theme;
 
+/// The smallest window of a picture, points.
+const LEAST: Vec2 = vec2(540.0, 340.0);
+
 /// A finished picture.
 pub(crate) struct Finished {
     pub(super) number: u64,
@@ -127,16 +130,19 @@ fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) ->
         let [width, height] = super::size_of(&finished.picture);
         studio.texts.with("picture-title", &[("size", told::size(width, height).into())])
     };
+    // At first it has the proportions of the picture, with room for what is below.
+    let [width, height] = super::size_of(&finished.picture).map(|side| side as f32);
+    let most = (0.9 * whole.size()).min(vec2(1040.0, 860.0)).max(LEAST);
+    let size = vec2(most.x, (most.x * height / width + 156.0).clamp(LEAST.y, most.y));
     // The next window does not hide the one before.
     let shift = 24.0 * ((finished.number - 1) % 5) as f32;
-    let size = (0.86 * whole.size()).min(vec2(900.0, 680.0)).max(vec2(520.0, 400.0));
     let window = Window::new(RichText::new(&title).strong())
         .id(Id::unique(("picture", finished.number)))
         .title_frame(Frame::window(&context.global_style()).inner_margin(Margin::symmetric(14, 8)))
         .collapsible(false)
         .resizable(true)
         .default_size(size)
-        .min_size(vec2(520.0, 320.0))
+        .min_size(LEAST)
         .default_pos(whole.center() - 0.5 * size + vec2(shift, shift))
         .constrain_to(context.content_rect());
     window.show(context, |ui| contents_ui(ui, studio, finished)).and_then(|shown| shown.inner).flatten()
@@ -198,7 +204,7 @@ fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<P
         if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !is_copying) {
             press = Some(Press::Copy);
         }
-        if button_ui(ui, texts, "close", None, !is_saving && !is_copying) {
+        if button_ui(ui, texts, "picture-close", None, !is_saving && !is_copying) {
             press = Some(Press::Close);
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| state_ui(ui, texts, finished, is_copying));
@@ -209,7 +215,10 @@ fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<P
 fn button_ui(ui: &mut Ui, texts: &Texts, key: &str, icon: Option<MaterialIcon>, is_enabled: bool) -> bool {
     let palette = theme::palette(ui.visuals());
     let name = texts.get(key);
-    let text = icon.map_or_else(|| name.to_owned(), |icon| format!("{}  {name}", icon.codepoint));
+    let text = match icon {
+        Some(icon) => format!("{}  {name}", icon.codepoint),
+        None => texts.get("close").to_owned(),
+    };
     let mut button = Button::new(text).min_size(vec2(84.0, 28.0));
     if key == "picture-save" {
         button = button.fill(palette.selection).stroke(Stroke::new(1.0, palette.accent));
