@@ -165,7 +165,6 @@ impl Studio {
         for command in std::mem::take(&mut self.commands) {
             crate::run::run(ui.ctx(), self, command);
         }
-        pictures::hold_window(ui.ctx(), self);
         documents::keep(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();

@@ -1,12 +1,10 @@
 //! Pictures that are made: one is rendered in the background while the studio goes on, finished ones lie in windows
 //! of their own until they are saved, copied or dropped.
 
-mod ask;
 mod card;
 mod choices;
 mod copy;
 pub(crate) mod fields;
-mod job;
 mod leave;
 mod proof;
 mod result;
@@ -24,7 +22,8 @@ use crate::app::Studio;
 use crate::dialogs::Message;
 pub use choices::{PictureKind, RenderChoices};
 pub(crate) use copy::copy_viewport;
-pub(crate) use leave::hold_window;
+use leave::Leaving;
+pub(crate) use leave::hold;
 use result::Finished;
 
 /// How often the progress is looked at.
@@ -38,7 +37,7 @@ pub(crate) struct Pictures {
     /// How many have been finished so far.
     count: u64,
     copying: copy::Copying,
-    leaving: leave::Leaving,
+    leaving: Leaving,
 }
 
 /// A picture that is being rendered.
@@ -95,6 +94,7 @@ pub(crate) fn pictures_ui(ui: &mut Ui, studio: &mut Studio) {
     card::card_ui(ui, studio);
     result::results_ui(ui.ctx(), studio);
     copy::poll(ui.ctx(), studio);
+    leave::poll(ui.ctx(), studio);
 }
 
 /// Makes a finished render a finished picture.

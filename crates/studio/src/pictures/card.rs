@@ -1,6 +1,6 @@
 //! The card that shows how far a render is, in the lower right corner of the picture.
 
-use egui::{Align, Align2, Area, Context, Frame, Id, Layout, Margin, Order, ProgressBar, RichText, Ui, vec2};
+use egui::{Align, Align2, Area, Frame, Id, Layout, Margin, Order, ProgressBar, RichText, Ui, vec2};
 use egui_material_icons::icons::ICON_CLOSE;
 
 use super::{Running, told};
@@ -8,7 +8,7 @@ use crate::app::Studio;
 use crate::texts::Texts;
 use crate::theme;
 
-const WIDTH: f32 = 296.0;
+const WIDTH: f32 = 330.0;
 
 /// Draws the card while a picture is being rendered.
 pub(crate) fn card_ui(ui: &Ui, studio: &mut Studio) {
@@ -34,7 +34,8 @@ pub(crate) fn card_ui(ui: &Ui, studio: &mut Studio) {
         })
         .inner;
     if is_cancelled {
-        cancel(context, studio);
+        studio.pictures.cancel();
+        studio.toasts.info(studio.texts.get("render-cancelled"));
     }
 }
 
@@ -76,15 +77,10 @@ fn progress_ui(ui: &mut Ui, texts: &Texts, running: &Running, title: &str) -> bo
         ui.label(RichText::new(text).color(palette.weak));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let label = format!("{} {}", ICON_CLOSE.codepoint, texts.get("render-cancel"));
-            let response = ui.button(label).accessible_name(texts.get("render-cancel"));
+            let response = ui.button(label).accessible_name(texts.get("render-cancel-name"));
             let response = response.on_hover_text(texts.tip("render-cancel").unwrap_or_default());
             is_cancelled = response.clicked();
         });
     });
     is_cancelled
-}
-
-fn cancel(_context: &Context, studio: &mut Studio) {
-    studio.pictures.cancel();
-    studio.toasts.info(studio.texts.get("render-cancelled"));
 }

@@ -6,17 +6,17 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{Development, Picture};
 use egui::{ColorImage, Context};
 
-use super::job::{Job, Progress};
 use super::result::{Finished, Kept};
 use super::told;
 use crate::app::Studio;
+use crate::documents::job::{Job, Progress};
 use crate::host::PictureClipboard;
 
 /// The most pixels that are copied: a clipboard keeps several copies.
 const MOST: usize = 1 << 26;
 
-/// How long the viewport's picture may take to be refined before it is copied as it is.
-const REFINED: Duration = Duration::from_secs(3);
+/// When the person is told that the viewport's picture is still being refined.
+const LONG: Duration = Duration::from_secs(1);
 
 /// How long a viewport without any picture is waited for.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -24,9 +24,18 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// What is being copied.
 #[derive(Default)]
 pub(crate) struct Copying {
-    /// Since when the viewport's picture is to be copied, once it is refined.
-    viewport: Option<Instant>,
+    /// The viewport's picture is to be copied.
+    viewport: Option<Waiting>,
     job: Option<(Source, Job<Result<Copied, Failure>>)>,
+}
+
+/// Waiting for the viewport's picture.
+#[derive(Clone, Copy)]
+struct Waiting {
+    since: Instant,
+    /// Whether it is copied before it is refined.
+    is_hurried: bool,
+    is_told: bool,
 }
 
 /// Where the picture comes from.
@@ -50,9 +59,11 @@ enum Failure {
     Clipboard(String),
 }
 
-/// Copies the viewport's picture as soon as it is refined.
+/// Copies the viewport's picture as soon as it is refined; asked again meanwhile, as it is.
 pub(crate) fn copy_viewport(context: &Context, studio: &mut Studio) {
-    studio.pictures.copying.viewport.get_or_insert_with(Instant::now);
+    let is_hurried = studio.pictures.copying.viewport.is_some();
+    studio.pictures.copying.viewport =
+        Some(Waiting { since: Instant::now(), is_hurried, is_told: is_hurried });
     context.request_repaint();
 }
 
@@ -107,28 +118,35 @@ fn copied_from(studio: &mut Studio, source: Source) {
 }
 
 fn look_at_viewport(context: &Context, studio: &mut Studio) {
-    let Some(since) = studio.pictures.copying.viewport else { return };
-    context.request_repaint_after(Duration::from_millis(50));
-    let present = studio.live.latest().filter(|frame| {
-        let is_refined = frame.samples >= studio.settings.viewport_samples || studio.view.is_rendering;
+    let Some(mut waiting) = studio.pictures.copying.viewport.take() else { return };
+    let frame = studio.live.latest().filter(|frame| {
         frame.is_full()
             && frame.revision == studio.editor.revision()
             && frame.camera == studio.view.camera(studio.editor.scene())
-            && (is_refined || since.elapsed() > REFINED)
     });
-    if let Some(frame) = present {
-        studio.pictures.copying.viewport = None;
-        let pixels = Arc::clone(&frame.pixels);
-        let size = frame.picture_size;
-        start(context, studio, Source::Viewport(size), move || {
-            let mut own = reserved(pixels.len())?;
-            own.extend_from_slice(&pixels);
-            Ok((size, own))
-        });
-    } else if since.elapsed() > PATIENCE {
-        studio.pictures.copying.viewport = None;
-        studio.toasts.warning(studio.texts.get("picture-copy-none"));
+    let is_refined = |samples| samples >= studio.settings.viewport_samples || studio.view.is_rendering;
+    match frame {
+        Some(frame) if waiting.is_hurried || is_refined(frame.samples) => {
+            let pixels = Arc::clone(&frame.pixels);
+            let size = frame.picture_size;
+            return start(context, studio, Source::Viewport(size), move || {
+                let mut own = reserved(pixels.len())?;
+                own.extend_from_slice(&pixels);
+                Ok((size, own))
+            });
+        }
+        None if waiting.since.elapsed() > PATIENCE => {
+            studio.toasts.warning(studio.texts.get("picture-copy-none"));
+            return;
+        }
+        Some(_) if waiting.since.elapsed() > LONG && !waiting.is_told => {
+            studio.toasts.info(studio.texts.get("picture-copy-waits"));
+            waiting.is_told = true;
+        }
+        _ => {}
     }
+    studio.pictures.copying.viewport = Some(waiting);
+    context.request_repaint_after(Duration::from_millis(50));
 }
 
 /// Copies what `codes` makes, on a thread.

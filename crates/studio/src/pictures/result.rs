@@ -7,20 +7,24 @@ use catoptric_picture::{Development, Picture};
 use catoptric_tracer::{RayCounts, Rendering};
 use egui::emath::GuiRounding as _;
 use egui::{
-    Align, Align2, Button, CentralPanel, Color32, ColorImage, Context, Frame, Id, Label, Layout, Panel, Rect,
-    RichText, Role, Sense, Stroke, TextStyle, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, Window,
-    pos2, vec2,
+    Align, Align2, Button, CentralPanel, Color32, ColorImage, Context, Frame, Id, Label, Layout, Margin,
+    Panel, Rect, RichText, Role, Sense, Stroke, TextStyle, TextureHandle, TextureOptions, Ui, Vec2,
+    WidgetInfo, Window, pos2, vec2,
 };
-use egui_material_icons::icons::{ICON_CHECK, ICON_CONTENT_COPY, ICON_SAVE};
+use egui_material_icons::MaterialIcon;
+use egui_material_icons::icons::{ICON_CONTENT_COPY, ICON_SAVE};
 
-use super::job::{Job, Progress};
 use super::proof::{Wanted, fitting, proof};
 use super::save::{self, Saving};
 use super::{Order, copy, fields, let_go, told};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
+use crate::documents::job::{Job, Progress};
 use crate::texts::Texts;
 use crate::theme;
+
+/// The smallest window of a picture, points.
+const LEAST: Vec2 = vec2(540.0, 340.0);
 
 /// A finished picture.
 pub(crate) struct Finished {
@@ -126,15 +130,19 @@ fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) ->
         let [width, height] = super::size_of(&finished.picture);
         studio.texts.with("picture-title", &[("size", told::size(width, height).into())])
     };
+    // At first it has the proportions of the picture, with room for what is below.
+    let [width, height] = super::size_of(&finished.picture).map(|side| side as f32);
+    let most = (0.9 * whole.size()).min(vec2(1040.0, 860.0)).max(LEAST);
+    let size = vec2(most.x, (most.x * height / width + 156.0).clamp(LEAST.y, most.y));
     // The next window does not hide the one before.
     let shift = 24.0 * ((finished.number - 1) % 5) as f32;
-    let size = (0.86 * whole.size()).min(vec2(900.0, 680.0)).max(vec2(520.0, 400.0));
     let window = Window::new(RichText::new(&title).strong())
         .id(Id::unique(("picture", finished.number)))
+        .title_frame(Frame::window(&context.global_style()).inner_margin(Margin::symmetric(14, 8)))
         .collapsible(false)
         .resizable(true)
         .default_size(size)
-        .min_size(vec2(520.0, 320.0))
+        .min_size(LEAST)
         .default_pos(whole.center() - 0.5 * size + vec2(shift, shift))
         .constrain_to(context.content_rect());
     window.show(context, |ui| contents_ui(ui, studio, finished)).and_then(|shown| shown.inner).flatten()
@@ -146,7 +154,7 @@ fn contents_ui(ui: &mut Ui, studio: &mut Studio, finished: &mut Finished) -> Opt
         ui.add_space(8.0);
         facts_ui(ui, &studio.texts, finished);
         ui.add_space(4.0);
-        choices_ui(ui, &studio.texts, finished);
+        development_ui(ui, &studio.texts, &mut finished.order.development);
         ui.add_space(6.0);
         buttons_ui(ui, studio, finished)
     });
@@ -172,60 +180,70 @@ fn facts_ui(ui: &mut Ui, texts: &Texts, finished: &Finished) {
     ui.add(Label::new(RichText::new(text).color(theme::palette(ui.visuals()).weak)).truncate());
 }
 
-fn choices_ui(ui: &mut Ui, texts: &Texts, finished: &mut Finished) {
+fn development_ui(ui: &mut Ui, texts: &Texts, development: &mut Development) {
     ui.horizontal(|ui| {
-        let Order { development, choices, .. } = &mut finished.order;
-        fields::exposure_ui(ui, texts, &mut development.exposure_stops, true);
+        fields::name_ui(ui, texts.get("viewport-exposure"));
+        fields::exposure_ui(ui, texts, development);
         ui.add_space(8.0);
-        fields::tone_ui(ui, texts, &mut development.tone_curve, true);
-        ui.add_space(8.0);
-        fields::kind_ui(ui, texts, &mut choices.kind);
+        fields::name_ui(ui, texts.get("viewport-tone"));
+        fields::tone_ui(ui, texts, development);
     });
 }
 
-fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &Finished) -> Option<Press> {
-    let palette = theme::palette(ui.visuals());
-    let texts = &studio.texts;
-    let is_saving = !matches!(finished.saving, Saving::No);
-    let is_copying = copy::is_copying(studio, finished.number);
+/// The kind of file and the buttons; at the left, where there is room, what has become of the picture.
+fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<Press> {
     let mut press = None;
-    ui.horizontal(|ui| {
-        if matches!(finished.saving, Saving::Writing(..)) || is_copying {
-            ui.spinner();
-            let key = if is_copying { "picture-copying" } else { "picture-writing" };
-            ui.label(RichText::new(texts.get(key)).color(palette.weak));
-        } else if let Some(kept) = &finished.kept {
-            let text = match kept {
-                Kept::File(name) => texts.with("picture-saved", &[("name", name.as_str().into())]),
-                Kept::Clipboard => texts.get("picture-in-clipboard").to_owned(),
-            };
-            let text = RichText::new(format!("{}  {text}", ICON_CHECK.codepoint)).color(palette.weak);
-            ui.add(Label::new(text).truncate());
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let texts = &studio.texts;
+        let is_copying = copy::is_copying(studio, finished.number);
+        let is_saving = !matches!(finished.saving, Saving::No);
+        if button_ui(ui, texts, "picture-save", Some(ICON_SAVE), !is_saving) {
+            press = Some(Press::Save);
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let all = [
-                (Press::Save, "picture-save", ICON_SAVE.codepoint, !is_saving),
-                (Press::Copy, "picture-copy", ICON_CONTENT_COPY.codepoint, !is_copying),
-                (Press::Close, "close", "", !is_saving && !is_copying),
-            ];
-            for (own, key, icon, is_enabled) in all {
-                let name = texts.get(key);
-                let text = if icon.is_empty() { name.to_owned() } else { format!("{icon}  {name}") };
-                let mut button = Button::new(text).min_size(vec2(84.0, 28.0));
-                if own == Press::Save {
-                    button = button.fill(palette.selection).stroke(Stroke::new(1.0, palette.accent));
-                }
-                let mut response = ui.add_enabled(is_enabled, button).accessible_name(name);
-                if let Some(tip) = texts.tip(key) {
-                    response = response.on_hover_text(tip);
-                }
-                if response.clicked() {
-                    press = Some(own);
-                }
-            }
-        });
+        fields::kind_ui(ui, texts, &mut finished.order.choices.kind);
+        if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !is_copying) {
+            press = Some(Press::Copy);
+        }
+        if button_ui(ui, texts, "picture-close", None, !is_saving && !is_copying) {
+            press = Some(Press::Close);
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| state_ui(ui, texts, finished, is_copying));
     });
     press
+}
+
+fn button_ui(ui: &mut Ui, texts: &Texts, key: &str, icon: Option<MaterialIcon>, is_enabled: bool) -> bool {
+    let palette = theme::palette(ui.visuals());
+    let name = texts.get(key);
+    let text = match icon {
+        Some(icon) => format!("{}  {name}", icon.codepoint),
+        None => texts.get("close").to_owned(),
+    };
+    let mut button = Button::new(text).min_size(vec2(84.0, 28.0));
+    if key == "picture-save" {
+        button = button.fill(palette.selection).stroke(Stroke::new(1.0, palette.accent));
+    }
+    let response = ui.add_enabled(is_enabled, button).accessible_name(name);
+    match texts.tip(key) {
+        Some(tip) => response.on_hover_text(tip).clicked(),
+        None => response.clicked(),
+    }
+}
+
+/// What is being done with the picture, or has been.
+fn state_ui(ui: &mut Ui, texts: &Texts, finished: &Finished, is_copying: bool) {
+    let text = match (&finished.kept, &finished.saving) {
+        (_, Saving::Writing(..)) => texts.get("picture-writing").to_owned(),
+        _ if is_copying => texts.get("picture-copying").to_owned(),
+        (Some(Kept::File(name)), _) => texts.with("picture-saved", &[("name", name.as_str().into())]),
+        (Some(Kept::Clipboard), _) => texts.get("picture-in-clipboard").to_owned(),
+        (None, _) => return,
+    };
+    if is_copying || matches!(finished.saving, Saving::Writing(..)) {
+        ui.spinner();
+    }
+    let palette = theme::palette(ui.visuals());
+    ui.add(Label::new(RichText::new(text).color(palette.weak)).truncate());
 }
 
 impl Shown {
@@ -239,7 +257,7 @@ impl Shown {
         let size = fitting(super::size_of(picture), [most.x as u32, most.y as u32]);
         self.poll(ui.ctx());
         self.want(ui.ctx(), picture, Wanted { development, size });
-        ui.painter().rect_filled(room, 4.0, palette.field);
+        ui.painter().rect_filled(room, 4.0, palette.bar);
         let size = vec2(size[0] as f32, size[1] as f32) / scale;
         let place = Rect::from_center_size(room.center(), size.min(room.size())).round_to_pixels(scale);
         match &self.texture {

@@ -6,12 +6,13 @@ use std::sync::Arc;
 use catoptric_picture::{Development, Picture, SizeError, WriteError, write_exr, write_png};
 use egui::Context;
 
-use super::ask::{Answer, Asking, Chosen};
-use super::job::{Job, Progress};
 use super::result::{Finished, Kept};
 use super::{PictureKind, file_name, told};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
+use crate::documents::ask::{Answer, Asking, Chosen};
+use crate::documents::disk::write_failure_in_words;
+use crate::documents::job::{Job, Progress};
 use crate::host::{FileKind, FileQuestion};
 
 /// How far saving is.
@@ -117,7 +118,7 @@ fn saved(studio: &mut Studio, finished: &mut Finished, path: &Path) {
 fn failed(studio: &mut Studio, finished: &Finished, order: Order, failure: &Failure) {
     let text = match failure {
         Failure::Exists => return ask_to_replace(studio, finished.number, order),
-        Failure::Write(error) => error.to_string(),
+        Failure::Write(error) => write_failure_in_words(&studio.texts, error),
         Failure::Size(error) => told::size_error(&studio.texts, error),
     };
     tell(studio, text);

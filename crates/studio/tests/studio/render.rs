@@ -63,6 +63,12 @@ fn choose(harness: &mut Hands, label: &str) {
     settle(harness);
 }
 
+/// Picks one of several choices side by side.
+fn pick(harness: &mut Hands, label: &str) {
+    harness.get_by_role_and_label(Role::RadioButton, label).click();
+    settle(harness);
+}
+
 /// Opens the dialog and starts a small picture.
 fn start_small(harness: &mut Hands) {
     open_dialog(harness);
@@ -113,7 +119,7 @@ fn a_saved_picture_is_the_traced_one() {
     assert_eq!(std::fs::read(&path).unwrap(), encode_png(&developed).unwrap());
     assert_eq!(read(&path).unwrap().width(), 96);
     // It is saved: nothing is asked.
-    press(&mut harness, "Close");
+    press(&mut harness, "Close the picture");
     assert!(!is_seen(&harness, "Picture 96 × 54"));
     assert!(!is_seen(&harness, "Close without saving?"));
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
@@ -125,12 +131,12 @@ fn exr_keeps_every_bit_and_deep_png_every_step() {
     let mut harness = on(&host);
     harness.run();
     open_dialog(&mut harness);
-    choose(&mut harness, "File: EXR");
+    pick(&mut harness, "File: EXR");
     assert!(is_seen(&harness, "EXR keeps the linear light"));
     enter(&mut harness, "Width", 64.0);
-    choose(&mut harness, "Samples: 1");
-    choose(&mut harness, "Generations: Own");
-    enter(&mut harness, "Generations", 2.0);
+    pick(&mut harness, "Samples: 1");
+    pick(&mut harness, "Generations: Own");
+    enter(&mut harness, "Generations: Own", 2.0);
     press(&mut harness, "Render");
     wait_for(&mut harness, "Picture 64 × 36");
     let scene = harness.state().editor().scene().clone();
@@ -191,11 +197,11 @@ fn a_cancelled_render_leaves_nothing() {
     let mut harness = on(&host);
     harness.run();
     open_dialog(&mut harness);
-    choose(&mut harness, "Samples: 256");
+    pick(&mut harness, "Samples: 256");
     press(&mut harness, "Render");
     wait_for(&mut harness, "Rendering 1920 × 1080");
     assert!(is_seen(&harness, "passed"));
-    press(&mut harness, "Cancel");
+    press(&mut harness, "Cancel the render");
     assert!(!harness.state().is_rendering());
     assert!(!is_seen(&harness, "Rendering 1920 × 1080"));
     assert!(!is_seen(&harness, "Picture 1920 × 1080"));
@@ -210,12 +216,12 @@ fn a_second_render_replaces_the_first_and_a_third_joins_the_finished() {
     let mut harness = on(&host);
     harness.run();
     open_dialog(&mut harness);
-    choose(&mut harness, "Samples: 256");
+    pick(&mut harness, "Samples: 256");
     press(&mut harness, "Render");
     open_dialog(&mut harness);
     assert!(is_seen(&harness, "it will be given up"));
     enter(&mut harness, "Width", 96.0);
-    choose(&mut harness, "Samples: 1");
+    pick(&mut harness, "Samples: 1");
     press(&mut harness, "Give up and render");
     wait_for(&mut harness, "Picture 96 × 54");
     open_dialog(&mut harness);
@@ -287,16 +293,16 @@ fn an_unsaved_picture_is_not_dropped_without_asking() {
     harness.run();
     start_small(&mut harness);
     wait_for(&mut harness, "Picture 96 × 54");
-    press(&mut harness, "Close");
+    press(&mut harness, "Close the picture");
     harness.step();
     assert!(is_seen(&harness, "Close without saving?"));
     press(&mut harness, "Cancel");
     assert!(is_seen(&harness, "Picture 96 × 54"));
     close_requested(&mut harness);
     assert!(viewport_commands(&harness).contains(&ViewportCommand::CancelClose));
-    harness.step();
+    settle(&mut harness);
     press(&mut harness, "Stay");
-    press(&mut harness, "Close");
+    press(&mut harness, "Close the picture");
     harness.step();
     press(&mut harness, "Do not save");
     assert!(!is_seen(&harness, "Picture 96 × 54"));
@@ -309,11 +315,11 @@ fn leaving_while_a_picture_is_rendered_asks() {
     let mut harness = studio();
     harness.run();
     open_dialog(&mut harness);
-    choose(&mut harness, "Samples: 256");
+    pick(&mut harness, "Samples: 256");
     press(&mut harness, "Render");
     close_requested(&mut harness);
     assert!(viewport_commands(&harness).contains(&ViewportCommand::CancelClose));
-    harness.step();
+    settle(&mut harness);
     assert!(is_seen(&harness, "A picture is still being rendered"));
     press(&mut harness, "Leave");
     close_requested(&mut harness);
@@ -366,7 +372,7 @@ fn a_finished_picture_goes_to_the_clipboard() {
     harness.run();
     start_small(&mut harness);
     wait_for(&mut harness, "Picture 96 × 54");
-    press(&mut harness, "Copy");
+    harness.get_by_role_and_label(Role::Button, "Copy").click();
     let image = wait_for_image(&mut harness);
     let picture = truth(harness.state().editor().scene(), [96, 54], 4, None);
     let mut codes = vec![[0; 4]; 96 * 54];
@@ -375,7 +381,7 @@ fn a_finished_picture_goes_to_the_clipboard() {
     settle(&mut harness);
     assert!(is_seen(&harness, "In the clipboard"));
     // It is kept: nothing is asked.
-    press(&mut harness, "Close");
+    press(&mut harness, "Close the picture");
     assert!(!is_seen(&harness, "Picture 96 × 54"));
 }
 
@@ -422,6 +428,7 @@ fn a_render_that_ends_behind_other_windows_asks_for_attention() {
         harness.step();
         std::thread::sleep(Duration::from_millis(5));
     }
+    settle(&mut harness);
     assert!(is_seen(&harness, "Picture 96 × 54"));
 }
 
@@ -432,15 +439,15 @@ fn everything_is_said_in_russian_too() {
     harness.state_mut().run(Command::Language(Language::Russian));
     harness.run();
     harness.state_mut().run(Command::Render);
-    harness.run();
-    for label in ["Рендер изображения", "Лучей на пиксель: 16", "Файл: PNG, 16 бит", "Тоновая кривая"]
+    settle(&mut harness);
+    for label in ["Рендер изображения", "Лучей на пиксель: 16", "Файл: PNG, 16 бит", "Тональная кривая"]
     {
         assert!(harness.query_all_by_label(label).next().is_some(), "{label}");
     }
     enter(&mut harness, "Ширина", 96.0);
     press(&mut harness, "Начать рендер");
     wait_for(&mut harness, "Изображение 96 × 54");
-    press(&mut harness, "Закрыть");
+    press(&mut harness, "Закрыть изображение");
     harness.step();
     assert!(is_seen(&harness, "Закрыть без сохранения?"));
     harness.run();

@@ -1,13 +1,15 @@
 //! The size of the picture: usual ones, or typed.
 
 use catoptric_picture::Picture;
-use egui::{Button, ComboBox, DragValue, RichText, Ui};
+use egui::{ComboBox, RichText, Ui};
 use egui_material_icons::icons::{ICON_LINK, ICON_LINK_OFF};
 
-use super::label;
+use super::{Whole, label, whole_ui};
 use crate::pictures::{RenderChoices, told};
 use crate::texts::Texts;
 use crate::theme;
+use crate::widgets::explained_icon_button;
+use crate::widgets::number::Refusal;
 
 /// Usual sizes, with the messages that name them.
 const USUAL: [(&str, [u32; 2]); 5] = [
@@ -39,22 +41,31 @@ impl Size {
     }
 
     /// Draws the rows of the size.
-    pub(super) fn rows_ui(&mut self, ui: &mut Ui, texts: &Texts, choices: &mut RenderChoices) {
+    pub(super) fn rows_ui(
+        &mut self,
+        ui: &mut Ui,
+        texts: &Texts,
+        choices: &mut RenderChoices,
+        refused: &mut Option<Refusal>,
+    ) {
         let response = label(ui, texts, "render-size");
         self.list_ui(ui, texts, choices, response.id);
         ui.end_row();
         ui.label("");
         ui.horizontal(|ui| {
             let (width, height) = (texts.get("render-width"), texts.get("render-height"));
-            if side_ui(ui, width, &mut choices.width) && choices.keeps_proportions {
+            if side_ui(ui, width, &mut choices.width, refused) && choices.keeps_proportions {
                 choices.height = side(f64::from(choices.width) / self.proportions);
             }
             ui.label("×");
-            if side_ui(ui, height, &mut choices.height) && choices.keeps_proportions {
+            if side_ui(ui, height, &mut choices.height, refused) && choices.keeps_proportions {
                 choices.width = side(f64::from(choices.height) * self.proportions);
             }
             ui.label(RichText::new(texts.get("render-pixels")).color(theme::palette(ui.visuals()).weak));
-            if self.lock_ui(ui, texts, choices.keeps_proportions) {
+            let icon = if choices.keeps_proportions { ICON_LINK } else { ICON_LINK_OFF };
+            let name = texts.get("render-proportions");
+            let tip = texts.tip("render-proportions").unwrap_or_default();
+            if explained_icon_button(ui, icon, name, tip, choices.keeps_proportions).clicked() {
                 choices.keeps_proportions = !choices.keeps_proportions;
                 self.take_proportions(choices);
             }
@@ -74,7 +85,9 @@ impl Size {
             )
         };
         let key: &'static str = key;
-        let list = ComboBox::from_id_salt("usual sizes").selected_text(named(key, present)).width(250.0);
+        let list = ComboBox::from_id_salt("usual sizes")
+            .selected_text(named(key, present))
+            .width(super::WIDTH - 16.0);
         let shown = list.show_ui(ui, |ui| {
             let mut picked = None;
             for (key, size) in sizes {
@@ -90,15 +103,6 @@ impl Size {
             self.take_proportions(choices);
         }
     }
-
-    /// The button that ties the sides together.
-    fn lock_ui(&self, ui: &mut Ui, texts: &Texts, is_locked: bool) -> bool {
-        let icon = if is_locked { ICON_LINK } else { ICON_LINK_OFF };
-        let name = texts.get("render-proportions");
-        let button = Button::new(RichText::new(icon.codepoint).size(16.0)).selected(is_locked);
-        let response = ui.add(button.frame_when_inactive(is_locked)).accessible_name(name);
-        response.on_hover_text(texts.tip("render-proportions").unwrap_or_default()).clicked()
-    }
 }
 
 /// A side that comes of the other one.
@@ -106,8 +110,6 @@ fn side(pixels: f64) -> u32 {
     (pixels.round() as u32).clamp(1, Picture::MAX_SIDE)
 }
 
-fn side_ui(ui: &mut Ui, name: &str, pixels: &mut u32) -> bool {
-    let field = DragValue::new(pixels).range(1..=Picture::MAX_SIDE).speed(2.0);
-    let response = ui.add_sized([84.0, 22.0], field).accessible_name(name).on_hover_text(name);
-    response.changed()
+fn side_ui(ui: &mut Ui, name: &str, pixels: &mut u32, refused: &mut Option<Refusal>) -> bool {
+    whole_ui(ui, &Whole { name, tip: name, most: Picture::MAX_SIDE, speed: 2.0 }, pixels, refused)
 }
