@@ -150,7 +150,7 @@ fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response):
 
 /// Whether keys are for the picture: when it has the focus, or nothing has.
 fn listens(ui: &Ui, response: &Response) -> bool {
-    let focused = ui.memory(|memory| memory.focused());
+    let focused = ui.memory(egui::Memory::focused);
     let is_free = ui.memory(|memory| memory.allows_interaction(ui.layer_id()));
     is_free && focused.is_none_or(|id| id == response.id) && !Popup::is_any_open(ui.ctx())
 }

@@ -17,6 +17,8 @@ pub(crate) struct TestHost {
     folder: Arc<TempDir>,
     answers: Arc<Mutex<VecDeque<Option<PathBuf>>>>,
     pub(crate) questions: Arc<Mutex<Vec<FileQuestion>>>,
+    /// Bytes of memory that are free, as the studio is told.
+    pub(crate) free_memory: Arc<Mutex<Option<u64>>>,
 }
 
 impl TestHost {
@@ -25,6 +27,7 @@ impl TestHost {
             folder: Arc::new(tempfile::tempdir().unwrap()),
             answers: Arc::default(),
             questions: Arc::default(),
+            free_memory: Arc::default(),
         }
     }
 
@@ -54,6 +57,10 @@ impl Host for TestHost {
 
     fn recovery_folder(&self) -> Option<PathBuf> {
         Some(self.path("recovery"))
+    }
+
+    fn free_memory(&self) -> Option<u64> {
+        *self.free_memory.lock().unwrap()
     }
 }
 

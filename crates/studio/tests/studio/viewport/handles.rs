@@ -59,12 +59,12 @@ fn a_local_arrow_moves_along_the_bodys_own_axis() {
 #[test]
 fn a_ring_turns_about_its_axis() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(CUBE)]);
+    hand.select(&[Item::Body(CONE)]);
     hand.run(Command::Tool(Tool::Rotate));
     // From above, the ring about Y is a circle.
     hand.run(Command::LookAlong(catoptric_editor::navigate::Axis::Top));
     let before = hand.scene().clone();
-    let pivot = position(&before, CUBE);
+    let pivot = position(&before, CONE);
     let radius = RING * hand.meters_per_point(pivot);
     let at = |hand: &Hand, degrees: f64| {
         let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -72,14 +72,14 @@ fn a_ring_turns_about_its_axis() {
     };
     let (from, to) = (at(&hand, 30.0), at(&hand, 68.0));
     hand.drag(from, to);
-    let turned = rotation(hand.scene(), CUBE);
-    assert!((turned - DVec3::new(0.0, 32.0 + 38.0, 0.0)).abs().max_element() < 1.0, "{turned}");
+    let turned = rotation(hand.scene(), CONE);
+    assert!((turned - DVec3::new(0.0, 38.0, 0.0)).abs().max_element() < 1.0, "{turned}");
     assert_eq!((turned.x, turned.z), (0.0, 0.0));
     hand.undo();
     hand.hold(Modifiers::COMMAND);
     hand.drag(from, to);
-    assert_eq!(rotation(hand.scene(), CUBE), DVec3::new(0.0, 32.0 + 45.0, 0.0));
-    assert_only_moved(&before, &hand.scene().clone(), &[CUBE]);
+    assert_eq!(rotation(hand.scene(), CONE), DVec3::new(0.0, 45.0, 0.0));
+    assert_only_moved(&before, &hand.scene().clone(), &[CONE]);
 }
 
 #[test]
@@ -92,14 +92,16 @@ fn several_bodies_turn_about_their_middle() {
     let places = [SPHERE, CYLINDER].map(|body| position(&before, body));
     let pivot = 0.5 * (places[0] + places[1]);
     let radius = RING * hand.meters_per_point(pivot);
-    let from = hand.place(pivot + radius * DVec3::X);
-    let to = hand.place(pivot - radius * DVec3::Z);
+    let at = |hand: &Hand, degrees: f64| {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        hand.place(pivot + radius * DVec3::new(cosine, 0.0, -sine))
+    };
+    // Beside the places where two rings are seen as one.
+    let [from, middle, to] = [25.0, 70.0, 115.0].map(|degrees| at(&hand, degrees));
     hand.hold(Modifiers::COMMAND);
-    // Along the ring, not across it.
-    let corner = hand.place(pivot + radius * DVec3::new(1.0, 0.0, -1.0));
     hand.press(from);
-    hand.way(from, corner);
-    hand.way(corner, to);
+    hand.way(from, middle);
+    hand.way(middle, to);
     hand.release();
     for (body, start) in [SPHERE, CYLINDER].into_iter().zip(places) {
         let arm = start - pivot;
@@ -187,7 +189,7 @@ fn a_light_is_chosen_and_dragged_by_its_handle() {
 fn the_scenes_camera_is_a_thing_in_the_free_view() {
     let mut hand = Hand::new();
     hand.run(Command::ToggleFreeView);
-    for _ in 0..12 {
+    for _ in 0..24 {
         hand.tap(Key::PageDown);
     }
     for _ in 0..6 {
@@ -196,8 +198,9 @@ fn the_scenes_camera_is_a_thing_in_the_free_view() {
     hand.rest();
     let before = hand.scene().clone();
     let at = hand.place(before.camera.position);
+    assert!(hand.harness.state().viewport_rect().unwrap().contains(at), "{at}");
     hand.click(at);
-    assert_eq!(hand.selected(), [Item::Camera]);
+    assert_eq!(hand.selected(), [Item::Camera], "{at}");
     hand.select(&[]);
     hand.drag(at, at + Vec2::new(50.0, 0.0));
     let camera = hand.scene().camera;
