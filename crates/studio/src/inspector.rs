@@ -22,6 +22,9 @@ mod symbol;
 
 use symbol::Symbol;
 
+/// Below this width, points, the panel scrolls sideways.
+const LEAST_WIDTH: f32 = 260.0;
+
 /// What the inspector keeps from frame to frame.
 #[derive(Default)]
 pub(crate) struct Inspector {
@@ -81,11 +84,11 @@ pub(crate) fn inspector_ui(ui: &mut Ui, cx: &mut Cx<'_>, inspector: &mut Inspect
     escape(ui, cx, memory);
     memory.row_hovered = None;
     memory.term_hovered = None;
-    ScrollArea::vertical().id_salt("inspector").auto_shrink([false, false]).show(ui, |ui| {
-        // The scroll bar lies over the right edge.
-        ui.set_max_width(ui.available_width() - 8.0);
+    // The scroll bar lies over the right edge.
+    let width = (ui.available_width() - 8.0).max(LEAST_WIDTH);
+    ScrollArea::both().id_salt("inspector").auto_shrink([false, false]).show(ui, |ui| {
+        ui.set_width(width);
         ui.spacing_mut().item_spacing.y = 4.0;
-        ui.spacing_mut().tooltip_width = 320.0;
         match cx.editor.selection().primary() {
             Some(Item::Body(_)) => body::bodies_ui(ui, cx, memory),
             Some(Item::Light(_)) => light::lights_ui(ui, cx, memory),

@@ -102,9 +102,10 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         id: Id::unique(("inspector-body", first)),
         is_free,
         apply: &|editor, label, change| {
-            editor.change_bodies(indices.iter().copied(), label, |index, body| {
-                let place = indices.iter().position(|&other| other == index).unwrap_or_default();
-                change(place, body);
+            // They are changed in the order in which they are given.
+            let mut places = 0..;
+            editor.change_bodies(indices.iter().copied(), label, |_, body| {
+                change(places.next().unwrap_or_default(), body);
             })
         },
         cx,

@@ -75,9 +75,10 @@ pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         id: Id::unique(("inspector-light", first)),
         is_free: !free.is_empty(),
         apply: &|editor, label, change| {
-            editor.change_lights(indices.iter().copied(), label, |index, light| {
-                let place = indices.iter().position(|&other| other == index).unwrap_or_default();
-                change(place, light);
+            // They are changed in the order in which they are given.
+            let mut places = 0..;
+            editor.change_lights(indices.iter().copied(), label, |_, light| {
+                change(places.next().unwrap_or_default(), light);
             })
         },
         cx,

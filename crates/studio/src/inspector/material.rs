@@ -1,5 +1,6 @@
 //! Materials: the kind of reflection, every coefficient, whether bodies share it, and the formula.
 
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
@@ -147,24 +148,23 @@ pub(super) fn of_bodies_ui(
     bodies: &[usize],
     subject: &str,
 ) {
+    let named: HashMap<&str, usize> =
+        scene.materials.iter().enumerate().map(|(index, named)| (named.name.as_str(), index)).collect();
+    let mut seen = HashSet::new();
     let mut homes: Vec<Home> = Vec::new();
     for &index in bodies {
         let Some(body) = scene.bodies.get(index) else { continue };
         let home = match &body.material {
             MaterialChoice::Inline(_) => Some(Home::Body(index)),
-            MaterialChoice::Named(name) => named(scene, name).map(Home::Named),
+            MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| Home::Named(index)),
         };
-        homes.extend(home.filter(|home| !homes.contains(home)));
+        homes.extend(home.filter(|&home| seen.insert(home)));
     }
     let subject = match homes.as_slice() {
         [Home::Named(index)] => called(cx.texts, scene, Item::Material(*index)),
         _ => subject,
     };
     sheet_ui(ui, cx, memory, scene, &Made { homes: &homes, bodies, subject });
-}
-
-fn named(scene: &Scene, name: &str) -> Option<usize> {
-    scene.materials.iter().position(|named| named.name == name)
 }
 
 fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
