@@ -17,6 +17,7 @@ use crate::layout::{self, Pane};
 use crate::notices::Toasts;
 use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
+use crate::pictures::{self, Pictures};
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
@@ -42,6 +43,7 @@ pub struct Studio {
     pub(crate) host: Box<dyn Host>,
     pub(crate) commands: Vec<Command>,
     pub(crate) panes: Panes,
+    pub(crate) pictures: Pictures,
 }
 
 /// What to open at the start.
@@ -97,6 +99,7 @@ impl Studio {
             host,
             commands: Vec::new(),
             panes: Panes::default(),
+            pictures: Pictures::default(),
         };
         documents::start(context, &mut studio, start, interruption);
         Ok(studio)
@@ -127,6 +130,11 @@ impl Studio {
         &self.live
     }
 
+    /// Whether a final picture is being rendered.
+    pub fn is_rendering(&self) -> bool {
+        self.pictures.is_rendering()
+    }
+
     /// Where the picture is in the window, points, once it has been drawn.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()
@@ -148,6 +156,7 @@ impl Studio {
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         crate::first_steps::first_steps_ui(ui.ctx(), self);
+        pictures::pictures_ui(ui, self);
         crate::dialogs::dialogs_ui(ui, self);
         crate::palette::palette_ui(ui.ctx(), self);
         crate::help::help_ui(ui.ctx(), self);

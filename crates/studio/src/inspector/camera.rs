@@ -139,12 +139,13 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         things: vec![&scene.camera],
         subject: String::new(),
         id: Id::unique("inspector-camera"),
+        is_free: true,
         apply: &|editor, label, change| editor.change_camera(label, |own| change(0, own)),
         cx,
         memory,
     };
     let texts = sheet.texts();
-    section(ui, "camera", texts.get("thing-camera"), "", |ui| {
+    section(ui, "camera", texts.get("thing-camera"), "", true, |ui| {
         if is_free {
             header::hint(ui, texts.get("camera-free-note"));
         }
@@ -152,12 +153,12 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         sheet.vector(ui, &TARGET);
         sheet.vector(ui, &UP);
     });
-    section(ui, "view-direction", texts.get("section-view"), "", |ui| {
+    section(ui, "view-direction", texts.get("section-view"), "", true, |ui| {
         sheet.number(ui, &AZIMUTH, None);
         sheet.number(ui, &ELEVATION, None);
         sheet.number_or(ui, &DISTANCE, None);
     });
-    section(ui, "projection", texts.get("section-projection"), "", |ui| {
+    section(ui, "projection", texts.get("section-projection"), "", true, |ui| {
         projection_ui(ui, &mut sheet);
         sheet.number(ui, &FOV, None);
         sheet.number(ui, &WINDOW, None);

@@ -2,18 +2,18 @@
 
 use catoptric_editor::{Action, Item};
 use egui::{Id, RichText, Sense, Ui, UiBuilder, vec2};
-use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_LOCK, ICON_LOCK_OPEN, ICON_VISIBILITY, ICON_VISIBILITY_OFF};
 
 use crate::command::Command;
 use crate::context::Cx;
+use crate::outliner::item_icon;
 use crate::theme;
 use crate::widgets::number::HEIGHT;
 use crate::widgets::text::text_field;
 use crate::widgets::{explained_icon_button, paint_icon};
 
 /// Draws the name field of `item`, with the buttons of what can be hidden and locked.
-pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item, icon: MaterialIcon) {
+pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
     let texts = cx.texts;
     let scene = std::sync::Arc::clone(cx.editor.scene());
     let (is_hidden, is_locked) = (item.is_hidden(&scene), item.is_locked(&scene));
@@ -26,7 +26,7 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item, icon: Material
             ui.spacing_mut().item_spacing.x = 4.0;
             let palette = theme::palette(ui.visuals());
             let (rect, _) = ui.allocate_exact_size(vec2(20.0, HEIGHT), Sense::hover());
-            paint_icon(ui, icon, rect.center(), 18.0, palette.weak);
+            paint_icon(ui, item_icon(&scene, item), rect.center(), 18.0, palette.weak);
             let room = ui.available_width() - if has_toggles { 2.0 * 26.0 } else { 0.0 };
             let name = item.name(&scene);
             let (response, typed, draft) =

@@ -2,7 +2,7 @@
 
 use catoptric_editor::{Action, Item, Selection};
 use egui::accesskit::Role;
-use egui::{Align2, Color32, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo};
+use egui::{Color32, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo};
 use egui::{pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
@@ -35,11 +35,16 @@ pub(super) fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, sec
     paint_icon(ui, chevron, pos2(rect.left() + 8.0, rect.center().y), 16.0, color);
     let font = TextStyle::Body.resolve(ui.style());
     let painter = ui.painter();
-    let at = pos2(rect.left() + 20.0, rect.center().y);
-    let drawn = painter.text(at, Align2::LEFT_CENTER, title, font, color);
     let small = TextStyle::Small.resolve(ui.style());
-    let at = pos2(drawn.right() + 7.0, rect.center().y);
-    painter.text(at, Align2::LEFT_CENTER, count.to_string(), small, palette.weak);
+    let count = painter.layout_no_wrap(count.to_string(), small, palette.weak);
+    // The count stands behind the title, and in a narrow panel before the button.
+    let title_width = painter.layout_no_wrap(title.to_owned(), font, color).size().x;
+    let room = (rect.width() - 20.0 - 32.0 - count.size().x).max(0.0);
+    let title_rect =
+        rect.with_min_x(rect.left() + 20.0).with_max_x(rect.left() + 20.0 + title_width.min(room) + 0.5);
+    paint_line(ui, title_rect, title, color);
+    let at = pos2(title_rect.right() + 6.0, rect.center().y - count.size().y / 2.0);
+    painter.galley(at, count, palette.weak);
     if response.clicked() {
         outliner.rows.fold(section, !is_folded);
     }
@@ -180,6 +185,10 @@ fn has_flags(item: Item) -> bool {
 
 /// The whole name, and what a body is made of: beside the row, so that the rows below stay in view.
 fn tip_ui(response: &Response, cx: &Cx<'_>, item: Item, name: &str) {
+    // A dialog may have opened over it.
+    if !response.contains_pointer() {
+        return;
+    }
     let mut tooltip = egui::Tooltip::for_enabled(response);
     tooltip.popup = tooltip.popup.align(egui::RectAlign::RIGHT).gap(8.0);
     tooltip.show(|ui| tip_content(ui, cx, item, name));

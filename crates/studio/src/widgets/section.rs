@@ -8,12 +8,13 @@ use crate::theme;
 use crate::widgets::paint_icon;
 
 /// Draws a heading with what belongs under it, for which `summary` stands while it is folded. Whether it is, is
-/// remembered under its `key`.
+/// remembered under its `key`; it can be folded whether or not what belongs to it can be used.
 pub(crate) fn section(
     ui: &mut Ui,
     key: &'static str,
     title: &str,
     summary: &str,
+    is_enabled: bool,
     body: impl FnOnce(&mut Ui),
 ) {
     let id = Id::unique(("section", key));
@@ -48,7 +49,9 @@ pub(crate) fn section(
     response.widget_info(|| WidgetInfo::selected(Role::DisclosureTriangle, true, is_open, title));
     state.show_body_unindented(ui, |ui| {
         ui.add_space(2.0);
-        body(ui);
+        // What is locked stays legible.
+        ui.visuals_mut().disabled_alpha = 0.75;
+        ui.add_enabled_ui(is_enabled, body);
     });
     state.store(ui.ctx());
 }

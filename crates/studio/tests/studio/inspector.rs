@@ -96,10 +96,8 @@ fn own_missing(window: &Window) -> Vec<String> {
 }
 
 fn own_material(body: &Body) -> &Material {
-    match &body.material {
-        MaterialChoice::Inline(material) => material,
-        MaterialChoice::Named(name) => panic!("it is made of {name}"),
-    }
+    let MaterialChoice::Inline(material) = &body.material else { unreachable!("it has one of its own") };
+    material
 }
 
 /// A window with a single selected body of this kind, with a material of its own.

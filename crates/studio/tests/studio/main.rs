@@ -6,5 +6,6 @@ mod inspector;
 mod kit;
 mod monkey;
 mod outliner;
+mod render;
 mod viewport;
 mod window;

@@ -2,7 +2,7 @@
 
 # Things
 thing-camera = Camera
-thing-environment = Environment
+thing-environment = Surroundings
 thing-tracing = Tracing
 thing-material = Material
 thing-light = Light
@@ -37,6 +37,7 @@ unlock = Unlock
 # Rows in general
 unit-meters = { " " }m
 limits = From { $min } to { $max }
+limits-positive = Above 0, at most { $max }
 default-is = Initially { $value }
 reset-of = Reset: { $name }
 reset-to = Back to { $value }
@@ -46,6 +47,7 @@ linked = Keep proportions
     .tip = While this is on, a change of one number changes the other two in proportion.
 refused-no-number = That is no number; the value stays as it was.
 refused-limits = It must be from { $min } to { $max }; the value stays as it was.
+refused-limits-positive = It must be above 0 and at most { $max }; the value stays as it was.
 refused-no-color = A color is written as # and six digits, such as #3a7bd5.
 refused-target = The camera cannot stand on its target: it would look nowhere.
 refused-up = “Up” must not point along the view, nor be zero.

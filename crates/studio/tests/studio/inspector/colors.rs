@@ -18,7 +18,8 @@ fn every_color_by_its_code() {
     let orange = Color::from_srgb8([0xff, 0x80, 0x10]);
     let mut window = with_body(Shape::SPHERE);
     click(&mut window, Role::CheckBox, "second color");
-    let cases: [(&str, &str, fn(&Material) -> Color); 3] = [
+    type Case = (&'static str, &'static str, fn(&Material) -> Color);
+    let cases: [Case; 3] = [
         ("C color", "edit-color", |m| m.color),
         ("τ tint", "edit-tint", |m| m.tint),
         ("Checker color", "edit-checker-color", |m| m.checker.unwrap().color),

@@ -99,3 +99,21 @@ fn every_panel_speaks_both_languages() {
         assert_eq!(own_missing(&window), Vec::<String>::new());
     }
 }
+
+#[test]
+fn a_narrow_panel_can_be_used() {
+    let mut window = with_body(Shape::CUBE);
+    click(&mut window, Role::CheckBox, "second color");
+    for width in [500.0, 200.0, 60.0] {
+        window.set_size(vec2(width, 600.0));
+        for item in
+            [body(&window, "sphere"), Item::Light(0), Item::Camera, Item::Environment, Item::Material(0)]
+        {
+            select(&mut window, [item]);
+        }
+    }
+    window.set_size(vec2(1280.0, 1700.0));
+    let sphere = body(&window, "sphere");
+    select(&mut window, [sphere]);
+    enter(&mut window, "Size X", "3");
+}
