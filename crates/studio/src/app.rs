@@ -23,7 +23,7 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::view::View;
 use crate::window::Interruption;
-use crate::{documents, menu, shortcuts, status_bar};
+use crate::{documents, menu, picture_frame, shortcuts, status_bar};
 
 /// The whole window.
 pub struct Studio {
@@ -199,7 +199,9 @@ impl Studio {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
-        request.camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
+        let camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
+        let aspects = (self.panes.viewport.aspect(), self.settings.picture_aspect());
+        request.camera = picture_frame::fitted(&camera, aspects.0, aspects.1);
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;

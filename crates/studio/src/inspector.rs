@@ -1,6 +1,6 @@
 //! The panel of values of what is selected.
 
-use catoptric_editor::{Item, Label, Refused};
+use catoptric_editor::{Item, Label, Refused, Selection};
 use catoptric_scene::Scene;
 use egui::{Id, Key, ScrollArea, Ui};
 
@@ -22,6 +22,9 @@ mod symbol;
 
 use symbol::Symbol;
 
+/// Below this width, points, the panel scrolls sideways.
+const LEAST_WIDTH: f32 = 260.0;
+
 /// What the inspector keeps from frame to frame.
 #[derive(Default)]
 pub(crate) struct Inspector {
@@ -37,6 +40,8 @@ pub(crate) struct Memory {
     pub(crate) row_hovered: Option<Symbol>,
     /// The symbol in the formula under the pointer in this frame.
     pub(crate) term_hovered: Option<Symbol>,
+    /// What was selected in the last frame.
+    pub(crate) selection: Selection,
     /// Why the last change was refused.
     pub(crate) note: Option<Note>,
     /// The last change made here, to know which gesture Escape takes back.
@@ -72,14 +77,18 @@ pub(crate) struct Note {
 /// Draws the values of what is selected; those of the scene as a whole when nothing is.
 pub(crate) fn inspector_ui(ui: &mut Ui, cx: &mut Cx<'_>, inspector: &mut Inspector) {
     let memory = &mut inspector.memory;
+    if memory.selection != *cx.editor.selection() {
+        memory.selection = cx.editor.selection().clone();
+        memory.note = None;
+    }
     escape(ui, cx, memory);
     memory.row_hovered = None;
     memory.term_hovered = None;
-    ScrollArea::vertical().id_salt("inspector").auto_shrink([false, false]).show(ui, |ui| {
-        // The scroll bar lies over the right edge.
-        ui.set_max_width(ui.available_width() - 8.0);
+    // The scroll bar lies over the right edge.
+    let width = (ui.available_width() - 8.0).max(LEAST_WIDTH);
+    ScrollArea::both().id_salt("inspector").auto_shrink([false, false]).show(ui, |ui| {
+        ui.set_width(width);
         ui.spacing_mut().item_spacing.y = 4.0;
-        ui.spacing_mut().tooltip_width = 320.0;
         match cx.editor.selection().primary() {
             Some(Item::Body(_)) => body::bodies_ui(ui, cx, memory),
             Some(Item::Light(_)) => light::lights_ui(ui, cx, memory),

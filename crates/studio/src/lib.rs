@@ -19,6 +19,7 @@ mod notices;
 mod outliner;
 mod palette;
 mod panes;
+mod picture_frame;
 mod pictures;
 mod problems;
 mod run;

@@ -112,6 +112,11 @@ impl Settings {
         catoptric_files::write_bytes(path, text.as_bytes()).map_err(std::io::Error::other)
     }
 
+    /// Width over height of the pictures to be made.
+    pub fn picture_aspect(&self) -> f64 {
+        f64::from(self.render.width.max(1)) / f64::from(self.render.height.max(1))
+    }
+
     /// Puts `path` first among the recent files.
     pub fn remember_recent(&mut self, path: &Path) {
         self.recent.retain(|known| known != path);

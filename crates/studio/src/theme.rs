@@ -108,6 +108,7 @@ fn dress(style: &mut Style, palette: &Palette) {
     spacing.indent = 16.0;
     spacing.icon_width = 16.0;
     spacing.slider_width = 110.0;
+    spacing.tooltip_width = 340.0;
     style.interaction.tooltip_delay = 0.4;
     style.interaction.selectable_labels = false;
     style.animation_time = 0.08;

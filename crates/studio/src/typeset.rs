@@ -10,7 +10,6 @@ use egui::{Color32, FontId, Galley, Pos2, Rect, Stroke, Ui, Vec2, vec2};
 pub(crate) struct Line {
     pieces: Vec<Piece>,
     width: f32,
-    height: f32,
 }
 
 enum Piece {
@@ -30,11 +29,6 @@ impl Line {
     /// How wide it is.
     pub(crate) fn width(&self) -> f32 {
         self.width
-    }
-
-    /// How high it is.
-    pub(crate) fn height(&self) -> f32 {
-        self.height
     }
 
     /// Leaves a gap.
@@ -126,16 +120,18 @@ impl Line {
             Level::Sub => (0.74 * size, 0.26 * size),
             Level::Sup => (0.74 * size, -0.34 * size),
         };
-        // Variables lean, words and figures stand.
-        let letters = run.chars().filter(|letter| letter.is_alphabetic()).count();
-        let format = TextFormat {
-            font_id: FontId::proportional(size),
-            color,
-            italics: letters > 0 && letters <= 1,
-            ..TextFormat::default()
-        };
-        let job = LayoutJob::single_section(std::mem::take(run), format);
-        self.put(ui, job, shift);
+        let text = std::mem::take(run);
+        for token in tokens(&text) {
+            // Variables lean; words, figures and signs stand.
+            let is_variable = token.chars().count() == 1 && token.chars().all(is_variable);
+            let font_id = FontId::proportional(size);
+            let format = TextFormat { font_id, color, italics: is_variable, ..TextFormat::default() };
+            self.put(ui, LayoutJob::single_section(token.to_owned(), format), shift);
+            if is_variable {
+                // Room for the slant.
+                self.width += 0.08 * size;
+            }
+        }
     }
 
     fn put(&mut self, ui: &Ui, mut job: LayoutJob, shift: f32) {
@@ -145,7 +141,6 @@ impl Line {
         let offset = vec2(self.width, shift - 0.5 * size.y);
         self.pieces.push(Piece::Text { galley, offset });
         self.width += size.x;
-        self.height = self.height.max(size.y + 2.0 * shift.abs());
     }
 
     fn put_hat(&mut self, start: f32, size: f32, color: Color32) {
@@ -156,6 +151,22 @@ impl Line {
     }
 }
 
+fn is_variable(letter: char) -> bool {
+    letter.is_alphabetic() && letter != 'Σ'
+}
+
+/// The words and what stands between them.
+fn tokens(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let is_word = rest.chars().next()?.is_alphabetic();
+        let end = rest.find(|letter: char| letter.is_alphabetic() != is_word).unwrap_or(rest.len());
+        let (token, after) = rest.split_at(end);
+        rest = after;
+        Some(token)
+    })
+}
+
 /// Markup as plain text, for names and descriptions: `k_a`, `(n·L_j)⁺`.
 pub(crate) fn plain(markup: &str) -> String {
     markup.chars().filter(|letter| !matches!(letter, '~' | '{' | '}')).collect()
@@ -163,5 +174,29 @@ pub(crate) fn plain(markup: &str) -> String {
 
 /// What a row with this symbol and these words is called.
 pub(crate) fn named(symbol: &str, words: &str) -> String {
-    if symbol.is_empty() { words.to_owned() } else { format!("{} {words}", plain(symbol)) }
+    match (symbol, words) {
+        ("", words) => words.to_owned(),
+        (symbol, "") => plain(symbol),
+        (symbol, words) => format!("{} {words}", plain(symbol)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_and_signs_are_told_apart() {
+        assert_eq!(tokens("1 / (d + K)").collect::<Vec<_>>(), ["1 / (", "d", " + ", "K", ")"]);
+        assert_eq!(tokens("sin α").collect::<Vec<_>>(), ["sin", " ", "α"]);
+        assert_eq!(tokens("").count(), 0);
+    }
+
+    #[test]
+    fn markup_has_a_plain_form() {
+        assert_eq!(plain("k_a"), "k_a");
+        assert_eq!(plain("I_{reflected}"), "I_reflected");
+        assert_eq!(named("k_d", "diffuse"), "k_d diffuse");
+        assert_eq!(named("", "Radius"), "Radius");
+    }
 }

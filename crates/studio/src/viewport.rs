@@ -20,13 +20,13 @@ mod travel;
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
 use egui::{
-    Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
-    vec2,
+    Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, Visuals,
+    WidgetInfo, vec2,
 };
 
 use crate::command::Command;
 use crate::context::Cx;
-use crate::theme;
+use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
 pub(crate) use jumps::{
@@ -88,13 +88,17 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     viewport.measure(ui, rect);
     viewport.ease(ui, cx);
-    let palette = theme::palette(ui.visuals());
     let painter = ui.painter_at(rect);
-    let frame = viewport.picture.show(&painter, rect, cx, palette);
+    let frame = viewport.picture.show(&painter, rect, cx, theme::palette(ui.visuals()));
+    // What is drawn over the picture has the same colors in every theme, as the picture has.
+    let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
     let sight = Sight::new(cx, rect, camera);
     act(ui, cx, viewport, (&sight, &response));
+    if cx.view.free_camera.is_none() {
+        picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
+    }
     if let Some(frame) = &frame {
         marks::grid(&painter, rect, frame, palette);
         if cx.settings.shows_handles {
@@ -146,7 +150,7 @@ fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response):
 
 /// Whether keys are for the picture: when it has the focus, or nothing has.
 fn listens(ui: &Ui, response: &Response) -> bool {
-    let focused = ui.memory(|memory| memory.focused());
+    let focused = ui.memory(egui::Memory::focused);
     let is_free = ui.memory(|memory| memory.allows_interaction(ui.layer_id()));
     is_free && focused.is_none_or(|id| id == response.id) && !Popup::is_any_open(ui.ctx())
 }

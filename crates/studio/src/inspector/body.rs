@@ -6,7 +6,6 @@ use catoptric_editor::Item;
 use catoptric_scene::format::keys;
 use catoptric_scene::{Body, Shape, ShapeKind};
 use egui::{Id, Ui};
-use egui_material_icons::icons::ICON_DEPLOYED_CODE;
 
 use super::sheet::{Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
 use super::{Memory, called, header, material, place, reshape};
@@ -86,7 +85,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         cx.texts.with("several-bodies", &[("count", indices.len().into())])
     };
     if selected.len() == 1 {
-        header::header_ui(ui, cx, Item::Body(first), ICON_DEPLOYED_CODE);
+        header::header_ui(ui, cx, Item::Body(first));
     } else {
         let locked = selected.len() - free.len();
         header::several_ui(ui, cx, "several-bodies", selected.len(), name, locked);
@@ -95,32 +94,33 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         let items: Vec<Item> = selected.iter().map(|&index| Item::Body(index)).collect();
         header::locked_ui(ui, cx, &items);
     }
-    ui.add_enabled_ui(!free.is_empty(), |ui| {
-        let mut sheet = Sheet {
-            primary,
-            things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
-            subject: subject.clone(),
-            id: Id::unique(("inspector-body", first)),
-            apply: &|editor, label, change| {
-                editor.change_bodies(indices.iter().copied(), label, |index, body| {
-                    let place = indices.iter().position(|&other| other == index).unwrap_or_default();
-                    change(place, body);
-                })
-            },
-            cx,
-            memory,
-        };
-        shape_ui(ui, &mut sheet);
-        place::place_ui(ui, &mut sheet);
-        material::of_bodies_ui(ui, cx, memory, &scene, indices, &subject);
-    });
+    let is_free = !free.is_empty();
+    let mut sheet = Sheet {
+        primary,
+        things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
+        subject: subject.clone(),
+        id: Id::unique(("inspector-body", first)),
+        is_free,
+        apply: &|editor, label, change| {
+            // They are changed in the order in which they are given.
+            let mut places = 0..;
+            editor.change_bodies(indices.iter().copied(), label, |_, body| {
+                change(places.next().unwrap_or_default(), body);
+            })
+        },
+        cx,
+        memory,
+    };
+    shape_ui(ui, &mut sheet);
+    place::place_ui(ui, &mut sheet);
+    material::of_bodies_ui(ui, cx, memory, &scene, indices, &subject);
 }
 
 fn shape_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
     let texts = sheet.texts();
     let kind = sheet.primary.shape.kind();
     let summary = texts.get(shape_key(&sheet.primary.shape));
-    section(ui, "shape", texts.get("section-shape"), summary, |ui| {
+    section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free, |ui| {
         let choices = ShapeKind::ALL.map(|kind| {
             let key = shape_key(&kind.shape());
             Choice {

@@ -14,7 +14,6 @@ use super::{Memory, header};
 use crate::context::Cx;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::number::{shown, tidy};
-use crate::widgets::row::control_width;
 use crate::widgets::section::section;
 
 static POSITION: Vector<Camera> = Vector::<Camera>::new(
@@ -140,12 +139,13 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         things: vec![&scene.camera],
         subject: String::new(),
         id: Id::unique("inspector-camera"),
+        is_free: true,
         apply: &|editor, label, change| editor.change_camera(label, |own| change(0, own)),
         cx,
         memory,
     };
     let texts = sheet.texts();
-    section(ui, "camera", texts.get("thing-camera"), "", |ui| {
+    section(ui, "camera", texts.get("thing-camera"), "", true, |ui| {
         if is_free {
             header::hint(ui, texts.get("camera-free-note"));
         }
@@ -153,12 +153,12 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         sheet.vector(ui, &TARGET);
         sheet.vector(ui, &UP);
     });
-    section(ui, "view-direction", texts.get("section-view"), "", |ui| {
+    section(ui, "view-direction", texts.get("section-view"), "", true, |ui| {
         sheet.number(ui, &AZIMUTH, None);
         sheet.number(ui, &ELEVATION, None);
         sheet.number_or(ui, &DISTANCE, None);
     });
-    section(ui, "projection", texts.get("section-projection"), "", |ui| {
+    section(ui, "projection", texts.get("section-projection"), "", true, |ui| {
         projection_ui(ui, &mut sheet);
         sheet.number(ui, &FOV, None);
         sheet.number(ui, &WINDOW, None);
@@ -189,9 +189,7 @@ fn projection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>) {
 fn lens_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>, fov_degrees: f64) {
     let millimeters = 12.0 / (0.5 * fov_degrees).to_radians().tan();
     sheet.plain_row(ui, "lens", |sheet, ui| {
-        let text = sheet.texts().with("lens-value", &[("value", shown(millimeters, 1).into())]);
-        ui.set_max_width(control_width(ui));
-        ui.label(text);
+        ui.label(sheet.texts().with("lens-value", &[("value", shown(millimeters, 1).into())]));
     });
 }
 

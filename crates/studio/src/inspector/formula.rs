@@ -128,8 +128,9 @@ fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>
         let Some(&(x, y)) = places.get(index) else { continue };
         let start = pos2(rect.left() + x, rect.top() + y + 0.5 * LINE);
         if let Some(symbol) = factor.symbol {
+            let name = format!("{}: {}", row.name, typeset::plain(&factor.markup));
             let place = Rect::from_min_size(start - vec2(1.0, 10.0), vec2(piece.width() + 2.0, 20.0));
-            point(ui, texts, memory, id.with(index), place, row.name, factor, symbol);
+            point(ui, texts, memory, id.with(index), place, &name, symbol);
         }
         piece.paint(ui, start);
     }
@@ -137,7 +138,7 @@ fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>
 
 fn set_factor(ui: &Ui, factor: &Factor, size: f32, color: Color32) -> Line {
     let mut line = Line::default();
-    if factor.symbol.is_some() {
+    if factor.symbol.is_some() && !factor.markup.starts_with('^') {
         line.space(1.5);
     }
     if let Some(chip) = factor.chip {
@@ -149,16 +150,7 @@ fn set_factor(ui: &Ui, factor: &Factor, size: f32, color: Color32) -> Line {
 }
 
 /// Lights a factor that is pointed to, here or in its row, and explains it.
-fn point(
-    ui: &Ui,
-    texts: &Texts,
-    memory: &mut Memory,
-    id: Id,
-    place: Rect,
-    line: &str,
-    factor: &Factor,
-    symbol: Symbol,
-) {
+fn point(ui: &Ui, texts: &Texts, memory: &mut Memory, id: Id, place: Rect, name: &str, symbol: Symbol) {
     let is_lit = memory.pointed == Some(symbol);
     if is_lit {
         let palette = theme::palette(ui.visuals());
@@ -168,9 +160,7 @@ fn point(
     if response.hovered() {
         memory.term_hovered = Some(symbol);
     }
-    let plain = typeset::plain(&factor.markup);
-    let name = format!("{line}: {plain}");
-    response.widget_info(|| WidgetInfo::selected(Role::Label, true, is_lit, &name));
+    response.widget_info(|| WidgetInfo::selected(Role::Label, true, is_lit, name));
     let tip = texts.tip(symbol.tip_key()).unwrap_or_default();
     response.on_hover_text(tip);
 }

@@ -1,49 +1,54 @@
 //! The head of the panel: what it is, its name, whether it is hidden or locked.
 
 use catoptric_editor::{Action, Item};
-use egui::{RichText, Sense, Ui, vec2};
-use egui_material_icons::MaterialIcon;
+use egui::{Id, RichText, Sense, Ui, UiBuilder, vec2};
 use egui_material_icons::icons::{ICON_LOCK, ICON_LOCK_OPEN, ICON_VISIBILITY, ICON_VISIBILITY_OFF};
 
 use crate::command::Command;
 use crate::context::Cx;
+use crate::outliner::item_icon;
 use crate::theme;
 use crate::widgets::number::HEIGHT;
 use crate::widgets::text::text_field;
 use crate::widgets::{explained_icon_button, paint_icon};
 
 /// Draws the name field of `item`, with the buttons of what can be hidden and locked.
-pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item, icon: MaterialIcon) {
+pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
     let texts = cx.texts;
     let scene = std::sync::Arc::clone(cx.editor.scene());
     let (is_hidden, is_locked) = (item.is_hidden(&scene), item.is_locked(&scene));
     let has_toggles = matches!(item, Item::Body(_) | Item::Light(_));
     let mut clash = false;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        let palette = theme::palette(ui.visuals());
-        let (rect, _) = ui.allocate_exact_size(vec2(20.0, HEIGHT), Sense::hover());
-        paint_icon(ui, icon, rect.center(), 18.0, palette.weak);
-        let room = ui.available_width() - if has_toggles { 2.0 * 26.0 } else { 0.0 };
-        let name = item.name(&scene);
-        let (response, typed, draft) = text_field(ui, texts.get("name"), name, texts.get("name-none"), room);
-        response.on_hover_text(texts.tip("name").unwrap_or_default());
-        clash = draft.is_some_and(|draft| is_taken(&scene, item, &draft));
-        if let Some(name) = typed {
-            cx.run(Command::Edit(Action::Rename { item, name }));
-        }
-        if has_toggles {
-            let icon = if is_hidden { ICON_VISIBILITY_OFF } else { ICON_VISIBILITY };
-            let (name, tip) = (texts.get("hidden"), texts.tip("hidden").unwrap_or_default());
-            if explained_icon_button(ui, icon, name, tip, is_hidden).clicked() {
-                cx.run(Command::Edit(Action::SetHidden { item, hidden: !is_hidden }));
+    // A name that is being typed belongs to this thing, not to the next one that is selected.
+    let scope = UiBuilder::new().scope_id(Id::unique(("inspector-name", item)));
+    ui.scope_builder(scope, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            let palette = theme::palette(ui.visuals());
+            let (rect, _) = ui.allocate_exact_size(vec2(20.0, HEIGHT), Sense::hover());
+            paint_icon(ui, item_icon(&scene, item), rect.center(), 18.0, palette.weak);
+            let room = ui.available_width() - if has_toggles { 2.0 * 26.0 } else { 0.0 };
+            let name = item.name(&scene);
+            let (response, typed, draft) =
+                text_field(ui, texts.get("name"), name, texts.get("name-none"), room);
+            response.on_hover_text(texts.tip("name").unwrap_or_default());
+            clash = draft.is_some_and(|draft| is_taken(&scene, item, &draft));
+            if let Some(name) = typed {
+                cx.run(Command::Edit(Action::Rename { item, name }));
             }
-            let icon = if is_locked { ICON_LOCK } else { ICON_LOCK_OPEN };
-            let (name, tip) = (texts.get("locked"), texts.tip("locked").unwrap_or_default());
-            if explained_icon_button(ui, icon, name, tip, is_locked).clicked() {
-                cx.run(Command::Edit(Action::SetLocked { item, locked: !is_locked }));
+            if has_toggles {
+                let icon = if is_hidden { ICON_VISIBILITY_OFF } else { ICON_VISIBILITY };
+                let (name, tip) = (texts.get("hidden"), texts.tip("hidden").unwrap_or_default());
+                if explained_icon_button(ui, icon, name, tip, is_hidden).clicked() {
+                    cx.run(Command::Edit(Action::SetHidden { item, hidden: !is_hidden }));
+                }
+                let icon = if is_locked { ICON_LOCK } else { ICON_LOCK_OPEN };
+                let (name, tip) = (texts.get("locked"), texts.tip("locked").unwrap_or_default());
+                if explained_icon_button(ui, icon, name, tip, is_locked).clicked() {
+                    cx.run(Command::Edit(Action::SetLocked { item, locked: !is_locked }));
+                }
             }
-        }
+        })
     });
     if clash {
         hint(ui, texts.get("name-taken"));

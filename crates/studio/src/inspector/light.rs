@@ -6,7 +6,6 @@ use catoptric_editor::Item;
 use catoptric_scene::format::keys;
 use catoptric_scene::{Falloff, Light};
 use egui::{Id, Ui};
-use egui_material_icons::icons::ICON_LIGHTBULB;
 
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
 use super::symbol::Symbol;
@@ -60,7 +59,7 @@ pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         subject = cx.texts.with("several-lights", &[("count", indices.len().into())]);
     }
     if selected.len() == 1 {
-        header::header_ui(ui, cx, Item::Light(first), ICON_LIGHTBULB);
+        header::header_ui(ui, cx, Item::Light(first));
     } else {
         let locked = selected.len() - free.len();
         header::several_ui(ui, cx, "several-lights", selected.len(), name, locked);
@@ -69,33 +68,33 @@ pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         let items: Vec<Item> = selected.iter().map(|&index| Item::Light(index)).collect();
         header::locked_ui(ui, cx, &items);
     }
-    ui.add_enabled_ui(!free.is_empty(), |ui| {
-        let mut sheet = Sheet {
-            primary,
-            things: indices.iter().filter_map(|&index| scene.lights.get(index)).collect(),
-            subject,
-            id: Id::unique(("inspector-light", first)),
-            apply: &|editor, label, change| {
-                editor.change_lights(indices.iter().copied(), label, |index, light| {
-                    let place = indices.iter().position(|&other| other == index).unwrap_or_default();
-                    change(place, light);
-                })
-            },
-            cx,
-            memory,
-        };
-        rows_ui(ui, &mut sheet);
-    });
+    let mut sheet = Sheet {
+        primary,
+        things: indices.iter().filter_map(|&index| scene.lights.get(index)).collect(),
+        subject,
+        id: Id::unique(("inspector-light", first)),
+        is_free: !free.is_empty(),
+        apply: &|editor, label, change| {
+            // They are changed in the order in which they are given.
+            let mut places = 0..;
+            editor.change_lights(indices.iter().copied(), label, |_, light| {
+                change(places.next().unwrap_or_default(), light);
+            })
+        },
+        cx,
+        memory,
+    };
+    rows_ui(ui, &mut sheet);
 }
 
 fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
     let texts = sheet.texts();
-    section(ui, "light", texts.get("section-light"), "", |ui| {
+    section(ui, "light", texts.get("section-light"), "", sheet.is_free, |ui| {
         sheet.vector(ui, &POSITION);
         sheet.color(ui, &COLOR);
         sheet.number(ui, &INTENSITY, None);
     });
-    section(ui, "falloff", texts.get("falloff"), "", |ui| {
+    section(ui, "falloff", texts.get("falloff"), "", sheet.is_free, |ui| {
         falloff_ui(ui, sheet);
         sheet.number(ui, &CONSTANT, None);
         formula::falloff_ui(ui, texts, sheet.memory, sheet.primary);

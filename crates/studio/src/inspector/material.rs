@@ -1,12 +1,13 @@
 //! Materials: the kind of reflection, every coefficient, whether bodies share it, and the formula.
 
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Checker, Material, MaterialChoice, Scene};
 use egui::{Button, ComboBox, Id, Ui, vec2};
-use egui_material_icons::icons::{ICON_PALETTE, ICON_WARNING};
+use egui_material_icons::icons::ICON_WARNING;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
@@ -113,19 +114,29 @@ static CHECKER_SIZE: Number<Material> = Number::<Material>::new(
 );
 
 /// Where a material of a sheet is kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Home {
     Named(usize),
     Body(usize),
 }
 
+/// Some materials, the primary one first.
+#[derive(Clone, Copy)]
+struct Made<'s> {
+    homes: &'s [Home],
+    /// The bodies that are made of them; none when the material itself is selected.
+    bodies: &'s [usize],
+    /// What is edited, for the history.
+    subject: &'s str,
+}
+
 /// Draws the values of a named material.
 pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, index: usize) {
     let scene = Arc::clone(cx.editor.scene());
-    header::header_ui(ui, cx, Item::Material(index), ICON_PALETTE);
+    header::header_ui(ui, cx, Item::Material(index));
     let name = Item::Material(index).name(&scene);
     header::hint(ui, &used_by(cx, &scene, name));
-    sheet_ui(ui, cx, memory, &scene, &[Home::Named(index)], name);
+    sheet_ui(ui, cx, memory, &scene, &Made { homes: &[Home::Named(index)], bodies: &[], subject: name });
 }
 
 /// Draws the material of some bodies, the primary one first.
@@ -137,33 +148,23 @@ pub(super) fn of_bodies_ui(
     bodies: &[usize],
     subject: &str,
 ) {
+    let named: HashMap<&str, usize> =
+        scene.materials.iter().enumerate().map(|(index, named)| (named.name.as_str(), index)).collect();
+    let mut seen = HashSet::new();
     let mut homes: Vec<Home> = Vec::new();
     for &index in bodies {
         let Some(body) = scene.bodies.get(index) else { continue };
         let home = match &body.material {
             MaterialChoice::Inline(_) => Some(Home::Body(index)),
-            MaterialChoice::Named(name) => named(scene, name).map(Home::Named),
+            MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| Home::Named(index)),
         };
-        homes.extend(home.filter(|home| !homes.contains(home)));
+        homes.extend(home.filter(|&home| seen.insert(home)));
     }
-    let texts = cx.texts;
-    let Some(first) = bodies.first().and_then(|&index| scene.bodies.get(index)) else { return };
-    let summary = match &first.material {
-        MaterialChoice::Named(name) => name.as_str(),
-        MaterialChoice::Inline(_) => texts.get("material-own"),
+    let subject = match homes.as_slice() {
+        [Home::Named(index)] => called(cx.texts, scene, Item::Material(*index)),
+        _ => subject,
     };
-    section(ui, "material", texts.get("section-material"), summary, |ui| {
-        share_ui(ui, cx, scene, bodies, &first.material);
-        let subject = match homes.as_slice() {
-            [Home::Named(index)] => called(texts, scene, Item::Material(*index)),
-            _ => subject,
-        };
-        sheet_ui(ui, cx, memory, scene, &homes, subject);
-    });
-}
-
-fn named(scene: &Scene, name: &str) -> Option<usize> {
-    scene.materials.iter().position(|named| named.name == name)
+    sheet_ui(ui, cx, memory, scene, &Made { homes: &homes, bodies, subject });
 }
 
 fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
@@ -222,41 +223,53 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
 }
 
 /// Draws the values of some materials, the primary one first, and the formula.
-fn sheet_ui(
-    ui: &mut Ui,
-    cx: &mut Cx<'_>,
-    memory: &mut Memory,
-    scene: &Arc<Scene>,
-    homes: &[Home],
-    subject: &str,
-) {
+fn sheet_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, scene: &Arc<Scene>, made: &Made<'_>) {
+    let Made { homes, bodies, subject } = *made;
     let things: Vec<&Material> = homes.iter().filter_map(|&home| material_at(scene, home)).collect();
     let Some(&primary) = things.first() else { return };
+    let first = bodies.first().copied();
     let mut sheet = Sheet {
         primary,
         things,
         subject: subject.to_owned(),
-        id: Id::unique(("inspector-material", homes.first().map(|home| format!("{home:?}")))),
+        id: Id::unique(("inspector-material", homes.first())),
+        is_free: first.is_none_or(|index| !Item::Body(index).is_locked(scene)),
         apply: &|editor, label, change| apply(editor, homes, label, change),
         cx,
         memory,
     };
-    kinds_ui(ui, &mut sheet);
+    let texts = sheet.texts();
+    match first.and_then(|index| scene.bodies.get(index)) {
+        Some(body) => {
+            let summary = match &body.material {
+                MaterialChoice::Named(name) => name.as_str(),
+                MaterialChoice::Inline(_) => texts.get("material-own"),
+            };
+            section(ui, "material", texts.get("section-material"), summary, sheet.is_free, |ui| {
+                share_ui(ui, sheet.cx, scene, bodies, &body.material);
+                rows_ui(ui, &mut sheet);
+            });
+        }
+        None => rows_ui(ui, &mut sheet),
+    }
+    section(ui, "formula", texts.get("section-formula"), "", true, |ui| {
+        formula::material_ui(ui, texts, sheet.memory, primary, scene);
+    });
+}
+
+fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+    kinds_ui(ui, sheet);
     sheet.color(ui, &COLOR);
     sheet.number(ui, &AMBIENT, None);
     sheet.number(ui, &DIFFUSE, None);
     sheet.number(ui, &SPECULAR, None);
     sheet.number(ui, &SHININESS, None);
-    reflection_ui(ui, &mut sheet);
+    reflection_ui(ui, sheet);
     sheet.number(ui, &TRANSMISSION, None);
-    ior_ui(ui, &mut sheet);
+    ior_ui(ui, sheet);
     sheet.color(ui, &TINT);
-    checker_ui(ui, &mut sheet);
-    energy_ui(ui, &sheet);
-    let texts = sheet.texts();
-    section(ui, "formula", texts.get("section-formula"), "", |ui| {
-        formula::material_ui(ui, texts, sheet.memory, sheet.primary, scene);
-    });
+    checker_ui(ui, sheet);
+    energy_ui(ui, sheet);
 }
 
 fn material_at(scene: &Scene, home: Home) -> Option<&Material> {
@@ -334,8 +347,8 @@ fn reflection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     ui.add_enabled_ui(!follows, |ui| sheet.number_or(ui, &REFLECTION, None));
     let texts = sheet.texts();
     let mut is_clicked = false;
-    sheet.plain_row(ui, "reflection-same", |_, ui| {
-        let response = ui.checkbox(&mut follows, texts.get("reflection-same-words"));
+    sheet.marked_row(ui, "reflection-same", "k_r = k_s", |_, ui| {
+        let response = ui.checkbox(&mut follows, texts.get("reflection-same"));
         let response = response.on_hover_text(texts.tip("reflection-same").unwrap_or_default());
         is_clicked = response.clicked();
     });
@@ -355,7 +368,11 @@ fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let mut picked = None;
     sheet.plain_row(ui, "medium", |_, ui| {
         let shown = medium.map_or_else(|| texts.get("medium-other"), |medium| texts.get(medium.key));
-        let combo = ComboBox::from_id_salt("medium").selected_text(shown).width(control_width(ui)).truncate();
+        let combo = ComboBox::from_id_salt("medium")
+            .selected_text(shown)
+            .width(control_width(ui))
+            .height(280.0)
+            .truncate();
         let list = combo.show_ui(ui, |ui| {
             for medium in &MEDIA {
                 let text = format!("{}  {}", texts.get(medium.key), shown_ior(medium.ior));

@@ -68,7 +68,7 @@ static SCALE: Vector<Body> = Vector::<Body>::new(
 /// Draws the values of the place.
 pub(super) fn place_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
     let texts = sheet.texts();
-    section(ui, "place", texts.get("section-place"), "", |ui| {
+    section(ui, "place", texts.get("section-place"), "", sheet.is_free, |ui| {
         if matches!(sheet.primary.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
             anchor_ui(ui, sheet);
         }

@@ -22,6 +22,10 @@ pub(crate) use color::ColorRow;
 pub(crate) use number::{Number, Rail};
 pub(crate) use vector::{Spread, Starts, Vector};
 
+/// The messages about limits: in general, and for lengths.
+const LIMITS: [&str; 2] = ["limits", "limits-positive"];
+const REFUSED_LIMITS: [&str; 2] = ["refused-limits", "refused-limits-positive"];
+
 /// Changes all things of a sheet; the function is told the place of each in the sheet.
 pub(crate) type Apply<'s, T> =
     dyn Fn(&mut Editor, Label, &mut dyn FnMut(usize, &mut T)) -> Result<bool, Refused> + 's;
@@ -116,6 +120,8 @@ pub(crate) struct Sheet<'s, 'a, T> {
     pub(crate) subject: String,
     /// Which things these are, for the identity of widgets.
     pub(crate) id: Id,
+    /// Whether they can be changed.
+    pub(crate) is_free: bool,
     pub(crate) apply: &'s Apply<'s, T>,
 }
 
@@ -186,10 +192,31 @@ impl<'a, T> Sheet<'_, 'a, T> {
         key: &'static str,
         contents: impl FnOnce(&mut Self, &mut Ui),
     ) {
-        let texts = self.texts();
-        let tip = texts.tip(key).unwrap_or_default().to_owned();
-        let label =
-            RowLabel { id: self.id.with(key), text: texts.get(key), symbol: "", tip, is_highlighted: false };
+        let text = self.texts().get(key);
+        self.labelled_row(ui, key, "", text, contents);
+    }
+
+    /// The same with a formula for a label.
+    pub(crate) fn marked_row(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        markup: &str,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        self.labelled_row(ui, key, markup, "", contents);
+    }
+
+    fn labelled_row(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        symbol: &str,
+        text: &str,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        let tip = self.texts().tip(key).unwrap_or_default().to_owned();
+        let label = RowLabel { id: self.id.with(key), text, symbol, tip, is_highlighted: false };
         row(ui, &label, |ui, _| contents(self, ui));
         self.note(ui, key);
     }
@@ -207,7 +234,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
         let texts = self.texts();
         let text = match refusal {
             Refusal::NoNumber => texts.get("refused-no-number").to_owned(),
-            Refusal::OutOfLimits(limits) => between(texts, "refused-limits", limits, ""),
+            Refusal::OutOfLimits(limits) => between(texts, REFUSED_LIMITS, limits, ""),
         };
         self.memory.note = Some(Note { id: self.id, key, text });
     }
@@ -218,7 +245,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
         let mut tip = texts.tip(what.key).unwrap_or_default().to_owned();
         let unit = what.unit.suffix(texts);
         tip.push('\n');
-        tip.push_str(&between(texts, "limits", what.limits(), unit));
+        tip.push_str(&between(texts, LIMITS, what.limits(), unit));
         if let Some(default) = default {
             tip.push('\n');
             tip.push_str(&texts.with("default-is", &[("value", format!("{default}{unit}").into())]));
@@ -237,8 +264,11 @@ impl<'a, T> Sheet<'_, 'a, T> {
     }
 }
 
-/// A message about a range.
-fn between(texts: &Texts, key: &str, limits: Limits, unit: &str) -> String {
+/// A message about a range. Lengths begin so close to 0 that people need not know where.
+fn between(texts: &Texts, [key, positive_key]: [&str; 2], limits: Limits, unit: &str) -> String {
     let [min, max] = [limits.min, limits.max].map(|limit| format!("{}{unit}", exact(limit)));
+    if limits.min > 0.0 && limits.min < 1e-6 {
+        return texts.with(positive_key, &[("max", max.into())]);
+    }
     texts.with(key, &[("min", min.into()), ("max", max.into())])
 }

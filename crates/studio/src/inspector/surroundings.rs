@@ -50,12 +50,13 @@ pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) 
         things: vec![&scene.environment],
         subject: String::new(),
         id: Id::unique("inspector-environment"),
+        is_free: true,
         apply: &|editor, label, change| editor.change_environment(label, |own| change(0, own)),
         cx,
         memory,
     };
     let texts = sheet.texts();
-    section(ui, "environment", texts.get("thing-environment"), "", |ui| {
+    section(ui, "environment", texts.get("thing-environment"), "", true, |ui| {
         sheet.color(ui, &BACKGROUND);
         sheet.color(ui, &AMBIENT);
     });
@@ -69,12 +70,13 @@ pub(super) fn tracing_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         things: vec![&scene.tracing],
         subject: String::new(),
         id: Id::unique("inspector-tracing"),
+        is_free: true,
         apply: &|editor, label, change| editor.change_tracing(label, |own| change(0, own)),
         cx,
         memory,
     };
     let texts = sheet.texts();
-    section(ui, "tracing", texts.get("thing-tracing"), "", |ui| {
+    section(ui, "tracing", texts.get("thing-tracing"), "", true, |ui| {
         sheet.number(ui, &GENERATIONS, None);
         sheet.number(ui, &THRESHOLD, None);
     });

@@ -89,7 +89,9 @@ impl Pen<'_> {
 
     /// A pyramid from the eye to the edges of the picture, and a mark that shows where up is.
     fn camera(&self, camera: &Camera) {
-        let [eye, corners, top] = frustum(camera);
+        // Large enough to be seen from afar.
+        let least = 40.0 * self.sight.lens.meters_per_point(camera.position);
+        let [eye, corners, top] = frustum(camera, least);
         let color = if self.is_selected {
             self.palette.accent
         } else if self.is_hovered {
@@ -122,11 +124,12 @@ impl Pen<'_> {
     }
 }
 
-/// The edges of what a camera sees: where its rays begin, the corners at a distance, and the mark above them.
-fn frustum(camera: &Camera) -> [Vec<DVec3>; 3] {
+/// The edges of what a camera sees: where its rays begin, the corners at a distance of at least `least` meters, and the
+/// mark above them.
+fn frustum(camera: &Camera, least: f64) -> [Vec<DVec3>; 3] {
     const ASPECT: f64 = 1.5;
     let [right, up, forward] = super::lens::Lens::new(camera, glam::DVec2::ONE).axes();
-    let reach = 0.16 * camera.position.distance(camera.target);
+    let reach = (0.16 * camera.position.distance(camera.target)).max(least);
     let (half, is_perspective) = match camera.projection {
         Projection::Perspective { fov_degrees } => (reach * (0.5 * fov_degrees).to_radians().tan(), true),
         Projection::Parallel { height } => (0.5 * height, false),

@@ -125,8 +125,10 @@ impl Hands {
         let at = sight.at(origin);
         self.hand = match is_primary.then(|| sight.target(cx, gizmo, at)) {
             Some(Target::Handle(handle)) => pull(cx, sight, gizmo, handle, at),
-            Some(Target::Mark(item)) => carry(cx, sight, item, None, at),
-            Some(Target::Body { index, point }) => carry(cx, sight, Item::Body(index), Some(point), at),
+            Some(Target::Mark(item)) => carry(cx, sight, (item, None), at, modifiers.alt),
+            Some(Target::Body { index, point }) => {
+                carry(cx, sight, (Item::Body(index), Some(point)), at, modifiers.alt)
+            }
             _ => None,
         }
         .unwrap_or(turns);
@@ -286,9 +288,9 @@ fn carried(way: glam::DVec3) -> Amount {
 fn carry(
     cx: &mut Cx<'_>,
     sight: &Sight,
-    item: Item,
-    grabbed: Option<glam::DVec3>,
+    (item, grabbed): (Item, Option<glam::DVec3>),
     at: DVec2,
+    is_upright: bool,
 ) -> Option<Hand> {
     if item.is_locked(cx.editor.scene()) {
         return None;
@@ -305,7 +307,7 @@ fn carry(
     let lead = place_of(scene, item)?;
     let is_free = cx.view.free_camera.is_some();
     let load = Load::take(scene, cx.editor.selection(), is_free, "edit-move")?;
-    let by = Carry::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at);
+    let by = Carry::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at, is_upright);
     Some(Hand::Carry(Box::new(Held { by, load, at, amount: None })))
 }
 

@@ -46,7 +46,7 @@ pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
             texts.with("viewport-amount-meters", &[("parts", parts.join("\u{2002}").into())])
         }
         Amount::Degrees(degrees) => {
-            let degrees = minus(format!("{degrees:.1}"));
+            let degrees = minus(&format!("{degrees:.1}"));
             texts.with("viewport-amount-degrees", &[("degrees", degrees.into())])
         }
         Amount::Factor(factor) => {
@@ -57,18 +57,18 @@ pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
 
 /// Stops with their sign.
 pub(crate) fn signed_stops(stops: f64) -> String {
-    let text = minus(format!("{stops:+.2}"));
+    let text = minus(&format!("{stops:+.2}"));
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A number with its sign and such digits as a hand can mean.
 fn signed(value: f64, grain: f64) -> String {
     let digits = (-super::gizmo::steps::decimal_below(grain).log10()).clamp(1.0, 5.0) as usize;
-    minus(format!("{value:+.digits$}"))
+    minus(&format!("{value:+.digits$}"))
 }
 
 /// With a true minus sign, and none before zero.
-fn minus(number: String) -> String {
+fn minus(number: &str) -> String {
     let is_zero = number.chars().all(|letter| !letter.is_ascii_digit() || letter == '0');
     if is_zero { number.replace('-', "+") } else { number.replace('-', "\u{2212}") }
 }

@@ -161,7 +161,7 @@ mod tests {
             let at = DVec2::new(17.0, 300.0);
             let expected = tracer.ray(at, size);
             let ray = lens.ray(at);
-            assert!(ray.direction.distance(expected.direction.as_dvec3().into()) < 1e-6);
+            assert!(ray.direction.distance(expected.direction.as_dvec3()) < 1e-6);
         }
     }
 

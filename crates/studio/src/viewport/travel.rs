@@ -185,9 +185,9 @@ impl Travel {
         if !self.is_caught {
             self.is_caught = true;
             cx.editor.settle();
-            // Where the system cannot hold the pointer at its place, it at least keeps it in the window.
-            ui.ctx().send_viewport_cmd(ViewportCommand::CursorGrab(CursorGrab::Confined));
+            // Of the two ways to catch the pointer, systems refuse one or the other; either will do.
             ui.ctx().send_viewport_cmd(ViewportCommand::CursorGrab(CursorGrab::Locked));
+            ui.ctx().send_viewport_cmd(ViewportCommand::CursorGrab(CursorGrab::Confined));
         }
         ui.ctx().set_cursor_icon(egui::CursorIcon::None);
         let (way, wheel) = ui.input(|input| {

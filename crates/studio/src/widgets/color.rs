@@ -63,7 +63,7 @@ pub(crate) fn color_field(
 ) -> Picked {
     let mut picked = Picked::default();
     let gap = ui.spacing().item_spacing.x;
-    let swatch = swatch_ui(ui, texts, name, color, width - HEX - gap);
+    let swatch = swatch_ui(ui, texts, name, color, (width - HEX - gap).max(16.0));
     Popup::menu(&swatch).close_behavior(PopupCloseBehavior::CloseOnClickOutside).width(236.0).show(|ui| {
         picked = picker_ui(ui, texts, name, color);
     });

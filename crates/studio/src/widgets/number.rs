@@ -3,7 +3,8 @@
 use std::cell::Cell;
 
 use catoptric_scene::format::spec::Limits;
-use egui::{Color32, DragValue, Id, Response, RichText, Ui, Vec2, vec2};
+use egui::text::{CCursor, CCursorRange};
+use egui::{Color32, DragValue, Id, Response, RichText, TextEdit, Ui, Vec2, vec2};
 
 use crate::theme;
 
@@ -96,7 +97,7 @@ impl NumberField<'_> {
                 .suffix(RichText::new(unit).color(palette.weak))
                 .min_size(Vec2::new(self.width, HEIGHT))
                 .clip_text(true)
-                .custom_formatter(|_, _| text.clone())
+                .custom_formatter(|value, _| if value == self.value { text.clone() } else { exact(value) })
                 .custom_parser(|typed| {
                     let found = self.judge(typed, &text);
                     outcome.set(Some(found));
@@ -107,10 +108,15 @@ impl NumberField<'_> {
                     }
                 }),
         );
+        if response.clicked() {
+            // What is edited is longer than what was shown.
+            select_all(ui, id, &exact(self.value));
+        }
         self.paint_edge(ui, &response);
         let response = response.accessible_name(self.name);
-        let is_changed = value.to_bits() != self.value.to_bits();
-        let taken = matches!(outcome.get(), Some(Outcome::Taken(_)));
+        // Assistive technology can ask for values of disabled fields.
+        let is_changed = ui.is_enabled() && value.to_bits() != self.value.to_bits();
+        let taken = ui.is_enabled() && matches!(outcome.get(), Some(Outcome::Taken(_)));
         Entered {
             value: (is_changed || (taken && self.is_mixed)).then_some(value),
             refusal: refusal_when_left(ui, id, &response, outcome.get()),
@@ -120,7 +126,8 @@ impl NumberField<'_> {
 
     fn judge(&self, typed: &str, shown: &str) -> Outcome {
         let typed = typed.trim();
-        if typed == shown || typed.is_empty() || typed == MIXED {
+        let is_same = !self.is_mixed && (typed == shown || typed == exact(self.value));
+        if is_same || typed.is_empty() || typed == MIXED {
             return Outcome::Unchanged;
         }
         match parse(typed, self.unit) {
@@ -138,6 +145,13 @@ impl NumberField<'_> {
         let color = if ui.is_enabled() { color } else { color.gamma_multiply(0.4) };
         ui.painter().rect_filled(bar, 1.0, color);
     }
+}
+
+fn select_all(ui: &Ui, id: Id, text: &str) {
+    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+    let whole = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
+    state.cursor.set_char_range(Some(whole));
+    state.store(ui.ctx(), id);
 }
 
 /// Remembers what became of the typed text, and tells when the field is left with a text that was not taken.

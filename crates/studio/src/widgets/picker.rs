@@ -8,7 +8,7 @@ use egui::{WidgetInfo, lerp, pos2, vec2};
 
 use crate::texts::Texts;
 use crate::theme;
-use crate::widgets::color::{Picked, screen_color};
+use crate::widgets::color::Picked;
 use crate::widgets::number::{NumberField, tidy};
 
 /// Hue, saturation and value of the encoded color, and the color they stood for: grays keep their hue while the picker
@@ -156,9 +156,6 @@ fn components_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color, picked: &
         let note = texts.get("color-above-white");
         ui.colored_label(palette.weak, note);
     }
-    // What it looks like, beside what it is called.
-    let (rect, _) = ui.allocate_exact_size(vec2(236.0, 10.0), Sense::hover());
-    ui.painter().rect_filled(rect, 3.0, screen_color(Color::from(parts)));
 }
 
 fn fraction(value: f32, from: f32, to: f32) -> f32 {

@@ -71,7 +71,10 @@ fn label_ui(ui: &mut Ui, label: &RowLabel<'_>) -> Response {
         line.space(6.0);
     }
     let room = LABEL - line.width();
-    line.push_words(ui, label.text, 13.5, if label.symbol.is_empty() { color } else { palette.weak }, room);
+    if !label.text.is_empty() {
+        let color = if label.symbol.is_empty() { color } else { palette.weak };
+        line.push_words(ui, label.text, 13.5, color, room);
+    }
     line.paint(ui, rect.left_center());
     let name = typeset::named(label.symbol, label.text);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, is_enabled, &name));

@@ -7,12 +7,14 @@ use egui_material_icons::icons::{ICON_CHEVRON_RIGHT, ICON_EXPAND_MORE};
 use crate::theme;
 use crate::widgets::paint_icon;
 
-/// Draws a heading with what belongs under it. Whether it is folded is remembered under its `key`.
+/// Draws a heading with what belongs under it, for which `summary` stands while it is folded. Whether it is, is
+/// remembered under its `key`; it can be folded whether or not what belongs to it can be used.
 pub(crate) fn section(
     ui: &mut Ui,
     key: &'static str,
     title: &str,
     summary: &str,
+    is_enabled: bool,
     body: impl FnOnce(&mut Ui),
 ) {
     let id = Id::unique(("section", key));
@@ -40,12 +42,16 @@ pub(crate) fn section(
         palette.text,
     );
     let font = FontId::proportional(12.0);
-    painter.text(pos2(rect.right() - 4.0, middle), Align2::RIGHT_CENTER, summary, font, palette.weak);
+    if !state.is_open() {
+        painter.text(pos2(rect.right() - 4.0, middle), Align2::RIGHT_CENTER, summary, font, palette.weak);
+    }
     let is_open = state.is_open();
     response.widget_info(|| WidgetInfo::selected(Role::DisclosureTriangle, true, is_open, title));
     state.show_body_unindented(ui, |ui| {
         ui.add_space(2.0);
-        body(ui);
+        // What is locked stays legible.
+        ui.visuals_mut().disabled_alpha = 0.75;
+        ui.add_enabled_ui(is_enabled, body);
     });
     state.store(ui.ctx());
 }

@@ -2,6 +2,7 @@
 
 use egui::{Key, Response, TextEdit, Ui, vec2};
 
+use crate::theme;
 use crate::widgets::number::HEIGHT;
 
 /// A field that shows `current` until something else is typed. What was typed comes once the field is left, but not
@@ -14,6 +15,7 @@ pub(crate) fn text_field(
     width: f32,
 ) -> (Response, Option<String>, Option<String>) {
     let inner = ui.scope(|ui| {
+        ui.visuals_mut().widgets.inactive.bg_stroke.color = theme::palette(ui.visuals()).line;
         let id = ui.next_auto_id();
         let draft = ui.data(|data| data.get_temp::<String>(id));
         let mut text = draft.clone().unwrap_or_else(|| current.to_owned());

@@ -2,7 +2,7 @@
 
 # Things
 thing-camera = Camera
-thing-environment = Environment
+thing-environment = Surroundings
 thing-tracing = Tracing
 thing-material = Material
 thing-light = Light
@@ -37,6 +37,7 @@ unlock = Unlock
 # Rows in general
 unit-meters = { " " }m
 limits = From { $min } to { $max }
+limits-positive = Above 0, at most { $max }
 default-is = Initially { $value }
 reset-of = Reset: { $name }
 reset-to = Back to { $value }
@@ -46,6 +47,7 @@ linked = Keep proportions
     .tip = While this is on, a change of one number changes the other two in proportion.
 refused-no-number = That is no number; the value stays as it was.
 refused-limits = It must be from { $min } to { $max }; the value stays as it was.
+refused-limits-positive = It must be above 0 and at most { $max }; the value stays as it was.
 refused-no-color = A color is written as # and six digits, such as #3a7bd5.
 refused-target = The camera cannot stand on its target: it would look nowhere.
 refused-up = “Up” must not point along the view, nor be zero.
@@ -134,9 +136,8 @@ shininess = shininess
     .tip = The exponent of the highlight: the higher, the smaller and sharper it is.
 reflection = reflection
     .tip = How much of what the mirrored ray sees is added.
-reflection-same = Same as k_s
+reflection-same = as the highlight
     .tip = Lets k_r follow k_s, as Whitted's formula has one coefficient for both.
-reflection-same-words = follows the highlight
 transmission = transmission
     .tip = How much of what the refracted ray sees is added; 0 is opaque.
 ior = refraction
@@ -166,31 +167,30 @@ energy-warning = Sends out more light than it receives: { $sum }
 
 # Formula
 section-formula = Formula
-term-ambient = Ambient term
-term-sum = Sum over the lights
-term-diffuse = Diffuse term
-term-highlight = Highlight term
-term-reflection = Reflection term
-term-transmission = Transmission term
-term-snell = Law of refraction
-term-sent = Light sent
-term-visibility = V_j
+in-formula-ambient = Ambient term
+in-formula-sum = Sum over the lights
+in-formula-diffuse = Diffuse term
+in-formula-highlight = Highlight term
+in-formula-reflection = Reflection term
+in-formula-transmission = Transmission term
+in-formula-snell = Law of refraction
+in-formula-sent = Light sent
+in-formula-visibility = V_j
     .tip = What is left of the light on its way here: 0 in a shadow, 1 in the open, a color behind glass.
-term-light = I_j
+in-formula-light = I_j
     .tip = What light j sends: its color times its intensity.
-term-lambert = Cosine
+in-formula-lambert = Cosine
     .tip = The cosine between the normal and the direction to the light: 1 when it shines straight down, 0 when it grazes. A light below the surface adds nothing.
-term-mirrored = Mirrored cosine
+in-formula-mirrored = Mirrored cosine
     .tip = The cosine between the view and the mirrored direction of the light, 0 at the least: 1 where the light is seen as in a mirror.
-term-reflected = I_{"{"}reflected{"}"}
+in-formula-reflected = I_{"{"}reflected{"}"}
     .tip = The light that the mirrored ray brings, found by tracing it in the same way.
-term-refracted = I_{"{"}refracted{"}"}
+in-formula-refracted = I_{"{"}refracted{"}"}
     .tip = The light that the refracted ray brings. At total reflection it is the mirrored ray instead, with the factor 1.
-term-intensity = intensity
-term-color = color
-critical-angle = Total reflection inside, from { $angle }°
-critical-angle-outside = Total reflection outside, from { $angle }°
-formula-light = I{ $number } = { $intensity } · { $color }   { $name }
+in-formula-intensity = intensity
+in-formula-color = color
+critical-angle = α outside, β inside; total reflection inside from β = { $angle }°.
+critical-angle-outside = α outside, β inside; total reflection outside from α = { $angle }°.
 formula-no-light = No light shines: the sum is empty.
 formula-more-lights = { $count ->
     [one] and { $count } more light

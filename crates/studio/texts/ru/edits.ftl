@@ -1,7 +1,7 @@
 # Шаги истории. За действием стоит то, с чем оно сделано: Перемещение: «шар».
 step-of = { $act }: «{ $subject }»
 
-edit-add-sphere = Новая сфера
+edit-add-sphere = Новый шар
 edit-add-cube = Новый куб
 edit-add-cylinder = Новый цилиндр
 edit-add-cone = Новый конус
@@ -26,7 +26,7 @@ edit-move-down = Ниже в списке
 edit-reorder = Перестановка
 edit-assign-material = Назначение материала
 edit-share-material = Общий материал
-edit-make-material-unique = Собственный материал
+edit-make-material-unique = Обособление материала
 edit-remove-unused-materials = Удаление неиспользуемых материалов
 edit-drop-to-ground = Постановка на землю
 edit-reset-placement = Сброс поворота и масштаба

@@ -39,6 +39,7 @@ unlock = Разблокировать
 # Строки вообще
 unit-meters = { " " }м
 limits = От { $min } до { $max }
+limits-positive = Больше 0, не более { $max }
 default-is = Изначально { $value }
 reset-of = Сбросить: { $name }
 reset-to = Вернуть { $value }
@@ -48,6 +49,7 @@ linked = Сохранять пропорции
     .tip = Пока включено, с одним числом пропорционально меняются два других.
 refused-no-number = Это не число; значение осталось прежним.
 refused-limits = Допустимо от { $min } до { $max }; значение осталось прежним.
+refused-limits-positive = Значение должно быть больше 0 и не более { $max }; оно осталось прежним.
 refused-no-color = Цвет записывается как # и шесть цифр, например #3a7bd5.
 refused-target = Камера не может стоять в точке цели: ей некуда смотреть.
 refused-up = «Верх» не может быть нулём или лежать вдоль взгляда.
@@ -57,7 +59,7 @@ refused-range = Какое-то значение вышло бы за преде
 
 # Форма
 section-shape = Форма
-shape-sphere = Шар
+shape-sphere = Сфера
     .tip = Шар вокруг своего центра.
 shape-cube = Куб
     .tip = Параллелепипед вокруг своего центра; три ребра могут различаться.
@@ -137,9 +139,8 @@ shininess = степень
     .tip = Показатель степени блика: чем он больше, тем блик меньше и резче.
 reflection = отражение
     .tip = Какая доля того, что видит зеркально отражённый луч, добавляется.
-reflection-same = Как k_s
+reflection-same = как у блика
     .tip = Приравнивает k_r к k_s: в формуле Уиттеда на оба слагаемых один коэффициент.
-reflection-same-words = следует за бликом
 transmission = пропускание
     .tip = Какая доля того, что видит преломлённый луч, добавляется; 0 — непрозрачно.
 ior = преломление
@@ -169,31 +170,30 @@ energy-warning = Отдаёт больше света, чем получает: 
 
 # Формула
 section-formula = Формула
-term-ambient = Фоновое слагаемое
-term-sum = Сумма по источникам
-term-diffuse = Диффузное слагаемое
-term-highlight = Слагаемое блика
-term-reflection = Отражённое слагаемое
-term-transmission = Прошедшее слагаемое
-term-snell = Закон преломления
-term-sent = Посланный свет
-term-visibility = V_j
+in-formula-ambient = Фоновое слагаемое
+in-formula-sum = Сумма по источникам
+in-formula-diffuse = Диффузное слагаемое
+in-formula-highlight = Слагаемое блика
+in-formula-reflection = Отражённое слагаемое
+in-formula-transmission = Прошедшее слагаемое
+in-formula-snell = Закон преломления
+in-formula-sent = Посланный свет
+in-formula-visibility = V_j
     .tip = Что остаётся от света по пути сюда: 0 в тени, 1 на открытом месте, цвет — за стеклом.
-term-light = I_j
+in-formula-light = I_j
     .tip = Что излучает источник j: его цвет, умноженный на силу света.
-term-lambert = Косинус
+in-formula-lambert = Косинус
     .tip = Косинус угла между нормалью и направлением на источник: 1 при отвесном свете, 0 при скользящем. Источник под поверхностью не даёт ничего.
-term-mirrored = Косинус блика
+in-formula-mirrored = Косинус блика
     .tip = Косинус угла между направлением на глаз и зеркальным направлением источника, не меньше 0: он равен 1 там, где источник виден как в зеркале.
-term-reflected = I_{"{"}отр{"}"}
+in-formula-reflected = I_{"{"}отр{"}"}
     .tip = Свет, который приносит зеркально отражённый луч; он прослеживается так же.
-term-refracted = I_{"{"}прел{"}"}
+in-formula-refracted = I_{"{"}прел{"}"}
     .tip = Свет, который приносит преломлённый луч. При полном внутреннем отражении вместо него — отражённый, с множителем 1.
-term-intensity = сила
-term-color = цвет
-critical-angle = Полное внутреннее отражение — от { $angle }°
-critical-angle-outside = Полное отражение снаружи — от { $angle }°
-formula-light = I{ $number } = { $intensity } · { $color }   { $name }
+in-formula-intensity = сила
+in-formula-color = цвет
+critical-angle = α снаружи, β внутри; полное внутреннее отражение — от β = { $angle }°.
+critical-angle-outside = α снаружи, β внутри; полное отражение снаружи — от α = { $angle }°.
 formula-no-light = Ни один источник не светит: сумма пуста.
 formula-more-lights = { $count ->
     [one] и ещё { $count } источник

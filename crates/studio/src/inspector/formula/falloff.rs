@@ -15,7 +15,7 @@ const DISTANCES: [f64; 3] = [1.0, 5.0, 10.0];
 
 /// Draws what a light sends to a point at the distance d, in symbols and in numbers.
 pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, light: &Light) {
-    let name = texts.get("term-sent");
+    let name = texts.get("in-formula-sent");
     let law = match light.falloff {
         Falloff::None => vec![Factor::text(Symbol::Falloff, "1")],
         Falloff::Linear { .. } => {
@@ -26,9 +26,9 @@ pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut 
     let mut symbols = vec![
         Factor::text(Symbol::Falloff, "A(d)"),
         Factor::sign(" · "),
-        Factor::text(Symbol::Intensity, texts.get("term-intensity")),
+        Factor::text(Symbol::Intensity, texts.get("in-formula-intensity")),
         Factor::sign(" · "),
-        Factor::text(Symbol::LightColor, texts.get("term-color")),
+        Factor::text(Symbol::LightColor, texts.get("in-formula-color")),
         Factor::sign(",   A(d) = "),
     ];
     symbols.extend(law);

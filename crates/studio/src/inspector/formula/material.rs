@@ -1,13 +1,16 @@
 //! The light at a point, term by term.
 
-use catoptric_scene::{Material, Scene};
-use egui::{Id, Ui};
+use catoptric_scene::{Falloff, Light, Material, Scene};
+use egui::{Id, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::{Factor, Row, color_text, rows_ui};
 use crate::inspector::Memory;
 use crate::inspector::header::hint;
 use crate::inspector::symbol::Symbol;
 use crate::texts::Texts;
+use crate::theme;
+use crate::typeset::{self, Line};
+use crate::widgets::color::screen_color;
 use crate::widgets::number::shown;
 
 /// How many lights are listed with their numbers.
@@ -60,7 +63,7 @@ fn ambient<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material, s
         Factor::sign("·"),
         Factor::color(Symbol::AmbientLight, scene.environment.ambient),
     ];
-    pair(rows, texts.get("term-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
 }
 
 /// Σ_j V_j A(d_j) I_j [ k_d C (N·L_j)
@@ -73,7 +76,7 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
         Factor::sign(" ["),
     ];
     let is_idle = material.diffuse == 0.0 && material.specular == 0.0;
-    let name = texts.get("term-sum");
+    let name = texts.get("in-formula-sum");
     rows.push(Row { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
     let symbols =
         vec![Factor::symbol(Symbol::Diffuse), Factor::symbol(Symbol::Color), Factor::symbol(Symbol::Lambert)];
@@ -84,7 +87,7 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
         Factor::sign("·"),
         Factor::symbol(Symbol::Lambert),
     ];
-    pair(rows, texts.get("term-diffuse"), 44.0, material.diffuse == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-diffuse"), 44.0, material.diffuse == 0.0, symbols, numbers);
 }
 
 /// + k_s ((S·R)⁺)ⁿ ]
@@ -103,12 +106,12 @@ fn highlight<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material)
         Factor::symbol(Symbol::Mirrored),
         Factor::text(Symbol::Shininess, exponent),
     ];
-    pair(rows, texts.get("term-highlight"), 32.0, material.specular == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-highlight"), 32.0, material.specular == 0.0, symbols, numbers);
 }
 
 /// + k_r I_reflected
 fn reflection<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
-    let reflected = texts.get("term-reflected");
+    let reflected = texts.get("in-formula-reflected");
     let symbols = vec![
         Factor::sign("+ "),
         Factor::symbol(Symbol::Reflection),
@@ -120,12 +123,12 @@ fn reflection<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material
         Factor::sign("·"),
         Factor::text(Symbol::Reflected, reflected),
     ];
-    pair(rows, texts.get("term-reflection"), 14.0, value == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-reflection"), 14.0, value == 0.0, symbols, numbers);
 }
 
 /// + k_t τ I_refracted
 fn transmission<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
-    let refracted = texts.get("term-refracted");
+    let refracted = texts.get("in-formula-refracted");
     let symbols = vec![
         Factor::sign("+ "),
         Factor::symbol(Symbol::Transmission),
@@ -139,7 +142,7 @@ fn transmission<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Materi
         Factor::sign("·"),
         Factor::text(Symbol::Refracted, refracted),
     ];
-    pair(rows, texts.get("term-transmission"), 14.0, material.transmission == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-transmission"), 14.0, material.transmission == 0.0, symbols, numbers);
 }
 
 /// Snell's law and the critical angle, for what lets light through.
@@ -147,7 +150,7 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Mat
     if material.transmission == 0.0 {
         return;
     }
-    let name = texts.get("term-snell");
+    let name = texts.get("in-formula-snell");
     let symbols = vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")];
     let numbers =
         vec![Factor::sign("sin α = "), Factor::number(Symbol::Ior, material.ior), Factor::sign(" · sin β")];
@@ -162,6 +165,28 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Mat
     }
 }
 
+/// I_1 = intensity · color, the law of falloff if there is one, and the name.
+fn light_ui(ui: &mut Ui, light: &Light, number: usize, name: &str) {
+    let palette = theme::palette(ui.visuals());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 17.0), Sense::hover());
+    let law = match light.falloff {
+        Falloff::None => String::new(),
+        Falloff::Linear { constant } => format!(",  A = 1/(d + {})", shown(constant, 3)),
+        Falloff::InverseSquare => ",  A = 1/d^2".to_owned(),
+    };
+    let markup = format!("I_{{{number}}} = {} · ", shown(light.intensity, 3));
+    let mut line = Line::default();
+    line.push(ui, &markup, 12.0, palette.weak);
+    line.push_chip(8.0, screen_color(light.color));
+    line.push(ui, &format!("{}{law}", color_text(light.color)), 12.0, palette.weak);
+    line.space(8.0);
+    let room = (rect.width() - line.width()).max(0.0);
+    line.push_words(ui, name, 12.0, palette.weak, room);
+    line.paint(ui, rect.left_center());
+    let words = format!("{}{}{law} {name}", typeset::plain(&markup), color_text(light.color));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
+}
+
 /// What the lights of the sum send.
 fn lights_ui(ui: &mut Ui, texts: &Texts, scene: &Scene) {
     let lit: Vec<_> = scene.lights.iter().filter(|light| !light.hidden).collect();
@@ -171,16 +196,7 @@ fn lights_ui(ui: &mut Ui, texts: &Texts, scene: &Scene) {
     }
     for (index, light) in lit.iter().take(LISTED).enumerate() {
         let name = if light.name.is_empty() { texts.get("thing-light") } else { &light.name };
-        let text = texts.with(
-            "formula-light",
-            &[
-                ("number", (index + 1).into()),
-                ("intensity", shown(light.intensity, 3).into()),
-                ("color", color_text(light.color).into()),
-                ("name", name.into()),
-            ],
-        );
-        hint(ui, &text);
+        light_ui(ui, light, index + 1, name);
     }
     if lit.len() > LISTED {
         hint(ui, &texts.with("formula-more-lights", &[("count", (lit.len() - LISTED).into())]));

@@ -60,10 +60,20 @@ impl<T> Sheet<'_, '_, T> {
     pub(crate) fn number_or(&mut self, ui: &mut Ui, number: &Number<T>, default: Option<f64>) {
         let Some(value) = (number.get)(self.primary) else { return };
         let tip = self.tip(&number.what, default.map(exact));
-        self.row(ui, &number.what, tip, |sheet, ui| sheet.number_contents(ui, number, value, default));
+        let field_tip = tip.clone();
+        self.row(ui, &number.what, tip, |sheet, ui| {
+            sheet.number_contents(ui, number, value, default, &field_tip);
+        });
     }
 
-    fn number_contents(&mut self, ui: &mut Ui, number: &Number<T>, value: f64, default: Option<f64>) {
+    fn number_contents(
+        &mut self,
+        ui: &mut Ui,
+        number: &Number<T>,
+        value: f64,
+        default: Option<f64>,
+        tip: &str,
+    ) {
         let what = &number.what;
         let texts = self.texts();
         let name = what.label(texts);
@@ -72,7 +82,7 @@ impl<T> Sheet<'_, '_, T> {
         let mut new = None;
         let has_rail = number.rail != Rail::None;
         if has_rail {
-            new = self.rail(ui, number, &name, value, width - FIELD - GAP);
+            new = self.rail(ui, number, &name, value, width - FIELD - GAP, tip);
         }
         let field = NumberField {
             name: &name,
@@ -87,6 +97,7 @@ impl<T> Sheet<'_, '_, T> {
         };
         let entered = field.show(ui);
         self.cx.view.is_moving |= entered.response.dragged();
+        entered.response.on_hover_text(tip);
         if let Some(refusal) = entered.refusal {
             self.refuse(what.key, refusal);
         }
@@ -104,7 +115,15 @@ impl<T> Sheet<'_, '_, T> {
         }
     }
 
-    fn rail(&mut self, ui: &mut Ui, number: &Number<T>, name: &str, value: f64, width: f32) -> Option<f64> {
+    fn rail(
+        &mut self,
+        ui: &mut Ui,
+        number: &Number<T>,
+        name: &str,
+        value: f64,
+        width: f32,
+        tip: &str,
+    ) -> Option<f64> {
         let (from, to, is_logarithmic) = match number.rail {
             Rail::None => return None,
             Rail::Even(from, to) => (from, to, false),
@@ -129,7 +148,9 @@ impl<T> Sheet<'_, '_, T> {
         });
         let response = response.inner;
         self.cx.view.is_moving |= response.dragged();
-        response.changed().then_some(slid)
+        let is_changed = response.changed();
+        response.on_hover_text(tip);
+        is_changed.then_some(slid)
     }
 }
 
