@@ -17,12 +17,13 @@ use crate::layout::{self, Pane};
 use crate::notices::Toasts;
 use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
+use crate::pictures::{self, Pictures};
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
 use crate::view::View;
 use crate::window::Interruption;
-use crate::{documents, menu, shortcuts, status_bar};
+use crate::{documents, menu, picture_frame, shortcuts, status_bar};
 
 /// The whole window.
 pub struct Studio {
@@ -42,6 +43,7 @@ pub struct Studio {
     pub(crate) host: Box<dyn Host>,
     pub(crate) commands: Vec<Command>,
     pub(crate) panes: Panes,
+    pub(crate) pictures: Pictures,
 }
 
 /// What to open at the start.
@@ -97,6 +99,7 @@ impl Studio {
             host,
             commands: Vec::new(),
             panes: Panes::default(),
+            pictures: Pictures::default(),
         };
         documents::start(context, &mut studio, start, interruption);
         Ok(studio)
@@ -127,6 +130,11 @@ impl Studio {
         &self.live
     }
 
+    /// Whether a final picture is being rendered.
+    pub fn is_rendering(&self) -> bool {
+        self.pictures.is_rendering()
+    }
+
     /// Where the picture is in the window, points, once it has been drawn.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()
@@ -148,6 +156,7 @@ impl Studio {
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         crate::first_steps::first_steps_ui(ui.ctx(), self);
+        pictures::pictures_ui(ui, self);
         crate::dialogs::dialogs_ui(ui, self);
         crate::palette::palette_ui(ui.ctx(), self);
         crate::help::help_ui(ui.ctx(), self);
@@ -169,7 +178,6 @@ impl Studio {
             settings: &mut self.settings,
             view: &mut self.view,
             live: &self.live,
-            toasts: &mut self.toasts,
             commands: &mut self.commands,
         }
     }
@@ -190,7 +198,9 @@ impl Studio {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
-        request.camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
+        let camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
+        let aspects = (self.panes.viewport.aspect(), self.settings.picture_aspect());
+        request.camera = picture_frame::fitted(&camera, aspects.0, aspects.1);
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;

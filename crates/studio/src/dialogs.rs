@@ -8,6 +8,7 @@ pub(crate) mod files;
 mod message;
 pub(crate) mod question;
 pub(crate) mod recovery;
+mod render;
 
 use egui::{
     Align, Button, Context, Frame, Key, Layout, Margin, Modal, Modifiers, Popup, RichText, Stroke, Ui,
@@ -161,9 +162,11 @@ pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option
 }
 
 /// Opens the dialog that `command` asks for.
-pub(crate) fn run(_context: &Context, studio: &mut Studio, command: Command) {
+pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
     match command {
         Command::Examples => studio.dialogs.open(examples::Gallery::new()),
+        Command::Render => render::open(studio),
+        Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
         _ => {}
     }
 }

@@ -10,7 +10,7 @@ mod keeper;
 mod leave;
 mod notice;
 mod open;
-mod recent;
+pub(crate) mod recent;
 mod recover;
 mod remember;
 mod save;

@@ -50,6 +50,10 @@ pub struct FileQuestion {
 /// The answer to come; `None` when the person cancelled. When it is dropped without an answer, no dialog could appear.
 pub type FileAnswer = Receiver<Option<PathBuf>>;
 
+/// Puts a picture into the clipboard: width and height in pixels; red, green, blue and 255 of every pixel. It can be
+/// called from any thread; on failure it gives the reason.
+pub type PictureClipboard = fn([usize; 2], &[u8]) -> Result<(), String>;
+
 /// The system around the studio.
 pub trait Host {
     /// Asks for a file without blocking; `None` when the system has no dialog of its own, and the studio's must do.
@@ -60,6 +64,16 @@ pub trait Host {
 
     /// The folder for unsaved work, if there is a place for it.
     fn recovery_folder(&self) -> Option<PathBuf>;
+
+    /// What puts pictures into the clipboard without the window having to wait; `None` leaves it to the window.
+    fn clipboard(&self) -> Option<PictureClipboard> {
+        None
+    }
+
+    /// Bytes of memory that can be used without harm, if that is known.
+    fn free_memory(&self) -> Option<u64> {
+        None
+    }
 }
 
 /// The desktop.
@@ -100,6 +114,39 @@ impl Host for Desktop {
         let strategy = strategy()?;
         Some(strategy.state_dir().unwrap_or_else(|| strategy.data_dir()).join("recovery"))
     }
+
+    fn clipboard(&self) -> Option<PictureClipboard> {
+        Some(copy_picture)
+    }
+
+    fn free_memory(&self) -> Option<u64> {
+        free_memory()
+    }
+}
+
+/// The window's own way would pack the picture as PNG in the window's thread: for a second, if it is large.
+fn copy_picture([width, height]: [usize; 2], codes: &[u8]) -> Result<(), String> {
+    let image = arboard::ImageData { width, height, bytes: codes.into() };
+    arboard::Clipboard::new()
+        .and_then(|mut clipboard| clipboard.set_image(image))
+        .map_err(|error| error.to_string())
+}
+
+/// What the kernel says could be had, swapping included.
+#[cfg(target_os = "linux")]
+fn free_memory() -> Option<u64> {
+    let told = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let kilobytes = |name: &str| -> Option<u64> {
+        let line = told.lines().find_map(|line| line.strip_prefix(name))?;
+        line.trim_start_matches(':').split_whitespace().next()?.parse().ok()
+    };
+    let free = kilobytes("MemAvailable")? + kilobytes("SwapFree").unwrap_or(0);
+    free.checked_mul(1024)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn free_memory() -> Option<u64> {
+    None
 }
 
 fn strategy() -> Option<impl etcetera::AppStrategy> {

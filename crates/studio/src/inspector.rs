@@ -1,12 +1,154 @@
 //! The panel of values of what is selected.
 
-use egui::Ui;
+use catoptric_editor::{Item, Label, Refused, Selection};
+use catoptric_scene::Scene;
+use egui::{Id, Key, ScrollArea, Ui};
 
 use crate::context::Cx;
+use crate::texts::Texts;
+
+mod body;
+mod camera;
+mod formula;
+mod header;
+mod kinds;
+mod light;
+mod material;
+mod place;
+mod reshape;
+mod sheet;
+mod surroundings;
+mod symbol;
+
+use symbol::Symbol;
+
+/// Below this width, points, the panel scrolls sideways.
+const LEAST_WIDTH: f32 = 260.0;
 
 /// What the inspector keeps from frame to frame.
 #[derive(Default)]
-pub(crate) struct Inspector {}
+pub(crate) struct Inspector {
+    memory: Memory,
+}
 
-/// Draws the values of what is selected.
-pub(crate) fn inspector_ui(_ui: &mut Ui, _cx: &mut Cx<'_>, _inspector: &mut Inspector) {}
+/// What rows remember and tell each other.
+#[derive(Debug, Default)]
+pub(crate) struct Memory {
+    /// The symbol that is lit, in the formula and in the rows.
+    pub(crate) pointed: Option<Symbol>,
+    /// The symbol of the row under the pointer in this frame.
+    pub(crate) row_hovered: Option<Symbol>,
+    /// The symbol in the formula under the pointer in this frame.
+    pub(crate) term_hovered: Option<Symbol>,
+    /// What was selected in the last frame.
+    pub(crate) selection: Selection,
+    /// Why the last change was refused.
+    pub(crate) note: Option<Note>,
+    /// The last change made here, to know which gesture Escape takes back.
+    pub(crate) gesture: Option<Label>,
+    /// Whether the drag that still goes on has been given up.
+    pub(crate) is_given_up: bool,
+    /// Whether the three factors of a scale keep their ratios.
+    pub(crate) scale_link: IsLinked<true>,
+    /// Whether the edges of a cube do.
+    pub(crate) size_link: IsLinked<false>,
+    /// The vectors at the start of a gesture.
+    pub(crate) starts: sheet::Starts,
+}
+
+/// Whether three numbers keep their ratios.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct IsLinked<const AT_FIRST: bool>(pub(crate) bool);
+
+impl<const AT_FIRST: bool> Default for IsLinked<AT_FIRST> {
+    fn default() -> Self {
+        Self(AT_FIRST)
+    }
+}
+
+/// Why something was refused, and at which row.
+#[derive(Clone, Debug)]
+pub(crate) struct Note {
+    pub(crate) id: Id,
+    pub(crate) key: &'static str,
+    pub(crate) text: String,
+}
+
+/// Draws the values of what is selected; those of the scene as a whole when nothing is.
+pub(crate) fn inspector_ui(ui: &mut Ui, cx: &mut Cx<'_>, inspector: &mut Inspector) {
+    let memory = &mut inspector.memory;
+    if memory.selection != *cx.editor.selection() {
+        memory.selection = cx.editor.selection().clone();
+        memory.note = None;
+    }
+    escape(ui, cx, memory);
+    memory.row_hovered = None;
+    memory.term_hovered = None;
+    // The scroll bar lies over the right edge.
+    let width = (ui.available_width() - 8.0).max(LEAST_WIDTH);
+    ScrollArea::both().id_salt("inspector").auto_shrink([false, false]).show(ui, |ui| {
+        ui.set_width(width);
+        ui.spacing_mut().item_spacing.y = 4.0;
+        match cx.editor.selection().primary() {
+            Some(Item::Body(_)) => body::bodies_ui(ui, cx, memory),
+            Some(Item::Light(_)) => light::lights_ui(ui, cx, memory),
+            Some(Item::Material(index)) => material::named_ui(ui, cx, memory, index),
+            Some(Item::Camera) => camera::camera_ui(ui, cx, memory),
+            Some(Item::Environment) => surroundings::environment_ui(ui, cx, memory),
+            Some(Item::Tracing) => surroundings::tracing_ui(ui, cx, memory),
+            None => {
+                camera::camera_ui(ui, cx, memory);
+                surroundings::environment_ui(ui, cx, memory);
+                surroundings::tracing_ui(ui, cx, memory);
+            }
+        }
+        ui.add_space(12.0);
+    });
+    let pointed = memory.row_hovered.or(memory.term_hovered);
+    if pointed != memory.pointed {
+        memory.pointed = pointed;
+        ui.ctx().request_repaint();
+    }
+}
+
+/// Escape takes back what is being dragged or typed here.
+fn escape(ui: &Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+    let (is_escaped, is_down) = ui.input(|input| (input.key_pressed(Key::Escape), input.pointer.any_down()));
+    memory.is_given_up &= is_down;
+    let is_ours = memory.gesture.is_some() && cx.editor.gesture_label() == memory.gesture.as_ref();
+    if is_escaped && is_ours {
+        cx.editor.abandon();
+        memory.gesture = None;
+        memory.is_given_up = is_down;
+    }
+}
+
+/// Why a change was refused, in the language of the window.
+fn explain(texts: &Texts, refused: &Refused) -> String {
+    let key = match refused.problems.first().map(|problem| problem.key) {
+        Some("target") => "refused-target",
+        Some("up") => "refused-up",
+        Some("top") => "refused-axis",
+        Some("name") => "refused-name",
+        _ => "refused-range",
+    };
+    texts.get(key).to_owned()
+}
+
+/// What a thing is called: its name, or else what it is.
+fn called<'t>(texts: &'t Texts, scene: &'t Scene, item: Item) -> &'t str {
+    let name = item.name(scene);
+    if !name.is_empty() {
+        return name;
+    }
+    match item {
+        Item::Camera => texts.get("thing-camera"),
+        Item::Environment => texts.get("thing-environment"),
+        Item::Tracing => texts.get("thing-tracing"),
+        Item::Material(_) => texts.get("thing-material"),
+        Item::Light(_) => texts.get("thing-light"),
+        Item::Body(index) => {
+            scene.bodies.get(index).map_or("", |body| texts.get(body::shape_key(&body.shape)))
+        }
+    }
+}

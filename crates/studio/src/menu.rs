@@ -9,6 +9,7 @@ use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
 use crate::command::{Command, Situation, Tool, Zoom};
+use crate::documents::recent;
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
@@ -47,6 +48,7 @@ const MENUS: [Menu; 5] = [
 /// Draws the menus, and at the right the language and the theme.
 pub(crate) fn menu_ui(ui: &mut Ui, studio: &mut Studio) {
     let mut commands = Vec::new();
+    let shown_before = ui.data(|data| data.get_temp(recent_id()));
     let bar = MenuBar::new().config(MenuConfig::new().style(dress_menu as fn(&mut Style)));
     bar.style(dress_bar as fn(&mut Style)).ui(ui, |ui| {
         if ui.available_width() < FULL_WIDTH {
@@ -66,6 +68,7 @@ pub(crate) fn menu_ui(ui: &mut Ui, studio: &mut Studio) {
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| right_ui(ui, studio, &mut commands));
     });
+    look_up_recent(ui.ctx(), studio, shown_before);
     studio.commands.append(&mut commands);
 }
 
@@ -268,15 +271,35 @@ fn zoom_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     do_ui(ui, studio, commands, [Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));
 }
 
-/// The files opened or saved last.
+/// The pass in which the recent files were shown last.
+fn recent_id() -> egui::Id {
+    egui::Id::unique("recent files shown")
+}
+
+/// Looks up which of the recent files are still there, whenever their menu has opened.
+fn look_up_recent(context: &egui::Context, studio: &mut Studio, shown_before: Option<u64>) {
+    let pass = context.cumulative_pass_nr();
+    let shown = context.data(|data| data.get_temp::<u64>(recent_id()));
+    if shown == Some(pass) && shown_before.is_none_or(|before| before + 1 < pass) {
+        recent::look_again(studio);
+    }
+}
+
+/// The files opened or saved last; missing ones are dim.
 fn recent_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    let pass = ui.ctx().cumulative_pass_nr();
+    ui.data_mut(|data| data.insert_temp(recent_id(), pass));
     ui.set_min_width(200.0);
     if studio.settings.recent.is_empty() {
         ui.add_enabled(false, Button::new(studio.texts.get("menu-no-recent")));
     }
     for path in &studio.settings.recent {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-        let button = Button::new((icons::ICON_DESCRIPTION.rich_text(), name.as_ref()));
+        let mut text = egui::RichText::new(name.as_ref());
+        if recent::is_missing(studio, path) {
+            text = text.weak();
+        }
+        let button = Button::new((icons::ICON_DESCRIPTION.rich_text(), text));
         let response = ui.add(button).accessible_name(name.as_ref());
         if response.on_hover_text(path.display().to_string()).clicked() {
             commands.push(Command::OpenFile(path.clone()));
@@ -288,8 +311,9 @@ fn recent_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 fn examples_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     do_ui(ui, studio, commands, [Command::Examples]);
     ui.separator();
-    let height = (ui.ctx().content_rect().height() - 180.0).max(120.0);
-    ScrollArea::vertical().max_height(height).show(ui, |ui| {
+    let room = (ui.ctx().content_rect().height() - 190.0).max(120.0);
+    let height = room.min(Example::ALL.len() as f32 * (ui.spacing().interact_size.y + 1.0));
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         for example in Example::ALL {
             let title = example_title(example, studio.texts.language());
             if ui.button(title).clicked() {

@@ -2,14 +2,19 @@
 
 use std::time::Duration;
 
-use egui::{Align2, Area, Context, Id, Order, RichText, UiKind, Vec2, vec2};
+use egui::accesskit::Role;
+use egui::{Align2, Area, Color32, Context, Id, Order, Rect, Sense, TextStyle, Ui, UiBuilder, UiKind, Vec2};
+use egui::{WidgetInfo, pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
 use crate::theme;
-use crate::widgets::icon_button;
+use crate::widgets::{ICON_BUTTON, icon_button, paint_icon};
 
 /// How long a notice stays.
 const STAY: Duration = Duration::from_secs(6);
+
+/// Width of a notice without its frame, points.
+const WIDTH: f32 = 330.0;
 
 /// How many notices are shown at most; older ones give way.
 const MOST: usize = 4;
@@ -115,7 +120,7 @@ impl Toasts {
 }
 
 /// Draws a notice; returns whether it is to be closed.
-fn notice_ui(ui: &mut egui::Ui, notice: &Notice, close: &str) -> bool {
+fn notice_ui(ui: &mut Ui, notice: &Notice, close: &str) -> bool {
     let palette = theme::palette(ui.visuals());
     let (icon, color): (MaterialIcon, _) = match notice.kind {
         Kind::Success => (icons::ICON_CHECK_CIRCLE, palette.axes[1]),
@@ -123,22 +128,24 @@ fn notice_ui(ui: &mut egui::Ui, notice: &Notice, close: &str) -> bool {
         Kind::Warning => (icons::ICON_WARNING, palette.warning),
         Kind::Error => (icons::ICON_ERROR, palette.error),
     };
-    egui::Frame::popup(ui.style())
-        .inner_margin(egui::Margin::symmetric(12, 8))
-        .show(ui, |ui| {
-            ui.set_width(320.0);
-            ui.horizontal(|ui| {
-                ui.label(icon.rich_text().size(18.0).color(color));
-                let width = ui.available_width() - 30.0;
-                ui.allocate_ui(vec2(width, 0.0), |ui| {
-                    ui.set_width(width);
-                    ui.label(RichText::new(&notice.text));
-                });
-                icon_button(ui, icons::ICON_CLOSE, close, false).clicked()
-            })
-            .inner
-        })
-        .inner
+    let frame = egui::Frame::popup(ui.style()).inner_margin(egui::Margin::symmetric(12, 9));
+    frame.show(ui, |ui| body_ui(ui, &notice.text, (icon, color), close)).inner
+}
+
+/// The icon and the button stand beside the first line of the text.
+fn body_ui(ui: &mut Ui, text: &str, (icon, color): (MaterialIcon, Color32), close: &str) -> bool {
+    let font = TextStyle::Body.resolve(ui.style());
+    let text_color = ui.visuals().text_color();
+    let galley = ui.painter().layout(text.to_owned(), font, text_color, WIDTH - 62.0);
+    let line = galley.rows.first().map_or(16.0, |row| row.rect().height());
+    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, galley.size().y), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    let middle = rect.top() + line / 2.0;
+    paint_icon(ui, icon, pos2(rect.left() + 9.0, middle), 18.0, color);
+    ui.painter().galley(rect.min + vec2(28.0, 0.0), galley, text_color);
+    let button = Rect::from_center_size(pos2(rect.right() - 9.0, middle), Vec2::splat(ICON_BUTTON));
+    let builder = UiBuilder::new().max_rect(button);
+    ui.scope_builder(builder, |ui| icon_button(ui, icons::ICON_CLOSE, close, false)).inner.clicked()
 }
 
 #[cfg(test)]

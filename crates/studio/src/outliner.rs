@@ -181,7 +181,10 @@ fn click(cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, modifiers: egui::
 fn rename_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, rect: Rect) {
     let Some(renaming) = &mut outliner.renaming else { return };
     let id = list_id().with("rename");
-    let field = TextEdit::singleline(&mut renaming.name).id(id).margin(egui::Margin::symmetric(4, 2));
+    let field = TextEdit::singleline(&mut renaming.name)
+        .id(id)
+        .margin(egui::Margin::symmetric(4, 2))
+        .align(egui::Align2::LEFT_CENTER);
     let response = ui.put(rect, field.desired_width(f32::INFINITY).clip_text(true));
     let response = response.accessible_name(cx.texts.get("outliner-rename"));
     if !renaming.has_begun {

@@ -52,8 +52,8 @@ pub(crate) fn paint(painter: &Painter, viewport: Rect, picture: f64) {
         Rect::from_min_max(viewport.min, egui::pos2(frame.min.x, viewport.max.y)),
         Rect::from_min_max(egui::pos2(frame.max.x, viewport.min.y), viewport.max),
     ];
-    for side in sides.into_iter().filter(|side| side.is_positive()) {
-        painter.rect_filled(side, 0.0, Color32::from_black_alpha(110));
+    for side in sides.into_iter().filter(Rect::is_positive) {
+        painter.rect_filled(side, 0.0, Color32::from_black_alpha(72));
     }
     painter.rect_stroke(frame, 0.0, Stroke::new(1.0, Color32::from_white_alpha(70)), StrokeKind::Middle);
 }
@@ -64,7 +64,8 @@ mod tests {
 
     #[test]
     fn a_narrow_viewport_gets_a_higher_window() {
-        let camera = Camera { projection: Projection::Perspective { fov_degrees: 90.0 }, ..Camera::default() };
+        let camera =
+            Camera { projection: Projection::Perspective { fov_degrees: 90.0 }, ..Camera::default() };
         let Projection::Perspective { fov_degrees } = fitted(&camera, 1.0, 2.0).projection else { panic!() };
         assert!((fov_degrees - 2.0 * 2.0_f64.atan().to_degrees()).abs() < 1e-12);
         let parallel = Camera { projection: Projection::Parallel { height: 3.0 }, ..Camera::default() };

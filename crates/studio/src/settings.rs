@@ -6,6 +6,7 @@ use egui_tiles::Tree;
 use serde::{Deserialize, Serialize};
 
 use crate::layout::Pane;
+use crate::pictures::RenderChoices;
 use crate::texts::Language;
 
 /// How many files the menu of recent ones holds.
@@ -37,6 +38,8 @@ pub struct Settings {
     pub window_size: Option<[f32; 2]>,
     /// The arrangement of the panels.
     pub layout: Option<Tree<Pane>>,
+    /// How the last picture was rendered.
+    pub render: RenderChoices,
 }
 
 /// A scene to come back to.
@@ -76,6 +79,7 @@ impl Default for Settings {
             zoom: 1.0,
             window_size: None,
             layout: None,
+            render: RenderChoices::default(),
         }
     }
 }
@@ -92,6 +96,7 @@ impl Settings {
         let mut settings: Self = serde_json::from_str(&text).unwrap_or_else(|_| Self::first());
         settings.zoom = if settings.zoom.is_finite() { settings.zoom.clamp(0.5, 3.0) } else { 1.0 };
         settings.viewport_samples = settings.viewport_samples.clamp(1, 1024);
+        settings.render.check();
         settings
     }
 
@@ -105,6 +110,11 @@ impl Settings {
         }
         let text = serde_json::to_string_pretty(self)?;
         catoptric_files::write_bytes(path, text.as_bytes()).map_err(std::io::Error::other)
+    }
+
+    /// Width over height of the pictures to be made.
+    pub fn picture_aspect(&self) -> f64 {
+        f64::from(self.render.width.max(1)) / f64::from(self.render.height.max(1))
     }
 
     /// Puts `path` first among the recent files.

@@ -37,7 +37,8 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
         let listeners = Listeners {
             is_typing: context.text_edit_focused(),
             is_menu_open: Popup::is_any_open(&context),
-            is_flying: studio.view.is_flying,
+            // The right button flies, too, while it is down.
+            is_flying: studio.view.is_flying || context.input(|input| input.pointer.secondary_down()),
         };
         context.input_mut(|input| {
             input.events.retain(|event| match command_of(event, listeners) {

@@ -1,42 +1,53 @@
 //! The bar at the bottom: how the picture is doing.
 
 use catoptric_live::{LiveError, Status};
-use egui::{Align, Label, Layout, ProgressBar, Response, RichText, TextStyle, Ui, vec2};
+use egui::{Align, Label, Layout, ProgressBar, Response, RichText, Sides, TextStyle, Ui, vec2};
+
+use egui_material_icons::icons;
 
 use crate::context::Cx;
 use crate::texts::Texts;
 use crate::theme;
 
+/// Width of the bar of refinement, points.
+const BAR: f32 = 90.0;
+
 /// Draws the backend, the size, the time of the last picture, the rays per second and the progress of refinement; at
 /// the right how much is in the scene.
 pub(crate) fn status_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
     let status = cx.live.status();
+    ui.spacing_mut().item_spacing.x = 4.0;
+    Sides::new().shrink_left().show(ui, |ui| picture_ui(ui, cx, &status), |ui| counts_ui(ui, cx));
+}
+
+/// From left to right, as far as there is room.
+fn picture_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
     let texts = cx.texts;
-    let width = ui.available_width();
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        backend_ui(ui, texts, &status);
+    if let Some(error) = &status.error {
+        error_ui(ui, texts, error);
+        return;
+    }
+    backend_ui(ui, texts, status);
+    line(ui);
+    size_ui(ui, cx, status);
+    line(ui);
+    let time = if status.milliseconds > 0.0 { number(status.milliseconds) } else { dash() };
+    let text = texts.with("status-time", &[("time", time.into())]);
+    let sample = texts.with("status-time", &[("time", "8888".into())]);
+    cell(ui, &text, &sample, texts.tip("status-time-name"));
+    let rays = if status.rays_per_second > 0.0 { number(status.rays_per_second / 1e6) } else { dash() };
+    let text = texts.with("status-rays", &[("rays", rays.into())]);
+    let sample = texts.with("status-rays", &[("rays", "8888".into())]);
+    let refining = texts.with("status-refining", &[("done", 88.into()), ("wanted", 88.into())]);
+    // How far the picture is matters more than how quick it was made.
+    if ui.available_width() > width_of(ui, &sample) + width_of(ui, &refining) + 60.0 {
         line(ui);
-        size_ui(ui, cx, &status);
-        line(ui);
-        let time = if status.milliseconds > 0.0 { number(status.milliseconds) } else { dash() };
-        let text = texts.with("status-time", &[("time", time.into())]);
-        let sample = texts.with("status-time", &[("time", "8888".into())]);
-        cell(ui, &text, &sample, texts.tip("status-time-name"));
-        line(ui);
-        let rays = if status.rays_per_second > 0.0 { number(status.rays_per_second / 1e6) } else { dash() };
-        let text = texts.with("status-rays", &[("rays", rays.into())]);
-        let sample = texts.with("status-rays", &[("rays", "8888".into())]);
         cell(ui, &text, &sample, texts.tip("status-rays-name"));
+    }
+    if ui.available_width() > width_of(ui, &refining) + 30.0 {
         line(ui);
-        match &status.error {
-            Some(error) => error_ui(ui, texts, error),
-            None => progress_ui(ui, texts, &status),
-        }
-        if width > 700.0 {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| counts_ui(ui, cx));
-        }
-    });
+        progress_ui(ui, texts, status, &refining);
+    }
 }
 
 fn backend_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
@@ -57,7 +68,7 @@ fn size_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
     tip(response, cx.texts.tip("status-size-name"));
 }
 
-fn progress_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
+fn progress_ui(ui: &mut Ui, texts: &Texts, status: &Status, sample: &str) {
     let wanted = status.samples_wanted;
     let is_done = wanted > 0 && status.samples_done >= wanted;
     let text = if is_done {
@@ -68,12 +79,19 @@ fn progress_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
         let arguments = [("done", status.samples_done.into()), ("wanted", wanted.into())];
         texts.with("status-refining", &arguments)
     };
-    let sample = texts.with("status-refining", &[("done", 88.into()), ("wanted", 88.into())]);
-    cell(ui, &text, &sample, texts.tip("status-refining-name"));
     let palette = theme::palette(ui.visuals());
-    let fraction = if is_done { 1.0 } else { status.progress.clamp(0.0, 1.0) };
-    let fill = if is_done { palette.button } else { palette.accent };
-    let bar = ProgressBar::new(fraction).desired_width(90.0).desired_height(6.0).fill(fill);
+    if is_done {
+        let check = icons::ICON_CHECK.rich_text().color(palette.weak);
+        tip(ui.label(check), texts.tip("status-refining-name"));
+        cell(ui, &text, sample, texts.tip("status-refining-name"));
+        return;
+    }
+    cell(ui, &text, sample, texts.tip("status-refining-name"));
+    if ui.available_width() < BAR {
+        return;
+    }
+    let fraction = status.progress.clamp(0.0, 1.0);
+    let bar = ProgressBar::new(fraction).desired_width(BAR).desired_height(6.0).fill(palette.accent);
     let response = ui.add(bar).accessible_name(texts.get("status-progress"));
     tip(response, texts.tip("status-refining-name"));
 }
@@ -117,14 +135,17 @@ fn cell(ui: &mut Ui, text: &str, sample: &str, explanation: Option<&str>) {
 }
 
 fn cell_in(ui: &mut Ui, text: RichText, sample: &str) -> Response {
-    let font = TextStyle::Body.resolve(ui.style());
-    let width = ui.painter().layout_no_wrap(sample.to_owned(), font, egui::Color32::WHITE).size().x;
-    let size = vec2(width + 2.0, ui.spacing().interact_size.y);
+    let size = vec2(width_of(ui, sample) + 2.0, ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
         ui.set_min_size(size);
         ui.add(Label::new(text).extend())
     })
     .inner
+}
+
+fn width_of(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
+    ui.painter().layout_no_wrap(text.to_owned(), font, egui::Color32::WHITE).size().x
 }
 
 fn tip(response: Response, text: Option<&str>) {

@@ -20,12 +20,13 @@ mod travel;
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
 use egui::{
-    Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, Visuals,
+    WidgetInfo, vec2,
 };
 
 use crate::command::Command;
 use crate::context::Cx;
-use crate::theme;
+use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
 pub(crate) use jumps::{
@@ -87,13 +88,17 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     viewport.measure(ui, rect);
     viewport.ease(ui, cx);
-    let palette = theme::palette(ui.visuals());
     let painter = ui.painter_at(rect);
-    let frame = viewport.picture.show(&painter, rect, cx, palette);
+    let frame = viewport.picture.show(&painter, rect, cx, theme::palette(ui.visuals()));
+    // What is drawn over the picture has the same colors in every theme, as the picture has.
+    let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
     let sight = Sight::new(cx, rect, camera);
     act(ui, cx, viewport, (&sight, &response));
+    if cx.view.free_camera.is_none() {
+        picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
+    }
     if let Some(frame) = &frame {
         marks::grid(&painter, rect, frame, palette);
         if cx.settings.shows_handles {
@@ -145,7 +150,7 @@ fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response):
 
 /// Whether keys are for the picture: when it has the focus, or nothing has.
 fn listens(ui: &Ui, response: &Response) -> bool {
-    let focused = ui.memory(|memory| memory.focused());
+    let focused = ui.memory(egui::Memory::focused);
     let is_free = ui.memory(|memory| memory.allows_interaction(ui.layer_id()));
     is_free && focused.is_none_or(|id| id == response.id) && !Popup::is_any_open(ui.ctx())
 }
@@ -191,7 +196,9 @@ fn over_picture(
         (Some((_, handle)), _) | (None, Some(Target::Handle(handle))) => Some(handle),
         _ => None,
     };
-    if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(|| hands::gizmo(cx)) {
+    // What is carried by itself needs no handles meanwhile.
+    let at_rest = || hands::gizmo(cx).filter(|_| !matches!(viewport.hands.hand, Hand::Carry(_)));
+    if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(at_rest) {
         gizmo::draw::draw(painter, sight, &gizmo, active, palette);
     }
 }
@@ -252,7 +259,7 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         let grain = sight.lens.meters_per_point(sight.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
         labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
-    } else if let (Some(item), Some(pointer)) = (over, pointer) {
+    } else if let (Some(item), Some(pointer), false) = (over, pointer, Popup::is_any_open(ui.ctx())) {
         if rest >= REST {
             labels::beside_pointer(&painter, sight.rect, pointer, &name_of(cx, scene, item), palette);
         } else {
@@ -261,8 +268,14 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         }
     }
     if cx.view.is_flying {
-        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
-        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, cx.t("viewport-fly-hint"), palette);
+        // Lines break between the keys, not within what is said of one.
+        let parts = cx.t("viewport-fly-hint").split(" · ").map(|part| part.replace(' ', "\u{a0}"));
+        let text = parts.collect::<Vec<_>>().join("  ·  ");
+        // Below the bar, where no other panel floats, and beside the compass.
+        let room = sight.rect.shrink2(vec2(compass::WIDTH, 0.0));
+        let below = if cx.view.free_camera.is_some() { 100.0 } else { 58.0 };
+        let at = room.center_top() + vec2(0.0, below);
+        labels::plate(&painter, room, at, Align2::CENTER_TOP, &text, palette);
     }
     if ui.input(|input| !input.raw.hovered_files.is_empty()) {
         painter.rect_filled(sight.rect, 0.0, palette.accent.gamma_multiply(0.12));

@@ -1,5 +1,13 @@
 //! Small widgets that several panels use.
 
+pub(crate) mod choice;
+pub(crate) mod color;
+pub(crate) mod number;
+pub(crate) mod picker;
+pub(crate) mod row;
+pub(crate) mod section;
+pub(crate) mod text;
+
 use egui::{Align2, Response, Sense, TextStyle, Ui, Vec2, WidgetInfo, vec2};
 use egui_material_icons::MaterialIcon;
 
@@ -10,6 +18,17 @@ pub(crate) const ICON_BUTTON: f32 = 22.0;
 
 /// A flat button that shows only an icon; `name` is its accessible name and its tooltip. `is_on` marks it.
 pub(crate) fn icon_button(ui: &mut Ui, icon: MaterialIcon, name: &str, is_on: bool) -> Response {
+    explained_icon_button(ui, icon, name, name, is_on)
+}
+
+/// The same with a tooltip that says more than its name.
+pub(crate) fn explained_icon_button(
+    ui: &mut Ui,
+    icon: MaterialIcon,
+    name: &str,
+    tip: &str,
+    is_on: bool,
+) -> Response {
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(ICON_BUTTON), Sense::click());
     response
         .widget_info(|| WidgetInfo::selected(egui::accesskit::Role::Button, ui.is_enabled(), is_on, name));
@@ -29,7 +48,7 @@ pub(crate) fn icon_button(ui: &mut Ui, icon: MaterialIcon, name: &str, is_on: bo
         let color = if ui.is_enabled() { visuals.text_color() } else { palette.weak };
         paint_icon(ui, icon, rect.center(), 16.0, color);
     }
-    response.on_hover_text(name)
+    response.on_hover_text(tip)
 }
 
 /// Paints an icon around a point.

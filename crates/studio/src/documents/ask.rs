@@ -78,7 +78,7 @@ impl Asking {
         if !self.question.is_saving {
             return Chosen { path, may_replace: false };
         }
-        let whole = with_extension(path.clone(), self.question.kind);
+        let whole = completed(path.clone(), &self.question);
         Chosen { may_replace: whole == path, path: whole }
     }
 }
@@ -89,6 +89,20 @@ fn own(studio: &mut Studio, question: &FileQuestion) -> Way {
     let dialog = FileDialog::new(question.clone(), recent, sender);
     studio.dialogs.open(dialog);
     Way::Own(receiver)
+}
+
+/// `path` with an extension that fits: if it has none, that of the proposed name.
+pub(crate) fn completed(path: PathBuf, question: &FileQuestion) -> PathBuf {
+    let proposed = Path::new(&question.name);
+    match proposed.extension() {
+        Some(extension) if fits(proposed, question.kind) && !fits(&path, question.kind) => {
+            let mut whole = path.into_os_string();
+            whole.push(".");
+            whole.push(extension);
+            whole.into()
+        }
+        _ => with_extension(path, question.kind),
+    }
 }
 
 /// `path` with an extension that fits; one that fits already stays.
@@ -113,6 +127,20 @@ pub(crate) fn fits(path: &Path, kind: FileKind) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_proposed_name_gives_the_extension() {
+        let question = |name: &str| FileQuestion {
+            kind: FileKind::Picture,
+            is_saving: true,
+            title: String::new(),
+            folder: None,
+            name: name.to_owned(),
+        };
+        assert_eq!(completed("a".into(), &question("scene.exr")), Path::new("a.exr"));
+        assert_eq!(completed("a.PNG".into(), &question("scene.exr")), Path::new("a.PNG"));
+        assert_eq!(completed("a".into(), &question("scene")), Path::new("a.png"));
+    }
 
     #[test]
     fn extensions_are_added_and_never_replaced() {

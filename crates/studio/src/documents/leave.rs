@@ -11,6 +11,7 @@ use super::recover::{self, Recovered};
 use super::{is_changed, name, open, save, show_example, show_fresh, show_opened};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
+use crate::pictures;
 
 /// What comes after the present document.
 #[derive(Clone)]
@@ -32,6 +33,9 @@ pub(crate) enum Next {
 /// Goes on to `next`; asks first if the document has changes.
 pub(crate) fn replace(context: &Context, studio: &mut Studio, next: Next) {
     studio.editor.settle();
+    if matches!(next, Next::Quit) && pictures::hold(studio) {
+        return;
+    }
     if let Some(saving) = &mut studio.documents.saving {
         // What is being saved decides whether there is something to ask.
         saving.then(next);
@@ -83,6 +87,10 @@ pub(super) fn mind_close(context: &Context, studio: &mut Studio) {
         context.send_viewport_cmd(ViewportCommand::Close);
     }
     if !context.input(|input| input.viewport().close_requested()) || studio.documents.is_leaving {
+        return;
+    }
+    if pictures::hold(studio) {
+        context.send_viewport_cmd(ViewportCommand::CancelClose);
         return;
     }
     let is_asked = studio.documents.asked_to_save.strong_count() > 0;

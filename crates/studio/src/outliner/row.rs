@@ -2,7 +2,7 @@
 
 use catoptric_editor::{Action, Item, Selection};
 use egui::accesskit::Role;
-use egui::{Align2, Color32, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo};
+use egui::{Color32, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo};
 use egui::{pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
@@ -35,11 +35,16 @@ pub(super) fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, sec
     paint_icon(ui, chevron, pos2(rect.left() + 8.0, rect.center().y), 16.0, color);
     let font = TextStyle::Body.resolve(ui.style());
     let painter = ui.painter();
-    let at = pos2(rect.left() + 20.0, rect.center().y);
-    let drawn = painter.text(at, Align2::LEFT_CENTER, title, font, color);
     let small = TextStyle::Small.resolve(ui.style());
-    let at = pos2(drawn.right() + 7.0, rect.center().y);
-    painter.text(at, Align2::LEFT_CENTER, count.to_string(), small, palette.weak);
+    let count = painter.layout_no_wrap(count.to_string(), small, palette.weak);
+    // The count stands behind the title, and in a narrow panel before the button.
+    let title_width = painter.layout_no_wrap(title.to_owned(), font, color).size().x;
+    let room = (rect.width() - 20.0 - 32.0 - count.size().x).max(0.0);
+    let title_rect =
+        rect.with_min_x(rect.left() + 20.0).with_max_x(rect.left() + 20.0 + title_width.min(room) + 0.5);
+    paint_line(ui, title_rect, title, color);
+    let at = pos2(title_rect.right() + 6.0, rect.center().y - count.size().y / 2.0);
+    painter.galley(at, count, palette.weak);
     if response.clicked() {
         outliner.rows.fold(section, !is_folded);
     }
@@ -84,7 +89,13 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
         ui.painter().circle(center, 4.5, if is_hidden { dot.gamma_multiply(0.4) } else { dot }, stroke);
         text_left += 16.0;
     }
-    let text = Rect::from_min_max(pos2(text_left, rect.top()), rect.max - vec2(46.0, 0.0));
+    let flags = match (is_hidden, item.is_locked(&scene)) {
+        _ if is_hovered && has_flags(item) => 46.0,
+        (_, true) => 46.0,
+        (true, false) => 25.0,
+        (false, false) => 4.0,
+    };
+    let text = Rect::from_min_max(pos2(text_left, rect.top()), rect.max - vec2(flags, 0.0));
     let is_renamed = outliner.renaming.as_ref().is_some_and(|renaming| renaming.item == item);
     if is_renamed {
         let field = Rect::from_min_max(text.min - vec2(5.0, 0.0), pos2(rect.right() - 4.0, rect.bottom()));
@@ -92,10 +103,10 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
         return;
     }
     paint_line(ui, text, &name, color);
-    if matches!(item, Item::Body(_) | Item::Light(_)) {
+    if has_flags(item) {
         flags_ui(ui, cx, rect, item, &name, is_hovered);
     }
-    let response = response.on_hover_ui(|ui| tip_ui(ui, cx, item, &name));
+    tip_ui(&response, cx, item, &name);
     act(ui, cx, outliner, item, &response);
     if is_hovered && let Item::Body(place) = item {
         outliner.hovered = Some(place);
@@ -167,7 +178,23 @@ fn flag_ui(
     response.on_hover_text(label).clicked()
 }
 
-fn tip_ui(ui: &mut Ui, cx: &Cx<'_>, item: Item, name: &str) {
+/// Whether a thing can be hidden and locked.
+fn has_flags(item: Item) -> bool {
+    matches!(item, Item::Body(_) | Item::Light(_))
+}
+
+/// The whole name, and what a body is made of: beside the row, so that the rows below stay in view.
+fn tip_ui(response: &Response, cx: &Cx<'_>, item: Item, name: &str) {
+    // A dialog may have opened over it.
+    if !response.contains_pointer() {
+        return;
+    }
+    let mut tooltip = egui::Tooltip::for_enabled(response);
+    tooltip.popup = tooltip.popup.align(egui::RectAlign::RIGHT).gap(8.0);
+    tooltip.show(|ui| tip_content(ui, cx, item, name));
+}
+
+fn tip_content(ui: &mut Ui, cx: &Cx<'_>, item: Item, name: &str) {
     ui.label(name);
     let body = match item {
         Item::Body(place) => cx.editor.scene().bodies.get(place),

@@ -156,7 +156,7 @@ fn everything_the_code_asks_for_is_there() {
     let english = entries(Language::English);
     let families: BTreeSet<&str> = [
         "about", "command", "edit", "first", "gesture", "group", "history", "menu", "name", "outliner",
-        "palette", "pane", "refused", "status", "term",
+        "palette", "pane", "refused", "status", "glossary",
     ]
     .into();
     let asks = ["texts.get(", "cx.t(", "texts.with(", "texts\n.get("];
@@ -180,7 +180,7 @@ fn everything_the_code_asks_for_is_there() {
 #[test]
 fn every_command_and_term_is_explained() {
     let english = entries(Language::English);
-    for key in english.keys().filter(|key| key.starts_with("command-") || key.starts_with("term-")) {
+    for key in english.keys().filter(|key| key.starts_with("command-") || key.starts_with("glossary-")) {
         let message = key.split('.').next().unwrap_or_default();
         assert!(english.contains_key(&format!("{message}.tip")), "{message}");
     }

@@ -35,7 +35,7 @@ struct Leg {
 
 /// How things move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Manner {
+enum Manner {
     /// In the level plane.
     Level,
     /// Up and down.
@@ -45,37 +45,32 @@ pub(crate) enum Manner {
 }
 
 impl Carry {
-    /// Takes the thing at `lead` by its point `grabbed`, with the pointer at `at`.
-    pub(crate) fn begin(grabbed: DVec3, lead: DVec3, lens: &Lens, at: DVec2) -> Self {
-        let leg = Leg { manner: level_or_facing(lens, at), from: at };
+    /// Takes the thing at `lead` by its point `grabbed`, with the pointer at `at`, perhaps to move it up and down.
+    pub(crate) fn begin(grabbed: DVec3, lead: DVec3, lens: &Lens, at: DVec2, is_upright: bool) -> Self {
+        let leg = Leg { manner: manner(lens, at, is_upright), from: at };
         Self { grabbed, lead, before: DVec3::ZERO, leg }
-    }
-
-    /// How it moves now.
-    pub(crate) fn manner(&self) -> Manner {
-        self.leg.manner
     }
 
     /// The move from the beginning to the pointer at `at`; `None` when that place says nothing.
     pub(crate) fn to(&mut self, lens: &Lens, at: DVec2, is_upright: bool, care: Care) -> Option<DVec3> {
         if is_upright != (self.leg.manner == Manner::Upright) {
-            self.before = self.way(lens, at).unwrap_or(self.before);
-            let manner = if is_upright { Manner::Upright } else { level_or_facing(lens, at) };
-            self.leg = Leg { manner, from: at };
+            self.before = self.way(lens, at).map_or(self.before, |way| self.rounded(way, lens, care));
+            self.leg = Leg { manner: manner(lens, at, is_upright), from: at };
         }
-        let way = self.way(lens, at)?;
-        let grid = if care.snaps {
-            steps::MOVE
-        } else {
-            let fine = if care.is_fine { 0.1 } else { 1.0 };
-            steps::decimal_below(fine * lens.meters_per_point(self.grabbed))
-        };
+        Some(self.rounded(self.way(lens, at)?, lens, care))
+    }
+
+    /// A move that brings what moves in the present leg to round numbers.
+    fn rounded(&self, way: DVec3, lens: &Lens, care: Care) -> DVec3 {
+        let fine = if care.is_fine { 0.1 } else { 1.0 };
+        let grain = fine * lens.meters_per_point(self.grabbed);
+        let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(grain) };
         let moves = match self.leg.manner {
             Manner::Level => [true, false, true],
             Manner::Upright => [false, true, false],
             Manner::Facing => [true; 3],
         };
-        Some(steps::to_grid(way, self.lead, moves, grid))
+        steps::to_grid(way, self.lead, moves, grid)
     }
 
     /// The whole move, without rounding.
@@ -92,8 +87,14 @@ impl Carry {
     }
 }
 
-fn level_or_facing(lens: &Lens, at: DVec2) -> Manner {
-    if lens.ray(at).direction.y.abs() < LEAST_SLOPE { Manner::Facing } else { Manner::Level }
+fn manner(lens: &Lens, at: DVec2, is_upright: bool) -> Manner {
+    if is_upright {
+        Manner::Upright
+    } else if lens.ray(at).direction.y.abs() < LEAST_SLOPE {
+        Manner::Facing
+    } else {
+        Manner::Level
+    }
 }
 
 /// Where the pointer's ray meets the plane or line through `point` in which things move.
@@ -129,7 +130,7 @@ mod tests {
         let lens = lens([0.0, 4.0, 8.0]);
         let grabbed = DVec3::new(0.3, 0.7, 0.4);
         let at = lens.project(grabbed).unwrap();
-        let mut carry = Carry::begin(grabbed, DVec3::ZERO, &lens, at);
+        let mut carry = Carry::begin(grabbed, DVec3::ZERO, &lens, at, false);
         for to in [DVec2::new(100.0, 400.0), DVec2::new(700.0, 300.0), at] {
             let step = carry.to(&lens, to, false, FREE).unwrap();
             assert_eq!(step.y, 0.0);
@@ -141,7 +142,7 @@ mod tests {
     fn up_and_down_takes_over_where_the_level_way_ends() {
         let lens = lens([0.0, 4.0, 8.0]);
         let at = lens.project(DVec3::Y).unwrap();
-        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at);
+        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at, false);
         let aside = at + DVec2::new(50.0, 30.0);
         let level = carry.to(&lens, aside, false, FREE).unwrap();
         let turned = carry.to(&lens, aside, true, FREE).unwrap();
@@ -156,8 +157,8 @@ mod tests {
     fn seen_from_the_ground_things_move_with_the_picture() {
         let lens = lens([0.0, 1.05, 8.0]);
         let at = lens.project(DVec3::Y).unwrap();
-        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at);
-        assert_eq!(carry.manner(), Manner::Facing);
+        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at, false);
+        assert_eq!(carry.leg.manner, Manner::Facing);
         let step = carry.to(&lens, at + DVec2::new(30.0, -40.0), false, FREE).unwrap();
         assert!(step.x > 0.0 && step.y > 0.0 && step.z.abs() < 0.02);
     }
@@ -166,7 +167,7 @@ mod tests {
     fn towards_the_horizon_nothing_flies_away() {
         let lens = lens([0.0, 2.5, 8.0]);
         let at = lens.project(DVec3::ZERO).unwrap();
-        let mut carry = Carry::begin(DVec3::ZERO, DVec3::ZERO, &lens, at);
+        let mut carry = Carry::begin(DVec3::ZERO, DVec3::ZERO, &lens, at, false);
         let mut last = 0.0;
         for y in (-2000..400).rev().step_by(10) {
             let step = carry.to(&lens, DVec2::new(400.0, f64::from(y)), false, FREE).unwrap();
@@ -182,7 +183,7 @@ mod tests {
         let lens = lens([0.0, 4.0, 8.0]);
         let (grabbed, lead) = (DVec3::new(0.3, 0.7, 0.4), DVec3::new(0.123, 0.456, 0.789));
         let at = lens.project(grabbed).unwrap();
-        let mut carry = Carry::begin(grabbed, lead, &lens, at);
+        let mut carry = Carry::begin(grabbed, lead, &lens, at, false);
         let snaps = Care { snaps: true, is_fine: false };
         let placed = lead + carry.to(&lens, at + DVec2::new(111.0, 37.0), false, snaps).unwrap();
         for part in [placed.x, placed.z] {

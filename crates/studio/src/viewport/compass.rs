@@ -2,7 +2,7 @@
 
 use catoptric_editor::navigate::Axis;
 use egui::accesskit::Role;
-use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, Visuals, WidgetInfo, vec2};
 use glam::DVec3;
 
 use super::sight::Sight;
@@ -14,6 +14,14 @@ use crate::theme;
 const ARM: f32 = 32.0;
 /// Radius of the discs at the ends, points.
 const DISC: f32 = 9.0;
+
+/// Width and height of the corner that it takes, points.
+pub(crate) const WIDTH: f32 = 2.0 * (ARM + DISC + 12.0);
+
+/// Whether there is room for it.
+pub(crate) fn fits(rect: Rect) -> bool {
+    rect.width() > 2.0 * WIDTH && rect.height() > 1.5 * WIDTH
+}
 
 /// An end of an axis.
 struct End {
@@ -42,10 +50,9 @@ impl End {
 
 /// Draws the compass.
 pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
-    let palette = theme::palette(ui.visuals());
-    let margin = ARM + DISC + 12.0;
-    let center = sight.rect.right_top() + vec2(-margin, margin);
-    if sight.rect.width() < 4.0 * margin || sight.rect.height() < 3.0 * margin {
+    let palette = theme::palette(&Visuals::dark());
+    let center = sight.rect.right_top() + vec2(-0.5 * WIDTH, 0.5 * WIDTH);
+    if !fits(sight.rect) {
         return;
     }
     let [right, up, forward] = sight.lens.axes();
@@ -55,8 +62,7 @@ pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
     };
     let painter = ui.painter().clone();
     painter.circle_filled(center, ARM + DISC + 4.0, palette.panel.gamma_multiply(0.35));
-    let mut ends: Vec<(&End, Pos2, f64)> =
-        ENDS.iter().map(|end| (end, place(end).0, place(end).1)).collect();
+    let mut ends: Vec<(&End, Pos2, f64)> = ENDS.iter().map(|end| (end, place(end).0, place(end).1)).collect();
     // The widgets first, in a steady order; egui gives the last of those that overlap to the pointer, and so the
     // nearest must be asked for by hand.
     let responses: Vec<_> = ENDS.iter().map(|end| end_response(ui, cx, end, place(end).0)).collect();
@@ -71,7 +77,8 @@ pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
     let is_clicked = responses.iter().any(|response| response.clicked_by(egui::PointerButton::Primary));
     let by_keys = responses.iter().zip(&ENDS).find(|(response, _)| response.clicked() && !is_clicked);
     let chosen = if is_clicked { nearest } else { by_keys.map(|(_, end)| end.side) };
-    let focused = responses.iter().zip(&ENDS).find(|(response, _)| response.has_focus()).map(|(_, end)| end.side);
+    let focused =
+        responses.iter().zip(&ENDS).find(|(response, _)| response.has_focus()).map(|(_, end)| end.side);
     ends.sort_by(|a, b| b.2.total_cmp(&a.2));
     for (end, pos, depth) in &ends {
         let is_bright = nearest == Some(end.side) || focused == Some(end.side);
@@ -86,7 +93,7 @@ pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
 
 fn end_response(ui: &mut Ui, cx: &Cx<'_>, end: &End, pos: Pos2) -> egui::Response {
     let rect = Rect::from_center_size(pos, Vec2::splat(2.0 * (DISC + 2.0)));
-    let response = ui.interact(rect, ui.id().with(("compass", end.key)), Sense::click());
+    let response = ui.interact(rect, ui.scope_id().with(("compass", end.key)), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, cx.t(end.key)));
     response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text(cx.t(end.key))
 }

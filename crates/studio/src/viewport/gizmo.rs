@@ -124,7 +124,8 @@ impl Gizmo {
         match self.tool {
             Tool::Move if middle => Some(Handle::MoveScreen),
             Tool::Move => {
-                let is_in = |axis: &usize| self.square(lens, *axis).is_some_and(|square| is_inside(&square, at));
+                let is_in =
+                    |axis: &usize| self.square(lens, *axis).is_some_and(|square| is_inside(&square, at));
                 let square = (0..3).filter(is_in).map(Handle::MovePlane).find(|handle| holds(handle));
                 square.or_else(|| self.shaft_at(lens, at).map(Handle::Move).filter(|handle| holds(handle)))
             }

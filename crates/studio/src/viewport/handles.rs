@@ -79,7 +79,8 @@ impl Pen<'_> {
         self.painter.extend(Shape::dashed_line(&points, Stroke::new(1.2, color), 4.0, 4.0));
         let arm = 8.0 * self.sight.lens.meters_per_point(foot);
         for direction in [DVec3::X, DVec3::Z] {
-            if let Some([from, to]) = self.sight.lens.segment(foot - arm * direction, foot + arm * direction) {
+            if let Some([from, to]) = self.sight.lens.segment(foot - arm * direction, foot + arm * direction)
+            {
                 let ends = [self.sight.pos(from), self.sight.pos(to)];
                 self.painter.line_segment(ends, Stroke::new(1.4, color));
             }
@@ -88,7 +89,9 @@ impl Pen<'_> {
 
     /// A pyramid from the eye to the edges of the picture, and a mark that shows where up is.
     fn camera(&self, camera: &Camera) {
-        let [eye, corners, top] = frustum(camera);
+        // Large enough to be seen from afar.
+        let least = 40.0 * self.sight.lens.meters_per_point(camera.position);
+        let [eye, corners, top] = frustum(camera, least);
         let color = if self.is_selected {
             self.palette.accent
         } else if self.is_hovered {
@@ -99,7 +102,9 @@ impl Pen<'_> {
         let width = if self.is_selected || self.is_hovered { 1.8 } else { 1.3 };
         let mut segments: Vec<[DVec3; 2]> = Vec::new();
         for index in 0..4 {
-            let (Some(corner), Some(next)) = (corners.get(index), corners.get((index + 1) % 4)) else { continue };
+            let (Some(corner), Some(next)) = (corners.get(index), corners.get((index + 1) % 4)) else {
+                continue;
+            };
             segments.push([*corner, *next]);
             segments.extend(eye.get(index).map(|eye| [*eye, *corner]));
         }
@@ -119,20 +124,21 @@ impl Pen<'_> {
     }
 }
 
-/// The edges of what a camera sees: where its rays begin, the corners at a distance, and the mark above them.
-fn frustum(camera: &Camera) -> [Vec<DVec3>; 3] {
+/// The edges of what a camera sees: where its rays begin, the corners at a distance of at least `least` meters, and the
+/// mark above them.
+fn frustum(camera: &Camera, least: f64) -> [Vec<DVec3>; 3] {
     const ASPECT: f64 = 1.5;
     let [right, up, forward] = super::lens::Lens::new(camera, glam::DVec2::ONE).axes();
-    let reach = 0.16 * camera.position.distance(camera.target);
+    let reach = (0.16 * camera.position.distance(camera.target)).max(least);
     let (half, is_perspective) = match camera.projection {
         Projection::Perspective { fov_degrees } => (reach * (0.5 * fov_degrees).to_radians().tan(), true),
         Projection::Parallel { height } => (0.5 * height, false),
     };
     let half = half.min(3.0 * reach);
-    let corner = |depth: f64, x: f64, y: f64| {
-        camera.position + depth * forward + half * (ASPECT * x * right + y * up)
-    };
-    let around = |depth: f64| [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| corner(depth, x, y));
+    let corner =
+        |depth: f64, x: f64, y: f64| camera.position + depth * forward + half * (ASPECT * x * right + y * up);
+    let around =
+        |depth: f64| [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| corner(depth, x, y));
     let eye = if is_perspective { vec![camera.position; 4] } else { around(0.0).to_vec() };
     let top = vec![corner(reach, -0.35, 1.12), corner(reach, 0.0, 1.7), corner(reach, 0.35, 1.12)];
     [eye, around(reach).to_vec(), top]

@@ -125,8 +125,10 @@ impl Hands {
         let at = sight.at(origin);
         self.hand = match is_primary.then(|| sight.target(cx, gizmo, at)) {
             Some(Target::Handle(handle)) => pull(cx, sight, gizmo, handle, at),
-            Some(Target::Mark(item)) => carry(cx, sight, item, None, at),
-            Some(Target::Body { index, point }) => carry(cx, sight, Item::Body(index), Some(point), at),
+            Some(Target::Mark(item)) => carry(cx, sight, (item, None), at, modifiers.alt),
+            Some(Target::Body { index, point }) => {
+                carry(cx, sight, (Item::Body(index), Some(point)), at, modifiers.alt)
+            }
             _ => None,
         }
         .unwrap_or(turns);
@@ -192,9 +194,9 @@ impl Hands {
     fn click(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
         let modifiers = ui.input(|input| input.modifiers);
         let things = sight.things_at(cx, sight.at(pos));
-        let is_again = self.click.is_some_and(|click| {
-            click.pos.distance(pos) <= SAME_PLACE && click.camera == sight.camera
-        });
+        let is_again = self
+            .click
+            .is_some_and(|click| click.pos.distance(pos) <= SAME_PLACE && click.camera == sight.camera);
         self.click = Some(Click { pos, camera: sight.camera });
         cx.editor.settle();
         let mut selection = cx.editor.selection().clone();
@@ -283,7 +285,13 @@ fn carried(way: glam::DVec3) -> Amount {
 }
 
 /// Takes hold of a thing: it is selected, and all that is selected goes with it. Locked things stay.
-fn carry(cx: &mut Cx<'_>, sight: &Sight, item: Item, grabbed: Option<glam::DVec3>, at: DVec2) -> Option<Hand> {
+fn carry(
+    cx: &mut Cx<'_>,
+    sight: &Sight,
+    (item, grabbed): (Item, Option<glam::DVec3>),
+    at: DVec2,
+    is_upright: bool,
+) -> Option<Hand> {
     if item.is_locked(cx.editor.scene()) {
         return None;
     }
@@ -299,7 +307,7 @@ fn carry(cx: &mut Cx<'_>, sight: &Sight, item: Item, grabbed: Option<glam::DVec3
     let lead = place_of(scene, item)?;
     let is_free = cx.view.free_camera.is_some();
     let load = Load::take(scene, cx.editor.selection(), is_free, "edit-move")?;
-    let by = Carry::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at);
+    let by = Carry::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at, is_upright);
     Some(Hand::Carry(Box::new(Held { by, load, at, amount: None })))
 }
 

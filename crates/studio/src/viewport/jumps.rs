@@ -56,7 +56,7 @@ pub(crate) fn frame(studio: &mut Studio, all: bool) {
     let selected = if all { None } else { bounds::ball_of_selection(scene, studio.editor.selection()) };
     let Some(ball) = selected.or_else(|| bounds::ball_of_scene(scene)) else { return };
     let camera = studio.view.camera(scene);
-    let camera = navigate::frame(&camera, ball.center, ball.radius, studio.panes.viewport.aspect());
+    let camera = navigate::frame(&camera, ball.center, ball.radius, studio.settings.picture_aspect());
     set_camera(studio, "edit-frame", camera);
 }
 

@@ -1,6 +1,7 @@
 //! Short texts over the picture.
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, StrokeKind, vec2};
+use egui::text::LayoutJob;
+use egui::{Align, Align2, FontId, Painter, Pos2, Rect, Stroke, StrokeKind, vec2};
 
 use super::gizmo::pull::Amount;
 use crate::texts::Texts;
@@ -20,16 +21,24 @@ pub(crate) fn plate(
     text: &str,
     palette: &Palette,
 ) -> Rect {
-    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(12.5), palette.text);
+    let room = rect.shrink(6.0);
+    let mut job = LayoutJob::simple(
+        text.to_owned(),
+        FontId::proportional(12.5),
+        palette.text,
+        (room.width() - 14.0).max(40.0),
+    );
+    job.halign = Align::Center;
+    let galley = painter.layout_job(job);
     let plate = align.anchor_size(pos, galley.size() + vec2(14.0, 7.0));
-    let room = rect.shrink(4.0);
     let plate = plate.translate(vec2(
         (room.right() - plate.right()).min(0.0) + (room.left() - plate.left()).max(0.0),
         (room.bottom() - plate.bottom()).min(0.0) + (room.top() - plate.top()).max(0.0),
     ));
     let stroke = Stroke::new(1.0, palette.line);
     painter.rect(plate, 5.0, palette.panel.gamma_multiply(0.92), stroke, StrokeKind::Inside);
-    painter.galley(plate.min + vec2(7.0, 3.5), galley, Color32::PLACEHOLDER);
+    // Centered text is laid out about its origin.
+    painter.galley(plate.center_top() + vec2(0.0, 3.5), galley, palette.text);
     plate
 }
 
@@ -46,7 +55,7 @@ pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
             texts.with("viewport-amount-meters", &[("parts", parts.join("\u{2002}").into())])
         }
         Amount::Degrees(degrees) => {
-            let degrees = minus(format!("{degrees:.1}"));
+            let degrees = minus(&format!("{degrees:.1}"));
             texts.with("viewport-amount-degrees", &[("degrees", degrees.into())])
         }
         Amount::Factor(factor) => {
@@ -57,18 +66,18 @@ pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
 
 /// Stops with their sign.
 pub(crate) fn signed_stops(stops: f64) -> String {
-    let text = minus(format!("{stops:+.2}"));
+    let text = minus(&format!("{stops:+.2}"));
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A number with its sign and such digits as a hand can mean.
 fn signed(value: f64, grain: f64) -> String {
     let digits = (-super::gizmo::steps::decimal_below(grain).log10()).clamp(1.0, 5.0) as usize;
-    minus(format!("{value:+.digits$}"))
+    minus(&format!("{value:+.digits$}"))
 }
 
 /// With a true minus sign, and none before zero.
-fn minus(number: String) -> String {
+fn minus(number: &str) -> String {
     let is_zero = number.chars().all(|letter| !letter.is_ascii_digit() || letter == '0');
     if is_zero { number.replace('-', "+") } else { number.replace('-', "\u{2212}") }
 }

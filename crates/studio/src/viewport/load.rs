@@ -117,7 +117,8 @@ mod tests {
         let mut editor = editor();
         editor.select(Item::Body(1));
         assert_eq!(Load::take(editor.scene(), editor.selection(), true, "edit-move"), None);
-        let all: Selection = [Item::Body(1), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
+        let all: Selection =
+            [Item::Body(1), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
         let load = Load::take(editor.scene(), &all, false, "edit-move").unwrap();
         let before = editor.scene().clone();
         load.apply(&mut editor, &Change::Move(DVec3::X));

@@ -29,8 +29,8 @@ pub(crate) fn grid(painter: &Painter, rect: Rect, frame: &Frame, palette: &Palet
     let [red, _, blue] = palette.axes;
     for line in frame.grid.iter() {
         let (color, alpha) = match line.kind {
-            GridKind::Minor => (Color32::from_gray(168), 0.16),
-            GridKind::Major => (Color32::from_gray(184), 0.30),
+            GridKind::Minor => (Color32::from_gray(176), 0.20),
+            GridKind::Major => (Color32::from_gray(190), 0.36),
             GridKind::AxisX => (red, 0.62),
             GridKind::AxisZ => (blue, 0.62),
         };
@@ -65,6 +65,10 @@ fn outline(painter: &Painter, scale: &Scale, line: &Polyline, stroke: Stroke) {
     let edge = Stroke::new(stroke.width + 1.8, Color32::from_black_alpha(70));
     for stroke in [edge, stroke] {
         let points = points.clone();
-        painter.add(if line.closed { Shape::closed_line(points, stroke) } else { Shape::line(points, stroke) });
+        painter.add(if line.closed {
+            Shape::closed_line(points, stroke)
+        } else {
+            Shape::line(points, stroke)
+        });
     }
 }

@@ -9,6 +9,7 @@ use egui::{
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
 
+use super::compass;
 use crate::command::{Command, Tool};
 use crate::context::Cx;
 use crate::widgets::paint_icon;
@@ -22,7 +23,8 @@ const STOPS: f64 = 5.0;
 
 /// Draws the bar and, below it, the badge of the free view.
 pub(crate) fn toolbar_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect) {
-    let room = Rect::from_min_max(rect.min + Vec2::splat(10.0), rect.max - Vec2::splat(10.0));
+    let beside = if compass::fits(rect) { compass::WIDTH } else { 10.0 };
+    let room = Rect::from_min_max(rect.min + Vec2::splat(10.0), rect.max - vec2(beside, 10.0));
     let builder = UiBuilder::new().max_rect(room).layout(Layout::top_down(egui::Align::Min));
     ui.scope_builder(builder, |ui| {
         ui.spacing_mut().item_spacing = vec2(2.0, 6.0);
@@ -39,7 +41,7 @@ pub(crate) fn toolbar_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect) {
             });
         });
         if cx.view.free_camera.is_some() {
-            panel(ui, |ui| ui.horizontal(|ui| free_view(ui, cx)));
+            panel(ui, |ui| ui.horizontal_wrapped(|ui| free_view(ui, cx)));
         }
     });
 }
@@ -134,16 +136,16 @@ fn exposure_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
 /// Says that the scene's camera stays, and offers to put it here.
 fn free_view(ui: &mut Ui, cx: &mut Cx<'_>) {
     let palette = theme::palette(ui.visuals());
-    ui.spacing_mut().item_spacing.x = 6.0;
-    ui.add_space(6.0);
+    ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
+    ui.add_space(4.0);
     ui.label(ICON_360.rich_text().size(16.0).color(palette.accent));
     ui.label(cx.t("viewport-free-badge"));
     let put = ui.button(cx.t("viewport-camera-here"));
     if put.on_hover_text(cx.texts.tip("viewport-camera-here").unwrap_or_default()).clicked() {
         cx.run(Command::CameraFromView);
     }
-    let name = cx.t("viewport-camera-back");
-    if ui.button(name).clicked() {
+    let back = ui.button(cx.t("viewport-camera-back"));
+    if back.on_hover_text(cx.texts.tip("viewport-camera-back").unwrap_or_default()).clicked() {
         cx.run(Command::ToggleFreeView);
     }
 }

@@ -17,6 +17,8 @@ pub(crate) struct TestHost {
     folder: Arc<TempDir>,
     answers: Arc<Mutex<VecDeque<Option<PathBuf>>>>,
     pub(crate) questions: Arc<Mutex<Vec<FileQuestion>>>,
+    /// Bytes of memory that are free, as the studio is told.
+    pub(crate) free_memory: Arc<Mutex<Option<u64>>>,
 }
 
 impl TestHost {
@@ -25,6 +27,7 @@ impl TestHost {
             folder: Arc::new(tempfile::tempdir().unwrap()),
             answers: Arc::default(),
             questions: Arc::default(),
+            free_memory: Arc::default(),
         }
     }
 
@@ -55,6 +58,10 @@ impl Host for TestHost {
     fn recovery_folder(&self) -> Option<PathBuf> {
         Some(self.path("recovery"))
     }
+
+    fn free_memory(&self) -> Option<u64> {
+        *self.free_memory.lock().unwrap()
+    }
 }
 
 /// A studio of 1280 × 800 points that shows the example four-bodies, in English.
@@ -66,7 +73,11 @@ pub(crate) fn studio() -> Harness<'static, Studio> {
 pub(crate) fn studio_with(host: TestHost, start: Start) -> Harness<'static, Studio> {
     let settings = host.settings_path().unwrap();
     if !settings.exists() {
-        std::fs::write(settings, r#"{"language": "english", "is_hint_dismissed": true}"#).unwrap();
+        std::fs::write(
+            settings,
+            r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 1}"#,
+        )
+        .unwrap();
     }
     Harness::builder()
         .with_size([1280.0, 800.0])

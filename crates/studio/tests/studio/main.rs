@@ -2,7 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
 
 mod commands;
+mod inspector;
 mod kit;
 mod monkey;
 mod outliner;
+mod render;
+mod viewport;
 mod window;

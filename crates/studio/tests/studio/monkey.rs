@@ -127,7 +127,9 @@ impl Monkey {
             .children_recursive()
             .filter(|node| {
                 let role = node.accesskit_node().role();
+                // Containers have no place of their own.
                 !matches!(role, Role::Label | Role::GenericContainer | Role::Window | Role::Unknown)
+                    && node.accesskit_node().bounding_box().is_some()
             })
             .map(|node| (node.rect().center(), format!("{:?}", node.accesskit_node().label())))
             .collect();
@@ -213,8 +215,9 @@ impl Monkey {
             let label = Label::new("edit-move", "monkey");
             // A refusal is a good answer.
             let _ = editor.change_body(index, label, |body| body.placement = body.placement.moved_by(vector));
-            let _ = editor
-                .change_light(index, Label::new("edit-light", "monkey"), |light| light.intensity = number);
+            let _ = editor.change_light(index, Label::new("edit-intensity", "monkey"), |light| {
+                light.intensity = number
+            });
             return format!("move {index} by {vector}, intensity {number}");
         }
         let _ = editor.apply(action);

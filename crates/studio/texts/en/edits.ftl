@@ -43,7 +43,6 @@ edit-camera-from-view = Camera from view
 edit-projection = Projection
 edit-frame = Frame
 
-# edits
 
 # In the viewport
 edit-orbit = Orbit the camera
@@ -53,3 +52,41 @@ edit-fly = Fly the camera
 edit-move = Move
 edit-rotate = Rotate
 edit-scale = Scale
+
+# Values of the inspector
+edit-radius = Radius
+edit-top-radius = Top radius
+edit-height = Height
+edit-size = Size
+edit-shape = Shape
+edit-position = Position
+edit-rotation = Rotation
+edit-base = Base
+edit-top = Top
+edit-anchor = Way of placing
+edit-kind = Kind of reflection
+edit-color = Color
+edit-ambient = Ambient coefficient
+edit-diffuse = Diffuse coefficient
+edit-specular = Highlight
+edit-shininess = Shininess
+edit-reflection = Reflection
+edit-transmission = Transmission
+edit-ior = Index of refraction
+edit-tint = Tint
+edit-checker = Checker
+edit-checker-color = Checker color
+edit-checker-size = Checker size
+edit-intensity = Intensity
+edit-falloff = Falloff
+edit-falloff-constant = Falloff constant
+edit-camera-position = Camera position
+edit-camera-target = Camera target
+edit-camera-up = Camera up
+edit-view-direction = Direction of view
+edit-fov = Angle of view
+edit-window-height = Window height
+edit-background = Background
+edit-ambient-light = Ambient light
+edit-generations = Generations
+edit-threshold = Threshold

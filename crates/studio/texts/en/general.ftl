@@ -5,7 +5,6 @@ pane-outliner = Scene
 pane-inspector = Inspector
 pane-history = History
 pane-problems = Problems
-unsaved-mark = { $title } *
 ok = OK
 cancel = Cancel
 close = Close

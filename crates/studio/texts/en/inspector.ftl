@@ -1,1 +1,268 @@
-# inspector
+# The panel of values: what a row is called, and under .tip what it means, in a sentence.
+
+# Things
+thing-camera = Camera
+thing-environment = Surroundings
+thing-tracing = Tracing
+thing-material = Material
+thing-light = Light
+several-bodies = { $count ->
+    [one] { $count } body
+   *[other] { $count } bodies
+}
+several-lights = { $count ->
+    [one] { $count } light
+   *[other] { $count } lights
+}
+several-note = Shown is “{ $name }”; a change applies to all, places move together. A dash stands where they differ.
+several-locked = { $count ->
+    [one] { $count } of them is locked and stays as it is.
+   *[other] { $count } of them are locked and stay as they are.
+}
+
+# Head
+name = Name
+    .tip = What it is called; no two of a kind share a name.
+name-none = no name
+name-taken = This name is taken; a number will be added to it.
+hidden = Hidden
+    .tip = Leaves it out of the picture: it is not seen, not reflected, casts no shadow and gives no light.
+is-hidden = Hidden: it takes no part in the picture.
+locked = Locked
+    .tip = Keeps it as it is: it cannot be moved, changed or deleted.
+is-locked = Locked: its values cannot be changed.
+unlock = Unlock
+    .tip = Lets it be changed again.
+
+# Rows in general
+unit-meters = { " " }m
+limits = From { $min } to { $max }
+limits-positive = Above 0, at most { $max }
+default-is = Initially { $value }
+reset-of = Reset: { $name }
+reset-to = Back to { $value }
+slider-of = { $name }: slider
+linked-of = Keep proportions: { $name }
+linked = Keep proportions
+    .tip = While this is on, a change of one number changes the other two in proportion.
+refused-no-number = That is no number; the value stays as it was.
+refused-limits = It must be from { $min } to { $max }; the value stays as it was.
+refused-limits-positive = It must be above 0 and at most { $max }; the value stays as it was.
+refused-no-color = A color is written as # and six digits, such as #3a7bd5.
+refused-target = The camera cannot stand on its target: it would look nowhere.
+refused-up = “Up” must not point along the view, nor be zero.
+refused-axis = The two points must be apart, and no farther than 1e9 m.
+refused-name = This name is taken.
+refused-range = Some value would leave its limits; nothing was changed.
+
+# Shape
+section-shape = Shape
+shape-sphere = Sphere
+    .tip = A ball about its center.
+shape-cube = Cube
+    .tip = A box about its center; its three edges can differ.
+shape-cylinder = Cylinder
+    .tip = A cylinder that stands on its position, closed by two caps.
+shape-cone = Cone
+    .tip = A cone that stands on its position; with a top radius it is cut off.
+shape-plane = Plane
+    .tip = An infinite plane; below it everything is inside.
+radius = Radius
+    .tip = From the center, or from the axis, to the surface.
+base-radius = Base radius
+    .tip = The radius of the cone's lower end.
+top-radius = Top radius
+    .tip = The radius of the cone's upper end; 0 makes it pointed.
+height = Height
+    .tip = From the lower end to the upper one.
+size = Size
+    .tip = The lengths of the edges along X, Y and Z before any rotation.
+
+# Place
+section-place = Place
+position = Position
+    .tip = Where the body's own origin is: the center of spheres and cubes, the middle of the base of cylinders and cones.
+rotation = Rotation
+    .tip = Turns about the fixed X axis, then Y, then Z, by the right-hand rule.
+scale = Scale
+    .tip = Factors of the size along the body's own axes, applied before any rotation.
+base = Base
+    .tip = The center of the lower end.
+top = Top
+    .tip = The center of the upper end, or the tip of the cone.
+anchor = Placed by
+anchor-frame = Position and rotation
+    .tip = The place of the base and three turns.
+anchor-axis = Two points
+    .tip = The two ends of the axis, which also set the height.
+anchor-refused = Two points
+    .tip = Two points cannot tell how this body is turned about its axis, and its X and Z scales differ.
+
+# Material
+section-material = Material
+material-own = Own
+material-mixed = Different ones
+material-choice = Material of the body
+    .tip = A material that bodies share, or one of the body's own.
+material-share = Share
+    .tip = Makes a named material of this one, which other bodies can use too.
+material-make-own = Make own
+    .tip = Gives the body a copy of its own: changes no longer concern the other bodies.
+material-used-by = { $count ->
+    [0] No body uses this material.
+    [one] { $count } body uses this material.
+   *[other] { $count } bodies use this material.
+}
+kind = Kind of reflection
+kind-matte = Matte
+    .tip = Diffuse reflection only, as of chalk: equally bright from all sides.
+kind-glossy = Glossy
+    .tip = Diffuse reflection under a highlight (Phong 1975), as of plastic or lacquer.
+kind-mirror = Mirror
+    .tip = Nearly all light is mirrored.
+kind-glass = Glass
+    .tip = Most light goes through and is refracted, a little is mirrored.
+kind-custom = Custom
+    .tip = The coefficients fit none of the kinds; any change of them can lead here.
+material-color = color
+    .tip = The color C of the body, as diffuse and ambient light show it; highlights and reflections keep the color of the light.
+ambient = ambient
+    .tip = How much of the ambient light the surface returns, everywhere alike, even in shadow.
+diffuse = diffuse
+    .tip = How much of a light's brightness is scattered to all sides, after Lambert's law.
+specular = highlight
+    .tip = How bright the highlight is, the image of a light on a glossy surface.
+shininess = shininess
+    .tip = The exponent of the highlight: the higher, the smaller and sharper it is.
+reflection = reflection
+    .tip = How much of what the mirrored ray sees is added.
+reflection-same = as the highlight
+    .tip = Lets k_r follow k_s, as Whitted's formula has one coefficient for both.
+transmission = transmission
+    .tip = How much of what the refracted ray sees is added; 0 is opaque.
+ior = refraction
+    .tip = The index of refraction relative to air: how much slower light is inside, and so how much it bends.
+medium = Medium
+    .tip = Sets the index of refraction of a known substance.
+medium-other = another
+medium-air = Air
+medium-ice = Ice
+medium-water = Water
+medium-acrylic = Acrylic
+medium-crown = Crown glass
+medium-flint = Flint glass
+medium-sapphire = Sapphire
+medium-diamond = Diamond
+tint = tint
+    .tip = Colors the light that goes through, once at each surface.
+checker = Checker
+    .tip = A second color in a pattern of cubes along the world's axes.
+checker-words = second color
+checker-color = Checker color
+    .tip = The color of every other cell.
+checker-size = cell size
+    .tip = The edge of a cell.
+energy-warning = Sends out more light than it receives: { $sum }
+    .tip = k_d + k_r + k_t is above 1. The model allows it, nature does not.
+
+# Formula
+section-formula = Formula
+in-formula-ambient = Ambient term
+in-formula-sum = Sum over the lights
+in-formula-diffuse = Diffuse term
+in-formula-highlight = Highlight term
+in-formula-reflection = Reflection term
+in-formula-transmission = Transmission term
+in-formula-snell = Law of refraction
+in-formula-sent = Light sent
+in-formula-visibility = V_j
+    .tip = What is left of the light on its way here: 0 in a shadow, 1 in the open, a color behind glass.
+in-formula-light = I_j
+    .tip = What light j sends: its color times its intensity.
+in-formula-lambert = Cosine
+    .tip = The cosine between the normal and the direction to the light: 1 when it shines straight down, 0 when it grazes. A light below the surface adds nothing.
+in-formula-mirrored = Mirrored cosine
+    .tip = The cosine between the view and the mirrored direction of the light, 0 at the least: 1 where the light is seen as in a mirror.
+in-formula-reflected = I_{"{"}reflected{"}"}
+    .tip = The light that the mirrored ray brings, found by tracing it in the same way.
+in-formula-refracted = I_{"{"}refracted{"}"}
+    .tip = The light that the refracted ray brings. At total reflection it is the mirrored ray instead, with the factor 1.
+in-formula-intensity = intensity
+in-formula-color = color
+critical-angle = α outside, β inside; total reflection inside from β = { $angle }°.
+critical-angle-outside = α outside, β inside; total reflection outside from α = { $angle }°.
+formula-no-light = No light shines: the sum is empty.
+formula-more-lights = { $count ->
+    [one] and { $count } more light
+   *[other] and { $count } more lights
+}
+
+# Light
+section-light = Light
+light-position = Position
+    .tip = Where the point light hangs.
+light-color = Color
+    .tip = The color of the light, times its intensity.
+intensity = Intensity
+    .tip = A factor of the color: how bright the light is.
+falloff = Falloff
+    .tip = A(d), how the light weakens with the distance d.
+falloff-none = none
+    .tip = A = 1: equally bright at any distance, as from a very distant source.
+falloff-linear = linear
+    .tip = A = 1/(d + K): weakens slowly, and stays finite close by.
+falloff-square = inverse square
+    .tip = A = 1/d²: the law of nature for a point source.
+falloff-constant = constant
+    .tip = K in 1/(d + K): the greater, the more evenly the light falls off.
+
+# Camera
+section-view = Direction of view
+section-projection = Projection
+camera-free-note = The picture shows the free view, not this camera.
+camera-position = Position
+    .tip = Where the eye of the camera is.
+camera-target = Target
+    .tip = The point in the center of the picture.
+camera-up = Up
+    .tip = The direction that points up in the picture.
+view-azimuth = Azimuth
+    .tip = The direction of view around the vertical: 0° is along −Z, 90° along +X. The camera stays, its target moves.
+view-elevation = Elevation
+    .tip = The direction of view above the horizon. The camera stays, its target moves.
+view-distance = Distance
+    .tip = From the camera to its target.
+projection-perspective = Perspective
+    .tip = Rays spread from the eye: what is far looks small.
+projection-parallel = Parallel
+    .tip = Rays run side by side: size does not depend on the distance.
+fov = Angle of view
+    .tip = The vertical angle that the picture covers.
+window-height = Window height
+    .tip = How high a piece of the world fits into the picture.
+lens = Lens
+    .tip = The focal length that sees as much on film of 36 × 24 mm.
+lens-value = { $value } mm
+
+# Environment and tracing
+background = Background
+    .tip = The light of a ray that meets nothing.
+ambient-light = ambient light
+    .tip = Light from everywhere, without a shadow; bodies return k_a of it.
+generations = Generations
+    .tip = How many times a ray is followed on: 1 is the ray from the eye, each reflection or refraction adds one.
+threshold = Threshold
+    .tip = A ray that would count for less than this is not followed; 0 follows every ray.
+
+# Colors
+color-code-of = { $name }: code
+color-code-tip = The color as the screen shows it, # and six digits.
+color-linear-values = Linear light: { $r }, { $g }, { $b }
+color-linear = Linear light
+color-square-of = { $name }: saturation and brightness
+color-hue-of = { $name }: hue
+color-hue = Hue
+color-red-of = { $name }: red
+color-green-of = { $name }: green
+color-blue-of = { $name }: blue
+color-above-white = Brighter than white: a screen shows it clipped.

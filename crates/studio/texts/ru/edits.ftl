@@ -1,7 +1,7 @@
 # Шаги истории. За действием стоит то, с чем оно сделано: Перемещение: «шар».
 step-of = { $act }: «{ $subject }»
 
-edit-add-sphere = Новая сфера
+edit-add-sphere = Новый шар
 edit-add-cube = Новый куб
 edit-add-cylinder = Новый цилиндр
 edit-add-cone = Новый конус
@@ -26,7 +26,7 @@ edit-move-down = Ниже в списке
 edit-reorder = Перестановка
 edit-assign-material = Назначение материала
 edit-share-material = Общий материал
-edit-make-material-unique = Собственный материал
+edit-make-material-unique = Обособление материала
 edit-remove-unused-materials = Удаление неиспользуемых материалов
 edit-drop-to-ground = Постановка на землю
 edit-reset-placement = Сброс поворота и масштаба
@@ -43,7 +43,6 @@ edit-camera-from-view = Камера в точке вида
 edit-projection = Проекция
 edit-frame = Показ целиком
 
-# edits
 
 # В окне просмотра
 edit-orbit = Облёт камерой
@@ -53,3 +52,41 @@ edit-fly = Полёт камеры
 edit-move = Перемещение
 edit-rotate = Поворот
 edit-scale = Масштаб
+
+# Значения панели свойств
+edit-radius = Радиус
+edit-top-radius = Верхний радиус
+edit-height = Высота
+edit-size = Размер
+edit-shape = Форма
+edit-position = Положение
+edit-rotation = Поворот
+edit-base = Низ оси
+edit-top = Верх оси
+edit-anchor = Способ задания места
+edit-kind = Вид отражения
+edit-color = Цвет
+edit-ambient = Фоновый коэффициент
+edit-diffuse = Диффузный коэффициент
+edit-specular = Блик
+edit-shininess = Степень блика
+edit-reflection = Отражение
+edit-transmission = Пропускание
+edit-ior = Показатель преломления
+edit-tint = Окраска
+edit-checker = Клетки
+edit-checker-color = Цвет клеток
+edit-checker-size = Размер клеток
+edit-intensity = Сила света
+edit-falloff = Ослабление света
+edit-falloff-constant = Постоянная ослабления
+edit-camera-position = Положение камеры
+edit-camera-target = Цель камеры
+edit-camera-up = Верх камеры
+edit-view-direction = Направление взгляда
+edit-fov = Угол зрения
+edit-window-height = Высота окна
+edit-background = Фон
+edit-ambient-light = Фоновый свет
+edit-generations = Поколения лучей
+edit-threshold = Порог

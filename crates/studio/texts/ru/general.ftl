@@ -5,7 +5,6 @@ pane-outliner = Сцена
 pane-inspector = Свойства
 pane-history = История
 pane-problems = Замечания
-unsaved-mark = { $title } *
 ok = ОК
 cancel = Отмена
 close = Закрыть

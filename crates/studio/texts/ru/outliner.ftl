@@ -23,7 +23,7 @@ outliner-own-material = Собственный материал
 outliner-drag-material = Перетащите на тело, чтобы сделать его из этого материала.
 
 # Имена новых предметов.
-name-sphere = Сфера
+name-sphere = Шар
 name-cube = Куб
 name-cylinder = Цилиндр
 name-cone = Конус

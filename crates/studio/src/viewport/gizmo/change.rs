@@ -120,7 +120,7 @@ pub(crate) fn degrees_of(matrix: &DMat3, near: DVec3) -> DVec3 {
         let joint = (sign * entry(0, 1)).atan2(sign * entry(0, 2));
         DVec3::new(x, y, sign * (x - joint))
     };
-    nearest_turns(turns.map(f64::to_degrees), near).map(|angle| neat_degrees(angle))
+    nearest_turns(turns.map(f64::to_degrees), near).map(neat_degrees)
 }
 
 /// Of the triples that turn alike, the nearest to `near`: (x + 180, 180 − y, z + 180) turns as (x, y, z) does, and

@@ -13,7 +13,13 @@ use crate::viewport::sight::Sight;
 const HEAD: f64 = 5.5;
 
 /// Draws the gizmo; `active` is under the pointer or in the hand.
-pub(crate) fn draw(painter: &Painter, sight: &Sight, gizmo: &Gizmo, active: Option<Handle>, palette: &Palette) {
+pub(crate) fn draw(
+    painter: &Painter,
+    sight: &Sight,
+    gizmo: &Gizmo,
+    active: Option<Handle>,
+    palette: &Palette,
+) {
     let Some(center) = sight.point(gizmo.pivot) else { return };
     let pen = Pen { painter, sight, gizmo, active, palette };
     match gizmo.tool {

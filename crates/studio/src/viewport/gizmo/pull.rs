@@ -155,14 +155,15 @@ impl Pull {
     /// A move with round numbers.
     fn step(&self, step: DVec3, moves: [bool; 3], lens: &Lens, care: Care) -> (Change, Amount) {
         let fine = if care.is_fine { 0.1 } else { 1.0 };
-        let grid =
-            if care.snaps { steps::MOVE } else { steps::decimal_below(fine * self.gizmo.grain(lens)) };
+        let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(fine * self.gizmo.grain(lens)) };
         let axes = self.gizmo.axes;
         let lead = if self.gizmo.is_local { DVec3::ZERO } else { self.gizmo.lead };
         let parts = steps::to_grid(DVec3::from_array(axes.map(|axis| axis.dot(step))), lead, moves, grid);
         let mut shown = [None; 3];
         let mut step = DVec3::ZERO;
-        for (((part, axis), moves), shown) in parts.to_array().into_iter().zip(axes).zip(moves).zip(&mut shown) {
+        for (((part, axis), moves), shown) in
+            parts.to_array().into_iter().zip(axes).zip(moves).zip(&mut shown)
+        {
             if moves {
                 step += part * axis;
                 *shown = Some(part);

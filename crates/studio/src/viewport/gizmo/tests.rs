@@ -30,7 +30,8 @@ fn handles() -> impl Iterator<Item = (Tool, Handle)> {
             (Tool::Scale, Handle::Scale(axis)),
         ]
     };
-    let whole = [(Tool::Move, Handle::MoveScreen), (Tool::Rotate, Handle::TurnView), (Tool::Scale, Handle::ScaleAll)];
+    let whole =
+        [(Tool::Move, Handle::MoveScreen), (Tool::Rotate, Handle::TurnView), (Tool::Scale, Handle::ScaleAll)];
     (0..3).flat_map(of_axis).chain(whole)
 }
 
@@ -44,9 +45,11 @@ fn place_of(gizmo: &Gizmo, lens: &Lens, handle: Handle) -> DVec2 {
         Handle::Turn(axis) => {
             // Where no other ring is near.
             let ring = gizmo.ring(lens, axis);
-            let is_free = |at: DVec2| (0..3).filter(|other| *other != axis).all(|other| {
-                gizmo.ring(lens, other).iter().all(|point| point.0.distance(at) > 12.0)
-            });
+            let is_free = |at: DVec2| {
+                (0..3)
+                    .filter(|other| *other != axis)
+                    .all(|other| gizmo.ring(lens, other).iter().all(|point| point.0.distance(at) > 12.0))
+            };
             ring.iter().find(|(at, is_near)| *is_near && is_free(*at)).unwrap().0
         }
         Handle::TurnView => center + DVec2::from_angle(0.3) * OUTER_RING,
@@ -85,7 +88,9 @@ fn pulling_an_axis_moves_along_it_alone() {
         let Some((Change::Move(step), Amount::Meters(shown))) = pull.to(&lens, to, FREE) else { panic!() };
         assert!(step.distance(1.5 * DVec3::AXES[axis]) < 1e-9, "{step}");
         assert_eq!(shown.iter().flatten().count(), 1);
-        let Some((Change::Move(step), _)) = pull.to(&lens, at + DVec2::new(23.0, 17.0), FREE) else { panic!() };
+        let Some((Change::Move(step), _)) = pull.to(&lens, at + DVec2::new(23.0, 17.0), FREE) else {
+            panic!()
+        };
         for other in (0..3).filter(|other| *other != axis) {
             assert_eq!(step[other], 0.0);
         }
@@ -116,7 +121,9 @@ fn a_square_moves_in_its_plane_and_the_center_along_the_picture() {
     assert!(step.y == 0.0 && step.x != 0.0 && step.z != 0.0);
     let center = lens.project(DVec3::ZERO).unwrap();
     let mut pull = Pull::begin(gizmo, Handle::MoveScreen, &lens, center).unwrap();
-    let Some((Change::Move(step), _)) = pull.to(&lens, center + DVec2::new(40.0, -20.0), FREE) else { panic!() };
+    let Some((Change::Move(step), _)) = pull.to(&lens, center + DVec2::new(40.0, -20.0), FREE) else {
+        panic!()
+    };
     let [_, _, forward] = lens.axes();
     assert!(step.dot(forward).abs() < 0.01 * step.length());
     let arrived = lens.project(step).unwrap();
@@ -135,7 +142,8 @@ fn a_ring_turns_by_the_angle_that_the_pointer_goes_about_it() {
     let mut pull = Pull::begin(gizmo, Handle::Turn(1), &lens, at(10.0)).unwrap();
     let mut last = 0.0;
     for degrees in (10..=800).step_by(5) {
-        let Some((Change::Turn { axis, .. }, Amount::Degrees(turned))) = pull.to(&lens, at(f64::from(degrees)), FREE)
+        let Some((Change::Turn { axis, .. }, Amount::Degrees(turned))) =
+            pull.to(&lens, at(f64::from(degrees)), FREE)
         else {
             panic!()
         };
@@ -158,7 +166,9 @@ fn a_ring_seen_edge_on_turns_with_the_pointer() {
     let gizmo = gizmo(Tool::Rotate);
     let center = lens.project(DVec3::ZERO).unwrap();
     let mut pull = Pull::begin(gizmo, Handle::Turn(1), &lens, center).unwrap();
-    let Some((_, Amount::Degrees(turned))) = pull.to(&lens, center + DVec2::new(36.0, 5.0), FREE) else { panic!() };
+    let Some((_, Amount::Degrees(turned))) = pull.to(&lens, center + DVec2::new(36.0, 5.0), FREE) else {
+        panic!()
+    };
     // Half the radius is half a radian, but for the perspective.
     assert!((turned - 0.5_f64.to_degrees()).abs() < 3.0, "{turned}");
 }
@@ -177,7 +187,8 @@ fn scaling_follows_the_cube_and_never_reaches_zero() {
     assert_eq!(factor, 0.01);
     let center = place_of(&gizmo, &lens, Handle::ScaleAll);
     let mut pull = Pull::begin(gizmo, Handle::ScaleAll, &lens, center).unwrap();
-    let Some((Change::Scale { factors, .. }, _)) = pull.to(&lens, center + DVec2::new(120.0, 0.0), FREE) else {
+    let Some((Change::Scale { factors, .. }, _)) = pull.to(&lens, center + DVec2::new(120.0, 0.0), FREE)
+    else {
         panic!()
     };
     assert_eq!(factors, DVec3::splat(2.0));
@@ -185,10 +196,20 @@ fn scaling_follows_the_cube_and_never_reaches_zero() {
 
 #[test]
 fn no_view_and_no_place_gives_a_number_that_is_none() {
-    let straight = [[8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [1e-7, 8.0, 0.0], [0.0, 0.0, 1e-3], [1e6, 1.0, 0.0]];
+    let straight = [
+        [8.0, 0.0, 0.0],
+        [0.0, 8.0, 0.0],
+        [0.0, 0.0, 8.0],
+        [1e-7, 8.0, 0.0],
+        [0.0, 0.0, 1e-3],
+        [1e6, 1.0, 0.0],
+    ];
     let projections = [Projection::default(), Projection::Parallel { height: 4.0 }];
-    let places = [DVec2::ZERO, SIZE, 0.5 * SIZE, 0.5 * SIZE + DVec2::Y, DVec2::splat(-1e5), DVec2::splat(1e7)];
-    for (position, projection) in straight.into_iter().flat_map(|at| projections.map(|projection| (at, projection))) {
+    let places =
+        [DVec2::ZERO, SIZE, 0.5 * SIZE, 0.5 * SIZE + DVec2::Y, DVec2::splat(-1e5), DVec2::splat(1e7)];
+    for (position, projection) in
+        straight.into_iter().flat_map(|at| projections.map(|projection| (at, projection)))
+    {
         let lens = Lens::new(&Camera { projection, ..camera(position) }, SIZE);
         for (tool, handle) in handles() {
             for start in places {
@@ -211,5 +232,8 @@ fn an_axis_seen_end_on_is_not_taken() {
     let lens = Lens::new(&camera([8.0, 0.0, 0.0]), SIZE);
     let gizmo = gizmo(Tool::Move);
     assert!(gizmo.clearness(&lens, Handle::Move(0)) == 0.0 && gizmo.clearness(&lens, Handle::Move(1)) == 1.0);
-    assert!(gizmo.clearness(&lens, Handle::MovePlane(1)) == 0.0 && gizmo.clearness(&lens, Handle::MovePlane(0)) == 1.0);
+    assert!(
+        gizmo.clearness(&lens, Handle::MovePlane(1)) == 0.0
+            && gizmo.clearness(&lens, Handle::MovePlane(0)) == 1.0
+    );
 }

@@ -63,7 +63,8 @@ fn a_whole_turn_about_any_axis_has_no_jump() {
                 let placement = change.placement(&placement, near);
                 let Anchor::Frame { rotation_degrees, .. } = placement.anchor else { unreachable!() };
                 let world = placement.world_from_body().matrix3;
-                let expected = DMat3::from_axis_angle(axis, (0.25 * f64::from(step)).to_radians()) * rotation(start);
+                let expected =
+                    DMat3::from_axis_angle(axis, (0.25 * f64::from(step)).to_radians()) * rotation(start);
                 assert!(world.abs_diff_eq(expected, 1e-7));
                 // Turning about one of the three axes alone changes one number, evenly.
                 if start == DVec3::ZERO && axis.max_element() == 1.0 {
@@ -150,7 +151,10 @@ fn scaling_all_over_scales_an_axis_too() {
 #[test]
 fn moving_moves_and_nothing_else() {
     let start = Placement {
-        anchor: Anchor::Frame { position: DVec3::new(0.1, 0.2, 0.3), rotation_degrees: DVec3::new(5.0, 400.0, 1.0) },
+        anchor: Anchor::Frame {
+            position: DVec3::new(0.1, 0.2, 0.3),
+            rotation_degrees: DVec3::new(5.0, 400.0, 1.0),
+        },
         scale: DVec3::new(1.0, 2.0, 3.0),
     };
     let moved = Change::Move(DVec3::new(1.0, 0.0, 0.0)).placement(&start, DVec3::ZERO);

@@ -1,0 +1,283 @@
+//! The dialog that asks how to render a picture.
+
+mod estimate;
+mod size;
+
+use catoptric_picture::Development;
+use catoptric_scene::Tracing;
+use catoptric_scene::format::spec::Limits;
+use egui::{Grid, Label, Response, RichText, Ui};
+use egui_material_icons::icons::{ICON_INFO, ICON_MEMORY, ICON_SCHEDULE, ICON_WARNING};
+
+use super::{Dialog, Flow, buttons_if};
+use crate::app::Studio;
+use crate::pictures::{self, PictureKind, RenderChoices, fields, told};
+use crate::texts::Texts;
+use crate::theme;
+use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::number::{NumberField, Refusal, exact};
+use estimate::{Estimate, Time};
+use size::Size;
+
+/// Samples to choose from: powers of four, since noise of edges halves with each.
+const SAMPLES: [u32; 5] = [1, 4, 16, 64, 256];
+
+/// The width of choices side by side.
+const WIDTH: f32 = 300.0;
+
+/// The width of a field for a number.
+const FIELD: f32 = 84.0;
+
+/// Asks for size, samples, generations and the kind of file, and starts the render.
+pub(crate) struct RenderDialog {
+    choices: RenderChoices,
+    development: Development,
+    size: Size,
+    estimate: Estimate,
+    /// Why what was typed last has not been taken.
+    refused: Option<Refusal>,
+    /// Bytes of memory that were free when the dialog was opened.
+    free_memory: Option<u64>,
+}
+
+/// Opens the dialog.
+pub(crate) fn open(studio: &mut Studio) {
+    let choices = studio.settings.render.clone();
+    let dialog = RenderDialog {
+        development: studio.view.development,
+        size: Size::new(&choices, studio.panes.viewport.size_in_pixels()),
+        estimate: Estimate::default(),
+        refused: None,
+        free_memory: studio.host.free_memory(),
+        choices,
+    };
+    studio.dialogs.open(dialog);
+}
+
+impl Dialog for RenderDialog {
+    fn title(&self, texts: &Texts) -> String {
+        texts.get("render-title").to_owned()
+    }
+
+    fn width(&self) -> f32 {
+        500.0
+    }
+
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
+        let texts = &studio.texts;
+        let scene = studio.editor.scene();
+        Grid::new("render fields").num_columns(2).spacing([18.0, 10.0]).show(ui, |ui| {
+            self.size.rows_ui(ui, texts, &mut self.choices, &mut self.refused);
+            samples_row(ui, texts, &mut self.choices.samples, &mut self.refused);
+            let generations = &mut self.choices.generations;
+            generations_row(ui, texts, generations, scene.tracing.generations, &mut self.refused);
+            kind_row(ui, texts, &mut self.choices.kind);
+            self.development_rows(ui, texts);
+        });
+        ui.add_space(2.0);
+        let time = self.estimate.time(ui.ctx(), studio, &self.choices);
+        let is_ready = self.notes_ui(ui, studio, time);
+        let start = match studio.pictures.is_rendering() {
+            true => studio.texts.get("render-start-anew"),
+            false => studio.texts.get("render-start"),
+        };
+        match buttons_if(ui, &[start, studio.texts.get("cancel")], is_ready) {
+            Some(0) => {
+                studio.settings.render = self.choices.clone();
+                pictures::start(studio, self.choices.clone(), self.development);
+                Flow::Close
+            }
+            Some(_) => Flow::Close,
+            None => Flow::Stay,
+        }
+    }
+}
+
+impl RenderDialog {
+    /// Exposure and tone curve, which do not concern an EXR.
+    fn development_rows(&mut self, ui: &mut Ui, texts: &Texts) {
+        let is_developed = self.choices.kind != PictureKind::Exr;
+        label(ui, texts, "viewport-exposure");
+        ui.add_enabled_ui(is_developed, |ui| {
+            ui.horizontal(|ui| fields::exposure_ui(ui, texts, &mut self.development));
+        });
+        ui.end_row();
+        label(ui, texts, "viewport-tone");
+        ui.add_enabled_ui(is_developed, |ui| fields::tone_ui(ui, texts, &mut self.development));
+        ui.end_row();
+    }
+
+    /// What is to be known before: what it costs, and whether it is possible at all.
+    fn notes_ui(&self, ui: &mut Ui, studio: &Studio, time: Time) -> bool {
+        let texts = &studio.texts;
+        let palette = theme::palette(ui.visuals());
+        ui.separator();
+        let camera = match studio.view.free_camera {
+            Some(_) => texts.get("render-note-camera"),
+            None => texts.get("render-note-snapshot"),
+        };
+        note(ui, ICON_INFO.codepoint, camera, palette.weak);
+        if self.choices.kind == PictureKind::Exr {
+            note(ui, ICON_INFO.codepoint, texts.get("render-note-exr"), palette.weak);
+        }
+        if let Some(refused) = self.refused {
+            note(ui, ICON_INFO.codepoint, &refused_in_words(texts, refused), palette.warning);
+        }
+        if let Some(problem) = self.problem(texts) {
+            note(ui, ICON_WARNING.codepoint, &problem, palette.error);
+            return false;
+        }
+        let memory = told::bytes(texts, self.choices.bytes());
+        let memory = texts.with("render-memory", &[("bytes", memory.into())]);
+        note(ui, ICON_MEMORY.codepoint, &memory, palette.weak);
+        let time = match time {
+            Time::Unknown => texts.get("render-time-unknown").to_owned(),
+            Time::Seconds(seconds) => {
+                texts.with("render-time", &[("time", told::rough_time(texts, seconds).into())])
+            }
+        };
+        note(ui, ICON_SCHEDULE.codepoint, &time, palette.weak);
+        if studio.pictures.is_rendering() {
+            note(ui, ICON_WARNING.codepoint, texts.get("render-note-running"), palette.warning);
+        }
+        true
+    }
+
+    /// Why there can be no such picture.
+    fn problem(&self, texts: &Texts) -> Option<String> {
+        if let Err(error) = self.choices.check_size() {
+            return Some(told::size_error(texts, &error));
+        }
+        let (needed, free) = (self.choices.bytes(), self.free_memory?);
+        (needed > free).then(|| {
+            let arguments =
+                [("bytes", told::bytes(texts, needed).into()), ("free", told::bytes(texts, free).into())];
+            texts.with("render-too-much-memory", &arguments)
+        })
+    }
+}
+
+/// The name of a row, explained when the pointer rests on it.
+fn label(ui: &mut Ui, texts: &Texts, key: &str) -> Response {
+    ui.label(texts.get(key)).on_hover_text(texts.tip(key).unwrap_or_default())
+}
+
+fn refused_in_words(texts: &Texts, refused: Refusal) -> String {
+    match refused {
+        Refusal::NoNumber => texts.get("refused-no-number").to_owned(),
+        Refusal::OutOfLimits(limits) => {
+            let arguments = [("min", exact(limits.min).into()), ("max", exact(limits.max).into())];
+            texts.with("refused-limits", &arguments)
+        }
+    }
+}
+
+/// A line with an icon.
+fn note(ui: &mut Ui, icon: &str, text: &str, color: egui::Color32) {
+    ui.horizontal_top(|ui| {
+        ui.add(Label::new(RichText::new(icon).size(15.0).color(color)));
+        ui.add(Label::new(RichText::new(text).color(color)).wrap());
+    });
+}
+
+/// Draws a field for a whole number from 1 to `most`.
+fn whole_ui(ui: &mut Ui, whole: &Whole<'_>, number: &mut u32, refused: &mut Option<Refusal>) -> bool {
+    let field = NumberField {
+        name: whole.name,
+        value: f64::from(*number),
+        is_mixed: false,
+        limits: Limits::new(1.0, f64::from(whole.most)),
+        speed: whole.speed,
+        decimals: 0,
+        unit: "",
+        edge: None,
+        width: FIELD,
+    };
+    let entered = field.show(ui);
+    entered.response.on_hover_text(whole.tip);
+    if entered.refusal.is_some() {
+        *refused = entered.refusal;
+    }
+    let Some(value) = entered.value else { return false };
+    // Dragging gives fractions; nothing that is typed lies beyond the limits.
+    let value = (value.round() as u32).clamp(1, whole.most);
+    *refused = None;
+    std::mem::replace(number, value) != value
+}
+
+/// A field for a whole number.
+struct Whole<'a> {
+    name: &'a str,
+    tip: &'a str,
+    most: u32,
+    speed: f64,
+}
+
+fn samples_row(ui: &mut Ui, texts: &Texts, samples: &mut u32, refused: &mut Option<Refusal>) {
+    let name = texts.get("render-samples");
+    let tip = texts.tip("render-samples").unwrap_or_default();
+    label(ui, texts, "render-samples");
+    ui.horizontal(|ui| {
+        let texts = SAMPLES.map(|count| count.to_string());
+        let choices: Vec<Choice<'_, u32>> = SAMPLES
+            .iter()
+            .zip(&texts)
+            .map(|(&value, text)| Choice { value, text, tip: "", is_enabled: true })
+            .collect();
+        if let Some(few) = choice_ui(ui, ui.scope_id().with("samples"), name, WIDTH, &choices, Some(*samples))
+        {
+            *samples = few;
+        }
+        whole_ui(ui, &Whole { name, tip, most: RenderChoices::MAX_SAMPLES, speed: 0.2 }, samples, refused);
+    });
+    ui.end_row();
+}
+
+fn generations_row(
+    ui: &mut Ui,
+    texts: &Texts,
+    generations: &mut Option<u32>,
+    of_scene: u32,
+    refused: &mut Option<Refusal>,
+) {
+    let name = texts.get("render-generations");
+    let tip = texts.tip("render-generations").unwrap_or_default();
+    label(ui, texts, "render-generations");
+    ui.horizontal(|ui| {
+        let as_in_scene = texts.with("render-generations-scene", &[("count", of_scene.into())]);
+        let choices = [
+            Choice { value: false, text: &as_in_scene, tip, is_enabled: true },
+            Choice { value: true, text: texts.get("render-generations-own"), tip, is_enabled: true },
+        ];
+        let is_own = generations.is_some();
+        match choice_ui(ui, ui.scope_id().with("generations"), name, WIDTH, &choices, Some(is_own)) {
+            Some(true) => *generations = Some(of_scene),
+            Some(false) => *generations = None,
+            None => {}
+        }
+        let mut number = generations.unwrap_or(of_scene);
+        let name = format!("{name}: {}", texts.get("render-generations-own"));
+        let whole = Whole { name: &name, tip, most: Tracing::MAX_GENERATIONS, speed: 0.1 };
+        ui.add_enabled_ui(is_own, |ui| {
+            if whole_ui(ui, &whole, &mut number, refused) {
+                *generations = Some(number);
+            }
+        });
+    });
+    ui.end_row();
+}
+
+fn kind_row(ui: &mut Ui, texts: &Texts, kind: &mut PictureKind) {
+    label(ui, texts, "render-kind");
+    let choices = PictureKind::ALL.map(|value| Choice {
+        value,
+        text: texts.get(value.key()),
+        tip: texts.tip(value.key()).unwrap_or_default(),
+        is_enabled: true,
+    });
+    let name = texts.get("render-kind");
+    if let Some(other) = choice_ui(ui, ui.scope_id().with("kind"), name, WIDTH, &choices, Some(*kind)) {
+        *kind = other;
+    }
+    ui.end_row();
+}

@@ -1,0 +1,159 @@
+//! Bodies: their shape and sizes. Place and material have files of their own.
+
+use std::sync::Arc;
+
+use catoptric_editor::Item;
+use catoptric_scene::format::keys;
+use catoptric_scene::{Body, Shape, ShapeKind};
+use egui::{Id, Ui};
+
+use super::sheet::{Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
+use super::{Memory, called, header, material, place, reshape};
+use crate::context::Cx;
+use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::section::section;
+
+static RADIUS: Number<Body> = Number::<Body>::new(
+    Quantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
+    Rail::None,
+    |body| match body.shape {
+        Shape::Sphere { radius } | Shape::Cylinder { radius, .. } => Some(radius),
+        _ => None,
+    },
+    |body, value| {
+        if let Shape::Sphere { radius } | Shape::Cylinder { radius, .. } = &mut body.shape {
+            *radius = value;
+        }
+    },
+);
+
+static BASE_RADIUS: Number<Body> = Number::<Body>::new(
+    Quantity::new("base-radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
+    Rail::None,
+    |body| if let Shape::Cone { radius, .. } = body.shape { Some(radius) } else { None },
+    |body, value| {
+        if let Shape::Cone { radius, .. } = &mut body.shape {
+            *radius = value;
+        }
+    },
+);
+
+static TOP_RADIUS: Number<Body> = Number::<Body>::new(
+    Quantity::new("top-radius", "edit-top-radius", &keys::BODY, "top_radius").in_unit(Unit::Meters),
+    Rail::None,
+    |body| if let Shape::Cone { top_radius, .. } = body.shape { Some(top_radius) } else { None },
+    |body, value| {
+        if let Shape::Cone { top_radius, .. } = &mut body.shape {
+            *top_radius = value;
+        }
+    },
+);
+
+static HEIGHT: Number<Body> = Number::<Body>::new(
+    Quantity::new("height", "edit-height", &keys::BODY, "height").in_unit(Unit::Meters),
+    Rail::None,
+    Body::height,
+    reshape::set_height,
+);
+
+static SIZE: Vector<Body> = Vector::<Body>::new(
+    Quantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
+    Spread::Same,
+    |body| if let Shape::Cube { size } = body.shape { Some(size) } else { None },
+    |body, value| {
+        if let Shape::Cube { size } = &mut body.shape {
+            *size = value;
+        }
+    },
+)
+.linked(|memory| &mut memory.size_link.0);
+
+/// Draws the values of the selected bodies.
+pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+    let scene = Arc::clone(cx.editor.scene());
+    // The primary one first.
+    let selected: Vec<usize> = cx.editor.selection().bodies().rev().collect();
+    let free: Vec<usize> =
+        selected.iter().copied().filter(|&index| !Item::Body(index).is_locked(&scene)).collect();
+    let indices = if free.is_empty() { &selected } else { &free };
+    let Some(&first) = indices.first() else { return };
+    let Some(primary) = scene.bodies.get(first) else { return };
+    let name = called(cx.texts, &scene, Item::Body(first));
+    let subject = if indices.len() == 1 {
+        name.to_owned()
+    } else {
+        cx.texts.with("several-bodies", &[("count", indices.len().into())])
+    };
+    if selected.len() == 1 {
+        header::header_ui(ui, cx, Item::Body(first));
+    } else {
+        let locked = selected.len() - free.len();
+        header::several_ui(ui, cx, "several-bodies", selected.len(), name, locked);
+    }
+    if free.is_empty() {
+        let items: Vec<Item> = selected.iter().map(|&index| Item::Body(index)).collect();
+        header::locked_ui(ui, cx, &items);
+    }
+    let is_free = !free.is_empty();
+    let mut sheet = Sheet {
+        primary,
+        things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
+        subject: subject.clone(),
+        id: Id::unique(("inspector-body", first)),
+        is_free,
+        apply: &|editor, label, change| {
+            // They are changed in the order in which they are given.
+            let mut places = 0..;
+            editor.change_bodies(indices.iter().copied(), label, |_, body| {
+                change(places.next().unwrap_or_default(), body);
+            })
+        },
+        cx,
+        memory,
+    };
+    shape_ui(ui, &mut sheet);
+    place::place_ui(ui, &mut sheet);
+    material::of_bodies_ui(ui, cx, memory, &scene, indices, &subject);
+}
+
+fn shape_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
+    let texts = sheet.texts();
+    let kind = sheet.primary.shape.kind();
+    let summary = texts.get(shape_key(&sheet.primary.shape));
+    section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free, |ui| {
+        let choices = ShapeKind::ALL.map(|kind| {
+            let key = shape_key(&kind.shape());
+            Choice {
+                value: kind,
+                text: texts.get(key),
+                tip: texts.tip(key).unwrap_or_default(),
+                is_enabled: true,
+            }
+        });
+        let is_mixed = sheet.things.iter().any(|body| body.shape.kind() != kind);
+        let chosen = (!is_mixed).then_some(kind);
+        let id = sheet.id.with("shape");
+        let width = ui.available_width();
+        if let Some(kind) = choice_ui(ui, id, texts.get("section-shape"), width, &choices, chosen) {
+            sheet.change("shape", "edit-shape", |_, body| reshape::reshape(body, kind));
+        }
+        sheet.note(ui, "shape");
+        let chosen = Some(sheet.primary.shape.key());
+        sheet.vector(ui, &SIZE);
+        sheet.number(ui, &RADIUS, chosen);
+        sheet.number(ui, &BASE_RADIUS, chosen);
+        sheet.number(ui, &TOP_RADIUS, chosen);
+        sheet.number(ui, &HEIGHT, chosen);
+    });
+}
+
+/// The message that names a shape.
+pub(super) fn shape_key(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Sphere { .. } => "shape-sphere",
+        Shape::Cube { .. } => "shape-cube",
+        Shape::Cylinder { .. } => "shape-cylinder",
+        Shape::Cone { .. } => "shape-cone",
+        Shape::Plane => "shape-plane",
+    }
+}

@@ -1,0 +1,82 @@
+//! How a light weakens with distance.
+
+use catoptric_scene::{Falloff, Light};
+use egui::{Id, Ui};
+
+use super::{Factor, Row, rows_ui};
+use crate::inspector::Memory;
+use crate::inspector::header::hint;
+use crate::inspector::symbol::Symbol;
+use crate::texts::Texts;
+use crate::widgets::number::shown;
+
+/// The distances for which the falloff is told, meters.
+const DISTANCES: [f64; 3] = [1.0, 5.0, 10.0];
+
+/// Draws what a light sends to a point at the distance d, in symbols and in numbers.
+pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, light: &Light) {
+    let name = texts.get("in-formula-sent");
+    let law = match light.falloff {
+        Falloff::None => vec![Factor::text(Symbol::Falloff, "1")],
+        Falloff::Linear { .. } => {
+            vec![Factor::sign("1 / (d + "), Factor::text(Symbol::FalloffConstant, "K"), Factor::sign(")")]
+        }
+        Falloff::InverseSquare => vec![Factor::text(Symbol::Falloff, "1 / d^2")],
+    };
+    let mut symbols = vec![
+        Factor::text(Symbol::Falloff, "A(d)"),
+        Factor::sign(" · "),
+        Factor::text(Symbol::Intensity, texts.get("in-formula-intensity")),
+        Factor::sign(" · "),
+        Factor::text(Symbol::LightColor, texts.get("in-formula-color")),
+        Factor::sign(",   A(d) = "),
+    ];
+    symbols.extend(law);
+    let mut numbers = match light.falloff {
+        Falloff::None => vec![Factor::text(Symbol::Falloff, "1")],
+        Falloff::Linear { constant } => vec![
+            Factor::sign("1 / (d + "),
+            Factor::number(Symbol::FalloffConstant, constant),
+            Factor::sign(")"),
+        ],
+        Falloff::InverseSquare => vec![Factor::text(Symbol::Falloff, "1 / d^2")],
+    };
+    numbers.extend([
+        Factor::sign(" · "),
+        Factor::number(Symbol::Intensity, light.intensity),
+        Factor::sign(" · "),
+        Factor::color(Symbol::LightColor, light.color),
+    ]);
+    let rows = [
+        Row { name, factors: symbols, is_numeric: false, is_idle: false, indent: 0.0 },
+        Row { name, factors: numbers, is_numeric: true, is_idle: light.hidden, indent: 0.0 },
+    ];
+    rows_ui(ui, texts, memory, Id::unique("formula-falloff"), &rows);
+    if light.falloff != Falloff::None {
+        let unit = texts.get("unit-meters");
+        let told =
+            DISTANCES.map(|d| format!("A({}{unit}) = {}", shown(d, 0), shown(at(light.falloff, d), 3)));
+        hint(ui, &told.join(",  "));
+    }
+}
+
+/// A(d) of the model.
+fn at(falloff: Falloff, distance: f64) -> f64 {
+    match falloff {
+        Falloff::None => 1.0,
+        Falloff::Linear { constant } => 1.0 / (distance + constant),
+        Falloff::InverseSquare => 1.0 / (distance * distance),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_laws_are_those_of_the_model() {
+        assert_eq!(at(Falloff::None, 7.0), 1.0);
+        assert_eq!(at(Falloff::Linear { constant: 1.0 }, 3.0), 0.25);
+        assert_eq!(at(Falloff::InverseSquare, 2.0), 0.25);
+    }
+}

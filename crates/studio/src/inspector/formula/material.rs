@@ -1,0 +1,204 @@
+//! The light at a point, term by term.
+
+use catoptric_scene::{Falloff, Light, Material, Scene};
+use egui::{Id, Role, Sense, Ui, WidgetInfo, vec2};
+
+use super::{Factor, Row, color_text, rows_ui};
+use crate::inspector::Memory;
+use crate::inspector::header::hint;
+use crate::inspector::symbol::Symbol;
+use crate::texts::Texts;
+use crate::theme;
+use crate::typeset::{self, Line};
+use crate::widgets::color::screen_color;
+use crate::widgets::number::shown;
+
+/// How many lights are listed with their numbers.
+const LISTED: usize = 4;
+
+/// Draws the formula of the local light, reflection and transmission of a material, in symbols and in numbers.
+pub(in crate::inspector) fn material_ui(
+    ui: &mut Ui,
+    texts: &Texts,
+    memory: &mut Memory,
+    material: &Material,
+    scene: &Scene,
+) {
+    let mut rows = Vec::new();
+    ambient(&mut rows, texts, material, scene);
+    diffuse(&mut rows, texts, material);
+    highlight(&mut rows, texts, material);
+    reflection(&mut rows, texts, material);
+    transmission(&mut rows, texts, material);
+    rows_ui(ui, texts, memory, Id::unique("formula"), &rows);
+    refraction_ui(ui, texts, memory, material);
+    lights_ui(ui, texts, scene);
+}
+
+fn pair<'t>(
+    rows: &mut Vec<Row<'t>>,
+    name: &'t str,
+    indent: f32,
+    is_idle: bool,
+    symbols: Vec<Factor>,
+    numbers: Vec<Factor>,
+) {
+    rows.push(Row { name, factors: symbols, is_numeric: false, is_idle, indent });
+    let indent = indent + 18.0;
+    rows.push(Row { name, factors: numbers, is_numeric: true, is_idle, indent });
+}
+
+/// I = k_a C I_a
+fn ambient<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material, scene: &Scene) {
+    let symbols = vec![
+        Factor::sign("I = "),
+        Factor::symbol(Symbol::Ambient),
+        Factor::symbol(Symbol::Color),
+        Factor::symbol(Symbol::AmbientLight),
+    ];
+    let numbers = vec![
+        Factor::number(Symbol::Ambient, material.ambient),
+        Factor::sign("·"),
+        Factor::color(Symbol::Color, material.color),
+        Factor::sign("·"),
+        Factor::color(Symbol::AmbientLight, scene.environment.ambient),
+    ];
+    pair(rows, texts.get("in-formula-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
+}
+
+/// Σ_j V_j A(d_j) I_j [ k_d C (N·L_j)
+fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+    let sum = vec![
+        Factor::sign("+ Σ_j "),
+        Factor::symbol(Symbol::Visibility),
+        Factor::symbol(Symbol::Falloff),
+        Factor::symbol(Symbol::Light),
+        Factor::sign(" ["),
+    ];
+    let is_idle = material.diffuse == 0.0 && material.specular == 0.0;
+    let name = texts.get("in-formula-sum");
+    rows.push(Row { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
+    let symbols =
+        vec![Factor::symbol(Symbol::Diffuse), Factor::symbol(Symbol::Color), Factor::symbol(Symbol::Lambert)];
+    let numbers = vec![
+        Factor::number(Symbol::Diffuse, material.diffuse),
+        Factor::sign("·"),
+        Factor::color(Symbol::Color, material.color),
+        Factor::sign("·"),
+        Factor::symbol(Symbol::Lambert),
+    ];
+    pair(rows, texts.get("in-formula-diffuse"), 44.0, material.diffuse == 0.0, symbols, numbers);
+}
+
+/// + k_s ((S·R)⁺)ⁿ ]
+fn highlight<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+    let symbols = vec![
+        Factor::sign("+ "),
+        Factor::symbol(Symbol::Specular),
+        Factor::symbol(Symbol::Mirrored),
+        Factor::text(Symbol::Shininess, "^n"),
+        Factor::sign(" ]"),
+    ];
+    let exponent = format!("^{{{}}}", shown(material.shininess, 1));
+    let numbers = vec![
+        Factor::number(Symbol::Specular, material.specular),
+        Factor::sign("·"),
+        Factor::symbol(Symbol::Mirrored),
+        Factor::text(Symbol::Shininess, exponent),
+    ];
+    pair(rows, texts.get("in-formula-highlight"), 32.0, material.specular == 0.0, symbols, numbers);
+}
+
+/// + k_r I_reflected
+fn reflection<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+    let reflected = texts.get("in-formula-reflected");
+    let symbols = vec![
+        Factor::sign("+ "),
+        Factor::symbol(Symbol::Reflection),
+        Factor::text(Symbol::Reflected, reflected),
+    ];
+    let value = material.reflection();
+    let numbers = vec![
+        Factor::number(Symbol::Reflection, value),
+        Factor::sign("·"),
+        Factor::text(Symbol::Reflected, reflected),
+    ];
+    pair(rows, texts.get("in-formula-reflection"), 14.0, value == 0.0, symbols, numbers);
+}
+
+/// + k_t τ I_refracted
+fn transmission<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+    let refracted = texts.get("in-formula-refracted");
+    let symbols = vec![
+        Factor::sign("+ "),
+        Factor::symbol(Symbol::Transmission),
+        Factor::symbol(Symbol::Tint),
+        Factor::text(Symbol::Refracted, refracted),
+    ];
+    let numbers = vec![
+        Factor::number(Symbol::Transmission, material.transmission),
+        Factor::sign("·"),
+        Factor::color(Symbol::Tint, material.tint),
+        Factor::sign("·"),
+        Factor::text(Symbol::Refracted, refracted),
+    ];
+    pair(rows, texts.get("in-formula-transmission"), 14.0, material.transmission == 0.0, symbols, numbers);
+}
+
+/// Snell's law and the critical angle, for what lets light through.
+fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Material) {
+    if material.transmission == 0.0 {
+        return;
+    }
+    let name = texts.get("in-formula-snell");
+    let symbols = vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")];
+    let numbers =
+        vec![Factor::sign("sin α = "), Factor::number(Symbol::Ior, material.ior), Factor::sign(" · sin β")];
+    let mut rows = Vec::new();
+    pair(&mut rows, name, 0.0, false, symbols, numbers);
+    rows_ui(ui, texts, memory, Id::unique("formula-snell"), &rows);
+    let ratio = material.ior.min(material.ior.recip());
+    if ratio < 1.0 {
+        let angle = shown(ratio.asin().to_degrees(), 1);
+        let key = if material.ior > 1.0 { "critical-angle" } else { "critical-angle-outside" };
+        hint(ui, &texts.with(key, &[("angle", angle.into())]));
+    }
+}
+
+/// I_1 = intensity · color, the law of falloff if there is one, and the name.
+fn light_ui(ui: &mut Ui, light: &Light, number: usize, name: &str) {
+    let palette = theme::palette(ui.visuals());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 17.0), Sense::hover());
+    let law = match light.falloff {
+        Falloff::None => String::new(),
+        Falloff::Linear { constant } => format!(",  A = 1/(d + {})", shown(constant, 3)),
+        Falloff::InverseSquare => ",  A = 1/d^2".to_owned(),
+    };
+    let markup = format!("I_{{{number}}} = {} · ", shown(light.intensity, 3));
+    let mut line = Line::default();
+    line.push(ui, &markup, 12.0, palette.weak);
+    line.push_chip(8.0, screen_color(light.color));
+    line.push(ui, &format!("{}{law}", color_text(light.color)), 12.0, palette.weak);
+    line.space(8.0);
+    let room = (rect.width() - line.width()).max(0.0);
+    line.push_words(ui, name, 12.0, palette.weak, room);
+    line.paint(ui, rect.left_center());
+    let words = format!("{}{}{law} {name}", typeset::plain(&markup), color_text(light.color));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
+}
+
+/// What the lights of the sum send.
+fn lights_ui(ui: &mut Ui, texts: &Texts, scene: &Scene) {
+    let lit: Vec<_> = scene.lights.iter().filter(|light| !light.hidden).collect();
+    if lit.is_empty() {
+        hint(ui, texts.get("formula-no-light"));
+        return;
+    }
+    for (index, light) in lit.iter().take(LISTED).enumerate() {
+        let name = if light.name.is_empty() { texts.get("thing-light") } else { &light.name };
+        light_ui(ui, light, index + 1, name);
+    }
+    if lit.len() > LISTED {
+        hint(ui, &texts.with("formula-more-lights", &[("count", (lit.len() - LISTED).into())]));
+    }
+}

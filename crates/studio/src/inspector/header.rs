@@ -1,0 +1,108 @@
+//! The head of the panel: what it is, its name, whether it is hidden or locked.
+
+use catoptric_editor::{Action, Item};
+use egui::{Id, RichText, Sense, Ui, UiBuilder, vec2};
+use egui_material_icons::icons::{ICON_LOCK, ICON_LOCK_OPEN, ICON_VISIBILITY, ICON_VISIBILITY_OFF};
+
+use crate::command::Command;
+use crate::context::Cx;
+use crate::outliner::item_icon;
+use crate::theme;
+use crate::widgets::number::HEIGHT;
+use crate::widgets::text::text_field;
+use crate::widgets::{explained_icon_button, paint_icon};
+
+/// Draws the name field of `item`, with the buttons of what can be hidden and locked.
+pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
+    let texts = cx.texts;
+    let scene = std::sync::Arc::clone(cx.editor.scene());
+    let (is_hidden, is_locked) = (item.is_hidden(&scene), item.is_locked(&scene));
+    let has_toggles = matches!(item, Item::Body(_) | Item::Light(_));
+    let mut clash = false;
+    // A name that is being typed belongs to this thing, not to the next one that is selected.
+    let scope = UiBuilder::new().scope_id(Id::unique(("inspector-name", item)));
+    ui.scope_builder(scope, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            let palette = theme::palette(ui.visuals());
+            let (rect, _) = ui.allocate_exact_size(vec2(20.0, HEIGHT), Sense::hover());
+            paint_icon(ui, item_icon(&scene, item), rect.center(), 18.0, palette.weak);
+            let room = ui.available_width() - if has_toggles { 2.0 * 26.0 } else { 0.0 };
+            let name = item.name(&scene);
+            let (response, typed, draft) =
+                text_field(ui, texts.get("name"), name, texts.get("name-none"), room);
+            response.on_hover_text(texts.tip("name").unwrap_or_default());
+            clash = draft.is_some_and(|draft| is_taken(&scene, item, &draft));
+            if let Some(name) = typed {
+                cx.run(Command::Edit(Action::Rename { item, name }));
+            }
+            if has_toggles {
+                let icon = if is_hidden { ICON_VISIBILITY_OFF } else { ICON_VISIBILITY };
+                let (name, tip) = (texts.get("hidden"), texts.tip("hidden").unwrap_or_default());
+                if explained_icon_button(ui, icon, name, tip, is_hidden).clicked() {
+                    cx.run(Command::Edit(Action::SetHidden { item, hidden: !is_hidden }));
+                }
+                let icon = if is_locked { ICON_LOCK } else { ICON_LOCK_OPEN };
+                let (name, tip) = (texts.get("locked"), texts.tip("locked").unwrap_or_default());
+                if explained_icon_button(ui, icon, name, tip, is_locked).clicked() {
+                    cx.run(Command::Edit(Action::SetLocked { item, locked: !is_locked }));
+                }
+            }
+        })
+    });
+    if clash {
+        hint(ui, texts.get("name-taken"));
+    }
+    if is_hidden {
+        hint(ui, texts.get("is-hidden"));
+    }
+}
+
+/// Says that several things are edited together.
+pub(super) fn several_ui(ui: &mut Ui, cx: &Cx<'_>, key: &str, count: usize, name: &str, locked: usize) {
+    let texts = cx.texts;
+    ui.label(RichText::new(texts.with(key, &[("count", count.into())])).size(15.0));
+    hint(ui, &texts.with("several-note", &[("name", name.into())]));
+    if locked > 0 {
+        hint(ui, &texts.with("several-locked", &[("count", locked.into())]));
+    }
+}
+
+/// Says that nothing can be changed since everything is locked, and offers to unlock.
+pub(super) fn locked_ui(ui: &mut Ui, cx: &mut Cx<'_>, items: &[Item]) {
+    let texts = cx.texts;
+    let palette = theme::palette(ui.visuals());
+    egui::Frame::new().fill(palette.bar).corner_radius(4.0).inner_margin(6.0).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.horizontal_wrapped(|ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(16.0, HEIGHT), Sense::hover());
+            paint_icon(ui, ICON_LOCK, rect.center(), 15.0, palette.warning);
+            ui.label(texts.get("is-locked"));
+        });
+        let button = egui::Button::new(texts.get("unlock")).min_size(vec2(80.0, HEIGHT));
+        let response = ui.add(button).on_hover_text(texts.tip("unlock").unwrap_or_default());
+        if response.clicked() {
+            for &item in items {
+                cx.run(Command::Edit(Action::SetLocked { item, locked: false }));
+            }
+        }
+    });
+}
+
+/// A line of less weight.
+pub(super) fn hint(ui: &mut Ui, text: &str) {
+    let palette = theme::palette(ui.visuals());
+    ui.add(egui::Label::new(RichText::new(text).color(palette.weak).size(12.0)).wrap());
+}
+
+fn is_taken(scene: &catoptric_scene::Scene, item: Item, name: &str) -> bool {
+    let is_other = |place: usize, own: usize, other: &str| place != own && !name.is_empty() && other == name;
+    match item {
+        Item::Body(own) => scene.bodies.iter().enumerate().any(|(at, body)| is_other(at, own, &body.name)),
+        Item::Light(own) => scene.lights.iter().enumerate().any(|(at, light)| is_other(at, own, &light.name)),
+        Item::Material(own) => {
+            scene.materials.iter().enumerate().any(|(at, named)| is_other(at, own, &named.name))
+        }
+        Item::Camera | Item::Environment | Item::Tracing => false,
+    }
+}

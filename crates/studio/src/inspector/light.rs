@@ -1,0 +1,127 @@
+//! Lights: place, color, intensity and the law of falloff, with its formula.
+
+use std::sync::Arc;
+
+use catoptric_editor::Item;
+use catoptric_scene::format::keys;
+use catoptric_scene::{Falloff, Light};
+use egui::{Id, Ui};
+
+use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
+use super::symbol::Symbol;
+use super::{Memory, called, formula, header};
+use crate::context::Cx;
+use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::section::section;
+
+static POSITION: Vector<Light> = Vector::<Light>::new(
+    Quantity::new("light-position", "edit-position", &keys::LIGHT, "position").in_unit(Unit::Meters),
+    Spread::Offset,
+    |light| Some(light.position),
+    |light, value| light.position = value,
+);
+
+static COLOR: ColorRow<Light> = ColorRow {
+    what: Quantity::new("light-color", "edit-color", &keys::LIGHT, "color").with_symbol(Symbol::LightColor),
+    get: |light| Some(light.color),
+    set: |light, color| light.color = color,
+};
+
+static INTENSITY: Number<Light> = Number::<Light>::new(
+    Quantity::new("intensity", "edit-intensity", &keys::LIGHT, "intensity").with_symbol(Symbol::Intensity),
+    Rail::Even(0.0, 4.0),
+    |light| Some(light.intensity),
+    |light, value| light.intensity = value,
+);
+
+static CONSTANT: Number<Light> = Number::<Light>::new(
+    Quantity::new("falloff-constant", "edit-falloff-constant", &keys::LIGHT, "falloff_constant")
+        .in_unit(Unit::Meters)
+        .with_symbol(Symbol::FalloffConstant),
+    Rail::Even(0.0, 10.0),
+    |light| if let Falloff::Linear { constant } = light.falloff { Some(constant) } else { None },
+    |light, value| light.falloff = Falloff::Linear { constant: value },
+);
+
+/// Draws the values of the selected lights.
+pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+    let scene = Arc::clone(cx.editor.scene());
+    // The primary one first.
+    let selected: Vec<usize> = cx.editor.selection().lights().rev().collect();
+    let free: Vec<usize> =
+        selected.iter().copied().filter(|&index| !Item::Light(index).is_locked(&scene)).collect();
+    let indices = if free.is_empty() { &selected } else { &free };
+    let Some(&first) = indices.first() else { return };
+    let Some(primary) = scene.lights.get(first) else { return };
+    let name = called(cx.texts, &scene, Item::Light(first));
+    let mut subject = name.to_owned();
+    if indices.len() > 1 {
+        subject = cx.texts.with("several-lights", &[("count", indices.len().into())]);
+    }
+    if selected.len() == 1 {
+        header::header_ui(ui, cx, Item::Light(first));
+    } else {
+        let locked = selected.len() - free.len();
+        header::several_ui(ui, cx, "several-lights", selected.len(), name, locked);
+    }
+    if free.is_empty() {
+        let items: Vec<Item> = selected.iter().map(|&index| Item::Light(index)).collect();
+        header::locked_ui(ui, cx, &items);
+    }
+    let mut sheet = Sheet {
+        primary,
+        things: indices.iter().filter_map(|&index| scene.lights.get(index)).collect(),
+        subject,
+        id: Id::unique(("inspector-light", first)),
+        is_free: !free.is_empty(),
+        apply: &|editor, label, change| {
+            // They are changed in the order in which they are given.
+            let mut places = 0..;
+            editor.change_lights(indices.iter().copied(), label, |_, light| {
+                change(places.next().unwrap_or_default(), light);
+            })
+        },
+        cx,
+        memory,
+    };
+    rows_ui(ui, &mut sheet);
+}
+
+fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
+    let texts = sheet.texts();
+    section(ui, "light", texts.get("section-light"), "", sheet.is_free, |ui| {
+        sheet.vector(ui, &POSITION);
+        sheet.color(ui, &COLOR);
+        sheet.number(ui, &INTENSITY, None);
+    });
+    section(ui, "falloff", texts.get("falloff"), "", sheet.is_free, |ui| {
+        falloff_ui(ui, sheet);
+        sheet.number(ui, &CONSTANT, None);
+        formula::falloff_ui(ui, texts, sheet.memory, sheet.primary);
+    });
+}
+
+fn falloff_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
+    let texts = sheet.texts();
+    let own = sheet.primary.falloff;
+    let constant = if let Falloff::Linear { constant } = own { constant } else { 1.0 };
+    let laws = [
+        (Falloff::None, "falloff-none"),
+        (Falloff::Linear { constant }, "falloff-linear"),
+        (Falloff::InverseSquare, "falloff-square"),
+    ];
+    let choices = laws.map(|(value, key)| Choice {
+        value,
+        text: texts.get(key),
+        tip: texts.tip(key).unwrap_or_default(),
+        is_enabled: true,
+    });
+    let is_mixed = sheet.things.iter().any(|light| light.falloff.key() != own.key());
+    let id = sheet.id.with("falloff");
+    let width = ui.available_width();
+    let chosen = (!is_mixed).then_some(own);
+    if let Some(falloff) = choice_ui(ui, id, texts.get("falloff"), width, &choices, chosen) {
+        sheet.change("falloff", "edit-falloff", |_, light| light.falloff = falloff);
+    }
+    sheet.note(ui, "falloff");
+}

@@ -1,0 +1,428 @@
+//! Materials: the kind of reflection, every coefficient, whether bodies share it, and the formula.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use catoptric_editor::{Action, Editor, Item, Label, Refused};
+use catoptric_scene::format::keys;
+use catoptric_scene::{Checker, Material, MaterialChoice, Scene};
+use egui::{Button, ComboBox, Id, Ui, vec2};
+use egui_material_icons::icons::ICON_WARNING;
+
+use super::kinds::{MEDIA, PRESETS, kind_of};
+use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
+use super::symbol::Symbol;
+use super::{Memory, called, formula, header};
+use crate::command::Command;
+use crate::context::Cx;
+use crate::theme;
+use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::number::{HEIGHT, shown};
+use crate::widgets::paint_icon;
+use crate::widgets::row::control_width;
+use crate::widgets::section::section;
+
+const UNIT_RAIL: Rail = Rail::Even(0.0, 1.0);
+
+const fn coefficient(key: &'static str, edit: &'static str, name: &'static str, symbol: Symbol) -> Quantity {
+    Quantity::new(key, edit, &keys::MATERIAL, name).with_symbol(symbol)
+}
+
+static COLOR: ColorRow<Material> = ColorRow {
+    what: coefficient("material-color", "edit-color", "color", Symbol::Color),
+    get: |material| Some(material.color),
+    set: |material, color| material.color = color,
+};
+
+static AMBIENT: Number<Material> = Number::<Material>::new(
+    coefficient("ambient", "edit-ambient", "ambient", Symbol::Ambient),
+    UNIT_RAIL,
+    |material| Some(material.ambient),
+    |material, value| material.ambient = value,
+);
+
+static DIFFUSE: Number<Material> = Number::<Material>::new(
+    coefficient("diffuse", "edit-diffuse", "diffuse", Symbol::Diffuse),
+    UNIT_RAIL,
+    |material| Some(material.diffuse),
+    |material, value| material.diffuse = value,
+);
+
+static SPECULAR: Number<Material> = Number::<Material>::new(
+    coefficient("specular", "edit-specular", "specular", Symbol::Specular),
+    UNIT_RAIL,
+    |material| Some(material.specular),
+    |material, value| material.specular = value,
+);
+
+static SHININESS: Number<Material> = Number::<Material>::new(
+    coefficient("shininess", "edit-shininess", "shininess", Symbol::Shininess),
+    Rail::Logarithmic(1.0, 1000.0),
+    |material| Some(material.shininess),
+    |material, value| material.shininess = value,
+)
+.tuned(0.5, 1);
+
+static REFLECTION: Number<Material> = Number::<Material>::new(
+    coefficient("reflection", "edit-reflection", "reflection", Symbol::Reflection),
+    UNIT_RAIL,
+    |material| Some(material.reflection()),
+    |material, value| material.reflection = Some(value),
+);
+
+static TRANSMISSION: Number<Material> = Number::<Material>::new(
+    coefficient("transmission", "edit-transmission", "transmission", Symbol::Transmission),
+    UNIT_RAIL,
+    |material| Some(material.transmission),
+    |material, value| material.transmission = value,
+);
+
+static IOR: Number<Material> = Number::<Material>::new(
+    coefficient("ior", "edit-ior", "ior", Symbol::Ior),
+    Rail::Even(1.0, 3.0),
+    |material| Some(material.ior),
+    |material, value| material.ior = value,
+);
+
+static TINT: ColorRow<Material> = ColorRow {
+    what: coefficient("tint", "edit-tint", "tint", Symbol::Tint),
+    get: |material| Some(material.tint),
+    set: |material, color| material.tint = color,
+};
+
+static CHECKER_COLOR: ColorRow<Material> = ColorRow {
+    what: Quantity::new("checker-color", "edit-checker-color", &keys::CHECKER, "color"),
+    get: |material| material.checker.map(|checker| checker.color),
+    set: |material, color| {
+        if let Some(checker) = &mut material.checker {
+            checker.color = color;
+        }
+    },
+};
+
+static CHECKER_SIZE: Number<Material> = Number::<Material>::new(
+    Quantity::new("checker-size", "edit-checker-size", &keys::CHECKER, "size")
+        .in_unit(Unit::Meters)
+        .with_symbol(Symbol::CheckerSize),
+    Rail::None,
+    |material| material.checker.map(|checker| checker.size),
+    |material, value| {
+        if let Some(checker) = &mut material.checker {
+            checker.size = value;
+        }
+    },
+);
+
+/// Where a material of a sheet is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Home {
+    Named(usize),
+    Body(usize),
+}
+
+/// Some materials, the primary one first.
+#[derive(Clone, Copy)]
+struct Made<'s> {
+    homes: &'s [Home],
+    /// The bodies that are made of them; none when the material itself is selected.
+    bodies: &'s [usize],
+    /// What is edited, for the history.
+    subject: &'s str,
+}
+
+/// Draws the values of a named material.
+pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, index: usize) {
+    let scene = Arc::clone(cx.editor.scene());
+    header::header_ui(ui, cx, Item::Material(index));
+    let name = Item::Material(index).name(&scene);
+    header::hint(ui, &used_by(cx, &scene, name));
+    sheet_ui(ui, cx, memory, &scene, &Made { homes: &[Home::Named(index)], bodies: &[], subject: name });
+}
+
+/// Draws the material of some bodies, the primary one first.
+pub(super) fn of_bodies_ui(
+    ui: &mut Ui,
+    cx: &mut Cx<'_>,
+    memory: &mut Memory,
+    scene: &Arc<Scene>,
+    bodies: &[usize],
+    subject: &str,
+) {
+    let named: HashMap<&str, usize> =
+        scene.materials.iter().enumerate().map(|(index, named)| (named.name.as_str(), index)).collect();
+    let mut seen = HashSet::new();
+    let mut homes: Vec<Home> = Vec::new();
+    for &index in bodies {
+        let Some(body) = scene.bodies.get(index) else { continue };
+        let home = match &body.material {
+            MaterialChoice::Inline(_) => Some(Home::Body(index)),
+            MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| Home::Named(index)),
+        };
+        homes.extend(home.filter(|&home| seen.insert(home)));
+    }
+    let subject = match homes.as_slice() {
+        [Home::Named(index)] => called(cx.texts, scene, Item::Material(*index)),
+        _ => subject,
+    };
+    sheet_ui(ui, cx, memory, scene, &Made { homes: &homes, bodies, subject });
+}
+
+fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
+    let is_used = |choice: &MaterialChoice| matches!(choice, MaterialChoice::Named(used) if used == name);
+    let count = scene.bodies.iter().filter(|body| is_used(&body.material)).count();
+    cx.texts.with("material-used-by", &[("count", count.into())])
+}
+
+/// Whose material it is: a list of the shared ones, and buttons that share it or make it the body's own.
+fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choice: &MaterialChoice) {
+    let texts = cx.texts;
+    let is_mixed = bodies.iter().filter_map(|&index| scene.bodies.get(index)).any(|body| {
+        match (&body.material, choice) {
+            (MaterialChoice::Named(a), MaterialChoice::Named(b)) => a != b,
+            (MaterialChoice::Inline(_), MaterialChoice::Inline(_)) => false,
+            _ => true,
+        }
+    });
+    let (shown, is_own) = match choice {
+        _ if is_mixed => (texts.get("material-mixed"), false),
+        MaterialChoice::Named(name) => (name.as_str(), false),
+        MaterialChoice::Inline(_) => (texts.get("material-own"), true),
+    };
+    let mut action = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let text = texts.get(if is_own { "material-share" } else { "material-make-own" });
+        let tip = texts.tip(if is_own { "material-share" } else { "material-make-own" });
+        let button_width = ui.available_width() * 0.42;
+        let combo = ComboBox::from_id_salt("material").selected_text(shown).truncate();
+        let list = combo.width(ui.available_width() - button_width - 4.0).show_ui(ui, |ui| {
+            if ui.selectable_label(is_own, texts.get("material-own")).clicked() && !is_own {
+                action = Some(Action::MakeMaterialUnique);
+            }
+            for named in &scene.materials {
+                let is_it = !is_mixed && matches!(choice, MaterialChoice::Named(name) if *name == named.name);
+                if ui.selectable_label(is_it, &named.name).clicked() && !is_it {
+                    action = Some(Action::AssignMaterial(MaterialChoice::Named(named.name.clone())));
+                }
+            }
+        });
+        let name = texts.get("material-choice");
+        list.response.accessible_name(name).on_hover_text(texts.tip("material-choice").unwrap_or_default());
+        let button = Button::new(text).truncate().min_size(vec2(ui.available_width(), HEIGHT));
+        let response = ui.add_sized(vec2(ui.available_width(), HEIGHT), button);
+        if response.on_hover_text(tip.unwrap_or_default()).clicked() {
+            action = Some(if is_own { Action::ShareMaterial } else { Action::MakeMaterialUnique });
+        }
+    });
+    if let Some(action) = action {
+        cx.run(Command::Edit(action));
+    }
+    if let (MaterialChoice::Named(name), false) = (choice, is_mixed) {
+        header::hint(ui, &used_by(cx, scene, name));
+    }
+}
+
+/// Draws the values of some materials, the primary one first, and the formula.
+fn sheet_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, scene: &Arc<Scene>, made: &Made<'_>) {
+    let Made { homes, bodies, subject } = *made;
+    let things: Vec<&Material> = homes.iter().filter_map(|&home| material_at(scene, home)).collect();
+    let Some(&primary) = things.first() else { return };
+    let first = bodies.first().copied();
+    let mut sheet = Sheet {
+        primary,
+        things,
+        subject: subject.to_owned(),
+        id: Id::unique(("inspector-material", homes.first())),
+        is_free: first.is_none_or(|index| !Item::Body(index).is_locked(scene)),
+        apply: &|editor, label, change| apply(editor, homes, label, change),
+        cx,
+        memory,
+    };
+    let texts = sheet.texts();
+    match first.and_then(|index| scene.bodies.get(index)) {
+        Some(body) => {
+            let summary = match &body.material {
+                MaterialChoice::Named(name) => name.as_str(),
+                MaterialChoice::Inline(_) => texts.get("material-own"),
+            };
+            section(ui, "material", texts.get("section-material"), summary, sheet.is_free, |ui| {
+                share_ui(ui, sheet.cx, scene, bodies, &body.material);
+                rows_ui(ui, &mut sheet);
+            });
+        }
+        None => rows_ui(ui, &mut sheet),
+    }
+    section(ui, "formula", texts.get("section-formula"), "", true, |ui| {
+        formula::material_ui(ui, texts, sheet.memory, primary, scene);
+    });
+}
+
+fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+    kinds_ui(ui, sheet);
+    sheet.color(ui, &COLOR);
+    sheet.number(ui, &AMBIENT, None);
+    sheet.number(ui, &DIFFUSE, None);
+    sheet.number(ui, &SPECULAR, None);
+    sheet.number(ui, &SHININESS, None);
+    reflection_ui(ui, sheet);
+    sheet.number(ui, &TRANSMISSION, None);
+    ior_ui(ui, sheet);
+    sheet.color(ui, &TINT);
+    checker_ui(ui, sheet);
+    energy_ui(ui, sheet);
+}
+
+fn material_at(scene: &Scene, home: Home) -> Option<&Material> {
+    match home {
+        Home::Named(index) => scene.materials.get(index).map(|named| &named.material),
+        Home::Body(index) => match &scene.bodies.get(index)?.material {
+            MaterialChoice::Inline(material) => Some(material),
+            MaterialChoice::Named(_) => None,
+        },
+    }
+}
+
+fn apply(
+    editor: &mut Editor,
+    homes: &[Home],
+    label: Label,
+    change: &mut dyn FnMut(usize, &mut Material),
+) -> Result<bool, Refused> {
+    match homes {
+        [Home::Named(index)] => editor.change_material(*index, label, |material| change(0, material)),
+        [Home::Body(index)] => editor.change_body(*index, label, |body| {
+            if let MaterialChoice::Inline(material) = &mut body.material {
+                change(0, material);
+            }
+        }),
+        _ => editor.change(label, |scene| {
+            for (place, home) in homes.iter().enumerate() {
+                let material = match *home {
+                    Home::Named(index) => scene.materials.get_mut(index).map(|named| &mut named.material),
+                    Home::Body(index) => match scene.bodies.get_mut(index).map(|body| &mut body.material) {
+                        Some(MaterialChoice::Inline(material)) => Some(&mut **material),
+                        _ => None,
+                    },
+                };
+                if let Some(material) = material {
+                    change(place, material);
+                }
+            }
+        }),
+    }
+}
+
+fn kinds_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+    let texts = sheet.texts();
+    let kind = kind_of(sheet.primary).map(|preset| preset.kind);
+    let is_mixed = sheet.things.iter().any(|material| kind_of(material).map(|preset| preset.kind) != kind);
+    let mut choices: Vec<Choice<'_, _>> = PRESETS
+        .iter()
+        .map(|preset| Choice {
+            value: Some(preset.kind),
+            text: texts.get(preset.key),
+            tip: texts.tip(preset.key).unwrap_or_default(),
+            is_enabled: true,
+        })
+        .collect();
+    choices.push(Choice {
+        value: None,
+        text: texts.get("kind-custom"),
+        tip: texts.tip("kind-custom").unwrap_or_default(),
+        is_enabled: false,
+    });
+    let id = sheet.id.with("kind");
+    let chosen = (!is_mixed).then_some(kind);
+    let width = ui.available_width();
+    let picked = choice_ui(ui, id, texts.get("kind"), width, &choices, chosen).flatten();
+    if let Some(preset) = PRESETS.iter().find(|preset| Some(preset.kind) == picked) {
+        sheet.change("kind", "edit-kind", |_, material| preset.give(material));
+    }
+    sheet.note(ui, "kind");
+}
+
+/// k_r, which is k_s as long as it has no value of its own.
+fn reflection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+    let mut follows = sheet.primary.reflection.is_none();
+    ui.add_enabled_ui(!follows, |ui| sheet.number_or(ui, &REFLECTION, None));
+    let texts = sheet.texts();
+    let mut is_clicked = false;
+    sheet.marked_row(ui, "reflection-same", "k_r = k_s", |_, ui| {
+        let response = ui.checkbox(&mut follows, texts.get("reflection-same"));
+        let response = response.on_hover_text(texts.tip("reflection-same").unwrap_or_default());
+        is_clicked = response.clicked();
+    });
+    if is_clicked {
+        sheet.change("reflection-same", "edit-reflection", |_, material| {
+            material.reflection = if follows { None } else { Some(material.reflection()) };
+        });
+    }
+}
+
+/// η, with a list of media.
+fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+    sheet.number(ui, &IOR, None);
+    let ior = sheet.primary.ior;
+    let texts = sheet.texts();
+    let medium = MEDIA.iter().find(|medium| (medium.ior - ior).abs() < 5e-4);
+    let mut picked = None;
+    sheet.plain_row(ui, "medium", |_, ui| {
+        let shown = medium.map_or_else(|| texts.get("medium-other"), |medium| texts.get(medium.key));
+        let combo = ComboBox::from_id_salt("medium")
+            .selected_text(shown)
+            .width(control_width(ui))
+            .height(280.0)
+            .truncate();
+        let list = combo.show_ui(ui, |ui| {
+            for medium in &MEDIA {
+                let text = format!("{}  {}", texts.get(medium.key), shown_ior(medium.ior));
+                if ui.selectable_label((medium.ior - ior).abs() < 5e-4, text).clicked() {
+                    picked = Some(medium.ior);
+                }
+            }
+        });
+        list.response.accessible_name(texts.get("medium"));
+    });
+    if let Some(value) = picked {
+        sheet.change("medium", "edit-ior", |_, material| material.ior = value);
+    }
+}
+
+fn shown_ior(ior: f64) -> String {
+    shown(ior, 3)
+}
+
+fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+    let mut is_on = sheet.primary.checker.is_some();
+    let mut is_clicked = false;
+    let texts = sheet.texts();
+    sheet.plain_row(ui, "checker", |_, ui| {
+        let response = ui.checkbox(&mut is_on, texts.get("checker-words"));
+        is_clicked = response.on_hover_text(texts.tip("checker").unwrap_or_default()).clicked();
+    });
+    if is_clicked {
+        sheet.change("checker", "edit-checker", |_, material| {
+            material.checker = is_on.then(|| material.checker.unwrap_or(Checker::default()));
+        });
+    }
+    sheet.color(ui, &CHECKER_COLOR);
+    sheet.number(ui, &CHECKER_SIZE, None);
+}
+
+/// A quiet word when a surface would send out more light than it receives.
+fn energy_ui(ui: &mut Ui, sheet: &Sheet<'_, '_, Material>) {
+    let material = sheet.primary;
+    let sum = material.diffuse + material.reflection() + material.transmission;
+    if sum <= 1.0 + 1e-9 {
+        return;
+    }
+    let texts = sheet.texts();
+    let palette = theme::palette(ui.visuals());
+    let response = ui.horizontal_wrapped(|ui| {
+        let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), egui::Sense::hover());
+        paint_icon(ui, ICON_WARNING, rect.center(), 14.0, palette.warning);
+        let text = texts.with("energy-warning", &[("sum", format!("{sum:.2}").into())]);
+        ui.label(egui::RichText::new(text).color(palette.warning).size(12.0))
+    });
+    response.inner.on_hover_text(texts.tip("energy-warning").unwrap_or_default());
+}

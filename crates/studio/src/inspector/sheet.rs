@@ -1,0 +1,274 @@
+//! A sheet of values: the rows of one kind of thing, read from all that are selected and written to all of them.
+
+use catoptric_editor::{Editor, Label, Refused};
+use catoptric_scene::Color;
+use catoptric_scene::format::spec::{KeySpec, Limits, TableSpec};
+use egui::{Id, Ui};
+use glam::DVec3;
+
+use crate::context::Cx;
+use crate::inspector::symbol::Symbol;
+use crate::inspector::{Memory, Note};
+use crate::texts::Texts;
+use crate::widgets::number::{NumberField, Refusal, exact, tidy};
+use crate::widgets::row::{GAP, RowLabel, control_width, reset_button, row};
+use crate::{theme, typeset};
+
+mod color;
+mod number;
+mod vector;
+
+pub(crate) use color::ColorRow;
+pub(crate) use number::{Number, Rail};
+pub(crate) use vector::{Spread, Starts, Vector};
+
+/// The messages about limits: in general, and for lengths.
+const LIMITS: [&str; 2] = ["limits", "limits-positive"];
+const REFUSED_LIMITS: [&str; 2] = ["refused-limits", "refused-limits-positive"];
+
+/// Changes all things of a sheet; the function is told the place of each in the sheet.
+pub(crate) type Apply<'s, T> =
+    dyn Fn(&mut Editor, Label, &mut dyn FnMut(usize, &mut T)) -> Result<bool, Refused> + 's;
+
+/// What a row shows, apart from how it reads and writes it.
+#[derive(Clone, Copy)]
+pub(crate) struct Quantity {
+    /// The message that names it; its attribute `.tip` explains it.
+    pub(crate) key: &'static str,
+    /// The message that names its change in the history.
+    pub(crate) edit: &'static str,
+    /// Where the format says what it can be.
+    pub(crate) table: &'static TableSpec,
+    /// Its key there.
+    pub(crate) name: &'static str,
+    /// What it is measured in.
+    pub(crate) unit: Unit,
+    /// Its symbol in the model.
+    pub(crate) symbol: Option<Symbol>,
+}
+
+/// What numbers are measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unit {
+    None,
+    Meters,
+    Degrees,
+}
+
+impl Unit {
+    /// As it is written after a number.
+    pub(crate) fn suffix(self, texts: &Texts) -> &str {
+        match self {
+            Self::None => "",
+            Self::Meters => texts.get("unit-meters"),
+            Self::Degrees => "°",
+        }
+    }
+}
+
+impl Quantity {
+    /// A quantity of a table of the format.
+    pub(crate) const fn new(
+        key: &'static str,
+        edit: &'static str,
+        table: &'static TableSpec,
+        name: &'static str,
+    ) -> Self {
+        Self { key, edit, table, name, unit: Unit::None, symbol: None }
+    }
+
+    /// The same, in a unit.
+    pub(crate) const fn in_unit(mut self, unit: Unit) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    /// The same, with a symbol.
+    pub(crate) const fn with_symbol(mut self, symbol: Symbol) -> Self {
+        self.symbol = Some(symbol);
+        self
+    }
+
+    pub(crate) fn spec(&self) -> Option<&'static KeySpec> {
+        self.table.key(self.name)
+    }
+
+    pub(crate) fn limits(&self) -> Limits {
+        let all = Limits::new(f64::MIN, f64::MAX);
+        self.spec().and_then(KeySpec::limits).unwrap_or(all)
+    }
+
+    fn markup(&self) -> &'static str {
+        self.symbol.map_or("", Symbol::markup)
+    }
+
+    /// What the row is called.
+    pub(crate) fn label(&self, texts: &Texts) -> String {
+        typeset::named(self.markup(), texts.get(self.key))
+    }
+}
+
+/// The values of some things of one kind while they are drawn.
+pub(crate) struct Sheet<'s, 'a, T> {
+    pub(crate) cx: &'s mut Cx<'a>,
+    pub(crate) memory: &'s mut Memory,
+    /// The one whose values are shown.
+    pub(crate) primary: &'s T,
+    /// All, the primary one first.
+    pub(crate) things: Vec<&'s T>,
+    /// What they are called in the history.
+    pub(crate) subject: String,
+    /// Which things these are, for the identity of widgets.
+    pub(crate) id: Id,
+    /// Whether they can be changed.
+    pub(crate) is_free: bool,
+    pub(crate) apply: &'s Apply<'s, T>,
+}
+
+impl<'a, T> Sheet<'_, 'a, T> {
+    pub(crate) fn texts(&self) -> &'a Texts {
+        self.cx.texts
+    }
+
+    /// Changes all things; says at the row `key` why not, if it is refused.
+    pub(crate) fn change(
+        &mut self,
+        key: &'static str,
+        edit: &'static str,
+        mut change: impl FnMut(usize, &mut T),
+    ) {
+        if self.memory.is_given_up {
+            return;
+        }
+        let label = Label::new(edit, self.subject.clone());
+        match (self.apply)(self.cx.editor, label.clone(), &mut change) {
+            Ok(has_changed) => {
+                self.memory.note = None;
+                if has_changed {
+                    self.memory.gesture = Some(label);
+                }
+            }
+            Err(refused) => {
+                let text = crate::inspector::explain(self.cx.texts, &refused);
+                self.memory.note = Some(Note { id: self.id, key, text });
+            }
+        }
+    }
+
+    /// Whether all things that have this number have the same one.
+    fn is_mixed<V: PartialEq>(&self, get: impl Fn(&T) -> Option<V>) -> bool {
+        let mut values = self.things.iter().filter_map(|thing| get(thing));
+        let Some(first) = values.next() else { return false };
+        values.any(|value| value != first)
+    }
+
+    /// Draws a row for a quantity, with the note of what was refused there.
+    pub(crate) fn row(
+        &mut self,
+        ui: &mut Ui,
+        what: &Quantity,
+        tip: String,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        let texts = self.texts();
+        let label = RowLabel {
+            id: self.id.with(what.key),
+            text: texts.get(what.key),
+            symbol: what.markup(),
+            tip,
+            is_highlighted: what.symbol.is_some() && self.memory.pointed == what.symbol,
+        };
+        let ((), is_hovered) = row(ui, &label, |ui, _| contents(self, ui));
+        if is_hovered && what.symbol.is_some() {
+            self.memory.row_hovered = what.symbol;
+        }
+        self.note(ui, what.key);
+    }
+
+    /// A row with a label but without limits and a default.
+    pub(crate) fn plain_row(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        let text = self.texts().get(key);
+        self.labelled_row(ui, key, "", text, contents);
+    }
+
+    /// The same with a formula for a label.
+    pub(crate) fn marked_row(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        markup: &str,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        self.labelled_row(ui, key, markup, "", contents);
+    }
+
+    fn labelled_row(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        symbol: &str,
+        text: &str,
+        contents: impl FnOnce(&mut Self, &mut Ui),
+    ) {
+        let tip = self.texts().tip(key).unwrap_or_default().to_owned();
+        let label = RowLabel { id: self.id.with(key), text, symbol, tip, is_highlighted: false };
+        row(ui, &label, |ui, _| contents(self, ui));
+        self.note(ui, key);
+    }
+
+    /// Says what was refused at the row `key`.
+    pub(crate) fn note(&self, ui: &mut Ui, key: &str) {
+        let Some(note) = self.memory.note.as_ref() else { return };
+        if note.key == key && note.id == self.id {
+            let palette = theme::palette(ui.visuals());
+            ui.add(egui::Label::new(egui::RichText::new(&note.text).color(palette.error).small()).wrap());
+        }
+    }
+
+    pub(crate) fn refuse(&mut self, key: &'static str, refusal: Refusal) {
+        let texts = self.texts();
+        let text = match refusal {
+            Refusal::NoNumber => texts.get("refused-no-number").to_owned(),
+            Refusal::OutOfLimits(limits) => between(texts, REFUSED_LIMITS, limits, ""),
+        };
+        self.memory.note = Some(Note { id: self.id, key, text });
+    }
+
+    /// What a row explains: the term, its limits, what it is at first.
+    fn tip(&self, what: &Quantity, default: Option<String>) -> String {
+        let texts = self.texts();
+        let mut tip = texts.tip(what.key).unwrap_or_default().to_owned();
+        let unit = what.unit.suffix(texts);
+        tip.push('\n');
+        tip.push_str(&between(texts, LIMITS, what.limits(), unit));
+        if let Some(default) = default {
+            tip.push('\n');
+            tip.push_str(&texts.with("default-is", &[("value", format!("{default}{unit}").into())]));
+        }
+        tip
+    }
+
+    fn reset(&self, ui: &mut Ui, is_default: bool, name: &str, default: &str) -> bool {
+        if is_default {
+            return reset_button(ui, true, "", "");
+        }
+        let texts = self.texts();
+        let label = texts.with("reset-of", &[("name", name.into())]);
+        let tip = texts.with("reset-to", &[("value", default.into())]);
+        reset_button(ui, false, &label, &tip)
+    }
+}
+
+/// A message about a range. Lengths begin so close to 0 that people need not know where.
+fn between(texts: &Texts, [key, positive_key]: [&str; 2], limits: Limits, unit: &str) -> String {
+    let [min, max] = [limits.min, limits.max].map(|limit| format!("{}{unit}", exact(limit)));
+    if limits.min > 0.0 && limits.min < 1e-6 {
+        return texts.with(positive_key, &[("max", max.into())]);
+    }
+    texts.with(key, &[("min", min.into()), ("max", max.into())])
+}

@@ -1,0 +1,165 @@
+//! Pictures that are made: one is rendered in the background while the studio goes on, finished ones lie in windows
+//! of their own until they are saved, copied or dropped.
+
+mod card;
+mod choices;
+mod copy;
+pub(crate) mod fields;
+mod leave;
+mod proof;
+mod result;
+mod save;
+pub(crate) mod told;
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use catoptric_live::{JobError, RenderJob};
+use catoptric_picture::{Development, Picture};
+use egui::{Context, Ui, UserAttentionType, ViewportCommand};
+
+use crate::app::Studio;
+use crate::dialogs::Message;
+pub use choices::{PictureKind, RenderChoices};
+pub(crate) use copy::copy_viewport;
+use leave::Leaving;
+pub(crate) use leave::hold;
+use result::Finished;
+
+/// How often the progress is looked at.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// The pictures of the window.
+#[derive(Default)]
+pub(crate) struct Pictures {
+    running: Option<Running>,
+    finished: Vec<Finished>,
+    /// How many have been finished so far.
+    count: u64,
+    copying: copy::Copying,
+    leaving: Leaving,
+}
+
+/// A picture that is being rendered.
+pub(crate) struct Running {
+    pub(crate) job: RenderJob,
+    pub(crate) order: Order,
+}
+
+/// What was asked for.
+#[derive(Clone, Debug)]
+pub(crate) struct Order {
+    pub(crate) choices: RenderChoices,
+    pub(crate) development: Development,
+    /// The document's name.
+    pub(crate) name: String,
+}
+
+impl Pictures {
+    /// Whether a picture is being rendered.
+    pub(crate) fn is_rendering(&self) -> bool {
+        self.running.is_some()
+    }
+
+    /// Gives up the picture that is being rendered.
+    pub(crate) fn cancel(&mut self) {
+        if let Some(running) = self.running.take() {
+            running.job.cancel();
+            let_go(running);
+        }
+    }
+}
+
+/// Starts to render the document as it is now, through its own camera; gives up what is being rendered.
+pub(crate) fn start(studio: &mut Studio, choices: RenderChoices, development: Development) {
+    studio.pictures.cancel();
+    studio.pictures.leaving.forget();
+    let scene = Arc::clone(studio.editor.scene());
+    match RenderJob::start(scene, choices.settings(), choices.generations, 0) {
+        Ok(job) => {
+            let name = studio.editor.title().to_owned();
+            studio.pictures.running = Some(Running { job, order: Order { choices, development, name } });
+        }
+        Err(error) => {
+            let text = told::fault(&studio.texts, &error.to_string());
+            studio.dialogs.open(Message::new(studio.texts.get("render-failed"), text));
+        }
+    }
+}
+
+/// Draws the progress and the finished pictures, and takes up what threads have done: once a frame.
+pub(crate) fn pictures_ui(ui: &mut Ui, studio: &mut Studio) {
+    take_result(ui.ctx(), studio);
+    studio.view.is_rendering = studio.pictures.is_rendering();
+    card::card_ui(ui, studio);
+    result::results_ui(ui.ctx(), studio);
+    copy::poll(ui.ctx(), studio);
+    leave::poll(ui.ctx(), studio);
+}
+
+/// Makes a finished render a finished picture.
+fn take_result(context: &Context, studio: &mut Studio) {
+    let Some(running) = &studio.pictures.running else { return };
+    context.request_repaint_after(LOOK);
+    let Some(result) = running.job.take_result() else { return };
+    let elapsed = running.job.progress().elapsed;
+    let Some(Running { order, job }) = studio.pictures.running.take() else { return };
+    let_go(job);
+    match result {
+        Ok(rendering) => {
+            let pictures = &mut studio.pictures;
+            pictures.count += 1;
+            pictures.leaving.forget();
+            pictures.finished.push(Finished::new(pictures.count, rendering, order, elapsed));
+            if !context.input(|input| input.focused) {
+                context.send_viewport_cmd(ViewportCommand::RequestUserAttention(
+                    UserAttentionType::Informational,
+                ));
+            }
+        }
+        Err(JobError::Cancelled) => {}
+        Err(error) => {
+            let text = told::job_error(&studio.texts, &error);
+            studio.dialogs.open(Message::new(studio.texts.get("render-failed"), text));
+        }
+    }
+}
+
+/// Drops something that may take its time: gigabytes to be given back, a thread to be waited for.
+pub(crate) fn let_go(thing: impl Send + 'static) {
+    // Without a thread it is dropped here and now.
+    let _ = std::thread::Builder::new().name("let go".to_owned()).spawn(move || drop(thing));
+}
+
+/// The name that a new picture file gets.
+fn file_name(order: &Order, kind: PictureKind) -> String {
+    let plain: String = order
+        .name
+        .chars()
+        .map(|letter| if letter.is_control() || "/\\:*?\"<>|".contains(letter) { '-' } else { letter })
+        .collect();
+    let stem = plain.trim().trim_end_matches(".toml");
+    let stem = if stem.is_empty() { "catoptric" } else { stem };
+    format!("{stem}.{}", kind.extension())
+}
+
+/// The size of a picture, pixels.
+fn size_of(picture: &Picture) -> [u32; 2] {
+    [picture.width(), picture.height()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_are_harmless() {
+        let name = |name: &str, kind| {
+            let (choices, development) = (RenderChoices::default(), Development::default());
+            file_name(&Order { choices, development, name: name.to_owned() }, kind)
+        };
+        assert_eq!(name("four-bodies", PictureKind::Png16), "four-bodies.png");
+        assert_eq!(name("a/b: c?.toml", PictureKind::Exr), "a-b- c-.exr");
+        assert_eq!(name("", PictureKind::Png8), "catoptric.png");
+    }
+}

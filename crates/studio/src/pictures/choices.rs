@@ -1,0 +1,150 @@
+//! What to render, and how: what the dialog asks for and the settings remember.
+
+use std::path::PathBuf;
+
+use catoptric_picture::{BitDepth, Picture, SizeError};
+use catoptric_scene::Tracing;
+use catoptric_tracer::RenderSettings;
+use serde::{Deserialize, Serialize};
+
+/// What is remembered of the last rendered picture.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RenderChoices {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// Whether one side follows when the other is changed.
+    pub keeps_proportions: bool,
+    /// Samples per pixel.
+    pub samples: u32,
+    /// Generations of rays; `None` for those of the scene.
+    pub generations: Option<u32>,
+    /// The kind of file.
+    pub kind: PictureKind,
+    /// Where the last picture was saved.
+    pub folder: Option<PathBuf>,
+}
+
+/// A kind of picture file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PictureKind {
+    /// PNG with 8 bits a channel: what displays show.
+    #[default]
+    Png8,
+    /// PNG with 16 bits a channel.
+    Png16,
+    /// EXR: the linear light itself.
+    Exr,
+}
+
+impl PictureKind {
+    /// All of them, in the order in which to offer them.
+    pub const ALL: [Self; 3] = [Self::Png8, Self::Png16, Self::Exr];
+
+    /// The usual extension.
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Png8 | Self::Png16 => "png",
+            Self::Exr => "exr",
+        }
+    }
+
+    /// The message that names it.
+    pub(crate) const fn key(self) -> &'static str {
+        match self {
+            Self::Png8 => "render-kind-png8",
+            Self::Png16 => "render-kind-png16",
+            Self::Exr => "render-kind-exr",
+        }
+    }
+
+    /// Bits of a channel in a PNG of this kind.
+    pub(crate) const fn depth(self) -> BitDepth {
+        match self {
+            Self::Png8 | Self::Exr => BitDepth::Eight,
+            Self::Png16 => BitDepth::Sixteen,
+        }
+    }
+
+    /// Bytes that a pixel takes while the picture is turned into a file.
+    const fn bytes_of_pixel(self) -> u64 {
+        match self {
+            Self::Png8 => 3,
+            Self::Png16 => 6,
+            Self::Exr => 0,
+        }
+    }
+}
+
+impl Default for RenderChoices {
+    fn default() -> Self {
+        Self {
+            width: 1920,
+            height: 1080,
+            keeps_proportions: true,
+            samples: 16,
+            generations: None,
+            kind: PictureKind::default(),
+            folder: None,
+        }
+    }
+}
+
+impl RenderChoices {
+    /// The most samples a pixel can have.
+    pub const MAX_SAMPLES: u32 = 65536;
+
+    /// Brings numbers that came from a file within their limits.
+    pub(crate) fn check(&mut self) {
+        self.width = self.width.clamp(1, Picture::MAX_SIDE);
+        self.height = self.height.clamp(1, Picture::MAX_SIDE);
+        self.samples = self.samples.clamp(1, Self::MAX_SAMPLES);
+        self.generations = self.generations.map(|own| own.clamp(1, Tracing::MAX_GENERATIONS));
+    }
+
+    /// Pixels of the picture.
+    pub(crate) fn pixels(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
+    }
+
+    /// Bytes needed while it is traced and saved: the linear picture with the tracer's list of tiles, and the codes.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.pixels().saturating_mul(size_of::<[f32; 3]>() as u64 + 1 + self.kind.bytes_of_pixel())
+    }
+
+    /// Whether a picture can have this size.
+    pub(crate) fn check_size(&self) -> Result<(), SizeError> {
+        Picture::check_size(self.width, self.height).map(drop)
+    }
+
+    /// For the tracer.
+    pub(crate) fn settings(&self) -> RenderSettings {
+        RenderSettings { width: self.width, height: self.height, samples: self.samples }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_a_file_are_brought_within_limits() {
+        let text = r#"{"width": 0, "height": 4000000000, "samples": 0, "generations": 99, "other": 1}"#;
+        let mut choices: RenderChoices = serde_json::from_str(text).unwrap();
+        choices.check();
+        assert_eq!((choices.width, choices.height, choices.samples), (1, Picture::MAX_SIDE, 1));
+        assert_eq!(choices.generations, Some(Tracing::MAX_GENERATIONS));
+        assert_eq!(choices.kind, PictureKind::Png8);
+    }
+
+    #[test]
+    fn memory_grows_with_pixels_and_depth() {
+        let choices = RenderChoices { width: 1000, height: 1000, ..RenderChoices::default() };
+        assert_eq!(choices.bytes(), 16_000_000);
+        let deep = RenderChoices { kind: PictureKind::Png16, ..choices };
+        assert_eq!(deep.bytes(), 19_000_000);
+    }
+}

@@ -1,0 +1,196 @@
+//! Copying pictures to the clipboard.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use catoptric_picture::{Development, Picture};
+use egui::{ColorImage, Context};
+
+use super::result::{Finished, Kept};
+use super::told;
+use crate::app::Studio;
+use crate::documents::job::{Job, Progress};
+use crate::host::PictureClipboard;
+
+/// The most pixels that are copied: a clipboard keeps several copies.
+const MOST: usize = 1 << 26;
+
+/// When the person is told that the viewport's picture is still being refined.
+const LONG: Duration = Duration::from_secs(1);
+
+/// How long a viewport without any picture is waited for.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// What is being copied.
+#[derive(Default)]
+pub(crate) struct Copying {
+    /// The viewport's picture is to be copied.
+    viewport: Option<Waiting>,
+    job: Option<(Source, Job<Result<Copied, Failure>>)>,
+}
+
+/// Waiting for the viewport's picture.
+#[derive(Clone, Copy)]
+struct Waiting {
+    since: Instant,
+    /// Whether it is copied before it is refined.
+    is_hurried: bool,
+    is_told: bool,
+}
+
+/// Where the picture comes from.
+#[derive(Clone, Copy)]
+enum Source {
+    Viewport([u32; 2]),
+    Finished(u64, [u32; 2]),
+}
+
+/// What became of it.
+enum Copied {
+    /// It is in the clipboard.
+    Done,
+    /// The window puts it there.
+    Image(ColorImage),
+}
+
+enum Failure {
+    TooLarge,
+    Memory,
+    Clipboard(String),
+}
+
+/// Copies the viewport's picture as soon as it is refined; asked again meanwhile, as it is.
+pub(crate) fn copy_viewport(context: &Context, studio: &mut Studio) {
+    let is_hurried = studio.pictures.copying.viewport.is_some();
+    studio.pictures.copying.viewport =
+        Some(Waiting { since: Instant::now(), is_hurried, is_told: is_hurried });
+    context.request_repaint();
+}
+
+/// Copies a finished picture as it is shown.
+pub(super) fn copy_finished(context: &Context, studio: &mut Studio, finished: &Finished) {
+    let (picture, development) = (Arc::clone(&finished.picture), finished.order.development);
+    let size = super::size_of(&picture);
+    start(context, studio, Source::Finished(finished.number, size), move || codes_of(&picture, development));
+}
+
+/// Whether this picture is being copied.
+pub(super) fn is_copying(studio: &Studio, number: u64) -> bool {
+    matches!(studio.pictures.copying.job, Some((Source::Finished(other, _), _)) if other == number)
+}
+
+/// Takes up what has been copied: once a frame.
+pub(super) fn poll(context: &Context, studio: &mut Studio) {
+    look_at_viewport(context, studio);
+    let Some((source, job)) = &studio.pictures.copying.job else { return };
+    let source = *source;
+    let result = match job.poll() {
+        Progress::Waiting => return,
+        Progress::Done(result) => result,
+        Progress::Lost => Err(Failure::Clipboard(String::new())),
+    };
+    studio.pictures.copying.job = None;
+    let failure = match result {
+        Ok(copied) => {
+            if let Copied::Image(image) = copied {
+                context.copy_image(image);
+            }
+            return copied_from(studio, source);
+        }
+        Err(failure) => failure,
+    };
+    let texts = &studio.texts;
+    let told = match failure {
+        Failure::TooLarge => texts.get("picture-copy-too-large").to_owned(),
+        Failure::Memory => texts.get("picture-copy-memory").to_owned(),
+        Failure::Clipboard(reason) => texts.with("picture-copy-failed", &[("reason", reason.into())]),
+    };
+    studio.toasts.error(told);
+}
+
+fn copied_from(studio: &mut Studio, source: Source) {
+    let (Source::Viewport(size) | Source::Finished(_, size)) = source;
+    if let Source::Finished(number, _) = source {
+        Finished::with(studio, number, |_, finished| finished.kept = Some(Kept::Clipboard));
+    }
+    let size = told::size(size[0], size[1]);
+    studio.toasts.success(studio.texts.with("picture-copied", &[("size", size.into())]));
+}
+
+fn look_at_viewport(context: &Context, studio: &mut Studio) {
+    let Some(mut waiting) = studio.pictures.copying.viewport.take() else { return };
+    let frame = studio.live.latest().filter(|frame| {
+        frame.is_full()
+            && frame.revision == studio.editor.revision()
+            && frame.camera == studio.view.camera(studio.editor.scene())
+    });
+    let is_refined = |samples| samples >= studio.settings.viewport_samples || studio.view.is_rendering;
+    match frame {
+        Some(frame) if waiting.is_hurried || is_refined(frame.samples) => {
+            let pixels = Arc::clone(&frame.pixels);
+            let size = frame.picture_size;
+            return start(context, studio, Source::Viewport(size), move || {
+                let mut own = reserved(pixels.len())?;
+                own.extend_from_slice(&pixels);
+                Ok((size, own))
+            });
+        }
+        None if waiting.since.elapsed() > PATIENCE => {
+            studio.toasts.warning(studio.texts.get("picture-copy-none"));
+            return;
+        }
+        Some(_) if waiting.since.elapsed() > LONG && !waiting.is_told => {
+            studio.toasts.info(studio.texts.get("picture-copy-waits"));
+            waiting.is_told = true;
+        }
+        _ => {}
+    }
+    studio.pictures.copying.viewport = Some(waiting);
+    context.request_repaint_after(Duration::from_millis(50));
+}
+
+/// Copies what `codes` makes, on a thread.
+fn start(
+    context: &Context,
+    studio: &mut Studio,
+    source: Source,
+    codes: impl FnOnce() -> Result<([u32; 2], Vec<u8>), Failure> + Send + 'static,
+) {
+    let clipboard = studio.host.clipboard();
+    let work = move || {
+        let (size, codes) = codes()?;
+        put(clipboard, size.map(|side| side as usize), &codes)
+    };
+    match Job::start(context, "copy picture", work) {
+        Ok(job) => studio.pictures.copying.job = Some((source, job)),
+        Err(error) => {
+            studio.toasts.error(told::fault(&studio.texts, &error.to_string()));
+        }
+    }
+}
+
+fn put(clipboard: Option<PictureClipboard>, size: [usize; 2], codes: &[u8]) -> Result<Copied, Failure> {
+    match clipboard {
+        Some(clipboard) => clipboard(size, codes).map(|()| Copied::Done).map_err(Failure::Clipboard),
+        None => Ok(Copied::Image(ColorImage::from_rgba_unmultiplied(size, codes))),
+    }
+}
+
+/// Develops a picture: red, green, blue and 255 of every pixel.
+fn codes_of(picture: &Picture, development: Development) -> Result<([u32; 2], Vec<u8>), Failure> {
+    let count = picture.pixels().len();
+    if count > MOST {
+        return Err(Failure::TooLarge);
+    }
+    let mut codes = reserved(4 * count)?;
+    codes.resize(4 * count, 0);
+    let (pixels, _) = codes.as_chunks_mut::<4>();
+    development.develop_rgba8(picture.pixels(), pixels);
+    Ok((super::size_of(picture), codes))
+}
+
+fn reserved(bytes: usize) -> Result<Vec<u8>, Failure> {
+    let mut room = Vec::new();
+    room.try_reserve_exact(bytes).map_err(|_| Failure::Memory)?;
+    Ok(room)
+}

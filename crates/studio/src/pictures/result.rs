@@ -1,0 +1,308 @@
+//! A finished picture in a window of its own.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use catoptric_picture::{Development, Picture};
+use catoptric_tracer::{RayCounts, Rendering};
+use egui::emath::GuiRounding as _;
+use egui::{
+    Align, Align2, Button, CentralPanel, Color32, ColorImage, Context, Frame, Id, Label, Layout, Margin,
+    Panel, Rect, RichText, Role, Sense, Stroke, TextStyle, TextureHandle, TextureOptions, Ui, Vec2,
+    WidgetInfo, Window, pos2, vec2,
+};
+use egui_material_icons::MaterialIcon;
+use egui_material_icons::icons::{ICON_CONTENT_COPY, ICON_SAVE};
+
+use super::proof::{Wanted, fitting, proof};
+use super::save::{self, Saving};
+use super::{Order, copy, fields, let_go, told};
+use crate::app::Studio;
+use crate::dialogs::question::Question;
+use crate::documents::job::{Job, Progress};
+use crate::texts::Texts;
+use crate::theme;
+
+/// The smallest window of a picture, points.
+const LEAST: Vec2 = vec2(540.0, 340.0);
+
+/// A finished picture.
+pub(crate) struct Finished {
+    pub(super) number: u64,
+    pub(super) picture: Arc<Picture>,
+    pub(super) order: Order,
+    /// Where it has been kept, if anywhere.
+    pub(super) kept: Option<Kept>,
+    pub(super) saving: Saving,
+    counts: RayCounts,
+    elapsed: Duration,
+    shown: Shown,
+}
+
+/// Where a picture has been kept.
+pub(super) enum Kept {
+    /// In a file of this name.
+    File(String),
+    /// In the clipboard.
+    Clipboard,
+}
+
+/// The picture in the window.
+#[derive(Default)]
+struct Shown {
+    texture: Option<(Wanted, TextureHandle)>,
+    job: Option<(Wanted, Job<ColorImage>)>,
+    /// What is not tried again.
+    failed: Option<Wanted>,
+}
+
+/// What was pressed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Press {
+    Save,
+    Copy,
+    Close,
+}
+
+impl Finished {
+    pub(super) fn new(number: u64, rendering: Rendering, order: Order, elapsed: Duration) -> Self {
+        Self {
+            number,
+            picture: Arc::new(rendering.picture),
+            order,
+            kept: None,
+            saving: Saving::No,
+            counts: rendering.counts,
+            elapsed,
+            shown: Shown::default(),
+        }
+    }
+
+    /// Does something with the picture of this number, if it is still there.
+    pub(super) fn with(studio: &mut Studio, number: u64, act: impl FnOnce(&mut Studio, &mut Self)) {
+        let mut all = std::mem::take(&mut studio.pictures.finished);
+        if let Some(finished) = all.iter_mut().find(|finished| finished.number == number) {
+            act(studio, finished);
+        }
+        studio.pictures.finished = all;
+    }
+}
+
+/// Draws the windows of the finished pictures.
+pub(super) fn results_ui(context: &Context, studio: &mut Studio) {
+    let mut all = std::mem::take(&mut studio.pictures.finished);
+    let mut closed = None;
+    for finished in &mut all {
+        save::poll(context, studio, finished);
+        match window_ui(context, studio, finished) {
+            Some(Press::Save) => save::ask(studio, finished),
+            Some(Press::Copy) => copy::copy_finished(context, studio, finished),
+            Some(Press::Close) if finished.kept.is_some() => closed = Some(finished.number),
+            Some(Press::Close) => ask_to_drop(studio, finished.number),
+            None => {}
+        }
+    }
+    studio.pictures.finished = all;
+    if let Some(number) = closed {
+        close(studio, number);
+    }
+}
+
+fn close(studio: &mut Studio, number: u64) {
+    let all = &mut studio.pictures.finished;
+    if let Some(place) = all.iter().position(|finished| finished.number == number) {
+        let_go(all.remove(place).picture);
+    }
+}
+
+fn ask_to_drop(studio: &mut Studio, number: u64) {
+    let texts = &studio.texts;
+    let question = Question::new(texts.get("picture-drop-title"), texts.get("picture-drop-text"))
+        .choice(texts.get("picture-save"), move |_, studio| Finished::with(studio, number, save::ask))
+        .choice(texts.get("cancel"), |_, _| {})
+        .choice(texts.get("picture-drop"), move |_, studio| close(studio, number));
+    studio.dialogs.open(question);
+}
+
+fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) -> Option<Press> {
+    let whole = studio.viewport_rect().unwrap_or_else(|| context.content_rect());
+    let title = {
+        let [width, height] = super::size_of(&finished.picture);
+        studio.texts.with("picture-title", &[("size", told::size(width, height).into())])
+    };
+    // At first it has the proportions of the picture, with room for what is below.
+    let [width, height] = super::size_of(&finished.picture).map(|side| side as f32);
+    let most = (0.9 * whole.size()).min(vec2(1040.0, 860.0)).max(LEAST);
+    let size = vec2(most.x, (most.x * height / width + 156.0).clamp(LEAST.y, most.y));
+    // The next window does not hide the one before.
+    let shift = 24.0 * ((finished.number - 1) % 5) as f32;
+    let window = Window::new(RichText::new(&title).strong())
+        .id(Id::unique(("picture", finished.number)))
+        .title_frame(Frame::window(&context.global_style()).inner_margin(Margin::symmetric(14, 8)))
+        .collapsible(false)
+        .resizable(true)
+        .default_size(size)
+        .min_size(LEAST)
+        .default_pos(whole.center() - 0.5 * size + vec2(shift, shift))
+        .constrain_to(context.content_rect());
+    window.show(context, |ui| contents_ui(ui, studio, finished)).and_then(|shown| shown.inner).flatten()
+}
+
+fn contents_ui(ui: &mut Ui, studio: &mut Studio, finished: &mut Finished) -> Option<Press> {
+    let controls = Panel::bottom("controls").frame(Frame::NONE);
+    let press = controls.resizable(false).show_separator_line(false).show(ui, |ui| {
+        ui.add_space(8.0);
+        facts_ui(ui, &studio.texts, finished);
+        ui.add_space(4.0);
+        development_ui(ui, &studio.texts, &mut finished.order.development);
+        ui.add_space(6.0);
+        buttons_ui(ui, studio, finished)
+    });
+    CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
+        let Finished { shown, picture, order, .. } = finished;
+        shown.ui(ui, &studio.texts, picture, order.development);
+    });
+    press.inner
+}
+
+/// How the picture was made.
+fn facts_ui(ui: &mut Ui, texts: &Texts, finished: &Finished) {
+    let millions = (finished.counts.total() as f64 / 1e6).ceil() as u64;
+    let text = texts.with(
+        "picture-facts",
+        &[
+            ("name", finished.order.name.as_str().into()),
+            ("samples", finished.order.choices.samples.into()),
+            ("time", told::clock(finished.elapsed).into()),
+            ("rays", millions.into()),
+        ],
+    );
+    ui.add(Label::new(RichText::new(text).color(theme::palette(ui.visuals()).weak)).truncate());
+}
+
+fn development_ui(ui: &mut Ui, texts: &Texts, development: &mut Development) {
+    ui.horizontal(|ui| {
+        fields::name_ui(ui, texts.get("viewport-exposure"));
+        fields::exposure_ui(ui, texts, development);
+        ui.add_space(8.0);
+        fields::name_ui(ui, texts.get("viewport-tone"));
+        fields::tone_ui(ui, texts, development);
+    });
+}
+
+/// The kind of file and the buttons; at the left, where there is room, what has become of the picture.
+fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<Press> {
+    let mut press = None;
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let texts = &studio.texts;
+        let is_copying = copy::is_copying(studio, finished.number);
+        let is_saving = !matches!(finished.saving, Saving::No);
+        if button_ui(ui, texts, "picture-save", Some(ICON_SAVE), !is_saving) {
+            press = Some(Press::Save);
+        }
+        fields::kind_ui(ui, texts, &mut finished.order.choices.kind);
+        if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !is_copying) {
+            press = Some(Press::Copy);
+        }
+        if button_ui(ui, texts, "picture-close", None, !is_saving && !is_copying) {
+            press = Some(Press::Close);
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| state_ui(ui, texts, finished, is_copying));
+    });
+    press
+}
+
+fn button_ui(ui: &mut Ui, texts: &Texts, key: &str, icon: Option<MaterialIcon>, is_enabled: bool) -> bool {
+    let palette = theme::palette(ui.visuals());
+    let name = texts.get(key);
+    let text = match icon {
+        Some(icon) => format!("{}  {name}", icon.codepoint),
+        None => texts.get("close").to_owned(),
+    };
+    let mut button = Button::new(text).min_size(vec2(84.0, 28.0));
+    if key == "picture-save" {
+        button = button.fill(palette.selection).stroke(Stroke::new(1.0, palette.accent));
+    }
+    let response = ui.add_enabled(is_enabled, button).accessible_name(name);
+    match texts.tip(key) {
+        Some(tip) => response.on_hover_text(tip).clicked(),
+        None => response.clicked(),
+    }
+}
+
+/// What is being done with the picture, or has been.
+fn state_ui(ui: &mut Ui, texts: &Texts, finished: &Finished, is_copying: bool) {
+    let text = match (&finished.kept, &finished.saving) {
+        (_, Saving::Writing(..)) => texts.get("picture-writing").to_owned(),
+        _ if is_copying => texts.get("picture-copying").to_owned(),
+        (Some(Kept::File(name)), _) => texts.with("picture-saved", &[("name", name.as_str().into())]),
+        (Some(Kept::Clipboard), _) => texts.get("picture-in-clipboard").to_owned(),
+        (None, _) => return,
+    };
+    if is_copying || matches!(finished.saving, Saving::Writing(..)) {
+        ui.spinner();
+    }
+    let palette = theme::palette(ui.visuals());
+    ui.add(Label::new(RichText::new(text).color(palette.weak)).truncate());
+}
+
+impl Shown {
+    /// Draws the picture as large as it fits, and has it developed again when something else is wanted.
+    fn ui(&mut self, ui: &mut Ui, texts: &Texts, picture: &Arc<Picture>, development: Development) {
+        let palette = theme::palette(ui.visuals());
+        let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+        let scale = ui.ctx().pixels_per_point();
+        let side = ui.input(|input| input.max_texture_side) as f32;
+        let most = (room.size() * scale).max(Vec2::ZERO).min(Vec2::splat(side));
+        let size = fitting(super::size_of(picture), [most.x as u32, most.y as u32]);
+        self.poll(ui.ctx());
+        self.want(ui.ctx(), picture, Wanted { development, size });
+        ui.painter().rect_filled(room, 4.0, palette.bar);
+        let size = vec2(size[0] as f32, size[1] as f32) / scale;
+        let place = Rect::from_center_size(room.center(), size.min(room.size())).round_to_pixels(scale);
+        match &self.texture {
+            Some((_, texture)) => {
+                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                ui.painter().image(texture.id(), place, whole, Color32::WHITE);
+            }
+            None => {
+                let font = TextStyle::Body.resolve(ui.style());
+                let text = texts.get("picture-developing");
+                ui.painter().text(room.center(), Align2::CENTER_CENTER, text, font, palette.weak);
+            }
+        }
+        let name = texts.get("picture-preview");
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
+    }
+
+    /// Takes up what has been developed.
+    fn poll(&mut self, context: &Context) {
+        let Some((wanted, job)) = self.job.take() else { return };
+        let image = match job.poll() {
+            Progress::Waiting => return self.job = Some((wanted, job)),
+            Progress::Lost => return self.failed = Some(wanted),
+            Progress::Done(image) => image,
+        };
+        match &mut self.texture {
+            Some((made, texture)) => {
+                texture.set(image, TextureOptions::LINEAR);
+                *made = wanted;
+            }
+            none => {
+                let texture = context.load_texture("finished picture", image, TextureOptions::LINEAR);
+                *none = Some((wanted, texture));
+            }
+        }
+    }
+
+    /// Has the picture developed as wanted, when nothing else is being developed.
+    fn want(&mut self, context: &Context, picture: &Arc<Picture>, wanted: Wanted) {
+        let is_shown = self.texture.as_ref().is_some_and(|(made, _)| *made == wanted);
+        if is_shown || self.job.is_some() || self.failed == Some(wanted) {
+            return;
+        }
+        let picture = Arc::clone(picture);
+        self.job =
+            Job::start(context, "proof", move || proof(&picture, &wanted)).ok().map(|job| (wanted, job));
+    }
+}

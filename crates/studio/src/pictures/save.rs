@@ -1,0 +1,149 @@
+//! Saving a finished picture.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use catoptric_picture::{Development, Picture, SizeError, WriteError, write_exr, write_png};
+use egui::Context;
+
+use super::result::{Finished, Kept};
+use super::{PictureKind, file_name, told};
+use crate::app::Studio;
+use crate::dialogs::question::Question;
+use crate::documents::ask::{Answer, Asking, Chosen};
+use crate::documents::disk::write_failure_in_words;
+use crate::documents::job::{Job, Progress};
+use crate::host::{FileKind, FileQuestion};
+
+/// How far saving is.
+#[derive(Default)]
+pub(super) enum Saving {
+    /// Nothing is being saved.
+    #[default]
+    No,
+    /// The person is choosing a file.
+    Asking(Asking),
+    /// The file is being written.
+    Writing(Order, Job<Result<(), Failure>>),
+}
+
+/// What is to be written where.
+#[derive(Clone)]
+pub(super) struct Order {
+    path: PathBuf,
+    may_replace: bool,
+    kind: PictureKind,
+    development: Development,
+}
+
+/// Why there is no file; an old one is untouched.
+pub(super) enum Failure {
+    /// There is one already.
+    Exists,
+    /// It cannot be written.
+    Write(WriteError),
+    /// The picture cannot be developed.
+    Size(SizeError),
+}
+
+/// Asks for a file.
+pub(super) fn ask(studio: &mut Studio, finished: &mut Finished) {
+    let choices = &studio.settings.render;
+    let beside = studio.editor.path().and_then(Path::parent).map(Path::to_owned);
+    let question = FileQuestion {
+        kind: FileKind::Picture,
+        is_saving: true,
+        title: studio.texts.get("picture-save-title").to_owned(),
+        folder: choices.folder.clone().or(beside),
+        name: file_name(&finished.order, finished.order.choices.kind),
+    };
+    finished.saving = Saving::Asking(Asking::start(studio, question));
+}
+
+/// Takes up an answer, and what has been written.
+pub(super) fn poll(context: &Context, studio: &mut Studio, finished: &mut Finished) {
+    match std::mem::take(&mut finished.saving) {
+        Saving::No => {}
+        Saving::Asking(mut asking) => match asking.poll(context, studio) {
+            Answer::Waiting => finished.saving = Saving::Asking(asking),
+            Answer::Cancelled => {}
+            Answer::Chosen(Chosen { path, may_replace }) => {
+                let (kind, development) = (finished.order.choices.kind, finished.order.development);
+                write(context, studio, finished, Order { path, may_replace, kind, development });
+            }
+        },
+        Saving::Writing(order, job) => match job.poll() {
+            Progress::Waiting => finished.saving = Saving::Writing(order, job),
+            Progress::Done(Ok(())) => saved(studio, finished, &order.path),
+            Progress::Done(Err(failure)) => failed(studio, finished, order, &failure),
+            Progress::Lost => tell(studio, told::fault(&studio.texts, "PNG/EXR")),
+        },
+    }
+}
+
+/// Writes the file on a thread.
+pub(super) fn write(context: &Context, studio: &mut Studio, finished: &mut Finished, order: Order) {
+    let (picture, own) = (Arc::clone(&finished.picture), order.clone());
+    match Job::start(context, "save picture", move || own.write(&picture)) {
+        Ok(job) => finished.saving = Saving::Writing(order, job),
+        Err(error) => tell(studio, told::fault(&studio.texts, &error.to_string())),
+    }
+}
+
+impl Order {
+    fn write(&self, picture: &Picture) -> Result<(), Failure> {
+        if !self.may_replace && self.path.exists() {
+            return Err(Failure::Exists);
+        }
+        if self.is_exr() {
+            return write_exr(&self.path, picture).map_err(Failure::Write);
+        }
+        let developed = self.development.develop(picture, self.kind.depth()).map_err(Failure::Size)?;
+        write_png(&self.path, &developed).map_err(Failure::Write)
+    }
+
+    /// The name decides.
+    fn is_exr(&self) -> bool {
+        self.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("exr"))
+    }
+}
+
+fn saved(studio: &mut Studio, finished: &mut Finished, path: &Path) {
+    studio.settings.render.folder = path.parent().map(Path::to_owned);
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    studio.toasts.success(studio.texts.with("picture-saved", &[("name", name.as_str().into())]));
+    finished.kept = Some(Kept::File(name));
+}
+
+fn failed(studio: &mut Studio, finished: &Finished, order: Order, failure: &Failure) {
+    let text = match failure {
+        Failure::Exists => return ask_to_replace(studio, finished.number, order),
+        Failure::Write(error) => write_failure_in_words(&studio.texts, error),
+        Failure::Size(error) => told::size_error(&studio.texts, error),
+    };
+    tell(studio, text);
+}
+
+fn ask_to_replace(studio: &mut Studio, number: u64, order: Order) {
+    let texts = &studio.texts;
+    let name = order.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = order.path.parent().unwrap_or(Path::new("")).display().to_string();
+    let question = Question::new(
+        texts.with("picture-replace-title", &[("name", name.into())]),
+        texts.with("picture-replace-text", &[("folder", folder.into())]),
+    )
+    .choice(texts.get("picture-other-name"), move |_, studio| {
+        Finished::with(studio, number, ask);
+    })
+    .choice(texts.get("cancel"), |_, _| {})
+    .choice(texts.get("picture-replace"), move |context, studio| {
+        let order = Order { may_replace: true, ..order };
+        Finished::with(studio, number, |studio, finished| write(context, studio, finished, order));
+    });
+    studio.dialogs.open(question);
+}
+
+fn tell(studio: &mut Studio, text: String) {
+    let title = studio.texts.get("picture-save-failed").to_owned();
+    studio.dialogs.open(crate::dialogs::Message::new(title, text));
+}

@@ -1,0 +1,43 @@
+//! Fields of text that are taken when they are left.
+
+use egui::{Key, Response, TextEdit, Ui, vec2};
+
+use crate::theme;
+use crate::widgets::number::HEIGHT;
+
+/// A field that shows `current` until something else is typed. What was typed comes once the field is left, but not
+/// when it is given up with Escape. The second value is what stands in the field meanwhile.
+pub(crate) fn text_field(
+    ui: &mut Ui,
+    name: &str,
+    current: &str,
+    hint: &str,
+    width: f32,
+) -> (Response, Option<String>, Option<String>) {
+    let inner = ui.scope(|ui| {
+        ui.visuals_mut().widgets.inactive.bg_stroke.color = theme::palette(ui.visuals()).line;
+        let id = ui.next_auto_id();
+        let draft = ui.data(|data| data.get_temp::<String>(id));
+        let mut text = draft.clone().unwrap_or_else(|| current.to_owned());
+        let edit = TextEdit::singleline(&mut text)
+            .id(id)
+            .clip_text(true)
+            .hint_text(hint)
+            .align(egui::Align2::LEFT_CENTER)
+            .min_size(vec2(width, HEIGHT))
+            .desired_width(width - 8.0);
+        let response = ui.add_sized(vec2(width, HEIGHT), edit).accessible_name(name);
+        if response.has_focus() {
+            ui.data_mut(|data| data.insert_temp(id, text.clone()));
+            return (response, None, Some(text));
+        }
+        if draft.is_none() {
+            return (response, None, None);
+        }
+        ui.data_mut(|data| data.remove_temp::<String>(id));
+        let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
+        let taken = (!is_given_up && text != current).then_some(text);
+        (response, taken, None)
+    });
+    inner.inner
+}

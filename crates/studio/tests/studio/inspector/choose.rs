@@ -1,0 +1,197 @@
+//! Everything that is chosen rather than measured.
+
+use super::*;
+use catoptric_scene::ShapeKind;
+
+#[test]
+fn every_shape() {
+    let mut window = with_body(Shape::CONE);
+    let shapes = [
+        ("Sphere", ShapeKind::Sphere),
+        ("Cube", ShapeKind::Cube),
+        ("Cylinder", ShapeKind::Cylinder),
+        ("Plane", ShapeKind::Plane),
+        ("Cone", ShapeKind::Cone),
+    ];
+    for (name, kind) in shapes {
+        let before = scene(&window);
+        click(&mut window, Role::RadioButton, &format!("Shape: {name}"));
+        assert_eq!(sphere_of(&scene(&window)).shape.kind(), kind);
+        holds_as_step(&mut window, &before, "edit-shape");
+    }
+}
+
+#[test]
+fn every_kind_of_reflection_keeps_the_color() {
+    let mut window = with_body(Shape::SPHERE);
+    let color = own_material(sphere_of(&scene(&window))).color;
+    type Case = (&'static str, fn(&Material) -> bool);
+    let cases: [Case; 4] = [
+        ("Mirror", |m| m.reflection() > 0.8 && m.transmission == 0.0),
+        ("Glass", |m| m.transmission > 0.5),
+        ("Matte", |m| m.reflection() == 0.0 && m.specular == 0.0 && m.diffuse > 0.5),
+        ("Glossy", |m| m.specular > 0.0 && m.diffuse > 0.5 && m.transmission == 0.0),
+    ];
+    for (name, is_it) in cases {
+        let before = scene(&window);
+        let label = format!("Kind of reflection: {name}");
+        click(&mut window, Role::RadioButton, &label);
+        let material = *own_material(sphere_of(&scene(&window)));
+        assert!(is_it(&material), "{name}: {material:?}");
+        assert_eq!(material.color, color);
+        assert!(is_chosen(&window, &label), "{name}");
+        holds_as_step(&mut window, &before, "edit-kind");
+    }
+    enter(&mut window, "k_t transmission", "0.3");
+    assert!(is_chosen(&window, "Kind of reflection: Custom"));
+}
+
+fn is_chosen(window: &Window, name: &str) -> bool {
+    let node = window.get_by_role_and_label(Role::RadioButton, name);
+    node.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
+}
+
+#[test]
+fn reflection_follows_the_highlight_or_not() {
+    let mut window = with_body(Shape::SPHERE);
+    let before = scene(&window);
+    click(&mut window, Role::CheckBox, "as the highlight");
+    assert_eq!(own_material(sphere_of(&scene(&window))).reflection, None);
+    holds_as_step(&mut window, &before, "edit-reflection");
+    assert!(window.get_by_role_and_label(Role::SpinButton, "k_r reflection").accesskit_node().is_disabled());
+    enter(&mut window, "k_s highlight", "0.4");
+    let before = scene(&window);
+    click(&mut window, Role::CheckBox, "as the highlight");
+    assert_eq!(own_material(sphere_of(&scene(&window))).reflection, Some(0.4));
+    holds_as_step(&mut window, &before, "edit-reflection");
+}
+
+#[test]
+fn the_checker_is_switched() {
+    let mut window = with_body(Shape::SPHERE);
+    let before = scene(&window);
+    click(&mut window, Role::CheckBox, "second color");
+    assert!(own_material(sphere_of(&scene(&window))).checker.is_some());
+    holds_as_step(&mut window, &before, "edit-checker");
+    let before = scene(&window);
+    click(&mut window, Role::CheckBox, "second color");
+    assert_eq!(own_material(sphere_of(&scene(&window))).checker, None);
+    holds_as_step(&mut window, &before, "edit-checker");
+}
+
+#[test]
+fn a_medium_sets_the_index_of_refraction() {
+    let mut window = with_body(Shape::SPHERE);
+    let before = scene(&window);
+    click(&mut window, Role::ComboBox, "Medium");
+    window.get_by_label_contains("Diamond").click();
+    window.run_steps(4);
+    assert_eq!(own_material(sphere_of(&scene(&window))).ior, 2.42);
+    holds_as_step(&mut window, &before, "edit-ior");
+}
+
+#[test]
+fn every_law_of_falloff() {
+    let mut window = window("four-bodies", Item::Light(0));
+    let laws = [
+        ("linear", Falloff::Linear { constant: 1.0 }),
+        ("inverse square", Falloff::InverseSquare),
+        ("none", Falloff::None),
+    ];
+    for (name, falloff) in laws {
+        let before = scene(&window);
+        click(&mut window, Role::RadioButton, &format!("Falloff: {name}"));
+        assert_eq!(scene(&window).lights[0].falloff, falloff);
+        holds_as_step(&mut window, &before, "edit-falloff");
+    }
+}
+
+#[test]
+fn the_projection() {
+    let mut window = window("four-bodies", Item::Camera);
+    for name in ["Parallel", "Perspective"] {
+        let before = scene(&window);
+        click(&mut window, Role::RadioButton, &format!("Projection: {name}"));
+        let is_parallel = matches!(scene(&window).camera.projection, Projection::Parallel { .. });
+        assert_eq!(is_parallel, name == "Parallel");
+        holds_as_step(&mut window, &before, "edit-projection");
+    }
+}
+
+#[test]
+fn a_material_is_shared_made_own_and_chosen() {
+    let mut window = window("four-bodies", None);
+    let item = body(&window, "sphere");
+    select(&mut window, [item]);
+    click(&mut window, Role::Button, "Make own");
+    let red = *own_material(sphere_of(&scene(&window)));
+    click(&mut window, Role::Button, "Share");
+    let choice = sphere_of(&scene(&window)).material.clone();
+    assert!(matches!(choice, MaterialChoice::Named(_)));
+    assert_eq!(scene(&window).material(&choice), Some(&red));
+    click(&mut window, Role::ComboBox, "Material of the body");
+    window.get_all_by_label("floor").last().unwrap().click();
+    window.run_steps(4);
+    assert_eq!(sphere_of(&scene(&window)).material, MaterialChoice::Named("floor".to_owned()));
+    window.get_by_label("2 bodies use this material.");
+}
+
+#[test]
+fn names_are_typed() {
+    let mut window = window("four-bodies", None);
+    for (item, new) in
+        [(body(&window, "cube"), "die"), (Item::Light(0), "sun"), (Item::Material(0), "ground")]
+    {
+        select(&mut window, [item]);
+        let before = scene(&window);
+        window.get_by_role_and_label(Role::TextInput, "Name").click();
+        window.run_steps(2);
+        window.key_press_modifiers(egui::Modifiers::COMMAND, Key::A);
+        window.event(Event::Text(new.to_owned()));
+        window.run_steps(2);
+        window.key_press(Key::Enter);
+        window.run_steps(3);
+        assert_eq!(item.name(&scene(&window)), new);
+        let editor = window.state_mut().editor_mut();
+        editor.undo();
+        assert_eq!(*editor.scene(), before);
+        editor.redo();
+        assert_eq!(item.name(editor.scene()), new);
+    }
+}
+
+#[test]
+fn bodies_and_lights_are_hidden_and_locked() {
+    let mut window = window("four-bodies", None);
+    for item in [body(&window, "cone"), Item::Light(1)] {
+        select(&mut window, [item]);
+        click(&mut window, Role::Button, "Hidden");
+        assert!(item.is_hidden(&scene(&window)));
+        click(&mut window, Role::Button, "Hidden");
+        assert!(!item.is_hidden(&scene(&window)));
+        click(&mut window, Role::Button, "Locked");
+        assert!(item.is_locked(&scene(&window)));
+        let field = window.get_by_role_and_label(Role::SpinButton, "Position X");
+        assert!(field.accesskit_node().is_disabled());
+        window.get_by_label("Locked: its values cannot be changed.");
+        click(&mut window, Role::Button, "Unlock");
+        assert!(!item.is_locked(&scene(&window)));
+        let field = window.get_by_role_and_label(Role::SpinButton, "Position X");
+        assert!(!field.accesskit_node().is_disabled());
+    }
+}
+
+#[test]
+fn sections_are_folded_and_stay_so() {
+    let mut window = window("four-bodies", None);
+    let (sphere, cone) = (body(&window, "sphere"), body(&window, "cone"));
+    select(&mut window, [sphere]);
+    click(&mut window, Role::DisclosureTriangle, "Place");
+    window.run_steps(20);
+    assert!(window.query_by_label("Position X").is_none());
+    select(&mut window, [cone]);
+    assert!(window.query_by_label("Position X").is_none());
+    click(&mut window, Role::DisclosureTriangle, "Place");
+    window.run_steps(20);
+    assert!(window.query_by_label("Position X").is_some());
+}
