@@ -184,7 +184,6 @@ impl Studio {
             settings: &mut self.settings,
             view: &mut self.view,
             live: &self.live,
-            toasts: &mut self.toasts,
             commands: &mut self.commands,
         }
     }
