@@ -77,7 +77,11 @@ impl Studio {
         let settings = host.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
         theme::install(context);
         theme::choose(context, settings.theme);
-        context.options_mut(|options| options.zoom_with_keyboard = false);
+        context.options_mut(|options| {
+            options.zoom_with_keyboard = false;
+            // As desktops have it; egui's own is too short for slow displays.
+            options.input_options.max_double_click_delay = 0.45;
+        });
         context.set_zoom_factor(settings.zoom);
         let wake = context.clone();
         let live = Live::start(move || wake.request_repaint()).map_err(StudioError::Thread)?;
@@ -164,6 +168,8 @@ impl Studio {
         self.toasts.show(ui.ctx(), self.texts.get("close"));
         for command in std::mem::take(&mut self.commands) {
             crate::run::run(ui.ctx(), self, command);
+            // What it did is seen in the next frame, and a text to be pasted comes with it.
+            ui.ctx().request_repaint();
         }
         documents::keep(ui.ctx(), self);
         self.settle(ui);
