@@ -73,7 +73,11 @@ pub(crate) fn studio() -> Harness<'static, Studio> {
 pub(crate) fn studio_with(host: TestHost, start: Start) -> Harness<'static, Studio> {
     let settings = host.settings_path().unwrap();
     if !settings.exists() {
-        std::fs::write(settings, r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 1}"#).unwrap();
+        std::fs::write(
+            settings,
+            r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 1}"#,
+        )
+        .unwrap();
     }
     Harness::builder()
         .with_size([1280.0, 800.0])
