@@ -4,7 +4,6 @@ use catoptric_editor::Editor;
 use catoptric_live::Live;
 
 use crate::command::Command;
-use crate::notices::Toasts;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;
@@ -21,8 +20,6 @@ pub(crate) struct Cx<'a> {
     pub(crate) view: &'a mut View,
     /// The traced picture.
     pub(crate) live: &'a Live,
-    /// Short notices in the corner.
-    pub(crate) toasts: &'a mut Toasts,
     /// What is to be done when the frame is drawn.
     pub(crate) commands: &'a mut Vec<Command>,
 }

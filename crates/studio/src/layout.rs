@@ -38,7 +38,7 @@ impl Pane {
 
 /// Outliner and history at the left, the picture in the middle, the inspector at the right, problems below (hidden
 /// until there are any).
-pub fn default_layout() -> Tree<Pane> {
+pub(crate) fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
         let panes = panes.iter().map(|&pane| tiles.insert_pane(pane)).collect();
@@ -65,19 +65,19 @@ fn divided(tiles: &mut Tiles<Pane>, direction: LinearDir, children: &[(TileId, f
 }
 
 /// Whether `pane` can be seen (it may still lie behind another tab).
-pub fn is_visible(tree: &Tree<Pane>, pane: Pane) -> bool {
+pub(crate) fn is_visible(tree: &Tree<Pane>, pane: Pane) -> bool {
     tree.tiles.find_pane(&pane).is_some_and(|tile| tree.is_visible(tile))
 }
 
 /// Whether `pane` can be seen and lies before other tabs.
-pub fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
+pub(crate) fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
     tree.tiles
         .find_pane(&pane)
         .is_some_and(|tile| tree.is_visible(tile) && tree.active_tiles().contains(&tile))
 }
 
 /// Shows or hides `pane`; a shown one comes to the front. A panel that the layout has lost is put back.
-pub fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
+pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     let Some(tile) = tree.tiles.find_pane(&pane) else {
         if visible {
             let tile = tree.tiles.insert_pane(pane);
@@ -95,7 +95,7 @@ pub fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
 }
 
 /// Whether a remembered layout can be used: every panel once.
-pub fn is_whole(tree: &Tree<Pane>) -> bool {
+pub(crate) fn is_whole(tree: &Tree<Pane>) -> bool {
     Pane::ALL.iter().all(|pane| {
         let count =
             tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();

@@ -52,7 +52,7 @@ pub(crate) fn paint(painter: &Painter, viewport: Rect, picture: f64) {
         Rect::from_min_max(viewport.min, egui::pos2(frame.min.x, viewport.max.y)),
         Rect::from_min_max(egui::pos2(frame.max.x, viewport.min.y), viewport.max),
     ];
-    for side in sides.into_iter().filter(|side| side.is_positive()) {
+    for side in sides.into_iter().filter(Rect::is_positive) {
         painter.rect_filled(side, 0.0, Color32::from_black_alpha(72));
     }
     painter.rect_stroke(frame, 0.0, Stroke::new(1.0, Color32::from_white_alpha(70)), StrokeKind::Middle);

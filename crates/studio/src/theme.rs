@@ -8,33 +8,33 @@ use crate::settings::Theme;
 
 /// The colors beyond egui's own visuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Palette {
+pub(crate) struct Palette {
     /// Panels.
-    pub panel: Color32,
+    pub(crate) panel: Color32,
     /// Menu and status bars, tab bars.
-    pub bar: Color32,
+    pub(crate) bar: Color32,
     /// Fields and lists.
-    pub field: Color32,
+    pub(crate) field: Color32,
     /// Buttons at rest.
-    pub button: Color32,
+    pub(crate) button: Color32,
     /// Buttons under the pointer.
-    pub hovered: Color32,
+    pub(crate) hovered: Color32,
     /// Hairlines between things.
-    pub line: Color32,
+    pub(crate) line: Color32,
     /// Text.
-    pub text: Color32,
+    pub(crate) text: Color32,
     /// Text of less weight: units, hints.
-    pub weak: Color32,
+    pub(crate) weak: Color32,
     /// Selected things, the active tool.
-    pub accent: Color32,
+    pub(crate) accent: Color32,
     /// Behind selected text and rows.
-    pub selection: Color32,
+    pub(crate) selection: Color32,
     /// The axes: X, Y, Z.
-    pub axes: [Color32; 3],
+    pub(crate) axes: [Color32; 3],
     /// Errors.
-    pub error: Color32,
+    pub(crate) error: Color32,
     /// Warnings.
-    pub warning: Color32,
+    pub(crate) warning: Color32,
 }
 
 const DARK: Palette = Palette {
@@ -70,19 +70,19 @@ const LIGHT: Palette = Palette {
 };
 
 /// The palette of the theme that `visuals` show.
-pub fn palette(visuals: &Visuals) -> &'static Palette {
+pub(crate) fn palette(visuals: &Visuals) -> &'static Palette {
     if visuals.dark_mode { &DARK } else { &LIGHT }
 }
 
 /// Gives the window its fonts and both themes; once, at the start.
-pub fn install(context: &egui::Context) {
+pub(crate) fn install(context: &egui::Context) {
     egui_material_icons::initialize(context);
     context.style_mut_of(egui::Theme::Dark, |style| dress(style, &DARK));
     context.style_mut_of(egui::Theme::Light, |style| dress(style, &LIGHT));
 }
 
 /// Switches the theme.
-pub fn choose(context: &egui::Context, theme: Theme) {
+pub(crate) fn choose(context: &egui::Context, theme: Theme) {
     context.set_theme(match theme {
         Theme::System => ThemePreference::System,
         Theme::Dark => ThemePreference::Dark,

@@ -196,7 +196,9 @@ fn over_picture(
         (Some((_, handle)), _) | (None, Some(Target::Handle(handle))) => Some(handle),
         _ => None,
     };
-    if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(|| hands::gizmo(cx)) {
+    // What is carried by itself needs no handles meanwhile.
+    let at_rest = || hands::gizmo(cx).filter(|_| !matches!(viewport.hands.hand, Hand::Carry(_)));
+    if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(at_rest) {
         gizmo::draw::draw(painter, sight, &gizmo, active, palette);
     }
 }
@@ -257,7 +259,7 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         let grain = sight.lens.meters_per_point(sight.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
         labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
-    } else if let (Some(item), Some(pointer)) = (over, pointer) {
+    } else if let (Some(item), Some(pointer), false) = (over, pointer, Popup::is_any_open(ui.ctx())) {
         if rest >= REST {
             labels::beside_pointer(&painter, sight.rect, pointer, &name_of(cx, scene, item), palette);
         } else {
@@ -266,8 +268,14 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         }
     }
     if cx.view.is_flying {
-        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
-        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, cx.t("viewport-fly-hint"), palette);
+        // Lines break between the keys, not within what is said of one.
+        let parts = cx.t("viewport-fly-hint").split(" · ").map(|part| part.replace(' ', "\u{a0}"));
+        let text = parts.collect::<Vec<_>>().join("  ·  ");
+        // Below the bar, where no other panel floats, and beside the compass.
+        let room = sight.rect.shrink2(vec2(compass::WIDTH, 0.0));
+        let below = if cx.view.free_camera.is_some() { 100.0 } else { 58.0 };
+        let at = room.center_top() + vec2(0.0, below);
+        labels::plate(&painter, room, at, Align2::CENTER_TOP, &text, palette);
     }
     if ui.input(|input| !input.raw.hovered_files.is_empty()) {
         painter.rect_filled(sight.rect, 0.0, palette.accent.gamma_multiply(0.12));

@@ -1,6 +1,7 @@
 //! Short texts over the picture.
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, StrokeKind, vec2};
+use egui::text::LayoutJob;
+use egui::{Align, Align2, FontId, Painter, Pos2, Rect, Stroke, StrokeKind, vec2};
 
 use super::gizmo::pull::Amount;
 use crate::texts::Texts;
@@ -20,16 +21,24 @@ pub(crate) fn plate(
     text: &str,
     palette: &Palette,
 ) -> Rect {
-    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(12.5), palette.text);
+    let room = rect.shrink(6.0);
+    let mut job = LayoutJob::simple(
+        text.to_owned(),
+        FontId::proportional(12.5),
+        palette.text,
+        (room.width() - 14.0).max(40.0),
+    );
+    job.halign = Align::Center;
+    let galley = painter.layout_job(job);
     let plate = align.anchor_size(pos, galley.size() + vec2(14.0, 7.0));
-    let room = rect.shrink(4.0);
     let plate = plate.translate(vec2(
         (room.right() - plate.right()).min(0.0) + (room.left() - plate.left()).max(0.0),
         (room.bottom() - plate.bottom()).min(0.0) + (room.top() - plate.top()).max(0.0),
     ));
     let stroke = Stroke::new(1.0, palette.line);
     painter.rect(plate, 5.0, palette.panel.gamma_multiply(0.92), stroke, StrokeKind::Inside);
-    painter.galley(plate.min + vec2(7.0, 3.5), galley, Color32::PLACEHOLDER);
+    // Centered text is laid out about its origin.
+    painter.galley(plate.center_top() + vec2(0.0, 3.5), galley, palette.text);
     plate
 }
 

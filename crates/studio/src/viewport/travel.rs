@@ -1,7 +1,7 @@
 //! Moving the camera: turning, shifting, coming closer, flying.
 
 use catoptric_editor::{Label, navigate};
-use catoptric_scene::Camera;
+use catoptric_scene::{Camera, Scene, Shape};
 use egui::{Event, Key, Modifiers, Ui, Vec2, ViewportCommand, viewport::CursorGrab};
 use glam::DVec3;
 
@@ -56,8 +56,44 @@ fn camera(cx: &Cx<'_>) -> Camera {
 
 /// Turns about the target as the pointer goes.
 pub(crate) fn orbit(cx: &mut Cx<'_>, way: Vec2) {
-    let turned = navigate::orbit(&camera(cx), -f64::from(way.x) * TURN, f64::from(way.y) * TURN);
-    steer(cx, "edit-orbit", turned);
+    turn(cx, -f64::from(way.x) * TURN, f64::from(way.y) * TURN);
+}
+
+/// Turns about the target, radians. A floor stops the camera: below it, there would be nothing to see.
+fn turn(cx: &mut Cx<'_>, yaw: f64, pitch: f64) {
+    let present = camera(cx);
+    let floors = floors(cx.editor.scene());
+    let sides = |camera: &Camera| -> Vec<bool> {
+        floors.iter().map(|(point, normal)| (camera.position - *point).dot(*normal) > 0.0).collect()
+    };
+    let before = sides(&present);
+    let turned = |share: f64| navigate::orbit(&present, yaw, share * pitch);
+    let stays = |share: f64| sides(&turned(share)) == before;
+    if stays(1.0) || !stays(0.0) {
+        return steer(cx, "edit-orbit", turned(1.0));
+    }
+    let (mut free, mut stopped) = (0.0, 1.0);
+    for _ in 0..24 {
+        let middle = 0.5 * (free + stopped);
+        if stays(middle) {
+            free = middle;
+        } else {
+            stopped = middle;
+        }
+    }
+    steer(cx, "edit-orbit", turned(free));
+}
+
+/// A point and a normal of each level plane that is seen.
+fn floors(scene: &Scene) -> Vec<(DVec3, DVec3)> {
+    let planes = scene.bodies.iter().filter(|body| !body.hidden && body.shape == Shape::Plane);
+    planes
+        .map(|body| {
+            let frame = body.placement.world_from_body();
+            (frame.translation, frame.matrix3.y_axis.normalize_or(DVec3::Y))
+        })
+        .filter(|(_, normal)| normal.y.abs() > 0.999)
+        .collect()
 }
 
 /// Shifts the picture as the pointer goes.
@@ -135,7 +171,7 @@ impl Travel {
             let step = KEY_PAN * sight.lens.size().y * sight.lens.meters_per_point(present.target);
             steer(cx, "edit-pan", navigate::pan(&present, right * step, up * step));
         } else if right != 0.0 || up != 0.0 {
-            steer(cx, "edit-orbit", navigate::orbit(&present, right * KEY_TURN, up * KEY_TURN));
+            turn(cx, right * KEY_TURN, up * KEY_TURN);
         } else if dolly != 0.0 {
             steer(cx, "edit-dolly", navigate::dolly(&present, (-dolly * KEY_DOLLY).exp()));
         } else {
