@@ -2,6 +2,7 @@
 
 use catoptric_editor::Editor;
 use catoptric_live::{Live, Request};
+use catoptric_scene::{Camera, Scene};
 use egui::{CentralPanel, Frame, Panel, Ui};
 use egui_tiles::Tree;
 
@@ -87,7 +88,7 @@ impl Studio {
         let live = Live::start(move || wake.request_repaint()).map_err(StudioError::Thread)?;
         let layout = settings.layout.clone().filter(layout::is_whole).unwrap_or_else(layout::default_layout);
         let mut studio = Self {
-            editor: Editor::new(catoptric_scene::Scene::default()),
+            editor: Editor::new(Scene::default()),
             texts: Texts::new(settings.language),
             settings,
             view: View::default(),
@@ -199,14 +200,18 @@ impl Studio {
         }
     }
 
+    /// The camera whose picture is asked for.
+    pub(crate) fn shown_camera(&self) -> Camera {
+        let camera = self.view.eased.unwrap_or_else(|| self.view.camera(self.editor.scene()));
+        picture_frame::fitted(&camera, self.panes.viewport.aspect(), self.settings.picture_aspect())
+    }
+
     /// Tells the tracer what to show; it finds out what has changed.
     fn request_picture(&mut self) {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
-        let camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
-        let aspects = (self.panes.viewport.aspect(), self.settings.picture_aspect());
-        request.camera = picture_frame::fitted(&camera, aspects.0, aspects.1);
+        request.camera = self.shown_camera();
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;
