@@ -192,7 +192,7 @@ impl Studio {
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
         // The outliner's list has the focus while it is used, and nothing is typed into it.
-        let focused = ui.memory(|memory| memory.focused());
+        let focused = ui.memory(egui::Memory::focused);
         let is_used = focused.is_some_and(|id| id != crate::outliner::list_id());
         if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();
