@@ -62,7 +62,7 @@ pub(crate) struct DevelopmentArguments {
 pub(crate) struct StudioArguments {
     /// A scene file, or the name of a built-in scene; without it, the scene of the last time
     #[arg(value_name = "SCENE")]
-    pub scene: Option<String>,
+    pub scene: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

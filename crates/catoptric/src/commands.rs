@@ -10,7 +10,7 @@ pub(crate) mod studio;
 
 use catoptric_scene::LoadError;
 
-/// How a command ended when nothing went wrong with the program itself. (An interrupted one does not return.)
+/// How a command ended when nothing went wrong with the program itself. (Interrupted, only the studio returns.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// Exit status 0.
@@ -19,6 +19,8 @@ pub(crate) enum Outcome {
     Failed,
     /// The input is wrong, and that has been said: exit status 2.
     WrongInput,
+    /// The studio was asked to end by Ctrl-C or the like: exit status 130.
+    Interrupted,
 }
 
 /// An error with its causes in one line.

@@ -1,5 +1,6 @@
 //! Finding scenes by path or by name.
 
+use std::fs::File;
 use std::path::Path;
 
 use anyhow::{Result, anyhow};
@@ -24,18 +25,40 @@ impl Named {
     }
 }
 
-/// Loads the scene file at `path`, or the built-in scene of that name.
+/// What a person means by a scene.
+pub(crate) enum Source<'a> {
+    /// A built-in scene.
+    Example(&'static Example),
+    /// A file.
+    File(&'a Path),
+}
+
+/// The scene file at `path`, or the built-in scene of that name.
 ///
 /// A file wins over a built-in scene, so that nothing of the user's is hidden; a folder cannot be a scene.
-pub(crate) fn scene(path: &Path) -> Result<Named> {
+pub(crate) fn source(path: &Path) -> Result<Source<'_>> {
     match path.to_str().and_then(Example::find) {
-        Some(example) if !path.exists() || path.is_dir() => {
-            Ok(Named { name: example.name.to_owned(), loaded: example.load()? })
-        }
+        Some(example) if !path.exists() || path.is_dir() => Ok(Source::Example(example)),
         None if !path.exists() && !looks_like_path(path) => Err(no_such_scene(&path.to_string_lossy())),
         // When there is nothing, the error of reading it says so.
-        _ => file(path),
+        _ => Ok(Source::File(path)),
     }
+}
+
+/// Loads the scene file at `path`, or the built-in scene of that name.
+pub(crate) fn scene(path: &Path) -> Result<Named> {
+    match source(path)? {
+        Source::Example(example) => Ok(Named { name: example.name.to_owned(), loaded: example.load()? }),
+        Source::File(path) => file(path),
+    }
+}
+
+/// Refuses a file that cannot be read at all, as loading it would.
+pub(crate) fn check_readable(path: &Path) -> Result<()> {
+    if path.is_dir() || File::open(path).is_err() {
+        file(path)?;
+    }
+    Ok(())
 }
 
 /// Loads the scene file at `path`.

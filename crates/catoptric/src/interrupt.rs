@@ -5,17 +5,24 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
+use std::time::Duration;
 
 use crate::console::say;
 use crate::progress;
 
 /// The exit status of an interrupted program.
-const INTERRUPTED: i32 = 130;
+pub(crate) const INTERRUPTED: u8 = 130;
+
+/// So long the studio has to end by itself.
+const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The files written so far; locked while one is being written.
 static WRITTEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// What asks the studio to end, when it is open.
+static STUDIO: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
 
 /// From now on, Ctrl-C (or a request to end) ends the program with exit status 130.
 pub(crate) fn listen() {
@@ -23,15 +30,29 @@ pub(crate) fn listen() {
     let _ = on_request(request());
 }
 
+/// The first request only calls `ask`: the studio keeps unsaved work and ends by itself, or else is ended soon.
+pub(crate) fn ask_first(ask: impl Fn() + Send + Sync + 'static) {
+    // There is one studio at most.
+    let _ = STUDIO.set(Box::new(ask));
+}
+
 /// What to do at each request.
 fn request() -> impl FnMut() + Send + 'static {
     let mut again = false;
     move || {
-        // A thread of its own waits for the file, and this one for a second request.
-        let waits = !again && thread::Builder::new().spawn(|| leave(&written())).is_ok();
+        // A thread of its own waits for the file or the studio, and this one for a second request.
+        let end = || match STUDIO.get() {
+            Some(ask) => {
+                ask();
+                thread::sleep(PATIENCE);
+                std::process::exit(INTERRUPTED.into());
+            }
+            None => leave(&written()),
+        };
+        let waits = !again && thread::Builder::new().spawn(end).is_ok();
         again = true;
         if !waits {
-            std::process::exit(INTERRUPTED);
+            std::process::exit(INTERRUPTED.into());
         }
     }
 }
@@ -95,5 +116,5 @@ fn leave(written: &[PathBuf]) -> ! {
         let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
         say(&format!("interrupted; written before that: {}", names.join(", ")));
     }
-    std::process::exit(INTERRUPTED)
+    std::process::exit(INTERRUPTED.into())
 }

@@ -1,5 +1,7 @@
 //! The window on the desktop.
 
+mod failure;
+
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -9,20 +11,8 @@ use egui::{IconData, ViewportBuilder};
 use crate::app::{Start, Studio};
 use crate::host::{Desktop, Host as _};
 use crate::settings::Settings;
-
-/// Why there is no studio.
-#[derive(Debug, thiserror::Error)]
-pub enum StudioError {
-    /// The system has no display to open a window on.
-    #[error("there is no display to open a window on")]
-    NoDisplay,
-    /// The window could not be opened.
-    #[error("the window cannot be opened: {0}")]
-    Window(String),
-    /// The thread that traces could not be started.
-    #[error("the tracing thread cannot be started: {0}")]
-    Thread(std::io::Error),
-}
+pub use failure::StudioError;
+use failure::{Quiet, of_eframe};
 
 /// A way to end the studio from outside, such as by Ctrl-C: unsaved work is kept for the next start.
 #[derive(Clone, Debug, Default)]
@@ -65,17 +55,16 @@ pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError
         .with_icon(Arc::new(icon()));
     let options = NativeOptions { viewport, ..options() };
     let interruption = interruption.clone();
-    eframe::run_native(
-        "Catoptric",
-        options,
-        Box::new(move |creation| {
-            let context = &creation.egui_ctx;
-            let _ = interruption.context.set(context.clone());
-            let studio = Studio::interruptible(context, &start, Box::new(Desktop), Some(interruption))?;
-            Ok(Box::new(studio))
-        }),
-    )
-    .map_err(|error| StudioError::Window(error.to_string()))
+    let quiet = Quiet::default();
+    let loud = quiet.clone();
+    let create = move |creation: &eframe::CreationContext<'_>| {
+        loud.end();
+        let context = &creation.egui_ctx;
+        let _ = interruption.context.set(context.clone());
+        let studio = Studio::interruptible(context, &start, Box::new(Desktop), Some(interruption))?;
+        Ok(Box::new(studio) as Box<dyn eframe::App>)
+    };
+    quiet.during(|| eframe::run_native("Catoptric", options, Box::new(create)))?.map_err(of_eframe)
 }
 
 /// How the window is drawn.

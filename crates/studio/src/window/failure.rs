@@ -1,0 +1,129 @@
+//! Why there is no window, and what to do about it.
+
+use std::any::Any;
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use eframe::egui_wgpu::WgpuError;
+
+/// Why there is no studio.
+#[derive(Debug, thiserror::Error)]
+pub enum StudioError {
+    /// The system has no display to open a window on.
+    #[error("there is no display to open a window on")]
+    NoDisplay,
+    /// There should be a display, but it does not answer.
+    #[error("the display cannot be reached ({0}); check DISPLAY or WAYLAND_DISPLAY")]
+    Unreachable(String),
+    /// A library of the system is missing.
+    #[error(
+        "a library that windows need is missing ({0}); install it (on Debian and Ubuntu: libxkbcommon-x11-0, \
+         libxcursor1, libxi6, libx11-xcb1)"
+    )]
+    Library(String),
+    /// Nothing can draw the window.
+    #[error(
+        "no graphics driver can draw the window; install one that needs no graphics card (on Debian and Ubuntu: \
+         mesa-vulkan-drivers, or libegl1 with libgl1-mesa-dri)"
+    )]
+    NoGraphics,
+    /// The window could not be opened.
+    #[error("the window cannot be opened: {0}")]
+    Window(String),
+    /// The thread that traces could not be started.
+    #[error("the tracing thread cannot be started: {0}")]
+    Thread(std::io::Error),
+}
+
+/// What the libraries of windows say.
+pub(super) fn of_eframe(error: eframe::Error) -> StudioError {
+    match error {
+        eframe::Error::AppCreation(error) => match error.downcast::<StudioError>() {
+            Ok(error) => *error,
+            Err(error) => StudioError::Window(one_line(&error.to_string())),
+        },
+        eframe::Error::Wgpu(
+            WgpuError::RequestAdapterError(_)
+            | WgpuError::CreateSurfaceError(_)
+            | WgpuError::RequestDeviceError(_)
+            | WgpuError::NoSurfaceFormatsAvailable,
+        ) => StudioError::NoGraphics,
+        other => of_words(&other.to_string()),
+    }
+}
+
+/// The libraries tell what is wrong in words only.
+fn of_words(words: &str) -> StudioError {
+    let line = one_line(words);
+    let has = |parts: &[&str]| parts.iter().any(|part| words.contains(part));
+    if has(&["could not be loaded", "failed to load", "cannot open shared object", "shared libraries"])
+    {
+        StudioError::Library(line)
+    } else if has(&["XOpenDisplayFailed", "Failed to open connection", "wayland compositor", "XNotSupported"])
+    {
+        StudioError::Unreachable(line)
+    } else {
+        StudioError::Window(line)
+    }
+}
+
+/// The words in one line, without the place in the source that some begin with.
+fn one_line(words: &str) -> String {
+    let after_place = words.find(".rs:").and_then(|at| words.get(at..)?.split_once(": "));
+    let said = after_place.map_or(words, |(_, said)| said);
+    said.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>;
+
+/// Until the window is open, a panic of the libraries of windows is an error to be told like others.
+#[derive(Clone, Default)]
+pub(super) struct Quiet {
+    usual: Arc<Mutex<Option<Hook>>>,
+}
+
+impl Quiet {
+    /// Does `work`; whatever panics in it before [`Self::end`] is returned as an error, in words.
+    pub(super) fn during<T>(&self, work: impl FnOnce() -> T) -> Result<T, StudioError> {
+        *self.usual.lock().unwrap_or_else(PoisonError::into_inner) = Some(panic::take_hook());
+        panic::set_hook(Box::new(|_| {}));
+        let result = panic::catch_unwind(AssertUnwindSafe(work));
+        let has_begun = !self.end();
+        match result {
+            Ok(value) => Ok(value),
+            // A fault of the studio itself, already told.
+            Err(payload) if has_begun => panic::resume_unwind(payload),
+            Err(payload) => Err(of_words(&words(payload.as_ref()))),
+        }
+    }
+
+    /// From now on panics are told as usual. Returns whether they were not before.
+    pub(super) fn end(&self) -> bool {
+        let usual = self.usual.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let Some(usual) = usual else { return false };
+        panic::set_hook(usual);
+        true
+    }
+}
+
+fn words(payload: &(dyn Any + Send)) -> String {
+    let words = payload.downcast_ref::<&str>().map(|words| (*words).to_owned());
+    words.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_the_libraries_lead_to_advice() {
+        for (words, part) in [
+            ("Library libxkbcommon-x11.so could not be loaded.", "install it"),
+            ("os error at /a/linux/mod.rs:7: Failed to open connection to X", "reached (Failed to open"),
+            ("something\n else", "cannot be opened: something else"),
+        ] {
+            let told = of_words(words).to_string();
+            assert!(told.contains(part) && !told.contains('\n'), "{told}");
+        }
+    }
+}
