@@ -135,6 +135,16 @@ impl Studio {
         &self.live
     }
 
+    /// Whether the document is being written to a file.
+    pub fn is_saving(&self) -> bool {
+        self.documents.is_saving()
+    }
+
+    /// Whether a scene file is being read.
+    pub fn is_opening(&self) -> bool {
+        self.documents.is_opening()
+    }
+
     /// Whether a final picture is being rendered.
     pub fn is_rendering(&self) -> bool {
         self.pictures.is_rendering()

@@ -68,6 +68,18 @@ pub(crate) struct Documents {
     interruption: Option<crate::window::Interruption>,
 }
 
+impl Documents {
+    /// Whether a file is being written.
+    pub(crate) fn is_saving(&self) -> bool {
+        self.saving.is_some()
+    }
+
+    /// Whether a file is being read.
+    pub(crate) fn is_opening(&self) -> bool {
+        self.reading.is_some()
+    }
+}
+
 /// What a file is asked for.
 enum For {
     Opening,

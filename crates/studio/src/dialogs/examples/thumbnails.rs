@@ -83,12 +83,6 @@ impl Thumbnails {
     pub(crate) fn get(&self, index: usize) -> Option<&TextureHandle> {
         self.pictures.get(index)?.as_ref()
     }
-
-    /// How many are there.
-    #[cfg(test)]
-    pub(crate) fn count(&self) -> usize {
-        self.pictures.iter().flatten().count()
-    }
 }
 
 fn trace(example: &Example, control: &Control) -> Option<ColorImage> {
