@@ -2,6 +2,7 @@
 
 use catoptric_editor::Editor;
 use catoptric_live::{Live, Request};
+use catoptric_scene::{Camera, Scene};
 use egui::{CentralPanel, Frame, Panel, Ui};
 use egui_tiles::Tree;
 
@@ -77,13 +78,17 @@ impl Studio {
         let settings = host.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
         theme::install(context);
         theme::choose(context, settings.theme);
-        context.options_mut(|options| options.zoom_with_keyboard = false);
+        context.options_mut(|options| {
+            options.zoom_with_keyboard = false;
+            // As desktops have it; egui's own is too short for slow displays.
+            options.input_options.max_double_click_delay = 0.45;
+        });
         context.set_zoom_factor(settings.zoom);
         let wake = context.clone();
         let live = Live::start(move || wake.request_repaint()).map_err(StudioError::Thread)?;
         let layout = settings.layout.clone().filter(layout::is_whole).unwrap_or_else(layout::default_layout);
         let mut studio = Self {
-            editor: Editor::new(catoptric_scene::Scene::default()),
+            editor: Editor::new(Scene::default()),
             texts: Texts::new(settings.language),
             settings,
             view: View::default(),
@@ -174,6 +179,8 @@ impl Studio {
         self.toasts.show(ui.ctx(), self.texts.get("close"));
         for command in std::mem::take(&mut self.commands) {
             crate::run::run(ui.ctx(), self, command);
+            // What it did is seen in the next frame, and a text to be pasted comes with it.
+            ui.ctx().request_repaint();
         }
         documents::keep(ui.ctx(), self);
         self.settle(ui);
@@ -196,11 +203,17 @@ impl Studio {
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
         // The outliner's list has the focus while it is used, and nothing is typed into it.
-        let focused = ui.memory(|memory| memory.focused());
+        let focused = ui.memory(egui::Memory::focused);
         let is_used = focused.is_some_and(|id| id != crate::outliner::list_id());
         if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();
         }
+    }
+
+    /// The camera whose picture is asked for.
+    pub(crate) fn shown_camera(&self) -> Camera {
+        let camera = self.view.eased.unwrap_or_else(|| self.view.camera(self.editor.scene()));
+        picture_frame::fitted(&camera, self.panes.viewport.aspect(), self.settings.picture_aspect())
     }
 
     /// Tells the tracer what to show; it finds out what has changed.
@@ -208,9 +221,7 @@ impl Studio {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
-        let camera = self.view.eased.unwrap_or_else(|| self.view.camera(scene));
-        let aspects = (self.panes.viewport.aspect(), self.settings.picture_aspect());
-        request.camera = picture_frame::fitted(&camera, aspects.0, aspects.1);
+        request.camera = self.shown_camera();
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;

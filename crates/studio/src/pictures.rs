@@ -27,7 +27,7 @@ pub(crate) use leave::hold;
 use result::Finished;
 
 /// How often the progress is looked at.
-const LOOK: Duration = Duration::from_millis(100);
+const LOOK: Duration = Duration::from_millis(200);
 
 /// The pictures of the window.
 #[derive(Default)]

@@ -119,11 +119,11 @@ fn copied_from(studio: &mut Studio, source: Source) {
 
 fn look_at_viewport(context: &Context, studio: &mut Studio) {
     let Some(mut waiting) = studio.pictures.copying.viewport.take() else { return };
-    let frame = studio.live.latest().filter(|frame| {
-        frame.is_full()
-            && frame.revision == studio.editor.revision()
-            && frame.camera == studio.view.camera(studio.editor.scene())
-    });
+    let (revision, camera) = (studio.editor.revision(), studio.shown_camera());
+    let frame = studio
+        .live
+        .latest()
+        .filter(|frame| frame.is_full() && frame.revision == revision && frame.camera == camera);
     let is_refined = |samples| samples >= studio.settings.viewport_samples || studio.view.is_rendering;
     match frame {
         Some(frame) if waiting.is_hurried || is_refined(frame.samples) => {

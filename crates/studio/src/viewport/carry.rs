@@ -149,7 +149,9 @@ mod tests {
         assert!(turned.distance(level) < 0.01);
         let up = carry.to(&lens, aside - DVec2::new(0.0, 60.0), true, FREE).unwrap();
         assert!(up.y > 0.3 && (up.x - level.x).abs() < 0.01 && (up.z - level.z).abs() < 0.01);
-        let back = carry.to(&lens, aside - DVec2::new(30.0, 60.0), false, FREE).unwrap();
+        let high = aside - DVec2::new(0.0, 60.0);
+        assert!(carry.to(&lens, high, false, FREE).unwrap().distance(up) < 0.01);
+        let back = carry.to(&lens, high - DVec2::new(30.0, 0.0), false, FREE).unwrap();
         assert!((back.y - up.y).abs() < 1e-9 && back.x < up.x);
     }
 

@@ -56,8 +56,7 @@ pub(super) fn of_eframe(error: eframe::Error) -> StudioError {
 fn of_words(words: &str) -> StudioError {
     let line = one_line(words);
     let has = |parts: &[&str]| parts.iter().any(|part| words.contains(part));
-    if has(&["could not be loaded", "failed to load", "cannot open shared object", "shared libraries"])
-    {
+    if has(&["could not be loaded", "failed to load", "cannot open shared object", "shared libraries"]) {
         StudioError::Library(line)
     } else if has(&["XOpenDisplayFailed", "Failed to open connection", "wayland compositor", "XNotSupported"])
     {

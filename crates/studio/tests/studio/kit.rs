@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
 use catoptric_studio::{Start, Studio};
-use egui_kittest::Harness;
+use egui_kittest::{Harness, HarnessBuilder};
 use tempfile::TempDir;
 
 /// A system of its own for each test: a temporary folder, and answers to the questions for files.
@@ -81,15 +81,21 @@ pub(crate) fn studio() -> Harness<'static, Studio> {
 
 /// A studio on `host`. Its settings, if there are none yet, are English with the first hint dismissed.
 pub(crate) fn studio_with(host: TestHost, start: Start) -> Harness<'static, Studio> {
+    build(Harness::builder(), host, start)
+}
+
+/// A studio that may be shown texts in any letters, as files can hold them.
+pub(crate) fn studio_with_any_letters(host: TestHost, start: Start) -> Harness<'static, Studio> {
+    build(Harness::builder().allow_missing_glyphs(), host, start)
+}
+
+fn build(builder: HarnessBuilder<Studio>, host: TestHost, start: Start) -> Harness<'static, Studio> {
     let settings = host.settings_path().unwrap();
     if !settings.exists() {
-        std::fs::write(
-            settings,
-            r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 1}"#,
-        )
-        .unwrap();
+        let text = r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 1}"#;
+        std::fs::write(settings, text).unwrap();
     }
-    Harness::builder()
+    builder
         .with_size([1280.0, 800.0])
         .with_max_steps(64)
         .build_eframe(move |creation| Studio::new(&creation.egui_ctx, &start, Box::new(host)).unwrap())

@@ -16,7 +16,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
 use glam::DVec3;
 
-use crate::kit::{TestHost, studio_with};
+use crate::kit::{TestHost, studio_with_any_letters};
 
 /// Steps in the usual tests.
 const STEPS: u64 = 1500;
@@ -77,7 +77,7 @@ struct Monkey {
 impl Monkey {
     fn new(seed: u64) -> Self {
         let host = TestHost::new();
-        let harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+        let harness = studio_with_any_letters(host.clone(), Start::Example("four-bodies".to_owned()));
         Self { dice: Dice(seed), host, harness, log: Vec::new() }
     }
 
@@ -216,7 +216,7 @@ impl Monkey {
             // A refusal is a good answer.
             let _ = editor.change_body(index, label, |body| body.placement = body.placement.moved_by(vector));
             let _ = editor.change_light(index, Label::new("edit-intensity", "monkey"), |light| {
-                light.intensity = number
+                light.intensity = number;
             });
             return format!("move {index} by {vector}, intensity {number}");
         }

@@ -393,13 +393,16 @@ fn a_finished_picture_goes_to_the_clipboard() {
 
 #[test]
 fn the_refined_viewport_goes_to_the_clipboard() {
-    let mut harness = studio();
+    let host = TestHost::new();
+    let settings = r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 3}"#;
+    std::fs::write(host.path("settings.json"), settings).unwrap();
+    let mut harness = on(&host);
     harness.run();
     harness.state_mut().run(Command::CopyPicture);
     let image = wait_for_image(&mut harness);
     let frame = harness.state().live().latest().unwrap();
     assert_eq!(image.size, frame.view_size.map(|side| side as usize));
-    assert_eq!(frame.samples, harness.state().settings().viewport_samples);
+    assert_eq!(frame.samples, 3);
     assert_eq!(image.as_raw(), frame.pixels.as_slice());
 }
 

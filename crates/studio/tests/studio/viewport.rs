@@ -56,7 +56,7 @@ impl Hand {
             }
             std::thread::sleep(std::time::Duration::from_millis(5));
         }
-        panic!("the picture does not come to rest");
+        unreachable!("the picture does not come to rest");
     }
 
     fn scene(&self) -> &Scene {
@@ -196,7 +196,7 @@ fn position(scene: &Scene, body: usize) -> DVec3 {
 }
 
 fn rotation(scene: &Scene, body: usize) -> DVec3 {
-    let Anchor::Frame { rotation_degrees, .. } = scene.bodies[body].placement.anchor else { panic!() };
+    let Anchor::Frame { rotation_degrees, .. } = scene.bodies[body].placement.anchor else { unreachable!() };
     rotation_degrees
 }
 

@@ -85,9 +85,8 @@ impl Size {
             )
         };
         let key: &'static str = key;
-        let list = ComboBox::from_id_salt("usual sizes")
-            .selected_text(named(key, present))
-            .width(super::WIDTH - 16.0);
+        let list =
+            ComboBox::from_id_salt("usual sizes").selected_text(named(key, present)).width(super::WIDTH);
         let shown = list.show_ui(ui, |ui| {
             let mut picked = None;
             for (key, size) in sizes {
