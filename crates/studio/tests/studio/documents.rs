@@ -266,6 +266,21 @@ fn what_is_edited_while_the_file_is_written_is_not_taken_for_saved() {
 }
 
 #[test]
+fn what_comes_while_the_file_is_written_waits_for_it() {
+    let (mut harness, path) = with_file(&TestHost::new(), SCENE);
+    rename(&mut harness, "orb");
+    for command in [Command::Save, Command::Save, Command::New] {
+        harness.state_mut().run(command);
+    }
+    wait_until(&mut harness, "the new scene is there", |studio| studio.editor().path().is_none());
+    wait_until(&mut harness, "nothing is written any more", |studio| !studio.is_saving());
+    harness.run_steps(3);
+    assert!(!tells(&harness, "Save the changes"), "nothing would be lost");
+    assert!(harness.state().editor().path().is_none(), "the new scene was not saved over the old one");
+    assert_eq!(read(&path), SCENE.replace("\"ball\"", "\"orb\""));
+}
+
+#[test]
 fn a_file_changed_by_another_program_is_replaced_only_after_a_question() {
     let host = TestHost::new();
     let (mut harness, path) = with_file(&host, SCENE);

@@ -9,7 +9,7 @@ use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 /// Width and height, pixels.
-pub(crate) const SIZE: [u32; 2] = [240, 150];
+pub(crate) const SIZE: [u32; 2] = [288, 162];
 const SAMPLES: u32 = 4;
 
 /// The pictures so far; they stay as long as the studio.

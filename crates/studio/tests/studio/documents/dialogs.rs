@@ -131,10 +131,23 @@ fn a_dropped_scene_opens_after_the_question_about_changes() {
     wait_until(&mut harness, "b is open", |studio| title(studio) == "b.toml");
     rename(&mut harness, "orb");
     drop_files(&mut harness, &[host.path("a.toml")]);
-    assert!(tells(&harness, "Save the changes to “b.toml”?"));
+    wait_for(&mut harness, "Save the changes to “b.toml”?");
     press(&mut harness, "Don’t save");
-    wait_until(&mut harness, "a is open", |studio| title(studio) == "a.toml");
-    assert_eq!(read(&other), SCENE);
+    assert_eq!((title(harness.state()).as_str(), read(&other).as_str()), ("a.toml", SCENE));
+}
+
+#[test]
+fn a_document_that_is_opened_again_after_saving_shows_what_was_saved() {
+    let host = TestHost::new();
+    let (mut harness, path) = with_file(&host, SCENE);
+    rename(&mut harness, "orb");
+    run(&mut harness, Command::OpenFile(path));
+    wait_for(&mut harness, "Save the changes to “a.toml”?");
+    harness.key_press(Key::Enter);
+    wait_until(&mut harness, "it is saved and open again", |studio| {
+        !studio.is_saving() && !studio.is_opening() && studio.editor().steps().len() == 0
+    });
+    assert_eq!((first_body(&harness).as_str(), harness.state().editor().is_changed()), ("orb", false));
 }
 
 #[test]
@@ -169,7 +182,7 @@ fn the_arrow_keys_walk_through_the_gallery_and_a_click_opens() {
 }
 
 #[test]
-fn a_file_that_was_being_read_when_the_scene_changed_is_shown_after_a_question() {
+fn a_file_that_was_being_read_while_the_scene_changed_is_shown_after_a_question() {
     let host = TestHost::new();
     let (mut harness, _) = with_file(&host, SCENE);
     let other = host.path("b.toml");
