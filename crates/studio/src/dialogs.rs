@@ -162,7 +162,7 @@ pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option
 }
 
 /// Opens the dialog that `command` asks for.
-pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
+pub(crate) fn run(context: &Context, studio: &mut Studio, command: &Command) {
     match command {
         Command::Examples => studio.dialogs.open(examples::Gallery::new()),
         Command::Render => render::open(studio),

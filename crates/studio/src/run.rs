@@ -90,7 +90,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
         Command::Examples | Command::Render | Command::CopyPicture => {
-            crate::dialogs::run(context, studio, command);
+            crate::dialogs::run(context, studio, &command);
         }
     }
 }
