@@ -5,7 +5,8 @@ mod common;
 
 use common::Folder;
 
-const COMMANDS: [&str; 8] = ["studio", "render", "check", "diff", "convert", "examples", "completions", "man"];
+const COMMANDS: [&str; 8] =
+    ["studio", "render", "check", "diff", "convert", "examples", "completions", "man"];
 
 #[test]
 fn every_example_is_listed_and_good() {

@@ -135,6 +135,16 @@ impl Studio {
         &self.live
     }
 
+    /// Whether the document is being written to a file.
+    pub fn is_saving(&self) -> bool {
+        self.documents.is_saving()
+    }
+
+    /// Whether a scene file is being read.
+    pub fn is_opening(&self) -> bool {
+        self.documents.is_opening()
+    }
+
     /// Whether a final picture is being rendered.
     pub fn is_rendering(&self) -> bool {
         self.pictures.is_rendering()
@@ -193,7 +203,7 @@ impl Studio {
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
         // The outliner's list has the focus while it is used, and nothing is typed into it.
-        let focused = ui.memory(|memory| memory.focused());
+        let focused = ui.memory(egui::Memory::focused);
         let is_used = focused.is_some_and(|id| id != crate::outliner::list_id());
         if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();

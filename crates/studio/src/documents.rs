@@ -68,10 +68,23 @@ pub(crate) struct Documents {
     interruption: Option<crate::window::Interruption>,
 }
 
+impl Documents {
+    /// Whether a file is being written.
+    pub(crate) fn is_saving(&self) -> bool {
+        self.saving.is_some()
+    }
+
+    /// Whether a file is being read.
+    pub(crate) fn is_opening(&self) -> bool {
+        self.reading.is_some()
+    }
+}
+
 /// What a file is asked for.
 enum For {
     Opening,
-    Saving(Option<Next>),
+    /// To save the document of this number, and what comes after.
+    Saving(u64, Option<Next>),
 }
 
 /// Takes up what threads have done, keeps unsaved work and settings, minds the window's title: once a frame.
@@ -94,7 +107,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
     match command {
         Command::New => leave::replace(context, studio, Next::New),
         Command::Open => ask_for(studio, For::Opening),
-        Command::OpenFile(path) => leave::replace(context, studio, Next::Open(path)),
+        Command::OpenFile(path) => open::begin(context, studio, &path),
         Command::OpenExample(name) => match Example::find(name) {
             Some(example) => leave::replace(context, studio, Next::Example(example)),
             None => {}
@@ -197,7 +210,7 @@ fn ask_for(studio: &mut Studio, purpose: For) {
     if studio.documents.asking.is_some() {
         return;
     }
-    let is_saving = matches!(purpose, For::Saving(_));
+    let is_saving = matches!(purpose, For::Saving(..));
     let key = if is_saving { "ask-save-as" } else { "ask-open" };
     let question = FileQuestion {
         kind: FileKind::Scene,
@@ -212,7 +225,7 @@ fn ask_for(studio: &mut Studio, purpose: For) {
 
 /// Asks for a file and saves the document to it; then does what was meant to come after.
 pub(crate) fn save_as(studio: &mut Studio, then: Option<Next>) {
-    ask_for(studio, For::Saving(then));
+    ask_for(studio, For::Saving(studio.documents.number, then));
 }
 
 /// Where scenes are: beside the document, or where the last one was.
@@ -234,9 +247,11 @@ fn take_answer(context: &Context, studio: &mut Studio) {
         (Answer::Waiting, purpose) => studio.documents.asking = Some((asking, purpose)),
         (Answer::Cancelled, _) => {}
         (Answer::Chosen(Chosen { path, .. }), For::Opening) => {
-            leave::replace(context, studio, Next::Open(path));
+            open::begin(context, studio, &path);
         }
-        (Answer::Chosen(Chosen { path, may_replace }), For::Saving(then)) => {
+        // Another document has come while the system's dialog was open.
+        (Answer::Chosen(_), For::Saving(number, _)) if number != studio.documents.number => {}
+        (Answer::Chosen(Chosen { path, may_replace }), For::Saving(_, then)) => {
             let may = if may_replace { May::Replace } else { May::Create };
             // Its own file is known; only a change by another program matters.
             let is_own = studio.editor.path() == Some(path.as_path());

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use catoptric_editor::Item;
 use catoptric_scene::{Diagnostic, Diagnostics, Part, Problem, Severity};
-use egui::text::LayoutJob;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{
     Align2, Color32, FontId, Rect, RichText, ScrollArea, Sense, TextFormat, Ui, WidgetInfo, pos2, vec2,
 };
@@ -16,6 +16,7 @@ use egui_material_icons::icons;
 
 use crate::context::Cx;
 use crate::theme::{self, Palette};
+use crate::widgets::paint_line_in;
 use excerpt::Excerpt;
 
 /// Scenes with more bodies than this are not checked as a whole while they are edited; each edit is.
@@ -199,28 +200,25 @@ fn finding_ui(
     };
     let body = FontId::proportional(13.5);
     let mono = FontId::monospace(12.5);
-    let mut at = rect.min + vec2(6.0, PADDING);
+    let lines = if finding.help.is_some() { 3.0 } else { 2.0 };
+    let step = (rect.height() - 2.0 * PADDING) / lines;
+    let line = Rect::from_min_size(rect.min + vec2(6.0, PADDING), vec2(rect.width() - 12.0, step));
+    let mark = painter.text(line.left_center(), Align2::LEFT_CENTER, icon, FontId::proportional(15.0), color);
+    let line = line.with_min_x(mark.max.x + 6.0);
     let place = format!("{}:{}", finding.line, finding.column);
-    let mark = painter.text(at, Align2::LEFT_TOP, icon, FontId::proportional(15.0), color);
-    let place =
-        painter.text(pos2(mark.max.x + 6.0, at.y), Align2::LEFT_TOP, place, mono.clone(), palette.weak);
-    painter.text(
-        pos2(place.max.x + 8.0, at.y),
-        Align2::LEFT_TOP,
-        &finding.message,
-        body.clone(),
-        palette.text,
-    );
-    let step = (rect.height() - 2.0 * PADDING) / if finding.help.is_some() { 3.0 } else { 2.0 };
-    at += vec2(mark.width() + 6.0, step);
+    let place = painter.text(line.left_center(), Align2::LEFT_CENTER, place, mono.clone(), palette.weak);
+    let message = line.with_min_x(place.max.x + 8.0);
+    paint_line_in(ui, message, &finding.message, body.clone(), palette.text);
+    let line = line.translate(vec2(0.0, step));
     if let Some(excerpt) = excerpt {
-        let job = marked(&excerpt.line, &excerpt.mark, &mono, palette.weak, color);
-        let galley = ui.ctx().fonts_mut(|fonts| fonts.layout_job(job));
-        painter.galley(at, galley, palette.weak);
+        let mut job = marked(&excerpt.line, &excerpt.mark, &mono, palette.weak, color);
+        job.wrap = TextWrapping::truncate_at_width(line.width());
+        let galley = painter.layout_job(job);
+        let corner = pos2(line.left(), line.center().y - galley.size().y / 2.0);
+        painter.galley(corner, galley, palette.weak);
     }
     if let Some(help) = &finding.help {
-        at.y += step;
-        painter.text(at, Align2::LEFT_TOP, help, body, palette.weak);
+        paint_line_in(ui, line.translate(vec2(0.0, step)), help, body, palette.weak);
     }
     if response.hovered() {
         let mut full = finding.message.clone();
@@ -238,7 +236,6 @@ fn finding_ui(
 /// A line with its mark in color and underlined.
 fn marked(line: &str, mark: &Range<usize>, font: &FontId, color: Color32, mark_color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
-    job.wrap.max_rows = 1;
     let plain = TextFormat::simple(font.clone(), color);
     let underlined = TextFormat {
         underline: egui::Stroke::new(1.5, mark_color),

@@ -59,7 +59,17 @@ pub(crate) fn paint_icon(ui: &Ui, icon: MaterialIcon, center: egui::Pos2, size: 
 
 /// Paints a line of text in the middle of `rect`, with an ellipsis where it has no room.
 pub(crate) fn paint_line(ui: &Ui, rect: egui::Rect, text: &str, color: egui::Color32) {
-    let font = TextStyle::Body.resolve(ui.style());
+    paint_line_in(ui, rect, text, TextStyle::Body.resolve(ui.style()), color);
+}
+
+/// The same in another font.
+pub(crate) fn paint_line_in(
+    ui: &Ui,
+    rect: egui::Rect,
+    text: &str,
+    font: egui::FontId,
+    color: egui::Color32,
+) {
     let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
     job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width());
     let galley = ui.painter().layout_job(job);

@@ -72,8 +72,9 @@ pub fn options() -> NativeOptions {
     NativeOptions { wgpu_options: egui_wgpu::WgpuConfiguration::default(), ..NativeOptions::default() }
 }
 
+/// A mirror ball; see `assets/icon.toml`.
 fn icon() -> IconData {
-    IconData::default()
+    eframe::icon_data::from_png_bytes(include_bytes!("../assets/icon.png")).unwrap_or_default()
 }
 
 #[cfg(target_os = "linux")]

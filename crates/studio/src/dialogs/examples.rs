@@ -15,9 +15,10 @@ use crate::command::Command;
 use crate::documents::example_title;
 use crate::texts::Texts;
 use crate::theme;
+use crate::widgets::paint_line_in;
 
 /// A card: its picture and the text below.
-const PICTURE: Vec2 = vec2(192.0, 120.0);
+const PICTURE: Vec2 = vec2(192.0, 108.0);
 const TEXT: f32 = 40.0;
 const GAP: f32 = 12.0;
 
@@ -205,15 +206,10 @@ fn card_ui(ui: &mut Ui, studio: &Studio, index: usize, example: &Example, is_sel
             );
         }
     }
-    let at = picture.left_bottom() + vec2(8.0, 4.0);
-    painter.text(at, Align2::LEFT_TOP, title, FontId::proportional(13.5), palette.text);
-    painter.text(
-        at + vec2(0.0, 17.0),
-        Align2::LEFT_TOP,
-        example.name,
-        FontId::proportional(11.5),
-        palette.weak,
-    );
+    let line = Rect::from_min_size(picture.left_bottom() + vec2(8.0, 3.0), vec2(PICTURE.x - 16.0, 18.0));
+    paint_line_in(ui, line, title, FontId::proportional(13.5), palette.text);
+    let line = line.translate(vec2(0.0, 17.0));
+    paint_line_in(ui, line, example.name, FontId::proportional(11.5), palette.weak);
     if is_selected || response.has_focus() {
         painter.rect_stroke(rect, 6.0, Stroke::new(1.5, palette.accent), StrokeKind::Outside);
     }

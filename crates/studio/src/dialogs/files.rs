@@ -12,6 +12,8 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::mpsc::Sender;
 
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
 use egui::{Key, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use egui_material_icons::icons;
 
@@ -243,6 +245,7 @@ impl FileDialog {
             }
             if std::mem::take(&mut self.is_new) {
                 response.request_focus();
+                select_stem(ui, response.id, &self.name);
             }
         });
         let all = ui.checkbox(&mut self.shows_all, texts.get("files-all"));
@@ -342,6 +345,15 @@ impl Dialog for FileDialog {
             None => Flow::Stay,
         }
     }
+}
+
+/// Selects a file's name up to its extension, to be typed anew.
+fn select_stem(ui: &Ui, field: egui::Id, name: &str) {
+    let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy();
+    let mut state = TextEditState::load(ui.ctx(), field).unwrap_or_default();
+    let selected = CCursorRange::two(CCursor::default(), CCursor::new(stem.chars().count()));
+    state.cursor.set_char_range(Some(selected));
+    state.store(ui.ctx(), field);
 }
 
 fn icon_button(ui: &mut Ui, icon: &str, texts: &Texts, key: &str, is_enabled: bool) -> bool {

@@ -3,15 +3,19 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use egui::{Align, Button, Frame, Label, Layout, Margin, RichText, ScrollArea, Ui};
+use egui::{Align, Button, Frame, Label, Layout, Margin, RichText, ScrollArea, Ui, Vec2, vec2};
 
 use super::files::age;
 use super::question::Question;
-use super::{Dialog, Flow, buttons};
+use super::{Dialog, Flow};
 use crate::app::Studio;
 use crate::documents::{self, Found};
 use crate::texts::Texts;
 use crate::theme;
+
+/// Height of an entry's content, and the least size of a button.
+const ROW: f32 = 60.0;
+const BUTTON: Vec2 = vec2(84.0, 28.0);
 
 /// Offers what was left behind.
 pub(crate) struct Recovery {
@@ -28,35 +32,39 @@ impl Recovery {
         let texts = &studio.texts;
         let palette = theme::palette(ui.visuals());
         let mut act = None;
-        Frame::new().fill(palette.field).corner_radius(6.0).inner_margin(Margin::symmetric(12, 8)).show(
-            ui,
-            |ui| {
-                ui.set_width(ui.available_width());
-                ui.horizontal(|ui| {
-                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                        let restore = Button::new(texts.get("restore")).fill(palette.selection);
-                        if named(ui.add(restore), texts.get("restore"), &found.title).clicked() {
-                            act = Some(Act::Restore);
-                        }
-                        if named(ui.button(texts.get("discard")), texts.get("discard"), &found.title)
-                            .clicked()
-                        {
-                            act = Some(Act::Discard);
-                        }
-                        ui.with_layout(Layout::top_down(Align::Min), |ui| {
-                            ui.add(Label::new(RichText::new(&found.title).strong()).truncate());
-                            let place = match &found.path {
-                                Some(path) => path.display().to_string(),
-                                None => texts.get("recovery-no-file").to_owned(),
-                            };
-                            ui.add(Label::new(RichText::new(place).weak()).truncate());
-                            ui.weak(age(texts, found.written));
-                        });
-                    });
-                });
-            },
-        );
+        let frame = Frame::new().fill(palette.field).corner_radius(6.0);
+        frame.inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
+            let size = vec2(ui.available_width(), ROW);
+            ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+                let restore = Button::new(texts.get("restore")).fill(palette.selection).min_size(BUTTON);
+                let restore = named(ui.add(restore), texts.get("restore"), &found.title);
+                if restore.clicked() {
+                    act = Some(Act::Restore);
+                }
+                // The first one is what Enter restores.
+                if ui.memory(|memory| memory.focused().is_none()) {
+                    restore.request_focus();
+                }
+                let discard = ui.add(Button::new(texts.get("discard")).min_size(BUTTON));
+                if named(discard, texts.get("discard"), &found.title).clicked() {
+                    act = Some(Act::Discard);
+                }
+                ui.with_layout(Layout::top_down(Align::Min), |ui| Self::words(ui, texts, found));
+            });
+        });
         act
+    }
+
+    /// What it is, where it belongs, and how old it is.
+    fn words(ui: &mut Ui, texts: &Texts, found: &Found) {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        ui.add(Label::new(RichText::new(&found.title).strong()).truncate());
+        let place = match &found.path {
+            Some(path) => path.display().to_string(),
+            None => texts.get("recovery-no-file").to_owned(),
+        };
+        ui.add(Label::new(RichText::new(place).weak()).truncate());
+        ui.weak(age(texts, found.written));
     }
 }
 
@@ -102,10 +110,10 @@ impl Dialog for Recovery {
             None if self.found.borrow().is_empty() => return Flow::Close,
             None => {}
         }
-        match buttons(ui, &[studio.texts.get("decide-later")]) {
-            Some(_) => Flow::Close,
-            None => Flow::Stay,
-        }
+        ui.add_space(10.0);
+        let later = Button::new(studio.texts.get("decide-later")).min_size(BUTTON);
+        let later = ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.add(later)).inner;
+        if later.clicked() { Flow::Close } else { Flow::Stay }
     }
 }
 

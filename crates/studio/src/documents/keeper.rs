@@ -40,10 +40,21 @@ pub(super) struct Keeper {
     pub(super) found: Vec<Found>,
 }
 
+/// Dropped without a word, as after a fault of the studio, it leaves behind what is kept.
 struct Thread {
-    orders: Sender<Order>,
+    orders: Option<Sender<Order>>,
     reports: Receiver<Report>,
-    handle: JoinHandle<()>,
+    handle: Option<JoinHandle<()>>,
+}
+
+impl Drop for Thread {
+    fn drop(&mut self) {
+        // It ends when there is nobody to give orders any more.
+        self.orders = None;
+        if let Some(handle) = self.handle.take() {
+            let _ = handle.join();
+        }
+    }
 }
 
 enum Order {
@@ -74,7 +85,10 @@ impl Keeper {
         };
         let thread = std::thread::Builder::new().name("recovery".to_owned()).spawn(work);
         match thread {
-            Ok(handle) => Self { thread: Some(Thread { orders, reports, handle }), ..Self::default() },
+            Ok(handle) => {
+                let thread = Thread { orders: Some(orders), reports, handle: Some(handle) };
+                Self { thread: Some(thread), ..Self::default() }
+            }
             Err(_) => Self::default(),
         }
     }
@@ -95,8 +109,8 @@ impl Keeper {
     }
 
     fn order(&self, order: Order) {
-        if let Some(thread) = &self.thread {
-            let _ = thread.orders.send(order);
+        if let Some(orders) = self.thread.as_ref().and_then(|thread| thread.orders.as_ref()) {
+            let _ = orders.send(order);
         }
     }
 
@@ -197,10 +211,8 @@ pub(super) fn finish(studio: &mut Studio) {
     }
     let keeper = &mut studio.documents.keeper;
     keeper.discard_restored(|_| true);
-    if let Some(Thread { orders, handle, .. }) = keeper.thread.take() {
-        let _ = orders.send(Order::Finish { leave_behind });
-        let _ = handle.join();
-    }
+    keeper.order(Order::Finish { leave_behind });
+    keeper.thread = None;
 }
 
 /// The thread's life.

@@ -18,7 +18,7 @@ use crate::pictures;
 pub(crate) enum Next {
     /// A new scene.
     New,
-    /// The file at this path.
+    /// The file at this path, to be read anew.
     Open(PathBuf),
     /// A file that has been read.
     Show(Rc<Opened>),

@@ -50,6 +50,11 @@ pub(super) fn clear_findings(studio: &mut Studio) {
     }
 }
 
+/// Whether the panel of problems is open only because of this document.
+pub(super) fn has_shown_pane(studio: &Studio) -> bool {
+    studio.documents.notice.has_shown_pane && layout::is_visible(&studio.layout, Pane::Problems)
+}
+
 /// Draws the banner about a file with problems, if there is one.
 pub(crate) fn banner_ui(ui: &mut Ui, studio: &mut Studio) {
     let Some((errors, warnings)) = studio.documents.notice.banner else { return };

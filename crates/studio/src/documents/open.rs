@@ -22,10 +22,10 @@ pub(super) struct Reading {
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Purpose {
-    /// To be opened instead of the document, whose changes up to this revision may be lost.
-    Open { document: u64, revision: u64 },
+    /// To be opened instead of the document.
+    Open,
     /// To revert the document with this number.
-    Revert { document: u64 },
+    Revert(u64),
 }
 
 impl Reading {
@@ -34,17 +34,17 @@ impl Reading {
     }
 }
 
-/// Begins to read the file at `path`, to open it instead of the document as it is now.
+/// Begins to read the file at `path`, to open it instead of the document. Only a file that can be opened leads to the
+/// question what becomes of changes.
 pub(super) fn begin(context: &Context, studio: &mut Studio, path: &Path) {
-    let purpose = Purpose::Open { document: studio.documents.number, revision: studio.editor.revision() };
-    read(context, studio, path, purpose);
+    read(context, studio, path, Purpose::Open);
 }
 
 /// Takes back all changes since the file was saved, as one step.
 pub(super) fn revert(context: &Context, studio: &mut Studio) {
     let document = studio.documents.number;
     match (studio.editor.path().map(Path::to_owned), studio.documents.example) {
-        (Some(path), _) => read(context, studio, &path, Purpose::Revert { document }),
+        (Some(path), _) => read(context, studio, &path, Purpose::Revert(document)),
         (None, Some(example)) => {
             if let Ok(loaded) = example.load() {
                 let reverted = studio.editor.revert(loaded.text, loaded.scene);
@@ -82,15 +82,8 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
     };
     match (result, reading.purpose) {
         (Err(failure), _) => failed(studio, &reading.path, &failure),
-        (Ok(opened), Purpose::Open { document, revision }) => {
-            let is_as_agreed = studio.documents.number == document && studio.editor.revision() == revision;
-            if is_as_agreed {
-                super::show_opened(studio, opened);
-            } else {
-                leave::replace(context, studio, Next::Show(Rc::new(opened)));
-            }
-        }
-        (Ok(opened), Purpose::Revert { document }) if studio.documents.number == document => {
+        (Ok(opened), Purpose::Open) => leave::replace(context, studio, Next::Show(Rc::new(opened))),
+        (Ok(opened), Purpose::Revert(document)) if studio.documents.number == document => {
             let Opened { text, scene, findings, stamp, .. } = opened;
             let reverted = studio.editor.revert(text.clone(), scene);
             if reverted.is_ok() {
@@ -100,7 +93,7 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
             }
             after_revert(studio, reverted);
         }
-        (Ok(_), Purpose::Revert { .. }) => {}
+        (Ok(_), Purpose::Revert(_)) => {}
     }
 }
 
@@ -143,8 +136,7 @@ pub(super) fn take_dropped(context: &Context, studio: &mut Studio) {
                 let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 studio.toasts.info(studio.texts.with("dropped-several", &[("name", name.into())]));
             }
-            studio.editor.settle();
-            leave::replace(context, studio, Next::Open(path.clone()));
+            begin(context, studio, path);
         }
         None => {
             let text = studio.texts.get("dropped-other").to_owned();

@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 use egui::Context;
 
 use super::job::{Job, Progress};
+use super::notice;
 use crate::app::Studio;
+use crate::layout::{self, Pane};
 use crate::settings::Settings;
 
 /// So long nothing may change before the settings are written.
@@ -96,6 +98,13 @@ fn note_window(context: &Context, studio: &mut Studio) {
 }
 
 fn note_layout(studio: &mut Studio) {
+    if notice::has_shown_pane(studio) {
+        // The next scene may have no problems.
+        let mut layout = studio.layout.clone();
+        layout::set_visible(&mut layout, Pane::Problems, false);
+        studio.settings.layout = Some(layout);
+        return;
+    }
     if studio.settings.layout.as_ref() != Some(&studio.layout) {
         studio.settings.layout = Some(studio.layout.clone());
     }

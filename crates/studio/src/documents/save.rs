@@ -88,7 +88,7 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
             studio.documents.saving = Some(saving);
             return;
         }
-        Progress::Done(Ok(written)) => saved(context, studio, saving, written),
+        Progress::Done(Ok(written)) => return saved(context, studio, saving, written),
         Progress::Done(Err(WriteFailure::Other)) => ask_about_replacing(studio, saving.order),
         Progress::Done(Err(WriteFailure::Cannot(error))) => {
             let text = disk::write_failure_in_words(&studio.texts, &error);
@@ -99,13 +99,17 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
             tell_failure(studio, text, saving.order.then);
         }
     }
-    if let Some(next) = studio.documents.next_saving.take() {
-        order(context, studio, next);
-    }
+    // What went wrong is told; the person may try again.
+    studio.documents.next_saving = None;
 }
 
 fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Written) {
     let Saving { writing, document, order: Order { path, then, .. }, .. } = saving;
+    let then = then.map(|next| match next {
+        // What has been read is no longer what the file says.
+        Next::Show(opened) if opened.path == path => Next::Open(path.clone()),
+        next => next,
+    });
     studio.settings.remember_recent(&path);
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     studio.toasts.success(studio.texts.with("saved", &[("name", name.into())]));
@@ -119,9 +123,19 @@ fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Writte
         studio.settings.last = Some(LastScene::File(path));
         notice::clear_findings(studio);
     }
-    if let Some(next) = then {
+    match (studio.documents.next_saving.take(), then) {
+        (Some(mut next), then) => {
+            // First things first.
+            next.then = next.then.or(then);
+            if let (May::Update(_) | May::UpdateBefore(_), Some(may)) = (next.may, studio.documents.may) {
+                // The file is the one that has just been written.
+                next.may = may;
+            }
+            order(context, studio, next);
+        }
         // Asks again if the scene has changed while it was being written.
-        leave::replace(context, studio, next);
+        (None, Some(next)) => leave::replace(context, studio, next),
+        (None, None) => {}
     }
 }
 

@@ -385,7 +385,7 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
     editor.change(label(), |scene| scene.camera.position.x += 1.0).unwrap();
     editor
         .change(label(), |scene| {
-            scene.bodies[1].placement.anchor = catoptric_scene::Placement::default().anchor
+            scene.bodies[1].placement.anchor = catoptric_scene::Placement::default().anchor;
         })
         .unwrap();
     editor.change(label(), |scene| scene.materials[1].material.reflection = Some(0.9)).unwrap();

@@ -1,7 +1,7 @@
 //! A studio without a window, and hands to use it.
 
 use std::collections::VecDeque;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -14,7 +14,9 @@ use tempfile::TempDir;
 /// A system of its own for each test: a temporary folder, and answers to the questions for files.
 #[derive(Clone)]
 pub(crate) struct TestHost {
-    folder: Arc<TempDir>,
+    folder: PathBuf,
+    /// Removes the folder at the end.
+    _temporary: Option<Arc<TempDir>>,
     answers: Arc<Mutex<VecDeque<Option<PathBuf>>>>,
     pub(crate) questions: Arc<Mutex<Vec<FileQuestion>>>,
     /// Bytes of memory that are free, as the studio is told.
@@ -23,8 +25,16 @@ pub(crate) struct TestHost {
 
 impl TestHost {
     pub(crate) fn new() -> Self {
+        let temporary = tempfile::tempdir().unwrap();
+        let host = Self::at(temporary.path());
+        Self { _temporary: Some(Arc::new(temporary)), ..host }
+    }
+
+    /// A system whose files lie in a folder of somebody else.
+    pub(crate) fn at(folder: &Path) -> Self {
         Self {
-            folder: Arc::new(tempfile::tempdir().unwrap()),
+            folder: folder.to_owned(),
+            _temporary: None,
             answers: Arc::default(),
             questions: Arc::default(),
             free_memory: Arc::default(),
@@ -33,7 +43,7 @@ impl TestHost {
 
     /// A path in the folder of this host.
     pub(crate) fn path(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
+        self.folder.join(name)
     }
 
     /// The next question for a file gets this answer.

@@ -216,7 +216,7 @@ impl Monkey {
             // A refusal is a good answer.
             let _ = editor.change_body(index, label, |body| body.placement = body.placement.moved_by(vector));
             let _ = editor.change_light(index, Label::new("edit-intensity", "monkey"), |light| {
-                light.intensity = number
+                light.intensity = number;
             });
             return format!("move {index} by {vector}, intensity {number}");
         }

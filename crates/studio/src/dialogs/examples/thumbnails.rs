@@ -9,7 +9,7 @@ use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 /// Width and height, pixels.
-pub(crate) const SIZE: [u32; 2] = [240, 150];
+pub(crate) const SIZE: [u32; 2] = [288, 162];
 const SAMPLES: u32 = 4;
 
 /// The pictures so far; they stay as long as the studio.
@@ -82,12 +82,6 @@ impl Thumbnails {
     /// The picture of the example at this place, if it is there.
     pub(crate) fn get(&self, index: usize) -> Option<&TextureHandle> {
         self.pictures.get(index)?.as_ref()
-    }
-
-    /// How many are there.
-    #[cfg(test)]
-    pub(crate) fn count(&self) -> usize {
-        self.pictures.iter().flatten().count()
     }
 }
 

@@ -10,6 +10,7 @@ use super::FileDialog;
 use super::listing::{Entry, Listing, size_in_words};
 use crate::texts::Texts;
 use crate::theme::{self, Palette};
+use crate::widgets::paint_line_in;
 
 const HEIGHT: f32 = 300.0;
 const ROW: f32 = 24.0;
@@ -88,8 +89,7 @@ fn row_ui(ui: &Ui, rect: Rect, entry: &Entry, texts: &Texts, palette: &Palette) 
     let date_start = rect.max.x - DATE_WIDTH;
     let size_start = date_start - SIZE_WIDTH;
     let name_rect = rect.with_min_x(rect.min.x + 32.0).with_max_x(size_start - 8.0);
-    let clipped = painter.with_clip_rect(name_rect.intersect(ui.clip_rect()));
-    clipped.text(pos2(name_rect.min.x, middle), Align2::LEFT_CENTER, &entry.name, font, palette.text);
+    paint_line_in(ui, name_rect, &entry.name, font, palette.text);
     if !entry.is_folder {
         let (unit, number) = size_in_words(entry.bytes);
         let digits = if number < 10.0 && unit != "size-bytes" { 1 } else { 0 };
