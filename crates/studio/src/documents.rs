@@ -108,10 +108,11 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::New => leave::replace(context, studio, Next::New),
         Command::Open => ask_for(studio, For::Opening),
         Command::OpenFile(path) => open::begin(context, studio, &path),
-        Command::OpenExample(name) => match Example::find(name) {
-            Some(example) => leave::replace(context, studio, Next::Example(example)),
-            None => {}
-        },
+        Command::OpenExample(name) => {
+            if let Some(example) = Example::find(name) {
+                leave::replace(context, studio, Next::Example(example));
+            }
+        }
         Command::Revert => open::revert(context, studio),
         Command::Save => save::save(context, studio, None),
         Command::SaveAs => save_as(studio, None),

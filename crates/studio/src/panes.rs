@@ -67,6 +67,11 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
         28.0
     }
 
+    /// Narrower, an inspector's fields could not be read.
+    fn min_size(&self) -> f32 {
+        150.0
+    }
+
     fn gap_width(&self, _style: &egui::Style) -> f32 {
         2.0
     }

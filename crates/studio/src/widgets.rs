@@ -63,13 +63,7 @@ pub(crate) fn paint_line(ui: &Ui, rect: egui::Rect, text: &str, color: egui::Col
 }
 
 /// The same in another font.
-pub(crate) fn paint_line_in(
-    ui: &Ui,
-    rect: egui::Rect,
-    text: &str,
-    font: egui::FontId,
-    color: egui::Color32,
-) {
+pub(crate) fn paint_line_in(ui: &Ui, rect: egui::Rect, text: &str, font: egui::FontId, color: egui::Color32) {
     let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
     job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width());
     let galley = ui.painter().layout_job(job);

@@ -242,15 +242,17 @@ fn attend(folder: &Path, inbox: &Receiver<Order>, report: impl Fn(Report)) {
                 }
             }
             Order::Finish { leave_behind } => {
-                if leave_behind {
-                    session.take().map(Session::leave_behind);
+                if leave_behind && let Some(session) = session.take() {
+                    session.leave_behind();
                 }
                 return;
             }
         }
     }
     // The window is gone without a word, as after a fault.
-    session.take().map(Session::leave_behind);
+    if let Some(session) = session.take() {
+        session.leave_behind();
+    }
 }
 
 fn keep_in(session: &mut Option<Session>, folder: &Path, snapshot: &Snapshot) -> Result<(), String> {

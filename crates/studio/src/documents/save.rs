@@ -75,7 +75,7 @@ pub(super) fn order(context: &Context, studio: &mut Studio, order: Order) {
             let path = order.path.display().to_string();
             let arguments = [("path", path.into()), ("reason", error.to_string().into())];
             let text = studio.texts.with("write-other", &arguments);
-            tell_failure(studio, text, order.then);
+            tell_failure(studio, &text, order.then);
         }
     }
 }
@@ -92,11 +92,11 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
         Progress::Done(Err(WriteFailure::Other)) => ask_about_replacing(studio, saving.order),
         Progress::Done(Err(WriteFailure::Cannot(error))) => {
             let text = disk::write_failure_in_words(&studio.texts, &error);
-            tell_failure(studio, text, saving.order.then);
+            tell_failure(studio, &text, saving.order.then);
         }
         Progress::Lost => {
             let text = studio.texts.get("fault").to_owned();
-            tell_failure(studio, text, saving.order.then);
+            tell_failure(studio, &text, saving.order.then);
         }
     }
     // What went wrong is told; the person may try again.
@@ -182,7 +182,7 @@ fn ask_about_partial(studio: &mut Studio, path: PathBuf, then: Option<Next>) {
 }
 
 /// The document could not be saved; nothing is lost.
-fn tell_failure(studio: &mut Studio, text: String, then: Option<Next>) {
+fn tell_failure(studio: &mut Studio, text: &str, then: Option<Next>) {
     let texts = &studio.texts;
     let rest: Act = Box::new(move |_, studio| save_as(studio, then));
     let question = Question::new(

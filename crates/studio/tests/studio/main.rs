@@ -1,5 +1,5 @@
 //! The studio used as a person uses it, headless: widgets are found by their accessible labels.
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 mod commands;
 mod documents;

@@ -106,7 +106,7 @@ material-choice = Material of the body
     .tip = A material that bodies share, or one of the body's own.
 material-share = Share
     .tip = Makes a named material of this one, which other bodies can use too.
-material-make-own = Make own
+material-make-own = Make unique
     .tip = Gives the body a copy of its own: changes no longer concern the other bodies.
 material-used-by = { $count ->
     [0] No body uses this material.

@@ -123,7 +123,7 @@ fn a_material_is_shared_made_own_and_chosen() {
     let mut window = window("four-bodies", None);
     let item = body(&window, "sphere");
     select(&mut window, [item]);
-    click(&mut window, Role::Button, "Make own");
+    click(&mut window, Role::Button, "Make unique");
     let red = *own_material(sphere_of(&scene(&window)));
     click(&mut window, Role::Button, "Share");
     let choice = sphere_of(&scene(&window)).material.clone();
