@@ -250,3 +250,31 @@ fn a_body_follows_the_mouse_in_a_real_window() {
     assert!(status.success(), "{status}");
     assert_eq!(std::fs::read_to_string(&scene).unwrap(), SCENE, "nobody saved it");
 }
+
+/// Asked to end by a signal, the studio keeps what is unsaved; nobody is there to answer a question.
+#[test]
+fn a_signal_ends_the_studio_and_unsaved_work_is_kept() {
+    let Some((_server, display)) = start_display() else {
+        eprintln!("skipped: Xvfb is not installed, so there is no display for a window");
+        return;
+    };
+    let home = tempfile::tempdir().unwrap();
+    let scene = home.path().join("disc.toml");
+    std::fs::write(&scene, SCENE).unwrap();
+    let desk = Desk::connect(&display);
+    let mut studio = start_studio(&display, home.path(), &scene);
+    let (left, right, middle) = desk.wait_for_red("the picture", |(left, right, _)| right - left > 60);
+    let center = i16::midpoint(left, right);
+    desk.drag((center, middle), (center + 60, middle));
+    desk.wait_for_red("the dragged disc", |red| red.0 > left + 40);
+
+    let pid = studio.0.id().to_string();
+    assert!(Command::new("kill").args(["-TERM", &pid]).status().unwrap().success());
+    let status = studio.0.wait().unwrap();
+    assert_eq!(status.code(), Some(130), "{status}");
+    assert_eq!(std::fs::read_to_string(&scene).unwrap(), SCENE, "the file itself is left alone");
+    let recovery = std::fs::read_dir(home.path().join("state/catoptric/recovery")).unwrap();
+    let kept = recovery.map(|entry| entry.unwrap().path()).find(|path| path.extension().unwrap() == "toml");
+    let kept = std::fs::read_to_string(kept.unwrap()).unwrap();
+    assert!(kept.contains("position = [") && !kept.contains("position = [0.0, 1.0, 0.0]"), "{kept}");
+}
