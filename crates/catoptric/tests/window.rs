@@ -21,6 +21,9 @@ use x11rb::rust_connection::RustConnection;
 const WIDTH: u16 = 1280;
 const HEIGHT: u16 = 800;
 
+/// Columns of the window that surely belong to the picture: beside it, panels show colors too.
+const PICTURE: std::ops::Range<i16> = 240..940;
+
 /// Generous: the studio is not optimized here, and draws without a graphics card.
 const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -110,6 +113,7 @@ impl Desk {
             .enumerate()
             .filter(|(_, pixel)| red(pixel))
             .map(|(at, _)| ((at % usize::from(WIDTH)) as i16, (at / usize::from(WIDTH)) as i16))
+            .filter(|(column, _)| PICTURE.contains(column))
             .collect();
         let columns = found.iter().map(|at| at.0);
         let rows = found.iter().map(|at| at.1);

@@ -53,6 +53,8 @@ fn main() {
 enum Phase {
     /// Waiting until the picture is refined.
     Rest(Next),
+    /// The button is down on a body; so many frames until it moves.
+    Press(u32),
     /// A body has been dragged a step; its first new picture is awaited.
     Edit { since: Instant, revision: Option<u64>, is_drawn: bool },
     /// The camera is turned by a long drag.
@@ -116,9 +118,17 @@ impl Bench {
         match &mut self.phase {
             Phase::Rest(next) => {
                 let next = *next;
+                // The pointer rests where it will press, as a hand's does.
+                self.point(self.start());
                 if self.studio.live().status().is_idle && self.studio.viewport_rect().is_some() {
                     self.begin(next);
                 }
+            }
+            Phase::Press(frames) if *frames > 0 => *frames -= 1,
+            Phase::Press(_) => {
+                let side = if self.edits.len().is_multiple_of(2) { 1.0 } else { -1.0 };
+                self.point(self.pointer + vec2(24.0 * side, 0.0));
+                self.phase = Phase::Edit { since: Instant::now(), revision: None, is_drawn: false };
             }
             Phase::Edit { since, revision, is_drawn } => {
                 let now = self.studio.editor().revision();
@@ -176,9 +186,7 @@ impl Bench {
         match next {
             Next::Edit => {
                 self.button(PointerButton::Primary, true);
-                let side = if self.edits.len().is_multiple_of(2) { 1.0 } else { -1.0 };
-                self.point(self.start() + vec2(24.0 * side, 0.0));
-                self.phase = Phase::Edit { since: Instant::now(), revision: None, is_drawn: false };
+                self.phase = Phase::Press(3);
             }
             Next::Orbit => {
                 self.button(PointerButton::Secondary, true);
