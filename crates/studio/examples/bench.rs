@@ -13,6 +13,8 @@ use catoptric_studio::{Start, Studio};
 use catoptric_tracer::RenderSettings;
 use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Ui, ViewportCommand, vec2};
 
+/// Between what is measured: time for a full picture and the first samples of its refinement.
+const REST: Duration = Duration::from_millis(700);
 /// How often a body is dragged.
 const EDITS: usize = 30;
 /// Frames of the long drag that turns the camera.
@@ -51,8 +53,8 @@ fn main() {
 
 /// What is being measured.
 enum Phase {
-    /// Waiting until the picture is refined.
-    Rest(Next),
+    /// Waiting while the picture is being refined.
+    Rest(Next, Instant),
     /// The button is down on a body; so many frames until it moves.
     Press(u32),
     /// A body has been dragged a step; its first new picture is awaited.
@@ -89,7 +91,7 @@ impl Bench {
     fn new(studio: Studio) -> Self {
         Self {
             studio,
-            phase: Phase::Rest(Next::Edit),
+            phase: Phase::Rest(Next::Edit, Instant::now()),
             events: Vec::new(),
             pointer: Pos2::ZERO,
             edits: Vec::new(),
@@ -116,11 +118,11 @@ impl Bench {
     /// Goes on after a frame; `shown` is the revision of which a picture was surely drawn in it.
     fn advance(&mut self, context: &egui::Context, shown: u64, cpu: Option<f32>) {
         match &mut self.phase {
-            Phase::Rest(next) => {
-                let next = *next;
+            Phase::Rest(next, since) => {
+                let (next, since) = (*next, *since);
                 // The pointer rests where it will press, as a hand's does.
                 self.point(self.start());
-                if self.studio.live().status().is_idle && self.studio.viewport_rect().is_some() {
+                if since.elapsed() > REST && self.studio.viewport_rect().is_some() {
                     self.begin(next);
                 }
             }
@@ -136,7 +138,7 @@ impl Bench {
                     self.edits.push(milliseconds(*since));
                     self.button(PointerButton::Primary, false);
                     let next = if self.edits.len() < EDITS { Next::Edit } else { Next::Orbit };
-                    self.phase = Phase::Rest(next);
+                    self.phase = Phase::Rest(next, Instant::now());
                 } else if let Some(revision) = *revision {
                     *is_drawn = shown >= revision;
                 } else if self.studio.editor().is_in_gesture() {
@@ -156,7 +158,7 @@ impl Bench {
                 self.point(at);
                 if since.elapsed() > ORBIT {
                     self.button(PointerButton::Secondary, false);
-                    self.phase = Phase::Rest(Next::Render);
+                    self.phase = Phase::Rest(Next::Render, Instant::now());
                 }
             }
             Phase::Render { since, job } => {
@@ -166,7 +168,7 @@ impl Bench {
                     job.cancel();
                     self.report();
                     context.send_viewport_cmd(ViewportCommand::Close);
-                    self.phase = Phase::Rest(Next::Render);
+                    self.phase = Phase::Rest(Next::Render, Instant::now());
                     std::process::exit(0);
                 }
                 let turn = since.elapsed().as_secs_f32();
