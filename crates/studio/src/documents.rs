@@ -36,6 +36,9 @@ pub(crate) use notice::{banner_ui, progress_ui};
 pub(crate) use recover::{Found, discard, restore};
 pub(crate) use start::start;
 
+/// So many bodies are many.
+const MANY: usize = 10_000;
+
 /// What is known about the open document beyond the editor, and what is being done with files.
 #[derive(Default)]
 pub(crate) struct Documents {
@@ -161,7 +164,12 @@ pub(crate) fn example_title(example: &Example, language: Language) -> &'static s
 
 /// Puts another document into the window.
 fn show(studio: &mut Studio, editor: Editor) {
-    studio.editor = editor.succeeding(&studio.editor);
+    let editor = editor.succeeding(&studio.editor);
+    let before = std::mem::replace(&mut studio.editor, editor);
+    if before.scene().bodies.len() > MANY {
+        // Freeing it takes longer than a frame. Without a thread it is freed here.
+        let _ = std::thread::Builder::new().name("free".to_owned()).spawn(move || drop(before));
+    }
     let documents = &mut studio.documents;
     documents.number += 1;
     documents.may = None;

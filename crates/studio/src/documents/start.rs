@@ -55,6 +55,7 @@ fn show_file(context: &Context, studio: &mut Studio, path: &Path, is_last: bool)
     match std::fs::metadata(&path) {
         Ok(found) if found.is_file() && found.len() > SHORT => {
             show_fresh(studio);
+            studio.settings.last = Some(LastScene::File(path.clone()));
             open::begin(context, studio, &path);
         }
         _ => match disk::read(&path) {

@@ -86,9 +86,10 @@ impl Hands {
         }
         self.fly_beside(ui, cx, response, travel);
         if !matches!(self.hand, Hand::Open) {
-            if ui.input(|input| input.pointer.any_down()) {
-                self.drag(ui, cx, sight);
-            } else {
+            // In a slow frame the pointer has moved on before it was released.
+            self.drag(ui, cx, sight);
+            if !ui.input(|input| input.pointer.any_down()) {
+                cx.view.is_moving = false;
                 self.hand = Hand::Open;
                 self.last = None;
                 cx.editor.settle();
