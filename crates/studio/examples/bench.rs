@@ -13,6 +13,8 @@ use catoptric_studio::{Start, Studio};
 use catoptric_tracer::RenderSettings;
 use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Ui, ViewportCommand, vec2};
 
+/// Between what is measured: time for a full picture and the first samples of its refinement.
+const REST: Duration = Duration::from_millis(700);
 /// How often a body is dragged.
 const EDITS: usize = 30;
 /// Frames of the long drag that turns the camera.
@@ -51,8 +53,10 @@ fn main() {
 
 /// What is being measured.
 enum Phase {
-    /// Waiting until the picture is refined.
-    Rest(Next),
+    /// Waiting while the picture is being refined.
+    Rest(Next, Instant),
+    /// The button is down on a body; so many frames until it moves.
+    Press(u32),
     /// A body has been dragged a step; its first new picture is awaited.
     Edit { since: Instant, revision: Option<u64>, is_drawn: bool },
     /// The camera is turned by a long drag.
@@ -87,7 +91,7 @@ impl Bench {
     fn new(studio: Studio) -> Self {
         Self {
             studio,
-            phase: Phase::Rest(Next::Edit),
+            phase: Phase::Rest(Next::Edit, Instant::now()),
             events: Vec::new(),
             pointer: Pos2::ZERO,
             edits: Vec::new(),
@@ -114,11 +118,19 @@ impl Bench {
     /// Goes on after a frame; `shown` is the revision of which a picture was surely drawn in it.
     fn advance(&mut self, context: &egui::Context, shown: u64, cpu: Option<f32>) {
         match &mut self.phase {
-            Phase::Rest(next) => {
-                let next = *next;
-                if self.studio.live().status().is_idle && self.studio.viewport_rect().is_some() {
+            Phase::Rest(next, since) => {
+                let (next, since) = (*next, *since);
+                // The pointer rests where it will press, as a hand's does.
+                self.point(self.start());
+                if since.elapsed() > REST && self.studio.viewport_rect().is_some() {
                     self.begin(next);
                 }
+            }
+            Phase::Press(frames) if *frames > 0 => *frames -= 1,
+            Phase::Press(_) => {
+                let side = if self.edits.len().is_multiple_of(2) { 1.0 } else { -1.0 };
+                self.point(self.pointer + vec2(24.0 * side, 0.0));
+                self.phase = Phase::Edit { since: Instant::now(), revision: None, is_drawn: false };
             }
             Phase::Edit { since, revision, is_drawn } => {
                 let now = self.studio.editor().revision();
@@ -126,7 +138,7 @@ impl Bench {
                     self.edits.push(milliseconds(*since));
                     self.button(PointerButton::Primary, false);
                     let next = if self.edits.len() < EDITS { Next::Edit } else { Next::Orbit };
-                    self.phase = Phase::Rest(next);
+                    self.phase = Phase::Rest(next, Instant::now());
                 } else if let Some(revision) = *revision {
                     *is_drawn = shown >= revision;
                 } else if self.studio.editor().is_in_gesture() {
@@ -146,7 +158,7 @@ impl Bench {
                 self.point(at);
                 if since.elapsed() > ORBIT {
                     self.button(PointerButton::Secondary, false);
-                    self.phase = Phase::Rest(Next::Render);
+                    self.phase = Phase::Rest(Next::Render, Instant::now());
                 }
             }
             Phase::Render { since, job } => {
@@ -156,7 +168,7 @@ impl Bench {
                     job.cancel();
                     self.report();
                     context.send_viewport_cmd(ViewportCommand::Close);
-                    self.phase = Phase::Rest(Next::Render);
+                    self.phase = Phase::Rest(Next::Render, Instant::now());
                     std::process::exit(0);
                 }
                 let turn = since.elapsed().as_secs_f32();
@@ -176,9 +188,7 @@ impl Bench {
         match next {
             Next::Edit => {
                 self.button(PointerButton::Primary, true);
-                let side = if self.edits.len().is_multiple_of(2) { 1.0 } else { -1.0 };
-                self.point(self.start() + vec2(24.0 * side, 0.0));
-                self.phase = Phase::Edit { since: Instant::now(), revision: None, is_drawn: false };
+                self.phase = Phase::Press(3);
             }
             Next::Orbit => {
                 self.button(PointerButton::Secondary, true);
