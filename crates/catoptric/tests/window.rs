@@ -7,6 +7,7 @@
 use std::io::{BufRead as _, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -23,6 +24,9 @@ const HEIGHT: u16 = 800;
 
 /// Columns of the window that surely belong to the picture: beside it, panels show colors too.
 const PICTURE: std::ops::Range<i16> = 240..940;
+
+/// Two studios beside each other would trace and draw too slowly to be used like by hand.
+static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
 
 /// Generous: the studio is not optimized here, and draws without a graphics card.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -215,6 +219,7 @@ fn a_body_follows_the_mouse_in_a_real_window() {
     const CONTROL: u32 = 0xffe3;
     const Z: u32 = 0x7a;
     const SHIFT: i16 = 90;
+    let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let Some((_server, display)) = start_display() else {
         eprintln!("skipped: Xvfb is not installed, so there is no display for a window");
         return;
@@ -253,6 +258,7 @@ fn a_body_follows_the_mouse_in_a_real_window() {
 /// Asked to end by a signal, the studio keeps what is unsaved; nobody is there to answer a question.
 #[test]
 fn a_signal_ends_the_studio_and_unsaved_work_is_kept() {
+    let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let Some((_server, display)) = start_display() else {
         eprintln!("skipped: Xvfb is not installed, so there is no display for a window");
         return;
