@@ -1,7 +1,6 @@
 //! A monkey at the studio: random acts from a seed, none of which may find a panic or break the document.
 //!
-//! `CATOPTRIC_MONKEY_STEPS` and `CATOPTRIC_MONKEY_SEED` choose how many and which; `cargo xtask monkey` lets it go on
-//! for as long as is wanted.
+//! `CATOPTRIC_MONKEY_STEPS` and `CATOPTRIC_MONKEY_SEED` choose how many and which.
 
 use std::path::PathBuf;
 
