@@ -1,23 +1,25 @@
 //! How quickly the studio answers, in a real window: `cargo xtask bench-studio` calls this.
 //!
-//! Events of a mouse are put into the window's input, so that everything runs as under a hand. A time "to the screen"
-//! ends when the frame that draws the new picture has been handed over and the next one begins.
+//! Events of a mouse are put into the window's input and wake it, so that everything runs as under a hand. A time "to the
+//! screen" begins when the mouse moves and ends when the frame that draws the new picture has been handed over and the
+//! next one begins.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a benchmark")]
 
 use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use catoptric_live::RenderJob;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
 use catoptric_studio::{Start, Studio};
 use catoptric_tracer::RenderSettings;
-use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Ui, ViewportCommand, vec2};
+use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Ui, vec2};
 
 /// Between what is measured: time for a full picture and the first samples of its refinement.
 const REST: Duration = Duration::from_millis(700);
 /// How often a body is dragged.
 const EDITS: usize = 30;
-/// Frames of the long drag that turns the camera.
+/// How long the camera is turned by a drag.
 const ORBIT: Duration = Duration::from_secs(6);
 /// How long the window is watched while a picture of 3840×2160 is made.
 const RENDER: Duration = Duration::from_secs(8);
@@ -44,6 +46,7 @@ fn main() {
     let viewport = egui::ViewportBuilder::default().with_inner_size([size[0], size[1]]);
     let options = eframe::NativeOptions { viewport, ..catoptric_studio::window_options() };
     let create = |creation: &eframe::CreationContext<'_>| {
+        catoptric_studio::prepare_window(creation);
         let studio =
             Studio::new(&creation.egui_ctx, &Start::Example("four-bodies".to_owned()), Box::new(Nowhere))?;
         Ok(Box::new(Bench::new(studio)) as Box<dyn eframe::App>)
@@ -55,10 +58,8 @@ fn main() {
 enum Phase {
     /// Waiting while the picture is being refined.
     Rest(Next, Instant),
-    /// The button is down on a body; so many frames until it moves.
-    Press(u32),
-    /// A body has been dragged a step; its first new picture is awaited.
-    Edit { since: Instant, revision: Option<u64>, is_drawn: bool },
+    /// The button is down on a body, and the mouse will move in a moment; then the first new picture is awaited.
+    Edit { since: Option<Instant>, revision: Option<u64>, is_drawn: bool },
     /// The camera is turned by a long drag.
     Orbit { since: Instant, last_picture: u64 },
     /// The pointer wanders while a large picture is made.
@@ -77,6 +78,8 @@ struct Bench {
     studio: Studio,
     phase: Phase,
     events: Vec<Event>,
+    /// The mouse's next move, when it comes: set by a thread of its own, as the system's events come.
+    moved: Arc<Mutex<Option<(Instant, Pos2)>>>,
     pointer: Pos2,
     /// Milliseconds from a moved mouse to the new picture on the screen.
     edits: Vec<f64>,
@@ -93,6 +96,7 @@ impl Bench {
             studio,
             phase: Phase::Rest(Next::Edit, Instant::now()),
             events: Vec::new(),
+            moved: Arc::default(),
             pointer: Pos2::ZERO,
             edits: Vec::new(),
             gaps: Vec::new(),
@@ -123,26 +127,25 @@ impl Bench {
                 // The pointer rests where it will press, as a hand's does.
                 self.point(self.start());
                 if since.elapsed() > REST && self.studio.viewport_rect().is_some() {
-                    self.begin(next);
+                    self.begin(context, next);
                 }
+                context.request_repaint_after(REST / 10);
             }
-            Phase::Press(frames) if *frames > 0 => *frames -= 1,
-            Phase::Press(_) => {
-                let side = if self.edits.len().is_multiple_of(2) { 1.0 } else { -1.0 };
-                self.point(self.pointer + vec2(24.0 * side, 0.0));
-                self.phase = Phase::Edit { since: Instant::now(), revision: None, is_drawn: false };
-            }
-            Phase::Edit { since, revision, is_drawn } => {
-                let now = self.studio.editor().revision();
+            Phase::Edit { since: None, .. } => {}
+            Phase::Edit { since: Some(since), revision, is_drawn } => {
                 if *is_drawn {
                     self.edits.push(milliseconds(*since));
                     self.button(PointerButton::Primary, false);
                     let next = if self.edits.len() < EDITS { Next::Edit } else { Next::Orbit };
                     self.phase = Phase::Rest(next, Instant::now());
+                    context.request_repaint();
                 } else if let Some(revision) = *revision {
                     *is_drawn = shown >= revision;
+                    if *is_drawn {
+                        context.request_repaint();
+                    }
                 } else if self.studio.editor().is_in_gesture() {
-                    *revision = Some(now);
+                    *revision = Some(self.studio.editor().revision());
                 }
             }
             Phase::Orbit { since, last_picture } => {
@@ -154,6 +157,7 @@ impl Bench {
                     self.last_picture = Instant::now();
                 }
                 let turn = since.elapsed().as_secs_f32();
+                context.request_repaint();
                 let at = self.start() + vec2(220.0 * turn.sin(), 40.0 * (1.3 * turn).sin());
                 self.point(at);
                 if since.elapsed() > ORBIT {
@@ -167,11 +171,10 @@ impl Bench {
                 if is_over {
                     job.cancel();
                     self.report();
-                    context.send_viewport_cmd(ViewportCommand::Close);
-                    self.phase = Phase::Rest(Next::Render, Instant::now());
                     std::process::exit(0);
                 }
                 let turn = since.elapsed().as_secs_f32();
+                context.request_repaint();
                 let at = self.start() + vec2(300.0 * turn.sin(), 150.0 * (2.0 * turn).cos());
                 self.point(at);
             }
@@ -183,12 +186,23 @@ impl Bench {
         self.studio.viewport_rect().map_or(Pos2::ZERO, |rect| rect.center() + vec2(0.0, 0.2 * rect.height()))
     }
 
-    fn begin(&mut self, next: Next) {
+    fn begin(&mut self, context: &egui::Context, next: Next) {
         self.point(self.start());
         match next {
             Next::Edit => {
                 self.button(PointerButton::Primary, true);
-                self.phase = Phase::Press(3);
+                self.phase = Phase::Edit { since: None, revision: None, is_drawn: false };
+                let side = if self.edits.len().is_multiple_of(2) { 1.0 } else { -1.0 };
+                let to = self.pointer + vec2(24.0 * side, 0.0);
+                // Not in step with anything that the window does.
+                let pause = Duration::from_millis(150 + (37 * self.edits.len() as u64) % 61);
+                let (moved, window) = (Arc::clone(&self.moved), context.clone());
+                std::thread::spawn(move || {
+                    std::thread::sleep(pause);
+                    *moved.lock().unwrap() = Some((Instant::now(), to));
+                    window.request_repaint();
+                });
+                context.request_repaint();
             }
             Next::Orbit => {
                 self.button(PointerButton::Secondary, true);
@@ -226,10 +240,16 @@ impl eframe::App for Bench {
         let cpu = frame.info().cpu_usage;
         self.studio.ui(ui);
         self.advance(&context, shown, cpu);
-        context.request_repaint();
     }
 
     fn raw_input_hook(&mut self, _context: &egui::Context, input: &mut RawInput) {
+        if let Some((at, to)) = self.moved.lock().unwrap().take() {
+            self.events.push(Event::PointerMoved(to));
+            self.pointer = to;
+            if let Phase::Edit { since, .. } = &mut self.phase {
+                *since = Some(at);
+            }
+        }
         input.events.append(&mut self.events);
     }
 }
@@ -238,14 +258,14 @@ fn milliseconds(since: Instant) -> f64 {
     1e3 * since.elapsed().as_secs_f64()
 }
 
-/// Median and largest.
+/// Median, 95 % and largest.
 fn spread(values: &[f64]) -> String {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let at = |share: f64| sorted.get((share * sorted.len() as f64) as usize).or(sorted.last()).copied();
     match (at(0.5), at(0.95), sorted.last()) {
-        (Some(median), Some(most), Some(worst)) => {
-            format!("median {median:.1}, 95 % {most:.1}, largest {worst:.1}")
+        (Some(median), Some(nearly_all), Some(worst)) => {
+            format!("median {median:.1}, 95 % {nearly_all:.1}, largest {worst:.1}")
         }
         _ => "none".to_owned(),
     }

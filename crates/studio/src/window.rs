@@ -1,6 +1,7 @@
 //! The window on the desktop.
 
 mod failure;
+mod lean;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -60,6 +61,7 @@ pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError
     let create = move |creation: &eframe::CreationContext<'_>| {
         loud.end();
         let context = &creation.egui_ctx;
+        prepare(creation);
         let _ = interruption.context.set(context.clone());
         let studio = Studio::interruptible(context, &start, Box::new(Desktop), Some(interruption))?;
         Ok(Box::new(studio) as Box<dyn eframe::App>)
@@ -70,6 +72,13 @@ pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError
 /// How the window is drawn.
 pub fn options() -> NativeOptions {
     NativeOptions { wgpu_options: egui_wgpu::WgpuConfiguration::default(), ..NativeOptions::default() }
+}
+
+/// Makes a new window ready: to be called before its first frame.
+pub fn prepare(creation: &eframe::CreationContext<'_>) {
+    if let Some(state) = &creation.wgpu_render_state {
+        lean::install(&creation.egui_ctx, state);
+    }
 }
 
 /// A mirror ball; see `assets/icon.toml`.
