@@ -24,7 +24,7 @@ pub struct LiveOptions {
 
 impl Default for LiveOptions {
     fn default() -> Self {
-        Self { threads: 0, budget: 20.0 }
+        Self { threads: 0, budget: 13.0 }
     }
 }
 

@@ -19,6 +19,7 @@ mod travel;
 
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
+use egui::emath::GuiRounding as _;
 use egui::{
     Align2, EventFilter, Key, Modifiers, Popup, Rect, Response, Sense, Stroke, StrokeKind, Ui, Visuals,
     WidgetInfo, vec2,
@@ -86,6 +87,8 @@ impl Viewport {
 /// Draws the picture and does what hands and keys do in it.
 pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport) {
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+    // A pixel of the picture is one of the screen.
+    let rect = rect.round_to_pixels(ui.ctx().pixels_per_point());
     viewport.measure(ui, rect);
     viewport.ease(ui, cx);
     let painter = ui.painter_at(rect);

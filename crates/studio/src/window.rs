@@ -1,7 +1,7 @@
 //! The window on the desktop.
 
 mod failure;
-mod lean;
+mod software;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -77,7 +77,7 @@ pub fn options() -> NativeOptions {
 /// Makes a new window ready: to be called before its first frame.
 pub fn prepare(creation: &eframe::CreationContext<'_>) {
     if let Some(state) = &creation.wgpu_render_state {
-        lean::install(&creation.egui_ctx, state);
+        software::install(&creation.egui_ctx, state);
     }
 }
 

@@ -26,14 +26,18 @@ impl Picture {
         cx: &Cx<'_>,
         palette: &Palette,
     ) -> Option<Arc<Frame>> {
-        painter.rect_filled(rect, 0.0, palette.field);
         let frame = cx.live.latest();
         if let Some(frame) = &frame {
             self.upload(painter, frame);
         }
-        if let Some(texture) = self.texture.as_ref().filter(|_| frame.is_some()) {
-            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-            painter.image(texture.id(), rect, whole, Color32::WHITE);
+        match self.texture.as_ref().filter(|_| frame.is_some()) {
+            Some(texture) => {
+                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                painter.image(texture.id(), rect, whole, Color32::WHITE);
+            }
+            None => {
+                painter.rect_filled(rect, 0.0, palette.field);
+            }
         }
         let error = cx.live.status().error;
         let message = match (&error, &frame) {
@@ -55,12 +59,14 @@ impl Picture {
         if frame.pixels.len() != 4 * size[0] * size[1] {
             return;
         }
-        let image = ColorImage::from_rgba_unmultiplied(size, &frame.pixels);
+        // Opaque: nothing is to be multiplied.
+        let image = ColorImage::from_rgba_premultiplied(size, &frame.pixels);
+        // Pixel upon pixel there is nothing to smooth.
+        let is_whole = frame.is_full();
+        let options = if is_whole { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
         match &mut self.texture {
-            Some(texture) => texture.set(image, TextureOptions::LINEAR),
-            None => {
-                self.texture = Some(painter.ctx().load_texture("picture", image, TextureOptions::LINEAR));
-            }
+            Some(texture) => texture.set(image, options),
+            None => self.texture = Some(painter.ctx().load_texture("picture", image, options)),
         }
         self.shown = Some(frame.picture_serial);
     }

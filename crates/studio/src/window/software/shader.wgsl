@@ -27,3 +27,16 @@ fn textured(in: Corner) -> @location(0) vec4<f32> {
 fn plain(in: Corner) -> @location(0) vec4<f32> {
     return in.color;
 }
+
+// A triangle that covers the screen.
+@vertex
+fn everywhere(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    let x = f32(index & 1u) * 4.0 - 1.0;
+    let y = f32(index >> 1u) * 4.0 - 1.0;
+    return vec4<f32>(x, y, 0.0, 1.0);
+}
+
+@fragment
+fn copied(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    return textureLoad(image, vec2<i32>(position.xy), 0);
+}

@@ -1,0 +1,394 @@
+//! A picture of the window that is kept from frame to frame.
+
+use std::num::NonZeroU64;
+use std::sync::Arc;
+
+use bytemuck::{Pod, Zeroable};
+use eframe::egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
+use egui::epaint::{Vertex, WHITE_UV};
+use egui::{Color32, PaintCallbackInfo, Pos2, Rect, TextureId, Vec2, vec2};
+use wgpu::util::DeviceExt as _;
+
+use super::damage::{Piece, Triangle, around};
+
+/// The format of the canvas: like the formats that egui prefers, it holds gamma-encoded colors.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Triangles of at least this area, in square points, are worth a change of the shader.
+const LARGE: f32 = 2000.0;
+
+/// A texture as it is drawn with.
+pub(super) struct Texture {
+    /// With egui's layout.
+    pub(super) bind_group: wgpu::BindGroup,
+    pub(super) is_opaque: bool,
+}
+
+pub(super) struct Canvas {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    pipelines: Arc<Pipelines>,
+    sheet: Option<Sheet>,
+}
+
+/// The picture itself.
+struct Sheet {
+    view: wgpu::TextureView,
+    bind_group: wgpu::BindGroup,
+    /// Width and height, pixels.
+    size: [u32; 2],
+    screen: Rect,
+    pixels_per_point: f32,
+}
+
+impl Canvas {
+    pub(super) fn new(state: &RenderState) -> Self {
+        Self {
+            device: state.device.clone(),
+            queue: state.queue.clone(),
+            pipelines: Arc::new(Pipelines::new(&state.device, state.target_format)),
+            sheet: None,
+        }
+    }
+
+    /// Forgets what is on the canvas.
+    pub(super) fn forget(&mut self) {
+        self.sheet = None;
+    }
+
+    /// Makes the canvas as large as the window. Returns whether what was drawn is still there.
+    pub(super) fn fit(&mut self, screen: Rect, pixels_per_point: f32) -> bool {
+        let is_fitting = |sheet: &Sheet| sheet.screen == screen && sheet.pixels_per_point == pixels_per_point;
+        if self.sheet.as_ref().is_some_and(is_fitting) {
+            return true;
+        }
+        let limit = self.device.limits().max_texture_dimension_2d;
+        let sides = screen.size() * pixels_per_point;
+        let size = [sides.x, sides.y].map(|side| (side.round() as u32).min(limit));
+        self.sheet = (!size.contains(&0)).then(|| {
+            let texture = self.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some("window"),
+                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: FORMAT,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+                view_formats: &[],
+            });
+            let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+            let bind_group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("window"),
+                layout: &self.pipelines.window,
+                entries: &[wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: wgpu::BindingResource::TextureView(&view),
+                }],
+            });
+            Sheet { view, bind_group, size, screen, pixels_per_point }
+        });
+        false
+    }
+
+    /// Draws `pieces` anew in the parts `damage`.
+    pub(super) fn draw(
+        &self,
+        pieces: &[Piece],
+        damage: &[Rect],
+        texture: impl Fn(TextureId) -> Option<Texture>,
+    ) {
+        let Some(sheet) = &self.sheet else { return };
+        let textures: Vec<_> = pieces.iter().map(|piece| texture(piece.texture)).collect();
+        let mut batch = Batch::default();
+        for part in damage {
+            // Rounding may have left out a pixel at the edge.
+            let part = part.expand(1.0);
+            batch.add(sheet, part, None, Kind::Opaque, &blank(part));
+            for (piece, texture) in pieces.iter().zip(&textures) {
+                let Some(texture) = texture else { continue };
+                let is_own = piece.texture == TextureId::default();
+                let kind = |triangle: &Triangle| Kind::of(triangle, is_own, texture.is_opaque);
+                for run in piece.triangles.chunk_by(|one, next| kind(one) == kind(next)) {
+                    let Some(first) = run.first() else { continue };
+                    batch.add(sheet, part.intersect(piece.clip), Some(texture), kind(first), run);
+                }
+            }
+        }
+        if !batch.runs.is_empty() {
+            self.submit(sheet, &batch);
+        }
+    }
+
+    fn submit(&self, sheet: &Sheet, batch: &Batch<'_>) {
+        let corners = self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("corners"),
+            contents: bytemuck::cast_slice(&batch.corners),
+            usage: wgpu::BufferUsages::VERTEX,
+        });
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("window"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &sheet.view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
+            })],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_vertex_buffer(0, corners.slice(..));
+        for run in &batch.runs {
+            let [x, y, width, height] = run.scissor;
+            pass.set_scissor_rect(x, y, width, height);
+            pass.set_pipeline(self.pipelines.of(run.kind));
+            if let (Kind::Textured | Kind::Picture, Some(texture)) = (run.kind, run.texture) {
+                pass.set_bind_group(0, &texture.bind_group, &[]);
+            }
+            pass.draw(run.corners.clone(), 0..1);
+        }
+        drop(pass);
+        self.queue.submit([encoder.finish()]);
+    }
+
+    /// What brings the canvas to the screen.
+    pub(super) fn copy(&self) -> Option<Copy> {
+        let bind_group = self.sheet.as_ref()?.bind_group.clone();
+        Some(Copy { pipelines: Arc::clone(&self.pipelines), bind_group })
+    }
+}
+
+/// Two triangles that hide what was there.
+fn blank(part: Rect) -> [Triangle; 2] {
+    let corner = |pos: Pos2| Vertex { pos, uv: WHITE_UV, color: Color32::BLACK };
+    let [one, two, three, four] =
+        [part.left_top(), part.right_top(), part.right_bottom(), part.left_bottom()].map(corner);
+    [[one, two, three], [one, three, four]]
+}
+
+/// Brings a canvas to the screen.
+pub(super) struct Copy {
+    pipelines: Arc<Pipelines>,
+    bind_group: wgpu::BindGroup,
+}
+
+impl CallbackTrait for Copy {
+    fn paint(
+        &self,
+        info: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        _resources: &CallbackResources,
+    ) {
+        let [width, height] = info.screen_size_px;
+        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
+        pass.set_scissor_rect(0, 0, width, height);
+        pass.set_pipeline(&self.pipelines.copied);
+        pass.set_bind_group(0, &self.bind_group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+/// What is drawn in a frame.
+#[derive(Default)]
+struct Batch<'a> {
+    corners: Vec<Corner>,
+    runs: Vec<Run<'a>>,
+}
+
+/// Triangles of one kind, next to each other.
+struct Run<'a> {
+    kind: Kind,
+    texture: Option<&'a Texture>,
+    scissor: [u32; 4],
+    corners: std::ops::Range<u32>,
+}
+
+impl<'a> Batch<'a> {
+    /// Adds the triangles that reach into the part `clip`.
+    fn add(&mut self, sheet: &Sheet, clip: Rect, texture: Option<&'a Texture>, kind: Kind, run: &[Triangle]) {
+        let Some(scissor) = sheet.pixels(clip) else { return };
+        let start = self.corners.len() as u32;
+        let reaching = run.iter().filter(|triangle| around(triangle).intersects(clip));
+        self.corners.extend(reaching.flatten().map(|vertex| sheet.corner(vertex)));
+        let end = self.corners.len() as u32;
+        match self.runs.last_mut() {
+            _ if start == end => {}
+            // What was left out in between has brought them together.
+            Some(last)
+                if last.kind == kind
+                    && last.scissor == scissor
+                    && last.texture.map(std::ptr::from_ref) == texture.map(std::ptr::from_ref) =>
+            {
+                last.corners.end = end;
+            }
+            _ => self.runs.push(Run { kind, texture, scissor, corners: start..end }),
+        }
+    }
+}
+
+/// A corner of a triangle: its place on the canvas from -1 to 1, in a texture from 0 to 1, and its color.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct Corner {
+    position: [f32; 2],
+    uv: [f32; 2],
+    color: [u8; 4],
+}
+
+impl Sheet {
+    fn corner(&self, vertex: &Vertex) -> Corner {
+        let points = vec2(self.size[0] as f32, self.size[1] as f32) / self.pixels_per_point;
+        let Vec2 { x, y } = (vertex.pos - self.screen.min) / points;
+        Corner {
+            position: [2.0 * x - 1.0, 1.0 - 2.0 * y],
+            uv: vertex.uv.into(),
+            color: vertex.color.to_array(),
+        }
+    }
+
+    /// A part of the window in pixels: left, top, width, height. None if nothing of it is on the canvas.
+    fn pixels(&self, part: Rect) -> Option<[u32; 4]> {
+        let part = part.translate(-self.screen.min.to_vec2());
+        let to = |place: f32, side: u32| ((place * self.pixels_per_point).round() as u32).min(side);
+        let [left, right] = [part.left(), part.right()].map(|x| to(x, self.size[0]));
+        let [top, bottom] = [part.top(), part.bottom()].map(|y| to(y, self.size[1]));
+        (left < right && top < bottom).then(|| [left, top, right - left, bottom - top])
+    }
+}
+
+/// How a triangle is colored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// By its corners, hiding what is behind.
+    Opaque,
+    /// By its corners, over what is behind.
+    Plain,
+    /// By its corners and a texture, over what is behind.
+    Textured,
+    /// By its corners and a texture, hiding what is behind.
+    Picture,
+}
+
+impl Kind {
+    /// Of a triangle with a texture, which is egui's own (of the fonts) or another.
+    fn of(triangle: &Triangle, is_own: bool, is_opaque: bool) -> Self {
+        let hides = triangle.iter().all(|corner| corner.color.is_opaque());
+        if area(triangle) < LARGE {
+            Self::Textured
+        } else if is_own && triangle.iter().all(|corner| corner.uv == WHITE_UV) {
+            // egui draws areas with the white corner of its own texture.
+            if hides { Self::Opaque } else { Self::Plain }
+        } else if is_opaque && hides {
+            Self::Picture
+        } else {
+            Self::Textured
+        }
+    }
+}
+
+fn area([one, two, three]: &Triangle) -> f32 {
+    let (along, aside) = (two.pos - one.pos, three.pos - one.pos);
+    0.5 * (along.x * aside.y - along.y * aside.x).abs()
+}
+
+struct Pipelines {
+    opaque: wgpu::RenderPipeline,
+    plain: wgpu::RenderPipeline,
+    textured: wgpu::RenderPipeline,
+    picture: wgpu::RenderPipeline,
+    copied: wgpu::RenderPipeline,
+    /// The layout of what is copied.
+    window: wgpu::BindGroupLayout,
+}
+
+impl Pipelines {
+    fn of(&self, kind: Kind) -> &wgpu::RenderPipeline {
+        match kind {
+            Kind::Opaque => &self.opaque,
+            Kind::Plain => &self.plain,
+            Kind::Textured => &self.textured,
+            Kind::Picture => &self.picture,
+        }
+    }
+
+    fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
+        let module = device.create_shader_module(wgpu::include_wgsl!("shader.wgsl"));
+        let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::FRAGMENT,
+            ty,
+            count: None,
+        };
+        let image = |filterable| wgpu::BindingType::Texture {
+            multisampled: false,
+            sample_type: wgpu::TextureSampleType::Float { filterable },
+            view_dimension: wgpu::TextureViewDimension::D2,
+        };
+        let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
+        };
+        // The same entries as in egui's layout, so that its bind groups fit.
+        let texture = layout(
+            "texture",
+            &[
+                entry(0, image(true)),
+                entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
+                entry(
+                    2,
+                    wgpu::BindingType::Buffer {
+                        has_dynamic_offset: false,
+                        min_binding_size: NonZeroU64::new(16),
+                        ty: wgpu::BufferBindingType::Uniform,
+                    },
+                ),
+            ],
+        );
+        let window = layout("window", &[entry(0, image(false))]);
+        let attributes = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Unorm8x4];
+        let corners = [Some(wgpu::VertexBufferLayout {
+            array_stride: size_of::<Corner>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &attributes,
+        })];
+        let pipeline = |[vertex, fragment]: [&str; 2], format, blend, layout| {
+            let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(fragment),
+                bind_group_layouts: &[layout],
+                immediate_size: 0,
+            });
+            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some(fragment),
+                layout: Some(&layout),
+                vertex: wgpu::VertexState {
+                    module: &module,
+                    entry_point: Some(vertex),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    buffers: if vertex == "corner" { &corners } else { &[] },
+                },
+                primitive: wgpu::PrimitiveState::default(),
+                depth_stencil: None,
+                multisample: wgpu::MultisampleState::default(),
+                fragment: Some(wgpu::FragmentState {
+                    module: &module,
+                    entry_point: Some(fragment),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    targets: &[Some(wgpu::ColorTargetState {
+                        format,
+                        blend,
+                        write_mask: wgpu::ColorWrites::ALL,
+                    })],
+                }),
+                multiview_mask: None,
+                cache: None,
+            })
+        };
+        let over = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        Self {
+            opaque: pipeline(["corner", "plain"], FORMAT, None, None),
+            plain: pipeline(["corner", "plain"], FORMAT, over, None),
+            textured: pipeline(["corner", "textured"], FORMAT, over, Some(&texture)),
+            picture: pipeline(["corner", "textured"], FORMAT, None, Some(&texture)),
+            copied: pipeline(["everywhere", "copied"], target, None, Some(&window)),
+            window,
+        }
+    }
+}
