@@ -44,7 +44,7 @@ impl Host for Nowhere {
 fn main() {
     let size: Vec<f32> = std::env::args().skip(1).map(|side| side.parse().unwrap()).collect();
     let viewport = egui::ViewportBuilder::default().with_inner_size([size[0], size[1]]);
-    let options = eframe::NativeOptions { viewport, ..catoptric_studio::window_options() };
+    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
     let create = |creation: &eframe::CreationContext<'_>| {
         catoptric_studio::prepare_window(creation);
         let studio =

@@ -40,4 +40,4 @@ pub use layout::Pane;
 pub use pictures::{PictureKind, RenderChoices};
 pub use settings::{LastScene, Settings, Theme};
 pub use texts::{Language, Texts};
-pub use window::{Interruption, StudioError, open, options as window_options, prepare as prepare_window};
+pub use window::{Interruption, StudioError, open, prepare as prepare_window};

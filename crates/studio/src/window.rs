@@ -6,7 +6,7 @@ mod software;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
-use eframe::{NativeOptions, egui_wgpu};
+use eframe::NativeOptions;
 use egui::{IconData, ViewportBuilder};
 
 use crate::app::{Start, Studio};
@@ -54,7 +54,7 @@ pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError
         .with_min_inner_size([800.0, 500.0])
         .with_drag_and_drop(true)
         .with_icon(Arc::new(icon()));
-    let options = NativeOptions { viewport, ..options() };
+    let options = NativeOptions { viewport, ..NativeOptions::default() };
     let interruption = interruption.clone();
     let quiet = Quiet::default();
     let loud = quiet.clone();
@@ -67,11 +67,6 @@ pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError
         Ok(Box::new(studio) as Box<dyn eframe::App>)
     };
     quiet.during(|| eframe::run_native("Catoptric", options, Box::new(create)))?.map_err(of_eframe)
-}
-
-/// How the window is drawn.
-pub fn options() -> NativeOptions {
-    NativeOptions { wgpu_options: egui_wgpu::WgpuConfiguration::default(), ..NativeOptions::default() }
 }
 
 /// Makes a new window ready: to be called before its first frame.

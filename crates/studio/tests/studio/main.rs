@@ -8,5 +8,6 @@ mod kit;
 mod monkey;
 mod outliner;
 mod render;
+mod software;
 mod viewport;
 mod window;
