@@ -3,7 +3,7 @@
 use catoptric_editor::Editor;
 use catoptric_live::{Live, Request};
 use catoptric_scene::{Camera, Scene};
-use egui::{CentralPanel, Frame, Panel, Ui};
+use egui::{CentralPanel, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
 
 use crate::StudioError;
@@ -82,6 +82,8 @@ impl Studio {
             options.zoom_with_keyboard = false;
             // As desktops have it; egui's own is too short for slow displays.
             options.input_options.max_double_click_delay = 0.45;
+            // A field is left, and its text taken, before the click does what it does elsewhere.
+            options.input_options.surrender_focus_on = SurrenderFocusOn::Presses;
         });
         context.set_zoom_factor(settings.zoom);
         let wake = context.clone();

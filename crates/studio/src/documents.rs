@@ -166,6 +166,7 @@ pub(crate) fn example_title(example: &Example, language: Language) -> &'static s
 fn show(studio: &mut Studio, editor: Editor) {
     let editor = editor.succeeding(&studio.editor);
     let before = std::mem::replace(&mut studio.editor, editor);
+    studio.panes.outliner.stop_renaming();
     if before.scene().bodies.len() > MANY {
         // Freeing it takes longer than a frame. Without a thread it is freed here.
         let _ = std::thread::Builder::new().name("free".to_owned()).spawn(move || drop(before));

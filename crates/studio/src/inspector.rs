@@ -1,7 +1,6 @@
 //! The panel of values of what is selected.
 
 use catoptric_editor::{Item, Label, Refused, Selection};
-use catoptric_scene::Scene;
 use egui::{Id, Key, ScrollArea, Ui};
 
 use crate::context::Cx;
@@ -32,7 +31,7 @@ pub(crate) struct Inspector {
 }
 
 /// What rows remember and tell each other.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Memory {
     /// The symbol that is lit, in the formula and in the rows.
     pub(crate) pointed: Option<Symbol>,
@@ -49,20 +48,28 @@ pub(crate) struct Memory {
     /// Whether the drag that still goes on has been given up.
     pub(crate) is_given_up: bool,
     /// Whether the three factors of a scale keep their ratios.
-    pub(crate) scale_link: IsLinked<true>,
+    pub(crate) scale_link: bool,
     /// Whether the edges of a cube do.
-    pub(crate) size_link: IsLinked<false>,
+    pub(crate) size_link: bool,
     /// The vectors at the start of a gesture.
     pub(crate) starts: sheet::Starts,
 }
 
-/// Whether three numbers keep their ratios.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct IsLinked<const AT_FIRST: bool>(pub(crate) bool);
-
-impl<const AT_FIRST: bool> Default for IsLinked<AT_FIRST> {
+impl Default for Memory {
     fn default() -> Self {
-        Self(AT_FIRST)
+        Self {
+            pointed: None,
+            row_hovered: None,
+            term_hovered: None,
+            selection: Selection::default(),
+            note: None,
+            gesture: None,
+            is_given_up: false,
+            // A body is scaled as a whole at first.
+            scale_link: true,
+            size_link: false,
+            starts: sheet::Starts::default(),
+        }
     }
 }
 
@@ -124,7 +131,7 @@ fn escape(ui: &Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
 }
 
 /// Why a change was refused, in the language of the window.
-fn explain(texts: &Texts, refused: &Refused) -> String {
+pub(crate) fn explain(texts: &Texts, refused: &Refused) -> String {
     let key = match refused.problems.first().map(|problem| problem.key) {
         Some("target") => "refused-target",
         Some("up") => "refused-up",
@@ -133,22 +140,4 @@ fn explain(texts: &Texts, refused: &Refused) -> String {
         _ => "refused-range",
     };
     texts.get(key).to_owned()
-}
-
-/// What a thing is called: its name, or else what it is.
-fn called<'t>(texts: &'t Texts, scene: &'t Scene, item: Item) -> &'t str {
-    let name = item.name(scene);
-    if !name.is_empty() {
-        return name;
-    }
-    match item {
-        Item::Camera => texts.get("thing-camera"),
-        Item::Environment => texts.get("thing-environment"),
-        Item::Tracing => texts.get("thing-tracing"),
-        Item::Material(_) => texts.get("thing-material"),
-        Item::Light(_) => texts.get("thing-light"),
-        Item::Body(index) => {
-            scene.bodies.get(index).map_or("", |body| texts.get(body::shape_key(&body.shape)))
-        }
-    }
 }

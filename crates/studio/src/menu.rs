@@ -12,6 +12,7 @@ use crate::command::{Command, Situation, Tool, Zoom};
 use crate::documents::recent;
 use crate::layout::Pane;
 use crate::settings::Theme;
+use crate::documents::example_title;
 use crate::texts::Language;
 use crate::widgets::icon_button;
 use crate::{shortcuts, theme};
@@ -26,10 +27,8 @@ enum Entry {
     /// A line.
     Line,
     /// A menu of its own.
-    Sub(&'static str, MenuIcon, fn(&mut Ui, &Studio, &mut Vec<Command>)),
+    Sub(&'static str, MaterialIcon, fn(&mut Ui, &Studio, &mut Vec<Command>)),
 }
-
-type MenuIcon = MaterialIcon;
 
 /// A menu of the bar.
 struct Menu {
@@ -322,12 +321,4 @@ fn examples_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
             }
         }
     });
-}
-
-/// The title of a built-in scene.
-pub(crate) fn example_title(example: &Example, language: Language) -> &'static str {
-    match language {
-        Language::English => example.title(),
-        Language::Russian => example.russian_title(),
-    }
 }

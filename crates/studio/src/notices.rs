@@ -105,7 +105,7 @@ impl Toasts {
         if area.response.contains_pointer() {
             return;
         }
-        let passed = context.input(|input| input.stable_dt.min(0.1));
+        let passed = context.input(|input| input.unstable_dt.min(0.1));
         for notice in &mut self.notices {
             if let Some(left) = &mut notice.left {
                 *left -= passed;

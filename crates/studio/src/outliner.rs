@@ -7,6 +7,7 @@ mod row;
 mod rows;
 
 use std::borrow::Cow;
+use std::mem;
 
 use catoptric_editor::{Action, Item, Selection};
 use catoptric_scene::{Body, MaterialChoice, Scene, ShapeKind};
@@ -46,6 +47,8 @@ struct Renaming {
     name: String,
     /// Whether the field has had the focus yet.
     has_begun: bool,
+    /// Whether the field has been drawn in this frame.
+    is_drawn: bool,
 }
 
 /// The list has the keyboard's focus under this id while it is used.
@@ -54,11 +57,16 @@ pub(crate) fn list_id() -> Id {
 }
 
 impl Outliner {
+    /// Forgets the name that is being typed.
+    pub(crate) fn stop_renaming(&mut self) {
+        self.renaming = None;
+    }
+
     /// Begins to type another name for `item`.
     pub(crate) fn rename(&mut self, scene: &Scene, item: Item) {
         if matches!(item, Item::Body(_) | Item::Light(_) | Item::Material(_)) {
             let name = item.name(scene).to_owned();
-            self.renaming = Some(Renaming { item, name, has_begun: false });
+            self.renaming = Some(Renaming { item, name, has_begun: false, is_drawn: false });
             self.rows.unfold(item);
             self.shown = None;
         }
@@ -75,6 +83,8 @@ pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner)
         outliner.rows.unfold(item);
     }
     outliner.rows.update(cx.texts, cx.editor, &outliner.filter);
+    // A filter may hide it.
+    outliner.renaming.take_if(|renaming| !renaming.has_begun && outliner.rows.place_of(renaming.item).is_none());
     outliner.shown = renamed.or(cx.editor.selection().primary());
 
     let rect = ui.available_rect_before_wrap();
@@ -100,6 +110,11 @@ pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner)
         }
         drag::drag_ui(ui, cx, outliner, top, rect);
     });
+    // A field that is out of sight has been left.
+    let left = outliner.renaming.take_if(|renaming| renaming.has_begun && !mem::take(&mut renaming.is_drawn));
+    if let Some(renaming) = left {
+        take_name(cx, renaming);
+    }
     empty_ui(ui, cx, outliner, rect);
     if outliner.hovered.is_some() {
         cx.view.hovered_body = outliner.hovered;
@@ -180,6 +195,7 @@ fn click(cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, modifiers: egui::
 /// Draws the field in which a name is typed.
 fn rename_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, rect: Rect) {
     let Some(renaming) = &mut outliner.renaming else { return };
+    renaming.is_drawn = true;
     let id = list_id().with("rename");
     let field = TextEdit::singleline(&mut renaming.name)
         .id(id)
@@ -201,11 +217,17 @@ fn rename_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, rect: Rect) 
         return;
     }
     let is_given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
-    let Some(Renaming { item, name, .. }) = outliner.renaming.take() else { return };
-    if !is_given_up && name != item.name(cx.editor.scene()) {
-        cx.run(Command::Edit(Action::Rename { item, name }));
+    let Some(renaming) = outliner.renaming.take() else { return };
+    if !is_given_up {
+        take_name(cx, renaming);
     }
     ui.memory_mut(|memory| memory.request_focus(list_id()));
+}
+
+fn take_name(cx: &mut Cx<'_>, Renaming { item, name, .. }: Renaming) {
+    if name != item.name(cx.editor.scene()) {
+        cx.run(Command::Edit(Action::Rename { item, name }));
+    }
 }
 
 /// What to call a thing: its name, or what it is.

@@ -11,7 +11,7 @@ use crate::layout::Pane;
 use crate::outliner::shape_name;
 use crate::palette::Palette;
 use crate::texts::Texts;
-use crate::{documents, layout, theme, viewport};
+use crate::{documents, inspector, layout, theme, viewport};
 
 /// Does `command`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
@@ -114,7 +114,8 @@ fn apply(studio: &mut Studio, action: Action) {
         ActionError::BadText(_) => "refused-bad-text",
         ActionError::NothingToPaste => "refused-nothing-to-paste",
         ActionError::Refused(refused) => {
-            studio.toasts.warning(refused.to_string());
+            let text = inspector::explain(&studio.texts, refused);
+            studio.toasts.warning(text);
             return;
         }
     };

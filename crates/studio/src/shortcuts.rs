@@ -9,7 +9,8 @@ use crate::command::{Command, Zoom};
 /// What is remembered about keys from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct Keys {
-    /// A command has asked for the clipboard; its text comes with a later event, whatever has the focus then.
+    /// A command has asked for the clipboard in this frame; its text comes with the next one, whatever has the focus
+    /// then. No text comes when the clipboard holds none.
     pub(crate) is_paste_asked: bool,
 }
 
@@ -27,13 +28,15 @@ struct Listeners {
 /// Takes the shortcuts that were pressed out of the input and asks for their commands.
 ///
 /// While a text is being typed, only shortcuts with a command key count, and of them those that text fields do not
-/// know; while flying, letters and digits belong to the flight; behind a dialog there are none.
+/// know; while flying, letters and digits belong to the flight; behind a dialog and during a drag there are none.
 pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     let context = ui.ctx().clone();
     let mut commands = Vec::new();
     let is_behind =
         studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());
-    if !is_behind {
+    // What is in the hand must not be deleted or undone under it.
+    let is_dragging = context.is_using_pointer() && context.input(|input| input.pointer.is_decidedly_dragging());
+    if !is_behind && !is_dragging {
         let listeners = Listeners {
             is_typing: context.text_edit_focused(),
             is_menu_open: Popup::is_any_open(&context),
@@ -53,8 +56,8 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
             collect_clipboard(&context, &mut commands);
         }
     }
-    if studio.keys.is_paste_asked && take_paste(&context, &mut commands) {
-        studio.keys.is_paste_asked = false;
+    if std::mem::take(&mut studio.keys.is_paste_asked) {
+        take_paste(&context, &mut commands);
     }
     let situation = studio.situation();
     commands.retain(|command| situation.can(command));
@@ -76,9 +79,8 @@ fn collect_clipboard(context: &Context, commands: &mut Vec<Command>) {
     });
 }
 
-/// Takes a text that was pasted; returns whether there was one.
-fn take_paste(context: &Context, commands: &mut Vec<Command>) -> bool {
-    let count = commands.len();
+/// Takes a text that was pasted.
+fn take_paste(context: &Context, commands: &mut Vec<Command>) {
     context.input_mut(|input| {
         input.events.retain(|event| match event {
             Event::Paste(text) => {
@@ -88,7 +90,6 @@ fn take_paste(context: &Context, commands: &mut Vec<Command>) -> bool {
             _ => true,
         });
     });
-    commands.len() > count
 }
 
 /// The command whose shortcut `event` is; `Some(None)` for a shortcut whose repetition means nothing.

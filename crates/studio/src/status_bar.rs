@@ -7,7 +7,7 @@ use egui_material_icons::icons;
 
 use crate::context::Cx;
 use crate::texts::Texts;
-use crate::theme;
+use crate::{theme, viewport};
 
 /// Width of the bar of refinement, points.
 const BAR: f32 = 90.0;
@@ -106,7 +106,7 @@ fn error_ui(ui: &mut Ui, texts: &Texts, error: &LiveError) {
     };
     let color = theme::palette(ui.visuals()).error;
     let label = Label::new(RichText::new(texts.get(key)).color(color)).truncate();
-    ui.add(label).on_hover_text(error.to_string());
+    ui.add(label).on_hover_text(viewport::why(texts, error));
 }
 
 /// From right to left: bodies and lights, and whether the view is free.

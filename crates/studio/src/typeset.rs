@@ -167,7 +167,7 @@ fn tokens(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Markup as plain text, for names and descriptions: `k_a`, `(n·L_j)⁺`.
+/// Markup as plain text, for names and descriptions: `k_a` for `k_a`, `I_reflected` for `I_{reflected}`.
 pub(crate) fn plain(markup: &str) -> String {
     markup.chars().filter(|letter| !matches!(letter, '~' | '{' | '}')).collect()
 }

@@ -27,6 +27,7 @@ use egui::{
 
 use crate::command::Command;
 use crate::context::Cx;
+use crate::outliner::item_name;
 use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
@@ -34,6 +35,7 @@ pub(crate) use jumps::{
     frame, look_along, place_for_new, place_for_new_light, set_camera, set_scene_camera, toggle_free,
 };
 use picture::Picture;
+pub(crate) use picture::why;
 use sight::{Sight, Target};
 use travel::Travel;
 
@@ -210,7 +212,7 @@ fn over_picture(
 fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
     response.widget_info(|| {
         let scene = cx.editor.scene();
-        let names: Vec<String> = cx.editor.selection().iter().map(|item| name_of(cx, scene, item)).collect();
+        let names: Vec<String> = cx.editor.selection().iter().map(|item| item_name(cx.texts, scene, item).into_owned()).collect();
         let label = if names.is_empty() {
             cx.t("viewport-picture").to_owned()
         } else {
@@ -222,21 +224,6 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
         let stroke = Stroke::new(2.0, theme::palette(ui.visuals()).accent);
         ui.painter().rect_stroke(response.rect, 0.0, stroke, StrokeKind::Inside);
     }
-}
-
-/// What a thing is called; what has no name of its own is called by its kind.
-fn name_of(cx: &Cx<'_>, scene: &catoptric_scene::Scene, item: Item) -> String {
-    let name = item.name(scene);
-    if !name.is_empty() {
-        return name.to_owned();
-    }
-    let key = match item {
-        Item::Camera => "viewport-name-camera",
-        Item::Light(_) => "viewport-name-light",
-        Item::Body(_) => "viewport-name-body",
-        Item::Environment | Item::Tracing | Item::Material(_) => "viewport-name-other",
-    };
-    cx.t(key).to_owned()
 }
 
 /// Short texts: what is being changed, what is under the pointer, how to fly, what a file dropped here would do.
@@ -264,7 +251,7 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
     } else if let (Some(item), Some(pointer), false) = (over, pointer, Popup::is_any_open(ui.ctx())) {
         if rest >= REST {
-            labels::beside_pointer(&painter, sight.rect, pointer, &name_of(cx, scene, item), palette);
+            labels::beside_pointer(&painter, sight.rect, pointer, &item_name(cx.texts, scene, item), palette);
         } else {
             let left = std::time::Duration::from_secs_f32(REST - rest);
             ui.ctx().request_repaint_after(left);

@@ -66,7 +66,7 @@ impl Situation<'_> {
             Command::Rename => {
                 matches!(selection.primary(), Some(Item::Body(_) | Item::Light(_) | Item::Material(_)))
             }
-            Command::Revert => self.editor.path().is_some() && self.editor.is_changed(),
+            Command::Revert => self.editor.path().is_some(),
             Command::CopyPicture => self.live.latest().is_some(),
             Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
             Command::FrameAll => !self.editor.scene().bodies.is_empty(),

@@ -8,7 +8,8 @@ use catoptric_scene::{Body, Shape, ShapeKind};
 use egui::{Id, Ui};
 
 use super::sheet::{Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
-use super::{Memory, called, header, material, place, reshape};
+use super::{Memory, header, material, place, reshape};
+use crate::outliner::item_name;
 use crate::context::Cx;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
@@ -66,7 +67,7 @@ static SIZE: Vector<Body> = Vector::<Body>::new(
         }
     },
 )
-.linked(|memory| &mut memory.size_link.0);
+.linked(|memory| &mut memory.size_link);
 
 /// Draws the values of the selected bodies.
 pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
@@ -78,9 +79,9 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     let indices = if free.is_empty() { &selected } else { &free };
     let Some(&first) = indices.first() else { return };
     let Some(primary) = scene.bodies.get(first) else { return };
-    let name = called(cx.texts, &scene, Item::Body(first));
+    let name = item_name(cx.texts, &scene, Item::Body(first));
     let subject = if indices.len() == 1 {
-        name.to_owned()
+        name.clone().into_owned()
     } else {
         cx.texts.with("several-bodies", &[("count", indices.len().into())])
     };
@@ -88,7 +89,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         header::header_ui(ui, cx, Item::Body(first));
     } else {
         let locked = selected.len() - free.len();
-        header::several_ui(ui, cx, "several-bodies", selected.len(), name, locked);
+        header::several_ui(ui, cx, "several-bodies", selected.len(), &name, locked);
     }
     if free.is_empty() {
         let items: Vec<Item> = selected.iter().map(|&index| Item::Body(index)).collect();

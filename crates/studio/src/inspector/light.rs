@@ -9,7 +9,8 @@ use egui::{Id, Ui};
 
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
 use super::symbol::Symbol;
-use super::{Memory, called, formula, header};
+use super::{Memory, formula, header};
+use crate::outliner::item_name;
 use crate::context::Cx;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
@@ -53,8 +54,8 @@ pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     let indices = if free.is_empty() { &selected } else { &free };
     let Some(&first) = indices.first() else { return };
     let Some(primary) = scene.lights.get(first) else { return };
-    let name = called(cx.texts, &scene, Item::Light(first));
-    let mut subject = name.to_owned();
+    let name = item_name(cx.texts, &scene, Item::Light(first));
+    let mut subject = name.clone().into_owned();
     if indices.len() > 1 {
         subject = cx.texts.with("several-lights", &[("count", indices.len().into())]);
     }
@@ -62,7 +63,7 @@ pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
         header::header_ui(ui, cx, Item::Light(first));
     } else {
         let locked = selected.len() - free.len();
-        header::several_ui(ui, cx, "several-lights", selected.len(), name, locked);
+        header::several_ui(ui, cx, "several-lights", selected.len(), &name, locked);
     }
     if free.is_empty() {
         let items: Vec<Item> = selected.iter().map(|&index| Item::Light(index)).collect();

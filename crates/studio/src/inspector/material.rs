@@ -12,7 +12,8 @@ use egui_material_icons::icons::ICON_WARNING;
 use super::kinds::{MEDIA, PRESETS, kind_of};
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
 use super::symbol::Symbol;
-use super::{Memory, called, formula, header};
+use super::{Memory, formula, header};
+use crate::outliner::item_name;
 use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;
@@ -160,10 +161,11 @@ pub(super) fn of_bodies_ui(
         };
         homes.extend(home.filter(|&home| seen.insert(home)));
     }
-    let subject = match homes.as_slice() {
-        [Home::Named(index)] => called(cx.texts, scene, Item::Material(*index)),
-        _ => subject,
+    let own = match homes.as_slice() {
+        [Home::Named(index)] => Some(item_name(cx.texts, scene, Item::Material(*index))),
+        _ => None,
     };
+    let subject = own.as_deref().unwrap_or(subject);
     sheet_ui(ui, cx, memory, scene, &Made { homes: &homes, bodies, subject });
 }
 

@@ -63,7 +63,7 @@ static SCALE: Vector<Body> = Vector::<Body>::new(
     |body| Some(body.placement.scale),
     |body, value| body.placement.scale = value,
 )
-.linked(|memory| &mut memory.scale_link.0);
+.linked(|memory| &mut memory.scale_link);
 
 /// Draws the values of the place.
 pub(super) fn place_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {

@@ -12,9 +12,13 @@ pub(super) struct Query {
 impl Query {
     pub(super) fn new(text: &str) -> Self {
         let typed = folded(text.trim());
-        let mut readings =
-            vec![typed.clone(), swapped(&typed, LATIN, RUSSIAN), swapped(&typed, RUSSIAN, LATIN)];
-        readings.dedup();
+        let others = [swapped(&typed, LATIN, RUSSIAN), swapped(&typed, RUSSIAN, LATIN)];
+        let mut readings = vec![typed];
+        for other in others {
+            if !readings.contains(&other) {
+                readings.push(other);
+            }
+        }
         Self { readings }
     }
 

@@ -337,16 +337,19 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
         Item::Camera => cx.view.free_camera.is_some(),
         other => !other.is_locked(scene) && !other.is_hidden(scene),
     };
-    let items: Vec<Item> = selection.iter().filter(has_place).collect();
-    let places: Vec<glam::DVec3> = items.iter().filter_map(|item| place_of(scene, *item)).collect();
-    let (lead, primary) = (places.last()?, items.iter().rfind(|item| place_of(scene, **item).is_some())?);
-    let pivot = places.iter().sum::<glam::DVec3>() / places.len() as f64;
+    let placed: Vec<(Item, glam::DVec3)> = selection
+        .iter()
+        .filter(has_place)
+        .filter_map(|item| Some((item, place_of(scene, item)?)))
+        .collect();
+    let (primary, lead) = *placed.last()?;
+    let pivot = placed.iter().map(|(_, place)| place).sum::<glam::DVec3>() / placed.len() as f64;
     let own = match primary {
-        Item::Body(index) => scene.bodies.get(*index).map(|body| own_axes(&body.placement)),
+        Item::Body(index) => scene.bodies.get(index).map(|body| own_axes(&body.placement)),
         _ => None,
     };
     // A point has neither turns nor sizes.
-    let is_point = matches!(items.as_slice(), [Item::Light(_)]);
+    let is_point = matches!(placed.as_slice(), [(Item::Light(_), _)]);
     let tool = match (cx.view.tool, primary) {
         _ if is_point => Tool::Move,
         (Tool::Scale, Item::Camera) => Tool::Move,
@@ -358,7 +361,7 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
         pivot,
         axes: local.unwrap_or(glam::DVec3::AXES),
         is_local: local.is_some(),
-        lead: *lead,
+        lead,
     })
 }
 

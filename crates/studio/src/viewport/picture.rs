@@ -7,6 +7,7 @@ use catoptric_tracer::StageError;
 use egui::{Align2, Color32, ColorImage, FontId, Painter, Rect, TextureHandle, TextureOptions, pos2};
 
 use crate::context::Cx;
+use crate::texts::Texts;
 use crate::theme::Palette;
 
 /// The newest picture, in the memory of whatever draws the window.
@@ -41,7 +42,7 @@ impl Picture {
         }
         let error = cx.live.status().error;
         let message = match (&error, &frame) {
-            (Some(error), _) => Some((told(cx, error), palette.warning)),
+            (Some(error), _) => Some((why(cx.texts, error), palette.warning)),
             (None, None) => Some((cx.t("viewport-first-picture").to_owned(), palette.weak)),
             (None, Some(_)) => None,
         };
@@ -82,17 +83,17 @@ fn message_ui(painter: &Painter, rect: Rect, text: String, color: Color32, palet
 }
 
 /// Why there is no picture, in the words of the present language.
-fn told(cx: &Cx<'_>, error: &LiveError) -> String {
+pub(crate) fn why(texts: &Texts, error: &LiveError) -> String {
     match error {
-        LiveError::Stage(StageError::UndefinedMaterial { body, material }) => cx.texts.with(
+        LiveError::Stage(StageError::UndefinedMaterial { body, material }) => texts.with(
             "viewport-error-material",
             &[("body", body.as_str().into()), ("material", material.as_str().into())],
         ),
         LiveError::Stage(StageError::TooManyBodies(count)) => {
-            cx.texts.with("viewport-error-bodies", &[("count", (*count).into())])
+            texts.with("viewport-error-bodies", &[("count", (*count).into())])
         }
-        LiveError::Size(_) | LiveError::TooLarge { .. } => cx.t("viewport-error-size").to_owned(),
-        LiveError::Camera => cx.t("viewport-error-camera").to_owned(),
-        LiveError::Fault(fault) => cx.texts.with("viewport-error-fault", &[("fault", fault.as_str().into())]),
+        LiveError::Size(_) | LiveError::TooLarge { .. } => texts.get("viewport-error-size").to_owned(),
+        LiveError::Camera => texts.get("viewport-error-camera").to_owned(),
+        LiveError::Fault(fault) => texts.with("viewport-error-fault", &[("fault", fault.as_str().into())]),
     }
 }

@@ -208,8 +208,10 @@ impl Travel {
 
     /// A frame of flight. The pointer is caught; what it does turns the view.
     pub(crate) fn fly(&mut self, ui: &Ui, cx: &mut Cx<'_>) {
+        let is_covered = !ui.memory(|memory| memory.allows_interaction(ui.layer_id()));
         let is_over = ui.input_mut(|input| {
-            input.consume_key(Modifiers::NONE, Key::Escape)
+            is_covered
+                || input.consume_key(Modifiers::NONE, Key::Escape)
                 || input.consume_key(Modifiers::NONE, Key::Enter)
                 || input.pointer.any_pressed()
                 || !input.focused

@@ -11,8 +11,10 @@ use crate::theme;
 /// What stands for a number that several things do not share.
 pub(crate) const MIXED: &str = "—";
 
-/// Half of a field's height is the least that can be hit.
+/// Height of a field, points.
 pub(crate) const HEIGHT: f32 = 22.0;
+/// A field that is no wider, points, does not show its unit.
+const NARROW: f32 = 72.0;
 
 /// A field for one number.
 pub(crate) struct NumberField<'a> {
@@ -79,8 +81,9 @@ impl NumberField<'_> {
         let id = ui.next_auto_id();
         let has_focus = ui.memory(|memory| memory.has_focus(id));
         let room = ((self.width - 12.0) / 7.0) as usize;
-        let unit_room = self.unit.chars().count();
-        let unit = if has_focus || self.is_mixed { "" } else { self.unit };
+        let is_narrow = self.width <= NARROW;
+        let unit = if has_focus || self.is_mixed || is_narrow { "" } else { self.unit };
+        let unit_room = if is_narrow { 0 } else { self.unit.chars().count() };
         let text = match (self.is_mixed, has_focus) {
             (true, _) => MIXED.to_owned(),
             (false, true) => exact(self.value),

@@ -5,6 +5,14 @@ use egui::{Key, Response, TextEdit, Ui, vec2};
 use crate::theme;
 use crate::widgets::number::HEIGHT;
 
+/// What is being typed.
+#[derive(Clone)]
+struct Draft {
+    text: String,
+    /// The last pass in which its field was drawn.
+    pass: u64,
+}
+
 /// A field that shows `current` until something else is typed. What was typed comes once the field is left, but not
 /// when it is given up with Escape. The second value is what stands in the field meanwhile.
 pub(crate) fn text_field(
@@ -17,7 +25,10 @@ pub(crate) fn text_field(
     let inner = ui.scope(|ui| {
         ui.visuals_mut().widgets.inactive.bg_stroke.color = theme::palette(ui.visuals()).line;
         let id = ui.next_auto_id();
-        let draft = ui.data(|data| data.get_temp::<String>(id));
+        let pass = ui.ctx().cumulative_pass_nr();
+        // A field that was not drawn since is another one by now, though it may have the same place.
+        let draft = ui.data_mut(|data| data.remove_temp::<Draft>(id)).filter(|draft| draft.pass + 1 >= pass);
+        let draft = draft.map(|draft| draft.text);
         let mut text = draft.clone().unwrap_or_else(|| current.to_owned());
         let edit = TextEdit::singleline(&mut text)
             .id(id)
@@ -28,13 +39,12 @@ pub(crate) fn text_field(
             .desired_width(width - 8.0);
         let response = ui.add_sized(vec2(width, HEIGHT), edit).accessible_name(name);
         if response.has_focus() {
-            ui.data_mut(|data| data.insert_temp(id, text.clone()));
+            ui.data_mut(|data| data.insert_temp(id, Draft { text: text.clone(), pass }));
             return (response, None, Some(text));
         }
         if draft.is_none() {
             return (response, None, None);
         }
-        ui.data_mut(|data| data.remove_temp::<String>(id));
         let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
         let taken = (!is_given_up && text != current).then_some(text);
         (response, taken, None)

@@ -124,7 +124,7 @@ impl<T> Sheet<'_, '_, T> {
             limits: vector.what.limits(),
             speed: vector.speed * (number.abs() / 10.0).max(1.0),
             decimals: vector.decimals,
-            unit: if width > 72.0 { unit } else { "" },
+            unit,
             edge: palette.axes.get(axis).copied(),
             width,
         };
