@@ -60,7 +60,7 @@ pub(crate) struct DevelopmentArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct StudioArguments {
-    /// A scene file, or the name of a built-in scene; without it, the scene of the last time
+    /// A scene file, or the name of a built-in scene; without it, the scene that was open last
     #[arg(value_name = "SCENE")]
     pub scene: Option<PathBuf>,
 }

@@ -9,10 +9,10 @@ use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
 use crate::command::{Command, Situation, Tool, Zoom};
+use crate::documents::example_title;
 use crate::documents::recent;
 use crate::layout::Pane;
 use crate::settings::Theme;
-use crate::documents::example_title;
 use crate::texts::Language;
 use crate::widgets::icon_button;
 use crate::{shortcuts, theme};

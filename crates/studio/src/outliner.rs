@@ -84,7 +84,9 @@ pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner)
     }
     outliner.rows.update(cx.texts, cx.editor, &outliner.filter);
     // A filter may hide it.
-    outliner.renaming.take_if(|renaming| !renaming.has_begun && outliner.rows.place_of(renaming.item).is_none());
+    outliner
+        .renaming
+        .take_if(|renaming| !renaming.has_begun && outliner.rows.place_of(renaming.item).is_none());
     outliner.shown = renamed.or(cx.editor.selection().primary());
 
     let rect = ui.available_rect_before_wrap();

@@ -35,7 +35,8 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     let is_behind =
         studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());
     // What is in the hand must not be deleted or undone under it.
-    let is_dragging = context.is_using_pointer() && context.input(|input| input.pointer.is_decidedly_dragging());
+    let is_dragging =
+        context.egui_is_using_pointer() && context.input(|input| input.pointer.is_decidedly_dragging());
     if !is_behind && !is_dragging {
         let listeners = Listeners {
             is_typing: context.text_edit_focused(),

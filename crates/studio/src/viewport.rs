@@ -212,7 +212,8 @@ fn over_picture(
 fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
     response.widget_info(|| {
         let scene = cx.editor.scene();
-        let names: Vec<String> = cx.editor.selection().iter().map(|item| item_name(cx.texts, scene, item).into_owned()).collect();
+        let names: Vec<String> =
+            cx.editor.selection().iter().map(|item| item_name(cx.texts, scene, item).into_owned()).collect();
         let label = if names.is_empty() {
             cx.t("viewport-picture").to_owned()
         } else {
@@ -226,7 +227,7 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
     }
 }
 
-/// Short texts: what is being changed, what is under the pointer, how to fly, what a file dropped here would do.
+/// Short texts: what is being changed, what is under the pointer, how to fly.
 fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
     /// How long the pointer rests before it is told what it is over, seconds.
     const REST: f32 = 0.5;
@@ -266,12 +267,5 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         let below = if cx.view.free_camera.is_some() { 100.0 } else { 58.0 };
         let at = room.center_top() + vec2(0.0, below);
         labels::plate(&painter, room, at, Align2::CENTER_TOP, &text, palette);
-    }
-    if ui.input(|input| !input.raw.hovered_files.is_empty()) {
-        painter.rect_filled(sight.rect, 0.0, palette.accent.gamma_multiply(0.12));
-        let stroke = Stroke::new(3.0, palette.accent);
-        painter.rect_stroke(sight.rect.shrink(6.0), 8.0, stroke, StrokeKind::Inside);
-        let at = sight.rect.center();
-        labels::plate(&painter, sight.rect, at, Align2::CENTER_CENTER, cx.t("viewport-drop"), palette);
     }
 }

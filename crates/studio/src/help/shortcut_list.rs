@@ -8,19 +8,22 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::key_caps;
 
-/// What the mouse and the keys of flight do in the picture: the message with what is done by hand, and the one with
-/// what happens.
-const GESTURES: [(&str, &str); 12] = [
+/// What the mouse and the keys do in the picture: the message with what is done by hand, and the one with what
+/// happens.
+const GESTURES: [(&str, &str); 15] = [
     ("gesture-click", "gesture-click-does"),
     ("gesture-click-again", "gesture-click-again-does"),
     ("gesture-shift-click", "gesture-shift-click-does"),
     ("gesture-drag-body", "gesture-drag-body-does"),
     ("gesture-alt-drag", "gesture-alt-drag-does"),
     ("gesture-ctrl-drag", "gesture-ctrl-drag-does"),
+    ("gesture-shift-drag", "gesture-shift-drag-does"),
     ("gesture-drag-beside", "gesture-drag-beside-does"),
     ("gesture-right-drag", "gesture-right-drag-does"),
     ("gesture-middle-drag", "gesture-middle-drag-does"),
     ("gesture-wheel", "gesture-wheel-does"),
+    ("gesture-arrows", "gesture-arrows-does"),
+    ("gesture-shift-arrows", "gesture-shift-arrows-does"),
     ("gesture-escape", "gesture-escape-does"),
     ("gesture-fly", "gesture-fly-does"),
 ];

@@ -33,7 +33,7 @@ const TERMS: [Term; 18] = [
     term("A(d)", "", "glossary-falloff"),
     term("I", "a", "glossary-ambient-light"),
     term("I", "b", "glossary-background"),
-    term("K", "", "glossary-generations"),
+    term("", "", "glossary-generations"),
     term("w", "", "glossary-threshold"),
     term("", "", "glossary-total-reflection"),
     term("", "", "glossary-shadow"),

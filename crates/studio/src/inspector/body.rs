@@ -9,8 +9,8 @@ use egui::{Id, Ui};
 
 use super::sheet::{Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
 use super::{Memory, header, material, place, reshape};
-use crate::outliner::item_name;
 use crate::context::Cx;
+use crate::outliner::item_name;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
 

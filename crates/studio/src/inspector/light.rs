@@ -10,8 +10,8 @@ use egui::{Id, Ui};
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
 use super::symbol::Symbol;
 use super::{Memory, formula, header};
-use crate::outliner::item_name;
 use crate::context::Cx;
+use crate::outliner::item_name;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
 

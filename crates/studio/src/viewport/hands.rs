@@ -337,11 +337,8 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
         Item::Camera => cx.view.free_camera.is_some(),
         other => !other.is_locked(scene) && !other.is_hidden(scene),
     };
-    let placed: Vec<(Item, glam::DVec3)> = selection
-        .iter()
-        .filter(has_place)
-        .filter_map(|item| Some((item, place_of(scene, item)?)))
-        .collect();
+    let placed: Vec<(Item, glam::DVec3)> =
+        selection.iter().filter(has_place).filter_map(|item| Some((item, place_of(scene, item)?))).collect();
     let (primary, lead) = *placed.last()?;
     let pivot = placed.iter().map(|(_, place)| place).sum::<glam::DVec3>() / placed.len() as f64;
     let own = match primary {
@@ -356,13 +353,7 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
         (tool, _) => tool,
     };
     let local = own.filter(|_| cx.view.is_gizmo_local);
-    Some(Gizmo {
-        tool,
-        pivot,
-        axes: local.unwrap_or(glam::DVec3::AXES),
-        is_local: local.is_some(),
-        lead,
-    })
+    Some(Gizmo { tool, pivot, axes: local.unwrap_or(glam::DVec3::AXES), is_local: local.is_some(), lead })
 }
 
 fn own_axes(placement: &catoptric_scene::Placement) -> [glam::DVec3; 3] {

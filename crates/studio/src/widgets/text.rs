@@ -6,7 +6,7 @@ use crate::theme;
 use crate::widgets::number::HEIGHT;
 
 /// What is being typed.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 struct Draft {
     text: String,
     /// The last pass in which its field was drawn.

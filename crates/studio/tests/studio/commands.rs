@@ -273,7 +273,7 @@ fn the_arrows_of_the_palette_choose() {
     settle(&mut harness);
     harness.event(Event::Text("zzz".to_owned()));
     settle(&mut harness);
-    assert!(harness.query_by_label("Nothing of that name").is_some());
+    assert!(harness.query_by_label("No matches").is_some());
     press(&mut harness, Modifiers::NONE, Key::Escape);
     open_palette(&mut harness);
     let chosen = |harness: &Kit| {
@@ -379,7 +379,7 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
     let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
     settle(&mut harness);
     assert!(harness.query_by_label("First steps").is_some());
-    assert!(harness.query_by_label("That was all of it.").is_none());
+    assert!(harness.query_by_label("That is all.").is_none());
     let label = || catoptric_editor::Label::new("edit-reset-placement", "sphere");
     let editor = harness.state_mut().editor_mut();
     editor.change(label(), |scene| scene.camera.position.x += 1.0).unwrap();
@@ -390,7 +390,7 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
         .unwrap();
     editor.change(label(), |scene| scene.materials[1].material.reflection = Some(0.9)).unwrap();
     settle(&mut harness);
-    assert!(harness.query_by_label("That was all of it.").is_some());
+    assert!(harness.query_by_label("That is all.").is_some());
     harness.get_by_label("Dismiss the hint").click();
     settle(&mut harness);
     assert!(harness.query_by_label("First steps").is_none());

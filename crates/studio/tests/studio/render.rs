@@ -95,7 +95,7 @@ fn truth(scene: &Scene, [width, height]: [u32; 2], samples: u32, generations: Op
 fn save_to(harness: &mut Hands, host: &TestHost, path: &Path) {
     host.answer(Some(path.to_owned()));
     press(harness, "Save…");
-    wait_for(harness, &format!("Saved {}", path.file_name().unwrap().display()));
+    wait_for(harness, &format!("Saved: {}", path.file_name().unwrap().display()));
 }
 
 fn close_requested(harness: &mut Hands) {
@@ -310,7 +310,7 @@ fn an_unsaved_picture_is_not_dropped_without_asking() {
     press(&mut harness, "Stay");
     press(&mut harness, "Close the picture");
     harness.step();
-    press(&mut harness, "Do not save");
+    press(&mut harness, "Don’t save");
     assert!(!is_seen(&harness, "Picture 96 × 54"));
     close_requested(&mut harness);
     assert!(!viewport_commands(&harness).contains(&ViewportCommand::CancelClose));
@@ -351,7 +351,7 @@ fn a_file_is_replaced_only_when_that_is_agreed() {
     press(&mut harness, "Save…");
     wait_for(&mut harness, "Replace “mine.png”?");
     press(&mut harness, "Replace");
-    wait_for(&mut harness, "Saved mine.png");
+    wait_for(&mut harness, "Saved: mine.png");
     assert_eq!(read(&path).unwrap().width(), 96);
 }
 
@@ -449,7 +449,7 @@ fn everything_is_said_in_russian_too() {
     harness.run();
     harness.state_mut().run(Command::Render);
     settle(&mut harness);
-    for label in ["Рендер изображения", "Лучей на пиксель: 16", "Файл: PNG, 16 бит", "Тональная кривая"]
+    for label in ["Рендер изображения", "Отсчётов на пиксель: 16", "Файл: PNG, 16 бит", "Тональная кривая"]
     {
         assert!(harness.query_all_by_label(label).next().is_some(), "{label}");
     }

@@ -10,7 +10,7 @@ menu-no-recent = No recent files
 menu-examples = Examples
 menu-select = Select
 menu-material = Material
-menu-sides = Look from
+menu-sides = Standard views
 menu-panels = Panels
 menu-theme = Theme
 menu-language = Language
@@ -143,7 +143,7 @@ command-toggle-free-view = Free view
 command-camera-from-view = Camera from view
     .tip = Puts the scene’s camera where the free view is.
 command-toggle-fly = Fly
-    .tip = Flies through the scene with the keys W, A, S, D and the mouse.
+    .tip = Flies through the scene with the keys W, A, S, D, Q, E and the mouse.
 
 # Tools.
 command-tool-move = Move
@@ -182,11 +182,11 @@ command-language-english = English
     .tip = Switches the studio to English.
 command-language-russian = Русский
     .tip = Switches the studio to Russian.
-command-zoom-in = Enlarge the window’s text
+command-zoom-in = Larger interface
     .tip = Makes everything in the window a tenth larger.
-command-zoom-out = Reduce the window’s text
+command-zoom-out = Smaller interface
     .tip = Makes everything in the window a tenth smaller.
-command-zoom-normal = Normal size of the window’s text
+command-zoom-normal = Normal interface size
     .tip = Makes everything in the window as large as the system has it.
 
 # Help.
@@ -203,7 +203,7 @@ command-about = About Catoptric
 
 # The command palette.
 palette-hint = A command, an example, a body…
-palette-nothing = Nothing of that name
+palette-nothing = No matches
 palette-example = example
 palette-recent = recent file
 palette-thing = in the scene

@@ -25,7 +25,7 @@ files-name-hint = A name, or a path
 files-all = All files
 files-all-tip = Lists files of every kind, not only { $kinds }.
 files-reading = Reading the folder…
-files-empty = Nothing fits here.
+files-empty = No matching files here.
 files-no-folder = There is no such folder. Check the path.
 files-denied = You may not look into this folder. Choose another one.
 files-failed = This folder cannot be read. Choose another one.
@@ -47,8 +47,8 @@ ago-days = { $number ->
 }
 
 # Under way
-opening = Opening { $name } …
-saving = Saving { $name } …
+opening = Opening { $name }…
+saving = Saving { $name }…
 saved = Saved: { $name }
 reverted = The scene is again as it was saved. Undo brings your changes back.
 revert-no-file = This scene has no file yet to go back to.
@@ -61,7 +61,7 @@ replace-text = There is already a file { $path }. Its content would be lost.
 overwrite-title = Another program has changed “{ $name }”
 overwrite-text = The file { $path } is no longer the one that was opened here. Replacing it loses what the other program wrote; under another name, both stay.
 partial-title = Only a part of “{ $name }” is open
-partial-text = What could not be read is missing from the scene. Replacing the file loses those parts for good; under another name, the original stays and can still be mended.
+partial-text = What could not be read is missing from the scene. Replacing the file loses those parts and all its comments for good; under another name, the original stays and can still be mended.
 
 # What cannot be opened
 open-failed = The scene cannot be opened
@@ -137,4 +137,4 @@ banner-dismiss = Dismiss
 # Examples
 examples-title = Examples
 examples-search = Search the examples
-examples-none = No example fits.
+examples-none = No matching examples.

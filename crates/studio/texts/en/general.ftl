@@ -34,7 +34,7 @@ status-refining-name = Refinement
     .tip = How many rays each pixel has got so far; edges become smoother with each.
 status-error-scene = The scene cannot be traced
 status-error-size = No picture of this size is possible
-status-error-camera = The camera has a number that is not finite
+status-error-camera = A value of the camera is not a finite number
 status-error-fault = The tracer has failed
 status-bodies = { $count ->
     [one] { $count } body
@@ -49,4 +49,4 @@ status-count-name = Contents
 status-free = Free view
     .tip = The view looks around by itself; the scene’s camera stays where it is. Press 0 to return to it.
 status-flying = Flying
-    .tip = W, A, S and D fly, the mouse turns. Esc or Shift+F ends the flight.
+    .tip = W, A, S, D, Q and E fly, the mouse turns. Esc, a click or Shift+F ends the flight.

@@ -20,7 +20,7 @@ outliner-lock = Lock “{ $name }”
 outliner-unlock = Unlock “{ $name }”
 outliner-of-material = Material “{ $material }”
 outliner-own-material = Material of its own
-outliner-drag-material = Drag it onto a body to make the body of it.
+outliner-drag-material = Drag it onto a body to give the body this material.
 
 # What new things are called.
 name-sphere = Sphere

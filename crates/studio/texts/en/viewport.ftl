@@ -1,10 +1,6 @@
 # The viewport
 viewport-picture = The traced picture. Nothing is selected.
 viewport-picture-selected = The traced picture. Selected: { $names }
-viewport-name-camera = camera
-viewport-name-light = light without a name
-viewport-name-body = body without a name
-viewport-name-other = something else
 viewport-first-picture = Tracing the first picture…
 viewport-error-material = “{ $body }” is to be made of “{ $material }”, but the scene has no such material.
 viewport-error-bodies = { $count } bodies are too many to trace.
@@ -39,5 +35,4 @@ viewport-camera-here = Put the camera here
     .tip = Moves the scene’s camera to where you are looking from, as one step that can be undone.
 viewport-camera-back = Back to the camera
     .tip = Looks through the scene’s camera again.
-viewport-fly-hint = Flying: W A S D – move · Q E – down, up · mouse – look · wheel – speed · Shift – faster · Esc – land
-viewport-drop = Drop the file to open it
+viewport-fly-hint = Flying: W A S D – move · Q E – down, up · mouse – look · wheel – speed · Shift – faster · Esc – end

@@ -20,7 +20,7 @@ outliner-lock = Закрепить «{ $name }»
 outliner-unlock = Открепить «{ $name }»
 outliner-of-material = Материал «{ $material }»
 outliner-own-material = Собственный материал
-outliner-drag-material = Перетащите на тело, чтобы сделать его из этого материала.
+outliner-drag-material = Перетащите на тело, чтобы назначить ему этот материал.
 
 # Имена новых предметов.
 name-sphere = Шар

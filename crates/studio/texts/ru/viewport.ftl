@@ -1,10 +1,6 @@
 # Окно просмотра
 viewport-picture = Рассчитанное изображение. Ничего не выделено.
 viewport-picture-selected = Рассчитанное изображение. Выделено: { $names }
-viewport-name-camera = камера
-viewport-name-light = источник света без имени
-viewport-name-body = тело без имени
-viewport-name-other = что-то ещё
 viewport-first-picture = Рассчитывается первое изображение…
 viewport-error-material = Тело «{ $body }» должно быть из материала «{ $material }», но такого материала в сцене нет.
 viewport-error-bodies = Тел слишком много для расчёта: { $count }.
@@ -39,5 +35,4 @@ viewport-camera-here = Поставить камеру сюда
     .tip = Переносит камеру сцены туда, откуда вы смотрите; это один шаг, который можно отменить.
 viewport-camera-back = Вернуться к камере
     .tip = Снова смотреть через камеру сцены.
-viewport-fly-hint = Полёт: W A S D – движение · Q E – вниз, вверх · мышь – взгляд · колёсико – скорость · Shift – быстрее · Esc – конец
-viewport-drop = Отпустите файл, чтобы открыть его
+viewport-fly-hint = Полёт: W A S D — движение · Q E — вниз, вверх · мышь — взгляд · колесо — скорость · Shift — быстрее · Esc — завершить

@@ -10,9 +10,9 @@ fn a_radius_that_cannot_be_leaves_the_scene_and_says_why() {
         ("-5", "It must be above 0 and at most 1e9"),
         ("0", "It must be above 0"),
         ("2e9", "It must be above 0"),
-        ("abc", "That is no number"),
-        ("nan", "That is no number"),
-        ("1e999", "That is no number"),
+        ("abc", "That is not a number"),
+        ("nan", "That is not a number"),
+        ("1e999", "That is not a number"),
     ] {
         enter(&mut window, "Radius", text);
         assert_eq!(scene(&window), before, "{text}");
