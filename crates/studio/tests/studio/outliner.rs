@@ -118,6 +118,24 @@ fn names_are_typed_in_place() {
 }
 
 #[test]
+fn a_name_is_not_given_to_another_document() {
+    let mut harness = studio();
+    settle(&mut harness);
+    click(&mut harness, "sphere", Modifiers::NONE);
+    harness.key_press(Key::F2);
+    settle(&mut harness);
+    harness.event(Event::Text("Ball".to_owned()));
+    harness.step();
+    harness.state_mut().run(Command::OpenExample("whitted"));
+    settle(&mut harness);
+    let before = names(&harness);
+    harness.key_press(Key::Enter);
+    settle(&mut harness);
+    assert_eq!(names(&harness), before);
+    assert!(!before.contains(&"Ball".to_owned()), "{before:?}");
+}
+
+#[test]
 fn renaming_opens_a_folded_list_and_a_hidden_panel() {
     let mut harness = studio();
     settle(&mut harness);

@@ -26,6 +26,18 @@ fn rotation_of(body: &Body) -> DVec3 {
 }
 
 #[test]
+fn a_unit_may_be_typed_in_narrow_fields_too() {
+    let cube = body(&window("four-bodies", None), "cube");
+    let mut window = window("four-bodies", cube);
+    enter(&mut window, "Position X", "2 m");
+    enter(&mut window, "Rotation Y", "45°");
+    let Item::Body(index) = cube else { panic!() };
+    let anchor = scene(&window).bodies[index].placement.anchor;
+    let Anchor::Frame { position, rotation_degrees } = anchor else { panic!("{anchor:?}") };
+    assert_eq!((position.x, rotation_degrees.y), (2.0, 45.0));
+}
+
+#[test]
 fn sizes_of_each_shape() {
     let mut window = with_body(Shape::SPHERE);
     adjusts(&mut window, "Radius", 2.5, "edit-radius", |scene| match sphere_of(scene).shape {

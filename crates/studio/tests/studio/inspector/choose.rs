@@ -161,6 +161,33 @@ fn names_are_typed() {
 }
 
 #[test]
+fn a_typed_name_is_taken_by_what_it_was_typed_for() {
+    let cube = body(&window("four-bodies", None), "cube");
+    let mut window = window("four-bodies", cube);
+    window.get_by_role_and_label(Role::TextInput, "Name").click();
+    window.run_steps(2);
+    window.key_press_modifiers(egui::Modifiers::COMMAND, Key::A);
+    window.event(Event::Text("die".to_owned()));
+    window.run_steps(2);
+    let pos = window.get_by_role_and_label(Role::TreeItem, "cone").rect().center();
+    let button = egui::PointerButton::Primary;
+    window.hover_at(pos);
+    window.step();
+    for pressed in [true, false] {
+        let modifiers = egui::Modifiers::NONE;
+        window.event(Event::PointerButton { pos, button, pressed, modifiers });
+        window.step();
+    }
+    window.run_steps(3);
+    let cone = body(&window, "cone");
+    assert_eq!(window.state().editor().selection().primary(), Some(cone));
+    assert_eq!(cube.name(&scene(&window)), "die");
+    select(&mut window, [cube]);
+    select(&mut window, [cone]);
+    assert_eq!(window.state().editor().steps().len(), 1);
+}
+
+#[test]
 fn bodies_and_lights_are_hidden_and_locked() {
     let mut window = window("four-bodies", None);
     for item in [body(&window, "cone"), Item::Light(1)] {

@@ -109,6 +109,23 @@ fn escape_abandons_what_the_hand_does() {
 }
 
 #[test]
+fn what_is_in_the_hand_is_neither_deleted_nor_undone() {
+    let mut hand = Hand::new();
+    let before = hand.scene().clone();
+    let from = hand.place(position(&before, SPHERE));
+    hand.press(from);
+    hand.way(from, from + Vec2::new(60.0, 10.0));
+    hand.tap(Key::Delete);
+    hand.hold(Modifiers::COMMAND);
+    hand.tap(Key::Z);
+    hand.hold(Modifiers::NONE);
+    hand.way(hand.pos, from + Vec2::new(90.0, 20.0));
+    hand.release();
+    assert_only_moved(&before, &hand.scene().clone(), &[SPHERE]);
+    assert_eq!(hand.steps(), 1);
+}
+
+#[test]
 fn all_that_is_selected_goes_along_but_what_is_locked() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(CONE), Item::Body(CYLINDER), Item::Light(0), Item::Body(SPHERE)]);

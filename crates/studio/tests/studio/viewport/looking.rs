@@ -184,6 +184,21 @@ fn a_flight_is_one_step_and_ends_with_escape() {
 }
 
 #[test]
+fn a_flight_ends_where_a_dialog_begins() {
+    let mut hand = Hand::new();
+    hand.go(empty(&hand));
+    hand.run(Command::ToggleFly);
+    hand.run(Command::Palette);
+    hand.rest();
+    let before = hand.scene().camera;
+    hand.harness.key_down(Key::W);
+    hand.harness.run_steps(10);
+    hand.harness.key_up(Key::W);
+    hand.harness.run_steps(2);
+    assert_eq!(hand.scene().camera, before);
+}
+
+#[test]
 fn framing_and_looking_along_an_axis_arrive() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(CONE)]);
