@@ -184,18 +184,21 @@ impl Placement {
         }
     }
 
-    /// The transform from the body's own frame to the world, `T · R · S`.
-    pub fn world_from_body(&self) -> DAffine3 {
-        let (rotation, position) = match self.anchor {
-            Anchor::Frame { position, rotation_degrees } => {
-                (rotation_from_degrees(rotation_degrees), position)
-            }
+    /// The rotation `R` of the body's own frame.
+    pub fn rotation(&self) -> DMat3 {
+        match self.anchor {
+            Anchor::Frame { rotation_degrees, .. } => rotation_from_degrees(rotation_degrees),
             Anchor::Axis { base, top } => {
                 let axis = (top - base).try_normalize().unwrap_or(DVec3::Y);
-                (DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Y, axis)), base)
+                DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Y, axis))
             }
-        };
-        DAffine3 { matrix3: rotation * DMat3::from_diagonal(self.scale), translation: position }
+        }
+    }
+
+    /// The transform from the body's own frame to the world, `T · R · S`.
+    pub fn world_from_body(&self) -> DAffine3 {
+        let matrix3 = self.rotation() * DMat3::from_diagonal(self.scale);
+        DAffine3 { matrix3, translation: self.origin() }
     }
 }
 

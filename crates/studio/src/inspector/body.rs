@@ -10,7 +10,6 @@ use egui::{Id, Ui};
 use super::sheet::{Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
 use super::{Memory, header, material, place, reshape};
 use crate::context::Cx;
-use crate::outliner::item_name;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
 
@@ -72,30 +71,10 @@ static SIZE: Vector<Body> = Vector::<Body>::new(
 /// Draws the values of the selected bodies.
 pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     let scene = Arc::clone(cx.editor.scene());
-    // The primary one first.
-    let selected: Vec<usize> = cx.editor.selection().bodies().rev().collect();
-    let free: Vec<usize> =
-        selected.iter().copied().filter(|&index| !Item::Body(index).is_locked(&scene)).collect();
-    let indices = if free.is_empty() { &selected } else { &free };
-    let Some(&first) = indices.first() else { return };
+    let selected = cx.editor.selection().bodies().rev().collect();
+    let chosen = header::chosen_ui(ui, cx, Item::Body, selected, "several-bodies");
+    let Some(header::Chosen { indices, first, subject, is_free }) = chosen else { return };
     let Some(primary) = scene.bodies.get(first) else { return };
-    let name = item_name(cx.texts, &scene, Item::Body(first));
-    let subject = if indices.len() == 1 {
-        name.clone().into_owned()
-    } else {
-        cx.texts.with("several-bodies", &[("count", indices.len().into())])
-    };
-    if selected.len() == 1 {
-        header::header_ui(ui, cx, Item::Body(first));
-    } else {
-        let locked = selected.len() - free.len();
-        header::several_ui(ui, cx, "several-bodies", selected.len(), &name, locked);
-    }
-    if free.is_empty() {
-        let items: Vec<Item> = selected.iter().map(|&index| Item::Body(index)).collect();
-        header::locked_ui(ui, cx, &items);
-    }
-    let is_free = !free.is_empty();
     let mut sheet = Sheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
@@ -114,7 +93,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     };
     shape_ui(ui, &mut sheet);
     place::place_ui(ui, &mut sheet);
-    material::of_bodies_ui(ui, cx, memory, &scene, indices, &subject);
+    material::of_bodies_ui(ui, cx, memory, &scene, &indices, &subject);
 }
 
 fn shape_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {

@@ -6,7 +6,7 @@ use egui_material_icons::icons::{ICON_LOCK, ICON_LOCK_OPEN, ICON_VISIBILITY, ICO
 
 use crate::command::Command;
 use crate::context::Cx;
-use crate::outliner::item_icon;
+use crate::outliner::{item_icon, item_name};
 use crate::theme;
 use crate::widgets::number::HEIGHT;
 use crate::widgets::text::text_field;
@@ -58,8 +58,50 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
     }
 }
 
+/// Things of one kind whose values are shown.
+pub(super) struct Chosen {
+    /// Their places in their list, that of the primary one first.
+    pub(super) indices: Vec<usize>,
+    pub(super) first: usize,
+    /// What they are called together.
+    pub(super) subject: String,
+    /// Whether they can be changed.
+    pub(super) is_free: bool,
+}
+
+/// Draws the head of the panel for the things of one kind at `selected`, the primary one first: of those that are not
+/// locked if there are any, else of all. `several` is the message that counts them.
+pub(super) fn chosen_ui(
+    ui: &mut Ui,
+    cx: &mut Cx<'_>,
+    kind: fn(usize) -> Item,
+    selected: Vec<usize>,
+    several: &str,
+) -> Option<Chosen> {
+    let scene = std::sync::Arc::clone(cx.editor.scene());
+    let free: Vec<usize> = selected.iter().copied().filter(|&index| !kind(index).is_locked(&scene)).collect();
+    let (is_free, count, locked) = (!free.is_empty(), selected.len(), selected.len() - free.len());
+    let items: Vec<Item> = selected.iter().copied().map(kind).collect();
+    let indices = if is_free { free } else { selected };
+    let first = *indices.first()?;
+    let name = item_name(cx.texts, &scene, kind(first));
+    let subject = match indices.len() {
+        1 => name.clone().into_owned(),
+        count => cx.texts.with(several, &[("count", count.into())]),
+    };
+    if count == 1 {
+        header_ui(ui, cx, kind(first));
+    } else {
+        several_ui(ui, cx, several, count, &name, locked);
+    }
+    if !is_free {
+        locked_ui(ui, cx, &items);
+    }
+    Some(Chosen { indices, first, subject, is_free })
+}
+
 /// Says that several things are edited together.
-pub(super) fn several_ui(ui: &mut Ui, cx: &Cx<'_>, key: &str, count: usize, name: &str, locked: usize) {
+fn several_ui(ui: &mut Ui, cx: &Cx<'_>, key: &str, count: usize, name: &str, locked: usize) {
     let texts = cx.texts;
     ui.label(RichText::new(texts.with(key, &[("count", count.into())])).size(15.0));
     hint(ui, &texts.with("several-note", &[("name", name.into())]));
@@ -69,7 +111,7 @@ pub(super) fn several_ui(ui: &mut Ui, cx: &Cx<'_>, key: &str, count: usize, name
 }
 
 /// Says that nothing can be changed since everything is locked, and offers to unlock.
-pub(super) fn locked_ui(ui: &mut Ui, cx: &mut Cx<'_>, items: &[Item]) {
+fn locked_ui(ui: &mut Ui, cx: &mut Cx<'_>, items: &[Item]) {
     let texts = cx.texts;
     let palette = theme::palette(ui.visuals());
     egui::Frame::new().fill(palette.bar).corner_radius(4.0).inner_margin(6.0).show(ui, |ui| {

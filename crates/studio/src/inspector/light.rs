@@ -11,7 +11,6 @@ use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Spread, Unit, Vector
 use super::symbol::Symbol;
 use super::{Memory, formula, header};
 use crate::context::Cx;
-use crate::outliner::item_name;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::section::section;
 
@@ -47,34 +46,16 @@ static CONSTANT: Number<Light> = Number::<Light>::new(
 /// Draws the values of the selected lights.
 pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     let scene = Arc::clone(cx.editor.scene());
-    // The primary one first.
-    let selected: Vec<usize> = cx.editor.selection().lights().rev().collect();
-    let free: Vec<usize> =
-        selected.iter().copied().filter(|&index| !Item::Light(index).is_locked(&scene)).collect();
-    let indices = if free.is_empty() { &selected } else { &free };
-    let Some(&first) = indices.first() else { return };
+    let selected = cx.editor.selection().lights().rev().collect();
+    let chosen = header::chosen_ui(ui, cx, Item::Light, selected, "several-lights");
+    let Some(header::Chosen { indices, first, subject, is_free }) = chosen else { return };
     let Some(primary) = scene.lights.get(first) else { return };
-    let name = item_name(cx.texts, &scene, Item::Light(first));
-    let mut subject = name.clone().into_owned();
-    if indices.len() > 1 {
-        subject = cx.texts.with("several-lights", &[("count", indices.len().into())]);
-    }
-    if selected.len() == 1 {
-        header::header_ui(ui, cx, Item::Light(first));
-    } else {
-        let locked = selected.len() - free.len();
-        header::several_ui(ui, cx, "several-lights", selected.len(), &name, locked);
-    }
-    if free.is_empty() {
-        let items: Vec<Item> = selected.iter().map(|&index| Item::Light(index)).collect();
-        header::locked_ui(ui, cx, &items);
-    }
     let mut sheet = Sheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.lights.get(index)).collect(),
         subject,
         id: Id::unique(("inspector-light", first)),
-        is_free: !free.is_empty(),
+        is_free,
         apply: &|editor, label, change| {
             // They are changed in the order in which they are given.
             let mut places = 0..;

@@ -1,7 +1,7 @@
 //! Another shape for a body, or another way of placing it, without a jump: sizes and the middle are kept.
 
 use catoptric_scene::{Anchor, Body, Shape, ShapeKind};
-use glam::{DAffine3, DMat3, DVec3, EulerRot};
+use glam::{DVec3, EulerRot};
 
 use crate::widgets::number::tidy;
 
@@ -79,7 +79,7 @@ pub(super) fn to_frame(body: &mut Body) {
         let (Shape::Cylinder { height, .. } | Shape::Cone { height, .. }) = &mut body.shape else { return };
         *height = tidy(own);
     }
-    let turn = turn_of(body);
+    let turn = body.placement.rotation();
     // R = Rz · Ry · Rx, as the model has it.
     let (z, y, x) = turn.to_euler(EulerRot::ZYX);
     let rotation_degrees = DVec3::new(x, y, z).map(|angle| round_angle(angle.to_degrees()));
@@ -91,18 +91,12 @@ pub(super) fn to_frame(body: &mut Body) {
 pub(super) fn to_axis(body: &Body) -> Option<Body> {
     let Anchor::Frame { position: base, .. } = body.placement.anchor else { return Some(body.clone()) };
     let height = body.height()?;
-    let turn = turn_of(body);
+    let turn = body.placement.rotation();
     let mut placed = body.clone();
     placed.placement.anchor = Anchor::Axis { base, top: (base + turn * (height * DVec3::Y)).map(tidy) };
     let scale = body.placement.scale;
     let is_round = scale.x == scale.z;
-    (is_round || turn_of(&placed).abs_diff_eq(turn, 1e-9)).then_some(placed)
-}
-
-/// The rotation of a body's frame, without its scale.
-fn turn_of(body: &Body) -> DMat3 {
-    let DAffine3 { matrix3, .. } = body.placement.world_from_body();
-    matrix3 * DMat3::from_diagonal(body.placement.scale.recip())
+    (is_round || placed.placement.rotation().abs_diff_eq(turn, 1e-9)).then_some(placed)
 }
 
 /// An angle without the noise of its computation.

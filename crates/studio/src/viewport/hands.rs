@@ -342,7 +342,10 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
     let (primary, lead) = *placed.last()?;
     let pivot = placed.iter().map(|(_, place)| place).sum::<glam::DVec3>() / placed.len() as f64;
     let own = match primary {
-        Item::Body(index) => scene.bodies.get(index).map(|body| own_axes(&body.placement)),
+        Item::Body(index) => scene.bodies.get(index).map(|body| {
+            let turn = body.placement.rotation();
+            [turn.x_axis, turn.y_axis, turn.z_axis]
+        }),
         _ => None,
     };
     // A point has neither turns nor sizes.
@@ -354,10 +357,4 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
     };
     let local = own.filter(|_| cx.view.is_gizmo_local);
     Some(Gizmo { tool, pivot, axes: local.unwrap_or(glam::DVec3::AXES), is_local: local.is_some(), lead })
-}
-
-fn own_axes(placement: &catoptric_scene::Placement) -> [glam::DVec3; 3] {
-    let unscaled = catoptric_scene::Placement { scale: glam::DVec3::ONE, ..*placement };
-    let turn = unscaled.world_from_body().matrix3;
-    [turn.x_axis, turn.y_axis, turn.z_axis]
 }

@@ -47,10 +47,7 @@ impl Change {
             Anchor::Frame { position, rotation_degrees } => {
                 let position = self.point(position);
                 let rotation_degrees = match self {
-                    Self::Turn { .. } => {
-                        let start = Placement { scale: DVec3::ONE, ..*start }.world_from_body().matrix3;
-                        degrees_of(&(self.matrix() * start), near)
-                    }
+                    Self::Turn { .. } => degrees_of(&(self.matrix() * start.rotation()), near),
                     Self::Move(_) | Self::Scale { .. } => rotation_degrees,
                 };
                 Anchor::Frame { position, rotation_degrees }
@@ -70,8 +67,7 @@ impl Change {
 
     fn scale(&self, start: &Placement) -> DVec3 {
         let Self::Scale { .. } = self else { return start.scale };
-        let own = Placement { scale: DVec3::ONE, ..*start }.world_from_body().matrix3;
-        let scaled = self.matrix() * own;
+        let scaled = self.matrix() * start.rotation();
         let lengths =
             DVec3::new(scaled.x_axis.length(), scaled.y_axis.length(), scaled.z_axis.length()).map(neat);
         match start.anchor {
