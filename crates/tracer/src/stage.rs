@@ -13,7 +13,7 @@ mod only;
 use std::ops::Range;
 use std::sync::Arc;
 
-use catoptric_scene::{Body, Camera, Color, MaterialChoice, Scene, Tracing};
+use catoptric_scene::{Body, Camera, Color, Scene, Tracing};
 use glam::{DVec3, Vec3A};
 use rayon::prelude::*;
 
@@ -275,10 +275,7 @@ fn undefined_material(index: usize, body: &Body) -> StageError {
         } else {
             format!("\"{}\"", body.name)
         },
-        material: match &body.material {
-            MaterialChoice::Named(name) => name.clone(),
-            MaterialChoice::Inline(_) => String::new(),
-        },
+        material: body.material.name().unwrap_or_default().to_owned(),
     }
 }
 
