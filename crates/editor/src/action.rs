@@ -281,7 +281,6 @@ impl Action {
 
     /// What an act makes of the scene.
     fn outcome(&self, scene: &Scene, selection: &Selection) -> Result<Outcome, ActionError> {
-        self.check(scene, selection)?;
         match self {
             Self::AddBody { shape, at, name } => Ok(add::body(scene, *shape, *at, name.trim())),
             Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),

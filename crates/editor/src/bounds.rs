@@ -54,7 +54,7 @@ pub struct Ball {
 /// of d). `None` for a plane.
 ///
 /// With the placement p = M·q + o it is d·o plus the support of the shape's own frame along Mᵀ·d.
-pub fn reach(body: &Body, direction: DVec3) -> Option<f64> {
+fn reach(body: &Body, direction: DVec3) -> Option<f64> {
     let world_from_body = body.placement.world_from_body();
     let local = world_from_body.matrix3.transpose() * direction;
     let across = local.x.hypot(local.z);
@@ -82,7 +82,7 @@ pub fn of_body(body: &Body) -> Option<Bounds> {
 }
 
 /// A ball around a body, the smallest one where a cylinder's or cone's cross section is a circle; `None` for a plane.
-pub fn ball_of_body(body: &Body) -> Option<Ball> {
+fn ball_of_body(body: &Body) -> Option<Ball> {
     let world_from_body = body.placement.world_from_body();
     let scale = body.placement.scale;
     let wide = scale.x.max(scale.z);
@@ -106,7 +106,7 @@ pub fn ball_of_body(body: &Body) -> Option<Ball> {
 }
 
 /// The box around the selected bodies and lights; `None` when there are none but planes.
-pub fn of_selection(scene: &Scene, selection: &Selection) -> Option<Bounds> {
+fn of_selection(scene: &Scene, selection: &Selection) -> Option<Bounds> {
     let bodies = selection.bodies().filter_map(|index| of_body(scene.bodies.get(index)?));
     let lights = selection.lights().filter_map(|index| Some(Bounds::at(scene.lights.get(index)?.position)));
     bodies.chain(lights).reduce(Bounds::union)
@@ -121,7 +121,7 @@ pub fn ball_of_selection(scene: &Scene, selection: &Selection) -> Option<Ball> {
 }
 
 /// The box around all bodies that are not hidden; `None` when there are none but planes.
-pub fn of_scene(scene: &Scene) -> Option<Bounds> {
+fn of_scene(scene: &Scene) -> Option<Bounds> {
     shown(scene).filter_map(of_body).reduce(Bounds::union)
 }
 

@@ -141,11 +141,6 @@ impl Editor {
         self.gesture.is_some()
     }
 
-    /// The scene at the start of the open gesture.
-    pub fn gesture_start(&self) -> Option<&Arc<Scene>> {
-        self.gesture.as_ref().map(|gesture| &gesture.start)
-    }
-
     /// The label of the open gesture.
     pub fn gesture_label(&self) -> Option<&Label> {
         self.gesture.as_ref().map(|gesture| &gesture.label)

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::action::{ActionError, Outcome};
 use crate::bounds;
-use crate::names::{Names, base};
+use crate::names::{Names, base, used_materials};
 use crate::selection::{Item, Selection};
 
 /// How far copies are moved aside that are only lights or planes, meters.
@@ -31,13 +31,7 @@ pub(crate) fn copy(scene: &Scene, selection: &Selection) -> Option<String> {
         .filter(of(Item::Light))
         .filter_map(|index| scene.lights.get(index).cloned())
         .collect();
-    let used: HashSet<&str> = bodies
-        .iter()
-        .filter_map(|body| match &body.material {
-            MaterialChoice::Named(name) => Some(name.as_str()),
-            MaterialChoice::Inline(_) => None,
-        })
-        .collect();
+    let used = used_materials(&bodies);
     let materials = scene.materials.iter().enumerate();
     let materials: Vec<_> = materials
         .filter(|(index, named)| {
@@ -53,8 +47,11 @@ pub(crate) fn copy(scene: &Scene, selection: &Selection) -> Option<String> {
 
 /// Adds what a scene file's text says to a scene.
 pub(crate) fn paste(scene: &Scene, text: &str) -> Result<Outcome, ActionError> {
+    if text.trim().is_empty() {
+        return Err(ActionError::NothingToPaste);
+    }
     let mut pasted = read(text).into_result().map_err(ActionError::BadText)?.value;
-    let mut names = Names::of(scene.materials.iter().map(|named| named.name.as_str()));
+    let mut names = Names::of_materials(scene);
     let mut renamed: HashMap<String, String> = HashMap::new();
     let mut added = Vec::new();
     for mut named in std::mem::take(&mut pasted.materials) {
@@ -74,10 +71,8 @@ pub(crate) fn paste(scene: &Scene, text: &str) -> Result<Outcome, ActionError> {
         }
     }
     for body in &mut pasted.bodies {
-        if let MaterialChoice::Named(name) = &mut body.material
-            && let Some(to) = renamed.get(name)
-        {
-            name.clone_from(to);
+        if let Some(to) = body.material.name().and_then(|name| renamed.get(name)) {
+            body.material = MaterialChoice::Named(to.clone());
         }
     }
     pasted.materials = added;

@@ -2,6 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
+use catoptric_scene::{Body, Scene};
+
 /// The names that are taken.
 pub(crate) struct Names {
     taken: HashSet<String>,
@@ -12,6 +14,10 @@ pub(crate) struct Names {
 impl Names {
     pub(crate) fn of<'a>(names: impl Iterator<Item = &'a str>) -> Self {
         Self { taken: names.map(str::to_owned).collect(), next: HashMap::new() }
+    }
+
+    pub(crate) fn of_materials(scene: &Scene) -> Self {
+        Self::of(scene.materials.iter().map(|named| named.name.as_str()))
     }
 
     /// `wanted`, or when it is taken, the same with the least free number from 2 on; taken from now on. An empty name
@@ -30,6 +36,11 @@ impl Names {
             }
         }
     }
+}
+
+/// The names of the materials that bodies are made of.
+pub(crate) fn used_materials(bodies: &[Body]) -> HashSet<&str> {
+    bodies.iter().filter_map(|body| body.material.name()).collect()
 }
 
 /// A name without the number that was added to make it unique: `ball` of `ball 2`.

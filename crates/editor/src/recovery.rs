@@ -6,6 +6,7 @@
 
 mod entry;
 
+use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -59,6 +60,8 @@ impl Session {
                 Err(error) => return Err(error),
             };
             match lock.try_lock() {
+                // Somebody who cleared away took it for one left behind, before it was locked.
+                Ok(()) if !lock_path.exists() => {}
                 Ok(()) => {
                     let document = folder.join(&stem).with_extension(DOCUMENT);
                     return Ok(Self { document, lock_path, lock: Some(lock), is_left_behind: false });
@@ -149,13 +152,40 @@ impl Orphan {
     }
 }
 
-/// The documents in `folder` that no running editor holds, the latest first. Other files there are passed over, and
-/// nothing is removed; a folder that cannot be read has none.
+/// The documents in `folder` that no running editor holds, the latest first; a folder that cannot be read has none.
+/// Locks that killed editors left without a document are removed, and nothing else; other files are passed over.
 pub fn orphans(folder: &Path) -> Vec<Orphan> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
-    let mut found: Vec<Orphan> = entries.filter_map(|entry| orphan(entry.ok()?.path())).collect();
+    let mut found: Vec<Orphan> = entries
+        .filter_map(|entry| {
+            let path = entry.ok()?.path();
+            remove_widowed(&path);
+            orphan(path)
+        })
+        .collect();
     found.sort_by(|a, b| b.written.cmp(&a.written).then_with(|| a.document.cmp(&b.document)));
     found
+}
+
+/// Removes the lock of a session that was killed while it kept no document.
+fn remove_widowed(lock_path: &Path) {
+    if !is_lock(lock_path) || lock_path.with_extension(DOCUMENT).exists() {
+        return;
+    }
+    let Ok(lock) = File::options().read(true).write(true).open(lock_path) else { return };
+    // Removed while it is held: a session that starts just now sees either that or that its file is gone.
+    if lock.try_lock().is_ok() {
+        let _ = fs::remove_file(lock_path);
+    }
+}
+
+/// Whether a file is called as a session's lock.
+fn is_lock(path: &Path) -> bool {
+    let is_number = |part: &str| u128::from_str_radix(part, 16).is_ok();
+    let stem = path.file_stem().and_then(OsStr::to_str).unwrap_or_default();
+    path.extension().is_some_and(|extension| extension == LOCK)
+        && stem.split('-').count() == 3
+        && stem.split('-').all(is_number)
 }
 
 /// The orphan whose document is at this path, if it is one.

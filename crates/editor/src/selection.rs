@@ -1,5 +1,7 @@
 //! What is selected.
 
+use std::collections::HashMap;
+
 use catoptric_scene::{Part, Scene};
 
 /// A thing of a scene that can be selected and inspected. Numbers are places in the scene's lists.
@@ -27,6 +29,16 @@ impl Item {
             Self::Material(index) => index < scene.materials.len(),
             Self::Light(index) => index < scene.lights.len(),
             Self::Body(index) => index < scene.bodies.len(),
+        }
+    }
+
+    /// Whether the same thing stands at this place in two scenes; what every scene has counts as the same.
+    fn is_same(self, one: &Scene, other: &Scene) -> bool {
+        match self {
+            Self::Camera | Self::Environment | Self::Tracing => true,
+            Self::Material(index) => one.materials.get(index) == other.materials.get(index),
+            Self::Light(index) => one.lights.get(index) == other.lights.get(index),
+            Self::Body(index) => one.bodies.get(index) == other.bodies.get(index),
         }
     }
 
@@ -164,6 +176,20 @@ impl Selection {
     /// Each item replaced by what `to` makes of it, or dropped.
     pub(crate) fn mapped(&self, to: impl Fn(Item) -> Option<Item>) -> Self {
         self.iter().filter_map(to).collect()
+    }
+
+    /// The selection in another version of its scene: by name, and where there is none, by place if what stands there
+    /// is the same.
+    pub(crate) fn carried(&self, from: &Scene, to: &Scene) -> Self {
+        let materials = (0..to.materials.len()).map(Item::Material);
+        let lights = (0..to.lights.len()).map(Item::Light);
+        let all = materials.chain(lights).chain((0..to.bodies.len()).map(Item::Body));
+        let named: HashMap<_, Item> =
+            all.map(|item| ((std::mem::discriminant(&item), item.name(to)), item)).collect();
+        self.mapped(|item| match item.name(from) {
+            "" => item.is_same(from, to).then_some(item),
+            name => named.get(&(std::mem::discriminant(&item), name)).copied(),
+        })
     }
 
     /// Drops what `scene` does not have.

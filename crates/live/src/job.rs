@@ -145,11 +145,14 @@ impl Work {
             .start_handler(|_| priority::lower(Priority::Lowest))
             .build()
             .map_err(|error| JobError::Fault(error.to_string()))?;
+        let go_on = || if self.control.is_cancelled() { Err(JobError::Cancelled) } else { Ok(()) };
         pool.install(|| {
+            go_on()?;
             let mut stage = Stage::prepare(&self.scene)?;
             if let Some(generations) = self.generations {
                 stage = stage.with_generations(generations);
             }
+            go_on()?;
             self.done().tracing_since = Some(Instant::now());
             render(&stage, self.settings, &self.control).map_err(|error| match error {
                 RenderError::Size(error) => error.into(),
@@ -162,4 +165,29 @@ impl Work {
 /// A time of so many seconds; `None` for what is none.
 fn duration(seconds: f64) -> Option<Duration> {
     Duration::try_from_secs_f64(seconds).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Body, MaterialChoice};
+
+    use super::*;
+
+    #[test]
+    fn a_cancelled_job_prepares_nothing() {
+        let gold = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
+        let work = Work {
+            scene: Arc::new(Scene { bodies: vec![gold], ..Scene::default() }),
+            settings: RenderSettings { width: 8, height: 8, samples: 1 },
+            generations: None,
+            threads: 1,
+            start: Instant::now(),
+            control: Control::default(),
+            done: Mutex::default(),
+        };
+        assert!(matches!(work.render(), Err(JobError::Stage(_))));
+        work.control.cancel();
+        assert_eq!(work.render().unwrap_err(), JobError::Cancelled);
+        assert_eq!(work.done().tracing_since, None);
+    }
 }

@@ -4,9 +4,11 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use catoptric_picture::SizeError;
-use catoptric_scene::{Camera, Projection, Scene};
+use catoptric_scene::{
+    Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
+};
 use catoptric_tracer::{Film, RayCounts, Stage, StageCamera};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use crate::frame::{GridLine, Polyline};
 use crate::outline::Outlines;
@@ -32,6 +34,8 @@ pub(crate) struct View {
     outlines: Option<Outlines>,
     hover: Option<Outlines>,
     pub(crate) due: Due,
+    /// The last request had nothing to trace: the view waits, for what it has to be of use to the next one.
+    pub(crate) is_at_rest: bool,
     /// When the picture changed last.
     changed: Instant,
 }
@@ -84,6 +88,7 @@ impl View {
                 spare: None,
                 shown: Shown::default(),
                 due: Due::ALL,
+                is_at_rest: false,
                 changed: Instant::now(),
             };
         };
@@ -98,7 +103,8 @@ impl View {
                 || request.outline != before.outline
                 || request.hover != before.hover
                 || request.grid != before.grid,
-            frame: old.due.frame || request.revision != before.revision,
+            // After a rest too, so that the window hears that there is a picture again.
+            frame: old.due.frame || old.is_at_rest || request.revision != before.revision,
         };
         let same = same_stage && request.outline == before.outline;
         let same_hover = same && request.hover == before.hover;
@@ -115,6 +121,7 @@ impl View {
             stage,
             camera,
             due,
+            is_at_rest: false,
         }
     }
 
@@ -141,7 +148,9 @@ impl View {
 
     /// How long there is nothing to do.
     pub(crate) fn wait(&self) -> Wait {
-        if self.due != Due::NOTHING {
+        if self.is_at_rest {
+            Wait::ForEver
+        } else if self.due != Due::NOTHING {
             Wait::No
         } else if self.request.paused || self.is_refined() {
             Wait::ForEver
@@ -216,9 +225,21 @@ pub(crate) fn same_stage(one: &Arc<Scene>, other: &Arc<Scene>) -> bool {
     Arc::ptr_eq(one, other)
         || (one.environment == other.environment
             && one.tracing == other.tracing
-            && one.lights == other.lights
+            && one.lights.iter().map(traced_light).eq(other.lights.iter().map(traced_light))
             && one.materials == other.materials
-            && one.bodies == other.bodies)
+            && one.bodies.iter().map(traced_body).eq(other.bodies.iter().map(traced_body)))
+}
+
+/// What a picture depends on.
+fn traced_body(body: &Body) -> (&Shape, &Placement, &MaterialChoice, bool) {
+    let Body { name: _, locked: _, shape, placement, material, hidden } = body;
+    (shape, placement, material, *hidden)
+}
+
+/// What a picture depends on.
+fn traced_light(light: &Light) -> (DVec3, Color, f64, Falloff, bool) {
+    let Light { name: _, locked: _, position, color, intensity, falloff, hidden } = light;
+    (*position, *color, *intensity, *falloff, *hidden)
 }
 
 /// Refuses what cannot be traced.

@@ -90,12 +90,18 @@ impl Worker {
     fn accept(&mut self, request: Request) -> Result<(), LiveError> {
         #[cfg(test)]
         assert!(request.revision != tests::FAULTY, "a fault for the test");
-        let old = self.view.take();
-        check(&request)?;
-        if request.size.contains(&0) {
-            self.shared.change_status(|status| status.error = None);
+        let checked = check(&request);
+        if checked.is_err() || request.size.contains(&0) {
+            if let Some(view) = &mut self.view {
+                view.is_at_rest = true;
+            }
+            match checked {
+                Ok(()) => self.shared.change_status(|status| status.error = None),
+                Err(error) => self.shared.publish_error(error),
+            }
             return Ok(());
         }
+        let old = self.view.take();
         let known = old.as_ref().filter(|old| same_stage(&old.request.scene, &request.scene));
         let stage = match known {
             Some(old) => Arc::clone(&old.stage),
@@ -103,7 +109,8 @@ impl Worker {
         };
         self.shared.change_status(|status| status.error = None);
         self.shared.publish_stage(request.revision, Arc::clone(&stage));
-        self.view = Some(View::new(request, stage, old));
+        // In the pool, since the stages of many outlined bodies are built in parallel.
+        self.view = Some(self.pool.install(|| View::new(request, stage, old)));
         Ok(())
     }
 

@@ -126,7 +126,7 @@ fn exr_channels_of_any_kind_compression_and_tiling() {
 }
 
 #[test]
-fn grey_layers_and_what_is_not_read() {
+fn gray_layers_and_what_is_not_read() {
     let encoding = Encoding::SMALL_LOSSLESS;
     let gray = decode(&exr_of(&[("Y", halves(1.0)), ("Z", halves(2.0))], encoding)).unwrap();
     assert_eq!(gray.pixel(2, 1), Some([7.0; 3]));

@@ -86,6 +86,16 @@ pub enum MaterialChoice {
     Inline(Box<Material>),
 }
 
+impl MaterialChoice {
+    /// The name, unless it is the body's own.
+    pub fn name(&self) -> Option<&str> {
+        match self {
+            Self::Named(name) => Some(name),
+            Self::Inline(_) => None,
+        }
+    }
+}
+
 impl Default for MaterialChoice {
     fn default() -> Self {
         Self::Inline(Box::default())

@@ -31,7 +31,6 @@ struct FilmTile {
     /// The sums of the pixels, row by row.
     sums: Vec<DVec3>,
     samples: u32,
-    counts: RayCounts,
 }
 
 impl Film {
@@ -46,7 +45,7 @@ impl Film {
             let mut sums = Vec::new();
             sums.try_reserve_exact(place.pixels()).ok()?;
             sums.resize(place.pixels(), DVec3::ZERO);
-            Some(FilmTile { place, sums, samples: 0, counts: RayCounts::default() })
+            Some(FilmTile { place, sums, samples: 0 })
         };
         let bytes = u64::from(width) * u64::from(height) * size_of::<DVec3>() as u64;
         let tiles =
@@ -69,18 +68,12 @@ impl Film {
         self.samples
     }
 
-    /// The rays behind the light on the film.
-    pub fn counts(&self) -> RayCounts {
-        self.tiles.iter().fold(RayCounts::default(), |all, tile| all + tile.counts)
-    }
-
     /// Forgets all light; the memory is kept for the next picture of this size.
     pub fn clear(&mut self) {
         self.samples = 0;
         for tile in &mut self.tiles {
             tile.sums.fill(DVec3::ZERO);
             tile.samples = 0;
-            tile.counts = RayCounts::default();
         }
     }
 
@@ -148,10 +141,8 @@ impl FilmTile {
             *sum += light;
         }
         self.samples += 1;
-        let counts = tracer.counts() - before;
-        self.counts += counts;
         control.add_done(self.place);
-        counts
+        tracer.counts() - before
     }
 
     /// Writes the means into the picture's rows from this tile's first on.

@@ -11,8 +11,9 @@ mod material;
 mod only;
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use catoptric_scene::{Body, Camera, Color, MaterialChoice, Scene, Tracing};
+use catoptric_scene::{Body, Camera, Color, Scene, Tracing};
 use glam::{DVec3, Vec3A};
 use rayon::prelude::*;
 
@@ -41,9 +42,10 @@ pub struct Stage {
     /// How many of the bodies are bounded; planes follow them.
     pub(crate) bounded: u32,
     pub(crate) hierarchy: Hierarchy,
-    pub(crate) materials: Vec<StageMaterial>,
-    pub(crate) checkers: Vec<StageChecker>,
-    pub(crate) lights: Vec<StageLight>,
+    // Shared with the stages of some of the bodies.
+    pub(crate) materials: Arc<[StageMaterial]>,
+    pub(crate) checkers: Arc<[StageChecker]>,
+    pub(crate) lights: Arc<[StageLight]>,
     pub(crate) camera: StageCamera,
     pub(crate) background: Vec3A,
     pub(crate) ambient: Vec3A,
@@ -117,8 +119,8 @@ impl Stage {
             hierarchy,
             largest_slack,
             has_transparency: cast.materials.iter().any(StageMaterial::is_transparent),
-            materials: cast.materials,
-            checkers: cast.checkers,
+            materials: cast.materials.into(),
+            checkers: cast.checkers.into(),
             lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),
             camera,
             background: vec3(scene.environment.background),
@@ -273,10 +275,7 @@ fn undefined_material(index: usize, body: &Body) -> StageError {
         } else {
             format!("\"{}\"", body.name)
         },
-        material: match &body.material {
-            MaterialChoice::Named(name) => name.clone(),
-            MaterialChoice::Inline(_) => String::new(),
-        },
+        material: body.material.name().unwrap_or_default().to_owned(),
     }
 }
 

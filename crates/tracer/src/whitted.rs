@@ -142,7 +142,7 @@ impl<'a> Whitted<'a> {
         if diffuse == Vec3A::ZERO && material.specular == 0.0 {
             return light;
         }
-        for source in &self.stage.lights {
+        for source in &*self.stage.lights {
             let offset = source.position - at.position;
             let distance = offset.length();
             let to_light = offset / distance;

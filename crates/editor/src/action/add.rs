@@ -59,7 +59,7 @@ pub(super) fn light(scene: &Scene, at: DVec3, name: &str) -> Outcome {
 }
 
 pub(super) fn named_material(scene: &Scene, name: &str) -> Outcome {
-    let mut names = Names::of(scene.materials.iter().map(|named| named.name.as_str()));
+    let mut names = Names::of_materials(scene);
     let name = names.take(if name.is_empty() { "material" } else { name });
     let mut scene = scene.clone();
     let selection = Selection::one(Item::Material(scene.materials.len()));

@@ -28,7 +28,7 @@ pub(super) fn check_duplicate(selection: &Selection) -> Result<Vec<Item>> {
 pub(super) fn duplicate(scene: &Scene, selection: &Selection) -> Result {
     let items = check_duplicate(selection)?;
     let mut copies = Scene::default();
-    let mut names = Names::of(scene.materials.iter().map(|named| named.name.as_str()));
+    let mut names = Names::of_materials(scene);
     for &item in &items {
         match item {
             Item::Body(index) => copies.bodies.extend(scene.bodies.get(index).cloned()),
@@ -56,23 +56,24 @@ pub(super) fn check_delete(scene: &Scene, selection: &Selection) -> Result<Vec<I
 }
 
 pub(super) fn delete(scene: &Scene, selection: &Selection) -> Result {
-    let items = check_delete(scene, selection)?;
-    let subject = subject(scene, &items);
+    Ok(delete_items(scene, selection, &check_delete(scene, selection)?))
+}
+
+/// Deletes these, which are sorted.
+pub(super) fn delete_items(scene: &Scene, selection: &Selection, items: &[Item]) -> Outcome {
+    let subject = subject(scene, items);
     let gone: HashSet<Item> = items.iter().copied().collect();
     let mut left = scene.clone();
     let lost: HashSet<&str> =
         items.iter().filter(|item| matches!(item, Item::Material(_))).map(|item| item.name(scene)).collect();
     for body in &mut left.bodies {
-        if let MaterialChoice::Named(name) = &body.material
-            && lost.contains(name.as_str())
-        {
+        if body.material.name().is_some_and(|name| lost.contains(name)) {
             body.material = own(scene, &body.material);
         }
     }
     retain(&mut left.materials, |index| !gone.contains(&Item::Material(index)));
     retain(&mut left.lights, |index| !gone.contains(&Item::Light(index)));
     retain(&mut left.bodies, |index| !gone.contains(&Item::Body(index)));
-    // The deleted ones are sorted, each kind by itself.
     let before = |index: usize, kind: Kind| {
         let less = |than: Item| items.partition_point(|item| *item < than);
         less(kind(index)) - less(kind(0))
@@ -84,7 +85,7 @@ pub(super) fn delete(scene: &Scene, selection: &Selection) -> Result {
         Item::Body(index) => Some(Item::Body(index - before(index, Item::Body))),
         item => Some(item),
     });
-    Ok(Outcome { scene: left, selection, subject })
+    Outcome { scene: left, selection, subject }
 }
 
 /// A material as a body's own.

@@ -1,24 +1,24 @@
 //! Named materials and bodies' own.
 
-use std::collections::HashSet;
-
 use catoptric_scene::{Body, MaterialChoice, NamedMaterial, Scene};
 
 use super::ActionError;
-use super::list::own;
+use super::list::{delete_items, own};
 use super::outcome::{Outcome, Result, edit_bodies, free_bodies, wanting};
-use crate::names::Names;
+use crate::names::{Names, used_materials};
 use crate::selection::{Item, Selection};
 
+fn check_defined(scene: &Scene, choice: &MaterialChoice) -> Result<()> {
+    scene.material(choice).map(drop).ok_or(ActionError::NoSuchItem)
+}
+
 pub(super) fn check_assign(scene: &Scene, selection: &Selection, choice: &MaterialChoice) -> Result<()> {
-    if scene.material(choice).is_none() {
-        return Err(ActionError::NoSuchItem);
-    }
+    check_defined(scene, choice)?;
     wanting(scene, selection, |body| body.material != *choice).map(drop)
 }
 
 pub(super) fn assign(scene: &Scene, selection: &Selection, choice: &MaterialChoice) -> Result {
-    check_assign(scene, selection, choice)?;
+    check_defined(scene, choice)?;
     edit_bodies(scene, selection, |body| body.material != *choice, |body| body.material = choice.clone())
 }
 
@@ -28,9 +28,10 @@ pub(super) fn check_share<'a>(scene: &'a Scene, selection: &Selection) -> Result
     let primary = selection.bodies().next_back().and_then(|index| scene.bodies.get(index));
     let primary = primary.ok_or(ActionError::NothingSelected)?;
     let has_it_already = |index: &usize| {
-        scene.bodies.get(*index).is_some_and(|body| {
-            matches!(primary.material, MaterialChoice::Named(_)) && body.material == primary.material
-        })
+        scene
+            .bodies
+            .get(*index)
+            .is_some_and(|body| primary.material.name().is_some() && body.material == primary.material)
     };
     if indices.iter().all(has_it_already) { Err(ActionError::NothingToDo) } else { Ok(primary) }
 }
@@ -40,7 +41,7 @@ pub(super) fn share(scene: &Scene, selection: &Selection) -> Result {
     let MaterialChoice::Inline(material) = &primary.material else {
         return assign(scene, selection, &primary.material);
     };
-    let mut names = Names::of(scene.materials.iter().map(|named| named.name.as_str()));
+    let mut names = Names::of_materials(scene);
     let name = names.take(if primary.name.is_empty() { "material" } else { &primary.name });
     let choice = MaterialChoice::Named(name.clone());
     let mut with = scene.clone();
@@ -49,7 +50,7 @@ pub(super) fn share(scene: &Scene, selection: &Selection) -> Result {
 }
 
 fn is_named(body: &Body) -> bool {
-    matches!(body.material, MaterialChoice::Named(_))
+    body.material.name().is_some()
 }
 
 pub(super) fn check_make_unique(scene: &Scene, selection: &Selection) -> Result<()> {
@@ -62,30 +63,14 @@ pub(super) fn make_unique(scene: &Scene, selection: &Selection) -> Result {
 
 /// The places of the materials that no body uses.
 pub(super) fn check_unused(scene: &Scene) -> Result<Vec<Item>> {
-    let used: HashSet<&str> = scene
-        .bodies
-        .iter()
-        .filter_map(|body| match &body.material {
-            MaterialChoice::Named(name) => Some(name.as_str()),
-            MaterialChoice::Inline(_) => None,
-        })
-        .collect();
+    let used = used_materials(&scene.bodies);
     let unused = scene.materials.iter().enumerate().filter(|(_, named)| !used.contains(named.name.as_str()));
     let unused: Vec<Item> = unused.map(|(index, _)| Item::Material(index)).collect();
     if unused.is_empty() { Err(ActionError::NothingToDo) } else { Ok(unused) }
 }
 
 pub(super) fn remove_unused(scene: &Scene, selection: &Selection) -> Result {
-    let unused: Selection = check_unused(scene)?.into_iter().collect();
-    let mut outcome = super::list::delete(scene, &unused)?;
-    // Places of the materials that are left.
-    let left: Vec<usize> =
-        (0..scene.materials.len()).filter(|index| !unused.contains(Item::Material(*index))).collect();
-    outcome.selection = selection.mapped(|item| match item {
-        Item::Material(index) => left.binary_search(&index).ok().map(Item::Material),
-        item => Some(item),
-    });
-    Ok(outcome)
+    Ok(delete_items(scene, selection, &check_unused(scene)?))
 }
 
 /// The name that an item would get.

@@ -29,7 +29,7 @@ impl Editor {
             only_known(problems, || self.scene.check())?;
         }
         let start = std::mem::replace(&mut self.scene, Arc::new(scene));
-        self.open_at(label, self.gesture.is_none().then_some(start));
+        self.open_at(label, Some(start));
         self.selection.keep_in(&self.scene);
         self.revision += 1;
         Ok(true)
@@ -182,18 +182,21 @@ impl Editor {
     ) -> Result<bool, Refused> {
         let swap = |scene: &mut Scene, value: &mut T| std::mem::swap(value_of(scene), value);
         self.settle_unless(&label);
-        let start = self.gesture_start_now();
+        let before = self.scene_before();
         let scene = Arc::make_mut(&mut self.scene);
         let mut old = value_of(scene).clone();
         edit(value_of(scene));
         let has_changed = *value_of(scene) != old;
         let problems = scene.check_part(part);
+        let mut checked = Ok(());
         if !problems.is_empty() {
             swap(scene, &mut old);
-            only_known(problems, || scene.check_part(part))?;
-            swap(scene, &mut old);
+            checked = only_known(problems, || scene.check_part(part));
+            if checked.is_ok() {
+                swap(scene, &mut old);
+            }
         }
-        self.finish_change(label, start, has_changed)
+        self.finish_change(label, before, checked.map(|()| has_changed))
     }
 
     fn change_elements<T: Clone + PartialEq>(
@@ -205,7 +208,7 @@ impl Editor {
         mut edit: impl FnMut(usize, &mut T),
     ) -> Result<bool, Refused> {
         self.settle_unless(&label);
-        let start = self.gesture_start_now();
+        let before = self.scene_before();
         let scene = Arc::make_mut(&mut self.scene);
         let mut old: Vec<(usize, T)> = Vec::new();
         for index in indices {
@@ -233,26 +236,32 @@ impl Editor {
         };
         let has_changed = !old.is_empty();
         let problems = check(scene, &old);
+        let mut checked = Ok(());
         if !problems.is_empty() {
             swap(scene, &mut old);
-            only_known(problems, || check(scene, &old))?;
-            old.reverse();
-            swap(scene, &mut old);
+            checked = only_known(problems, || check(scene, &old));
+            if checked.is_ok() {
+                old.reverse();
+                swap(scene, &mut old);
+            }
         }
-        self.finish_change(label, start, has_changed)
+        self.finish_change(label, before, checked.map(|()| has_changed))
     }
 
     fn finish_change(
         &mut self,
         label: Label,
-        start: Option<Arc<Scene>>,
-        has_changed: bool,
+        before: Option<Arc<Scene>>,
+        outcome: Result<bool, Refused>,
     ) -> Result<bool, Refused> {
-        if has_changed {
-            self.open_at(label, start);
+        if matches!(outcome, Ok(true)) {
+            self.open_at(label, before);
             self.revision += 1;
+        } else if let Some(before) = before {
+            // An equal scene, but the one that others hold: they see at once that nothing is new.
+            self.scene = before;
         }
-        Ok(has_changed)
+        outcome
     }
 
     fn settle_unless(&mut self, label: &Label) {
@@ -261,15 +270,16 @@ impl Editor {
         }
     }
 
-    /// The scene that a gesture starts from; none where one is open. A scene that nobody else holds is edited in place,
-    /// so it must not be held here without need.
-    fn gesture_start_now(&self) -> Option<Arc<Scene>> {
-        self.gesture.is_none().then(|| Arc::clone(&self.scene))
+    /// The scene that a gesture starts from, or that is put back where a change comes to nothing. One that nobody else
+    /// holds is edited in place once a gesture is open, so it must not be held here then.
+    fn scene_before(&self) -> Option<Arc<Scene>> {
+        let is_copied = self.gesture.is_none() || Arc::strong_count(&self.scene) > 1;
+        is_copied.then(|| Arc::clone(&self.scene))
     }
 
     /// Opens a gesture, unless one is open.
     fn open_at(&mut self, label: Label, start: Option<Arc<Scene>>) {
-        if let Some(start) = start {
+        if let (None, Some(start)) = (&self.gesture, start) {
             self.gesture = Some(Gesture { label, start, selection: self.selection.clone() });
         }
     }

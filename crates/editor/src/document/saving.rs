@@ -36,17 +36,6 @@ impl Editor {
         Writing { scene: Arc::clone(&self.scene), original_text: Arc::clone(&self.text) }
     }
 
-    /// The text of [`Self::writing`].
-    pub fn save_text(&self) -> String {
-        self.writing().text()
-    }
-
-    /// Tells that the scene as it is now was saved as `text` in the file at `path`.
-    pub fn mark_saved(&mut self, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
-        let writing = self.writing();
-        self.mark_written(&writing, path, text);
-    }
-
     /// Tells that `writing` was saved as `text` in the file at `path`. The scene may have changed since.
     pub fn mark_written(&mut self, writing: &Writing, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
         self.set_path(path.into());
@@ -83,7 +72,9 @@ impl Editor {
         let saved = Arc::new(scene);
         let target = Arc::clone(&saved);
         let label = Label::new("edit-revert", self.title.clone());
+        let (before, selection) = (Arc::clone(&self.scene), self.selection.clone());
         self.change(label, move |scene| target.as_ref().clone_into(scene))?;
+        self.selection = selection.carried(&before, &self.scene);
         self.settle();
         self.text = text.into();
         self.saved = Some(saved);

@@ -81,6 +81,22 @@ fn what_is_left_behind_comes_back_until_it_is_discarded() {
 }
 
 #[test]
+fn a_session_killed_without_a_document_leaves_nothing_in_the_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let running = Session::start(folder).unwrap();
+    let mut saved = Session::start(folder).unwrap();
+    saved.write(&snapshot("saved since")).unwrap();
+    saved.clear().unwrap();
+    kill(saved);
+    kill(Session::start(folder).unwrap());
+    assert_eq!(files(folder), 3);
+    assert!(orphans(folder).is_empty());
+    assert_eq!(files(folder), 1);
+    assert!(running.lock_path.exists());
+}
+
+#[test]
 fn a_document_can_be_left_behind_on_purpose() {
     let folder = tempfile::tempdir().unwrap();
     let mut session = Session::start(folder.path()).unwrap();

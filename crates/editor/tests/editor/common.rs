@@ -59,6 +59,12 @@ pub(crate) fn label(key: &'static str) -> Label {
     Label::new(key, "")
 }
 
+/// Tells that the document as it is now was saved.
+pub(crate) fn save(editor: &mut Editor, path: &str, text: &str) {
+    let writing = editor.writing();
+    editor.mark_written(&writing, path, text);
+}
+
 pub(crate) fn names(editor: &Editor) -> Vec<&str> {
     editor.scene().bodies.iter().map(|body| body.name.as_str()).collect()
 }

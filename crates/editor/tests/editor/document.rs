@@ -1,12 +1,13 @@
 //! Gestures, refusals, saving.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use catoptric_editor::{Editor, Item, Selection};
 use catoptric_scene::{MaterialChoice, Scene, Shape, read};
 use glam::DVec3;
 
-use crate::common::{ball, bodies, editor, label, named, selecting};
+use crate::common::{ball, bodies, editor, label, named, save, selected, selecting};
 
 fn move_a_bit(editor: &mut Editor, key: &'static str) -> bool {
     editor.change_body(0, label(key), |body| body.placement = body.placement.moved_by(DVec3::X)).unwrap()
@@ -22,7 +23,6 @@ fn a_gesture_is_one_step() {
         assert!(editor.is_in_gesture() && editor.can_undo());
     }
     assert_eq!(editor.steps().len(), 0);
-    assert_eq!(editor.gesture_start(), Some(&start));
     assert!(editor.settle());
     assert!(!editor.settle() && !editor.is_in_gesture());
     assert_eq!(editor.steps().len(), 1);
@@ -130,6 +130,25 @@ fn what_no_file_can_say_is_refused() {
 }
 
 #[test]
+fn what_changes_nothing_leaves_the_scene_itself() {
+    let grow = |body: &mut catoptric_scene::Body| body.shape = Shape::Sphere { radius: 3.0 };
+    let bad = |body: &mut catoptric_scene::Body| body.shape = Shape::Sphere { radius: -1.0 };
+    let mut editor = editor();
+    for is_open in [false, true] {
+        // As an engine does that shows it.
+        let shown = Arc::clone(editor.scene());
+        assert_eq!(editor.change_body(0, label("edit-size"), |_| {}), Ok(false));
+        assert_eq!(editor.change_camera(label("edit-size"), |_| {}), Ok(false));
+        assert!(editor.change_body(0, label("edit-size"), bad).is_err());
+        assert!(editor.change_tracing(label("edit-size"), |tracing| tracing.generations = 65).is_err());
+        assert!(Arc::ptr_eq(&shown, editor.scene()));
+        assert_eq!(editor.is_in_gesture(), is_open);
+        assert_eq!(editor.change_body(0, label("edit-size"), grow), Ok(!is_open));
+        assert_eq!(shown.bodies[0].shape == editor.scene().bodies[0].shape, is_open);
+    }
+}
+
+#[test]
 fn a_scene_with_an_old_problem_can_be_edited() {
     let mut bad = crate::common::scene();
     bad.bodies[3].shape = Shape::Sphere { radius: -1.0 };
@@ -181,7 +200,7 @@ fn saving_keeps_comments_and_tells_what_has_changed() {
     let mut editor = Editor::open("/some/where/mine.toml", TEXT, scene.clone());
     assert_eq!((editor.path(), editor.title()), (Some(Path::new("/some/where/mine.toml")), "mine.toml"));
     assert!(!editor.is_changed());
-    assert_eq!(editor.save_text(), TEXT);
+    assert_eq!(editor.writing().text(), TEXT);
     editor.change_body(0, label("edit-size"), |body| body.shape = Shape::Sphere { radius: 3.0 }).unwrap();
     assert!(editor.is_changed());
     let writing = editor.writing();
@@ -190,10 +209,10 @@ fn saving_keeps_comments_and_tells_what_has_changed() {
     editor.undo();
     assert!(!editor.is_changed());
     editor.redo();
-    editor.mark_saved("other.toml", text.clone());
+    save(&mut editor, "other.toml", &text);
     assert!(!editor.is_changed());
     assert_eq!((editor.path(), editor.title()), (Some(Path::new("other.toml")), "other.toml"));
-    assert_eq!(editor.save_text(), text);
+    assert_eq!(editor.writing().text(), text);
     editor.undo();
     assert!(editor.is_changed());
     // What was edited while a thread wrote is not saved.
@@ -208,17 +227,56 @@ fn saving_keeps_comments_and_tells_what_has_changed() {
     assert_eq!(editor.undo_label().unwrap().key, "edit-revert");
     editor.undo();
     assert!(editor.is_changed());
-    assert_eq!(editor.save_text(), text);
+    assert_eq!(editor.writing().text(), text);
+}
+
+#[test]
+fn what_is_selected_stays_so_by_name_when_the_file_is_read_again() {
+    let unnamed = |x| ball("", x);
+    let mut start = crate::common::scene();
+    start.bodies.extend([unnamed(20.0), unnamed(30.0)]);
+    let mut editor = Editor::open("mine.toml", "", start.clone());
+    let chosen = [
+        Item::Body(5),
+        Item::Light(1),
+        Item::Body(3),
+        Item::Camera,
+        Item::Material(2),
+        Item::Body(4),
+        Item::Body(1),
+        Item::Body(0),
+    ];
+    editor.select(chosen.into_iter().collect::<Selection>());
+    // Body `b` is gone and a `new` one before all; of the two without a name the second one is another now.
+    let mut scene = start.clone();
+    scene.bodies[1] = scene.bodies[0].clone();
+    scene.bodies[0] = ball("new", 50.0);
+    scene.bodies[5] = unnamed(31.0);
+    scene.lights.swap(0, 1);
+    scene.materials.insert(0, named("green", 1.4));
+    editor.revert("", scene).unwrap();
+    let expected =
+        [Item::Light(0), Item::Body(3), Item::Camera, Item::Material(3), Item::Body(4), Item::Body(1)];
+    assert_eq!(selected(&editor), expected);
+    editor.undo();
+    assert_eq!(selected(&editor), chosen);
+    editor.redo();
+    assert_eq!(selected(&editor), expected);
+    editor.check_invariants().unwrap();
 }
 
 #[test]
 fn new_documents_are_written_in_the_standard_form() {
     let mut editor = Editor::new(Scene::default());
     assert_eq!((editor.path(), editor.title(), editor.is_changed()), (None, "", false));
-    assert_eq!(editor.save_text(), catoptric_scene::write(&Scene::default()));
+    assert_eq!(editor.writing().text(), catoptric_scene::write(&Scene::default()));
     let example = Editor::untitled("Four bodies", TEXT, read(TEXT).scene);
-    assert_eq!((example.path(), example.title(), example.save_text().as_str()), (None, "Four bodies", TEXT));
-    editor.mark_saved("a/b.toml", editor.save_text());
+    assert_eq!(
+        (example.path(), example.title(), example.writing().text().as_str()),
+        (None, "Four bodies", TEXT)
+    );
+    let text = editor.writing().text();
+    save(&mut editor, "a/b.toml", &text);
     assert_eq!(editor.title(), "b.toml");
 }
 
@@ -239,8 +297,8 @@ fn a_recovered_document_is_changed_until_it_is_saved() {
     let mut editor = Editor::unsaved(Some("a/lost.toml".into()), "", TEXT, scene.clone());
     assert_eq!((editor.title(), editor.path()), ("lost.toml", Some(Path::new("a/lost.toml"))));
     assert!(editor.is_changed() && !editor.can_undo());
-    assert_eq!(editor.save_text(), TEXT);
-    editor.mark_saved("a/lost.toml", TEXT);
+    assert_eq!(editor.writing().text(), TEXT);
+    save(&mut editor, "a/lost.toml", TEXT);
     assert!(!editor.is_changed());
     let untitled = Editor::unsaved(None, "Lens", TEXT, scene);
     assert_eq!((untitled.title(), untitled.path(), untitled.is_changed()), ("Lens", None, true));

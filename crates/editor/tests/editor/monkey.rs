@@ -4,7 +4,7 @@ use catoptric_editor::{Action, ActionError, Editor, Item, Selection, navigate};
 use catoptric_scene::{Example, Material, MaterialChoice, Scene, Shape, ShapeKind};
 use glam::DVec3;
 
-use crate::common::{label, scene};
+use crate::common::{label, save, scene};
 
 /// Steps of the monkey; `CATOPTRIC_MONKEY_STEPS` makes it more.
 const STEPS: u64 = 4000;
@@ -192,14 +192,14 @@ fn nothing_breaks_whatever_is_done() {
             18 => _ = editor.abandon(),
             _ => match chance.below(4) {
                 0 => {
-                    let text = editor.save_text();
+                    let text = editor.writing().text();
                     saved = catoptric_scene::read(&text).into_result().unwrap().value;
                     assert_eq!(*editor.scene().as_ref(), saved);
-                    editor.mark_saved("monkey.toml", text);
+                    save(&mut editor, "monkey.toml", &text);
                     assert!(!editor.is_changed());
                 }
                 1 => {
-                    let text = editor.save_text();
+                    let text = editor.writing().text();
                     editor.revert(text, saved.clone()).unwrap();
                     assert_eq!(*editor.scene().as_ref(), saved);
                 }

@@ -105,7 +105,8 @@ impl Area {
         // Of what is not a number or below 0, the cast makes 0.
         let start = ((left - self.min.x) / self.cell - 1.0).floor() as usize;
         let end = ((right - self.min.x) / self.cell + 2.0).ceil() as usize;
-        start..end.min(self.columns())
+        let end = end.min(self.columns());
+        if start < end { start..end } else { 0..0 }
     }
 }
 
@@ -173,6 +174,10 @@ fn area_of(hull: &[DVec2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use catoptric_scene::{Anchor, Placement, Scene};
+    use catoptric_tracer::Stage;
+
+    use super::super::contour::contours;
     use super::*;
 
     #[test]
@@ -207,5 +212,37 @@ mod tests {
             }
         }
         assert!(seen > 500, "{seen}");
+    }
+
+    #[test]
+    fn rows_beside_the_hull_have_empty_spans() {
+        let hull = convex_hull([(10.0, 40.0), (180.0, 40.0), (90.0, 60.0)].map(DVec2::from).to_vec());
+        let area = Area { min: DVec2::ZERO, max: DVec2::new(200.0, 100.0), cell: 2.0, hull };
+        assert_eq!((area.span(0), area.span(area.rows() - 1)), (0..0, 0..0));
+        assert!(area.span(25).len() > 20);
+    }
+
+    #[test]
+    fn contours_within_the_hull_are_those_of_the_whole_box() {
+        let size = DVec2::new(640.0, 360.0);
+        for (shape, turns) in [
+            (Shape::SPHERE, DVec3::ZERO),
+            (Shape::Cube { size: DVec3::new(3.0, 0.02, 0.02) }, DVec3::new(10.0, 20.0, 33.0)),
+            (Shape::Cube { size: DVec3::new(30.0, 0.1, 0.1) }, DVec3::new(0.0, 0.0, 8.0)),
+            (Shape::Cylinder { radius: 0.4, height: 1.5 }, DVec3::new(70.0, 0.0, 40.0)),
+            (Shape::CONE, DVec3::new(0.0, 0.0, 120.0)),
+        ] {
+            let anchor = Anchor::Frame { position: DVec3::new(0.2, 1.0, 0.0), rotation_degrees: turns };
+            let placement = Placement { anchor, scale: DVec3::ONE };
+            let scene =
+                Scene { bodies: vec![Body { shape, placement, ..Body::default() }], ..Scene::default() };
+            let stage = Stage::prepare(&scene).unwrap();
+            let area = Area::of_bodies(scene.bodies.iter(), stage.camera(), size).unwrap();
+            let is_inside = |at: DVec2| stage.nearest(&stage.camera().ray(at, size)).is_some();
+            let whole = Area { hull: Vec::new(), ..area.clone() };
+            let found = contours(&area, &is_inside);
+            assert!(!found.is_empty(), "{shape:?}");
+            assert_eq!(found, contours(&whole, &is_inside), "{shape:?}");
+        }
     }
 }

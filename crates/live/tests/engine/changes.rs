@@ -5,7 +5,8 @@ use std::time::Duration;
 
 use catoptric_live::{GridSpec, Request};
 use catoptric_picture::{Development, ToneCurve};
-use catoptric_scene::{Body, Color, MaterialChoice, Projection, Scene};
+use catoptric_scene::{Body, Color, Falloff, MaterialChoice, Projection, Scene, Shape};
+use glam::DVec3;
 
 use crate::{Window, expected, four_bodies, from_side, request};
 
@@ -40,6 +41,45 @@ fn another_scene_is_prepared_and_shown() {
     assert!(*frame.pixels == expected(&asked, 3));
     let (revision, other) = window.live.stage().unwrap();
     assert!(revision == 2 && !Arc::ptr_eq(&stage, &other) && other.body_count() == 2);
+}
+
+#[test]
+fn names_and_locks_leave_the_stage_alone() {
+    let window = Window::open();
+    let before = window.shown(request(1));
+    let (_, stage) = window.live.stage().unwrap();
+    let shown = |revision: u64, edit: &dyn Fn(&mut Scene)| {
+        let mut scene = (*four_bodies()).clone();
+        edit(&mut scene);
+        let frame = window.shown(Request { scene: Arc::new(scene), ..request(revision) });
+        (frame, window.live.stage().unwrap().1)
+    };
+    let renamed = |scene: &mut Scene| {
+        scene.bodies[0].name = "another".to_owned();
+        scene.bodies[1].locked = true;
+        scene.lights[0].name = "another".to_owned();
+        scene.lights[0].locked = true;
+    };
+    let (frame, same) = shown(2, &renamed);
+    assert!(Arc::ptr_eq(&stage, &same) && Arc::ptr_eq(&frame.pixels, &before.pixels));
+    let edits: [&dyn Fn(&mut Scene); 9] = [
+        &|scene| scene.bodies[1].hidden = true,
+        &|scene| scene.bodies[1].placement = scene.bodies[1].placement.moved_by(DVec3::X),
+        &|scene| scene.bodies[1].shape = Shape::SPHERE,
+        &|scene| scene.bodies[1].material = MaterialChoice::default(),
+        &|scene| scene.bodies.swap(0, 1),
+        &|scene| scene.lights[0].hidden = true,
+        &|scene| scene.lights[0].position.x += 1.0,
+        &|scene| scene.lights[0].intensity *= 0.5,
+        &|scene| scene.lights[0].falloff = Falloff::InverseSquare,
+    ];
+    for (edit, revision) in edits.into_iter().zip(3..) {
+        let (frame, other) = shown(revision, edit);
+        let mut scene = (*four_bodies()).clone();
+        edit(&mut scene);
+        assert!(!Arc::ptr_eq(&stage, &other), "edit {revision}");
+        assert!(*frame.pixels == expected(&Request { scene: Arc::new(scene), ..request(revision) }, 3));
+    }
 }
 
 #[test]

@@ -52,6 +52,36 @@ fn what_cannot_be_shown_is_an_error_and_the_last_frame_stays() {
 }
 
 #[test]
+fn what_is_prepared_outlives_requests_of_nothing() {
+    let window = Window::open();
+    let asked = request(1);
+    let last = window.shown(asked.clone());
+    let (_, stage) = window.live.stage().unwrap();
+    let nowhere = Camera { position: DVec3::NAN, ..Camera::default() };
+    for nothing in [Request { size: [0, 90], ..request(2) }, Request { camera: nowhere, ..request(2) }] {
+        let serial = window.live.latest().unwrap().serial;
+        window.live.request(nothing);
+        window.settle();
+        assert_eq!(window.live.latest().unwrap().serial, serial, "nothing is traced");
+        // The picture is the same one, and the window is told of it.
+        let frame = window.shown(asked.clone());
+        assert!(Arc::ptr_eq(&frame.pixels, &last.pixels) && frame.serial == serial + 1);
+        let (_, same) = window.live.stage().unwrap();
+        assert!(Arc::ptr_eq(&stage, &same));
+    }
+    // What was still to be done then is done later.
+    let mut asked = Request { samples: 1, ..request(3) };
+    for degrees in 1..=10 {
+        asked.camera = crate::from_side(&asked.camera, f64::from(degrees));
+        window.live.request(asked.clone());
+        std::thread::yield_now();
+        window.live.request(Request { size: [0, 0], ..asked.clone() });
+        window.settle();
+        assert!(*window.shown(asked.clone()).pixels == expected(&asked, 1));
+    }
+}
+
+#[test]
 fn odd_scenes_and_cameras_have_pictures() {
     let window = Window::open();
     let one = Scene { bodies: vec![Body::default()], ..Scene::default() };

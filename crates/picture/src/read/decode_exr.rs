@@ -72,7 +72,7 @@ fn choose(parts: &[Header]) -> Result<(usize, Columns), DecodeError> {
         let mut found = parts.iter().enumerate().filter(|(_, part)| !part.deep);
         found.find_map(|(index, part)| Some((index, find(&part.channels.list)?)))
     };
-    of_all(find_rgb).or_else(|| of_all(find_grey)).ok_or_else(|| {
+    of_all(find_rgb).or_else(|| of_all(find_gray)).ok_or_else(|| {
         let names = parts.iter().flat_map(|part| &part.channels.list).take(20).map(|c| c.name.to_string());
         let names = names.collect::<Vec<_>>().join(", ");
         unsupported(format!("the EXR picture has neither the channels R, G, B nor Y alone, but: {names}"))
@@ -94,7 +94,7 @@ fn find_rgb(channels: &[ChannelDescription]) -> Option<Columns> {
 }
 
 /// Y as gray, unless chroma channels say that it is only a part of the color.
-fn find_grey(channels: &[ChannelDescription]) -> Option<Columns> {
+fn find_gray(channels: &[ChannelDescription]) -> Option<Columns> {
     let place = |name: &str| channels.iter().position(|channel| channel.name.eq(name));
     let chroma = place("RY").or(place("BY"));
     place("Y").filter(|_| chroma.is_none()).map(|y| [y; 3])

@@ -12,7 +12,7 @@ use crate::format::record::{self, Datum, Record};
 use crate::format::rules;
 use crate::format::spec::{KeySpec, Limits};
 use crate::light::Light;
-use crate::material::{MaterialChoice, NamedMaterial};
+use crate::material::NamedMaterial;
 
 /// The part of a scene that a problem is in.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -214,15 +214,14 @@ impl Check {
         self.unique("bodies", scene.bodies.iter().map(|body| body.name.as_str()), Part::Body);
         let defined: HashSet<&str> = scene.materials.iter().map(|named| named.name.as_str()).collect();
         for (index, body) in scene.bodies.iter().enumerate() {
-            let MaterialChoice::Named(name) = &body.material else { continue };
-            if !defined.contains(name.as_str()) {
+            if body.material.name().is_some_and(|name| !defined.contains(name)) {
                 self.undefined(index, body);
             }
         }
     }
 
     fn undefined(&mut self, index: usize, body: &Body) {
-        let MaterialChoice::Named(name) = &body.material else { return };
+        let Some(name) = body.material.name() else { return };
         let title = title("body", &body.name, index);
         let message = format!("{title}: the material {} is not defined", quoted(name));
         self.add(Part::Body(index), "material", message);
@@ -255,7 +254,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::{Material, Placement};
+    use crate::{Material, MaterialChoice, Placement};
 
     #[test]
     fn a_default_scene_has_no_problems() {

@@ -42,7 +42,8 @@ mod tests {
     #[test]
     fn misspelt_words_are_recognized() {
         let keys = ["color", "ambient", "diffuse", "specular", "position"];
-        assert_eq!(nearest("color", keys), Some("color"));
+        // Meant: the British spelling is the likeliest misspelling of all.
+        assert_eq!(nearest("colour", keys), Some("color"));
         assert_eq!(nearest("Color", keys), Some("color"));
         assert_eq!(nearest("postion", keys), Some("position"));
         assert_eq!(nearest("diffues", keys), Some("diffuse"));

@@ -1,5 +1,7 @@
 //! From a place in the picture to its primary ray.
 
+use std::sync::Arc;
+
 use catoptric_scene::{Camera, Projection};
 use glam::{DVec2, DVec3, Vec3A};
 
@@ -24,7 +26,7 @@ pub(super) struct Surroundings {
     pub(super) center: DVec3,
     pub(super) radius: f64,
     /// A point and a normal of each plane.
-    pub(super) planes: Vec<(DVec3, DVec3)>,
+    pub(super) planes: Arc<[(DVec3, DVec3)]>,
 }
 
 impl Surroundings {

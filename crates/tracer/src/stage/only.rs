@@ -1,6 +1,7 @@
 //! A small stage with some of the bodies of another.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use super::{Hierarchy, Stage};
 
@@ -38,9 +39,9 @@ impl Stage {
                 .collect(),
             bounded: boxes.len() as u32,
             hierarchy,
-            materials: self.materials.clone(),
-            checkers: self.checkers.clone(),
-            lights: self.lights.clone(),
+            materials: Arc::clone(&self.materials),
+            checkers: Arc::clone(&self.checkers),
+            lights: Arc::clone(&self.lights),
             camera: self.camera.clone(),
             background: self.background,
             ambient: self.ambient,
@@ -49,5 +50,27 @@ impl Stage {
             has_transparency: order.iter().any(|&index| self.body(index).is_transparent()),
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Body, Light, Scene, Shape};
+
+    use super::*;
+
+    #[test]
+    fn materials_and_lights_are_shared() {
+        let plane = Body { shape: Shape::Plane, ..Body::default() };
+        let scene = Scene {
+            bodies: vec![Body::default(), plane],
+            lights: vec![Light::default()],
+            ..Scene::default()
+        };
+        let stage = Stage::prepare(&scene).unwrap();
+        let some = stage.only(&[0]);
+        assert!(Arc::ptr_eq(&some.materials, &stage.materials));
+        assert!(Arc::ptr_eq(&some.checkers, &stage.checkers));
+        assert!(Arc::ptr_eq(&some.lights, &stage.lights));
     }
 }

@@ -33,7 +33,7 @@ fn after_n_samples_the_film_equals_a_render_of_n_samples() {
                 let whole = render(&stage, settings(samples), &Control::default()).unwrap();
                 assert_eq!(film.samples(), samples);
                 assert!(film.picture().unwrap() == whole.picture, "{samples} samples, {threads} threads");
-                assert_eq!((counts, film.counts()), (whole.counts, whole.counts));
+                assert_eq!(counts, whole.counts);
             }
         });
     }
@@ -69,7 +69,6 @@ fn a_cancelled_pass_spoils_nothing() {
     }
     let whole = render(&stage, settings(film.samples()), &Control::default()).unwrap();
     assert!(film.picture().unwrap() == whole.picture);
-    assert_eq!(film.counts(), whole.counts);
 }
 
 #[test]
@@ -94,9 +93,9 @@ fn a_cleared_film_is_as_new() {
     film.add_sample(&stage, &other, &Control::default()).unwrap();
     film.clear();
     assert!(film.picture().unwrap().pixels().iter().flatten().all(|&channel| channel == 0.0));
-    film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
+    let counts = film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
     let whole = render(&stage, settings(1), &Control::default()).unwrap();
-    assert!(film.picture().unwrap() == whole.picture && film.counts() == whole.counts);
+    assert!(film.picture().unwrap() == whole.picture && counts == whole.counts);
 }
 
 #[test]

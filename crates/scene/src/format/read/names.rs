@@ -39,8 +39,8 @@ pub(super) fn check_materials(
     let mut is_used = vec![false; scene.materials.len()];
     for &(index, span) in &places.materials {
         let Some(body) = scene.bodies.get_mut(index as usize) else { continue };
-        let MaterialChoice::Named(name) = &body.material else { continue };
-        if let Some(is_used) = defined.get(name.as_str()).and_then(|&index| is_used.get_mut(index)) {
+        let Some(name) = body.material.name() else { continue };
+        if let Some(is_used) = defined.get(name).and_then(|&index| is_used.get_mut(index)) {
             *is_used = true;
             continue;
         }
