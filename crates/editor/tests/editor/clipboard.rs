@@ -87,7 +87,8 @@ fn bad_texts_are_refused() {
     }
     let camera = Action::Paste("format = \"catoptric/1\"\n[camera]\nfov = 50.0\n".to_owned());
     assert!(matches!(refuse(&mut editor, &camera), ActionError::NothingToPaste));
-    gray(&mut editor, &Action::Paste(" \n".to_owned()));
+    let nothing = Action::Paste(" \n".to_owned());
+    assert!(matches!(gray(&mut editor, &nothing), ActionError::NothingToPaste));
     editor.select(Item::Material(1));
     let shared = editor.copy().unwrap();
     assert!(matches!(refuse(&mut editor, &Action::Paste(shared)), ActionError::NothingToPaste));
