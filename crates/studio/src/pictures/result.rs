@@ -201,7 +201,7 @@ fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<P
             press = Some(Press::Save);
         }
         fields::kind_ui(ui, texts, &mut finished.order.choices.kind);
-        if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !is_copying) {
+        if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !copy::is_any_copying(studio)) {
             press = Some(Press::Copy);
         }
         if button_ui(ui, texts, "picture-close", None, !is_saving && !is_copying) {
