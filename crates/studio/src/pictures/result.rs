@@ -16,10 +16,10 @@ use egui_material_icons::icons::{ICON_CONTENT_COPY, ICON_SAVE};
 
 use super::proof::{Wanted, fitting, proof};
 use super::save::{self, Saving};
-use super::{Order, copy, fields, let_go, told};
+use super::{Order, copy, fields, told};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
-use crate::documents::job::{Job, Progress};
+use crate::documents::job::{Job, Progress, let_go};
 use crate::texts::Texts;
 use crate::theme;
 
