@@ -103,7 +103,7 @@ impl Bench {
         arguments.push(format!("+H{}", self.height));
         arguments.push(format!("+WT{threads}"));
         let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-        let text = shell::output(&mut command("povray", &arguments))?;
+        let text = shell::output_of_both(&mut command("povray", &arguments))?;
         trace_milliseconds(&text).with_context(|| format!("POV-Ray told no trace time:\n{text}"))
     }
 
@@ -122,6 +122,7 @@ impl Bench {
                 &format!("{}x{}", self.width, self.height),
                 "--threads",
                 &threads.to_string(),
+                "--quiet",
                 "--stats",
                 "-",
             ],

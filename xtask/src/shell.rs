@@ -23,16 +23,25 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// Runs a command and returns what it prints to both streams.
+/// Runs a command and returns what it prints.
 pub(crate) fn output(command: &mut Command) -> Result<String> {
+    let [printed, _] = streams(command)?;
+    Ok(printed)
+}
+
+/// Runs a command and returns what it prints, also as errors.
+pub(crate) fn output_of_both(command: &mut Command) -> Result<String> {
+    Ok(streams(command)?.concat())
+}
+
+fn streams(command: &mut Command) -> Result<[String; 2]> {
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.output().with_context(|| format!("cannot start {name}"))?;
-    let text =
-        [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+    let texts = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     if !output.status.success() {
-        bail!("{name} failed ({}):\n{text}", output.status);
+        bail!("{name} failed ({}):\n{}", output.status, texts.concat());
     }
-    Ok(text)
+    Ok(texts)
 }
 
 /// Whether a program can be started.

@@ -29,12 +29,12 @@ pub(crate) fn screenshots(arguments: &ScreenshotArguments) -> Result<()> {
 
 /// Opens the studio at 1280×720, on a virtual display if there is no other, and prints the table of its times.
 pub(crate) fn bench() -> Result<()> {
-    let display = if std::env::var_os("DISPLAY").is_none() { Some(Display::start()?) } else { None };
-    // The window of a virtual display is built before it is started.
+    // Built first: no display waits for it.
     shell::run(&mut command(
         "cargo",
         &["build", "--release", "--quiet", "--package", "catoptric-studio", "--examples"],
     ))?;
+    let display = if std::env::var_os("DISPLAY").is_none() { Some(Display::start()?) } else { None };
     let mut example = example("bench");
     example.args(["1280", "720"]);
     if let Some(display) = &display {

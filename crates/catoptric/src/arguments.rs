@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use catoptric_picture::{Picture, ToneCurve};
+use catoptric_scene::Tracing;
+use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
@@ -85,10 +87,10 @@ pub(crate) struct RenderArguments {
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Samples per pixel, 1 to 65536; one goes through the pixel's center
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=65536))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(RenderSettings::MAX_SAMPLES)))]
     pub samples: u32,
     /// Generations of rays, 1 to 64, instead of the scene's
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=64))]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(Tracing::MAX_GENERATIONS)))]
     pub generations: Option<u32>,
     #[command(flatten)]
     pub development: DevelopmentArguments,

@@ -4,6 +4,8 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+mod common;
+
 use std::io::{BufRead as _, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -18,6 +20,8 @@ use x11rb::protocol::xproto::{
 };
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
+
+use common::skip;
 
 const WIDTH: u16 = 1280;
 const HEIGHT: u16 = 800;
@@ -221,8 +225,7 @@ fn a_body_follows_the_mouse_in_a_real_window() {
     const SHIFT: i16 = 90;
     let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let Some((_server, display)) = start_display() else {
-        eprintln!("skipped: Xvfb is not installed, so there is no display for a window");
-        return;
+        return skip("Xvfb is not installed, so there is no display for a window");
     };
     let home = tempfile::tempdir().unwrap();
     let scene = home.path().join("disc.toml");
@@ -260,8 +263,7 @@ fn a_body_follows_the_mouse_in_a_real_window() {
 fn a_signal_ends_the_studio_and_unsaved_work_is_kept() {
     let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let Some((_server, display)) = start_display() else {
-        eprintln!("skipped: Xvfb is not installed, so there is no display for a window");
-        return;
+        return skip("Xvfb is not installed, so there is no display for a window");
     };
     let home = tempfile::tempdir().unwrap();
     let scene = home.path().join("disc.toml");

@@ -41,9 +41,6 @@ pub(crate) trait Dialog {
 
     /// Draws what stands below the title, the [`buttons`] last, and does what they say.
     fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow;
-
-    /// Esc was pressed: the dialog closes. To be overridden where that means more.
-    fn cancel(&mut self, _studio: &mut Studio) {}
 }
 
 /// The open dialogs.
@@ -109,7 +106,7 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: boo
     let area = Modal::default_area(id).accessible_name(&title);
     let style = context.global_style();
     let frame = Frame::window(&style).inner_margin(Margin::symmetric(20, 16));
-    let mut flow = Modal::new(id)
+    let flow = Modal::new(id)
         .area(area)
         .frame(frame)
         .show(context, |ui| {
@@ -120,14 +117,11 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: boo
         })
         .inner;
     let escape = || context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-    if flow == Flow::Stay && has_keys && escape() {
-        opened.dialog.cancel(studio);
-        flow = Flow::Close;
-    }
-    if flow == Flow::Close {
+    if flow == Flow::Close || has_keys && escape() {
         context.request_repaint();
+        return Flow::Close;
     }
-    flow
+    Flow::Stay
 }
 
 /// Draws the row of buttons of a dialog, the first label at the right as the default, which Enter presses, the others
@@ -164,9 +158,8 @@ pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option
 /// Opens the dialog that `command` asks for.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: &Command) {
     match command {
-        Command::Examples => studio.dialogs.open(examples::Gallery::new()),
+        Command::Examples => examples::open(context, studio),
         Command::Render => render::open(studio),
-        Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
         _ => {}
     }
 }

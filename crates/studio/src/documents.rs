@@ -168,8 +168,8 @@ fn show(studio: &mut Studio, editor: Editor) {
     let before = std::mem::replace(&mut studio.editor, editor);
     studio.panes.outliner.stop_renaming();
     if before.scene().bodies.len() > MANY {
-        // Freeing it takes longer than a frame. Without a thread it is freed here.
-        let _ = std::thread::Builder::new().name("free".to_owned()).spawn(move || drop(before));
+        // Freeing it takes longer than a frame.
+        job::let_go(before);
     }
     let documents = &mut studio.documents;
     documents.number += 1;

@@ -20,6 +20,7 @@ use egui::{Context, Ui, UserAttentionType, ViewportCommand};
 
 use crate::app::Studio;
 use crate::dialogs::Message;
+use crate::documents::job::let_go;
 pub use choices::{PictureKind, RenderChoices};
 pub(crate) use copy::copy_viewport;
 use leave::Leaving;
@@ -123,12 +124,6 @@ fn take_result(context: &Context, studio: &mut Studio) {
             studio.dialogs.open(Message::new(studio.texts.get("render-failed"), text));
         }
     }
-}
-
-/// Drops something that may take its time: gigabytes to be given back, a thread to be waited for.
-pub(crate) fn let_go(thing: impl Send + 'static) {
-    // Without a thread it is dropped here and now.
-    let _ = std::thread::Builder::new().name("let go".to_owned()).spawn(move || drop(thing));
 }
 
 /// The name that a new picture file gets.

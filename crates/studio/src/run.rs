@@ -89,9 +89,8 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::Terms => Help::open(context, studio, Page::Terms),
         Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
-        Command::Examples | Command::Render | Command::CopyPicture => {
-            crate::dialogs::run(context, studio, &command);
-        }
+        Command::Examples | Command::Render => crate::dialogs::run(context, studio, &command),
+        Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui_tiles::Tree;
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 use crate::layout::Pane;
 use crate::pictures::RenderChoices;
@@ -12,7 +13,8 @@ use crate::texts::Language;
 /// How many files the menu of recent ones holds.
 const RECENT: usize = 12;
 
-/// Everything remembered. A missing or unknown entry has its default, so that files of other versions can be read.
+/// Everything remembered. A missing, unknown or unreadable entry has its default, so that files of other versions can
+/// be read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
@@ -93,10 +95,26 @@ impl Settings {
     /// Reads the settings at `path`. A file that is missing or damaged gives those of the first start.
     pub fn load(path: &Path) -> Self {
         let text = std::fs::read_to_string(path).unwrap_or_default();
-        let mut settings: Self = serde_json::from_str(&text).unwrap_or_else(|_| Self::first());
+        let mut settings = Self::of(serde_json::from_str(&text).unwrap_or_default());
         settings.zoom = if settings.zoom.is_finite() { settings.zoom.clamp(0.5, 3.0) } else { 1.0 };
         settings.viewport_samples = settings.viewport_samples.clamp(1, 1024);
+        let is_size = |side: &f32| (100.0..=16384.0).contains(side);
+        settings.window_size = settings.window_size.filter(|size| size.iter().all(is_size));
         settings.render.check();
+        settings
+    }
+
+    /// Those of the first start with the entries found, each as far as it can be read.
+    fn of(found: Map<String, Value>) -> Self {
+        let mut settings = Self::first();
+        let Ok(Value::Object(mut readable)) = serde_json::to_value(&settings) else { return settings };
+        for (name, value) in found {
+            let mut tried = readable.clone();
+            tried.insert(name, value);
+            if let Ok(read) = serde_json::from_value(Value::Object(tried.clone())) {
+                (settings, readable) = (read, tried);
+            }
+        }
         settings
     }
 
@@ -150,6 +168,15 @@ mod tests {
         for text in ["", "{", "[1, 2]", "{\"zoom\": \"large\"}", "{\"layout\": 3}"] {
             std::fs::write(&path, text).unwrap();
             assert_eq!(Settings::load(&path), Settings::first(), "{text}");
+        }
+        let text = r#"{"theme": "sepia", "zoom": 1.5, "layout": {"root": "a"}, "shows_grid": false}"#;
+        std::fs::write(&path, text).unwrap();
+        let expected = Settings { zoom: 1.5, shows_grid: false, ..Settings::first() };
+        assert_eq!(Settings::load(&path), expected, "what can be read is kept");
+        for (size, read) in [("[1280, 800]", Some([1280.0, 800.0])), ("[0, 800]", None), ("[1e9, 800]", None)]
+        {
+            std::fs::write(&path, format!("{{\"window_size\": {size}}}")).unwrap();
+            assert_eq!(Settings::load(&path).window_size, read, "{size}");
         }
         std::fs::write(&path, "{\"theme\": \"light\", \"unknown\": 1, \"zoom\": 1e9}").unwrap();
         let settings = Settings::load(&path);

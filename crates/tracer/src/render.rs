@@ -22,6 +22,11 @@ pub struct RenderSettings {
     pub samples: u32,
 }
 
+impl RenderSettings {
+    /// The most samples per pixel that are offered.
+    pub const MAX_SAMPLES: u32 = 65536;
+}
+
 /// How a running render is watched and stopped, from any thread.
 #[derive(Debug, Default)]
 pub struct Control {

@@ -4,6 +4,7 @@
 
 use std::ffi::OsStr;
 use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -114,5 +115,6 @@ impl Ran {
 
 /// Says that a test was not made on this machine, and why.
 pub(crate) fn skip(reason: &str) {
-    println!("SKIPPED: {reason}");
+    // Unlike what is printed, this is also seen of a test that passes.
+    let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {reason}");
 }

@@ -4,7 +4,7 @@ pub(crate) mod thumbnails;
 
 use catoptric_scene::Example;
 use egui::{
-    Align2, FontId, Key, Rect, Response, ScrollArea, Sense, Stroke, StrokeKind, TextEdit, Ui, Vec2,
+    Align2, Context, FontId, Key, Rect, Response, ScrollArea, Sense, Stroke, StrokeKind, TextEdit, Ui, Vec2,
     WidgetInfo, pos2, vec2,
 };
 use egui_material_icons::icons;
@@ -16,6 +16,7 @@ use crate::documents::example_title;
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::paint_line_in;
+use thumbnails::Work;
 
 /// A card: its picture and the text below.
 const PICTURE: Vec2 = vec2(192.0, 108.0);
@@ -23,17 +24,20 @@ const TEXT: f32 = 40.0;
 const GAP: f32 = 12.0;
 
 /// Shows the built-in scenes; one that is chosen is opened.
-pub(crate) struct Gallery {
+struct Gallery {
     search: String,
     selected: usize,
     is_new: bool,
     scrolls: bool,
+    /// Traces the pictures that are missing, as long as the gallery is open.
+    work: Option<Work>,
 }
 
-impl Gallery {
-    pub(crate) fn new() -> Self {
-        Self { search: String::new(), selected: 0, is_new: true, scrolls: false }
-    }
+/// Opens the gallery.
+pub(super) fn open(context: &Context, studio: &mut Studio) {
+    let work = studio.dialogs.thumbnails.begin(context);
+    let gallery = Gallery { search: String::new(), selected: 0, is_new: true, scrolls: false, work };
+    studio.dialogs.open(gallery);
 }
 
 /// The examples whose name or title in either language has all words of `search`.
@@ -58,8 +62,9 @@ impl Dialog for Gallery {
     }
 
     fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
-        studio.dialogs.thumbnails.begin(ui.ctx());
-        studio.dialogs.thumbnails.poll(ui.ctx());
+        if let Some(work) = &self.work {
+            studio.dialogs.thumbnails.poll(ui.ctx(), work);
+        }
         self.search_ui(ui, &studio.texts);
         let found = found(&self.search);
         let columns = (((ui.available_width() + GAP) / (PICTURE.x + GAP)).floor() as usize).max(1);
@@ -69,20 +74,12 @@ impl Dialog for Gallery {
         let texts = &studio.texts;
         match buttons_if(ui, &[texts.get("open"), texts.get("cancel")], !found.is_empty()) {
             Some(0) => opened = found.get(self.selected).map(|(_, example)| *example),
-            Some(_) => {
-                studio.dialogs.thumbnails.pause();
-                return Flow::Close;
-            }
+            Some(_) => return Flow::Close,
             None => {}
         }
         let Some(example) = opened else { return Flow::Stay };
-        studio.dialogs.thumbnails.pause();
         studio.run(Command::OpenExample(example.name));
         Flow::Close
-    }
-
-    fn cancel(&mut self, studio: &mut Studio) {
-        studio.dialogs.thumbnails.pause();
     }
 }
 

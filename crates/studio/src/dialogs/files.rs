@@ -20,7 +20,7 @@ use egui_material_icons::icons;
 use super::question::Question;
 use super::{Dialog, Flow, buttons_if};
 use crate::app::Studio;
-use crate::documents::ask::{Chosen, completed};
+use crate::documents::ask::{Chosen, completed, name_of};
 use crate::documents::job::{Job, Progress};
 use crate::host::FileQuestion;
 use crate::texts::Texts;
@@ -125,7 +125,7 @@ impl FileDialog {
         entries
             .iter()
             .filter(|entry| entry.fits || self.shows_all)
-            .filter(|entry| entry.name.to_lowercase().contains(&typed))
+            .filter(|entry| entry.lowercase.contains(&typed))
             .collect()
     }
 
@@ -285,7 +285,7 @@ impl FileDialog {
     /// Takes the typed name; asks before replacing a file.
     fn save_as(&mut self, studio: &mut Studio) -> Flow {
         let path = completed(self.folder.join(self.name.trim()), &self.question);
-        let file_name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let file_name = name_of(&path);
         let is_taken = match &self.listing {
             Some(Listing { entries: Ok(entries), .. }) => entries.iter().any(|entry| entry.name == file_name),
             _ => false,

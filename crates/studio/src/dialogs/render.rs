@@ -6,6 +6,7 @@ mod size;
 use catoptric_picture::Development;
 use catoptric_scene::Tracing;
 use catoptric_scene::format::spec::Limits;
+use catoptric_tracer::RenderSettings;
 use egui::{Grid, Label, Response, RichText, Ui};
 use egui_material_icons::icons::{ICON_INFO, ICON_MEMORY, ICON_SCHEDULE, ICON_WARNING};
 
@@ -228,7 +229,7 @@ fn samples_row(ui: &mut Ui, texts: &Texts, samples: &mut u32, refused: &mut Opti
         {
             *samples = few;
         }
-        whole_ui(ui, &Whole { name, tip, most: RenderChoices::MAX_SAMPLES, speed: 0.2 }, samples, refused);
+        whole_ui(ui, &Whole { name, tip, most: RenderSettings::MAX_SAMPLES, speed: 0.2 }, samples, refused);
     });
     ui.end_row();
 }

@@ -1,5 +1,6 @@
 //! Asking for a file: with the system's dialog where there is one, or else with the studio's own.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 
@@ -96,10 +97,7 @@ pub(crate) fn completed(path: PathBuf, question: &FileQuestion) -> PathBuf {
     let proposed = Path::new(&question.name);
     match proposed.extension() {
         Some(extension) if fits(proposed, question.kind) && !fits(&path, question.kind) => {
-            let mut whole = path.into_os_string();
-            whole.push(".");
-            whole.push(extension);
-            whole.into()
+            appended(path, extension)
         }
         _ => with_extension(path, question.kind),
     }
@@ -110,11 +108,22 @@ pub(crate) fn with_extension(path: PathBuf, kind: FileKind) -> PathBuf {
     if fits(&path, kind) {
         return path;
     }
-    let Some(extension) = kind.extensions().first() else { return path };
+    match kind.extensions().first() {
+        Some(extension) => appended(path, extension.as_ref()),
+        None => path,
+    }
+}
+
+fn appended(path: PathBuf, extension: &OsStr) -> PathBuf {
     let mut whole = path.into_os_string();
     whole.push(".");
     whole.push(extension);
     whole.into()
+}
+
+/// What the file at `path` is called.
+pub(crate) fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// Whether the extension of `path` is one of this kind of file.

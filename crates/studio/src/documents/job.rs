@@ -60,6 +60,12 @@ impl<T: Send + 'static> Job<T> {
     }
 }
 
+/// Drops something that may take its time: gigabytes to be given back, a thread to be waited for.
+pub(crate) fn let_go(thing: impl Send + 'static) {
+    // Without a thread it is dropped here and now.
+    let _ = std::thread::Builder::new().name("let go".to_owned()).spawn(move || drop(thing));
+}
+
 /// Wakes the window even when the work panics.
 struct WakeAtEnd(Context);
 

@@ -30,11 +30,14 @@ pub(super) struct Keeper {
     sent: Option<(State, Instant)>,
     /// What is kept.
     kept: Option<State>,
+    /// Whether the thread is about it.
+    is_busy: bool,
     /// Since when there is something to be kept.
     waits_since: Option<Instant>,
     /// Orphans that have become the document of this number; they go when that is kept.
     restored: Vec<(u64, Arc<Orphan>)>,
     is_held: bool,
+    /// Whether keeping failed the last time; it is tried again then.
     has_failed: bool,
     /// What was found at the start.
     pub(super) found: Vec<Found>,
@@ -58,10 +61,19 @@ impl Drop for Thread {
 }
 
 enum Order {
-    Keep { state: State, writing: Writing, path: Option<PathBuf>, title: String },
+    Keep {
+        state: State,
+        writing: Writing,
+        path: Option<PathBuf>,
+        title: String,
+    },
     Clear,
     Discard(Arc<Orphan>),
-    Finish { leave_behind: bool },
+    /// Orphans that have become the document go with it, unless they are the only copy.
+    Finish {
+        leave_behind: bool,
+        restored: Vec<Arc<Orphan>>,
+    },
 }
 
 enum Report {
@@ -114,10 +126,6 @@ impl Keeper {
         }
     }
 
-    fn is_busy(&self) -> bool {
-        self.sent.is_some_and(|(state, _)| self.kept != Some(state)) && !self.has_failed
-    }
-
     /// Discards the orphans whose documents are kept, saved or given up.
     fn discard_restored(&mut self, is_over: impl Fn(u64) -> bool) {
         let (over, still) =
@@ -145,7 +153,8 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
         }
         return;
     }
-    if keeper.thread.is_none() || keeper.sent.is_some_and(|(sent, _)| sent == state) {
+    let is_sent = keeper.sent.is_some_and(|(sent, _)| sent == state) && !keeper.has_failed;
+    if keeper.thread.is_none() || is_sent {
         keeper.waits_since = None;
         return;
     }
@@ -155,7 +164,7 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     let due = last.map_or(since + DELAY, |last| last.max(since + DELAY));
     if now < due {
         context.request_repaint_after(due - now);
-    } else if !keeper.is_busy() {
+    } else if !keeper.is_busy {
         send(studio, state, now);
     }
 }
@@ -170,6 +179,7 @@ fn send(studio: &mut Studio, state: State, now: Instant) {
     let keeper = &mut studio.documents.keeper;
     keeper.order(order);
     keeper.sent = Some((state, now));
+    keeper.is_busy = true;
     keeper.waits_since = None;
 }
 
@@ -188,10 +198,12 @@ fn take_reports(studio: &mut Studio) {
             Report::Found(found) => keeper.found = found,
             Report::Kept(state) => {
                 keeper.kept = Some(state);
+                keeper.is_busy = false;
                 keeper.has_failed = false;
                 keeper.discard_restored(|number| number == state.0);
             }
             Report::Failed(reason) => {
+                keeper.is_busy = false;
                 if !std::mem::replace(&mut keeper.has_failed, true) {
                     let text = studio.texts.with("keep-failed", &[("reason", reason.into())]);
                     studio.toasts.error(text);
@@ -206,12 +218,12 @@ pub(super) fn finish(studio: &mut Studio) {
     let changed = is_changed(studio);
     let leave_behind = changed && (studio.documents.keeper.is_held || !studio.documents.is_leaving);
     let state = (studio.documents.number, studio.editor.revision());
-    if leave_behind && studio.documents.keeper.sent.is_none_or(|(sent, _)| sent != state) {
+    if leave_behind && studio.documents.keeper.kept != Some(state) {
         send(studio, state, Instant::now());
     }
     let keeper = &mut studio.documents.keeper;
-    keeper.discard_restored(|_| true);
-    keeper.order(Order::Finish { leave_behind });
+    let restored = std::mem::take(&mut keeper.restored).into_iter().map(|(_, orphan)| orphan).collect();
+    keeper.order(Order::Finish { leave_behind, restored });
     keeper.thread = None;
 }
 
@@ -222,26 +234,21 @@ fn attend(folder: &Path, inbox: &Receiver<Order>, report: impl Fn(Report)) {
         report(Report::Found(found));
     }
     let mut session: Option<Session> = None;
+    let mut is_kept = false;
     while let Ok(order) = inbox.recv() {
         match order {
             Order::Keep { state, writing, path, title } => {
                 let snapshot = Snapshot { original_path: path, title, text: writing.text() };
-                match keep_in(&mut session, folder, &snapshot) {
-                    Ok(()) => report(Report::Kept(state)),
-                    Err(reason) => report(Report::Failed(reason)),
-                }
+                let result = keep_in(&mut session, folder, &snapshot);
+                is_kept = result.is_ok();
+                report(result.map_or_else(Report::Failed, |()| Report::Kept(state)));
             }
-            Order::Clear => {
-                if let Some(Err(error)) = session.as_mut().map(Session::clear) {
-                    report(Report::Failed(error.to_string()));
+            Order::Clear => _ = session.as_mut().map(Session::clear),
+            Order::Discard(orphan) => discard(orphan),
+            Order::Finish { leave_behind, restored } => {
+                if is_kept || !leave_behind {
+                    restored.into_iter().for_each(discard);
                 }
-            }
-            Order::Discard(orphan) => {
-                if let Some(Err(error)) = Arc::into_inner(orphan).map(Orphan::discard) {
-                    report(Report::Failed(error.to_string()));
-                }
-            }
-            Order::Finish { leave_behind } => {
                 if leave_behind && let Some(session) = session.take() {
                     session.leave_behind();
                 }
@@ -255,10 +262,49 @@ fn attend(folder: &Path, inbox: &Receiver<Order>, report: impl Fn(Report)) {
     }
 }
 
+/// Where it cannot be removed, it is offered again, which is better than lost.
+fn discard(orphan: Arc<Orphan>) {
+    let _ = Arc::into_inner(orphan).map(Orphan::discard);
+}
+
 fn keep_in(session: &mut Option<Session>, folder: &Path, snapshot: &Snapshot) -> Result<(), String> {
     let session = match session {
         Some(session) => session,
         None => session.insert(Session::start(folder).map_err(|error| error.to_string())?),
     };
     session.write(snapshot).map_err(|error| error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use catoptric_editor::Editor;
+    use catoptric_scene::Scene;
+
+    /// What is found after a studio has restored an orphan, kept it in `folder` and left it behind.
+    fn left(orphans_folder: &Path, folder: &Path) -> usize {
+        let mut session = Session::start(orphans_folder).unwrap();
+        session.write(&Snapshot::default()).unwrap();
+        session.leave_behind();
+        let restored: Vec<Arc<Orphan>> = orphans(orphans_folder).into_iter().map(Arc::new).collect();
+        assert_eq!(restored.len(), 1);
+        let (orders, inbox) = mpsc::channel();
+        let writing = Editor::new(Scene::default()).writing();
+        orders.send(Order::Keep { state: (0, 0), writing, path: None, title: String::new() }).unwrap();
+        orders.send(Order::Finish { leave_behind: true, restored }).unwrap();
+        attend(folder, &inbox, |_| {});
+        orphans(orphans_folder).len()
+    }
+
+    #[test]
+    fn a_restored_orphan_goes_only_when_it_is_not_the_only_copy() {
+        let temporary = tempfile::tempdir().unwrap();
+        let (folder, closed) = (temporary.path().join("recovery"), temporary.path().join("file"));
+        std::fs::write(&closed, "no folder").unwrap();
+        assert_eq!(left(&folder, &closed), 1);
+        for orphan in orphans(&folder) {
+            orphan.discard().unwrap();
+        }
+        assert_eq!(left(&folder, &temporary.path().join("other")), 0);
+    }
 }

@@ -1,6 +1,5 @@
 //! What is told about files without stopping anybody: the banner about problems, what is under way, where to drop.
 
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -10,6 +9,7 @@ use egui::{
 };
 use egui_material_icons::icons;
 
+use super::ask::name_of;
 use crate::app::Studio;
 use crate::layout::{self, Pane};
 use crate::theme;
@@ -89,11 +89,10 @@ pub(crate) fn banner_ui(ui: &mut Ui, studio: &mut Studio) {
 
 /// Draws what is being opened or saved, over the window, and where a file can be dropped.
 pub(crate) fn progress_ui(ui: &mut Ui, studio: &mut Studio) {
-    let file_name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let documents = &studio.documents;
     let under_way = match (&documents.saving, &documents.reading) {
-        (Some(saving), _) => Some(("saving", file_name(saving.path()), saving.since())),
-        (None, Some(reading)) => Some(("opening", file_name(&reading.path), reading.since())),
+        (Some(saving), _) => Some(("saving", name_of(saving.path()), saving.since())),
+        (None, Some(reading)) => Some(("opening", name_of(&reading.path), reading.since())),
         (None, None) => None,
     };
     if let Some((key, name, since)) = under_way {

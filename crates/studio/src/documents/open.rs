@@ -133,7 +133,7 @@ pub(super) fn take_dropped(context: &Context, studio: &mut Studio) {
         }
         Some(path) => {
             if dropped.len() > 1 {
-                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                let name = ask::name_of(path);
                 studio.toasts.info(studio.texts.with("dropped-several", &[("name", name.into())]));
             }
             begin(context, studio, path);

@@ -7,7 +7,7 @@ use std::time::SystemTime;
 
 use catoptric_editor::Editor;
 use catoptric_editor::recovery::{Orphan, Snapshot};
-use catoptric_scene::{Diagnostics, Scene, read};
+use catoptric_scene::{Diagnostics, Scene, load_partly, read};
 use egui::Context;
 
 use super::job::{Job, Progress};
@@ -47,6 +47,8 @@ pub(crate) struct Recovered {
     snapshot: Snapshot,
     scene: Scene,
     findings: Diagnostics,
+    /// Whether it is only the part of its file that could be read.
+    is_partial: bool,
 }
 
 /// Reading it.
@@ -58,7 +60,12 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
     let work = move || {
         let snapshot = orphan.read().map_err(|error| error.to_string())?;
         let reading = read(&snapshot.text);
-        Ok(Recovered { orphan, snapshot, scene: reading.scene, findings: reading.diagnostics })
+        // What was kept reads well even where the file did not; saving would replace the unread parts all the same.
+        let has_errors = |path| load_partly(path).is_ok_and(|(reading, _)| reading.diagnostics.has_errors());
+        let is_partial =
+            reading.diagnostics.has_errors() || snapshot.original_path.as_deref().is_some_and(has_errors);
+        let (scene, findings) = (reading.scene, reading.diagnostics);
+        Ok(Recovered { orphan, snapshot, scene, findings, is_partial })
     };
     match Job::start(context, "restore", work) {
         Ok(job) => studio.documents.restoring = Some(job),
@@ -97,13 +104,14 @@ fn failed(studio: &mut Studio, reason: &str) {
 
 /// Puts it into the window, as a changed document with its own file.
 pub(super) fn show(studio: &mut Studio, recovered: &Recovered) {
-    let Recovered { orphan, snapshot, scene, findings } = recovered;
+    let Recovered { orphan, snapshot, scene, findings, is_partial } = recovered;
     let text: Arc<str> = snapshot.text.as_str().into();
     let editor = match &snapshot.original_path {
         Some(path) => Editor::open(path.clone(), Arc::clone(&text), scene.clone()),
         None => Editor::untitled(snapshot.title.clone(), Arc::clone(&text), scene.clone()),
     };
     show_recovered(studio, editor, orphan.written());
+    studio.documents.is_partial = *is_partial;
     let number = studio.documents.number;
     studio.documents.keeper.has_restored(number, Arc::clone(orphan));
     if !findings.is_empty() {

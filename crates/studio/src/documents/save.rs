@@ -6,6 +6,7 @@ use std::time::Instant;
 use catoptric_editor::Writing;
 use egui::Context;
 
+use super::ask::name_of;
 use super::disk::{self, May, WriteFailure, Written};
 use super::job::{Job, Progress};
 use super::{Next, leave, notice, save_as};
@@ -111,7 +112,7 @@ fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Writte
         next => next,
     });
     studio.settings.remember_recent(&path);
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = name_of(&path);
     studio.toasts.success(studio.texts.with("saved", &[("name", name.into())]));
     if document == studio.documents.number {
         studio.editor.mark_written(&writing, path.clone(), written.text);
@@ -141,7 +142,7 @@ fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Writte
 
 /// There is a file already, or another program has changed it.
 fn ask_about_replacing(studio: &mut Studio, order: Order) {
-    let name = order.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = name_of(&order.path);
     let path = order.path.display().to_string();
     let texts = &studio.texts;
     let (title, text) = match order.may {

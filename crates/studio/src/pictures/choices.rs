@@ -94,14 +94,11 @@ impl Default for RenderChoices {
 }
 
 impl RenderChoices {
-    /// The most samples a pixel can have.
-    pub const MAX_SAMPLES: u32 = 65536;
-
     /// Brings numbers that came from a file within their limits.
     pub(crate) fn check(&mut self) {
         self.width = self.width.clamp(1, Picture::MAX_SIDE);
         self.height = self.height.clamp(1, Picture::MAX_SIDE);
-        self.samples = self.samples.clamp(1, Self::MAX_SAMPLES);
+        self.samples = self.samples.clamp(1, RenderSettings::MAX_SAMPLES);
         self.generations = self.generations.map(|own| own.clamp(1, Tracing::MAX_GENERATIONS));
     }
 

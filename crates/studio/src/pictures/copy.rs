@@ -74,14 +74,26 @@ pub(super) fn copy_finished(context: &Context, studio: &mut Studio, finished: &F
     start(context, studio, Source::Finished(finished.number, size), move || codes_of(&picture, development));
 }
 
+/// Whether any picture is being copied. Another must wait: the later one is to stay in the clipboard.
+pub(super) fn is_any_copying(studio: &Studio) -> bool {
+    studio.pictures.copying.job.is_some()
+}
+
 /// Whether this picture is being copied.
 pub(super) fn is_copying(studio: &Studio, number: u64) -> bool {
     matches!(studio.pictures.copying.job, Some((Source::Finished(other, _), _)) if other == number)
 }
 
-/// Takes up what has been copied: once a frame.
+/// Takes up what has been copied, and copies what has waited for that: once a frame.
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
-    look_at_viewport(context, studio);
+    take_copied(context, studio);
+    // The window wakes up when the picture before it has been copied.
+    if !is_any_copying(studio) {
+        look_at_viewport(context, studio);
+    }
+}
+
+fn take_copied(context: &Context, studio: &mut Studio) {
     let Some((source, job)) = &studio.pictures.copying.job else { return };
     let source = *source;
     let result = match job.poll() {
@@ -111,7 +123,8 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
 fn copied_from(studio: &mut Studio, source: Source) {
     let (Source::Viewport(size) | Source::Finished(_, size)) = source;
     if let Source::Finished(number, _) = source {
-        Finished::with(studio, number, |_, finished| finished.kept = Some(Kept::Clipboard));
+        // A file lasts longer.
+        Finished::with(studio, number, |_, finished| _ = finished.kept.get_or_insert(Kept::Clipboard));
     }
     let size = told::size(size[0], size[1]);
     studio.toasts.success(studio.texts.with("picture-copied", &[("size", size.into())]));

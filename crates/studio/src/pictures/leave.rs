@@ -4,6 +4,7 @@ use std::rc::Weak;
 
 use egui::Context;
 
+use super::result::{Finished, Kept};
 use super::save::Saving;
 use crate::app::Studio;
 use crate::command::Command;
@@ -37,7 +38,9 @@ pub(crate) fn hold(studio: &mut Studio) -> bool {
         studio.toasts.info(studio.texts.get("picture-leave-waits"));
         return true;
     }
-    let unkept = pictures.finished.iter().filter(|finished| finished.kept.is_none()).count();
+    // On some systems the clipboard loses what the studio has put there as soon as the studio is gone.
+    let is_in_file = |finished: &&Finished| matches!(finished.kept, Some(Kept::File(_)));
+    let unkept = pictures.finished.iter().filter(|finished| !is_in_file(finished)).count();
     if pictures.leaving.is_agreed || (unkept == 0 && !pictures.is_rendering()) {
         return false;
     }

@@ -16,10 +16,10 @@ use egui_material_icons::icons::{ICON_CONTENT_COPY, ICON_SAVE};
 
 use super::proof::{Wanted, fitting, proof};
 use super::save::{self, Saving};
-use super::{Order, copy, fields, let_go, told};
+use super::{Order, copy, fields, told};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
-use crate::documents::job::{Job, Progress};
+use crate::documents::job::{Job, Progress, let_go};
 use crate::texts::Texts;
 use crate::theme;
 
@@ -201,7 +201,7 @@ fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<P
             press = Some(Press::Save);
         }
         fields::kind_ui(ui, texts, &mut finished.order.choices.kind);
-        if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !is_copying) {
+        if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !copy::is_any_copying(studio)) {
             press = Some(Press::Copy);
         }
         if button_ui(ui, texts, "picture-close", None, !is_saving && !is_copying) {

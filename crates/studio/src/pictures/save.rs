@@ -10,7 +10,7 @@ use super::result::{Finished, Kept};
 use super::{PictureKind, file_name, told};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
-use crate::documents::ask::{Answer, Asking, Chosen};
+use crate::documents::ask::{Answer, Asking, Chosen, name_of};
 use crate::documents::disk::write_failure_in_words;
 use crate::documents::job::{Job, Progress};
 use crate::host::{FileKind, FileQuestion};
@@ -110,7 +110,7 @@ impl Order {
 
 fn saved(studio: &mut Studio, finished: &mut Finished, path: &Path) {
     studio.settings.render.folder = path.parent().map(Path::to_owned);
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = name_of(path);
     studio.toasts.success(studio.texts.with("picture-saved", &[("name", name.as_str().into())]));
     finished.kept = Some(Kept::File(name));
 }
@@ -126,7 +126,7 @@ fn failed(studio: &mut Studio, finished: &Finished, order: Order, failure: &Fail
 
 fn ask_to_replace(studio: &mut Studio, number: u64, order: Order) {
     let texts = &studio.texts;
-    let name = order.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = name_of(&order.path);
     let folder = order.path.parent().unwrap_or(Path::new("")).display().to_string();
     let question = Question::new(
         texts.with("picture-replace-title", &[("name", name.into())]),

@@ -38,12 +38,16 @@ pub(crate) fn rough_time(texts: &Texts, seconds: f64) -> String {
     }
 }
 
-/// An amount of memory.
+/// An amount of memory, or the size of a file.
 pub(crate) fn bytes(texts: &Texts, bytes: u64) -> String {
-    let (key, count) = match bytes {
-        0..1_000_000_000 => ("render-megabytes", (bytes as f64 / 1e6).max(1.0).round()),
-        _ => ("render-gigabytes", (bytes as f64 / 1e8).round() / 10.0),
+    let (key, unit) = match bytes {
+        0..1_000 => ("size-bytes", 1.0),
+        1_000..1_000_000 => ("size-kilobytes", 1e3),
+        1_000_000..1_000_000_000 => ("render-megabytes", 1e6),
+        _ => ("render-gigabytes", 1e9),
     };
+    let count = bytes as f64 / unit;
+    let count = if count < 100.0 { (10.0 * count).round() / 10.0 } else { count.round() };
     texts.with(key, &[("count", decimal(texts, count).into())])
 }
 
@@ -116,6 +120,16 @@ mod tests {
         let told: Vec<String> =
             [0.2, 1.3, 12.4, 83.0, 400.0, 9000.0, 1e6].map(|seconds| rough_time(&texts, seconds)).into();
         assert_eq!(told, ["a moment", "1.5 s", "12 s", "85 s", "7 min", "2.5 h", "12 days"]);
+    }
+
+    #[test]
+    fn bytes_are_told_in_the_unit_that_suits_them() {
+        let amounts = [0, 999, 1_000, 1_249, 250_400, 10_000_000, 2_530_000_000];
+        let told = |language| amounts.map(|amount| bytes(&Texts::new(language), amount));
+        let english = ["0 B", "999 B", "1 kB", "1.2 kB", "250 kB", "10 MB", "2.5 GB"];
+        assert_eq!(told(Language::English), english);
+        let russian = ["0 Б", "999 Б", "1 кБ", "1,2 кБ", "250 кБ", "10 МБ", "2,5 ГБ"];
+        assert_eq!(told(Language::Russian), russian);
     }
 
     #[test]

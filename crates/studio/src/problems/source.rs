@@ -60,11 +60,13 @@ pub(super) fn source_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut Problems) {
     });
 }
 
-/// The marked bytes of a line; at least one character.
+/// The marked bytes of a line; at least one character, unless the mark is at its end.
 fn mark_in(line: &str, range: &Range<usize>, span: &Range<usize>) -> Range<usize> {
     let start = floor(line, span.start.saturating_sub(range.start).min(line.len()));
     let end = floor(line, span.end.saturating_sub(range.start).min(line.len()));
-    start..end.max(start)
+    // A mark of no width still shows where it is.
+    let next = line.get(start..).and_then(|rest| rest.chars().next()).map_or(start, |c| start + c.len_utf8());
+    start..if end > start { end } else { next }
 }
 
 /// The lines around the place `at`, which lies in the line with `number`: the number of the first, and the bytes of
@@ -112,6 +114,13 @@ mod tests {
     fn shown(text: &str, at: usize, number: usize) -> (usize, Vec<&str>) {
         let (first, lines) = lines_around(text, at, number);
         (first, lines.into_iter().map(|line| &text[line]).collect())
+    }
+
+    #[test]
+    fn at_least_one_character_is_marked() {
+        let mark = |span| mark_in("aжb", &(10..14), &span);
+        assert_eq!((mark(10..13), mark(11..11), mark(12..12)), (0..3, 1..3, 1..3));
+        assert_eq!((mark(13..99), mark(14..14)), (3..4, 4..4));
     }
 
     #[test]

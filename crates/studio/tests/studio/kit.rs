@@ -6,7 +6,7 @@ use std::sync::mpsc;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
+use catoptric_studio::host::{FileAnswer, FileQuestion, Host, PictureClipboard};
 use catoptric_studio::{Start, Studio};
 use egui_kittest::{Harness, HarnessBuilder};
 use tempfile::TempDir;
@@ -21,6 +21,8 @@ pub(crate) struct TestHost {
     pub(crate) questions: Arc<Mutex<Vec<FileQuestion>>>,
     /// Bytes of memory that are free, as the studio is told.
     pub(crate) free_memory: Arc<Mutex<Option<u64>>>,
+    /// Without one, the window copies.
+    pub(crate) clipboard: Option<PictureClipboard>,
 }
 
 impl TestHost {
@@ -38,6 +40,7 @@ impl TestHost {
             answers: Arc::default(),
             questions: Arc::default(),
             free_memory: Arc::default(),
+            clipboard: None,
         }
     }
 
@@ -67,6 +70,10 @@ impl Host for TestHost {
 
     fn recovery_folder(&self) -> Option<PathBuf> {
         Some(self.path("recovery"))
+    }
+
+    fn clipboard(&self) -> Option<PictureClipboard> {
+        self.clipboard
     }
 
     fn free_memory(&self) -> Option<u64> {

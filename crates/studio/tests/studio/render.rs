@@ -1,10 +1,12 @@
 //! Rendering pictures, saving and copying them.
 
 use std::path::Path;
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, encode_exr, encode_png, read};
 use catoptric_scene::Scene;
+use catoptric_studio::host::PictureClipboard;
 use catoptric_studio::{Command, Language, Start, Studio};
 use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use egui::accesskit::Role;
@@ -386,9 +388,46 @@ fn a_finished_picture_goes_to_the_clipboard() {
     assert_eq!(image.as_raw(), codes.as_flattened());
     settle(&mut harness);
     assert!(is_seen(&harness, "In the clipboard"));
+    // The clipboard may go with the studio.
+    close_requested(&mut harness);
+    assert!(viewport_commands(&harness).contains(&ViewportCommand::CancelClose));
+    settle(&mut harness);
+    press(&mut harness, "Stay");
     // It is kept: nothing is asked.
     press(&mut harness, "Close the picture");
     assert!(!is_seen(&harness, "Picture 96 × 54"));
+    close_requested(&mut harness);
+    assert!(!viewport_commands(&harness).contains(&ViewportCommand::CancelClose));
+}
+
+#[test]
+fn pictures_go_to_the_clipboard_one_after_another() {
+    static COPIED: Mutex<Vec<[usize; 2]>> = Mutex::new(Vec::new());
+    let clipboard: PictureClipboard = |size, _| {
+        COPIED.lock().unwrap().push(size);
+        Ok(())
+    };
+    let mut host = TestHost::new();
+    host.clipboard = Some(clipboard);
+    let mut harness = on(&host);
+    harness.run();
+    start_small(&mut harness);
+    wait_for(&mut harness, "Picture 96 × 54");
+    wait_until(&mut harness, "the viewport is refined", |studio| studio.live().status().is_idle);
+    // The clipboard is busy with the first for a while.
+    let busy = COPIED.lock().unwrap();
+    press(&mut harness, "Copy");
+    harness.state_mut().run(Command::CopyPicture);
+    settle(&mut harness);
+    assert!(harness.get_by_role_and_label(Role::Button, "Copy").accesskit_node().is_disabled());
+    drop(busy);
+    wait_for(&mut harness, "In the clipboard");
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while COPIED.lock().unwrap().len() < 2 {
+        assert!(Instant::now() < deadline, "the viewport is not copied");
+        harness.step();
+    }
+    assert_eq!(COPIED.lock().unwrap()[0], [96, 54]);
 }
 
 #[test]

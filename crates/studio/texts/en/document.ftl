@@ -29,9 +29,8 @@ files-empty = No matching files here.
 files-no-folder = There is no such folder. Check the path.
 files-denied = You may not look into this folder. Choose another one.
 files-failed = This folder cannot be read. Choose another one.
-size-bytes = { $number } B
-size-kib = { $number } KiB
-size-mib = { $number } MiB
+size-bytes = { $count } B
+size-kilobytes = { $count } kB
 ago-now = just now
 ago-minutes = { $number ->
     [one] { $number } minute ago

@@ -29,9 +29,8 @@ files-empty = Здесь нет ничего подходящего.
 files-no-folder = Такой папки нет. Проверьте путь.
 files-denied = Нет прав на просмотр этой папки. Выберите другую.
 files-failed = Эту папку не удаётся прочитать. Выберите другую.
-size-bytes = { $number } Б
-size-kib = { $number } КиБ
-size-mib = { $number } МиБ
+size-bytes = { $count } Б
+size-kilobytes = { $count } кБ
 ago-now = только что
 ago-minutes = { $number ->
     [one] { $number } минуту назад

@@ -16,11 +16,10 @@ const SAMPLES: u32 = 4;
 #[derive(Default)]
 pub(crate) struct Thumbnails {
     pictures: Vec<Option<TextureHandle>>,
-    work: Option<Work>,
 }
 
 /// The thread that traces. Dropping it cancels the picture under way.
-struct Work {
+pub(crate) struct Work {
     results: Receiver<(usize, ColorImage)>,
     control: Arc<Control>,
 }
@@ -32,14 +31,14 @@ impl Drop for Work {
 }
 
 impl Thumbnails {
-    /// Begins to trace what is missing, unless that is under way.
-    pub(crate) fn begin(&mut self, context: &Context) {
+    /// Begins to trace what is missing.
+    pub(crate) fn begin(&mut self, context: &Context) -> Option<Work> {
         self.pictures.resize(Example::ALL.len(), None);
         let missing: Vec<usize> = (0..self.pictures.len())
             .filter(|index| matches!(self.pictures.get(*index), Some(None)))
             .collect();
-        if missing.is_empty() || self.work.is_some() {
-            return;
+        if missing.is_empty() {
+            return None;
         }
         let (sender, results) = mpsc::channel();
         let control = Arc::new(Control::default());
@@ -60,17 +59,11 @@ impl Thumbnails {
         };
         // Without a thread, the placeholders stay.
         let started = std::thread::Builder::new().name("thumbnails".to_owned()).spawn(work);
-        self.work = started.ok().map(|_| Work { results, control });
-    }
-
-    /// Stops tracing; what is there stays.
-    pub(crate) fn pause(&mut self) {
-        self.work = None;
+        started.ok().map(|_| Work { results, control })
     }
 
     /// Takes up what has been traced.
-    pub(crate) fn poll(&mut self, context: &Context) {
-        let Some(work) = &self.work else { return };
+    pub(crate) fn poll(&mut self, context: &Context, work: &Work) {
         while let Ok((index, picture)) = work.results.try_recv() {
             let texture = context.load_texture(format!("example {index}"), picture, TextureOptions::LINEAR);
             if let Some(place) = self.pictures.get_mut(index) {

@@ -16,6 +16,8 @@ const MOST: usize = 10_000;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Entry {
     pub(super) name: String,
+    /// The name in lower case, to be sorted and searched by.
+    pub(super) lowercase: String,
     pub(super) is_folder: bool,
     pub(super) bytes: u64,
     pub(super) modified: Option<SystemTime>,
@@ -54,12 +56,13 @@ fn look(path: &Path, kind: FileKind) -> Option<Entry> {
         bytes: metadata.len(),
         modified: metadata.modified().ok(),
         fits: is_folder || fits(path, kind),
+        lowercase: name.to_lowercase(),
         name,
     })
 }
 
 fn compare(one: &Entry, other: &Entry) -> Ordering {
-    let by_name = || one.name.to_lowercase().cmp(&other.name.to_lowercase());
+    let by_name = || one.lowercase.cmp(&other.lowercase);
     other.is_folder.cmp(&one.is_folder).then_with(by_name).then_with(|| one.name.cmp(&other.name))
 }
 
@@ -94,15 +97,6 @@ fn plain(path: &Path) -> PathBuf {
         }
     }
     plain
-}
-
-/// A size in the unit that suits it.
-pub(super) fn size_in_words(bytes: u64) -> (&'static str, f64) {
-    match bytes {
-        0..1024 => ("size-bytes", bytes as f64),
-        1024..1_048_576 => ("size-kib", bytes as f64 / 1024.0),
-        _ => ("size-mib", bytes as f64 / 1_048_576.0),
-    }
 }
 
 #[cfg(test)]

@@ -7,7 +7,8 @@ use egui::{Align2, FontId, Frame, Margin, Rect, ScrollArea, Sense, Ui, WidgetInf
 use egui_material_icons::icons;
 
 use super::FileDialog;
-use super::listing::{Entry, Listing, size_in_words};
+use super::listing::{Entry, Listing};
+use crate::pictures::told;
 use crate::texts::Texts;
 use crate::theme::{self, Palette};
 use crate::widgets::paint_line_in;
@@ -21,9 +22,11 @@ const DATE_WIDTH: f32 = 130.0;
 pub(super) fn table_ui(ui: &mut Ui, dialog: &mut FileDialog, texts: &Texts) -> bool {
     let palette = theme::palette(ui.visuals());
     let frame = Frame::new().fill(palette.field).corner_radius(6.0).inner_margin(Margin::same(4));
-    frame
+    let scrolls = std::mem::take(&mut dialog.scrolls);
+    let chosen = frame
         .show(ui, |ui| {
             ui.set_height(HEIGHT);
+            let entries = dialog.entries();
             let message = match &dialog.listing {
                 None => Some("files-reading"),
                 Some(Listing { entries: Err(kind), .. }) => Some(match kind {
@@ -31,28 +34,45 @@ pub(super) fn table_ui(ui: &mut Ui, dialog: &mut FileDialog, texts: &Texts) -> b
                     io::ErrorKind::PermissionDenied => "files-denied",
                     _ => "files-failed",
                 }),
-                Some(_) => dialog.entries().is_empty().then_some("files-empty"),
+                Some(_) => entries.is_empty().then_some("files-empty"),
             };
             match message {
                 Some(key) => {
                     ui.centered_and_justified(|ui| ui.weak(texts.get(key)));
-                    false
+                    None
                 }
-                None => rows_ui(ui, dialog, texts, palette),
+                None => {
+                    let selected =
+                        entries.iter().position(|entry| Some(&entry.name) == dialog.selected.as_ref());
+                    rows_ui(ui, &entries, selected, scrolls, texts)
+                }
             }
         })
-        .inner
+        .inner;
+    let Some(Chosen { name, is_folder, opens }) = chosen else { return false };
+    dialog.select(&name, is_folder);
+    opens
 }
 
-fn rows_ui(ui: &mut Ui, dialog: &mut FileDialog, texts: &Texts, palette: &Palette) -> bool {
-    let entries: Vec<Entry> = dialog.entries().into_iter().cloned().collect();
-    let selected = entries.iter().position(|entry| Some(&entry.name) == dialog.selected.as_ref());
-    let mut opened = false;
+/// An entry that was clicked, perhaps twice.
+struct Chosen {
+    name: String,
+    is_folder: bool,
+    opens: bool,
+}
+
+fn rows_ui(
+    ui: &mut Ui,
+    entries: &[&Entry],
+    selected: Option<usize>,
+    scrolls: bool,
+    texts: &Texts,
+) -> Option<Chosen> {
+    let palette = theme::palette(ui.visuals());
+    let mut chosen = None;
     ui.spacing_mut().item_spacing.y = 0.0;
     let mut area = ScrollArea::vertical().id_salt("files").auto_shrink(false);
-    if std::mem::take(&mut dialog.scrolls)
-        && let Some(selected) = selected
-    {
+    if scrolls && let Some(selected) = selected {
         area = area.vertical_scroll_offset((selected as f32 * ROW - 0.5 * HEIGHT).max(0.0));
     }
     area.show_rows(ui, ROW, entries.len(), |ui, range| {
@@ -69,12 +89,12 @@ fn rows_ui(ui: &mut Ui, dialog: &mut FileDialog, texts: &Texts, palette: &Palett
             }
             row_ui(ui, rect, entry, texts, palette);
             if response.clicked() {
-                dialog.select(&entry.name, entry.is_folder);
+                let (name, is_folder) = (entry.name.clone(), entry.is_folder);
+                chosen = Some(Chosen { name, is_folder, opens: response.double_clicked() });
             }
-            opened |= response.double_clicked();
         }
     });
-    opened
+    chosen
 }
 
 fn row_ui(ui: &Ui, rect: Rect, entry: &Entry, texts: &Texts, palette: &Palette) {
@@ -91,17 +111,9 @@ fn row_ui(ui: &Ui, rect: Rect, entry: &Entry, texts: &Texts, palette: &Palette) 
     let name_rect = rect.with_min_x(rect.min.x + 32.0).with_max_x(size_start - 8.0);
     paint_line_in(ui, name_rect, &entry.name, font, palette.text);
     if !entry.is_folder {
-        let (unit, number) = size_in_words(entry.bytes);
-        let digits = if number < 10.0 && unit != "size-bytes" { 1 } else { 0 };
-        let number = format!("{number:.digits$}");
-        let size = texts.with(unit, &[("number", number.into())]);
-        painter.text(
-            pos2(date_start - 12.0, middle),
-            Align2::RIGHT_CENTER,
-            size,
-            small.clone(),
-            palette.weak,
-        );
+        let size = told::bytes(texts, entry.bytes);
+        let end = pos2(date_start - 12.0, middle);
+        painter.text(end, Align2::RIGHT_CENTER, size, small.clone(), palette.weak);
     }
     if let Some(modified) = entry.modified {
         let age = age(texts, modified);

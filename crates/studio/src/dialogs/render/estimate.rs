@@ -8,7 +8,8 @@ use catoptric_tracer::RenderSettings;
 use egui::Context;
 
 use crate::app::Studio;
-use crate::pictures::{RenderChoices, let_go};
+use crate::documents::job::let_go;
+use crate::pictures::RenderChoices;
 
 /// Pixels of the longer side of the tiny picture that is traced to count rays.
 const SIDE: f64 = 96.0;

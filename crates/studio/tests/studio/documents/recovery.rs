@@ -115,6 +115,34 @@ fn a_restored_scene_does_not_replace_a_newer_file_unasked() {
 }
 
 #[test]
+fn a_restored_part_does_not_replace_the_whole_file_unasked() {
+    let host = TestHost::new();
+    let (mut harness, path) = with_file(&host, DAMAGED);
+    rename(&mut harness, "orb");
+    wait_until_kept(&mut harness, &host, "orb");
+    drop(harness);
+    let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
+    wait_for_offer(&mut harness);
+    press(&mut harness, "Restore: a.toml");
+    wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());
+    run(&mut harness, Command::Save);
+    wait_until(&mut harness, "the answer of the disk", |studio| !studio.is_saving());
+    harness.run_steps(2);
+    assert!(has(&harness, "Replace") && read(&path) == DAMAGED);
+}
+
+#[test]
+fn what_could_not_be_kept_is_tried_again() {
+    let host = TestHost::new();
+    std::fs::write(host.path("recovery"), "no folder").unwrap();
+    let (mut harness, _) = with_file(&host, SCENE);
+    rename(&mut harness, "orb");
+    wait_for(&mut harness, "cannot be kept against a crash");
+    std::fs::remove_file(host.path("recovery")).unwrap();
+    wait_until_kept(&mut harness, &host, "orb");
+}
+
+#[test]
 fn what_is_not_wanted_is_discarded_after_a_question() {
     let host = TestHost::new();
     let (mut harness, path) = with_file(&host, SCENE);
