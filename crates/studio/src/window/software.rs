@@ -7,13 +7,14 @@
 
 mod canvas;
 mod damage;
+mod pipelines;
 
 use std::collections::HashSet;
 use std::mem;
 
 use eframe::egui_wgpu::{Callback, RenderState};
 use egui::epaint::{ClippedShape, ImageData};
-use egui::{Context, FullOutput, Plugin, Shape, TextureId};
+use egui::{Color32, Context, FullOutput, Plugin, Shape, TextureId};
 
 use canvas::{Canvas, Texture};
 use damage::{Piece, damage, pieces};
@@ -52,7 +53,7 @@ impl Software {
                 let ImageData::Color(image) = &delta.image;
                 let is_part = delta.pos.is_some();
                 // A part that is opaque does not tell of the whole.
-                if !is_part && image.pixels.iter().all(|color| color.is_opaque()) {
+                if !is_part && image.pixels.iter().all(Color32::is_opaque) {
                     self.opaque.insert(id);
                 } else {
                     self.opaque.remove(&id);

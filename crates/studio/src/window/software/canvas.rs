@@ -1,21 +1,14 @@
 //! A picture of the window that is kept from frame to frame.
 
-use std::num::NonZeroU64;
 use std::sync::Arc;
 
-use bytemuck::{Pod, Zeroable};
 use eframe::egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
 use egui::epaint::{Vertex, WHITE_UV};
 use egui::{Color32, PaintCallbackInfo, Pos2, Rect, TextureId, Vec2, vec2};
 use wgpu::util::DeviceExt as _;
 
 use super::damage::{Piece, Triangle, around};
-
-/// The format of the canvas: like the formats that egui prefers, it holds gamma-encoded colors.
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-
-/// Triangles of at least this area, in square points, are worth a change of the shader.
-const LARGE: f32 = 2000.0;
+use super::pipelines::{Corner, FORMAT, Kind, Pipelines};
 
 /// A texture as it is drawn with.
 pub(super) struct Texture {
@@ -225,15 +218,6 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// A corner of a triangle: its place on the canvas from -1 to 1, in a texture from 0 to 1, and its color.
-#[derive(Clone, Copy, Pod, Zeroable)]
-#[repr(C)]
-struct Corner {
-    position: [f32; 2],
-    uv: [f32; 2],
-    color: [u8; 4],
-}
-
 impl Sheet {
     fn corner(&self, vertex: &Vertex) -> Corner {
         let points = vec2(self.size[0] as f32, self.size[1] as f32) / self.pixels_per_point;
@@ -252,143 +236,5 @@ impl Sheet {
         let [left, right] = [part.left(), part.right()].map(|x| to(x, self.size[0]));
         let [top, bottom] = [part.top(), part.bottom()].map(|y| to(y, self.size[1]));
         (left < right && top < bottom).then(|| [left, top, right - left, bottom - top])
-    }
-}
-
-/// How a triangle is colored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    /// By its corners, hiding what is behind.
-    Opaque,
-    /// By its corners, over what is behind.
-    Plain,
-    /// By its corners and a texture, over what is behind.
-    Textured,
-    /// By its corners and a texture, hiding what is behind.
-    Picture,
-}
-
-impl Kind {
-    /// Of a triangle with a texture, which is egui's own (of the fonts) or another.
-    fn of(triangle: &Triangle, is_own: bool, is_opaque: bool) -> Self {
-        let hides = triangle.iter().all(|corner| corner.color.is_opaque());
-        if area(triangle) < LARGE {
-            Self::Textured
-        } else if is_own && triangle.iter().all(|corner| corner.uv == WHITE_UV) {
-            // egui draws areas with the white corner of its own texture.
-            if hides { Self::Opaque } else { Self::Plain }
-        } else if is_opaque && hides {
-            Self::Picture
-        } else {
-            Self::Textured
-        }
-    }
-}
-
-fn area([one, two, three]: &Triangle) -> f32 {
-    let (along, aside) = (two.pos - one.pos, three.pos - one.pos);
-    0.5 * (along.x * aside.y - along.y * aside.x).abs()
-}
-
-struct Pipelines {
-    opaque: wgpu::RenderPipeline,
-    plain: wgpu::RenderPipeline,
-    textured: wgpu::RenderPipeline,
-    picture: wgpu::RenderPipeline,
-    copied: wgpu::RenderPipeline,
-    /// The layout of what is copied.
-    window: wgpu::BindGroupLayout,
-}
-
-impl Pipelines {
-    fn of(&self, kind: Kind) -> &wgpu::RenderPipeline {
-        match kind {
-            Kind::Opaque => &self.opaque,
-            Kind::Plain => &self.plain,
-            Kind::Textured => &self.textured,
-            Kind::Picture => &self.picture,
-        }
-    }
-
-    fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
-        let module = device.create_shader_module(wgpu::include_wgsl!("shader.wgsl"));
-        let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
-            ty,
-            count: None,
-        };
-        let image = |filterable| wgpu::BindingType::Texture {
-            multisampled: false,
-            sample_type: wgpu::TextureSampleType::Float { filterable },
-            view_dimension: wgpu::TextureViewDimension::D2,
-        };
-        let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
-        };
-        // The same entries as in egui's layout, so that its bind groups fit.
-        let texture = layout(
-            "texture",
-            &[
-                entry(0, image(true)),
-                entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
-                entry(
-                    2,
-                    wgpu::BindingType::Buffer {
-                        has_dynamic_offset: false,
-                        min_binding_size: NonZeroU64::new(16),
-                        ty: wgpu::BufferBindingType::Uniform,
-                    },
-                ),
-            ],
-        );
-        let window = layout("window", &[entry(0, image(false))]);
-        let attributes = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Unorm8x4];
-        let corners = [Some(wgpu::VertexBufferLayout {
-            array_stride: size_of::<Corner>() as u64,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &attributes,
-        })];
-        let pipeline = |[vertex, fragment]: [&str; 2], format, blend, layout| {
-            let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some(fragment),
-                bind_group_layouts: &[layout],
-                immediate_size: 0,
-            });
-            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: Some(fragment),
-                layout: Some(&layout),
-                vertex: wgpu::VertexState {
-                    module: &module,
-                    entry_point: Some(vertex),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    buffers: if vertex == "corner" { &corners } else { &[] },
-                },
-                primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: None,
-                multisample: wgpu::MultisampleState::default(),
-                fragment: Some(wgpu::FragmentState {
-                    module: &module,
-                    entry_point: Some(fragment),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    targets: &[Some(wgpu::ColorTargetState {
-                        format,
-                        blend,
-                        write_mask: wgpu::ColorWrites::ALL,
-                    })],
-                }),
-                multiview_mask: None,
-                cache: None,
-            })
-        };
-        let over = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        Self {
-            opaque: pipeline(["corner", "plain"], FORMAT, None, None),
-            plain: pipeline(["corner", "plain"], FORMAT, over, None),
-            textured: pipeline(["corner", "textured"], FORMAT, over, Some(&texture)),
-            picture: pipeline(["corner", "textured"], FORMAT, None, Some(&texture)),
-            copied: pipeline(["everywhere", "copied"], target, None, Some(&window)),
-            window,
-        }
     }
 }
