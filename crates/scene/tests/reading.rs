@@ -105,3 +105,15 @@ fn flags_are_true_or_false() {
     let messages: Vec<&str> = found.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
     assert_eq!(messages, ["`hidden` is a number, but must be `true` or `false`"]);
 }
+
+#[test]
+fn hidden_lights_do_not_light() {
+    let text = |hidden| {
+        format!(
+            "format = \"catoptric/1\"\n[environment]\nambient = [0, 0, 0]\n\
+             [[lights]]\nposition = [0, 5, 0]\nhidden = {hidden}\n[[bodies]]\nshape = \"sphere\"\n"
+        )
+    };
+    let warnings = |hidden| read(&text(hidden)).diagnostics.iter().count();
+    assert_eq!((warnings(false), warnings(true)), (0, 1));
+}

@@ -110,7 +110,7 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
 
 /// Pictures in documents are JPEG: a repository should stay small.
 fn write_jpeg(path: &Path, width: u32, height: u32, rgba: &[u8]) {
-    let mut encoder = jpeg_encoder::Encoder::new_file(path, 85).unwrap();
+    let mut encoder = jpeg_encoder::Encoder::new_file(path, 80).unwrap();
     encoder.set_optimized_huffman_tables(true);
     encoder.encode(rgba, width as u16, height as u16, jpeg_encoder::ColorType::Rgba).unwrap();
 }

@@ -291,12 +291,35 @@ impl Monkey {
         format!("file {}", path.display())
     }
 
+    /// Closes the windows of finished pictures, whose memory is theirs until then.
+    fn close_pictures(&mut self) {
+        const CLOSE: &[&str] = &["Close the picture", "Закрыть изображение", "Don’t save", "Не сохранять"];
+        for _ in 0..100 {
+            let closes = |node: &egui_kittest::Node<'_>| {
+                let node = node.accesskit_node();
+                let label = node.label().unwrap_or_default();
+                node.role() == accesskit::Role::Button && CLOSE.contains(&label.as_str())
+            };
+            // The last one lies on top.
+            let Some(at) =
+                self.harness.root().children_recursive().filter(closes).last().map(|node| node.rect())
+            else {
+                return;
+            };
+            for pressed in [true, false] {
+                self.press(at.center(), PointerButton::Primary, Modifiers::NONE, pressed);
+                self.harness.step();
+            }
+        }
+    }
+
     /// Back to a small document without a history, whatever is open.
     fn begin_anew(&mut self) {
         for _ in 0..8 {
             self.harness.key_press(Key::Escape);
             self.harness.step();
         }
+        self.close_pictures();
         let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
         *self.harness.state_mut().editor_mut() = catoptric_editor::Editor::new(scene);
         self.harness.set_size(vec2(1280.0, 800.0));
