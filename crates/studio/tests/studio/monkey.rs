@@ -1,6 +1,7 @@
 //! A monkey at the studio: random acts from a seed, none of which may find a panic or break the document.
 //!
-//! `CATOPTRIC_MONKEY_STEPS` and `CATOPTRIC_MONKEY_SEED` choose how many and which.
+//! `CATOPTRIC_MONKEY_STEPS` and `CATOPTRIC_MONKEY_SEED` choose how many and which. In long runs glibc keeps what large
+//! pictures leave between small things; `MALLOC_ARENA_MAX=1 MALLOC_MMAP_THRESHOLD_=65536` shows what is really in use.
 
 use std::path::PathBuf;
 
