@@ -48,8 +48,8 @@ const fn shot(name: &'static str, language: &'static str, theme: &'static str, s
 
 fn shots() -> Vec<Shot> {
     vec![
-        Shot { body: Some(0), ..shot("studio-en-dark", "english", "dark", "four-bodies") },
-        Shot { body: Some(0), ..shot("studio-en-light", "english", "light", "four-bodies") },
+        Shot { body: Some(1), ..shot("studio-en-dark", "english", "dark", "four-bodies") },
+        Shot { body: Some(1), ..shot("studio-en-light", "english", "light", "four-bodies") },
         Shot { body: Some(1), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
         Shot { body: Some(1), ..shot("studio-ru-light", "russian", "light", "whitted") },
         Shot {
