@@ -294,19 +294,18 @@ impl Monkey {
 
     /// Closes the windows of finished pictures, whose memory is theirs until then.
     fn close_pictures(&mut self) {
-        const CLOSE: &[&str] = &["Close the picture", "Закрыть изображение", "Don’t save", "Не сохранять"];
+        // The question whether to lose the picture lies over its window.
+        const CLOSE: &[&str] = &["Don’t save", "Не сохранять", "Close the picture", "Закрыть изображение"];
         for _ in 0..100 {
-            let closes = |node: &egui_kittest::Node<'_>| {
+            let rank = |node: &egui_kittest::Node<'_>| {
                 let node = node.accesskit_node();
-                let label = node.label().unwrap_or_default();
-                node.role() == accesskit::Role::Button && CLOSE.contains(&label.as_str())
+                let label = node.label().filter(|_| node.role() == accesskit::Role::Button)?;
+                CLOSE.iter().position(|other| *other == label)
             };
-            // The last one lies on top.
-            let Some(at) =
-                self.harness.root().children_recursive().filter(closes).last().map(|node| node.rect())
-            else {
-                return;
-            };
+            let nodes = self.harness.root().children_recursive();
+            let first =
+                nodes.filter_map(|node| Some((rank(&node)?, node.rect()))).min_by_key(|(rank, _)| *rank);
+            let Some((_, at)) = first else { return };
             for pressed in [true, false] {
                 self.press(at.center(), PointerButton::Primary, Modifiers::NONE, pressed);
                 self.harness.step();
