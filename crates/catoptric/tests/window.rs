@@ -217,6 +217,28 @@ impl Desk {
     }
 }
 
+/// A studio with the red disc in a window of its own display.
+struct Opened {
+    server: Ending,
+    home: tempfile::TempDir,
+    scene: std::path::PathBuf,
+    desk: Desk,
+    studio: Ending,
+}
+
+fn open_disc() -> Option<Opened> {
+    let Some((server, display)) = start_display() else {
+        skip("Xvfb is not installed, so there is no display for a window");
+        return None;
+    };
+    let home = tempfile::tempdir().unwrap();
+    let scene = home.path().join("disc.toml");
+    std::fs::write(&scene, SCENE).unwrap();
+    let desk = Desk::connect(&display);
+    let studio = start_studio(&display, home.path(), &scene);
+    Some(Opened { server, home, scene, desk, studio })
+}
+
 /// A newcomer drags a body with the mouse, sees it move with the pointer, takes that back, and closes the window.
 #[test]
 fn a_body_follows_the_mouse_in_a_real_window() {
@@ -224,14 +246,7 @@ fn a_body_follows_the_mouse_in_a_real_window() {
     const Z: u32 = 0x7a;
     const SHIFT: i16 = 90;
     let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
-    let Some((_server, display)) = start_display() else {
-        return skip("Xvfb is not installed, so there is no display for a window");
-    };
-    let home = tempfile::tempdir().unwrap();
-    let scene = home.path().join("disc.toml");
-    std::fs::write(&scene, SCENE).unwrap();
-    let desk = Desk::connect(&display);
-    let mut studio = start_studio(&display, home.path(), &scene);
+    let Some(Opened { server: _server, home: _home, scene, desk, mut studio }) = open_disc() else { return };
 
     let (left, right, middle) = desk.wait_for_red("the picture", |(left, right, _)| right - left > 60);
     desk.focus(desk.window());
@@ -262,14 +277,7 @@ fn a_body_follows_the_mouse_in_a_real_window() {
 #[test]
 fn a_signal_ends_the_studio_and_unsaved_work_is_kept() {
     let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
-    let Some((_server, display)) = start_display() else {
-        return skip("Xvfb is not installed, so there is no display for a window");
-    };
-    let home = tempfile::tempdir().unwrap();
-    let scene = home.path().join("disc.toml");
-    std::fs::write(&scene, SCENE).unwrap();
-    let desk = Desk::connect(&display);
-    let mut studio = start_studio(&display, home.path(), &scene);
+    let Some(Opened { server: _server, home, scene, desk, mut studio }) = open_disc() else { return };
     let (left, right, middle) = desk.wait_for_red("the picture", |(left, right, _)| right - left > 60);
     let center = i16::midpoint(left, right);
     desk.drag((center, middle), (center + 60, middle));

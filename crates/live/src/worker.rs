@@ -11,6 +11,7 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use crate::frame::Frame;
+use crate::live::LiveOptions;
 use crate::pace::Pace;
 use crate::request::Request;
 use crate::shared::{Call, Patience, Shared, Wait};
@@ -46,7 +47,8 @@ struct Passed {
 impl Worker {
     pub(crate) fn new(shared: Arc<Shared>, pool: ThreadPool, budget: f64) -> Self {
         // What is no number of milliseconds becomes one.
-        let budget = if budget.is_finite() { budget.clamp(1.0, 10_000.0) } else { 20.0 };
+        let budget =
+            if budget.is_finite() { budget.clamp(1.0, 10_000.0) } else { LiveOptions::default().budget };
         Self {
             shared,
             pool,

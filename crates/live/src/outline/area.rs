@@ -174,10 +174,8 @@ fn area_of(hull: &[DVec2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Anchor, Placement, Scene};
-    use catoptric_tracer::Stage;
-
     use super::super::contour::contours;
+    use super::super::tests::one_body;
     use super::*;
 
     #[test]
@@ -232,12 +230,7 @@ mod tests {
             (Shape::Cylinder { radius: 0.4, height: 1.5 }, DVec3::new(70.0, 0.0, 40.0)),
             (Shape::CONE, DVec3::new(0.0, 0.0, 120.0)),
         ] {
-            let anchor = Anchor::Frame { position: DVec3::new(0.2, 1.0, 0.0), rotation_degrees: turns };
-            let placement = Placement { anchor, scale: DVec3::ONE };
-            let scene =
-                Scene { bodies: vec![Body { shape, placement, ..Body::default() }], ..Scene::default() };
-            let stage = Stage::prepare(&scene).unwrap();
-            let area = Area::of_bodies(scene.bodies.iter(), stage.camera(), size).unwrap();
+            let (stage, area) = one_body(shape, DVec3::new(0.2, 1.0, 0.0), turns, size);
             let is_inside = |at: DVec2| stage.nearest(&stage.camera().ray(at, size)).is_some();
             let whole = Area { hull: Vec::new(), ..area.clone() };
             let found = contours(&area, &is_inside);

@@ -254,10 +254,10 @@ fn search(from: DVec2, direction: DVec2, wanted: bool, is_inside: &impl Fn(DVec2
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Anchor, Body, Placement, Scene, Shape};
-    use catoptric_tracer::Stage;
+    use catoptric_scene::Shape;
     use glam::DVec3;
 
+    use super::super::tests::one_body;
     use super::*;
 
     fn area(cell: f64) -> Area {
@@ -268,14 +268,8 @@ mod tests {
     fn the_lattice_of_a_thin_rod_across_a_large_view_is_small() {
         let size = DVec2::new(3840.0, 2160.0);
         for degrees in [0.0, 3.0, 29.0, 60.0, 88.0] {
-            let anchor =
-                Anchor::Frame { position: DVec3::Y, rotation_degrees: DVec3::new(0.0, 0.0, degrees) };
             let shape = Shape::Cube { size: DVec3::new(6.0, 5e-4, 5e-4) };
-            let placement = Placement { anchor, scale: DVec3::ONE };
-            let scene =
-                Scene { bodies: vec![Body { shape, placement, ..Body::default() }], ..Scene::default() };
-            let stage = Stage::prepare(&scene).unwrap();
-            let area = Area::of_bodies(scene.bodies.iter(), stage.camera(), size).unwrap();
+            let (stage, area) = one_body(shape, DVec3::Y, DVec3::new(0.0, 0.0, degrees), size);
             let is_inside = |at: DVec2| stage.nearest(&stage.camera().ray(at, size)).is_some();
             let lattice = Lattice::sample(&area, &is_inside);
             let kept: usize = lattice.rows.iter().map(|row| row.inside.len()).sum();

@@ -5,6 +5,7 @@ use catoptric_tracer::Stage;
 use glam::{DVec2, DVec3};
 
 use super::Outlines;
+use super::area::Area;
 use crate::frame::Polyline;
 
 const SIZE: DVec2 = DVec2::new(1280.0, 720.0);
@@ -23,6 +24,14 @@ fn turned(shape: Shape, position: DVec3, rotation_degrees: DVec3) -> Body {
 
 fn scene(bodies: Vec<Body>) -> Scene {
     Scene { bodies, ..Scene::default() }
+}
+
+/// The stage of one body, and where it can be in a view of this size.
+pub(super) fn one_body(shape: Shape, position: DVec3, degrees: DVec3, size: DVec2) -> (Stage, Area) {
+    let scene = scene(vec![turned(shape, position, degrees)]);
+    let stage = Stage::prepare(&scene).unwrap();
+    let area = Area::of_bodies(scene.bodies.iter(), stage.camera(), size).unwrap();
+    (stage, area)
 }
 
 fn outlines(scene: &Scene, bodies: &[usize]) -> Vec<Polyline> {

@@ -47,6 +47,7 @@ impl Software {
     fn update_textures(&mut self, output: &mut FullOutput) -> HashSet<TextureId> {
         let mut renderer = self.state.renderer.write();
         let mut renewed = HashSet::new();
+        self.opaque.retain(|id| !output.textures_delta.free.contains(id));
         for (id, deltas) in output.textures_delta.set.drain() {
             for delta in &deltas {
                 renderer.update_texture(&self.state.device, &self.state.queue, id, delta);
