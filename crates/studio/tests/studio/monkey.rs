@@ -138,14 +138,22 @@ impl Monkey {
         }
         let (at, label) = self.dice.one(&nodes).clone();
         let button = if self.dice.below(6) == 0 { PointerButton::Secondary } else { PointerButton::Primary };
-        self.press(at, button, Modifiers::NONE, true);
-        self.press(at, button, Modifiers::NONE, false);
+        self.click(at, button);
         format!("click {button:?} on {label} at {at}")
     }
 
     fn press(&self, pos: Pos2, button: PointerButton, modifiers: Modifiers, pressed: bool) {
         self.harness.event(Event::PointerMoved(pos));
         self.harness.event_modifiers(Event::PointerButton { pos, button, pressed, modifiers }, modifiers);
+    }
+
+    /// Every event is a frame of a quarter of a second: with any other between the two this would be no click.
+    fn click(&self, at: Pos2, button: PointerButton) {
+        let modifiers = Modifiers::NONE;
+        self.harness.event(Event::PointerMoved(at));
+        for pressed in [true, false] {
+            self.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers });
+        }
     }
 
     fn place(&mut self) -> Pos2 {
@@ -296,33 +304,36 @@ impl Monkey {
     fn close_pictures(&mut self) {
         // The question whether to lose the picture lies over its window.
         const CLOSE: &[&str] = &["Don’t save", "Не сохранять", "Close the picture", "Закрыть изображение"];
-        for _ in 0..100 {
+        for attempt in 0..100 {
             let rank = |node: &egui_kittest::Node<'_>| {
                 let node = node.accesskit_node();
                 let label = node.label().filter(|_| node.role() == accesskit::Role::Button)?;
                 CLOSE.iter().position(|other| *other == label)
             };
             let nodes = self.harness.root().children_recursive();
-            let first =
-                nodes.filter_map(|node| Some((rank(&node)?, node.rect()))).min_by_key(|(rank, _)| *rank);
-            let Some((_, at)) = first else { return };
-            for pressed in [true, false] {
-                self.press(at.center(), PointerButton::Primary, Modifiers::NONE, pressed);
-                self.harness.step();
-            }
+            let found: Vec<_> = nodes.filter_map(|node| Some((rank(&node)?, node.rect()))).collect();
+            let Some(first) = found.iter().map(|&(rank, _)| rank).min() else { return };
+            // Of several questions one lies over the others, and only it can be answered.
+            let found: Vec<_> = found.iter().filter(|&&(rank, _)| rank == first).collect();
+            let (_, at) = found[attempt % found.len()];
+            self.click(at.center(), PointerButton::Primary);
+            self.harness.step();
         }
+        panic!("a picture cannot be closed");
     }
 
     /// Back to a small document without a history, whatever is open.
     fn begin_anew(&mut self) {
-        for _ in 0..8 {
+        // The commands open questions over questions, as no person can.
+        for _ in 0..64 {
             self.harness.key_press(Key::Escape);
             self.harness.step();
         }
+        // In the smallest windows what closes a picture lies off the screen.
+        self.harness.set_size(vec2(1280.0, 800.0));
         self.close_pictures();
         let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
         *self.harness.state_mut().editor_mut() = catoptric_editor::Editor::new(scene);
-        self.harness.set_size(vec2(1280.0, 800.0));
         for _ in 0..4 {
             self.harness.step();
         }
