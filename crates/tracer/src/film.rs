@@ -7,8 +7,7 @@ use rayon::prelude::*;
 use crate::counts::RayCounts;
 use crate::render::{Control, RenderError};
 use crate::stage::{Stage, StageCamera};
-use crate::tile::{Place, TILE};
-use crate::whitted::Whitted;
+use crate::tile::{Place, TILE, TileTracer};
 
 /// The light gathered so far in every pixel of a picture.
 ///
@@ -95,8 +94,8 @@ impl Film {
             .par_iter_mut()
             .filter(|tile| tile.samples == sample)
             .map_init(
-                || (Whitted::through(stage, camera, &control.cancel), Vec::with_capacity(TILE * TILE)),
-                |(tracer, lights), tile| tile.add_sample(tracer, lights, size, control),
+                || TileTracer::new(stage, camera, control),
+                |tracer, tile| tile.add_sample(tracer, size, control),
             )
             .reduce(RayCounts::default, std::ops::Add::add);
         if self.tiles.iter().any(|tile| tile.samples == sample) {
@@ -124,20 +123,12 @@ impl Film {
 }
 
 impl FilmTile {
-    fn add_sample(
-        &mut self,
-        tracer: &mut Whitted<'_>,
-        lights: &mut Vec<DVec3>,
-        size: DVec2,
-        control: &Control,
-    ) -> RayCounts {
+    fn add_sample(&mut self, tracer: &mut TileTracer<'_>, size: DVec2, control: &Control) -> RayCounts {
         let before = tracer.counts();
-        lights.clear();
-        let samples = self.samples..self.samples + 1;
-        if !self.place.trace(tracer, size, samples, control, |light| lights.push(light)) {
+        let Some(lights) = tracer.trace(self.place, size, self.samples) else {
             return RayCounts::default();
-        }
-        for (sum, light) in self.sums.iter_mut().zip(&*lights) {
+        };
+        for (sum, light) in self.sums.iter_mut().zip(lights) {
             *sum += light;
         }
         self.samples += 1;

@@ -5,7 +5,8 @@
 
 mod counts;
 mod film;
-mod medium;
+mod lanes;
+mod media;
 mod pick;
 mod ray;
 mod render;
@@ -15,14 +16,17 @@ pub mod shape;
 mod stage;
 pub mod surface;
 mod tile;
+mod vector;
 mod whitted;
 
 pub use counts::RayCounts;
 pub use film::Film;
+pub use lanes::Real;
 pub use pick::SurfaceHit;
 pub use ray::{NO_BODY, Ray, Start};
 pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_through};
 pub use sampling::sample_offset;
 pub use search::Hit;
 pub use stage::{Stage, StageCamera, StageError};
+pub use vector::Vector;
 pub use whitted::{RayKind, TracedRay, Whitted};

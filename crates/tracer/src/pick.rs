@@ -2,9 +2,10 @@
 
 use glam::Vec3;
 
-use crate::medium::MediaArena;
+use crate::lanes::One;
+use crate::media::{Inside, MediaTable};
 use crate::ray::Ray;
-use crate::search::{Flight, Hit};
+use crate::search::{Flight, Hit, found_in};
 use crate::stage::Stage;
 
 /// The point at which a ray meets a body.
@@ -22,7 +23,8 @@ pub struct SurfaceHit {
 
 impl SurfaceHit {
     pub(crate) fn new(stage: &Stage, ray: &Ray, hit: Hit) -> Option<Self> {
-        let point = stage.body(hit.body).surface_point(ray.origin, ray.direction, hit.t, hit.leaving);
+        let rays = ray.alone();
+        let point = stage.body(hit.body).surface_point(rays.origin, rays.direction, hit.t, hit.leaving);
         Some(Self {
             body: stage.scene_index(hit.body)?,
             hit,
@@ -38,7 +40,7 @@ impl Stage {
     /// The direction must be a unit vector. A ray that is not finite meets nothing.
     pub fn nearest(&self, ray: &Ray) -> Option<SurfaceHit> {
         self.on_flight(ray, |flight| {
-            flight.nearest(&mut Vec::new()).and_then(|hit| SurfaceHit::new(self, ray, hit))
+            found_in(&flight.nearest(&mut Vec::new())).and_then(|hit| SurfaceHit::new(self, ray, hit))
         })?
     }
 
@@ -50,7 +52,7 @@ impl Stage {
             let mut hits = Vec::new();
             flight.each(&mut Vec::new(), |hit| hits.push(hit));
             // Bodies that touch are ordered by the search, within rounding.
-            let first = flight.nearest(&mut Vec::new()).map(|hit| hit.body);
+            let first = found_in(&flight.nearest(&mut Vec::new())).map(|hit| hit.body);
             hits.sort_by(|a, b| {
                 let is_later = |hit: &Hit| Some(hit.body) != first;
                 is_later(a)
@@ -64,12 +66,15 @@ impl Stage {
     }
 
     /// What `look` finds on the way of a ray in the media of its start, if it is finite.
-    fn on_flight<T>(&self, ray: &Ray, look: impl FnOnce(Flight<'_>) -> T) -> Option<T> {
+    fn on_flight<T>(&self, ray: &Ray, look: impl FnOnce(Flight<'_, One>) -> T) -> Option<T> {
         if !(ray.origin.is_finite() && ray.direction.is_finite()) {
             return None;
         }
-        let mut arena = MediaArena::default();
-        let media = arena.at_point(self, ray.origin);
-        Some(look(Flight { stage: self, arena: &arena, ray: *ray, media }))
+        let rays = ray.alone();
+        let mut table = MediaTable::default();
+        let media = table.at_point(self, rays.origin);
+        let mut inside = Inside::default();
+        inside.fill::<One>(&table, media, true);
+        Some(look(Flight::new(One, self, &rays, true, &inside)))
     }
 }

@@ -2,6 +2,9 @@
 
 use glam::Vec3A;
 
+use crate::lanes::{One, Real as _, Width};
+use crate::vector::Vector;
+
 /// Stands for "no body" wherever a body's index is kept.
 pub const NO_BODY: u32 = u32::MAX;
 
@@ -36,9 +39,42 @@ impl Ray {
         self.origin + self.direction * t
     }
 
-    /// How far the start may lie from its true place by rounding, meters.
-    pub(crate) fn slack(&self) -> f32 {
-        POINT_ROUNDING * self.origin.abs().max_element()
+    /// The ray by itself, as rays side by side are written.
+    pub(crate) fn alone(&self) -> Rays<One> {
+        Rays { origin: self.origin.into(), direction: self.direction.into(), start: self.start.word() }
+    }
+}
+
+/// Rays side by side.
+#[derive(Clone, Copy)]
+pub(crate) struct Rays<W: Width> {
+    pub origin: Vector<W::R>,
+    /// Of length 1.
+    pub direction: Vector<W::R>,
+    /// [`Start::word`] of each.
+    pub start: W::W,
+}
+
+/// The bit of a start's word that says that the ray heads into the body.
+pub(crate) const INWARDS: u32 = 1 << 31;
+/// The start's word without a body, and the bits of the body in all others.
+pub(crate) const NO_START: u32 = !INWARDS;
+
+impl<W: Width> Rays<W> {
+    /// How far the starts may lie from their true places by rounding, meters.
+    #[inline(always)]
+    pub(crate) fn slack(&self) -> W::R {
+        self.origin.map(W::R::abs).largest() * POINT_ROUNDING
+    }
+}
+
+impl Rays<One> {
+    pub(crate) fn ray(&self) -> Ray {
+        Ray {
+            origin: self.origin.into(),
+            direction: self.direction.into(),
+            start: Start::of_word(self.start),
+        }
     }
 }
 
@@ -58,4 +94,14 @@ pub struct Start {
 impl Start {
     /// On no surface.
     pub const FREE: Self = Self { body: NO_BODY, inwards: false };
+
+    /// Body and side in one word.
+    pub(crate) fn word(self) -> u32 {
+        (self.body & NO_START) | if self.inwards { INWARDS } else { 0 }
+    }
+
+    fn of_word(word: u32) -> Self {
+        let body = word & NO_START;
+        Self { body: if body == NO_START { NO_BODY } else { body }, inwards: word & INWARDS != 0 }
+    }
 }

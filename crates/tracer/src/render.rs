@@ -3,13 +3,12 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use catoptric_picture::{Picture, SizeError};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
 use crate::stage::{Stage, StageCamera};
-use crate::tile::{Place, TILE};
-use crate::whitted::Whitted;
+use crate::tile::{Place, TILE, TileTracer};
 
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,16 +102,10 @@ pub fn render_through(
     let counts = tiles
         .par_iter_mut()
         .map_init(
-            || Whitted::through(stage, camera, &control.cancel),
-            |tracer, tile| {
+            || (TileTracer::new(stage, camera, control), Vec::new()),
+            |(tracer, sums), tile| {
                 let before = tracer.counts();
-                let mut pixels = tile.rows.iter_mut().flat_map(|row| row.iter_mut());
-                let finished = tile.place.trace(tracer, size, 0..samples, control, |light| {
-                    if let Some(pixel) = pixels.next() {
-                        *pixel = (light / f64::from(samples)).as_vec3().to_array();
-                    }
-                });
-                if finished {
+                if tile.trace(tracer, sums, size, samples) {
                     control.add_done(tile.place);
                 }
                 tracer.counts() - before
@@ -130,6 +123,30 @@ pub fn render_through(
 struct Tile<'a> {
     place: Place,
     rows: Vec<&'a mut [[f32; 3]]>,
+}
+
+impl Tile<'_> {
+    /// Traces all samples. False if it was cancelled midway.
+    fn trace(
+        &mut self,
+        tracer: &mut TileTracer<'_>,
+        sums: &mut Vec<DVec3>,
+        size: DVec2,
+        samples: u32,
+    ) -> bool {
+        sums.clear();
+        sums.resize(self.place.pixels(), DVec3::ZERO);
+        for sample in 0..samples {
+            let Some(lights) = tracer.trace(self.place, size, sample) else { return false };
+            sums.iter_mut().zip(lights).for_each(|(sum, light)| *sum += light);
+        }
+        let pixels = self.rows.iter_mut().flat_map(|row| row.iter_mut());
+        for (pixel, sum) in pixels.zip(&*sums) {
+            let mean = if samples == 1 { *sum } else { *sum / f64::from(samples) };
+            *pixel = mean.as_vec3().to_array();
+        }
+        true
+    }
 }
 
 fn tiles(picture: &mut Picture) -> Vec<Tile<'_>> {

@@ -1,11 +1,13 @@
-//! What a ray meets: the nearest body, and what lies between a point and a light.
+//! What rays meet: the nearest body, and what lies between a point and a light.
 
-use glam::Vec3A;
+use std::ops::Range;
 
-use crate::medium::{Media, MediaArena};
-use crate::ray::{POINT_ROUNDING, Ray};
+use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::media::Inside;
+use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{Hierarchy, Pending, Stage, StageBody};
+use crate::stage::{Hierarchy, PacketPart, Stage, StageBody, Visit};
+use crate::vector::Vector;
 
 /// Where a ray meets a body: the cheap record kept during the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,246 +20,403 @@ pub struct Hit {
     pub leaving: bool,
 }
 
-/// What a ray in flight knows about a body before testing it.
-enum Relation {
-    /// It has just left this convex body and cannot meet it again.
-    Left,
-    /// It is inside: it meets the far side only.
-    Inside,
-    /// Nothing.
-    Unknown,
-}
-
-/// A ray and the media it runs in.
+/// Where rays meet bodies.
 #[derive(Clone, Copy)]
-pub(crate) struct Flight<'a> {
-    pub stage: &'a Stage,
-    pub arena: &'a MediaArena,
-    pub ray: Ray,
-    pub media: Media,
+pub(crate) struct Hits<W: Width> {
+    pub t: W::R,
+    pub body: W::W,
+    pub leaving: W::M,
+    /// The rays that meet one at all.
+    pub hit: W::M,
 }
 
-impl Flight<'_> {
+/// What the rays know about a body before it is tested.
+struct Relation<M> {
+    /// Those that may meet it: they have not just left this convex body.
+    lanes: M,
+    /// Those that are inside: they meet the far side only.
+    inside: M,
+}
+
+/// Rays in flight.
+pub(crate) struct Flight<'a, W: Width> {
+    w: W,
+    stage: &'a Stage,
+    origin: Vector<W::R>,
+    direction: Vector<W::R>,
+    start_body: W::W,
+    inwards: W::M,
+    start_slack: W::R,
+    /// Those that fly.
+    lanes: W::M,
+    inside: &'a Inside,
+}
+
+impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
-    fn relation(&self, index: u32, body: &StageBody) -> Relation {
-        if index == self.ray.start.body {
-            if self.ray.start.inwards { Relation::Inside } else { Relation::Left }
-        } else if body.is_transparent() && !self.media.is_air() && self.arena.contains(self.media, index) {
-            Relation::Inside
-        } else {
-            Relation::Unknown
+    pub(crate) fn new(w: W, stage: &'a Stage, rays: &Rays<W>, lanes: W::M, inside: &'a Inside) -> Self {
+        Self {
+            w,
+            stage,
+            origin: rays.origin,
+            direction: rays.direction,
+            start_body: rays.start.and(NO_START),
+            inwards: rays.start.has(INWARDS),
+            start_slack: rays.slack(),
+            lanes,
+            inside,
         }
     }
 
-    /// The nearest body that the ray meets.
-    pub(crate) fn nearest(&self, pending: &mut Vec<Pending>) -> Option<Hit> {
-        let mut best = Best::new(self.ray.slack());
-        for index in self.stage.planes() {
-            self.test(index, &mut best);
+    #[inline(always)]
+    fn relation(&self, index: u32, body: &StageBody, lanes: W::M) -> Relation<W::M> {
+        let own = self.start_body.is(index);
+        let mut inside = own & self.inwards;
+        if body.is_transparent() && !self.inside.is_empty() {
+            inside = inside | (self.w.mask(self.inside.of(index)) & !own);
         }
+        Relation { lanes: lanes & !(own & !self.inwards), inside }
+    }
+
+    /// The nearest body that each ray meets.
+    #[inline(always)]
+    pub(crate) fn nearest(&self, parts: &mut Vec<PacketPart>) -> Hits<W> {
+        let mut best = Best::new(self.w, self.start_slack);
         match &self.stage.hierarchy {
-            Hierarchy::Few(few) => few.visit(&self.ray, best.reach, |index| {
-                self.test(index, &mut best);
-                best.reach
-            }),
-            Hierarchy::Many(bvh) => bvh.traverse(&self.ray, best.reach, pending, |leaf| {
-                leaf.for_each(|index| self.test(index, &mut best));
-                best.reach
-            }),
-        }
-        best.first(self.stage)
-    }
-
-    /// The first meeting with every body that the ray meets, in no particular order.
-    pub(crate) fn each(&self, pending: &mut Vec<Pending>, mut found: impl FnMut(Hit)) {
-        let start_slack = self.ray.slack();
-        let mut test = |index: u32| {
-            if let Some(hit) = self.meeting(index, self.stage.body(index), start_slack)
-                && hit.t < f32::INFINITY
-            {
-                found(hit);
+            Hierarchy::Few(few) => {
+                for (sphere, index) in few.spheres.iter().zip(0..) {
+                    let body = self.stage.body(index);
+                    let mut lanes: W::M = self.lanes;
+                    if !body.is_sphere() {
+                        lanes = lanes & sphere.is_met(self.origin, self.direction, best.reach);
+                        if !lanes.any() {
+                            continue;
+                        }
+                    }
+                    self.test(index, body, lanes, &mut best);
+                }
             }
+            Hierarchy::Many(bvh) => {
+                let boxes = bvh.packet(self.w, self.origin, self.direction);
+                bvh.traverse_packet(self.w, &boxes, self.lanes, parts, &mut ForNearest(self, &mut best));
+            }
+        }
+        for index in self.stage.planes() {
+            self.test(index, self.stage.body(index), self.lanes, &mut best);
+        }
+        best.first(self.w)
+    }
+
+    /// The first meeting of one ray with every body that it meets, in no particular order.
+    pub(crate) fn each(&self, parts: &mut Vec<PacketPart>, mut found: impl FnMut(Hit)) {
+        let mut test = |index: u32| {
+            let mut best = Best::new(self.w, self.start_slack);
+            self.test(index, self.stage.body(index), self.lanes, &mut best);
+            found_in(&best.first(self.w)).into_iter().for_each(&mut found);
         };
-        self.stage.planes().for_each(&mut test);
         match &self.stage.hierarchy {
-            Hierarchy::Few(few) => few.visit(&self.ray, f32::INFINITY, |index| {
-                test(index);
-                f32::INFINITY
-            }),
-            Hierarchy::Many(bvh) => bvh.traverse(&self.ray, f32::INFINITY, pending, |leaf| {
-                leaf.for_each(&mut test);
-                f32::INFINITY
-            }),
+            Hierarchy::Few(_) => (0..self.stage.bounded).for_each(&mut test),
+            Hierarchy::Many(bvh) => {
+                let boxes = bvh.packet(self.w, self.origin, self.direction);
+                bvh.traverse_packet(self.w, &boxes, self.lanes, parts, &mut ForEach(self.w, &mut test));
+            }
         }
+        self.stage.planes().for_each(&mut test);
     }
 
     #[inline(always)]
-    fn test(&self, index: u32, best: &mut Best) {
-        let body = self.stage.body(index);
-        if let Some(hit) = self.meeting(index, body, best.start_slack) {
-            best.offer(self.stage, hit, body.slack);
+    fn test(&self, index: u32, body: &StageBody, lanes: W::M, best: &mut Best<W>) {
+        let Relation { lanes, inside } = self.relation(index, body, lanes);
+        if !lanes.any() {
+            return;
+        }
+        let span = body.span(self.origin, self.direction);
+        let zero = self.w.real(0.0);
+        let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
+        let enters = span.enter.gt(zero);
+        let mut entering = ahead & enters;
+        let mut enter = span.enter;
+        let mut leaving = lanes & inside;
+        let mut exit = exit_of(&span);
+        let within = ahead & !enters;
+        if within.any() {
+            let start = self.start_within(body, &span, within);
+            entering = entering | start.at_entry;
+            enter = W::R::select(start.at_entry, zero, enter);
+            leaving = leaving | start.inside;
+            exit = W::R::select(start.inside, span.exit, exit);
+        }
+        if entering.any() {
+            best.enter(self.w, self.stage, index, body.slack, enter, entering);
+        }
+        if leaving.any() {
+            best.leave(self.w, self.stage, index, body.slack, exit, leaving);
         }
     }
 
-    /// Where the ray meets one body first.
+    /// What reaches the rays' starts from a light at `distance` along them: the product of the filters of all surfaces
+    /// crossed, 0 if any body between is opaque. Nothing is bent.
     #[inline(always)]
-    fn meeting(&self, index: u32, body: &StageBody, start_slack: f32) -> Option<Hit> {
-        let relation = self.relation(index, body);
-        if matches!(relation, Relation::Left) {
-            return None;
-        }
-        let span = body.span(self.ray.origin, self.ray.direction);
-        let (t, leaving) = match relation {
-            Relation::Inside => (exit_of(&span), true),
-            _ => self.crossing(body, &span, start_slack + body.slack)?,
-        };
-        Some(Hit { t, body: index, leaving })
-    }
-
-    /// What reaches the ray's start from a light at distance `distance` along it: the product of the filters of all
-    /// surfaces crossed, 0 if any body between is opaque. Nothing is bent.
-    pub(crate) fn transmittance(&self, distance: f32, pending: &mut Vec<Pending>) -> Vec3A {
+    pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Vec<PacketPart>) -> Vector<W::R> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
-        let start_slack = self.ray.slack();
-        let mut passed = Vec3A::ONE;
-        for index in self.stage.planes() {
-            passed *= self.filter(index, start_slack, distance);
-        }
-        if passed == Vec3A::ZERO {
-            return passed;
-        }
-        let mut cross = |index: u32| {
-            passed *= self.filter(index, start_slack, distance);
-            if passed == Vec3A::ZERO { f32::NEG_INFINITY } else { distance }
-        };
+        let one = self.w.real(1.0);
+        let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one) };
         match &self.stage.hierarchy {
-            Hierarchy::Few(few) => few.visit(&self.ray, distance, cross),
+            Hierarchy::Few(few) => {
+                for (sphere, index) in few.spheres.iter().zip(0..) {
+                    let body = self.stage.body(index);
+                    let mut lanes: W::M = passed.lanes;
+                    if !body.is_sphere() {
+                        lanes = lanes & sphere.is_met(self.origin, self.direction, distance);
+                        if !lanes.any() {
+                            continue;
+                        }
+                    }
+                    self.filter(index, body, distance, lanes, &mut passed);
+                }
+            }
             Hierarchy::Many(bvh) => {
-                bvh.traverse(&self.ray, distance, pending, |leaf| {
-                    leaf.fold(distance, |reach, index| reach.min(cross(index)))
-                });
+                let boxes = bvh.packet(self.w, self.origin, self.direction);
+                let mut visitor = ForShadow { flight: self, passed: &mut passed, distance };
+                bvh.traverse_packet(self.w, &boxes, self.lanes, parts, &mut visitor);
             }
         }
-        passed
-    }
-
-    /// The first crossing at or after the start of a ray about which nothing is known, and whether it leads out.
-    #[inline(always)]
-    fn crossing(&self, body: &StageBody, span: &Span, slack: f32) -> Option<(f32, bool)> {
-        if !(span.hit && span.exit > 0.0) {
-            None
-        } else if span.enter > 0.0 {
-            Some((span.enter, false))
-        } else {
-            self.crossing_from_within(body, slack)
+        for index in self.stage.planes() {
+            if !passed.lanes.any() {
+                break;
+            }
+            self.filter(index, self.stage.body(index), distance, passed.lanes, &mut passed);
         }
-    }
-
-    /// The same for a start that lies within a body by the numbers, but perhaps only by their rounding.
-    ///
-    /// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than `slack`, the
-    /// bound of rounding, counts as outside: heading in it meets the surface at once, heading out it does not. So
-    /// neither side of a contact can be slipped through or shade itself. Depths are measured across the surface: along
-    /// the ray they grow without bound when it grazes. In a body thinner than rounding the nearer surface counts.
-    #[cold]
-    fn crossing_from_within(&self, body: &StageBody, slack: f32) -> Option<(f32, bool)> {
-        let Ray { origin, direction, .. } = self.ray;
-        let span = body.span(origin, direction);
-        let behind_entry = -span.enter * body.cosine(origin, direction, span.enter, span.enter_face);
-        let before_exit = span.exit * body.cosine(origin, direction, span.exit, span.exit_face);
-        if behind_entry <= slack && behind_entry <= before_exit {
-            Some((0.0, false))
-        } else if before_exit <= slack {
-            None
-        } else {
-            Some((span.exit, true))
-        }
+        let nothing = self.w.real(0.0);
+        passed.share.map(|share| W::R::select(passed.lanes, share, nothing))
     }
 
     /// What one body lets through on the way to a light at `distance`.
     #[inline(always)]
-    fn filter(&self, index: u32, start_slack: f32, distance: f32) -> Vec3A {
-        let body = self.stage.body(index);
-        let relation = self.relation(index, body);
-        if matches!(relation, Relation::Left) {
-            return Vec3A::ONE;
-        }
-        let span = body.span(self.ray.origin, self.ray.direction);
-        let crossings = match relation {
-            Relation::Inside => u32::from(exit_of(&span) < distance),
-            _ => match self.crossing(body, &span, start_slack + body.slack) {
-                Some((t, leaving)) if t < distance => 1 + u32::from(!leaving && span.exit < distance),
-                _ => 0,
-            },
-        };
-        match crossings {
-            0 => Vec3A::ONE,
-            _ if !body.is_transparent() => Vec3A::ZERO,
-            1 => self.stage.material(body).filter,
-            _ => self.stage.material(body).filter * self.stage.material(body).filter,
-        }
-    }
-}
-
-/// Where a ray that is known to start inside leaves. Rounding may put the far side just behind the start.
-#[inline]
-fn exit_of(span: &Span) -> f32 {
-    if span.exit < 0.0 { 0.0 } else { span.exit }
-}
-
-/// The nearest hits so far: the one that leads out of a body and the one that leads in, each by itself, so that the
-/// outcome does not depend on the order in which bodies are tested.
-struct Best {
-    leaving: Option<Hit>,
-    entering: Option<Hit>,
-    /// No body beyond this parameter can change the outcome any more.
-    reach: f32,
-    start_slack: f32,
-}
-
-impl Best {
-    fn new(start_slack: f32) -> Self {
-        Self { leaving: None, entering: None, reach: f32::INFINITY, start_slack }
-    }
-
-    /// Takes note of a hit; of equal ones the body that comes first in the scene counts.
-    #[inline]
-    fn offer(&mut self, stage: &Stage, new: Hit, body_slack: f32) {
-        if !(new.t <= self.reach && new.t < f32::INFINITY) {
+    fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Passed<W>) {
+        let Relation { lanes, inside } = self.relation(index, body, lanes);
+        if !lanes.any() {
             return;
         }
-        let place = if new.leaving { &mut self.leaving } else { &mut self.entering };
-        let first = match place {
-            None => true,
-            Some(old) if new.t == old.t => stage.scene_order(new.body, old.body).is_lt(),
-            Some(old) => new.t < old.t,
-        };
-        if first {
-            *place = Some(new);
-            let reach = if new.leaving {
-                new.t
-            } else {
-                new.t + self.slack_at(new.t, body_slack, stage.largest_slack)
-            };
-            self.reach = self.reach.min(reach);
+        let span = body.span(self.origin, self.direction);
+        let zero = self.w.real(0.0);
+        let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
+        let enters = span.enter.gt(zero);
+        let mut in_front = ahead & enters & span.enter.lt(distance);
+        let mut behind = lanes & inside & exit_of(&span).lt(distance);
+        let within = ahead & !enters;
+        if within.any() {
+            let start = self.start_within(body, &span, within);
+            in_front = in_front | (start.at_entry & zero.lt(distance));
+            behind = behind | (start.inside & span.exit.lt(distance));
+        }
+        let crossed = in_front | behind;
+        if !crossed.any() {
+            return;
+        }
+        if !body.is_transparent() {
+            passed.lanes = passed.lanes & !crossed;
+            return;
+        }
+        let both = in_front & span.exit.lt(distance);
+        let filter = self.stage.material(body).filter;
+        let once = passed.share.times_all(filter);
+        passed.share = Vector::select(crossed, once, passed.share);
+        passed.share = Vector::select(both, once.times_all(filter), passed.share);
+    }
+
+    /// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.
+    ///
+    /// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than the bound of
+    /// rounding counts as outside: heading in it meets the surface at once, heading out it does not. So neither side of a
+    /// contact can be slipped through or shade itself. Depths are measured across the surface: along the ray they grow
+    /// without bound when it grazes. In a body thinner than rounding the nearer surface counts.
+    #[cold]
+    #[inline(never)]
+    fn start_within(&self, body: &StageBody, span: &Span<W::R>, within: W::M) -> StartWithin<W::M> {
+        self.w.run(
+            #[inline(always)]
+            || {
+                let cosine = |t, face| body.cosine(self.origin, self.direction, t, face);
+                let slack = self.start_slack + body.slack;
+                let behind_entry = -span.enter * cosine(span.enter, span.enter_face);
+                let before_exit = span.exit * cosine(span.exit, span.exit_face);
+                let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
+                let inside = within & !at_entry & !before_exit.le(slack);
+                StartWithin { at_entry, inside }
+            },
+        )
+    }
+}
+
+/// Looks for the nearest bodies.
+struct ForNearest<'f, 'a, W: Width>(&'f Flight<'a, W>, &'f mut Best<W>);
+
+impl<W: Width> Visit<W> for ForNearest<'_, '_, W> {
+    #[inline(always)]
+    fn reach(&self) -> W::R {
+        self.1.reach
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
+        for index in bodies {
+            self.0.test(index, self.0.stage.body(index), lanes, self.1);
         }
     }
+}
 
-    /// How far apart by rounding two hits at about `t` can lie that should coincide. Each slack is twice its bound, so
-    /// the larger one covers both bodies.
-    fn slack_at(&self, t: f32, one: f32, other: f32) -> f32 {
-        self.start_slack + one.max(other) + POINT_ROUNDING * t
+/// Looks for all bodies.
+struct ForEach<'f, W, F>(W, &'f mut F);
+
+impl<W: Width, F: FnMut(u32)> Visit<W> for ForEach<'_, W, F> {
+    fn reach(&self) -> W::R {
+        self.0.real(f32::INFINITY)
     }
 
-    /// The first hit. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:
+    fn leaf(&mut self, bodies: Range<u32>, _lanes: W::M) {
+        bodies.for_each(&mut *self.1);
+    }
+}
+
+/// Looks for what shades.
+struct ForShadow<'f, 'a, W: Width> {
+    flight: &'f Flight<'a, W>,
+    passed: &'f mut Passed<W>,
+    distance: W::R,
+}
+
+impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
+    #[inline(always)]
+    fn reach(&self) -> W::R {
+        W::R::select(self.passed.lanes, self.distance, self.flight.w.real(f32::NEG_INFINITY))
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
+        for index in bodies {
+            let body = self.flight.stage.body(index);
+            self.flight.filter(index, body, self.distance, lanes & self.passed.lanes, self.passed);
+        }
+    }
+}
+
+/// See [`Flight::start_within`].
+struct StartWithin<M> {
+    /// Those that meet the surface at once, on the way in.
+    at_entry: M,
+    /// Those that are inside indeed.
+    inside: M,
+}
+
+/// What is left of the light on its way.
+struct Passed<W: Width> {
+    /// Those that get any.
+    lanes: W::M,
+    share: Vector<W::R>,
+}
+
+/// The hit of one ray.
+pub(crate) fn found_in<W: Width>(hits: &Hits<W>) -> Option<Hit> {
+    let (mut t, mut body) = ([0.0; MOST_LANES], [0; MOST_LANES]);
+    hits.t.store(&mut t);
+    hits.body.store(&mut body);
+    let is_hit = hits.hit.bits() & 1 == 1 && t[0] < f32::INFINITY;
+    is_hit.then(|| Hit { t: t[0], body: body[0], leaving: hits.leaving.bits() & 1 == 1 })
+}
+
+/// Where rays that are known to start inside leave. Rounding may put the far side just behind the start.
+#[inline(always)]
+fn exit_of<R: crate::lanes::Real>(span: &Span<R>) -> R {
+    span.exit.max(span.exit.like(0.0))
+}
+
+/// The nearest hits so far of one direction through the surface.
+struct Nearest<W: Width> {
+    t: W::R,
+    body: W::W,
+    slack: W::R,
+}
+
+/// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
+/// outcome does not depend on the order in which bodies are tested.
+struct Best<W: Width> {
+    leaving: Nearest<W>,
+    entering: Nearest<W>,
+    /// No body beyond this parameter can change the outcome any more.
+    reach: W::R,
+    start_slack: W::R,
+}
+
+impl<W: Width> Best<W> {
+    #[inline(always)]
+    fn new(w: W, start_slack: W::R) -> Self {
+        let none = || Nearest { t: w.real(f32::INFINITY), body: w.word(0), slack: w.real(0.0) };
+        Self { leaving: none(), entering: none(), reach: w.real(f32::INFINITY), start_slack }
+    }
+
+    /// Takes note of hits that lead into a body.
+    #[inline(always)]
+    fn enter(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
+        self.entering.offer(w, stage, index, slack, t, lanes);
+        let farthest = w.real(stage.largest_slack);
+        self.reach = self.reach.min(self.entering.t + self.slack_at(self.entering.t, farthest));
+    }
+
+    /// Takes note of hits that lead out of a body.
+    #[inline(always)]
+    fn leave(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
+        self.leaving.offer(w, stage, index, slack, t, lanes);
+        self.reach = self.reach.min(self.leaving.t);
+    }
+
+    /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
+    /// this: each slack is twice its bound, so the larger one covers both.
+    #[inline(always)]
+    fn slack_at(&self, t: W::R, larger: W::R) -> W::R {
+        self.start_slack + larger + t * POINT_ROUNDING
+    }
+
+    /// The first hits. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:
     /// bodies that touch have a film of air between them.
-    fn first(&self, stage: &Stage) -> Option<Hit> {
-        let (Some(leaving), Some(entering)) = (self.leaving, self.entering) else {
-            return self.leaving.or(self.entering);
-        };
-        let [one, other] = [leaving, entering].map(|hit| stage.body(hit.body).slack);
-        let slack = self.slack_at(entering.t, one, other);
-        Some(if leaving.t <= entering.t + slack { leaving } else { entering })
+    #[inline(always)]
+    fn first(&self, w: W) -> Hits<W> {
+        let infinity = w.real(f32::INFINITY);
+        let Nearest { t, body, slack } = self.entering;
+        let leaves = self.leaving.t.lt(infinity);
+        let mut hits = Hits { t, body, leaving: leaves & !leaves, hit: t.lt(infinity) | leaves };
+        if leaves.any() {
+            let larger = slack.max(self.leaving.slack);
+            hits.leaving = leaves & self.leaving.t.le(t + self.slack_at(t, larger));
+            hits.t = W::R::select(hits.leaving, self.leaving.t, t);
+            hits.body = W::W::select(hits.leaving, self.leaving.body, body);
+        }
+        hits
+    }
+}
+
+impl<W: Width> Nearest<W> {
+    /// Takes note of hits; of equal ones the body that comes first in the scene counts.
+    #[inline(always)]
+    fn offer(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
+        let mut closer = lanes & t.lt(self.t);
+        let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
+        if equal.any() {
+            closer = closer | w.mask(equal.bits() & self.later_than(stage, index));
+        }
+        self.t = W::R::select(closer, t, self.t);
+        self.body = W::W::select(closer, w.word(index), self.body);
+        self.slack = W::R::select(closer, w.real(slack), self.slack);
+    }
+
+    /// Where a body of the scene behind body `index` has been met.
+    #[cold]
+    #[inline(never)]
+    fn later_than(&self, stage: &Stage, index: u32) -> u32 {
+        let mut bodies = [0; MOST_LANES];
+        self.body.store(&mut bodies);
+        let lanes = bodies.iter().take(W::LANES).enumerate();
+        lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
     }
 }

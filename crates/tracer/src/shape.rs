@@ -11,13 +11,14 @@ mod plane;
 mod slab;
 mod sphere;
 
-use glam::Vec3A;
+use crate::lanes::{Mask as _, Real};
+use crate::vector::Vector;
 
 /// Which canonical shape, as it stands in the stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u32)]
 pub enum ShapeKind {
-    /// The unit ball.
+    /// The unit ball, evenly scaled: a sphere.
     Sphere = 0,
     /// The cube [-1, 1]³.
     Cube = 1,
@@ -27,79 +28,71 @@ pub enum ShapeKind {
     Cone = 3,
     /// y ≤ 0.
     Plane = 4,
+    /// The unit ball, stretched.
+    Ellipsoid = 5,
 }
 
-/// A part of a shape's surface with one formula for its normal.
-pub type Face = u32;
+/// A part of a shape's surface with one formula for its normal: a small whole number, kept as a [`Real`] since rays side
+/// by side may meet different faces.
+pub type Face = f32;
 
 /// The curved part of a cylinder or cone, and the only face of spheres and planes.
-pub const SIDE: Face = 0;
+pub const SIDE: Face = 0.0;
 /// The lower cap of a cylinder or cone.
-pub const LOWER_CAP: Face = 1;
+pub const LOWER_CAP: Face = 1.0;
 /// The upper cap of a cylinder or frustum.
-pub const UPPER_CAP: Face = 2;
+pub const UPPER_CAP: Face = 2.0;
 
 /// Where a line enters and leaves a convex shape.
 ///
 /// When the line misses, `exit` is still the best parameter for a ray that is known to start inside: near a tangent,
 /// rounding can make a chord of length almost zero look like a miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
+pub struct Span<R: Real = f32> {
     /// Parameter at which the line enters; may be negative or -∞.
-    pub enter: f32,
+    pub enter: R,
     /// Parameter at which it leaves; may be +∞.
-    pub exit: f32,
-    /// Face crossed at `enter`.
-    pub enter_face: Face,
-    /// Face crossed at `exit`.
-    pub exit_face: Face,
+    pub exit: R,
+    /// [`Face`] crossed at `enter`.
+    pub enter_face: R,
+    /// [`Face`] crossed at `exit`.
+    pub exit_face: R,
     /// Whether the line meets the shape. False whenever a number is NaN.
-    pub hit: bool,
+    pub hit: R::Mask,
 }
 
-impl Span {
-    /// The span from `enter` to `exit` through one face; a hit if it is not empty.
-    fn new(enter: f32, exit: f32, face: Face) -> Self {
-        Self { enter, exit, enter_face: face, exit_face: face, hit: enter <= exit }
-    }
-
-    /// The chord of a unit circle or ball: `closest` is the parameter of the line's closest approach to the center,
-    /// where it is √`offset_squared` away from it, and `dd` the square of the direction's length.
+impl<R: Real> Span<R> {
+    /// The chord of a circle or ball of the squared radius `radius_squared`: `closest` is the parameter of the line's
+    /// closest approach to the center, where it is √`offset_squared` away from it, and `inverse_dd` the inverse square
+    /// of the direction's length.
     ///
-    /// With o' the point of closest approach, the half chord is √((1 - o'·o') / (d·d)). The discriminant arises from lengths about 1, not as a difference of
-    /// large squares, and stays accurate when the origin is far away (Haines, Günther, Akenine-Möller 2019, Ray Tracing
-    /// Gems, ch. 7).
+    /// With o' the point of closest approach, the half chord is √((r² - o'·o') / (d·d)). The discriminant arises from
+    /// lengths about r, not as a difference of large squares, and stays accurate when the origin is far away (Haines,
+    /// Günther, Akenine-Möller 2019, Ray Tracing Gems, ch. 7).
     #[inline(always)]
-    fn chord(closest: f32, offset_squared: f32, dd: f32) -> Self {
-        let half_squared = (1.0 - offset_squared) / dd;
-        if half_squared >= 0.0 {
-            let half = half_squared.sqrt();
-            Self::new(closest - half, closest + half, SIDE)
-        } else {
-            Self::miss(closest)
-        }
-    }
-
-    /// All of the line, if it lies in an unbounded shape at all.
-    fn everywhere(enter_face: Face, exit_face: Face, hit: bool) -> Self {
-        Self { enter: f32::NEG_INFINITY, exit: f32::INFINITY, enter_face, exit_face, hit }
-    }
-
-    /// A miss that came closest at `t`.
-    fn miss(t: f32) -> Self {
-        Self { enter: t, exit: t, enter_face: SIDE, exit_face: SIDE, hit: false }
+    fn chord(closest: R, radius_squared: R, offset_squared: R, inverse_dd: R) -> Self {
+        let zero = closest.like(0.0);
+        let half_squared = (radius_squared - offset_squared) * inverse_dd;
+        let hit = half_squared.ge(zero);
+        let face = closest.like(SIDE);
+        // Most rays miss most bodies, and roots are dear.
+        let half = if hit.any() { half_squared.max(zero).sqrt() } else { zero };
+        Self { enter: closest - half, exit: closest + half, enter_face: face, exit_face: face, hit }
     }
 
     /// The part that lies in both spans; a later entry and an earlier exit win together with their faces.
+    #[inline(always)]
     fn intersect(self, other: Self) -> Self {
-        let (enter, enter_face) = if other.enter > self.enter {
-            (other.enter, other.enter_face)
-        } else {
-            (self.enter, self.enter_face)
-        };
-        let (exit, exit_face) =
-            if other.exit < self.exit { (other.exit, other.exit_face) } else { (self.exit, self.exit_face) };
-        Self { enter, exit, enter_face, exit_face, hit: self.hit && other.hit && enter <= exit }
+        let (later, earlier) = (other.enter.gt(self.enter), other.exit.lt(self.exit));
+        let enter = R::select(later, other.enter, self.enter);
+        let exit = R::select(earlier, other.exit, self.exit);
+        Self {
+            enter,
+            exit,
+            enter_face: R::select(later, other.enter_face, self.enter_face),
+            exit_face: R::select(earlier, other.exit_face, self.exit_face),
+            hit: self.hit & other.hit & enter.le(exit),
+        }
     }
 }
 
@@ -115,9 +108,9 @@ pub struct Canonical {
 impl Canonical {
     /// Where the line `origin + t·direction` (in the shape's frame, direction of any length) crosses the shape.
     #[inline(always)]
-    pub fn span(&self, origin: Vec3A, direction: Vec3A) -> Span {
+    pub fn span<R: Real>(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
         match self.kind {
-            ShapeKind::Sphere => sphere::span(origin, direction),
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => sphere::span(origin, direction),
             ShapeKind::Cube => cube::span(origin, direction),
             ShapeKind::Cylinder => cylinder::span(origin, direction),
             ShapeKind::Cone => cone::span(self.cone_ratio, origin, direction),
@@ -126,9 +119,10 @@ impl Canonical {
     }
 
     /// The point of `face` nearest to `point`, which lies on it but for rounding.
-    pub fn pull_to_surface(&self, face: Face, point: Vec3A) -> Vec3A {
+    #[inline(always)]
+    pub fn pull_to_surface<R: Real>(&self, face: R, point: Vector<R>) -> Vector<R> {
         match self.kind {
-            ShapeKind::Sphere => sphere::pull_to_surface(point),
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => sphere::pull_to_surface(point),
             ShapeKind::Cube => cube::pull_to_surface(face, point),
             ShapeKind::Cylinder => cone::pull_to_surface(1.0, face, point),
             ShapeKind::Cone => cone::pull_to_surface(self.cone_ratio, face, point),
@@ -137,27 +131,31 @@ impl Canonical {
     }
 
     /// Outward normal of `face` at `point` on it, of any length above 0.
-    pub fn normal(&self, face: Face, point: Vec3A) -> Vec3A {
+    #[inline(always)]
+    pub fn normal<R: Real>(&self, face: R, point: Vector<R>) -> Vector<R> {
         match self.kind {
-            ShapeKind::Sphere => sphere::normal(point),
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => point,
             ShapeKind::Cube => cube::normal(face),
             ShapeKind::Cylinder => cone::normal(1.0, face, point),
             ShapeKind::Cone => cone::normal(self.cone_ratio, face, point),
-            ShapeKind::Plane => Vec3A::Y,
+            ShapeKind::Plane => Vector::splat(face, [0.0, 1.0, 0.0]),
         }
     }
 
     /// Whether `point` lies in the shape or on its surface.
-    pub fn contains(&self, point: Vec3A) -> bool {
+    pub fn contains(&self, point: Vector<f32>) -> bool {
         match self.kind {
-            ShapeKind::Sphere => point.length_squared() <= 1.0,
-            ShapeKind::Cube => point.abs().max_element() <= 1.0,
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => point.length_squared() <= 1.0,
+            ShapeKind::Cube => point.map(f32::abs).largest() <= 1.0,
             ShapeKind::Cylinder => cone::contains(1.0, point),
             ShapeKind::Cone => cone::contains(self.cone_ratio, point),
             ShapeKind::Plane => point.y <= 0.0,
         }
     }
 }
+
+pub(crate) use plane::span as plane_span;
+pub(crate) use sphere::world_span as sphere_span;
 
 #[cfg(test)]
 mod tests;

@@ -14,13 +14,13 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use catoptric_scene::{Body, Camera, Color, Scene, Tracing};
-use glam::{DVec3, Vec3A};
+use glam::DVec3;
 use rayon::prelude::*;
 
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::Bvh;
-pub(crate) use bvh::Pending;
+pub(crate) use bvh::{PacketPart, Visit};
 pub use camera::StageCamera;
 use camera::Surroundings;
 pub(crate) use checker::StageChecker;
@@ -47,8 +47,8 @@ pub struct Stage {
     pub(crate) checkers: Arc<[StageChecker]>,
     pub(crate) lights: Arc<[StageLight]>,
     pub(crate) camera: StageCamera,
-    pub(crate) background: Vec3A,
-    pub(crate) ambient: Vec3A,
+    pub(crate) background: [f32; 3],
+    pub(crate) ambient: [f32; 3],
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
     pub(crate) has_transparency: bool,
@@ -123,8 +123,8 @@ impl Stage {
             checkers: cast.checkers.into(),
             lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),
             camera,
-            background: vec3(scene.environment.background),
-            ambient: vec3(scene.environment.ambient),
+            background: numbers(scene.environment.background),
+            ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
         })
@@ -221,7 +221,7 @@ impl Cast {
             let (material, source) =
                 table.find(&body.material).ok_or_else(|| undefined_material(index, body))?;
             prepared.material = material;
-            prepared.transparent = u32::from(table.prepared(material).is_transparent());
+            prepared.transparent = u16::from(table.prepared(material).is_transparent());
             if let Some(checker) = &source.checker {
                 prepared.checker = checkers.len() as u32;
                 checkers.push(StageChecker::new(checker, body));
@@ -257,7 +257,7 @@ impl Cast {
 
     /// The order in which the bodies stand in the stage, and the hierarchy over the bounded ones.
     fn order(&mut self) -> (Vec<u32>, Hierarchy) {
-        let hierarchy = Hierarchy::over(&mut self.boxes, |index| self.bodies[index as usize].kind);
+        let hierarchy = Hierarchy::over(&mut self.boxes, |index| u32::from(self.bodies[index as usize].kind));
         let bounded = self.boxes.iter().map(|&(_, index)| index);
         (bounded.chain(self.planes.iter().copied()).collect(), hierarchy)
     }
@@ -280,6 +280,6 @@ fn undefined_material(index: usize, body: &Body) -> StageError {
 }
 
 /// A color as single-precision components.
-fn vec3(color: Color) -> Vec3A {
-    Vec3A::from_array(color.to_array().map(|component| component as f32))
+fn numbers(color: Color) -> [f32; 3] {
+    color.to_array().map(|component| component as f32)
 }

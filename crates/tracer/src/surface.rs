@@ -1,46 +1,137 @@
 //! How a surface answers light: directions of reflected and refracted rays, and the local terms.
 
-use glam::Vec3A;
+use crate::lanes::{Mask as _, Real, Word as _};
+use crate::vector::Vector;
 
 /// The direction of the reflected ray, D - 2(n̂·D)n̂ (Whitted 1980), for a unit normal; of the same length as D.
-#[inline]
-pub fn reflect(direction: Vec3A, normal: Vec3A) -> Vec3A {
-    direction - 2.0 * normal.dot(direction) * normal
+#[inline(always)]
+pub fn reflect<R: Real>(direction: Vector<R>, normal: Vector<R>) -> Vector<R> {
+    direction - normal * (normal.dot(direction) * 2.0)
 }
 
 /// A vector whose length is 1 but for rounding, with that rounding mended: one step of Newton's iteration for 1/√(v·v)
 /// from 1, without root or division.
-#[inline]
-pub(crate) fn mend_unit(vector: Vec3A) -> Vec3A {
-    vector * (1.5 - 0.5 * vector.length_squared())
+#[inline(always)]
+pub(crate) fn mend_unit<R: Real>(vector: Vector<R>) -> Vector<R> {
+    vector * (-(vector.length_squared() * 0.5) + 1.5)
 }
 
 /// The direction of the refracted ray by Snell's law in vector form (Heckbert 1989, An Introduction to Ray Tracing,
-/// ch. 4), or `None` at total internal reflection.
+/// ch. 4), and whether there is one: there is none at total internal reflection.
 ///
 /// `direction` and `normal` are unit vectors with the normal facing the ray; `ratio` is the index of the medium the ray
 /// comes from divided by that of the one it goes to. At equal indices the ray goes straight on.
-#[inline]
-pub fn refract(direction: Vec3A, normal: Vec3A, ratio: f32) -> Option<Vec3A> {
-    if ratio == 1.0 {
-        return Some(direction);
-    }
+#[inline(always)]
+pub fn refract<R: Real>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (Vector<R>, R::Mask) {
+    let [zero, one] = [0.0, 1.0].map(|value| ratio.like(value));
+    let is_straight = ratio.eq(one);
     let cos_in = -direction.dot(normal);
-    let cos_out_squared = 1.0 - ratio * ratio * (1.0 - cos_in * cos_in);
-    if cos_out_squared < 0.0 {
-        return None;
-    }
-    Some(mend_unit(ratio * direction + (ratio * cos_in - cos_out_squared.sqrt()) * normal))
+    let cos_out_squared = one - ratio * ratio * (one - cos_in * cos_in);
+    let cos_out = cos_out_squared.max(zero).sqrt();
+    let bent = mend_unit(direction * ratio + normal * (ratio * cos_in - cos_out));
+    (Vector::select(is_straight, direction, bent), is_straight | !cos_out_squared.lt(zero))
 }
 
 /// The share (Ŝ·R̂)⁺ⁿ of Phong's highlight (Phong 1975), with R̂ the direction to the light mirrored about the normal
 /// and Ŝ the direction to the viewer. All are unit vectors.
-#[inline]
-pub fn phong_highlight(to_viewer: Vec3A, to_light: Vec3A, normal: Vec3A, shininess: f32) -> f32 {
+#[inline(always)]
+pub fn phong_highlight<R: Real>(
+    to_viewer: Vector<R>,
+    to_light: Vector<R>,
+    normal: Vector<R>,
+    shininess: R,
+) -> R {
     /// e⁻³⁰ of the brightest light that a scene may have, 10⁶, is nothing in single precision.
     const INVISIBLE: f32 = 30.0;
+    let [zero, one] = [0.0, 1.0].map(|value| shininess.like(value));
     // Rounding may make the product of two unit vectors more than 1, and a power of it much more.
-    let cos = (-to_viewer.dot(reflect(to_light, normal))).min(1.0);
+    let cos = (-to_viewer.dot(reflect(to_light, normal))).min(one);
     // ln x ≤ x - 1, so that the power is at most exp(-n·(1 - cos)): what is certain to vanish is not computed.
-    if cos > 0.0 && shininess * (1.0 - cos) < INVISIBLE { cos.powf(shininess) } else { 0.0 }
+    let is_visible = cos.gt(zero) & (shininess * (one - cos)).lt(shininess.like(INVISIBLE));
+    if !is_visible.any() {
+        return zero;
+    }
+    R::select(is_visible, power(R::select(is_visible, cos, one), shininess), zero)
+}
+
+/// x to the power n, for 0 < x ≤ 1 and n ≥ 0: exp(n·ln x), as accurate as single precision allows for results above
+/// e⁻⁸⁷; below, it is 0.
+///
+/// The polynomials are those of `logf` and `expf` in the Cephes library (Moshier 1992).
+#[inline(always)]
+fn power<R: Real>(x: R, n: R) -> R {
+    exponential(logarithm(x) * n)
+}
+
+/// ln x for normal x > 0: x = 2ᵉ·m with √½ ≤ m < √2, and a polynomial in m - 1.
+#[inline(always)]
+fn logarithm<R: Real>(x: R) -> R {
+    const SQRT_HALF: u32 = 0x3f35_04f3;
+    const P: [f32; 9] = [
+        7.037_683_6e-2,
+        -1.151_461e-1,
+        1.167_699_9e-1,
+        -1.242_014_1e-1,
+        1.424_932_3e-1,
+        -1.666_805_7e-1,
+        2.000_071_5e-1,
+        -2.499_999_4e-1,
+        3.333_333e-1,
+    ];
+    // The bits counted from those of √½: the exponent steps where the mantissa passes √2.
+    let word = x.to_word();
+    let from = word.plus(word.like(SQRT_HALF.wrapping_neg()));
+    // As a number between 0 and 255, made by the bits of 2²³ + e, with 127 added so that it is not negative.
+    let shifted = from.plus(word.like(127 << 23)).shifted_right(23);
+    let exponent = R::of_word(shifted.or(word.like(0x4b00_0000))) - (8_388_608.0 + 127.0);
+    let mantissa = from.and(0x007f_ffff).plus(word.like(SQRT_HALF));
+    let f = R::of_word(mantissa) - 1.0;
+    let square = f * f;
+    let mut sum = f * P[0] + P[1];
+    for coefficient in &P[2..] {
+        sum = sum * f + *coefficient;
+    }
+    let tail = sum * f * square + exponent * -2.121_944_4e-4 - square * 0.5;
+    tail + f + exponent * 0.693_359_4
+}
+
+/// eˣ for x ≤ 0: x = n·ln 2 + r with |r| ≤ ½·ln 2, and a polynomial in r.
+#[inline(always)]
+fn exponential<R: Real>(x: R) -> R {
+    const LEAST: f32 = -87.0;
+    const ROUND: f32 = 12_582_912.0;
+    const P: [f32; 6] = [1.987_569_1e-4, 1.398_199_9e-3, 8.333_452e-3, 4.166_579_6e-2, 1.666_666_5e-1, 0.5];
+    let zero = x.like(0.0);
+    let is_nothing = x.lt(x.like(LEAST));
+    let x = x.max(x.like(LEAST));
+    // 1.5·2²³ leaves no room for a fraction: the sum is rounded to a whole number, which stands in its low bits.
+    let rounded = x * std::f32::consts::LOG2_E + ROUND;
+    let n = rounded - ROUND;
+    let r = x - n * 0.693_359_4 + n * 2.121_944_4e-4;
+    let mut sum = r * P[0] + P[1];
+    for coefficient in &P[2..] {
+        sum = sum * r + *coefficient;
+    }
+    let value = sum * r * r + r + 1.0;
+    let scale = R::of_word(rounded.to_word().plus(zero.to_word().like(127)).shifted_left(23));
+    R::select(is_nothing, zero, value * scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_are_those_of_double_precision() {
+        for n in [0.0_f32, 0.5, 1.0, 2.0, 3.7, 60.0, 1000.0, 1e4, 1e6] {
+            for step in 1..2000_u16 {
+                let x =
+                    if step < 1000 { f32::from(step) / 1000.0 } else { 1.0 - 1e-7 * f32::from(step - 1000) };
+                let exact = f64::from(x).powf(f64::from(n));
+                let error = (f64::from(power(x, n)) - exact).abs();
+                let digits = 1.5e-7 * (2.0 + f64::from(n) * -f64::from(x).ln());
+                assert!(error <= digits * exact + 1e-37, "{x}^{n}: {error:e} off {exact:e}");
+            }
+        }
+    }
 }

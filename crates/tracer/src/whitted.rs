@@ -1,7 +1,9 @@
-//! Whitted's tree of rays, walked with an explicit stack.
+//! Whitted's tree of rays, walked with rays side by side.
 //!
 //! Turner Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980.
 
+mod beams;
+mod encounter;
 mod tree;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,50 +11,30 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
-use crate::medium::{Media, MediaArena};
-use crate::ray::{Ray, Start};
-use crate::search::{Flight, Hit};
-use crate::stage::{Pending, Stage, StageBody, StageCamera, StageMaterial};
+use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
+use crate::media::{AIR, Inside, MediaTable};
+use crate::ray::{NO_START, Ray, Rays};
+use crate::search::{Flight, Hits};
+use crate::stage::{PacketPart, Stage, StageCamera};
 use crate::surface::{mend_unit, phong_highlight, reflect, refract};
+use crate::vector::Vector;
 
+pub(crate) use beams::{Beams, Offspring, Queue};
+use encounter::Encounter;
 pub use tree::{RayKind, TracedRay};
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {
     stage: &'a Stage,
-    camera: &'a StageCamera,
-    cancel: &'a AtomicBool,
-    pending: Vec<Branch>,
+    pub(crate) camera: &'a StageCamera,
+    pub(crate) cancel: &'a AtomicBool,
     /// Working memory of searches.
-    parts: Vec<Pending>,
-    arena: MediaArena,
-    /// Media at the eye, and the arena's mark above them.
-    eye_media: Option<Media>,
-    eye_mark: usize,
+    parts: Vec<PacketPart>,
+    media: MediaTable,
+    inside: Inside,
+    /// The media at the eye, if all rays start there and the table knows them.
+    eye_media: Option<u32>,
     counts: RayCounts,
-}
-
-/// A ray still to be traced.
-#[derive(Clone, Copy)]
-struct Branch {
-    ray: Ray,
-    /// Product of the coefficients on the way from the eye.
-    weight: Vec3A,
-    generation: u32,
-    media: Media,
-    /// The arena's length when this branch was made: all later lists are free once it is taken up.
-    mark: usize,
-}
-
-/// The point that a ray met, with all that shading needs.
-struct Encounter<'a> {
-    hit: Hit,
-    body: &'a StageBody,
-    material: &'a StageMaterial,
-    color: Vec3A,
-    position: Vec3A,
-    /// Unit normal facing the ray.
-    normal: Vec3A,
 }
 
 impl<'a> Whitted<'a> {
@@ -66,18 +48,14 @@ impl<'a> Whitted<'a> {
 
     /// The same through a camera of [`Stage::camera_for`].
     pub fn through(stage: &'a Stage, camera: &'a StageCamera, cancel: &'a AtomicBool) -> Self {
-        let mut arena = MediaArena::default();
-        let eye_media = camera.eye().map(|eye| arena.at_point(stage, eye));
-        let eye_mark = arena.mark();
         Self {
             stage,
             camera,
             cancel,
-            pending: Vec::new(),
             parts: Vec::new(),
-            arena,
-            eye_media,
-            eye_mark,
+            media: MediaTable::default(),
+            inside: Inside::default(),
+            eye_media: None,
             counts: RayCounts::default(),
         }
     }
@@ -87,169 +65,289 @@ impl<'a> Whitted<'a> {
         self.counts
     }
 
-    /// The light that reaches the point `at` of a picture of `size` pixels (see [`StageCamera::ray`]).
+    /// The light that reaches the point `at` of a picture of `size` pixels (see [`StageCamera::ray`]), by one ray at a
+    /// time: the reference for all that trace several side by side.
     pub fn trace(&mut self, at: DVec2, size: DVec2) -> Vec3A {
-        let primary = self.camera.ray(at, size);
-        let mut branch = self.root(primary, self.eye_media);
+        let mut pending = vec![self.root(&self.camera.ray(at, size))];
         let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
-        loop {
-            let (own, goes_on) = self.follow(&mut branch);
-            light += own;
+        while let Some(beam) = pending.pop() {
+            light += Vec3A::from(self.follow(One, &beam, &mut pending).light);
             until_look -= 1;
             if until_look == 0 {
                 if self.cancel.load(Ordering::Relaxed) {
-                    return light;
+                    break;
                 }
                 until_look = Self::CANCEL_INTERVAL;
             }
-            if !goes_on {
-                let Some(next) = self.pending.pop() else {
-                    return light;
-                };
-                self.arena.rewind(next.mark);
-                branch = next;
-            }
-        }
-    }
-
-    /// The first branch of a tree, in `media` if they are known already.
-    fn root(&mut self, primary: Ray, media: Option<Media>) -> Branch {
-        self.arena.rewind(self.eye_mark);
-        let media = media.unwrap_or_else(|| self.arena.at_point(self.stage, primary.origin));
-        self.counts.primary += 1;
-        self.pending.clear();
-        Branch { ray: primary, weight: Vec3A::ONE, generation: 1, media, mark: self.arena.mark() }
-    }
-
-    /// Traces one ray and returns its own weighted share of the light. If true comes with it, the branch was replaced
-    /// by its reflected child, to be followed next; a refracted child is left pending.
-    fn follow(&mut self, branch: &mut Branch) -> (Vec3A, bool) {
-        let flight = Flight { stage: self.stage, arena: &self.arena, ray: branch.ray, media: branch.media };
-        let Some(hit) = flight.nearest(&mut self.parts) else {
-            return (branch.weight * self.stage.background, false);
-        };
-        let encounter = Encounter::new(self.stage, &branch.ray, hit);
-        let light = branch.weight * self.local_light(branch, &encounter);
-        (light, branch.generation < self.stage.generations() && self.spawn(branch, &encounter))
-    }
-
-    /// The ambient, diffuse and highlight terms.
-    fn local_light(&mut self, branch: &Branch, at: &Encounter<'_>) -> Vec3A {
-        let material = at.material;
-        let mut light = material.ambient * at.color * self.stage.ambient;
-        let diffuse = material.diffuse * at.color;
-        if diffuse == Vec3A::ZERO && material.specular == 0.0 {
-            return light;
-        }
-        for source in &*self.stage.lights {
-            let offset = source.position - at.position;
-            let distance = offset.length();
-            let to_light = offset / distance;
-            let cos = at.normal.dot(to_light);
-            // A light that stands exactly here has no direction.
-            let lit = distance > 0.0 && cos > 0.0 && source.power != Vec3A::ZERO;
-            if !lit {
-                continue;
-            }
-            self.counts.shadow += 1;
-            let ray = at.ray_on_this_side(to_light);
-            let flight = Flight { stage: self.stage, arena: &self.arena, ray, media: branch.media };
-            let passed = flight.transmittance(distance, &mut self.parts);
-            if passed == Vec3A::ZERO {
-                continue;
-            }
-            let highlight = if material.specular == 0.0 {
-                0.0
-            } else {
-                phong_highlight(-branch.ray.direction, to_light, at.normal, material.shininess)
-            };
-            light += passed * source.power_at(distance) * (diffuse * cos + material.specular * highlight);
         }
         light
     }
 
-    /// Leaves the refracted ray pending and turns the branch into the reflected one, each if it carries anything;
-    /// false if there is no reflected one.
-    fn spawn(&mut self, branch: &mut Branch, at: &Encounter<'_>) -> bool {
-        let mut reflection = Vec3A::splat(at.material.reflection);
-        if at.body.is_transparent() {
-            let (ratio, beyond) = self.cross(branch, at);
-            match refract(branch.ray.direction, at.normal, ratio) {
-                Some(direction) => {
-                    let weight = branch.weight * at.material.filter;
-                    if self.carries(weight) {
-                        self.counts.refracted += 1;
-                        // A ray that goes straight on is the same ray still, unless it stands still: between bodies
-                        // thinner than rounding it could go on for ever.
-                        let same = ratio == 1.0 && at.hit.t > branch.ray.slack();
-                        self.pending.push(Branch {
-                            ray: at.ray_on_far_side(direction),
-                            weight,
-                            generation: branch.generation + u32::from(!same),
-                            media: beyond,
-                            mark: self.arena.mark(),
-                        });
-                    }
-                }
-                // Total internal reflection: all of the light, and nothing twice.
-                None => reflection = Vec3A::ONE,
+    /// The first ray of a tree.
+    fn root(&mut self, primary: &Ray) -> Beams<One> {
+        let rays = primary.alone();
+        self.tidy();
+        let media = self.media.at_point(self.stage, rays.origin);
+        self.counts.primary += 1;
+        Beams { rays, weight: Vector::new(1.0, 1.0, 1.0), generation: 1, media, pixel: 0, lanes: true }
+    }
+
+    /// Forgets what was learned of media if it has become much. No rays may be in flight.
+    pub(crate) fn tidy(&mut self) {
+        if self.media.tidy() {
+            self.eye_media = None;
+        }
+    }
+
+    /// Makes the first beams of rays from the eye.
+    #[inline(always)]
+    pub(crate) fn roots<W: Width>(
+        &mut self,
+        w: W,
+        (origin, direction): (Vector<W::R>, Vector<W::R>),
+        pixel: W::W,
+        lanes: W::M,
+    ) -> Beams<W> {
+        self.counts.primary += u64::from(lanes.bits().count_ones());
+        let one = w.real(1.0);
+        let media = match self.camera.eye() {
+            _ if !self.stage.has_transparency => w.word(AIR),
+            Some(eye) => {
+                let at_eye = || self.media.at_point(self.stage, eye);
+                w.word(*self.eye_media.get_or_insert_with(at_eye))
+            }
+            None => self.media_at(w, origin, lanes),
+        };
+        Beams {
+            rays: Rays { origin, direction, start: w.word(NO_START) },
+            weight: Vector::new(one, one, one),
+            generation: w.word(1),
+            media,
+            pixel,
+            lanes,
+        }
+    }
+
+    /// The media at the rays' starts.
+    fn media_at<W: Width>(&mut self, w: W, origin: Vector<W::R>, lanes: W::M) -> W::W {
+        let [mut x, mut y, mut z] = [[0.0; MOST_LANES]; 3];
+        origin.x.store(&mut x);
+        origin.y.store(&mut y);
+        origin.z.store(&mut z);
+        let mut media = [AIR; MOST_LANES];
+        for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
+            media[lane] = self.media.at_point(self.stage, Vector { x: x[lane], y: y[lane], z: z[lane] });
+        }
+        w.load_words(&media)
+    }
+
+    /// Traces rays side by side: what each adds to its pixel, and what it meets. The rays that grow from them go to
+    /// `offspring`.
+    pub(crate) fn follow<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        offspring: &mut impl Offspring<W>,
+    ) -> Followed<W> {
+        w.run(
+            #[inline(always)]
+            || {
+                let mut inside = std::mem::take(&mut self.inside);
+                inside.fill::<W>(&self.media, beams.media, beams.lanes);
+                let followed = self.follow_inside(w, beams, &inside, offspring);
+                self.inside = inside;
+                followed
+            },
+        )
+    }
+
+    #[inline(always)]
+    fn follow_inside<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        inside: &Inside,
+        offspring: &mut impl Offspring<W>,
+    ) -> Followed<W> {
+        let hits = self.nearest(w, beams, inside);
+        let hit = hits.hit & beams.lanes;
+        let hits = Hits { hit, ..hits };
+        let background = Vector::splat(w.real(0.0), self.stage.background);
+        if !hit.any() {
+            return Followed { light: beams.weight.times(background), hits };
+        }
+        let at = Encounter::new(w, self.stage, &beams.rays, &hits);
+        let light = self.local_light(w, beams, inside, &at);
+        let light = beams.weight.times(Vector::select(hit, light, background));
+        let limit = self.stage.generations();
+        let goes_on = hit & w.mask(beams.below(w, limit));
+        if goes_on.any() {
+            self.spawn(w, beams, &at, goes_on, offspring);
+        }
+        Followed { light, hits }
+    }
+
+    fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, inside: &Inside) -> Hits<W> {
+        w.run(
+            #[inline(always)]
+            || Flight::new(w, self.stage, &beams.rays, beams.lanes, inside).nearest(&mut self.parts),
+        )
+    }
+
+    fn transmittance<W: Width>(
+        &mut self,
+        w: W,
+        rays: &Rays<W>,
+        lanes: W::M,
+        distance: W::R,
+        inside: &Inside,
+    ) -> Vector<W::R> {
+        w.run(
+            #[inline(always)]
+            || Flight::new(w, self.stage, rays, lanes, inside).transmittance(distance, &mut self.parts),
+        )
+    }
+
+    /// The ambient, diffuse and highlight terms.
+    #[inline(always)]
+    fn local_light<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        inside: &Inside,
+        at: &Encounter<W>,
+    ) -> Vector<W::R> {
+        let zero = w.real(0.0);
+        let mut light = at.ambient;
+        if !at.answers.any() {
+            return light;
+        }
+        for source in self.stage.lights.iter().filter(|light| light.shines()) {
+            let offset = Vector::splat(zero, source.position) - at.position;
+            let distance = offset.length_squared().sqrt();
+            let to_light = offset * (w.real(1.0) / distance);
+            let cos = at.normal.dot(to_light);
+            // A light that stands exactly here has no direction.
+            let lit = at.answers & distance.gt(zero) & cos.gt(zero);
+            if !lit.any() {
+                continue;
+            }
+            self.counts.shadow += u64::from(lit.bits().count_ones());
+            let rays = at.rays_on_this_side(to_light);
+            let passed = self.transmittance(w, &rays, lit, distance, inside);
+            let lit = lit & !passed.is_zero();
+            if !lit.any() {
+                continue;
+            }
+            let to_viewer = -beams.rays.direction;
+            let mut answer = at.diffuse * cos;
+            if at.glossy.any() {
+                let highlight = phong_highlight(to_viewer, to_light, at.normal, at.shininess);
+                let highlight = at.specular * highlight;
+                answer = answer.map(|diffuse| diffuse + highlight);
+            }
+            let more = passed.times(source.power_at(distance)).times(answer);
+            light = Vector::select(lit, light + more, light);
+        }
+        light
+    }
+
+    /// Sends the reflected and refracted rays, each if it carries anything.
+    #[inline(always)]
+    fn spawn<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        at: &Encounter<W>,
+        goes_on: W::M,
+        offspring: &mut impl Offspring<W>,
+    ) {
+        let direction = beams.rays.direction;
+        let one = w.real(1.0);
+        let next = beams.generation.plus(w.word(1));
+        let mut reflection = at.reflection;
+        let transparent = goes_on & at.transparent;
+        if transparent.any() {
+            let (ratio, beyond) = self.cross(w, beams, at, transparent);
+            let (bent, passes) = refract(direction, at.normal, ratio);
+            // Total internal reflection: all of the light, and nothing twice.
+            reflection = W::R::select(transparent & !passes, one, reflection);
+            let weight = beams.weight.times(at.filter);
+            let lanes = transparent & passes & self.carries(w, weight);
+            if lanes.any() {
+                self.counts.refracted += u64::from(lanes.bits().count_ones());
+                // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner
+                // than rounding it could go on for ever.
+                let same = ratio.eq(one) & at.t.gt(beams.rays.slack());
+                offspring.refracted(Beams {
+                    rays: at.rays_on_far_side(bent),
+                    weight,
+                    generation: W::W::select(same, beams.generation, next),
+                    media: beyond,
+                    pixel: beams.pixel,
+                    lanes,
+                });
             }
         }
-        let weight = branch.weight * reflection;
-        let carries = self.carries(weight);
-        if carries {
-            self.counts.reflected += 1;
-            branch.ray = at.ray_on_this_side(mend_unit(reflect(branch.ray.direction, at.normal)));
-            branch.weight = weight;
-            branch.generation += 1;
+        let weight = beams.weight * reflection;
+        let lanes = goes_on & self.carries(w, weight);
+        if lanes.any() {
+            self.counts.reflected += u64::from(lanes.bits().count_ones());
+            offspring.reflected(Beams {
+                rays: at.rays_on_this_side(mend_unit(reflect(direction, at.normal))),
+                weight,
+                generation: next,
+                media: beams.media,
+                pixel: beams.pixel,
+                lanes,
+            });
         }
-        carries
     }
 
-    /// Whether a ray of this weight is traced.
-    fn carries(&self, weight: Vec3A) -> bool {
-        let strongest = weight.max_element();
-        strongest > 0.0 && strongest >= self.stage.threshold
+    /// Whether rays of this weight are traced.
+    #[inline(always)]
+    fn carries<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
+        let strongest = weight.largest();
+        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.stage.threshold))
     }
 
-    /// The ratio of indices for a ray that crosses the surface, and the media beyond it.
-    fn cross(&mut self, branch: &Branch, at: &Encounter<'_>) -> (f32, Media) {
-        let body = at.hit.body;
-        let here = self.arena.innermost(branch.media);
-        let beyond = if self.arena.contains(branch.media, body) {
-            self.arena.left(branch.media, body)
-        } else {
-            self.arena.entered(branch.media, body)
-        };
-        let there = self.arena.innermost(beyond);
-        let ior =
-            |medium: Option<u32>| medium.map_or(1.0, |index| self.stage.material(self.stage.body(index)).ior);
-        (ior(here) / ior(there), beyond)
+    /// The ratio of indices for rays that cross the surface, and the media beyond it.
+    #[inline(always)]
+    fn cross<W: Width>(&mut self, w: W, beams: &Beams<W>, at: &Encounter<W>, lanes: W::M) -> (W::R, W::W) {
+        let (mut media, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
+        beams.media.store(&mut media);
+        at.body.store(&mut bodies);
+        let mut ratios = [1.0; MOST_LANES];
+        self.cross_each(lanes.bits(), &mut media, &bodies, &mut ratios);
+        (w.load(&ratios), w.load_words(&media))
+    }
+
+    /// Replaces the media by those beyond the surfaces of the bodies.
+    #[inline(never)]
+    fn cross_each(
+        &mut self,
+        lanes: u32,
+        media: &mut [u32; MOST_LANES],
+        bodies: &[u32; MOST_LANES],
+        ratios: &mut [f32; MOST_LANES],
+    ) {
+        let mut last = None;
+        for lane in (0..MOST_LANES).filter(|lane| lanes >> lane & 1 == 1) {
+            let key = (media[lane], bodies[lane]);
+            let crossing = match last {
+                Some((other, crossing)) if other == key => crossing,
+                _ => self.media.crossing(self.stage, key.0, key.1),
+            };
+            last = Some((key, crossing));
+            (media[lane], ratios[lane]) = (crossing.beyond, crossing.ratio);
+        }
     }
 }
 
-impl<'a> Encounter<'a> {
-    fn new(stage: &'a Stage, ray: &Ray, hit: Hit) -> Self {
-        let body = stage.body(hit.body);
-        let material = stage.material(body);
-        let point = body.surface_point(ray.origin, ray.direction, hit.t, hit.leaving);
-        let color = match stage.checkers.get(body.checker as usize) {
-            Some(checker) if checker.is_odd(point.in_body) => checker.color,
-            _ => material.color,
-        };
-        Self { hit, body, material, color, position: point.in_world, normal: point.normal }
-    }
-
-    /// A ray from here to the side that the incoming ray came from.
-    fn ray_on_this_side(&self, direction: Vec3A) -> Ray {
-        let start = Start { body: self.hit.body, inwards: self.hit.leaving };
-        Ray { origin: self.position, direction, start }
-    }
-
-    /// A ray from here to the other side of the surface.
-    fn ray_on_far_side(&self, direction: Vec3A) -> Ray {
-        let start = Start { body: self.hit.body, inwards: !self.hit.leaving };
-        Ray { origin: self.position, direction, start }
-    }
+/// What became of rays side by side.
+pub(crate) struct Followed<W: Width> {
+    /// What each adds to its pixel; of rays that do not fly, anything.
+    pub light: Vector<W::R>,
+    pub hits: Hits<W>,
 }

@@ -9,23 +9,24 @@
 //! height = 1.0
 //! ```
 
-use glam::{Vec3A, Vec3Swizzles};
-
-use super::{Face, LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
+use super::{LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
+use crate::lanes::{Mask as _, Real};
+use crate::vector::Vector;
 
 /// The nappe's span cut by the layer between the caps.
 ///
 /// The origin is first moved along the line to its closest approach to the top of the axis, so that the coefficients of
 /// the quadratic are about 1 however far the ray comes from (Embree's `coneline_intersector` does the same with the
 /// middle). Near a pointed cone's apex, where both roots fall together, they are small, and so is their rounding.
-#[inline]
-pub(super) fn span(ratio: f32, origin: Vec3A, direction: Vec3A) -> Span {
-    let shift = (Vec3A::Y - origin).dot(direction) / direction.length_squared();
-    let near = origin + shift * direction;
+#[inline(always)]
+pub(super) fn span<R: Real>(ratio: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    let top = Vector::splat(origin.x, [0.0, 1.0, 0.0]);
+    let shift = (top - origin).dot(direction) / direction.length_squared();
+    let near = origin + direction * shift;
     let mut span = nappe(ratio - 1.0, near, direction);
-    span.enter += shift;
-    span.exit += shift;
-    span.intersect(slab::span(origin.y, direction.y, (0.0, LOWER_CAP), (1.0, UPPER_CAP)))
+    span.enter = span.enter + shift;
+    span.exit = span.exit + shift;
+    span.intersect(slab::closed(origin.y, direction.y, (0.0, LOWER_CAP), (1.0, UPPER_CAP)))
 }
 
 /// Where the line lies in the nappe x² + z² ≤ r(y)², r(y) = 1 + slope·y ≥ 0.
@@ -34,67 +35,83 @@ pub(super) fn span(ratio: f32, origin: Vec3A, direction: Vec3A) -> Span {
 /// cancels (Press et al. 2007, Numerical Recipes, eq. 5.6.4). For A > 0 the inside lies between the roots. For A < 0
 /// the line is steeper than the cone and runs in both nappes outside the roots: the wanted half is the one in which
 /// r grows. For A = 0 one root is infinite.
-#[inline]
-fn nappe(slope: f32, origin: Vec3A, direction: Vec3A) -> Span {
-    let radius = 1.0 + slope * origin.y;
-    let radius_change = slope * direction.y;
-    let a = direction.xz().length_squared() - radius_change * radius_change;
-    let b = origin.xz().dot(direction.xz()) - radius * radius_change;
-    let c = origin.xz().length_squared() - radius * radius;
+#[inline(always)]
+fn nappe<R: Real>(slope: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    let [zero, one, infinity] = [0.0, 1.0, f32::INFINITY].map(|value| origin.x.like(value));
+    let radius = origin.y * slope + 1.0;
+    let radius_change = direction.y * slope;
+    let a = direction.x * direction.x + direction.z * direction.z - radius_change * radius_change;
+    let b = origin.x * direction.x + origin.z * direction.z - radius * radius_change;
+    let c = origin.x * origin.x + origin.z * origin.z - radius * radius;
     let discriminant = b * b - a * c;
-    if a > 0.0 && discriminant < 0.0 {
-        return Span::miss(-b / a);
+    let root = discriminant.max(zero).sqrt();
+    let b_rises = b.gt(zero);
+    let q = R::select(b_rises, -(b + root), root - b);
+    let (is_line, is_between) = (a.eq(zero), a.gt(zero));
+    // B = 0 and A·C = 0: the line touches at t = 0 only (A > 0), or runs along the surface or through the apex.
+    let misses = is_between & discriminant.lt(zero);
+    let is_flat = q.eq(zero) & !misses;
+    let first = q / R::select(is_line, one, a);
+    let second = c / R::select(q.eq(zero), one, q);
+    let (low, high) = (first.min(second), first.max(second));
+    // q(t) = 2·B·t + C.
+    let on_line = (R::select(b_rises, -infinity, second), R::select(b_rises, second, infinity));
+    let widens = radius_change.gt(zero);
+    let outside = (R::select(widens, high, -infinity), R::select(widens, infinity, low));
+    let pick = |between: R, on_line: R, outside: R| {
+        R::select(is_between, between, R::select(is_line, on_line, outside))
+    };
+    let mut enter = pick(low, on_line.0, outside.0);
+    let mut exit = pick(high, on_line.1, outside.1);
+    let mut hit = enter.le(exit);
+    // Beside the cone both ends are the closest approach: the root was taken as 0.
+    enter = R::select(misses, first, enter);
+    exit = R::select(misses, first, exit);
+    hit = hit & !misses;
+    if is_flat.any() {
+        enter = R::select(is_flat, R::select(is_between, zero, -infinity), enter);
+        exit = R::select(is_flat, R::select(is_between, zero, infinity), exit);
+        hit = (hit & !is_flat) | (is_flat & (is_between | c.le(zero)));
     }
-    let root = discriminant.max(0.0).sqrt();
-    let q = if b > 0.0 { -(b + root) } else { root - b };
-    if q == 0.0 {
-        // B = 0 and A·C = 0: the line touches at t = 0 only (A > 0), or runs along the surface or through the apex.
-        return if a > 0.0 { Span::new(0.0, 0.0, SIDE) } else { Span::everywhere(SIDE, SIDE, c <= 0.0) };
-    }
-    let (first, second) = (q / a, c / q);
-    let (low, high) = if first < second { (first, second) } else { (second, first) };
-    if a > 0.0 {
-        Span::new(low, high, SIDE)
-    } else if a == 0.0 {
-        // q(t) = 2·B·t + C.
-        if b > 0.0 {
-            Span::new(f32::NEG_INFINITY, second, SIDE)
-        } else {
-            Span::new(second, f32::INFINITY, SIDE)
-        }
-    } else if radius_change > 0.0 {
-        Span::new(high, f32::INFINITY, SIDE)
-    } else {
-        Span::new(f32::NEG_INFINITY, low, SIDE)
-    }
+    let face = zero.like(SIDE);
+    Span { enter, exit, enter_face: face, exit_face: face, hit }
 }
 
-pub(super) fn pull_to_surface(ratio: f32, face: Face, point: Vec3A) -> Vec3A {
-    match face {
-        LOWER_CAP => Vec3A::new(point.x, 0.0, point.z),
-        UPPER_CAP => Vec3A::new(point.x, 1.0, point.z),
-        _ => {
-            let y = point.y.clamp(0.0, 1.0);
-            let around = point.xz().normalize_or_zero() * (1.0 + (ratio - 1.0) * y);
-            Vec3A::new(around.x, y, around.y)
-        }
-    }
+/// A vector in the xz-plane made of length 1, or 0 if it has none.
+#[inline(always)]
+fn around<R: Real>(point: Vector<R>) -> Vector<R> {
+    let zero = point.y.like(0.0);
+    Vector::new(point.x, zero, point.z).normalize_or(Vector::new(zero, zero, zero))
+}
+
+#[inline(always)]
+pub(super) fn pull_to_surface<R: Real>(ratio: f32, face: R, point: Vector<R>) -> Vector<R> {
+    let [zero, one] = [0.0, 1.0].map(|value| face.like(value));
+    let is_side = face.eq(face.like(SIDE));
+    let y = point.y.max(zero).min(one);
+    let side = around(point) * (y * (ratio - 1.0) + 1.0);
+    let cap = R::select(face.eq(face.like(LOWER_CAP)), zero, one);
+    Vector::new(
+        R::select(is_side, side.x, point.x),
+        R::select(is_side, y, cap),
+        R::select(is_side, side.z, point.z),
+    )
 }
 
 /// On the side, the gradient of x² + z² - r(y)²; at the apex, where it vanishes, the axis.
-pub(super) fn normal(ratio: f32, face: Face, point: Vec3A) -> Vec3A {
-    match face {
-        LOWER_CAP => Vec3A::NEG_Y,
-        UPPER_CAP => Vec3A::Y,
-        _ => {
-            let around = point.xz().normalize_or_zero();
-            let normal = Vec3A::new(around.x, 1.0 - ratio, around.y);
-            if normal == Vec3A::ZERO { Vec3A::Y } else { normal }
-        }
-    }
+#[inline(always)]
+pub(super) fn normal<R: Real>(ratio: f32, face: R, point: Vector<R>) -> Vector<R> {
+    let [zero, one] = [0.0, 1.0].map(|value| face.like(value));
+    let is_side = face.eq(face.like(SIDE));
+    let around = around(point);
+    let up = Vector::new(zero, one, zero);
+    let side = Vector::new(around.x, face.like(1.0 - ratio), around.z);
+    let side = Vector::select(side.is_zero(), up, side);
+    let cap = Vector::select(face.eq(face.like(LOWER_CAP)), -up, up);
+    Vector::select(is_side, side, cap)
 }
 
-pub(super) fn contains(ratio: f32, point: Vec3A) -> bool {
+pub(super) fn contains(ratio: f32, point: Vector<f32>) -> bool {
     let radius = 1.0 + (ratio - 1.0) * point.y;
-    (0.0..=1.0).contains(&point.y) && point.xz().length_squared() <= radius * radius
+    (0.0..=1.0).contains(&point.y) && point.x * point.x + point.z * point.z <= radius * radius
 }

@@ -6,56 +6,31 @@
 //! size = 1.6                      # or [x, y, z]
 //! ```
 
-use glam::Vec3A;
+use super::{Span, slab};
+use crate::lanes::Real;
+use crate::vector::Vector;
 
-use super::{Face, Span};
-
-/// A component of the direction below this counts as this: the line lies between a pair of faces everywhere or
-/// nowhere, and 0/0 does not arise.
-const TINY: f32 = 1e-30;
-
-/// The latest of the three entries and the earliest of the three exits between pairs of faces (Kay, Kajiya 1986, Ray
-/// tracing complex scenes). Face 2·axis is the one at -1, face 2·axis + 1 the one at +1.
+/// The common part of the three layers. Face 2·axis is the one at -1, face 2·axis + 1 the one at +1.
 #[inline(always)]
-pub(super) fn span(origin: Vec3A, direction: Vec3A) -> Span {
-    let tiny = Vec3A::splat(TINY).copysign(direction);
-    let inverse = Vec3A::select(direction.abs().cmplt(Vec3A::splat(TINY)), tiny, direction).recip();
-    let low = (Vec3A::NEG_ONE - origin) * inverse;
-    let high = (Vec3A::ONE - origin) * inverse;
-    let (near, far) = (low.min(high), low.max(high));
-    let (enter, exit) = (near.max_element(), far.min_element());
-    let face = |is_it: glam::BVec3A, from_low: bool| {
-        let bits = is_it.bitmask();
-        let axis = if bits & 1 != 0 {
-            0
-        } else if bits & 2 != 0 {
-            1
-        } else {
-            2
-        };
-        2 * axis as Face + Face::from((inverse[axis] < 0.0) == from_low)
-    };
-    Span {
-        enter,
-        exit,
-        enter_face: face(near.cmpeq(Vec3A::splat(enter)), true),
-        exit_face: face(far.cmpeq(Vec3A::splat(exit)), false),
-        // Each entry by itself: the largest of them may hide that another is not a number.
-        hit: near.cmple(Vec3A::splat(exit)).all(),
-    }
+pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    let x = slab::half_open(origin.x, direction.x, (-1.0, 0.0), (1.0, 1.0));
+    let y = slab::half_open(origin.y, direction.y, (-1.0, 2.0), (1.0, 3.0));
+    let z = slab::half_open(origin.z, direction.z, (-1.0, 4.0), (1.0, 5.0));
+    x.intersect(y).intersect(z)
 }
 
-pub(super) fn pull_to_surface(face: Face, point: Vec3A) -> Vec3A {
+#[inline(always)]
+pub(super) fn pull_to_surface<R: Real>(face: R, point: Vector<R>) -> Vector<R> {
     let normal = normal(face);
-    let clamped = point.clamp(Vec3A::NEG_ONE, Vec3A::ONE);
-    Vec3A::select(normal.cmpne(Vec3A::ZERO), normal, clamped)
+    let one = face.like(1.0);
+    let pull = |along: R, point: R| R::select(along.eq(face.like(0.0)), point.max(-one).min(one), along);
+    Vector::new(pull(normal.x, point.x), pull(normal.y, point.y), pull(normal.z, point.z))
 }
 
-pub(super) fn normal(face: Face) -> Vec3A {
-    let axis = match face / 2 {
-        0 => Vec3A::X,
-        1 => Vec3A::Y,
-        _ => Vec3A::Z,
-    };
-    if face.is_multiple_of(2) { -axis } else { axis }
+#[inline(always)]
+pub(super) fn normal<R: Real>(face: R) -> Vector<R> {
+    let axis = (face * 0.5).floor();
+    let sign = (face - axis * 2.0) * 2.0 - 1.0;
+    let along = |number: f32| R::select(axis.eq(face.like(number)), sign, face.like(0.0));
+    Vector::new(along(0.0), along(1.0), along(2.0))
 }

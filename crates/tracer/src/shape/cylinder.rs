@@ -7,30 +7,33 @@
 //! height = 1.0
 //! ```
 
-use glam::{Vec2, Vec3A, Vec3Swizzles};
-
 use super::{LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
+use crate::lanes::Real;
+use crate::vector::Vector;
 
 /// The circle's chord in the xz-plane (as for the sphere), cut by the layer between the caps.
-#[inline]
-pub(super) fn span(origin: Vec3A, direction: Vec3A) -> Span {
-    side(origin.xz(), direction.xz()).intersect(slab::span(
-        origin.y,
-        direction.y,
-        (0.0, LOWER_CAP),
-        (1.0, UPPER_CAP),
-    ))
+#[inline(always)]
+pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    let caps = slab::closed(origin.y, direction.y, (0.0, LOWER_CAP), (1.0, UPPER_CAP));
+    side([origin.x, origin.z], [direction.x, direction.z]).intersect(caps)
 }
 
 /// Where the line lies in the unbounded cylinder. A line along the axis lies in it everywhere or nowhere.
-#[inline]
-fn side(origin: Vec2, direction: Vec2) -> Span {
-    let dd = direction.length_squared();
-    if dd < f32::MIN_POSITIVE {
-        let hit = origin.length_squared() <= 1.0;
-        return Span::everywhere(SIDE, SIDE, hit);
+#[inline(always)]
+fn side<R: Real>(origin: [R; 2], direction: [R; 2]) -> Span<R> {
+    let dot = |a: [R; 2], b: [R; 2]| a[0] * b[0] + a[1] * b[1];
+    let one = origin[0].like(1.0);
+    let dd = dot(direction, direction);
+    let is_along = dd.lt(one.like(f32::MIN_POSITIVE));
+    let inverse_dd = one / R::select(is_along, one, dd);
+    let closest = -dot(origin, direction) * inverse_dd;
+    let offset = [origin[0] + direction[0] * closest, origin[1] + direction[1] * closest];
+    let chord = Span::chord(closest, one, dot(offset, offset), inverse_dd);
+    Span {
+        enter: R::select(is_along, one.like(f32::NEG_INFINITY), chord.enter),
+        exit: R::select(is_along, one.like(f32::INFINITY), chord.exit),
+        enter_face: one.like(SIDE),
+        exit_face: one.like(SIDE),
+        hit: chord.hit,
     }
-    let closest = -origin.dot(direction) / dd;
-    let offset = origin + closest * direction;
-    Span::chord(closest, offset.length_squared(), dd)
 }

@@ -5,24 +5,28 @@
 //! shape = "plane"
 //! ```
 
-use glam::Vec3A;
-
 use super::{SIDE, Span};
+use crate::lanes::Real;
+use crate::vector::Vector;
 
 /// The span of a line that starts at y = `height` and rises by `rise` per unit of its parameter. A line parallel to
 /// the surface never crosses it.
-#[inline]
-pub(super) fn span(height: f32, rise: f32) -> Span {
+#[inline(always)]
+pub(crate) fn span<R: Real>(height: R, rise: R) -> Span<R> {
+    let [zero, infinity] = [0.0, f32::INFINITY].map(|value| height.like(value));
     let crossing = -height / rise;
-    if rise < 0.0 {
-        Span::new(crossing, f32::INFINITY, SIDE)
-    } else if rise > 0.0 {
-        Span::new(f32::NEG_INFINITY, crossing, SIDE)
-    } else {
-        Span::everywhere(SIDE, SIDE, false)
+    let (sinks, rises) = (rise.lt(zero), rise.gt(zero));
+    let face = zero.like(SIDE);
+    Span {
+        enter: R::select(sinks, crossing, -infinity),
+        exit: R::select(sinks, infinity, crossing),
+        enter_face: face,
+        exit_face: face,
+        hit: (sinks | rises) & crossing.eq(crossing),
     }
 }
 
-pub(super) fn pull_to_surface(point: Vec3A) -> Vec3A {
-    Vec3A::new(point.x, 0.0, point.z)
+#[inline(always)]
+pub(super) fn pull_to_surface<R: Real>(point: Vector<R>) -> Vector<R> {
+    Vector::new(point.x, point.y.like(0.0), point.z)
 }

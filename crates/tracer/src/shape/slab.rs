@@ -1,19 +1,47 @@
 //! The layer between two parallel planes.
 
 use super::{Face, Span};
+use crate::lanes::{Mask as _, Real};
 
-/// Where the line `origin + t·direction` (one coordinate) lies between `low` and `high`.
+/// A direction's component below this counts as this: the line lies in the layer everywhere or nowhere, and 0/0 does
+/// not arise.
+const TINY: f32 = 1e-30;
+
+/// Where the line `origin + t·direction` (one coordinate) lies between `low` and `high` (Kay, Kajiya 1986, Ray tracing
+/// complex scenes).
 ///
-/// A line parallel to the layer (`direction` = 0) lies in it everywhere or nowhere; the division is not made then, so
-/// that 0/0 cannot arise.
-#[inline]
-pub(super) fn span(origin: f32, direction: f32, low: (f32, Face), high: (f32, Face)) -> Span {
-    if direction == 0.0 {
-        let hit = low.0 <= origin && origin <= high.0;
-        return Span::everywhere(low.1, high.1, hit);
+/// A line along the layer lies in it everywhere or nowhere. Of the two planes themselves one belongs to the layer, so
+/// that a stack of layers has no gap.
+#[inline(always)]
+pub(super) fn half_open<R: Real>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
+    let tiny = direction.like(TINY);
+    let is_along = direction.abs().lt(tiny);
+    let inverse = origin.like(1.0) / R::select(is_along, tiny.copysign(direction), direction);
+    let at_low = (origin.like(low.0) - origin) * inverse;
+    let at_high = (origin.like(high.0) - origin) * inverse;
+    let rises = inverse.gt(inverse.like(0.0));
+    let (low_face, high_face) = (origin.like(low.1), origin.like(high.1));
+    let enter = R::select(rises, at_low, at_high);
+    let exit = R::select(rises, at_high, at_low);
+    Span {
+        enter,
+        exit,
+        enter_face: R::select(rises, low_face, high_face),
+        exit_face: R::select(rises, high_face, low_face),
+        hit: enter.le(exit),
     }
-    let (near, far) = if direction > 0.0 { (low, high) } else { (high, low) };
-    let enter = (near.0 - origin) / direction;
-    let exit = (far.0 - origin) / direction;
-    Span { enter, exit, enter_face: near.1, exit_face: far.1, hit: enter <= exit }
+}
+
+/// The same with both planes.
+#[inline(always)]
+pub(super) fn closed<R: Real>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
+    let mut span = half_open(origin, direction, low, high);
+    let is_along = direction.abs().lt(direction.like(TINY));
+    if is_along.any() {
+        let within = is_along & origin.ge(origin.like(low.0)) & origin.le(origin.like(high.0));
+        span.enter = R::select(within, origin.like(f32::NEG_INFINITY), span.enter);
+        span.exit = R::select(within, origin.like(f32::INFINITY), span.exit);
+        span.hit = span.hit & (within | !is_along);
+    }
+    span
 }

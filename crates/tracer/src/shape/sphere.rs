@@ -6,23 +6,31 @@
 //! radius = 1.0
 //! ```
 
-use glam::Vec3A;
-
 use super::Span;
+use crate::lanes::Real;
+use crate::vector::Vector;
 
 /// The chord about the point of closest approach o' = o + t₀·d, t₀ = -(o·d)/(d·d).
-#[inline]
-pub(super) fn span(origin: Vec3A, direction: Vec3A) -> Span {
-    let dd = direction.length_squared();
-    let closest = -origin.dot(direction) / dd;
-    let offset = origin + closest * direction;
-    Span::chord(closest, offset.length_squared(), dd)
+#[inline(always)]
+pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    let one = origin.x.like(1.0);
+    let inverse_dd = one / direction.length_squared();
+    let closest = -origin.dot(direction) * inverse_dd;
+    let offset = origin + direction * closest;
+    Span::chord(closest, one, offset.length_squared(), inverse_dd)
 }
 
-pub(super) fn pull_to_surface(point: Vec3A) -> Vec3A {
-    point.normalize_or(Vec3A::Y)
+/// The same for a sphere of any radius and a direction of length 1: nothing is divided. `origin` is relative to the
+/// center.
+#[inline(always)]
+pub(crate) fn world_span<R: Real>(radius: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    let closest = -origin.dot(direction);
+    let offset = origin + direction * closest;
+    let one = closest.like(1.0);
+    Span::chord(closest, closest.like(radius * radius), offset.length_squared(), one)
 }
 
-pub(super) fn normal(point: Vec3A) -> Vec3A {
-    point
+#[inline(always)]
+pub(super) fn pull_to_surface<R: Real>(point: Vector<R>) -> Vector<R> {
+    point.normalize_or(Vector::splat(point.x, [0.0, 1.0, 0.0]))
 }

@@ -2,41 +2,39 @@
 
 use bytemuck::{Pod, Zeroable};
 use catoptric_scene::{Body, Shape};
-use glam::{DAffine3, DMat3, DVec3, Vec3A, Vec3Swizzles, Vec4};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
 
 use super::Bounds;
+use crate::lanes::Real;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::shape::{Canonical, Face, ShapeKind, Span};
+use crate::shape::{Canonical, ShapeKind, Span, plane_span, sphere_span};
+use crate::vector::Vector;
 
 /// A body: a canonical shape and the transforms between its frame and the world.
 ///
 /// Transforms are kept as a linear part and the frame's origin, and points go through `M·(p - origin)`: near the body
 /// the difference is exact, so that precision does not depend on the distance from the world's origin.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C, align(16))]
+#[repr(C)]
 pub(crate) struct StageBody {
-    /// Columns of the linear part of the transform from the world to the body's frame; the fourth numbers are 0.
-    pub body_from_world: [[f32; 4]; 3],
-    /// Columns of its inverse.
-    pub world_from_body: [[f32; 4]; 3],
+    /// Rows of the linear part of the transform from the world to the body's frame.
+    pub body_from_world: [[f32; 3]; 3],
+    /// Rows of its inverse.
+    pub world_from_body: [[f32; 3]; 3],
     /// The frame's origin in the world, meters.
-    pub origin: [f32; 4],
-    /// [`ShapeKind`] as a number.
-    pub kind: u32,
-    /// Ratio of the smaller to the larger radius; cones only.
-    pub cone_ratio: f32,
+    pub origin: [f32; 3],
+    /// How far the surface may lie from its true place by rounding, meters.
+    pub slack: f32,
+    /// Cone: ratio of the smaller to the larger radius. Sphere: radius, meters.
+    pub parameter: f32,
     /// Index into the stage's materials.
     pub material: u32,
     /// Index into the stage's checkers, or [`NO_BODY`].
     pub checker: u32,
+    /// [`ShapeKind`] as a number.
+    pub kind: u16,
     /// 1 if light passes through, else 0.
-    pub transparent: u32,
-    /// How far the surface may lie from its true place by rounding, meters.
-    pub slack: f32,
-    /// Volume in cubic meters, infinite for a plane; decides which of several bodies is the outer one.
-    pub volume: f32,
-    /// Zero; makes the size a multiple of 16 bytes.
-    pub unused: u32,
+    pub transparent: u16,
 }
 
 impl StageBody {
@@ -44,132 +42,191 @@ impl StageBody {
     pub(super) fn new(body: &Body) -> (Self, Option<Bounds>) {
         let world_from_body = world_from_canonical(body);
         let inverse = inverse_linear(&world_from_body.matrix3);
-        let (kind, cone_ratio) = canonical(&body.shape);
+        let (kind, cone_ratio) = canonical(body, &world_from_body);
         let extent = match kind {
             ShapeKind::Plane => 0.0,
             _ => world_from_body.matrix3.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs())),
         };
+        let radius = world_from_body.matrix3.x_axis.length() as f32;
         let prepared = Self {
-            body_from_world: columns(&inverse),
-            world_from_body: columns(&world_from_body.matrix3),
-            origin: world_from_body.translation.as_vec3().extend(0.0).to_array(),
-            kind: kind as u32,
-            cone_ratio,
+            body_from_world: rows(&inverse),
+            world_from_body: rows(&world_from_body.matrix3),
+            origin: world_from_body.translation.as_vec3().to_array(),
+            slack: POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
+            parameter: if kind == ShapeKind::Sphere { radius } else { cone_ratio },
             material: 0,
             checker: NO_BODY,
+            kind: kind as u16,
             transparent: 0,
-            slack: POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
-            volume: volume(kind, f64::from(cone_ratio), world_from_body.matrix3.determinant()) as f32,
-            unused: 0,
         };
         (prepared, Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio)))
     }
 
     /// The bounds of the body as it is kept; `None` for a plane.
     pub(super) fn bounds(&self) -> Option<Bounds> {
-        let [x, y, z] = self.world_from_body.map(|column| vec3a(column).as_dvec3());
-        let transform = DAffine3::from_cols(x, y, z, vec3a(self.origin).as_dvec3());
+        let transform =
+            DAffine3::from_mat3_translation(self.linear(), DVec3::from(self.origin.map(f64::from)));
         let Canonical { kind, cone_ratio } = self.canonical();
         Bounds::of_canonical(&transform, kind, f64::from(cone_ratio))
     }
 
+    /// The linear part of the transform from the body's frame to the world.
+    fn linear(&self) -> DMat3 {
+        DMat3::from_cols_array_2d(&self.world_from_body.map(|row| row.map(f64::from))).transpose()
+    }
+
+    /// Volume in cubic meters, infinite for a plane; decides which of several bodies is the outer one.
+    pub(crate) fn volume(&self) -> f64 {
+        use std::f64::consts::PI;
+        let Canonical { kind, cone_ratio } = self.canonical();
+        let ratio = f64::from(cone_ratio);
+        let canonical = match kind {
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => 4.0 / 3.0 * PI,
+            ShapeKind::Cube => 8.0,
+            ShapeKind::Cylinder => PI,
+            ShapeKind::Cone => PI * (1.0 + ratio + ratio * ratio) / 3.0,
+            ShapeKind::Plane => f64::INFINITY,
+        };
+        canonical * self.linear().determinant().abs()
+    }
+
     /// The body's shape in its own frame.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn canonical(&self) -> Canonical {
         let kind = match self.kind {
             0 => ShapeKind::Sphere,
             1 => ShapeKind::Cube,
             2 => ShapeKind::Cylinder,
             3 => ShapeKind::Cone,
-            _ => ShapeKind::Plane,
+            4 => ShapeKind::Plane,
+            _ => ShapeKind::Ellipsoid,
         };
-        Canonical { kind, cone_ratio: self.cone_ratio }
+        Canonical { kind, cone_ratio: self.parameter }
+    }
+
+    /// Whether the body is a sphere, which needs no sphere around it.
+    #[inline(always)]
+    pub(crate) fn is_sphere(&self) -> bool {
+        self.kind == ShapeKind::Sphere as u16
     }
 
     /// Whether light passes through the body.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn is_transparent(&self) -> bool {
         self.transparent != 0
     }
 
-    /// Where a line of the world crosses the body.
+    /// Where a line of the world, of a direction of length 1, crosses the body.
     #[inline(always)]
-    pub(crate) fn span(&self, origin: Vec3A, direction: Vec3A) -> Span {
-        self.canonical().span(self.point_in_body(origin), mul(&self.body_from_world, direction))
+    pub(crate) fn span<R: Real>(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+        let canonical = self.canonical();
+        let local = self.relative(origin);
+        match canonical.kind {
+            ShapeKind::Sphere => sphere_span(self.parameter, local, direction),
+            ShapeKind::Plane => {
+                let [_, up, _] = self.body_from_world;
+                plane_span(along(up, local), along(up, direction))
+            }
+            _ => canonical.span(mul(&self.body_from_world, local), mul(&self.body_from_world, direction)),
+        }
     }
 
     /// |cos| of the angle between a line of the world and the normal of the face that it crosses at `t`.
-    pub(crate) fn cosine(&self, origin: Vec3A, direction: Vec3A, t: f32, face: Face) -> f32 {
-        let canonical = self.canonical();
-        let point = self.point_in_body(origin) + t * mul(&self.body_from_world, direction);
-        let normal = mul_transposed(&self.body_from_world, canonical.normal(face, point));
-        normal.normalize_or_zero().dot(direction).abs()
+    #[inline(always)]
+    pub(crate) fn cosine<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, t: R, face: R) -> R {
+        let point = self.point_in_body(origin) + mul(&self.body_from_world, direction) * t;
+        let normal = mul_transposed(&self.body_from_world, self.canonical().normal(face, point));
+        normal.normalize_or(Vector::splat(t, [0.0; 3])).dot(direction).abs()
     }
 
     /// Whether a point of the world lies in the body.
-    pub(crate) fn contains(&self, point: Vec3A) -> bool {
+    pub(crate) fn contains(&self, point: Vector<f32>) -> bool {
         self.canonical().contains(self.point_in_body(point))
     }
 
     #[inline(always)]
-    fn point_in_body(&self, point: Vec3A) -> Vec3A {
-        mul(&self.body_from_world, point - vec3a(self.origin))
+    fn relative<R: Real>(&self, point: Vector<R>) -> Vector<R> {
+        let [x, y, z] = self.origin;
+        Vector::new(point.x - x, point.y - y, point.z - z)
     }
 
-    /// The point where a line of the world crosses the body's surface at parameter `t`, on the way out if `leaving`,
-    /// pulled onto the surface, and the normal there, facing the line's start.
+    #[inline(always)]
+    fn point_in_body<R: Real>(&self, point: Vector<R>) -> Vector<R> {
+        mul(&self.body_from_world, self.relative(point))
+    }
+
+    /// The point where a line of the world, of a direction of length 1, crosses the body's surface at parameter `t`, on
+    /// the way out where it is `leaving`, pulled onto the surface, and the normal there, facing the line's start.
     ///
     /// All is computed in the body's frame, where numbers are small.
-    #[inline]
-    pub(crate) fn surface_point(
+    #[inline(always)]
+    pub(crate) fn surface_point<R: Real>(
         &self,
-        origin: Vec3A,
-        direction: Vec3A,
-        t: f32,
-        leaving: bool,
-    ) -> SurfacePoint {
+        origin: Vector<R>,
+        direction: Vector<R>,
+        t: R,
+        leaving: R::Mask,
+    ) -> SurfacePoint<R> {
         let canonical = self.canonical();
+        if canonical.kind == ShapeKind::Sphere {
+            let up = Vector::splat(t, [0.0, 1.0, 0.0]);
+            let normal = (self.relative(origin) + direction * t).normalize_or(up);
+            let around = normal * t.like(self.parameter);
+            let in_body = mul(&self.body_from_world, around);
+            let normal = Vector::select(leaving, -normal, normal);
+            return SurfacePoint { in_body, in_world: around.plus_all(self.origin), normal };
+        }
         let origin = self.point_in_body(origin);
         let direction = mul(&self.body_from_world, direction);
+        if canonical.kind == ShapeKind::Plane {
+            let zero = t.like(0.0);
+            let in_body = origin + direction * t;
+            let in_body = Vector::new(in_body.x, zero, in_body.z);
+            let in_world = mul(&self.world_from_body, in_body).plus_all(self.origin);
+            let normal = Vector::from(Vec3::from(self.body_from_world[1]).normalize_or(Vec3::Y));
+            let normal = Vector::splat(t, [normal.x, normal.y, normal.z]);
+            return SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) };
+        }
         let span = canonical.span(origin, direction);
-        let face = if leaving { span.exit_face } else { span.enter_face };
-        let in_body = canonical.pull_to_surface(face, origin + t * direction);
-        let in_world = mul(&self.world_from_body, in_body) + vec3a(self.origin);
+        let face = R::select(leaving, span.exit_face, span.enter_face);
+        let in_body = canonical.pull_to_surface(face, origin + direction * t);
+        let in_world = mul(&self.world_from_body, in_body).plus_all(self.origin);
         // Normals go back by the inverse transpose.
         let normal = mul_transposed(&self.body_from_world, canonical.normal(face, in_body));
-        let normal = normal.normalize();
-        SurfacePoint { in_body, in_world, normal: if leaving { -normal } else { normal } }
+        let normal = normal.normalize_or(Vector::splat(t, [0.0, 1.0, 0.0]));
+        SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) }
     }
 }
 
 /// A point on a body's surface.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SurfacePoint {
-    pub in_body: Vec3A,
-    pub in_world: Vec3A,
+pub(crate) struct SurfacePoint<R> {
+    pub in_body: Vector<R>,
+    pub in_world: Vector<R>,
     /// Unit normal in the world, facing where the line came from.
-    pub normal: Vec3A,
+    pub normal: Vector<R>,
+}
+
+/// The product of a matrix given by rows with a vector.
+#[inline(always)]
+pub(super) fn mul<R: Real>(rows: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
+    Vector::new(along(rows[0], v), along(rows[1], v), along(rows[2], v))
 }
 
 #[inline(always)]
-fn vec3a(numbers: [f32; 4]) -> Vec3A {
-    Vec3A::from_vec4(Vec4::from_array(numbers))
+fn along<R: Real>([x, y, z]: [f32; 3], v: Vector<R>) -> R {
+    v.x * x + v.y * y + v.z * z
 }
 
-/// The product of a matrix given by columns with a vector.
+/// The product of the transpose of a matrix given by rows with a vector.
 #[inline(always)]
-fn mul(columns: &[[f32; 4]; 3], v: Vec3A) -> Vec3A {
-    vec3a(columns[0]) * v.xxx() + vec3a(columns[1]) * v.yyy() + vec3a(columns[2]) * v.zzz()
+fn mul_transposed<R: Real>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
+    let column = |axis: usize| along([a[axis], b[axis], c[axis]], v);
+    Vector::new(column(0), column(1), column(2))
 }
 
-/// The product of the transpose of a matrix given by columns with a vector.
-#[inline(always)]
-fn mul_transposed(columns: &[[f32; 4]; 3], v: Vec3A) -> Vec3A {
-    Vec3A::new(vec3a(columns[0]).dot(v), vec3a(columns[1]).dot(v), vec3a(columns[2]).dot(v))
-}
-
-fn columns(matrix: &DMat3) -> [[f32; 4]; 3] {
-    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|column| column.as_vec3().extend(0.0).to_array())
+pub(super) fn rows(matrix: &DMat3) -> [[f32; 3]; 3] {
+    matrix.transpose().to_cols_array_2d().map(|row| row.map(|number| number as f32))
 }
 
 /// The inverse, computed on columns scaled to length 1, so that neither tiny nor huge bodies overflow on the way.
@@ -201,9 +258,10 @@ pub(super) fn world_from_canonical(body: &Body) -> DAffine3 {
     }
 }
 
-fn canonical(shape: &Shape) -> (ShapeKind, f32) {
-    match *shape {
-        Shape::Sphere { .. } => (ShapeKind::Sphere, 0.0),
+fn canonical(body: &Body, transform: &DAffine3) -> (ShapeKind, f32) {
+    match body.shape {
+        Shape::Sphere { .. } if is_even(transform) => (ShapeKind::Sphere, 0.0),
+        Shape::Sphere { .. } => (ShapeKind::Ellipsoid, 0.0),
         Shape::Cube { .. } => (ShapeKind::Cube, 0.0),
         Shape::Cylinder { .. } => (ShapeKind::Cylinder, 1.0),
         Shape::Cone { radius, top_radius, .. } => {
@@ -213,14 +271,10 @@ fn canonical(shape: &Shape) -> (ShapeKind, f32) {
     }
 }
 
-fn volume(kind: ShapeKind, ratio: f64, determinant: f64) -> f64 {
-    use std::f64::consts::PI;
-    let canonical = match kind {
-        ShapeKind::Sphere => 4.0 / 3.0 * PI,
-        ShapeKind::Cube => 8.0,
-        ShapeKind::Cylinder => PI,
-        ShapeKind::Cone => PI * (1.0 + ratio + ratio * ratio) / 3.0,
-        ShapeKind::Plane => f64::INFINITY,
-    };
-    canonical * determinant.abs()
+/// Whether a rotated scaling is the same in all directions, but for the rounding of double precision.
+fn is_even(transform: &DAffine3) -> bool {
+    const ROUNDING: f64 = 1e-12;
+    let DMat3 { x_axis, y_axis, z_axis } = transform.matrix3;
+    let length = x_axis.length();
+    (y_axis.length() - length).abs().max((z_axis.length() - length).abs()) <= ROUNDING * length
 }

@@ -27,7 +27,7 @@ impl Bounds {
         let origin = transform.translation;
         let disc = (x * x + z * z).map(f64::sqrt);
         let (min, max) = match kind {
-            ShapeKind::Sphere => {
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => {
                 let reach = (x * x + y * y + z * z).map(f64::sqrt);
                 (origin - reach, origin + reach)
             }

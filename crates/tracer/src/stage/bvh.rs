@@ -4,6 +4,7 @@
 //! packets), so that one step tests four boxes with vector instructions.
 
 mod build;
+mod packet;
 
 use std::ops::Range;
 
@@ -11,7 +12,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec3A, Vec4};
 
 use super::Bounds;
-use crate::ray::Ray;
+pub(crate) use packet::{PacketPart, Visit};
 
 /// No path from the root is longer than this.
 const MAX_DEPTH: usize = 64;
@@ -37,13 +38,9 @@ pub(crate) struct Bvh {
 /// One body to be sorted into the hierarchy, and its index.
 type Entry = (Bounds, u32);
 
-/// A part of the hierarchy still to be visited; the parameter is where the ray enters it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pending {
-    first: u32,
-    count: u32,
-    enter: f32,
-}
+/// Directions are unit vectors and coordinates at most some 10¹⁸: components below this are as good as 0, and their
+/// inverse times a coordinate stays below 3.4·10³⁸, so that no NaN arises.
+const TINY: f32 = 1e-20;
 
 impl Bvh {
     /// Builds the hierarchy and sorts `entries` into the order of its leaves, each leaf by `kind`.
@@ -80,56 +77,6 @@ impl Bvh {
             }
         }
     }
-
-    /// Calls `leaf` with the bodies of the leaves whose boxes the ray meets, nearer boxes first. `leaf` returns the
-    /// parameter beyond which nothing is wanted any more. `pending` is working memory, empty before and after.
-    #[inline]
-    pub(crate) fn traverse(
-        &self,
-        ray: &Ray,
-        mut reach: f32,
-        pending: &mut Vec<Pending>,
-        mut leaf: impl FnMut(Range<u32>) -> f32,
-    ) {
-        let boxes = BoxTest::new(ray);
-        pending.clear();
-        let mut index = 0;
-        loop {
-            let node = &self.nodes[index as usize];
-            let (enter, mut met) = boxes.enter(node, reach);
-            let start = pending.len();
-            while met != 0 {
-                let slot = met.trailing_zeros() as usize & 3;
-                met &= met - 1;
-                pending.push(Pending {
-                    first: node.first[slot],
-                    count: node.count[slot],
-                    enter: enter[slot],
-                });
-            }
-            farthest_first(&mut pending[start..]);
-            index = loop {
-                match pending.pop() {
-                    None => return,
-                    Some(part) if part.enter > reach => {}
-                    Some(part) if part.count == 0 => break part.first,
-                    Some(part) => reach = leaf(part.first..part.first + part.count),
-                }
-            };
-        }
-    }
-}
-
-/// Sorts at most four parts by insertion.
-#[inline]
-fn farthest_first(parts: &mut [Pending]) {
-    for sorted in 1..parts.len() {
-        let mut place = sorted;
-        while place > 0 && parts[place - 1].enter < parts[place].enter {
-            parts.swap(place - 1, place);
-            place -= 1;
-        }
-    }
 }
 
 impl Node {
@@ -145,6 +92,11 @@ impl Node {
         first: [0; 4],
         count: [0; 4],
     };
+
+    /// Whether this slot and all after it are unused.
+    pub(crate) fn is_unused(&self, slot: usize) -> bool {
+        self.sides[0][slot] > self.sides[1][slot]
+    }
 }
 
 /// Fills `nodes[place]` from the part of the binary tree below `root`, opening the largest inner nodes until there are
@@ -179,42 +131,5 @@ fn join(binary: &[build::Node], root: usize, place: usize, nodes: &mut Vec<Node>
         }
         node.first[slot] = first;
         node.count[slot] = count;
-    }
-}
-
-/// A ray prepared for box tests.
-struct BoxTest {
-    origin: Vec3A,
-    inverse: Vec3A,
-    /// Which of a node's sides the ray meets first along each axis.
-    near: [usize; 3],
-}
-
-impl BoxTest {
-    /// Directions are unit vectors and coordinates at most some 10¹⁸: components below this are as good as 0, and
-    /// their inverse times a coordinate stays below 3.4·10³⁸, so that no NaN arises.
-    const TINY: f32 = 1e-20;
-
-    fn new(ray: &Ray) -> Self {
-        let tiny = Vec3A::splat(Self::TINY).copysign(ray.direction);
-        let inverse = Vec3A::select(ray.direction.abs().cmplt(tiny.abs()), tiny, ray.direction).recip();
-        let near = |axis: usize| 2 * axis + usize::from(inverse[axis] < 0.0);
-        let near = [near(0), near(1), near(2)];
-        Self { origin: ray.origin, inverse, near }
-    }
-
-    /// The parameters at which the ray enters the four boxes, at least 0, and a bit for each one met before `reach`.
-    /// The far sides are moved outwards by the rounding of the three operations (Ize 2013, Robust BVH ray traversal,
-    /// eq. 3).
-    #[inline]
-    fn enter(&self, node: &Node, reach: f32) -> (Vec4, u32) {
-        const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
-        let side = |side: usize, axis: usize| {
-            (Vec4::from_array(node.sides[side]) - Vec4::splat(self.origin[axis])) * self.inverse[axis]
-        };
-        let [near_x, near_y, near_z] = self.near;
-        let enter = side(near_x, 0).max(side(near_y, 1)).max(side(near_z, 2)).max(Vec4::ZERO);
-        let exit = side(near_x ^ 1, 0).min(side(near_y ^ 1, 1)).min(side(near_z ^ 1, 2));
-        (enter, enter.cmple((exit * WIDEN).min(Vec4::splat(reach))).bitmask())
     }
 }

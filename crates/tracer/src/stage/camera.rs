@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 use catoptric_scene::{Camera, Projection};
-use glam::{DVec2, DVec3, Vec3A};
+use glam::{DVec2, DVec3};
 
+use crate::lanes::Real;
 use crate::ray::Ray;
+use crate::vector::Vector;
 
 /// The camera's frame, in double precision: near the horizon of a plane the smallest error of a primary ray's
 /// direction moves the hit point far, and one frame is small.
@@ -47,6 +49,16 @@ impl Surroundings {
     }
 }
 
+impl Surroundings {
+    /// Whether a plane lies between some of the points.
+    fn divide(&self, points: [DVec3; 4]) -> bool {
+        self.planes.iter().any(|(on_plane, normal)| {
+            let sides = points.map(|point| (point - on_plane).dot(*normal) > 0.0);
+            sides.iter().any(|side| *side != sides[0])
+        })
+    }
+}
+
 /// Where primary rays start and point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Window {
@@ -75,15 +87,55 @@ impl StageCamera {
     /// When the eye is away from the bodies, the ray starts closer to them, where nothing has been passed yet: in
     /// single precision a long way would blur what it meets.
     pub fn ray(&self, at: DVec2, size: DVec2) -> Ray {
-        let on_window = (at - 0.5 * size) / size.y;
-        let offset = on_window.x * self.u - on_window.y * self.v;
-        let (origin, direction) = match self.window {
-            Window::Perspective { distance } => (self.position, offset - distance * self.w),
-            Window::Parallel { height } => (self.position + height * offset, -self.w),
-        };
-        let direction = direction.normalize();
+        let (origin, direction) = self.line(at, size);
         let start = origin + self.surroundings.free_way(origin, direction) * direction;
         Ray::from_point(start.as_vec3a(), direction.as_vec3a())
+    }
+
+    /// Where the ray through a point of the picture starts, and its unit direction.
+    fn line(&self, at: DVec2, size: DVec2) -> (DVec3, DVec3) {
+        let on_window = (at - 0.5 * size) / size.y;
+        let offset = on_window.x * self.u - on_window.y * self.v;
+        match self.window {
+            Window::Perspective { distance } => (self.position, (offset - distance * self.w).normalize()),
+            Window::Parallel { height } => (self.position + height * offset, -self.w),
+        }
+    }
+
+    /// Prepares the rays near the point `at` of a picture of `size` pixels: within `reach` pixels of it.
+    pub(crate) fn near(&self, at: DVec2, reach: DVec2, size: DVec2) -> RaysNear {
+        let (origin, direction) = self.line(at, size);
+        let way = self.free_way(at, reach, size);
+        let (across, down) = (self.u / size.y, -self.v / size.y);
+        let steps = match self.window {
+            Window::Perspective { distance } => {
+                let on_window = (at - 0.5 * size) / size.y;
+                let through = on_window.x * self.u - on_window.y * self.v - distance * self.w;
+                Steps::OfDirection(
+                    [across, down].map(|step| (step * through.length_recip()).as_vec3().to_array()),
+                )
+            }
+            Window::Parallel { height } => {
+                Steps::OfOrigin([across, down].map(|step| (height * step).as_vec3().to_array()))
+            }
+        };
+        RaysNear {
+            start: Exact::new(origin + way * direction),
+            direction: Exact::new(direction),
+            way: way as f32,
+            steps,
+        }
+    }
+
+    /// How far all rays within `reach` pixels of `at` can surely go without meeting anything.
+    fn free_way(&self, at: DVec2, reach: DVec2, size: DVec2) -> f64 {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].map(DVec2::from);
+        let lines = corners.map(|corner| self.line(at + corner * reach, size));
+        if self.surroundings.divide(lines.map(|line| line.0)) {
+            return 0.0;
+        }
+        let ways = lines.map(|(origin, direction)| self.surroundings.free_way(origin, direction));
+        ways.into_iter().fold(f64::INFINITY, f64::min)
     }
 
     /// Where a point of the world lies in a picture of `size` pixels, and its depth, the distance along the view: the
@@ -111,7 +163,72 @@ impl StageCamera {
     }
 
     /// The eye, if all rays start there.
-    pub fn eye(&self) -> Option<Vec3A> {
-        matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3a())
+    pub(crate) fn eye(&self) -> Option<Vector<f32>> {
+        matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3().into())
     }
+}
+
+/// The rays through a small part of the picture: one, computed in double precision, and the small difference of the
+/// others from it in single. So all are as exact as that one, but for the last digit.
+pub(crate) struct RaysNear {
+    start: Exact,
+    direction: Exact,
+    /// How far the starts lie along the rays from the eye.
+    way: f32,
+    steps: Steps,
+}
+
+/// What changes from pixel to pixel, across and down.
+enum Steps {
+    /// The direction, in units of the length of the middle ray up to the window.
+    OfDirection([[f32; 3]; 2]),
+    OfOrigin([[f32; 3]; 2]),
+}
+
+/// A vector in twice the precision of single.
+struct Exact {
+    near: [f32; 3],
+    rest: [f32; 3],
+}
+
+impl Exact {
+    fn new(vector: DVec3) -> Self {
+        let near = vector.as_vec3();
+        Self { near: near.to_array(), rest: (vector - near.as_dvec3()).as_vec3().to_array() }
+    }
+
+    /// The sum with small vectors.
+    #[inline(always)]
+    fn plus<R: Real>(&self, small: Vector<R>) -> Vector<R> {
+        small.plus_all(self.rest).plus_all(self.near)
+    }
+}
+
+impl RaysNear {
+    /// The origins and directions of the rays through the points so many pixels right of and below the middle.
+    #[inline(always)]
+    pub(crate) fn rays<R: Real>(&self, x: R, y: R) -> (Vector<R>, Vector<R>) {
+        match &self.steps {
+            Steps::OfDirection([across, down]) => {
+                // D = direction + δ, and 1/|D| = 1 + c.
+                let middle = Vector::splat(x, self.direction.near);
+                let delta = spread(x, y, *across, *down);
+                let more = delta.dot(middle + middle + delta);
+                let root = (more + 1.0).sqrt();
+                let c = -more / (root * (root + 1.0));
+                let small = delta * (c + 1.0) + middle * c;
+                (self.start.plus(small * x.like(self.way)), self.direction.plus(small))
+            }
+            Steps::OfOrigin([across, down]) => {
+                let zero = x.like(0.0);
+                let none = Vector::new(zero, zero, zero);
+                (self.start.plus(spread(x, y, *across, *down)), self.direction.plus(none))
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn spread<R: Real>(x: R, y: R, across: [f32; 3], down: [f32; 3]) -> Vector<R> {
+    Vector::new(x, x, x).times_all(across) + Vector::new(y, y, y).times_all(down)
 }

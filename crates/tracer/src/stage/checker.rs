@@ -1,10 +1,11 @@
 //! The checkerboard of the world's axes, seen from a body.
 
 use catoptric_scene::{Body, Checker};
-use glam::{Mat3A, Vec3A};
 
-use super::body::world_from_canonical;
-use super::vec3;
+use super::body::{mul, rows, world_from_canonical};
+use super::numbers;
+use crate::lanes::Real;
+use crate::vector::Vector;
 
 /// A checkerboard in a body's frame.
 ///
@@ -14,12 +15,12 @@ use super::vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StageChecker {
     /// From the body's frame to cells, without the origin's whole cells.
-    cells_from_body: Mat3A,
-    offset: Vec3A,
+    cells_from_body: [[f32; 3]; 3],
+    offset: [f32; 3],
     /// Parity of the origin's whole cells.
     odd_origin: bool,
     /// Color of odd cells.
-    pub color: Vec3A,
+    pub color: [f32; 3],
 }
 
 impl StageChecker {
@@ -31,23 +32,21 @@ impl StageChecker {
         let origin = transform.translation / checker.size;
         let whole = origin.floor();
         Self {
-            cells_from_body: (transform.matrix3 * checker.size.recip()).as_mat3().into(),
-            offset: (origin - whole).as_vec3a(),
+            cells_from_body: rows(&(transform.matrix3 * checker.size.recip())),
+            offset: (origin - whole).as_vec3().to_array(),
             odd_origin: whole.element_sum().rem_euclid(2.0) == 1.0,
-            color: vec3(checker.color),
+            color: numbers(checker.color),
         }
     }
 
-    /// Whether a point of the body's frame lies in an odd cell.
-    pub(crate) fn is_odd(&self, in_body: Vec3A) -> bool {
-        let cells = self.cells_from_body * in_body + self.offset + Self::BORDER;
-        let odd = |cell: f32| floor(cell) & 1 == 1;
-        odd(cells.x) ^ odd(cells.y) ^ odd(cells.z) ^ self.odd_origin
+    /// Whether a point of the body's frame lies in an odd cell. Beyond 2²⁴ cells, single precision knows no odd numbers.
+    #[inline(always)]
+    pub(crate) fn is_odd<R: Real>(&self, in_body: Vector<R>) -> R::Mask {
+        let offset = self.offset.map(|offset| offset + Self::BORDER);
+        let cells = mul(&self.cells_from_body, in_body).plus_all(offset).map(R::floor);
+        // The sum of the remainders by 2, each 0 or 1.
+        let rest = |cell: R| cell - (cell * 0.5).floor() * 2.0;
+        let sum = rest(cells.x) + rest(cells.y) + rest(cells.z) + f32::from(self.odd_origin);
+        rest(sum).eq(sum.like(1.0))
     }
-}
-
-/// The largest whole number not above `x`, for |x| < 2³¹; beyond, single precision knows no odd numbers anyway.
-fn floor(x: f32) -> i32 {
-    let whole = x as i32;
-    whole.wrapping_sub(i32::from(whole as f32 > x))
 }

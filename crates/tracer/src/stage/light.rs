@@ -1,17 +1,17 @@
 //! Lights of the stage.
 
+use super::numbers;
+use crate::lanes::Real;
+use crate::vector::Vector;
 use catoptric_scene::{Falloff, Light};
-use glam::Vec3A;
-
-use super::vec3;
 
 /// A point light: where it is and what it sends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StageLight {
     /// World position, meters.
-    pub position: Vec3A,
+    pub position: [f32; 3],
     /// Color times intensity, I_j.
-    pub power: Vec3A,
+    pub power: [f32; 3],
     /// Law of falloff.
     pub falloff: StageFalloff,
 }
@@ -30,8 +30,8 @@ pub(crate) enum StageFalloff {
 impl StageLight {
     pub(super) fn new(light: &Light) -> Self {
         Self {
-            position: light.position.as_vec3a(),
-            power: vec3(light.color) * light.intensity as f32,
+            position: light.position.as_vec3().to_array(),
+            power: numbers(light.color).map(|part| part * light.intensity as f32),
             falloff: match light.falloff {
                 Falloff::None => StageFalloff::None,
                 Falloff::Linear { constant } => StageFalloff::Linear(constant as f32),
@@ -40,14 +40,21 @@ impl StageLight {
         }
     }
 
+    /// Whether it sends anything.
+    pub(crate) fn shines(&self) -> bool {
+        self.power != [0.0; 3]
+    }
+
     /// A(d)·I_j at the distance `d` > 0.
-    pub(crate) fn power_at(&self, d: f32) -> Vec3A {
-        let power = match self.falloff {
-            StageFalloff::None => self.power,
-            StageFalloff::Linear(constant) => self.power / (d + constant),
-            StageFalloff::InverseSquare => self.power / (d * d),
+    #[inline(always)]
+    pub(crate) fn power_at<R: Real>(&self, d: R) -> Vector<R> {
+        let power = Vector::splat(d, self.power);
+        let divisor = match self.falloff {
+            StageFalloff::None => return power,
+            StageFalloff::Linear(constant) => d + constant,
+            StageFalloff::InverseSquare => d * d,
         };
         // Infinite light on a surface that returns none of it would not be a number.
-        power.min(Vec3A::splat(f32::MAX))
+        power.map(|part| (part / divisor).min(d.like(f32::MAX)))
     }
 }

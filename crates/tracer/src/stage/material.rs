@@ -2,16 +2,14 @@
 
 use std::collections::HashMap;
 
+use super::numbers;
 use catoptric_scene::{Material, MaterialChoice, Scene};
-use glam::Vec3A;
-
-use super::vec3;
 
 /// Coefficients of a surface, in single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StageMaterial {
     /// Color C.
-    pub color: Vec3A,
+    pub color: [f32; 3],
     /// k_a.
     pub ambient: f32,
     /// k_d.
@@ -23,7 +21,7 @@ pub(crate) struct StageMaterial {
     /// k_r.
     pub reflection: f32,
     /// k_t·τ, what one crossing of the surface lets through.
-    pub filter: Vec3A,
+    pub filter: [f32; 3],
     /// Index of refraction.
     pub ior: f32,
 }
@@ -31,20 +29,20 @@ pub(crate) struct StageMaterial {
 impl StageMaterial {
     fn new(material: &Material) -> Self {
         Self {
-            color: vec3(material.color),
+            color: numbers(material.color),
             ambient: material.ambient as f32,
             diffuse: material.diffuse as f32,
             specular: material.specular as f32,
             shininess: material.shininess as f32,
             reflection: material.reflection() as f32,
-            filter: vec3(material.tint) * material.transmission as f32,
+            filter: numbers(material.tint).map(|tint| tint * material.transmission as f32),
             ior: material.ior as f32,
         }
     }
 
     /// Whether a ray can pass at all.
     pub(crate) fn is_transparent(&self) -> bool {
-        self.filter != Vec3A::ZERO
+        self.filter != [0.0; 3]
     }
 }
 

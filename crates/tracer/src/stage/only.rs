@@ -28,7 +28,7 @@ impl Stage {
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut boxes, |index| self.body(index).kind);
+        let hierarchy = Hierarchy::over(&mut boxes, |index| u32::from(self.body(index).kind));
         let order: Vec<u32> = boxes.iter().map(|entry| entry.1).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),

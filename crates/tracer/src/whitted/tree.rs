@@ -2,10 +2,11 @@
 
 use glam::Vec3;
 
-use super::{Branch, Whitted};
+use super::{Beams, Offspring, Whitted};
+use crate::lanes::One;
 use crate::pick::SurfaceHit;
 use crate::ray::Ray;
-use crate::search::Flight;
+use crate::search::found_in;
 
 /// Why a ray was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,37 +38,52 @@ pub struct TracedRay {
     pub hit: Option<SurfaceHit>,
 }
 
+/// A ray that waits, and why.
+struct Waiting {
+    beam: Beams<One>,
+    kind: RayKind,
+    parent: Option<usize>,
+}
+
+/// The rays that grow from the one at `parent`.
+struct Children<'a> {
+    waiting: &'a mut Vec<Waiting>,
+    parent: Option<usize>,
+}
+
+impl Offspring<One> for Children<'_> {
+    fn reflected(&mut self, beam: Beams<One>) {
+        self.waiting.push(Waiting { beam, kind: RayKind::Reflected, parent: self.parent });
+    }
+
+    fn refracted(&mut self, beam: Beams<One>) {
+        self.waiting.push(Waiting { beam, kind: RayKind::Refracted, parent: self.parent });
+    }
+}
+
 impl Whitted<'_> {
     /// The tree of rays that grows from `primary`, at most `limit` of them: each ray after its parent, the reflected
     /// branch of a hit before the refracted one. The sum of all [`TracedRay::light`] is what reaches the start.
     ///
     /// A tree of glass bodies doubles with every generation, hence the limit.
     pub fn tree(&mut self, primary: Ray, limit: usize) -> Vec<TracedRay> {
-        let mut branch = self.root(primary, None);
-        let mut node = (RayKind::Primary, None);
-        // The parents of the pending branches.
-        let mut parents = Vec::new();
+        let mut waiting = vec![Waiting { beam: self.root(&primary), kind: RayKind::Primary, parent: None }];
         let mut tree = Vec::new();
-        while tree.len() < limit {
-            let Branch { ray, weight, generation, media, .. } = branch;
-            let flight = Flight { stage: self.stage, arena: &self.arena, ray, media };
-            let hit = flight.nearest(&mut self.parts).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit));
-            let (kind, parent) = node;
-            let (light, goes_on) = self.follow(&mut branch);
-            let (weight, light) = (weight.into(), light.into());
-            tree.push(TracedRay { ray, kind, parent, generation, weight, light, hit });
-            let own = Some(tree.len() - 1);
-            parents.resize(self.pending.len(), own);
-            if goes_on {
-                node = (RayKind::Reflected, own);
-            } else {
-                let (Some(next), Some(parent)) = (self.pending.pop(), parents.pop()) else {
-                    break;
-                };
-                self.arena.rewind(next.mark);
-                branch = next;
-                node = (RayKind::Refracted, parent);
-            }
+        while let Some(Waiting { beam, kind, parent }) = waiting.pop()
+            && tree.len() < limit
+        {
+            let mut children = Children { waiting: &mut waiting, parent: Some(tree.len()) };
+            let followed = self.follow(One, &beam, &mut children);
+            let ray = beam.rays.ray();
+            tree.push(TracedRay {
+                ray,
+                kind,
+                parent,
+                generation: beam.generation,
+                weight: beam.weight.into(),
+                light: followed.light.into(),
+                hit: found_in(&followed.hits).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit)),
+            });
         }
         tree
     }

@@ -99,7 +99,7 @@ fn what_a_highlight_leaves_out_is_invisible() {
         let to_light = v(angle.sin(), angle.cos(), 0.0).as_vec3a();
         for n in [0.0_f32, 1.0, 50.0, 1000.0, 1e6] {
             let exact = if angle.cos() > 0.0 { angle.cos().powf(f64::from(n)) } else { 0.0 };
-            let actual = f64::from(phong_highlight(Vec3A::Y, to_light, Vec3A::Y, n));
+            let actual = f64::from(phong_highlight(Vec3A::Y.into(), to_light.into(), Vec3A::Y.into(), n));
             assert_close(actual, exact, 1e-7 + 2e-7 * f64::from(n) * exact.max(1e-7));
         }
     }

@@ -2,7 +2,7 @@
 
 use catoptric_scene::Shape;
 use catoptric_tracer::shape::{Canonical, Face, LOWER_CAP, SIDE, ShapeKind, Span, UPPER_CAP};
-use glam::{DVec3, Vec3, Vec3A};
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use crate::common::{cases, textbook, v};
@@ -23,7 +23,7 @@ fn bounded() -> impl Strategy<Value = Canonical> {
 /// The same shape for the textbook.
 fn textbook_shape(canonical: &Canonical) -> Shape {
     match canonical.kind {
-        ShapeKind::Sphere => Shape::Sphere { radius: 1.0 },
+        ShapeKind::Sphere | ShapeKind::Ellipsoid => Shape::Sphere { radius: 1.0 },
         ShapeKind::Cube => Shape::Cube { size: DVec3::splat(2.0) },
         ShapeKind::Cylinder => Shape::Cylinder { radius: 1.0, height: 1.0 },
         ShapeKind::Cone => {
@@ -76,7 +76,7 @@ fn check_span(canonical: &Canonical, o: Vec3, d: Vec3, span: &Span) -> Result<()
 }
 
 fn span(canonical: &Canonical, o: Vec3, d: Vec3) -> Span {
-    canonical.span(Vec3A::from(o), Vec3A::from(d))
+    canonical.span(o.into(), d.into())
 }
 
 fn pull_to_surface(canonical: &Canonical, face: Face, point: Vec3) -> Vec3 {
@@ -318,7 +318,7 @@ fn a_plane_is_the_half_space_below() {
     assert_eq!(ends(&PLANE, [5.0, 2.0, 1.0], [1.0, -1.0, 0.0]), (2.0, f32::INFINITY));
     assert_eq!(ends(&PLANE, [5.0, 2.0, 1.0], [1.0, 1.0, 0.0]), (f32::NEG_INFINITY, -2.0));
     assert_eq!(ends(&PLANE, [5.0, -2.0, 1.0], [0.0, 4.0, 0.0]), (f32::NEG_INFINITY, 0.5));
-    assert!(PLANE.contains(Vec3A::new(9.0, -1e-3, 4.0)) && !PLANE.contains(Vec3A::Y * 1e-3));
+    assert!(PLANE.contains(Vec3::new(9.0, -1e-3, 4.0).into()) && !PLANE.contains((Vec3::Y * 1e-3).into()));
 }
 
 #[test]

@@ -1,0 +1,145 @@
+//! Numbers side by side: the one place that names the SIMD library.
+//!
+//! The mathematics of rays is written once, over a [`Width`]: [`One`] ray at a time, or as many as the processor's
+//! vectors hold ([`Wide`]: 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), chosen when the program runs. Only
+//! operations with one correctly rounded result are offered (no fused multiplication and addition), so that a ray has
+//! the same outcome bit by bit in every width and on every processor.
+//!
+//! What is written over a width must be inlined into a body of [`Width::run`], where the compiler may use the
+//! instructions of the width: `#[inline(always)]` on everything small, `run` around what is called often and large.
+
+mod one;
+mod wide;
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+pub(crate) use one::One;
+pub(crate) use wide::Lanes;
+
+/// The most lanes of any width.
+pub(crate) const MOST_LANES: usize = 16;
+
+/// Real numbers in single precision, side by side.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f32, Output = Self>
+    + Sub<f32, Output = Self>
+    + Mul<f32, Output = Self>
+{
+    /// One answer for each.
+    type Mask: Mask;
+    /// As many 32-bit words.
+    type Word: Word<Mask = Self::Mask>;
+
+    /// As many numbers, all of this value.
+    fn like(self, value: f32) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// √x; no number for x < 0.
+    fn sqrt(self) -> Self;
+    /// The largest whole number not above x.
+    fn floor(self) -> Self;
+    /// The smaller one; on x86 `other` when one is no number.
+    fn min(self, other: Self) -> Self;
+    /// The larger one; on x86 `other` when one is no number.
+    fn max(self, other: Self) -> Self;
+    /// |x| with the sign of `other`.
+    fn copysign(self, other: Self) -> Self;
+    /// x < `other`.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// x ≤ `other`.
+    fn le(self, other: Self) -> Self::Mask;
+    /// x = `other`.
+    fn eq(self, other: Self) -> Self::Mask;
+    /// `yes` where `mask` holds, else `no`.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The bits of the numbers.
+    fn to_word(self) -> Self::Word;
+    /// The numbers of these bits.
+    fn of_word(word: Self::Word) -> Self;
+    /// The numbers of `mask` moved together to the front.
+    fn compress(self, mask: Self::Mask) -> Self;
+    /// Writes the numbers to the front of `to`, which holds at least as many.
+    fn store(self, to: &mut [f32]);
+
+    /// x > `other`.
+    #[inline(always)]
+    fn gt(self, other: Self) -> Self::Mask {
+        other.lt(self)
+    }
+
+    /// x ≥ `other`.
+    #[inline(always)]
+    fn ge(self, other: Self) -> Self::Mask {
+        other.le(self)
+    }
+}
+
+/// Words of 32 bits, side by side.
+pub trait Word: Copy {
+    /// One answer for each.
+    type Mask: Mask;
+
+    /// As many words, all of this value.
+    fn like(self, value: u32) -> Self;
+    /// Whether each equals `value`.
+    fn is(self, value: u32) -> Self::Mask;
+    /// Whether each has one of these bits.
+    fn has(self, bits: u32) -> Self::Mask;
+    /// The sum, wrapping.
+    fn plus(self, other: Self) -> Self;
+    /// The bits of both.
+    fn or(self, other: Self) -> Self;
+    /// The common bits.
+    fn and(self, bits: u32) -> Self;
+    /// Shifted towards the low bits.
+    fn shifted_right(self, by: u32) -> Self;
+    /// Shifted towards the high bits.
+    fn shifted_left(self, by: u32) -> Self;
+    /// `yes` where `mask` holds, else `no`.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The words of `mask` moved together to the front.
+    fn compress(self, mask: Self::Mask) -> Self;
+    /// Writes the words to the front of `to`, which holds at least as many.
+    fn store(self, to: &mut [u32]);
+}
+
+/// Answers, side by side.
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// Whether any holds.
+    fn any(self) -> bool;
+    /// A bit for each, the first the lowest.
+    fn bits(self) -> u32;
+}
+
+/// How many numbers stand side by side.
+pub(crate) trait Width: Copy {
+    /// Their number, at most [`MOST_LANES`].
+    const LANES: usize;
+    type R: Real<Mask = Self::M, Word = Self::W>;
+    type W: Word<Mask = Self::M>;
+    type M: Mask;
+
+    fn real(self, value: f32) -> Self::R;
+    fn word(self, value: u32) -> Self::W;
+    /// The answers of these bits, the first the lowest.
+    fn mask(self, bits: u32) -> Self::M;
+    /// The first numbers of `from`, which holds at least as many.
+    fn load(self, from: &[f32]) -> Self::R;
+    /// The first words of `from`, which holds at least as many.
+    fn load_words(self, from: &[u32]) -> Self::W;
+    /// Runs `act` where the compiler may use the instructions of this width.
+    fn run<T>(self, act: impl FnOnce() -> T) -> T;
+}
+
+/// Work that is written over a width.
+pub(crate) trait Work {
+    type Output;
+
+    fn run<W: Width>(self, w: W) -> Self::Output;
+}

@@ -1,0 +1,195 @@
+//! One number at a time.
+
+use super::{Mask, Real, Width, Word};
+
+/// One number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct One;
+
+impl Width for One {
+    const LANES: usize = 1;
+    type R = f32;
+    type W = u32;
+    type M = bool;
+
+    #[inline(always)]
+    fn real(self, value: f32) -> f32 {
+        value
+    }
+
+    #[inline(always)]
+    fn word(self, value: u32) -> u32 {
+        value
+    }
+
+    #[inline(always)]
+    fn mask(self, bits: u32) -> bool {
+        bits & 1 == 1
+    }
+
+    #[inline(always)]
+    fn load(self, from: &[f32]) -> f32 {
+        from[0]
+    }
+
+    #[inline(always)]
+    fn load_words(self, from: &[u32]) -> u32 {
+        from[0]
+    }
+
+    #[inline(always)]
+    fn run<T>(self, act: impl FnOnce() -> T) -> T {
+        act()
+    }
+}
+
+impl Real for f32 {
+    type Mask = bool;
+    type Word = u32;
+
+    #[inline(always)]
+    fn like(self, value: f32) -> f32 {
+        value
+    }
+
+    #[inline(always)]
+    fn abs(self) -> f32 {
+        f32::abs(self)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f32 {
+        f32::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn floor(self) -> f32 {
+        f32::floor(self)
+    }
+
+    #[inline(always)]
+    fn min(self, other: f32) -> f32 {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn max(self, other: f32) -> f32 {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn copysign(self, other: f32) -> f32 {
+        f32::copysign(self, other)
+    }
+
+    #[inline(always)]
+    fn lt(self, other: f32) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn le(self, other: f32) -> bool {
+        self <= other
+    }
+
+    #[inline(always)]
+    fn eq(self, other: f32) -> bool {
+        self == other
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: f32, no: f32) -> f32 {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn to_word(self) -> u32 {
+        self.to_bits()
+    }
+
+    #[inline(always)]
+    fn of_word(word: u32) -> f32 {
+        f32::from_bits(word)
+    }
+
+    #[inline(always)]
+    fn compress(self, _mask: bool) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f32]) {
+        to[0] = self;
+    }
+}
+
+impl Word for u32 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn like(self, value: u32) -> u32 {
+        value
+    }
+
+    #[inline(always)]
+    fn is(self, value: u32) -> bool {
+        self == value
+    }
+
+    #[inline(always)]
+    fn has(self, bits: u32) -> bool {
+        self & bits != 0
+    }
+
+    #[inline(always)]
+    fn plus(self, other: u32) -> u32 {
+        self.wrapping_add(other)
+    }
+
+    #[inline(always)]
+    fn or(self, other: u32) -> u32 {
+        self | other
+    }
+
+    #[inline(always)]
+    fn and(self, bits: u32) -> u32 {
+        self & bits
+    }
+
+    #[inline(always)]
+    fn shifted_right(self, by: u32) -> u32 {
+        self >> by
+    }
+
+    #[inline(always)]
+    fn shifted_left(self, by: u32) -> u32 {
+        self << by
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: u32, no: u32) -> u32 {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn compress(self, _mask: bool) -> u32 {
+        self
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [u32]) {
+        to[0] = self;
+    }
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        u32::from(self)
+    }
+}

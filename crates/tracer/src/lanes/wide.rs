@@ -1,0 +1,305 @@
+//! As many numbers as the processor's vectors hold.
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+use fearless_simd::{
+    Bytes as _, ExtractToken as _, Level, Select as _, Simd, SimdBase as _, SimdFloat as _, SimdMask as _,
+};
+
+use super::{Mask, Real, Width, Word, Work};
+
+/// A width that the processor has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lanes(Level);
+
+impl Lanes {
+    /// The widest.
+    pub(crate) fn widest() -> Self {
+        Self(Level::new())
+    }
+
+    /// All that differ, by name, the widest first.
+    #[cfg(test)]
+    pub(crate) fn all() -> Vec<(&'static str, Self)> {
+        let level = Level::new();
+        #[cfg_attr(not(target_arch = "x86_64"), expect(unused_mut))]
+        let mut all = vec![("widest", Self(level))];
+        #[cfg(target_arch = "x86_64")]
+        {
+            all.extend(level.as_avx2().map(|token| ("AVX2", Self(token.level()))));
+            all.extend(level.as_sse4_2().map(|token| ("SSE4.2", Self(token.level()))));
+            all.extend(level.as_sse2().map(|token| ("SSE2", Self(token.level()))));
+        }
+        all
+    }
+
+    /// Does `work` in this width.
+    pub(crate) fn run<T: Work>(self, work: T) -> T::Output {
+        fearless_simd::dispatch!(self.0, simd => work.run(Wide(simd)))
+    }
+}
+
+/// As many numbers as a vector holds.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wide<S>(S);
+
+/// Numbers in a vector.
+#[derive(Clone, Copy)]
+pub(super) struct WideReal<S: Simd>(S::f32s);
+
+/// Words in a vector.
+#[derive(Clone, Copy)]
+pub(super) struct WideWord<S: Simd>(S::u32s);
+
+/// Answers for the numbers of a vector.
+#[derive(Clone, Copy)]
+pub(super) struct WideMask<S: Simd>(S::mask32s);
+
+impl<S: Simd> Width for Wide<S> {
+    const LANES: usize = S::f32s::LEN;
+    type R = WideReal<S>;
+    type W = WideWord<S>;
+    type M = WideMask<S>;
+
+    #[inline(always)]
+    fn real(self, value: f32) -> WideReal<S> {
+        WideReal(S::f32s::splat(self.0, value))
+    }
+
+    #[inline(always)]
+    fn word(self, value: u32) -> WideWord<S> {
+        WideWord(S::u32s::splat(self.0, value))
+    }
+
+    #[inline(always)]
+    fn mask(self, bits: u32) -> WideMask<S> {
+        WideMask(S::mask32s::from_bitmask(self.0, u64::from(bits)))
+    }
+
+    #[inline(always)]
+    fn load(self, from: &[f32]) -> WideReal<S> {
+        WideReal(S::f32s::from_slice(self.0, &from[..Self::LANES]))
+    }
+
+    #[inline(always)]
+    fn load_words(self, from: &[u32]) -> WideWord<S> {
+        WideWord(S::u32s::from_slice(self.0, &from[..Self::LANES]))
+    }
+
+    #[inline(always)]
+    fn run<T>(self, act: impl FnOnce() -> T) -> T {
+        self.0.vectorize(act)
+    }
+}
+
+/// Operators that the library's vectors have too.
+macro_rules! operators {
+    ($($operator:ident, $method:ident);*) => {$(
+        impl<S: Simd> $operator for WideReal<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0))
+            }
+        }
+
+        impl<S: Simd> $operator<f32> for WideReal<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: f32) -> Self {
+                Self(self.0.$method(other))
+            }
+        }
+    )*};
+}
+
+operators!(Add, add; Sub, sub; Mul, mul; Div, div);
+
+impl<S: Simd> Neg for WideReal<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<S: Simd> Real for WideReal<S> {
+    type Mask = WideMask<S>;
+    type Word = WideWord<S>;
+
+    #[inline(always)]
+    fn like(self, value: f32) -> Self {
+        Self(S::f32s::splat(self.0.token(), value))
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn floor(self) -> Self {
+        Self(self.0.floor())
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(self.0.min(other.0))
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0))
+    }
+
+    #[inline(always)]
+    fn copysign(self, other: Self) -> Self {
+        Self(self.0.copysign(other.0))
+    }
+
+    #[inline(always)]
+    fn lt(self, other: Self) -> WideMask<S> {
+        WideMask(self.0.simd_lt(other.0))
+    }
+
+    #[inline(always)]
+    fn le(self, other: Self) -> WideMask<S> {
+        WideMask(self.0.simd_le(other.0))
+    }
+
+    #[inline(always)]
+    fn eq(self, other: Self) -> WideMask<S> {
+        WideMask(self.0.simd_eq(other.0))
+    }
+
+    #[inline(always)]
+    fn select(mask: WideMask<S>, yes: Self, no: Self) -> Self {
+        Self(mask.0.select(yes.0, no.0))
+    }
+
+    #[inline(always)]
+    fn to_word(self) -> WideWord<S> {
+        WideWord(self.0.bitcast())
+    }
+
+    #[inline(always)]
+    fn of_word(word: WideWord<S>) -> Self {
+        Self(word.0.bitcast())
+    }
+
+    #[inline(always)]
+    fn compress(self, mask: WideMask<S>) -> Self {
+        Self(self.0.compress(mask.0))
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f32]) {
+        self.0.store_slice(&mut to[..S::f32s::LEN]);
+    }
+}
+
+impl<S: Simd> Word for WideWord<S> {
+    type Mask = WideMask<S>;
+
+    #[inline(always)]
+    fn like(self, value: u32) -> Self {
+        Self(S::u32s::splat(self.0.token(), value))
+    }
+
+    #[inline(always)]
+    fn is(self, value: u32) -> WideMask<S> {
+        WideMask(self.0.simd_eq(S::u32s::splat(self.0.token(), value)))
+    }
+
+    #[inline(always)]
+    fn has(self, bits: u32) -> WideMask<S> {
+        WideMask((self.0 & bits).simd_ne(S::u32s::splat(self.0.token(), 0)))
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    #[inline(always)]
+    fn and(self, bits: u32) -> Self {
+        Self(self.0 & bits)
+    }
+
+    #[inline(always)]
+    fn shifted_right(self, by: u32) -> Self {
+        Self(self.0 >> by)
+    }
+
+    #[inline(always)]
+    fn shifted_left(self, by: u32) -> Self {
+        Self(self.0 << by)
+    }
+
+    #[inline(always)]
+    fn select(mask: WideMask<S>, yes: Self, no: Self) -> Self {
+        Self(mask.0.select(yes.0, no.0))
+    }
+
+    #[inline(always)]
+    fn compress(self, mask: WideMask<S>) -> Self {
+        Self(self.0.compress(mask.0))
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [u32]) {
+        self.0.store_slice(&mut to[..S::u32s::LEN]);
+    }
+}
+
+impl<S: Simd> BitAnd for WideMask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl<S: Simd> BitOr for WideMask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl<S: Simd> Not for WideMask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0)
+    }
+}
+
+impl<S: Simd> Mask for WideMask<S> {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.any_true()
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0.to_bitmask() as u32
+    }
+}

@@ -1,0 +1,216 @@
+//! The transparent bodies that rays are inside of.
+
+use std::collections::HashMap;
+
+use crate::lanes::{MOST_LANES, Mask as _, Width, Word as _};
+use crate::stage::{Hierarchy, Stage};
+use crate::vector::Vector;
+
+/// In no body: in air.
+pub(crate) const AIR: u32 = u32::MAX;
+
+/// The lists of transparent bodies that the rays of a picture are inside of, each in the order entered.
+///
+/// A list is a number: [`AIR`], or the place of its link, the body entered last and the rest of the list. Equal lists are
+/// the same number, so that there are only as many as there are ways to stand in the scene, however many rays; and what
+/// a surface makes of a list is worked out once.
+#[derive(Debug, Default)]
+pub(crate) struct MediaTable {
+    /// Each link: a body and the rest of the list.
+    links: Vec<(u32, u32)>,
+    places: HashMap<(u32, u32), u32>,
+    crossings: HashMap<(u32, u32), Crossing>,
+}
+
+/// What becomes of a list at the surface of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Crossing {
+    /// The list beyond it.
+    pub beyond: u32,
+    /// The index of refraction here divided by that beyond.
+    pub ratio: f32,
+}
+
+impl MediaTable {
+    /// So many links and crossings are kept; a scene of ordinary bodies has as many as bodies.
+    const MOST: usize = 1 << 20;
+
+    /// Forgets all lists if they have become very many, and says so. None may be in use.
+    pub(crate) fn tidy(&mut self) -> bool {
+        let is_full = self.links.len().max(self.crossings.len()) > Self::MOST;
+        if is_full {
+            *self = Self::default();
+        }
+        is_full
+    }
+
+    /// The bodies of a list, the one entered last first.
+    fn bodies(&self, media: u32) -> impl Iterator<Item = u32> {
+        let mut at = media;
+        std::iter::from_fn(move || {
+            let &(body, rest) = self.links.get(at as usize)?;
+            at = rest;
+            Some(body)
+        })
+    }
+
+    /// The list after entering `body`.
+    fn entered(&mut self, media: u32, body: u32) -> u32 {
+        *self.places.entry((body, media)).or_insert_with(|| {
+            self.links.push((body, media));
+            self.links.len() as u32 - 1
+        })
+    }
+
+    /// The list after leaving `body`, which it contains.
+    fn left(&mut self, media: u32, body: u32) -> u32 {
+        let mut later: Vec<u32> = Vec::new();
+        let mut at = media;
+        while let Some(&(entered, rest)) = self.links.get(at as usize) {
+            at = rest;
+            if entered == body {
+                break;
+            }
+            later.push(entered);
+        }
+        later.iter().rev().fold(at, |list, &body| self.entered(list, body))
+    }
+
+    /// What a ray in `media` that crosses the surface of `body` comes to.
+    pub(crate) fn crossing(&mut self, stage: &Stage, media: u32, body: u32) -> Crossing {
+        if let Some(known) = self.crossings.get(&(media, body)) {
+            return *known;
+        }
+        let is_inside = self.bodies(media).any(|other| other == body);
+        let beyond = if is_inside { self.left(media, body) } else { self.entered(media, body) };
+        let ior =
+            |media: u32| self.bodies(media).next().map_or(1.0, |index| stage.material(stage.body(index)).ior);
+        let crossing = Crossing { beyond, ratio: ior(media) / ior(beyond) };
+        self.crossings.insert((media, body), crossing);
+        crossing
+    }
+
+    /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.
+    pub(crate) fn at_point(&mut self, stage: &Stage, point: Vector<f32>) -> u32 {
+        if !stage.has_transparency {
+            return AIR;
+        }
+        let mut around = Vec::new();
+        let mut test = |index: u32| {
+            let body = stage.body(index);
+            if body.is_transparent() && body.contains(point) {
+                around.push(index);
+            }
+        };
+        match &stage.hierarchy {
+            Hierarchy::Few(_) => (0..stage.bounded).for_each(&mut test),
+            Hierarchy::Many(bvh) => bvh.visit_at(point.into(), |leaf| leaf.for_each(&mut test)),
+        }
+        stage.planes().for_each(&mut test);
+        let volume = |index: u32| stage.body(index).volume();
+        around.sort_by(|&a, &b| volume(b).total_cmp(&volume(a)).then_with(|| stage.scene_order(a, b)));
+        around.into_iter().fold(AIR, |media, body| self.entered(media, body))
+    }
+}
+
+/// Which rays side by side are inside of which bodies.
+#[derive(Debug, Default)]
+pub(crate) struct Inside {
+    /// Bodies, sorted, and a bit for each ray.
+    bodies: Vec<(u32, u32)>,
+}
+
+impl Inside {
+    /// Whether all are in air.
+    #[inline(always)]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
+    /// Looks up the lists of these rays.
+    #[inline(always)]
+    pub(crate) fn fill<W: Width>(&mut self, table: &MediaTable, media: W::W, lanes: W::M) {
+        self.bodies.clear();
+        let wet = (lanes & !media.is(AIR)).bits();
+        if wet != 0 {
+            let mut lists = [AIR; MOST_LANES];
+            media.store(&mut lists);
+            self.fill_from(table, &lists, wet);
+        }
+    }
+
+    fn fill_from(&mut self, table: &MediaTable, lists: &[u32; MOST_LANES], mut wet: u32) {
+        while wet != 0 {
+            let list = lists[wet.trailing_zeros() as usize % MOST_LANES];
+            let same = lists
+                .iter()
+                .enumerate()
+                .fold(0, |same, (lane, &other)| same | u32::from(other == list) << lane);
+            let same = same & wet;
+            wet &= !same;
+            for body in table.bodies(list) {
+                match self.bodies.binary_search_by_key(&body, |entry| entry.0) {
+                    Ok(place) => self.bodies[place].1 |= same,
+                    Err(place) => self.bodies.insert(place, (body, same)),
+                }
+            }
+        }
+    }
+
+    /// A bit for each ray that is inside of `body`.
+    #[inline(always)]
+    pub(crate) fn of(&self, body: u32) -> u32 {
+        self.bodies.binary_search_by_key(&body, |entry| entry.0).map_or(0, |place| self.bodies[place].1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn list(table: &MediaTable, media: u32) -> Vec<u32> {
+        table.bodies(media).collect()
+    }
+
+    #[test]
+    fn leaving_the_innermost_returns_to_the_one_around() {
+        let mut table = MediaTable::default();
+        let outer = table.entered(AIR, 7);
+        let inner = table.entered(outer, 3);
+        assert_eq!(list(&table, inner), [3, 7]);
+        assert_eq!(table.left(inner, 3), outer);
+    }
+
+    #[test]
+    fn leaving_an_outer_body_keeps_the_inner_ones_in_order() {
+        let mut table = MediaTable::default();
+        let media = [1, 2, 3].into_iter().fold(AIR, |media, body| table.entered(media, body));
+        let media = table.left(media, 1);
+        assert_eq!(list(&table, media), [3, 2]);
+        let media = table.left(media, 3);
+        assert_eq!(list(&table, media), [2]);
+        assert_eq!(table.left(media, 2), AIR);
+    }
+
+    #[test]
+    fn equal_lists_are_one() {
+        let mut table = MediaTable::default();
+        let once = table.entered(AIR, 1);
+        let deeper = table.entered(once, 2);
+        assert_eq!(table.entered(AIR, 1), once);
+        assert_eq!(table.left(deeper, 2), once);
+        assert_eq!(table.links.len(), 2);
+    }
+
+    #[test]
+    fn rays_side_by_side_know_their_own_bodies() {
+        let mut table = MediaTable::default();
+        let one = table.entered(AIR, 5);
+        let both = table.entered(one, 2);
+        let mut lists = [AIR; MOST_LANES];
+        (lists[0], lists[3], lists[4], lists[9]) = (one, both, one, both);
+        let mut inside = Inside::default();
+        inside.fill_from(&table, &lists, 0b10_0001_1001 & !1);
+        assert_eq!((inside.of(5), inside.of(2), inside.of(3)), (0b10_0001_1000, 0b10_0000_1000, 0));
+    }
+}

@@ -1,0 +1,136 @@
+//! Rays of the tree side by side, and the queues in which they wait.
+
+use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word};
+use crate::ray::Rays;
+use crate::vector::Vector;
+
+/// Rays of trees, with what they carry.
+#[derive(Clone, Copy)]
+pub(crate) struct Beams<W: Width> {
+    pub(crate) rays: Rays<W>,
+    /// Product of the coefficients on the way from the eye.
+    pub(crate) weight: Vector<W::R>,
+    pub(crate) generation: W::W,
+    /// Lists of a [`MediaTable`](crate::media::MediaTable).
+    pub(crate) media: W::W,
+    /// Whose light they bring.
+    pub(crate) pixel: W::W,
+    /// Those that fly.
+    pub(crate) lanes: W::M,
+}
+
+impl<W: Width> Beams<W> {
+    /// A bit for each ray of a generation below `limit`.
+    #[inline(always)]
+    pub(super) fn below(&self, w: W, limit: u32) -> u32 {
+        // Small numbers in the words are small positive subnormal numbers; made normal they keep their order.
+        let number = |word: W::W| W::R::of_word(word.or(w.word(0x4b00_0000)));
+        number(self.generation).lt(number(w.word(limit))).bits()
+    }
+}
+
+/// Where the rays go that grow from others.
+pub(crate) trait Offspring<W: Width> {
+    fn reflected(&mut self, beams: Beams<W>);
+    fn refracted(&mut self, beams: Beams<W>);
+}
+
+/// A stack of single rays: the reflected one is taken first.
+impl Offspring<One> for Vec<Beams<One>> {
+    fn reflected(&mut self, beams: Beams<One>) {
+        self.push(beams);
+    }
+
+    fn refracted(&mut self, beams: Beams<One>) {
+        self.push(beams);
+    }
+}
+
+/// Rays that wait, each field in a row of its own, so that full vectors of them can be taken whatever vectors they came
+/// from.
+#[derive(Debug, Default)]
+pub(crate) struct Queue {
+    numbers: [Vec<f32>; 9],
+    words: [Vec<u32>; 4],
+    len: usize,
+    taken: usize,
+}
+
+impl Queue {
+    /// How many wait.
+    pub(crate) fn len(&self) -> usize {
+        self.len - self.taken
+    }
+
+    /// Appends the rays that fly.
+    #[inline(always)]
+    pub(crate) fn push<W: Width>(&mut self, beams: &Beams<W>) {
+        let Beams { rays, weight, generation, media, pixel, lanes } = *beams;
+        let end = self.len + MOST_LANES;
+        if self.words[0].len() < end {
+            self.grow(end);
+        }
+        self.put(0, rays.origin, lanes);
+        self.put(3, rays.direction, lanes);
+        self.put(6, weight, lanes);
+        self.put_words(0, rays.start, lanes);
+        self.put_words(1, generation, lanes);
+        self.put_words(2, media, lanes);
+        self.put_words(3, pixel, lanes);
+        self.len += lanes.bits().count_ones() as usize;
+    }
+
+    #[inline(always)]
+    fn put<R: Real>(&mut self, first: usize, vector: Vector<R>, lanes: R::Mask) {
+        vector.x.compress(lanes).store(&mut self.numbers[first][self.len..]);
+        vector.y.compress(lanes).store(&mut self.numbers[first + 1][self.len..]);
+        vector.z.compress(lanes).store(&mut self.numbers[first + 2][self.len..]);
+    }
+
+    #[inline(always)]
+    fn put_words<W: Word>(&mut self, row: usize, words: W, lanes: W::Mask) {
+        words.compress(lanes).store(&mut self.words[row][self.len..]);
+    }
+
+    #[cold]
+    fn grow(&mut self, end: usize) {
+        let len = end.next_power_of_two().max(1024);
+        self.numbers.iter_mut().for_each(|row| row.resize(len, 0.0));
+        self.words.iter_mut().for_each(|row| row.resize(len, 0));
+    }
+
+    /// Takes the first rays: as many as there are side by side, or the rest.
+    #[inline(always)]
+    pub(crate) fn take<W: Width>(&mut self, w: W) -> Beams<W> {
+        let count = self.len().min(W::LANES);
+        let beams = Beams {
+            rays: Rays { origin: self.vector(w, 0), direction: self.vector(w, 3), start: self.word(w, 0) },
+            weight: self.vector(w, 6),
+            generation: self.word(w, 1),
+            media: self.word(w, 2),
+            pixel: self.word(w, 3),
+            lanes: w.mask(((1_u64 << count) - 1) as u32),
+        };
+        self.taken += count;
+        if self.len() == 0 {
+            (self.len, self.taken) = (0, 0);
+        }
+        beams
+    }
+
+    #[inline(always)]
+    fn vector<W: Width>(&self, w: W, first: usize) -> Vector<W::R> {
+        let [x, y, z] = [first, first + 1, first + 2].map(|row| &self.numbers[row][self.taken..]);
+        Vector::new(w.load(x), w.load(y), w.load(z))
+    }
+
+    #[inline(always)]
+    fn word<W: Width>(&self, w: W, row: usize) -> W::W {
+        w.load_words(&self.words[row][self.taken..])
+    }
+
+    /// Forgets all.
+    pub(crate) fn clear(&mut self) {
+        (self.len, self.taken) = (0, 0);
+    }
+}
