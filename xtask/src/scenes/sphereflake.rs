@@ -61,8 +61,9 @@ fn add(bodies: &mut Vec<Body>, center: DVec3, axis: DVec3, radius: f64, levels: 
         material: MaterialChoice::Named(BALL.to_owned()),
         ..Body::default()
     });
-    // The second axis lies across the world's X, wherever the sphere stands.
-    let across = DVec3::X.cross(axis).try_normalize().unwrap_or(DVec3::Z);
+    // The other axes are those of the reference: one lies across the world's X, or Y where X is too near.
+    let helper = if axis.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
+    let across = helper.cross(axis).normalize_or_zero();
     let world_from_sphere = DMat3::from_cols(axis.cross(across), axis, across);
     for direction in directions() {
         let direction = world_from_sphere * direction;
