@@ -19,9 +19,10 @@ use programs::Other;
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Another renderer is a shell command. In it {scene} stands for the scene file, {pov} for the same scene for POV-Ray,
-{width}, {height} and {threads} for numbers, {output} for the picture to write (.exr, linear light). It says its trace
-time in a line of its standard output: trace 12.3 (milliseconds). A picture that it writes is compared with POV-Ray's.
+Another renderer is a shell command. In it {scene} stands for the scene file, {pov} for the same scene for POV-Ray, \
+{width}, {height} and {threads} for numbers, and {output} for the picture to write (.exr, linear light). It says its \
+trace time in milliseconds in a line of its standard output, such as: trace 12.3. A picture that it writes is compared \
+with POV-Ray's.
 
   cargo xtask bench B1 B3 --other 'mine=./mine {scene} {width} {height} {threads} {output}'")]
 pub(crate) struct BenchArguments {
@@ -34,8 +35,7 @@ pub(crate) struct BenchArguments {
     /// Runs of each program on each scene
     #[arg(long, value_name = "N", default_value_t = 5)]
     runs: usize,
-    /// Runs of POV-Ray on each scene; otherwise as many as of the others, but one beyond 10,000 bodies, where each takes
-    /// minutes
+    /// Runs of POV-Ray on each scene, if fewer or more than of the others: it needs a minute to read B8
     #[arg(long, value_name = "N")]
     povray_runs: Option<usize>,
     /// Width of the pictures; the height is 9/16 of it
@@ -47,9 +47,6 @@ pub(crate) struct BenchArguments {
     /// What to measure; without it everything
     #[arg(long, value_enum, value_delimiter = ',')]
     only: Vec<Part>,
-    /// Count instructions and nothing else, as --only instructions
-    #[arg(long)]
-    instructions: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -68,10 +65,7 @@ impl BenchArguments {
     }
 
     fn wants(&self, part: Part) -> bool {
-        match (self.instructions, self.only.is_empty()) {
-            (true, _) => part == Part::Instructions || self.only.contains(&part),
-            (false, empty) => empty || self.only.contains(&part),
-        }
+        self.only.is_empty() || self.only.contains(&part)
     }
 }
 

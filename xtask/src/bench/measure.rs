@@ -34,19 +34,12 @@ pub(super) struct Measured {
     pub others_same: Vec<Option<f64>>,
 }
 
-/// With more bodies than this POV-Ray takes minutes to read the scene.
-const MANY_BODIES: usize = 10_000;
-
 /// Measures a scene, and says on the way how far it is.
 pub(super) fn measure(case: &'static Case, arguments: &BenchArguments) -> Result<Measured> {
     let files = case.write()?;
     let turns = Turns { case, arguments, files: &files };
     let runs = arguments.runs.max(1);
-    let povray_runs = match arguments.povray_runs {
-        Some(runs) => runs.max(1),
-        None if files.bodies > MANY_BODIES => 1,
-        None => runs,
-    };
+    let povray_runs = arguments.povray_runs.unwrap_or(runs).max(1);
     let others = vec![Series::default(); arguments.others.len()];
     let row = |&threads: &u32| Row { threads, others: others.clone(), ..Row::default() };
     let mut rows: Vec<Row> = arguments.threads.iter().map(row).collect();

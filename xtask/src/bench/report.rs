@@ -6,7 +6,7 @@ use super::measure::{Measured, Row};
 pub(super) fn tables(results: &[Measured], others: &[&str], [width, height]: [u32; 2]) -> String {
     format!(
         "Trace times in ms at {width}x{height}, one sample: best (median, worst) of the runs by turns; ratios of the \
-         best times.\n\n{}\nRays by kind, ms to prepare, bytes a body, and the percentage of pixels within 1/255 of \
+         best times, scaling against the first number of threads.\n\n{}\nRays by kind, ms to prepare, bytes a body, and the percentage of pixels within 1/255 of \
          POV-Ray's.\n\n{}",
         times(results, others),
         scenes(results, others)
@@ -17,7 +17,7 @@ fn times(results: &[Measured], others: &[&str]) -> String {
     let names = others.iter().map(|name| (*name).to_owned());
     let ratios = ["Catoptric"].iter().chain(others).map(|name| format!("POV-Ray / {name}"));
     let head = cells(["scene", "threads", "POV-Ray", "Catoptric"]).into_iter().chain(names).chain(ratios);
-    let mut rows = vec![head.chain(cells(["Mray/s"])).collect()];
+    let mut rows = vec![head.chain(cells(["scaling", "Mray/s"])).collect()];
     for result in results {
         rows.extend(result.rows.iter().map(|row| times_row(result, row)));
     }
@@ -30,8 +30,9 @@ fn times_row(result: &Measured, row: &Row) -> Vec<String> {
     let times = std::iter::once(povray).chain(ours.clone()).chain(others).map(ToString::to_string);
     let ratios = ours.chain(others).map(|times| format!("{:.1}", povray.best() / times.best()));
     let mrays = format!("{:.1}", result.stats.all_rays() / (trace.best() * 1e3));
+    let scaling = result.rows.first().map_or(f64::NAN, |first| first.trace.best() / trace.best());
     let scene = [result.title(), threads.to_string()];
-    scene.into_iter().chain(times).chain(ratios).chain([mrays]).collect()
+    scene.into_iter().chain(times).chain(ratios).chain([format!("{scaling:.2}"), mrays]).collect()
 }
 
 fn scenes(results: &[Measured], others: &[&str]) -> String {
@@ -111,53 +112,27 @@ mod tests {
 
     #[test]
     fn the_tables_say_what_was_measured() {
-        let text = tables(&[measured()], &["mine"], [320, 180]);
-        let rows: Vec<Vec<&str>> = text
-            .lines()
-            .filter(|line| line.starts_with('|'))
-            .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-            .collect();
-        let [times_head, _, times, scenes_head, _, scenes] = rows.as_slice() else {
-            panic!("not two tables of one row:\n{text}")
+        let mut result = measured();
+        let first = Row { threads: 1, ..result.rows[0].clone() };
+        result.rows.insert(0, first);
+        result.rows[1].trace.push(8.0);
+        let text = tables(&[result], &["mine"], [320, 180]);
+        let cells = |line: &str| line.split('|').map(str::trim).collect::<Vec<_>>().join("|");
+        let rows: Vec<String> = text.lines().filter(|line| line.starts_with('|')).map(cells).collect();
+        let [times_head, _, first, second, scenes_head, _, scene] = rows.as_slice() else {
+            panic!("not two tables:\n{text}")
         };
-        assert_eq!(
-            times_head,
-            &[
-                "scene",
-                "threads",
-                "POV-Ray",
-                "Catoptric",
-                "mine",
-                "POV-Ray / Catoptric",
-                "POV-Ray / mine",
-                "Mray/s"
-            ]
-        );
-        let expected = [
-            "B1 whitted",
-            "2",
-            "400.0 (410.0, 420.0)",
-            "10.0 (11.0, 12.0)",
-            "20.0 (20.0, 20.0)",
-            "40.0",
-            "20.0",
-            "100.0",
-        ];
-        assert_eq!(times, &expected);
-        assert_eq!(scenes_head.len(), scenes.len());
-        let expected = [
-            "B1 whitted",
-            "7",
-            "400000",
-            "300000",
-            "200000",
-            "100000",
-            "0.5 (0.5, 0.5)",
-            "100",
-            "99.950",
-            "–",
-        ];
-        assert_eq!(scenes, &expected);
+        let head = "|scene|threads|POV-Ray|Catoptric|mine|POV-Ray / Catoptric|POV-Ray / mine|scaling|Mray/s|";
+        assert_eq!(times_head, head);
+        let begin = "|B1 whitted|1|400.0 (410.0, 420.0)|10.0 (11.0, 12.0)|20.0 (20.0, 20.0)|";
+        assert_eq!(*first, format!("{begin}40.0|20.0|1.00|100.0|"));
+        assert!(second.ends_with("|50.0|20.0|1.25|125.0|"), "{second}");
+        let head = "|scene|bodies|primary|shadow|reflected|refracted|prepare, threads: 1|prepare, threads: 2|\
+                    bytes a body|Catoptric, %|mine, %|";
+        assert_eq!(scenes_head, head);
+        let prepare = "0.5 (0.5, 0.5)";
+        let row = format!("|B1 whitted|7|400000|300000|200000|100000|{prepare}|{prepare}|100|99.950|–|");
+        assert_eq!(*scene, row);
         assert!(text.contains("320x180"));
     }
 
