@@ -2,10 +2,11 @@
 
 mod bench;
 mod ci;
-mod cloud;
 mod dist;
 mod gallery;
 mod packages;
+mod povray;
+mod scenes;
 mod sheet;
 mod shell;
 #[cfg(test)]
@@ -31,8 +32,8 @@ enum Chore {
     /// Render the built-in scenes into docs/gallery and the README's picture
     Gallery(gallery::GalleryArguments),
     /// Write a scene of very many bodies, for measuring
-    Cloud(cloud::CloudArguments),
-    /// Time the tracer against POV-Ray on the same scenes, by turns
+    Cloud(scenes::CloudArguments),
+    /// Time the tracer against POV-Ray and other renderers on nine scenes, by turns
     Bench(bench::BenchArguments),
     /// Time how quickly the studio answers, in a real window
     BenchStudio,
@@ -46,7 +47,7 @@ fn main() -> anyhow::Result<()> {
     match Arguments::parse().chore {
         Chore::Ci => ci::run(),
         Chore::Gallery(arguments) => gallery::run(&arguments),
-        Chore::Cloud(arguments) => cloud::run(&arguments),
+        Chore::Cloud(arguments) => scenes::write_cloud(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
         Chore::BenchStudio => window::bench(),
         Chore::Screenshots(arguments) => window::screenshots(&arguments),

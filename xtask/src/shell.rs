@@ -34,7 +34,8 @@ pub(crate) fn output_of_both(command: &mut Command) -> Result<String> {
     Ok(streams(command)?.concat())
 }
 
-fn streams(command: &mut Command) -> Result<[String; 2]> {
+/// Runs a command and returns what it prints, and what it prints as errors.
+pub(crate) fn streams(command: &mut Command) -> Result<[String; 2]> {
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.output().with_context(|| format!("cannot start {name}"))?;
     let texts = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());

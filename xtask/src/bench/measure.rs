@@ -1,0 +1,125 @@
+//! One scene in all programs, by turns.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result};
+use catoptric_picture::{Difference, Picture, read};
+
+use super::case::{Case, Files};
+use super::programs::{Stats, catoptric};
+use super::series::Series;
+use super::{BenchArguments, folder};
+use crate::povray::{self, Task};
+
+/// Times of one scene with one number of threads.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Row {
+    pub threads: u32,
+    pub povray: Series,
+    pub prepare: Series,
+    pub trace: Series,
+    /// In the order of the arguments.
+    pub others: Vec<Series>,
+}
+
+/// Everything measured of one scene.
+pub(super) struct Measured {
+    pub case: &'static Case,
+    pub bodies: usize,
+    pub stats: Stats,
+    pub rows: Vec<Row>,
+    /// Percent of the pixels within 1/255 of POV-Ray's.
+    pub same: f64,
+    /// The same of the other renderers that wrote a picture.
+    pub others_same: Vec<Option<f64>>,
+}
+
+/// Measures a scene, and says on the way how far it is.
+pub(super) fn measure(case: &'static Case, arguments: &BenchArguments) -> Result<Measured> {
+    let files = case.write()?;
+    let turns = Turns { case, arguments, files: &files };
+    let runs = arguments.runs.max(1);
+    let povray_runs = arguments.povray_runs.unwrap_or(runs).max(1);
+    let others = vec![Series::default(); arguments.others.len()];
+    let row = |&threads: &u32| Row { threads, others: others.clone(), ..Row::default() };
+    let mut rows: Vec<Row> = arguments.threads.iter().map(row).collect();
+    let mut stats = None;
+    for turn in 0..runs.max(povray_runs) {
+        eprintln!("{} {}, turn {}", case.label, case.name, turn + 1);
+        for row in &mut rows {
+            if turn < povray_runs {
+                row.povray.push(povray::trace(&files.pov, &turns.task(&turns.povray(), row.threads))?);
+            }
+            if turn < runs {
+                stats = Some(turns.ours(row)?);
+                turns.others(row)?;
+            }
+        }
+    }
+    let stats = stats.context("no number of threads")?;
+    let reference = read(&turns.povray())?;
+    let same = percent_same(&turns.picture("catoptric"), &reference)?;
+    let others = (0..arguments.others.len()).map(|number| turns.other(number));
+    let others_same = others.map(|path| path.exists().then(|| percent_same(&path, &reference)).transpose());
+    let others_same = others_same.collect::<Result<_>>()?;
+    Ok(Measured { case, bodies: files.bodies, stats, rows, same, others_same })
+}
+
+impl Measured {
+    /// What is wrong with our picture, if anything.
+    pub(super) fn fault(&self) -> Option<String> {
+        let Case { label, name, least_percent, .. } = self.case;
+        let same = self.same;
+        (same < *least_percent)
+            .then(|| format!("{label} {name}: {same:.3} % of the pixels are the same, not {least_percent} %"))
+    }
+}
+
+struct Turns<'a> {
+    case: &'static Case,
+    arguments: &'a BenchArguments,
+    files: &'a Files,
+}
+
+impl Turns<'_> {
+    fn picture(&self, program: &str) -> PathBuf {
+        folder().join(format!("{}.{program}.exr", self.case.name))
+    }
+
+    fn povray(&self) -> PathBuf {
+        self.picture("povray")
+    }
+
+    fn other(&self, number: usize) -> PathBuf {
+        self.picture(&format!("other-{}", number + 1))
+    }
+
+    fn task<'a>(&self, output: &'a Path, threads: u32) -> Task<'a> {
+        let [width, height] = self.arguments.size();
+        Task { output, width, height, threads }
+    }
+
+    fn ours(&self, row: &mut Row) -> Result<Stats> {
+        let stats = catoptric(&self.files.scene, &self.task(&self.picture("catoptric"), row.threads))?;
+        row.prepare.push(stats.prepare);
+        row.trace.push(stats.trace);
+        Ok(stats)
+    }
+
+    fn others(&self, row: &mut Row) -> Result<()> {
+        for (number, (other, series)) in self.arguments.others.iter().zip(&mut row.others).enumerate() {
+            let output = self.other(number);
+            if output.exists() {
+                std::fs::remove_file(&output)?;
+            }
+            series.push(other.trace(self.files, &self.task(&output, row.threads))?);
+        }
+        Ok(())
+    }
+}
+
+/// How many of the pixels of a picture are within 1/255 of the reference's, in percent.
+fn percent_same(picture: &Path, reference: &Picture) -> Result<f64> {
+    let difference = Difference::between(&read(picture)?, reference)?;
+    Ok(100.0 * (1.0 - difference.share_above))
+}

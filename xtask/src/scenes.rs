@@ -1,0 +1,10 @@
+//! Scenes for measuring, made by rule: the same on every machine.
+
+mod cloud;
+mod glass_grid;
+mod random;
+mod sphereflake;
+
+pub(crate) use cloud::{CloudArguments, cloud, write_cloud};
+pub(crate) use glass_grid::glass_grid;
+pub(crate) use sphereflake::sphereflake;
