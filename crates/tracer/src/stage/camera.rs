@@ -163,7 +163,7 @@ impl StageCamera {
     }
 
     /// The eye, if all rays start there.
-    pub(crate) fn eye(&self) -> Option<Vector<f32>> {
+    pub fn eye(&self) -> Option<Vector<f32>> {
         matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3().into())
     }
 }
