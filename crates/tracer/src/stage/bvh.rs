@@ -1,31 +1,35 @@
-//! A hierarchy of bounding boxes over the bodies, four boxes to a node.
-//!
-//! A binary tree is built first and its nodes are then joined in fours (Wald, Benthin, Boulos 2008, Getting rid of
-//! packets), so that one step tests four boxes with vector instructions.
+//! A hierarchy of bounding boxes over the bodies, eight boxes to a node, so that one step tests eight boxes with vector
+//! instructions, or one box with many rays while the others are near in memory.
 
 mod build;
+mod entry;
+mod split;
 
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Vec3A, Vec4};
+use glam::{Vec3, Vec3A, Vec4};
 
 use super::Bounds;
 use crate::ray::Ray;
+pub(crate) use entry::Entry;
 
 /// No path from the root is longer than this.
 const MAX_DEPTH: usize = 64;
 
-/// Four boxes and what they contain. An unused box is inside out and is never met.
+/// Boxes to a node.
+pub(crate) const WIDTH: usize = 8;
+
+/// Eight boxes and what they contain. An unused box is inside out and is never met.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C, align(16))]
+#[repr(C, align(64))]
 pub(crate) struct Node {
-    /// Least x of the four boxes, greatest x, least y, greatest y, least z, greatest z.
-    pub sides: [[f32; 4]; 6],
+    /// Least x of the boxes, greatest x, least y, greatest y, least z, greatest z.
+    pub sides: [[f32; WIDTH]; 6],
     /// Leaf: its first body. Inner node: its place in the array.
-    pub first: [u32; 4],
+    pub first: [u32; WIDTH],
     /// Leaf: its number of bodies. Inner node: 0.
-    pub count: [u32; 4],
+    pub count: [u32; WIDTH],
 }
 
 /// The hierarchy; the root is the first node.
@@ -33,9 +37,6 @@ pub(crate) struct Node {
 pub(crate) struct Bvh {
     nodes: Vec<Node>,
 }
-
-/// One body to be sorted into the hierarchy, and its index.
-type Entry = (Bounds, u32);
 
 /// A part of the hierarchy still to be visited; the parameter is where the ray enters it.
 #[derive(Clone, Copy, Debug)]
@@ -46,14 +47,19 @@ pub(crate) struct Pending {
 }
 
 impl Bvh {
-    /// Builds the hierarchy and sorts `entries` into the order of its leaves, each leaf by `kind`.
-    pub(super) fn build(entries: &mut [Entry], kind: impl Fn(u32) -> u32 + Sync + Copy) -> Self {
-        let binary = build::build(entries, 0, 0, kind);
-        let mut nodes = Vec::with_capacity(binary.len() / 4 + 1);
-        nodes.push(Node::EMPTY);
-        join(&binary, 0, 0, &mut nodes);
-        nodes.shrink_to_fit();
-        Self { nodes }
+    /// Builds the hierarchy and sorts `entries` into the order of its leaves, each leaf by the bodies' shapes.
+    pub(super) fn build(entries: &mut [Entry]) -> Self {
+        Self { nodes: build::build(entries) }
+    }
+
+    /// The nodes, the root first.
+    pub(crate) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The box of everything.
+    pub(super) fn bounds(&self) -> Bounds {
+        self.nodes.first().map_or(Bounds::EMPTY, Node::bounds)
     }
 
     /// Bytes held.
@@ -66,13 +72,7 @@ impl Bvh {
         let mut pending = vec![0_u32];
         while let Some(index) = pending.pop() {
             let node = &self.nodes[index as usize];
-            let mut inside = 0b1111;
-            for axis in 0..3 {
-                let at = Vec4::splat(point[axis]);
-                let [low, high] = [2 * axis, 2 * axis + 1].map(|side| Vec4::from_array(node.sides[side]));
-                inside &= (low.cmple(at) & at.cmple(high)).bitmask();
-            }
-            for slot in (0..4).filter(|slot| inside >> slot & 1 == 1) {
+            for slot in (0..WIDTH).filter(|&slot| node.contains(slot, point)) {
                 match node.count[slot] {
                     0 => pending.push(node.first[slot]),
                     count => leaf(node.first[slot]..node.first[slot] + count),
@@ -99,7 +99,7 @@ impl Bvh {
             let (enter, mut met) = boxes.enter(node, reach);
             let start = pending.len();
             while met != 0 {
-                let slot = met.trailing_zeros() as usize & 3;
+                let slot = met.trailing_zeros() as usize & (WIDTH - 1);
                 met &= met - 1;
                 pending.push(Pending {
                     first: node.first[slot],
@@ -120,7 +120,7 @@ impl Bvh {
     }
 }
 
-/// Sorts at most four parts by insertion.
+/// Sorts at most eight parts by insertion.
 #[inline]
 fn farthest_first(parts: &mut [Pending]) {
     for sorted in 1..parts.len() {
@@ -135,50 +135,48 @@ fn farthest_first(parts: &mut [Pending]) {
 impl Node {
     const EMPTY: Self = Self {
         sides: [
-            [f32::INFINITY; 4],
-            [f32::NEG_INFINITY; 4],
-            [f32::INFINITY; 4],
-            [f32::NEG_INFINITY; 4],
-            [f32::INFINITY; 4],
-            [f32::NEG_INFINITY; 4],
+            [f32::INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
         ],
-        first: [0; 4],
-        count: [0; 4],
+        first: [0; WIDTH],
+        count: [0; WIDTH],
     };
-}
 
-/// Fills `nodes[place]` from the part of the binary tree below `root`, opening the largest inner nodes until there are
-/// four parts.
-fn join(binary: &[build::Node], root: usize, place: usize, nodes: &mut Vec<Node>) {
-    let children = |index: usize| [index + 1, index + binary[index].first_or_skip as usize];
-    let mut parts = vec![root];
-    while parts.len() < 4 {
-        let area = |part: &usize| binary[*part].bounds.half_area();
-        let inner = (0..parts.len()).filter(|&part| binary[parts[part]].count == 0);
-        let Some(widest) = inner.max_by(|&a, &b| area(&parts[a]).total_cmp(&area(&parts[b]))) else {
-            break;
-        };
-        let [left, right] = children(parts[widest]);
-        parts[widest] = left;
-        parts.push(right);
-    }
-    for (slot, &part) in parts.iter().enumerate() {
-        let build::Node { bounds, first_or_skip, count } = binary[part];
-        let first = if count > 0 {
-            first_or_skip
-        } else {
-            nodes.push(Node::EMPTY);
-            let child = nodes.len() - 1;
-            join(binary, part, child, nodes);
-            child as u32
-        };
-        let node = &mut nodes[place];
+    fn set(&mut self, slot: usize, bounds: Bounds, first: usize, count: usize) {
         for axis in 0..3 {
-            node.sides[2 * axis][slot] = bounds.min[axis];
-            node.sides[2 * axis + 1][slot] = bounds.max[axis];
+            self.sides[2 * axis][slot] = bounds.min[axis];
+            self.sides[2 * axis + 1][slot] = bounds.max[axis];
         }
-        node.first[slot] = first;
-        node.count[slot] = count;
+        self.first[slot] = first as u32;
+        self.count[slot] = count as u32;
+    }
+
+    /// The places of the inner nodes below this one. None of them is the root.
+    fn children_mut(&mut self) -> impl Iterator<Item = &mut u32> {
+        let slots = self.first.iter_mut().zip(&self.count);
+        slots.filter(|(first, count)| **first != 0 && **count == 0).map(|(first, _)| first)
+    }
+
+    /// Whether a box contains a point.
+    fn contains(&self, slot: usize, point: Vec3A) -> bool {
+        let within = |axis: usize| {
+            self.sides[2 * axis][slot] <= point[axis] && point[axis] <= self.sides[2 * axis + 1][slot]
+        };
+        within(0) && within(1) && within(2)
+    }
+
+    /// The box of all eight boxes.
+    fn bounds(&self) -> Bounds {
+        let least = |side: usize| self.sides[side].iter().copied().fold(f32::INFINITY, f32::min);
+        let greatest = |side: usize| self.sides[side].iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        Bounds {
+            min: Vec3::new(least(0), least(2), least(4)),
+            max: Vec3::new(greatest(1), greatest(3), greatest(5)),
+        }
     }
 }
 
@@ -203,18 +201,24 @@ impl BoxTest {
         Self { origin: ray.origin, inverse, near }
     }
 
-    /// The parameters at which the ray enters the four boxes, at least 0, and a bit for each one met before `reach`.
+    /// The parameters at which the ray enters the eight boxes, at least 0, and a bit for each one met before `reach`.
     /// The far sides are moved outwards by the rounding of the three operations (Ize 2013, Robust BVH ray traversal,
     /// eq. 3).
     #[inline]
-    fn enter(&self, node: &Node, reach: f32) -> (Vec4, u32) {
+    fn enter(&self, node: &Node, reach: f32) -> ([f32; WIDTH], u32) {
         const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
-        let side = |side: usize, axis: usize| {
-            (Vec4::from_array(node.sides[side]) - Vec4::splat(self.origin[axis])) * self.inverse[axis]
+        let half = |half: usize| {
+            let side = |side: usize, axis: usize| {
+                let [low, high]: [[f32; 4]; 2] = bytemuck::cast(node.sides[side]);
+                let at = Vec4::from_array(if half == 0 { low } else { high });
+                (at - Vec4::splat(self.origin[axis])) * self.inverse[axis]
+            };
+            let [near_x, near_y, near_z] = self.near;
+            let enter = side(near_x, 0).max(side(near_y, 1)).max(side(near_z, 2)).max(Vec4::ZERO);
+            let exit = side(near_x ^ 1, 0).min(side(near_y ^ 1, 1)).min(side(near_z ^ 1, 2));
+            (enter.to_array(), enter.cmple((exit * WIDEN).min(Vec4::splat(reach))).bitmask())
         };
-        let [near_x, near_y, near_z] = self.near;
-        let enter = side(near_x, 0).max(side(near_y, 1)).max(side(near_z, 2)).max(Vec4::ZERO);
-        let exit = side(near_x ^ 1, 0).min(side(near_y ^ 1, 1)).min(side(near_z ^ 1, 2));
-        (enter, enter.cmple((exit * WIDEN).min(Vec4::splat(reach))).bitmask())
+        let (low, high) = (half(0), half(1));
+        (bytemuck::cast([low.0, high.0]), low.1 | high.1 << 4)
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::{Hierarchy, Stage};
+use super::{Entry, Hierarchy, Stage};
 
 impl Stage {
     /// The same stage with just those of its bodies that stand at these places in
@@ -20,16 +20,17 @@ impl Stage {
             .filter(|&(&scene_index, _)| wanted.contains(&(scene_index as usize)))
             .map(|(_, index)| index)
             .collect();
-        let mut boxes = Vec::new();
+        let mut entries = Vec::new();
         let mut planes = Vec::new();
         for &index in &chosen {
-            match self.body(index).bounds() {
-                Some(bounds) => boxes.push((bounds, index)),
+            let body = self.body(index);
+            match body.bounds() {
+                Some(bounds) => entries.push(Entry::new(bounds, index, body.kind)),
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut boxes, |index| self.body(index).kind);
-        let order: Vec<u32> = boxes.iter().map(|entry| entry.1).chain(planes).collect();
+        let hierarchy = Hierarchy::over(&mut entries);
+        let order: Vec<u32> = entries.iter().map(Entry::place).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),
             scene_indices: order
@@ -37,7 +38,7 @@ impl Stage {
                 .filter_map(|&index| self.scene_indices.get(index as usize))
                 .copied()
                 .collect(),
-            bounded: boxes.len() as u32,
+            bounded: entries.len() as u32,
             hierarchy,
             materials: Arc::clone(&self.materials),
             checkers: Arc::clone(&self.checkers),
