@@ -207,18 +207,19 @@ impl BoxTest {
     #[inline]
     fn enter(&self, node: &Node, reach: f32) -> ([f32; WIDTH], u32) {
         const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
-        let half = |half: usize| {
+        let mut enters = [[0.0; 4]; WIDTH / 4];
+        let mut met = 0;
+        for (half, enters) in enters.iter_mut().enumerate() {
             let side = |side: usize, axis: usize| {
-                let [low, high]: [[f32; 4]; 2] = bytemuck::cast(node.sides[side]);
-                let at = Vec4::from_array(if half == 0 { low } else { high });
-                (at - Vec4::splat(self.origin[axis])) * self.inverse[axis]
+                let halves: [[f32; 4]; WIDTH / 4] = bytemuck::cast(node.sides[side]);
+                (Vec4::from_array(halves[half]) - Vec4::splat(self.origin[axis])) * self.inverse[axis]
             };
             let [near_x, near_y, near_z] = self.near;
             let enter = side(near_x, 0).max(side(near_y, 1)).max(side(near_z, 2)).max(Vec4::ZERO);
             let exit = side(near_x ^ 1, 0).min(side(near_y ^ 1, 1)).min(side(near_z ^ 1, 2));
-            (enter.to_array(), enter.cmple((exit * WIDEN).min(Vec4::splat(reach))).bitmask())
-        };
-        let (low, high) = (half(0), half(1));
-        (bytemuck::cast([low.0, high.0]), low.1 | high.1 << 4)
+            *enters = enter.to_array();
+            met |= enter.cmple((exit * WIDEN).min(Vec4::splat(reach))).bitmask() << (4 * half);
+        }
+        (bytemuck::cast(enters), met)
     }
 }

@@ -14,7 +14,7 @@ use super::{MAX_DEPTH, Node, WIDTH};
 /// A leaf holds at most this many bodies.
 const LEAF_SIZE: usize = 4;
 /// Cost of opening a node in units of one body test.
-const NODE_COST: f32 = 1.0;
+const NODE_COST: f32 = 3.0;
 /// From this depth on the median decides, which halves the number of bodies at every step: with at most 2³⁰ bodies the
 /// depth stays within [`MAX_DEPTH`].
 const SAH_DEPTH: usize = MAX_DEPTH - 30;
@@ -133,7 +133,11 @@ fn open<'a>(entries: &mut [Entry], parts: &'a mut [Part; WIDTH]) -> &'a [Part] {
     while count < WIDTH {
         let area = |at: usize| parts[at].extent.half_area();
         let open = (0..count).filter(|&at| !parts[at].is_whole);
-        let Some(widest) = open.max_by(|&a, &b| area(a).total_cmp(&area(b))) else { break };
+        let is_large = |at: usize| parts[at].count > LEAF_SIZE;
+        let rank = |at: usize, other: usize| {
+            is_large(at).cmp(&is_large(other)).then_with(|| area(at).total_cmp(&area(other)))
+        };
+        let Some(widest) = open.max_by(|&a, &b| rank(a, b)) else { break };
         let part = &parts[widest];
         let start = part.start - first;
         match divide(&mut entries[start..start + part.count], part) {
