@@ -15,8 +15,7 @@ use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use glam::DVec3;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let numbers: Vec<usize> =
-        std::env::args().skip(1).map(|text| text.parse()).collect::<Result<_, _>>()?;
+    let numbers: Vec<usize> = std::env::args().skip(1).map(|text| text.parse()).collect::<Result<_, _>>()?;
     let at = |place: usize, otherwise: usize| numbers.get(place).copied().unwrap_or(otherwise);
     let (bodies, runs, threads) = (at(0, 1_000_000), at(1, 5), at(2, 0));
     rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?;
@@ -31,6 +30,39 @@ fn main() -> Result<(), Box<dyn Error>> {
     let settings = RenderSettings { width: 1280, height: 720, samples: 1 };
     let trace = best_of(runs, || drop(render(&stage, settings, &Control::default())));
     println!("traced in {trace:.1} ms");
+    follow(scene, stage, runs)
+}
+
+/// Moves a body back and forth as a hand does, then holds the stage that followed against a new one.
+fn follow(mut scene: Scene, mut stage: Stage, runs: usize) -> Result<(), Box<dyn Error>> {
+    let middle = scene.bodies.len() / 2;
+    for (what, step) in [("a bit", 1e-3), ("far", 1.0)] {
+        let (mut took, mut anew) = (Vec::new(), 0);
+        for run in 0..runs.max(4) {
+            // Telling what changed is the part of whoever edits.
+            let before = scene.clone();
+            let offset = DVec3::new(step, step * run as f64, -step);
+            let placement = &mut scene.bodies[middle].placement;
+            *placement = placement.moved_by(offset);
+            let start = Instant::now();
+            match stage.edit(&before, &scene, &[middle]) {
+                Some(edit) => stage.apply(edit, &scene),
+                None => {
+                    stage = Stage::prepare(&scene)?;
+                    anew += 1;
+                }
+            }
+            took.push(1e3 * start.elapsed().as_secs_f64());
+        }
+        took.sort_by(f64::total_cmp);
+        let (median, most) = (took[took.len() / 2], took[took.len() - 1]);
+        println!("moved {what}: median {median:.3} ms, at most {most:.3} ms, {anew} times prepared anew");
+    }
+    let fresh = Stage::prepare(&scene)?;
+    let settings = RenderSettings { width: 320, height: 180, samples: 1 };
+    let [one, other] = [&stage, &fresh].map(|stage| render(stage, settings, &Control::default()));
+    let is_same = one?.picture.pixels() == other?.picture.pixels();
+    println!("the picture is {} a new stage's", if is_same { "that of" } else { "NOT that of" });
     Ok(())
 }
 

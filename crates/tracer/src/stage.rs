@@ -6,6 +6,7 @@ mod bvh;
 mod camera;
 mod cast;
 mod checker;
+mod edit;
 mod few;
 mod light;
 mod material;
@@ -25,6 +26,7 @@ pub use camera::StageCamera;
 use camera::Surroundings;
 use cast::Cast;
 pub(crate) use checker::StageChecker;
+pub use edit::StageEdit;
 use few::FewBodies;
 pub(crate) use light::StageLight;
 pub(crate) use material::StageMaterial;
@@ -42,17 +44,20 @@ pub struct Stage {
     pub(crate) bounded: u32,
     pub(crate) hierarchy: Hierarchy,
     // Shared with the stages of some of the bodies.
-    pub(crate) materials: Arc<[StageMaterial]>,
-    pub(crate) checkers: Arc<[StageChecker]>,
+    pub(crate) materials: Arc<Vec<StageMaterial>>,
+    pub(crate) checkers: Arc<Vec<StageChecker>>,
     pub(crate) lights: Arc<[StageLight]>,
     pub(crate) camera: StageCamera,
     pub(crate) background: Vec3A,
     pub(crate) ambient: Vec3A,
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
+    /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
-    /// The largest [`StageBody::slack`].
+    /// The largest [`StageBody::slack`], or more after an edit.
     pub(crate) largest_slack: f32,
+    /// Materials and checkers that edits have added.
+    added: u32,
 }
 
 /// How the bodies that a ray may meet are found among the bounded ones.
@@ -140,6 +145,7 @@ impl Stage {
             ambient: vec3(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
+            added: 0,
         })
     }
 

@@ -3,6 +3,7 @@
 
 mod build;
 mod entry;
+mod refit;
 mod split;
 
 use std::ops::Range;
@@ -13,6 +14,7 @@ use glam::{Vec3, Vec3A, Vec4};
 use super::Bounds;
 use crate::ray::Ray;
 pub(crate) use entry::Entry;
+pub(crate) use refit::Path;
 
 /// No path from the root is longer than this.
 const MAX_DEPTH: usize = 64;
@@ -36,6 +38,9 @@ pub(crate) struct Node {
 #[derive(Clone, Debug)]
 pub(crate) struct Bvh {
     nodes: Vec<Node>,
+    /// What it costs by the surface area heuristic, and what it did when it was built.
+    cost: f64,
+    built_cost: f64,
 }
 
 /// A part of the hierarchy still to be visited; the parameter is where the ray enters it.
@@ -49,12 +54,9 @@ pub(crate) struct Pending {
 impl Bvh {
     /// Builds the hierarchy and sorts `entries` into the order of its leaves, each leaf by the bodies' shapes.
     pub(super) fn build(entries: &mut [Entry]) -> Self {
-        Self { nodes: build::build(entries) }
-    }
-
-    /// The nodes, the root first.
-    pub(crate) fn nodes(&self) -> &[Node] {
-        &self.nodes
+        let nodes = build::build(entries);
+        let cost = refit::cost_of(&nodes);
+        Self { nodes, cost, built_cost: cost }
     }
 
     /// The box of everything.
@@ -147,12 +149,16 @@ impl Node {
     };
 
     fn set(&mut self, slot: usize, bounds: Bounds, first: usize, count: usize) {
+        self.set_box(slot, bounds);
+        self.first[slot] = first as u32;
+        self.count[slot] = count as u32;
+    }
+
+    fn set_box(&mut self, slot: usize, bounds: Bounds) {
         for axis in 0..3 {
             self.sides[2 * axis][slot] = bounds.min[axis];
             self.sides[2 * axis + 1][slot] = bounds.max[axis];
         }
-        self.first[slot] = first as u32;
-        self.count[slot] = count as u32;
     }
 
     /// The places of the inner nodes below this one. None of them is the root.

@@ -29,7 +29,7 @@ pub(crate) struct StageMaterial {
 }
 
 impl StageMaterial {
-    fn new(material: &Material) -> Self {
+    pub(super) fn new(material: &Material) -> Self {
         Self {
             color: vec3(material.color),
             ambient: material.ambient as f32,

@@ -14,7 +14,7 @@ use super::{MAX_DEPTH, Node, WIDTH};
 /// A leaf holds at most this many bodies.
 const LEAF_SIZE: usize = 4;
 /// Cost of opening a node in units of one body test.
-const NODE_COST: f32 = 3.0;
+pub(super) const NODE_COST: f32 = 3.0;
 /// From this depth on the median decides, which halves the number of bodies at every step: with at most 2³⁰ bodies the
 /// depth stays within [`MAX_DEPTH`].
 const SAH_DEPTH: usize = MAX_DEPTH - 30;
@@ -73,7 +73,7 @@ fn large_node(entries: &mut [Entry], part: Part) -> Vec<Nodes> {
     let parts = open(entries, &mut parts);
     let mut jobs = Vec::with_capacity(WIDTH);
     let mut rest = entries;
-    for part in parts.iter() {
+    for part in parts {
         let (own, others) = rest.split_at_mut(part.count);
         rest = others;
         jobs.push((*part, own));
