@@ -8,7 +8,7 @@ use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 use super::bvh::Path;
 use super::camera::Surroundings;
 use super::{
-    Bounds, Bvh, Hierarchy, Stage, StageBody, StageCamera, StageChecker, StageLight, StageMaterial, vec3,
+    Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChecker, StageLight, StageMaterial, vec3,
 };
 use crate::ray::NO_BODY;
 
@@ -57,7 +57,7 @@ impl Stage {
             if old.hidden || new.hidden || is_plane(old) != is_plane(new) {
                 return None;
             }
-            let (path, place) = self.find(bvh, old, index as u32)?;
+            let (place, path) = self.find(old, index as u32)?;
             let (body, bounds) = StageBody::new(new);
             if let (Some(path), Some(bounds)) = (&path, bounds) {
                 cost += bvh.growth(path, bounds);
@@ -94,17 +94,21 @@ impl Stage {
         self.threshold = after.tracing.threshold as f32;
     }
 
-    /// The place of the body `index` of the scene, which is `body` now, and the way to its leaf unless it is a plane.
-    fn find(&self, bvh: &Bvh, body: &Body, index: u32) -> Option<(Option<Path>, u32)> {
+    /// The place of the body `index` of the scene, which is `body` there, and the way to its leaf, if it hangs on one.
+    pub(super) fn find(&self, body: &Body, index: u32) -> Option<(u32, Option<Path>)> {
         let place_in = |places: Range<u32>| {
             let indices = self.scene_indices.get(range(&places))?;
             let place = indices.iter().position(|&at| at == index)?;
             Some(places.start + place as u32)
         };
-        let Some(bounds) = StageBody::new(body).1 else { return Some((None, place_in(self.planes())?)) };
-        let path = bvh.path_to(&bounds, |leaf| place_in(leaf).is_some())?;
-        let place = place_in(bvh.leaf(&path))?;
-        Some((Some(path), place))
+        let Some(bounds) = StageBody::new(body).1 else { return Some((place_in(self.planes())?, None)) };
+        match &self.hierarchy {
+            Hierarchy::Few(_) => Some((place_in(0..self.bounded)?, None)),
+            Hierarchy::Many(bvh) => {
+                let path = bvh.path_to(&bounds, |leaf| place_in(leaf).is_some())?;
+                Some((place_in(bvh.leaf(&path))?, Some(path)))
+            }
+        }
     }
 
     fn replace(&mut self, change: &Change) {
