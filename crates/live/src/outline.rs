@@ -30,13 +30,13 @@ struct Group {
 
 impl Outlines {
     /// Takes these bodies out of the stage; places beyond the scene's bodies are passed over.
-    pub(crate) fn new(stage: &Stage, bodies: &[usize]) -> Self {
+    pub(crate) fn new(scene: &Scene, stage: &Stage, bodies: &[usize]) -> Self {
         let groups: Vec<Vec<usize>> = if bodies.len() <= MOST_OUTLINES {
             bodies.iter().map(|&body| vec![body]).collect()
         } else {
             vec![bodies.to_vec()]
         };
-        let groups = groups.into_iter().map(|bodies| Group { stage: stage.only(&bodies), bodies });
+        let groups = groups.into_iter().map(|bodies| Group { stage: stage.only(scene, &bodies), bodies });
         Self { groups: groups.filter(|group| group.stage.body_count() > 0).collect() }
     }
 

@@ -15,6 +15,8 @@ pub(crate) struct Shared {
     /// Rings when mail comes or a pass ends.
     bell: Condvar,
     shown: Mutex<Shown>,
+    /// The newest stage, and what it is of.
+    stage: Mutex<Option<(u64, Arc<Stage>)>>,
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -30,7 +32,6 @@ struct Mail {
 #[derive(Default)]
 struct Shown {
     latest: Option<Arc<Frame>>,
-    stage: Option<(u64, Arc<Stage>)>,
     status: Status,
     /// Whether something new was published since the worker was idle last. A window that asks again whenever it is
     /// woken, for the same, is not woken again.
@@ -76,6 +77,7 @@ impl Shared {
             mail: Mutex::default(),
             bell: Condvar::new(),
             shown: Mutex::new(Shown { status, ..Shown::default() }),
+            stage: Mutex::default(),
             wake: Box::new(wake),
         }
     }
@@ -110,7 +112,7 @@ impl Shared {
     }
 
     pub(crate) fn stage(&self) -> Option<(u64, Arc<Stage>)> {
-        lock(&self.shown).stage.clone()
+        lock(&self.stage).clone()
     }
 
     // ---- the worker's side ----
@@ -125,8 +127,36 @@ impl Shared {
     }
 
     pub(crate) fn publish_stage(&self, revision: u64, stage: Arc<Stage>) {
-        let replaced = lock(&self.shown).stage.replace((revision, stage));
+        let replaced = lock(&self.stage).replace((revision, stage));
         drop(replaced);
+    }
+
+    /// Edits the worker's stage, which is the newest, and publishes it. It is edited in place as soon as nobody else
+    /// looks at it, and the window looks for moments; if it does not stop, a copy is edited.
+    pub(crate) fn edit_stage(
+        &self,
+        revision: u64,
+        mut stage: Arc<Stage>,
+        edit: impl FnOnce(&mut Stage),
+    ) -> Arc<Stage> {
+        /// How often to look whether nobody else does.
+        const TRIES: u32 = 16;
+        for _ in 0..TRIES {
+            let mut published = lock(&self.stage);
+            let before = published.take().map(|(revision, _)| revision);
+            if let Some(own) = Arc::get_mut(&mut stage) {
+                edit(own);
+                *published = Some((revision, Arc::clone(&stage)));
+                drop(published);
+                return stage;
+            }
+            *published = before.map(|revision| (revision, Arc::clone(&stage)));
+            drop(published);
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        edit(Arc::make_mut(&mut stage));
+        self.publish_stage(revision, Arc::clone(&stage));
+        stage
     }
 
     /// Says that there is no picture, if that is news.

@@ -7,8 +7,9 @@ use catoptric_picture::SizeError;
 use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
-use catoptric_tracer::{Film, RayCounts, Stage, StageCamera};
+use catoptric_tracer::{Film, RayCounts, Stage, StageCamera, StageEdit};
 use glam::{DVec2, DVec3};
+use rayon::prelude::*;
 
 use crate::frame::{GridLine, Polyline};
 use crate::outline::Outlines;
@@ -73,50 +74,59 @@ impl Due {
 }
 
 impl View {
-    /// A view of a request in a prepared stage, which takes over from an older view what still holds.
-    pub(crate) fn new(request: Request, stage: Arc<Stage>, old: Option<Self>) -> Self {
+    /// A view of a request in a prepared stage.
+    pub(crate) fn new(request: Request, stage: Arc<Stage>) -> Self {
         let camera = stage.camera_for(&request.camera);
-        let Some(old) = old else {
-            return Self {
-                outlines: outlines(&stage, &request.outline),
-                hover: outlines(&stage, hovered(&request)),
-                request,
-                stage,
-                camera,
-                film: None,
-                sharper: None,
-                spare: None,
-                shown: Shown::default(),
-                due: Due::ALL,
-                is_at_rest: false,
-                changed: Instant::now(),
-            };
-        };
-        let same_stage = Arc::ptr_eq(&stage, &old.stage);
-        let before = &old.request;
-        let picture = !same_stage || request.camera != before.camera || request.size != before.size;
+        Self {
+            outlines: outlines(&request, &stage, &request.outline),
+            hover: outlines(&request, &stage, hovered(&request)),
+            request,
+            stage,
+            camera,
+            film: None,
+            sharper: None,
+            spare: None,
+            shown: Shown::default(),
+            due: Due::ALL,
+            is_at_rest: false,
+            changed: Instant::now(),
+        }
+    }
+
+    /// A view of another request, which takes over from this one what still holds. `stage` makes the stage from that of
+    /// this view, which is let go of before; it may be the same.
+    pub(crate) fn succeed(
+        self,
+        request: Request,
+        is_same_stage: bool,
+        stage: impl FnOnce(Arc<Stage>) -> Arc<Stage>,
+    ) -> Self {
+        let stage = stage(self.stage);
+        let camera = stage.camera_for(&request.camera);
+        let before = &self.request;
+        let picture = !is_same_stage || request.camera != before.camera || request.size != before.size;
         let due = Due {
-            picture: picture || old.due.picture,
-            development: old.due.development || request.development != before.development,
+            picture: picture || self.due.picture,
+            development: self.due.development || request.development != before.development,
             overlays: picture
-                || old.due.overlays
+                || self.due.overlays
                 || request.outline != before.outline
                 || request.hover != before.hover
                 || request.grid != before.grid,
             // After a rest too, so that the window hears that there is a picture again.
-            frame: old.due.frame || old.is_at_rest || request.revision != before.revision,
+            frame: self.due.frame || self.is_at_rest || request.revision != before.revision,
         };
-        let same = same_stage && request.outline == before.outline;
+        let same = is_same_stage && request.outline == before.outline;
         let same_hover = same && request.hover == before.hover;
         Self {
-            outlines: if same { old.outlines } else { outlines(&stage, &request.outline) },
-            hover: if same_hover { old.hover } else { outlines(&stage, hovered(&request)) },
-            changed: if picture { Instant::now() } else { old.changed },
+            outlines: if same { self.outlines } else { outlines(&request, &stage, &request.outline) },
+            hover: if same_hover { self.hover } else { outlines(&request, &stage, hovered(&request)) },
+            changed: if picture { Instant::now() } else { self.changed },
             // Films of another picture are of use too: their memory is.
-            film: old.film,
-            sharper: old.sharper,
-            spare: old.spare,
-            shown: old.shown,
+            film: self.film,
+            sharper: self.sharper,
+            spare: self.spare,
+            shown: self.shown,
             request,
             stage,
             camera,
@@ -203,8 +213,8 @@ fn hovered(request: &Request) -> &[usize] {
     }
 }
 
-fn outlines(stage: &Stage, bodies: &[usize]) -> Option<Outlines> {
-    (!bodies.is_empty()).then(|| Outlines::new(stage, bodies))
+fn outlines(request: &Request, stage: &Stage, bodies: &[usize]) -> Option<Outlines> {
+    (!bodies.is_empty()).then(|| Outlines::new(&request.scene, stage, bodies))
 }
 
 /// Whether a request, seen while another is worked on, asks for something that should not wait.
@@ -220,14 +230,45 @@ pub(crate) fn is_new(new: &Request, current: &Request) -> bool {
         || (new.paused && !current.paused)
 }
 
-/// Whether two scenes have the same stage, apart from the camera.
-pub(crate) fn same_stage(one: &Arc<Scene>, other: &Arc<Scene>) -> bool {
-    Arc::ptr_eq(one, other)
-        || (one.environment == other.environment
-            && one.tracing == other.tracing
-            && one.lights.iter().map(traced_light).eq(other.lights.iter().map(traced_light))
-            && one.materials == other.materials
-            && one.bodies.iter().map(traced_body).eq(other.bodies.iter().map(traced_body)))
+/// How the stage of one request becomes that of the next.
+pub(crate) enum Step {
+    /// Nothing that is traced is different, apart from the camera.
+    Same,
+    /// A few bodies are, or the lights.
+    Edit(StageEdit),
+    /// The scene has to be prepared.
+    Anew,
+}
+
+impl View {
+    /// What has to be done to the stage for another request; on the current rayon pool.
+    pub(crate) fn step_to(&self, new: &Request) -> Step {
+        let (before, after) = (&*self.request.scene, &*new.scene);
+        let Some(changed) = changed_bodies(&self.request, new) else { return Step::Anew };
+        let lights = |scene: &Scene| scene.lights.iter().map(traced_light).collect::<Vec<_>>();
+        let is_same = changed.is_empty()
+            && before.environment == after.environment
+            && before.tracing == after.tracing
+            && before.materials == after.materials
+            && lights(before) == lights(after);
+        if is_same {
+            return Step::Same;
+        }
+        self.stage.edit(before, after, &changed).map_or(Step::Anew, Step::Edit)
+    }
+}
+
+/// The places of all bodies that a picture shows otherwise; `None` when there are more or fewer than before.
+fn changed_bodies(old: &Request, new: &Request) -> Option<Vec<usize>> {
+    if Arc::ptr_eq(&old.scene, &new.scene) {
+        return Some(Vec::new());
+    }
+    let (before, after) = (&old.scene.bodies, &new.scene.bodies);
+    if before.len() != after.len() {
+        return None;
+    }
+    let is_changed = |&index: &usize| before.get(index).map(traced_body) != after.get(index).map(traced_body);
+    Some((0..before.len()).into_par_iter().filter(is_changed).collect())
 }
 
 /// What a picture depends on.

@@ -16,7 +16,7 @@ use crate::pace::Pace;
 use crate::request::Request;
 use crate::shared::{Call, Patience, Shared, Wait};
 use crate::status::LiveError;
-use crate::view::{Due, View, check, is_new, same_stage, size_of_film};
+use crate::view::{Due, Step, View, check, is_new, size_of_film};
 
 /// A picture under way while something moves is finished though a newer one is asked for, since otherwise none would
 /// ever be; but not if it takes so many times its budget, and a coarser one would be quicker.
@@ -104,16 +104,36 @@ impl Worker {
             return Ok(());
         }
         let old = self.view.take();
-        let known = old.as_ref().filter(|old| same_stage(&old.request.scene, &request.scene));
-        let stage = match known {
-            Some(old) => Arc::clone(&old.stage),
-            None => Arc::new(self.pool.install(|| Stage::prepare(&request.scene))?),
-        };
+        let view = self.pool.install(|| self.view_of(request, old));
+        self.view = Some(view?);
         self.shared.change_status(|status| status.error = None);
-        self.shared.publish_stage(request.revision, Arc::clone(&stage));
-        // In the pool, since the stages of many outlined bodies are built in parallel.
-        self.view = Some(self.pool.install(|| View::new(request, stage, old)));
         Ok(())
+    }
+
+    /// A view of a request, its stage prepared or made from that of the view before; on the current rayon pool.
+    fn view_of(&self, request: Request, old: Option<View>) -> Result<View, LiveError> {
+        let revision = request.revision;
+        let publish = |stage: &Arc<Stage>| self.shared.publish_stage(revision, Arc::clone(stage));
+        let Some(old) = old else {
+            let stage = Arc::new(Stage::prepare(&request.scene)?);
+            publish(&stage);
+            return Ok(View::new(request, stage));
+        };
+        let scene = Arc::clone(&request.scene);
+        Ok(match old.step_to(&request) {
+            Step::Same => {
+                publish(&old.stage);
+                old.succeed(request, true, |stage| stage)
+            }
+            Step::Edit(edit) => old.succeed(request, false, |stage| {
+                self.shared.edit_stage(revision, stage, |stage| stage.apply(edit, &scene))
+            }),
+            Step::Anew => {
+                let stage = Arc::new(Stage::prepare(&scene)?);
+                publish(&stage);
+                old.succeed(request, false, |_| stage)
+            }
+        })
     }
 
     /// Traces the first picture after a change, as large as time allows.

@@ -4,7 +4,9 @@ mod body;
 mod bounds;
 mod bvh;
 mod camera;
+mod cast;
 mod checker;
+mod edit;
 mod few;
 mod light;
 mod material;
@@ -13,22 +15,20 @@ mod only;
 use std::ops::Range;
 use std::sync::Arc;
 
-use catoptric_scene::{Body, Camera, Color, Scene, Tracing};
-use glam::DVec3;
+use catoptric_scene::{Camera, Color, Scene, Tracing};
 use rayon::prelude::*;
 
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
-pub(crate) use bvh::Bvh;
-pub(crate) use bvh::{PacketPart, Visit};
+pub(crate) use bvh::{Bvh, Entry, PacketPart, Visit};
 pub use camera::StageCamera;
 use camera::Surroundings;
+use cast::Cast;
 pub(crate) use checker::StageChecker;
+pub use edit::StageEdit;
 use few::FewBodies;
 pub(crate) use light::StageLight;
 pub(crate) use material::StageMaterial;
-
-use material::MaterialTable;
 
 /// A scene prepared for tracing: immutable, shared by reference between threads.
 ///
@@ -43,17 +43,20 @@ pub struct Stage {
     pub(crate) bounded: u32,
     pub(crate) hierarchy: Hierarchy,
     // Shared with the stages of some of the bodies.
-    pub(crate) materials: Arc<[StageMaterial]>,
-    pub(crate) checkers: Arc<[StageChecker]>,
+    pub(crate) materials: Arc<Vec<StageMaterial>>,
+    pub(crate) checkers: Arc<Vec<StageChecker>>,
     pub(crate) lights: Arc<[StageLight]>,
     pub(crate) camera: StageCamera,
     pub(crate) background: [f32; 3],
     pub(crate) ambient: [f32; 3],
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
+    /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
-    /// The largest [`StageBody::slack`].
+    /// The largest [`StageBody::slack`], or more after an edit.
     pub(crate) largest_slack: f32,
+    /// Materials and checkers that edits have added.
+    added: u32,
 }
 
 /// How the bodies that a ray may meet are found among the bounded ones.
@@ -64,13 +67,21 @@ pub(crate) enum Hierarchy {
 }
 
 impl Hierarchy {
-    /// The hierarchy over these boxes, which are put into its order.
-    fn over(boxes: &mut [(Bounds, u32)], kind: impl Fn(u32) -> u32 + Copy + Sync) -> Self {
-        if boxes.len() <= Stage::FEW {
-            boxes.sort_by_key(|&(_, index)| kind(index));
-            Self::Few(FewBodies::new(boxes.iter().map(|entry| entry.0)))
+    /// The hierarchy over these entries, which are put into its order.
+    fn over(entries: &mut [Entry]) -> Self {
+        if entries.len() <= Stage::FEW {
+            entries.sort_by_key(Entry::leaf_key);
+            Self::Few(FewBodies::new(entries.iter().map(Entry::bounds)))
         } else {
-            Self::Many(Bvh::build(boxes, kind))
+            Self::Many(Bvh::build(entries))
+        }
+    }
+
+    /// The box of all its entries, which are these.
+    fn bounds(&self, entries: &[Entry]) -> Bounds {
+        match self {
+            Self::Few(_) => entries.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.bounds())),
+            Self::Many(bvh) => bvh.bounds(),
         }
     }
 }
@@ -106,27 +117,34 @@ impl Stage {
         if scene.bodies.len() > Self::MAX_BODIES {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
         }
-        let mut cast = Cast::prepare(scene)?;
-        let camera = StageCamera::new(&scene.camera, cast.surroundings(scene));
-        let (order, hierarchy) = cast.order();
-        let bounded = cast.boxes.len() as u32;
-        let largest_slack = order.iter().map(|&index| cast.bodies[index as usize].slack).fold(0.0, f32::max);
+        let Cast { mut entries, planes, chunks, materials, checkers } = Cast::of(scene)?;
+        let hierarchy = Hierarchy::over(&mut entries);
+        let surroundings = Surroundings::new(
+            hierarchy.bounds(&entries),
+            planes.iter().map(|&index| &scene.bodies[index as usize]),
+        );
+        let scene_indices: Vec<u32> =
+            entries.par_iter().map(Entry::place).chain(planes.par_iter().copied()).collect();
+        let bounded = entries.len() as u32;
+        drop(entries);
+        let bodies: Vec<StageBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
         let Tracing { generations, threshold } = scene.tracing;
         Ok(Self {
-            bodies: cast.take_bodies(&order),
-            scene_indices: order,
             bounded,
             hierarchy,
-            largest_slack,
-            has_transparency: cast.materials.iter().any(StageMaterial::is_transparent),
-            materials: cast.materials.into(),
-            checkers: cast.checkers.into(),
+            largest_slack: bodies.par_iter().map(|body| body.slack).reduce(|| 0.0, f32::max),
+            bodies,
+            scene_indices,
+            has_transparency: materials.iter().any(StageMaterial::is_transparent),
+            materials: materials.into(),
+            checkers: checkers.into(),
             lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),
-            camera,
+            camera: StageCamera::new(&scene.camera, surroundings),
             background: numbers(scene.environment.background),
             ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
+            added: 0,
         })
     }
 
@@ -195,87 +213,6 @@ impl Stage {
 
     pub(crate) fn material(&self, body: &StageBody) -> &StageMaterial {
         &self.materials[body.material as usize]
-    }
-}
-
-/// The bodies of a scene on their way to the stage, in the scene's order.
-struct Cast {
-    bodies: Vec<StageBody>,
-    materials: Vec<StageMaterial>,
-    checkers: Vec<StageChecker>,
-    /// The bounds of each bounded body with its place in `bodies`.
-    boxes: Vec<(Bounds, u32)>,
-    planes: Vec<u32>,
-}
-
-impl Cast {
-    fn prepare(scene: &Scene) -> Result<Self, StageError> {
-        let (mut bodies, bounds): (Vec<StageBody>, Vec<Option<Bounds>>) =
-            scene.bodies.par_iter().map(StageBody::new).unzip();
-        let mut table = MaterialTable::new(scene);
-        let mut checkers = Vec::new();
-        for (index, (prepared, body)) in bodies.iter_mut().zip(&scene.bodies).enumerate() {
-            if body.hidden {
-                continue;
-            }
-            let (material, source) =
-                table.find(&body.material).ok_or_else(|| undefined_material(index, body))?;
-            prepared.material = material;
-            prepared.transparent = u16::from(table.prepared(material).is_transparent());
-            if let Some(checker) = &source.checker {
-                prepared.checker = checkers.len() as u32;
-                checkers.push(StageChecker::new(checker, body));
-            }
-        }
-        let mut boxes = Vec::with_capacity(bounds.len());
-        let mut planes = Vec::new();
-        for ((bounds, body), index) in bounds.into_iter().zip(&scene.bodies).zip(0..) {
-            match bounds {
-                _ if body.hidden => {}
-                Some(bounds) => boxes.push((bounds, index)),
-                None => planes.push(index),
-            }
-        }
-        Ok(Self { bodies, materials: table.into_prepared(), checkers, boxes, planes })
-    }
-
-    /// What is in the way of rays from afar.
-    fn surroundings(&self, scene: &Scene) -> Surroundings {
-        let all = self.boxes.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.0));
-        let (center, radius) = if self.boxes.is_empty() {
-            (DVec3::ZERO, f64::INFINITY)
-        } else {
-            (0.5 * all.doubled_center().as_dvec3(), 0.5 * f64::from(all.min.distance(all.max)))
-        };
-        let plane = |&index: &u32| {
-            let frame = scene.bodies[index as usize].placement.world_from_body();
-            let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
-            (frame.translation, normal.normalize_or(DVec3::Y))
-        };
-        Surroundings { center, radius, planes: self.planes.iter().map(plane).collect() }
-    }
-
-    /// The order in which the bodies stand in the stage, and the hierarchy over the bounded ones.
-    fn order(&mut self) -> (Vec<u32>, Hierarchy) {
-        let hierarchy = Hierarchy::over(&mut self.boxes, |index| u32::from(self.bodies[index as usize].kind));
-        let bounded = self.boxes.iter().map(|&(_, index)| index);
-        (bounded.chain(self.planes.iter().copied()).collect(), hierarchy)
-    }
-
-    fn take_bodies(&mut self, order: &[u32]) -> Vec<StageBody> {
-        let bodies = std::mem::take(&mut self.bodies);
-        order.iter().map(|&index| bodies[index as usize]).collect()
-    }
-}
-
-fn undefined_material(index: usize, body: &Body) -> StageError {
-    StageError::UndefinedMaterial {
-        body: if body.name.is_empty() {
-            format!("number {}", index + 1)
-        } else {
-            format!("\"{}\"", body.name)
-        },
-        material: body.material.name().unwrap_or_default().to_owned(),
     }
 }
 

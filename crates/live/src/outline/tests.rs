@@ -36,7 +36,7 @@ pub(super) fn one_body(shape: Shape, position: DVec3, degrees: DVec3, size: DVec
 
 fn outlines(scene: &Scene, bodies: &[usize]) -> Vec<Polyline> {
     let stage = Stage::prepare(scene).unwrap();
-    Outlines::new(&stage, bodies).trace(scene, &stage, stage.camera(), SIZE)
+    Outlines::new(scene, &stage, bodies).trace(scene, &stage, stage.camera(), SIZE)
 }
 
 /// The distance of a point from a line.
@@ -267,7 +267,7 @@ fn no_camera_and_no_body_is_too_odd() {
             scene.camera = Camera { position, ..Camera::default() };
             let stage = Stage::prepare(&scene).unwrap();
             for size in [DVec2::ONE, DVec2::new(1.0, 500.0), DVec2::new(3000.0, 2.0)] {
-                Outlines::new(&stage, &[0, 1]).trace(&scene, &stage, stage.camera(), size);
+                Outlines::new(&scene, &stage, &[0, 1]).trace(&scene, &stage, stage.camera(), size);
             }
         }
     }

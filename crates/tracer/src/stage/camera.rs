@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use catoptric_scene::{Camera, Projection};
+use catoptric_scene::{Body, Camera, Projection};
 use glam::{DVec2, DVec3};
 
+use super::Bounds;
 use crate::lanes::Real;
 use crate::ray::Ray;
 use crate::vector::Vector;
@@ -25,13 +26,28 @@ pub struct StageCamera {
 /// Where a ray can meet something at all: a sphere around the bounded bodies, and the planes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Surroundings {
-    pub(super) center: DVec3,
-    pub(super) radius: f64,
+    center: DVec3,
+    radius: f64,
     /// A point and a normal of each plane.
-    pub(super) planes: Arc<[(DVec3, DVec3)]>,
+    planes: Arc<[(DVec3, DVec3)]>,
 }
 
 impl Surroundings {
+    /// Around bodies with these bounds, and planes.
+    pub(super) fn new<'a>(bounds: Bounds, planes: impl Iterator<Item = &'a Body>) -> Self {
+        let (center, radius) = if bounds == Bounds::EMPTY {
+            (DVec3::ZERO, f64::INFINITY)
+        } else {
+            (0.5 * bounds.doubled_center().as_dvec3(), 0.5 * f64::from(bounds.min.distance(bounds.max)))
+        };
+        let plane = |body: &Body| {
+            let frame = body.placement.world_from_body();
+            let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
+            (frame.translation, normal.normalize_or(DVec3::Y))
+        };
+        Self { center, radius, planes: planes.map(plane).collect() }
+    }
+
     /// How far a ray from `origin` along the unit vector `direction` can surely go without meeting anything; 0 or
     /// more.
     fn free_way(&self, origin: DVec3, direction: DVec3) -> f64 {

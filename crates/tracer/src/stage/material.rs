@@ -27,7 +27,7 @@ pub(crate) struct StageMaterial {
 }
 
 impl StageMaterial {
-    fn new(material: &Material) -> Self {
+    pub(super) fn new(material: &Material) -> Self {
         Self {
             color: numbers(material.color),
             ambient: material.ambient as f32,
@@ -46,31 +46,58 @@ impl StageMaterial {
     }
 }
 
-/// Finds and prepares the materials that a scene's bodies use, each distinct one once.
+/// The named materials of a scene.
+pub(super) type NamedMaterials<'a> = HashMap<&'a str, &'a Material>;
+
+/// The materials that some bodies use, each distinct one once, in the order of their first use.
+#[derive(Default)]
 pub(super) struct MaterialTable<'a> {
-    named: HashMap<&'a str, &'a Material>,
     indices: HashMap<[u64; 13], u32>,
+    of_names: HashMap<&'a str, (u32, &'a Material)>,
     prepared: Vec<StageMaterial>,
+    keys: Vec<[u64; 13]>,
 }
 
 impl<'a> MaterialTable<'a> {
-    pub(super) fn new(scene: &'a Scene) -> Self {
-        let named = scene.materials.iter().map(|named| (named.name.as_str(), &named.material)).collect();
-        Self { named, indices: HashMap::new(), prepared: Vec::new() }
+    /// The named materials of `scene`; of two with one name the last.
+    pub(super) fn named(scene: &'a Scene) -> NamedMaterials<'a> {
+        scene.materials.iter().map(|named| (named.name.as_str(), &named.material)).collect()
     }
 
     /// The index of a body's material and its source, or `None` if it is not defined.
-    pub(super) fn find(&mut self, choice: &'a MaterialChoice) -> Option<(u32, &'a Material)> {
-        let material = match choice {
-            MaterialChoice::Inline(material) => material,
-            MaterialChoice::Named(name) => *self.named.get(name.as_str())?,
-        };
-        let prepared = &mut self.prepared;
-        let index = *self.indices.entry(bits(material)).or_insert_with(|| {
-            prepared.push(StageMaterial::new(material));
-            prepared.len() as u32 - 1
-        });
-        Some((index, material))
+    pub(super) fn find(
+        &mut self,
+        named: &NamedMaterials<'a>,
+        choice: &'a MaterialChoice,
+    ) -> Option<(u32, &'a Material)> {
+        match choice {
+            MaterialChoice::Inline(material) => {
+                Some((self.index(bits(material), || StageMaterial::new(material)), material))
+            }
+            MaterialChoice::Named(name) => {
+                if let Some(found) = self.of_names.get(name.as_str()) {
+                    return Some(*found);
+                }
+                let material = *named.get(name.as_str())?;
+                let index = self.index(bits(material), || StageMaterial::new(material));
+                self.of_names.insert(name, (index, material));
+                Some((index, material))
+            }
+        }
+    }
+
+    fn index(&mut self, key: [u64; 13], prepare: impl FnOnce() -> StageMaterial) -> u32 {
+        *self.indices.entry(key).or_insert_with(|| {
+            self.prepared.push(prepare());
+            self.keys.push(key);
+            self.prepared.len() as u32 - 1
+        })
+    }
+
+    /// Takes over the materials of another table and returns their indices in this one.
+    pub(super) fn append(&mut self, other: &Self) -> Vec<u32> {
+        let materials = other.keys.iter().zip(&other.prepared);
+        materials.map(|(key, material)| self.index(*key, || *material)).collect()
     }
 
     /// The prepared material of an index that [`Self::find`] gave.

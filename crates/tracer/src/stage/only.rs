@@ -3,33 +3,40 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::{Hierarchy, Stage};
+use catoptric_scene::Scene;
+
+use super::{Entry, Hierarchy, Stage};
+
+/// Up to this many bodies are looked for one by one.
+const FEW_WANTED: usize = 256;
 
 impl Stage {
-    /// The same stage with just those of its bodies that stand at these places in
-    /// [`Scene::bodies`](catoptric_scene::Scene::bodies).
+    /// The same stage with just those of its bodies that stand at these places in [`Scene::bodies`], `scene` being what
+    /// the stage was prepared from; other places are passed over.
     ///
     /// Camera and numbering stay, so that the same rays meet the same points: what an outline needs. The cost grows
-    /// with the number of all bodies, by a comparison each.
-    pub fn only(&self, scene_indices: &[usize]) -> Self {
+    /// with the number of the bodies wanted; if there are many, with that of all, by a comparison each.
+    pub fn only(&self, scene: &Scene, scene_indices: &[usize]) -> Self {
         let wanted: BTreeSet<usize> = scene_indices.iter().copied().collect();
-        let chosen: Vec<u32> = self
-            .scene_indices
-            .iter()
-            .zip(0..)
-            .filter(|&(&scene_index, _)| wanted.contains(&(scene_index as usize)))
-            .map(|(_, index)| index)
-            .collect();
-        let mut boxes = Vec::new();
+        let chosen: Vec<u32> = if wanted.len() <= FEW_WANTED {
+            let place = |&index: &usize| Some(self.find(scene.bodies.get(index)?, index as u32)?.0);
+            wanted.iter().filter_map(place).collect()
+        } else {
+            let places = self.scene_indices.iter().zip(0..);
+            let chosen = places.filter(|&(&index, _)| wanted.contains(&(index as usize)));
+            chosen.map(|(_, place)| place).collect()
+        };
+        let mut entries = Vec::new();
         let mut planes = Vec::new();
         for &index in &chosen {
-            match self.body(index).bounds() {
-                Some(bounds) => boxes.push((bounds, index)),
+            let body = self.body(index);
+            match body.bounds() {
+                Some(bounds) => entries.push(Entry::new(bounds, index, u32::from(body.kind))),
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut boxes, |index| u32::from(self.body(index).kind));
-        let order: Vec<u32> = boxes.iter().map(|entry| entry.1).chain(planes).collect();
+        let hierarchy = Hierarchy::over(&mut entries);
+        let order: Vec<u32> = entries.iter().map(Entry::place).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),
             scene_indices: order
@@ -37,7 +44,7 @@ impl Stage {
                 .filter_map(|&index| self.scene_indices.get(index as usize))
                 .copied()
                 .collect(),
-            bounded: boxes.len() as u32,
+            bounded: entries.len() as u32,
             hierarchy,
             materials: Arc::clone(&self.materials),
             checkers: Arc::clone(&self.checkers),
@@ -49,6 +56,7 @@ impl Stage {
             threshold: self.threshold,
             has_transparency: order.iter().any(|&index| self.body(index).is_transparent()),
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
+            added: 0,
         }
     }
 }
@@ -68,7 +76,7 @@ mod tests {
             ..Scene::default()
         };
         let stage = Stage::prepare(&scene).unwrap();
-        let some = stage.only(&[0]);
+        let some = stage.only(&scene, &[0]);
         assert!(Arc::ptr_eq(&some.materials, &stage.materials));
         assert!(Arc::ptr_eq(&some.checkers, &stage.checkers));
         assert!(Arc::ptr_eq(&some.lights, &stage.lights));

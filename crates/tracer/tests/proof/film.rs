@@ -215,7 +215,7 @@ fn a_stage_of_some_bodies_meets_them_alone_at_the_same_points() {
     all.bodies.push(plane(v(0.0, -1.0, 0.0), 0.0, chalk()));
     let stage = stage(&all);
     for chosen in [vec![], vec![7], vec![60], vec![3, 60, 3, 11, 999], (0..61).rev().step_by(2).collect()] {
-        let some = stage.only(&chosen);
+        let some = stage.only(&all, &chosen);
         let known: std::collections::BTreeSet<usize> = chosen.iter().copied().filter(|&k| k <= 60).collect();
         assert_eq!(some.body_count(), known.len());
         let mut met = 0;
@@ -242,7 +242,7 @@ fn a_stage_of_some_bodies_looks_as_their_scene_does() {
     let chosen: Vec<usize> = (0..whole.bodies.len()).step_by(2).collect();
     let mut part = whole.clone();
     part.bodies = chosen.iter().map(|&index| whole.bodies[index].clone()).collect();
-    let one = render(&stage(&whole).only(&chosen), settings(1), &Control::default()).unwrap();
+    let one = render(&stage(&whole).only(&whole, &chosen), settings(1), &Control::default()).unwrap();
     let part = Stage::prepare(&part).unwrap();
     let camera = stage(&whole).camera().clone();
     let other = render_through(&part, &camera, settings(1), &Control::default()).unwrap();

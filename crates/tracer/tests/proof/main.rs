@@ -6,6 +6,7 @@
 mod common;
 mod contacts;
 mod driver;
+mod edits;
 mod film;
 mod invariance;
 mod local_light;

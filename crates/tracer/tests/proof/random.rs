@@ -15,7 +15,7 @@ fn color() -> impl Strategy<Value = Color> {
     prop::array::uniform3(0.1..1.0_f64).prop_map(Color::from)
 }
 
-fn material() -> impl Strategy<Value = Material> {
+pub(crate) fn material() -> impl Strategy<Value = Material> {
     let opaque = (color(), 0.0..1.0_f64, 0.0..0.6_f64, 1.0..100.0_f64).prop_map(
         |(color, diffuse, specular, shininess)| Material {
             color,
@@ -45,7 +45,7 @@ fn material() -> impl Strategy<Value = Material> {
     prop_oneof![3 => opaque, 1 => checkered, 2 => clear]
 }
 
-fn body() -> impl Strategy<Value = Body> {
+pub(crate) fn body() -> impl Strategy<Value = Body> {
     let shape = prop_oneof![
         (0.2..0.9_f64).prop_map(|radius| Shape::Sphere { radius }),
         prop::array::uniform3(0.3..1.5_f64).prop_map(|size| Shape::Cube { size: size.into() }),

@@ -1,160 +1,192 @@
-//! The binary tree behind the hierarchy: top-down with the surface area heuristic over bins (Wald 2007, On fast
-//! construction of SAH-based bounding volume hierarchies), both halves in parallel.
+//! Building: top-down with the surface area heuristic over bins (Wald 2007, On fast construction of SAH-based bounding
+//! volume hierarchies). The entries are parted in place, and the widest parts of a node are parted on until it has
+//! eight (Wald, Benthin, Boulos 2008, Getting rid of packets).
+//!
+//! The outcome is the same for any number of threads: what they find is put together by least, greatest and sum of
+//! whole numbers, and long lists are parted in pieces of a fixed length.
 
-use super::{Entry, MAX_DEPTH};
-use crate::stage::Bounds;
+use rayon::prelude::*;
 
-/// A node of the binary tree, in depth-first order: an inner node's left child follows it at once.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
-    pub(super) bounds: Bounds,
-    /// Leaf: its first body. Inner node: the distance in the array from this node to its right child.
-    pub(super) first_or_skip: u32,
-    /// Leaf: its number of bodies. Inner node: 0.
-    pub(super) count: u32,
-}
+use super::entry::{Entry, Extent};
+use super::split::{best_split, partition};
+use super::{MAX_DEPTH, Node, WIDTH};
 
-const BINS: usize = 16;
+/// A leaf holds at most this many bodies.
 const LEAF_SIZE: usize = 4;
 /// Cost of opening a node in units of one body test.
-const NODE_COST: f32 = 0.4;
-/// Below this depth the median decides, which halves the number of bodies at every step: with at most 2³⁰ bodies the
+pub(super) const NODE_COST: f32 = 3.0;
+/// From this depth on the median decides, which halves the number of bodies at every step: with at most 2³⁰ bodies the
 /// depth stays within [`MAX_DEPTH`].
 const SAH_DEPTH: usize = MAX_DEPTH - 30;
-/// A part with fewer bodies is built by one thread.
+/// A node over fewer bodies is built by one thread.
 const PARALLEL_SIZE: usize = 4096;
 
-/// Builds the tree over `entries`, whose first is body `first` of the stage, and sorts them into its leaves' order.
-pub(super) fn build(
-    entries: &mut [Entry],
-    first: u32,
+/// Some of the entries, one after another, and their box.
+#[derive(Clone, Copy)]
+struct Part {
+    start: usize,
+    count: usize,
+    extent: Extent,
+    /// How many partings led to it.
     depth: usize,
-    kind: impl Fn(u32) -> u32 + Sync + Copy,
-) -> Vec<Node> {
-    let bounds = entries.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.0));
-    let node = |first_or_skip, count| Node { bounds, first_or_skip, count };
-    let Some(middle) = split(entries, &bounds, depth) else {
-        entries.sort_unstable_by_key(|&(_, index)| (kind(index), index));
-        return vec![node(first, entries.len() as u32)];
-    };
-    let (left, right) = entries.split_at_mut(middle);
-    let right_first = first + middle as u32;
-    let large = left.len() + right.len() >= PARALLEL_SIZE;
-    let mut build_left = || build(left, first, depth + 1, kind);
-    let mut build_right = || build(right, right_first, depth + 1, kind);
-    let (left, right) =
-        if large { rayon::join(build_left, build_right) } else { (build_left(), build_right()) };
-    let mut nodes = Vec::with_capacity(1 + left.len() + right.len());
-    nodes.push(node(1 + left.len() as u32, 0));
-    nodes.extend(left);
-    nodes.extend(right);
+    /// It was found that it cannot be parted.
+    is_whole: bool,
+}
+
+/// Nodes in depth-first order; an inner node's `first` is the way from its parent to it.
+type Nodes = Vec<Node>;
+
+/// Builds the nodes, and sorts `entries` into their leaves' order.
+pub(super) fn build(entries: &mut [Entry]) -> Vec<Node> {
+    let of = |entries: &[Entry]| entries.iter().fold(Extent::EMPTY, Extent::with);
+    let extent = entries.par_chunks(PARALLEL_SIZE).map(of).reduce(|| Extent::EMPTY, Extent::union);
+    let root = Part { start: 0, count: entries.len(), extent, depth: 0, is_whole: false };
+    let pieces = large_node(entries, root);
+    let mut nodes: Vec<Node> = bytemuck::zeroed_vec(pieces.iter().map(Vec::len).sum());
+    let mut jobs = Vec::with_capacity(pieces.len());
+    let mut rest = &mut nodes[..];
+    let mut place = 0;
+    for piece in pieces {
+        let (own, others) = std::mem::take(&mut rest).split_at_mut(piece.len());
+        rest = others;
+        let start = place;
+        place += piece.len() as u32;
+        jobs.push((start, piece, own));
+    }
+    jobs.into_par_iter().for_each(|(start, piece, own)| {
+        own.copy_from_slice(&piece);
+        for (node, place) in own.iter_mut().zip(start..) {
+            node.children_mut().for_each(|child| *child += place);
+        }
+    });
     nodes
 }
 
-/// Partitions `entries` and says where, or `None` when they should stay one leaf.
-fn split(entries: &mut [Entry], bounds: &Bounds, depth: usize) -> Option<usize> {
-    if entries.len() <= 1 {
-        return None;
+/// The nodes of a part, in pieces: its children are built in parallel.
+fn large_node(entries: &mut [Entry], part: Part) -> Vec<Nodes> {
+    if part.count < PARALLEL_SIZE {
+        let mut nodes = Vec::new();
+        small_node(entries, part, &mut nodes);
+        return vec![nodes];
     }
-    if depth < SAH_DEPTH
-        && let Some(choice) = best_split(entries, bounds)
-    {
-        let leaf_cost = entries.len() as f32 * bounds.half_area();
-        if entries.len() <= LEAF_SIZE && choice.cost >= leaf_cost {
-            return None;
-        }
-        return Some(partition(entries, |entry| choice.bins.index(&entry.0) < choice.bin));
+    let mut parts = [part; WIDTH];
+    let parts = open(entries, &mut parts);
+    let mut jobs = Vec::with_capacity(WIDTH);
+    let mut rest = entries;
+    for part in parts {
+        let (own, others) = rest.split_at_mut(part.count);
+        rest = others;
+        jobs.push((*part, own));
     }
-    if entries.len() <= LEAF_SIZE {
-        return None;
-    }
-    let size = bounds.max - bounds.min;
-    let axis = size.max_position();
-    let middle = entries.len() / 2;
-    entries.select_nth_unstable_by(middle, |a, b| {
-        a.0.doubled_center()[axis].total_cmp(&b.0.doubled_center()[axis]).then(a.1.cmp(&b.1))
-    });
-    Some(middle)
-}
-
-/// Moves the entries for which `left` holds to the front and returns their number.
-fn partition(entries: &mut [Entry], left: impl Fn(&Entry) -> bool) -> usize {
-    let mut middle = 0;
-    for index in 0..entries.len() {
-        if left(&entries[index]) {
-            entries.swap(index, middle);
-            middle += 1;
+    let built: Vec<Vec<Nodes>> = jobs
+        .into_par_iter()
+        .map(
+            |(part, entries)| if stays_leaf(entries, &part) { Vec::new() } else { large_node(entries, part) },
+        )
+        .collect();
+    let mut node = Node::EMPTY;
+    let mut way = 1;
+    for (slot, (part, pieces)) in parts.iter().zip(&built).enumerate() {
+        if pieces.is_empty() {
+            node.set(slot, part.extent.bounds(), part.start, part.count);
+        } else {
+            node.set(slot, part.extent.bounds(), way, 0);
+            way += pieces.iter().map(Vec::len).sum::<usize>();
         }
     }
-    middle
+    let mut pieces = vec![vec![node]];
+    pieces.extend(built.into_iter().flatten());
+    pieces
 }
 
-/// Equal intervals of the box centers along one axis.
-#[derive(Clone, Copy)]
-struct Bins {
-    axis: usize,
-    low: f32,
-    per_unit: f32,
-}
-
-impl Bins {
-    fn index(&self, bounds: &Bounds) -> usize {
-        (((bounds.doubled_center()[self.axis] - self.low) * self.per_unit) as usize).min(BINS - 1)
+/// Appends the nodes of a part.
+fn small_node(entries: &mut [Entry], part: Part, nodes: &mut Nodes) {
+    let place = nodes.len();
+    nodes.push(Node::EMPTY);
+    if part.count <= WIDTH {
+        entries.sort_unstable_by_key(Entry::leaf_key);
+        for (slot, entry) in entries.iter().enumerate() {
+            nodes[place].set(slot, entry.bounds(), part.start + slot, 1);
+        }
+        return;
     }
-}
-
-struct Choice {
-    bins: Bins,
-    /// First bin of the right part.
-    bin: usize,
-    /// Expected number of body tests times the area.
-    cost: f32,
-}
-
-/// The cheapest split over all axes; `None` when all centers coincide.
-fn best_split(entries: &[Entry], bounds: &Bounds) -> Option<Choice> {
-    let centers = entries.iter().fold(Bounds::EMPTY, |all, entry| {
-        let center = entry.0.doubled_center();
-        all.union(Bounds { min: center, max: center })
-    });
-    let mut best: Option<Choice> = None;
-    for axis in 0..3 {
-        let (low, high) = (centers.min[axis], centers.max[axis]);
-        let per_unit = BINS as f32 / (high - low);
-        if !(high > low && per_unit.is_finite()) {
-            continue;
-        }
-        let bins = Bins { axis, low, per_unit };
-        let mut filled = [(Bounds::EMPTY, 0_u32); BINS];
-        for entry in entries {
-            let bin = &mut filled[bins.index(&entry.0)];
-            *bin = (bin.0.union(entry.0), bin.1 + 1);
-        }
-        let (bin, cost) = cheapest_boundary(&filled);
-        let cost = cost + NODE_COST * bounds.half_area();
-        if best.as_ref().is_none_or(|choice| cost < choice.cost) {
-            best = Some(Choice { bins, bin, cost });
+    let mut parts = [part; WIDTH];
+    for (slot, child) in open(entries, &mut parts).iter().enumerate() {
+        let start = child.start - part.start;
+        let entries = &mut entries[start..start + child.count];
+        let bounds = child.extent.bounds();
+        if stays_leaf(entries, child) {
+            nodes[place].set(slot, bounds, child.start, child.count);
+        } else {
+            let way = nodes.len() - place;
+            nodes[place].set(slot, bounds, way, 0);
+            small_node(entries, *child, nodes);
         }
     }
-    best
 }
 
-/// The boundary (index of the first bin to its right) with the least sum of area × count over both sides.
-fn cheapest_boundary(filled: &[(Bounds, u32); BINS]) -> (usize, f32) {
-    let mut right_cost = [0.0_f32; BINS];
-    let mut right = (Bounds::EMPTY, 0_u32);
-    for bin in (1..BINS).rev() {
-        right = (right.0.union(filled[bin].0), right.1 + filled[bin].1);
-        right_cost[bin] = if right.1 == 0 { f32::INFINITY } else { right.0.half_area() * right.1 as f32 };
-    }
-    let mut best = (1, f32::INFINITY);
-    let mut left = (Bounds::EMPTY, 0_u32);
-    for bin in 1..BINS {
-        left = (left.0.union(filled[bin - 1].0), left.1 + filled[bin - 1].1);
-        let cost = left.0.half_area() * left.1 as f32 + right_cost[bin];
-        if left.1 > 0 && cost < best.1 {
-            best = (bin, cost);
+/// Parts the first part, which has all the entries, again and again, always the widest one, until there are as many as
+/// a node has places; in the entries' order.
+fn open<'a>(entries: &mut [Entry], parts: &'a mut [Part; WIDTH]) -> &'a [Part] {
+    let first = parts[0].start;
+    let mut count = 1;
+    while count < WIDTH {
+        let area = |at: usize| parts[at].extent.half_area();
+        let open = (0..count).filter(|&at| !parts[at].is_whole);
+        let is_large = |at: usize| parts[at].count > LEAF_SIZE;
+        let rank = |at: usize, other: usize| {
+            is_large(at).cmp(&is_large(other)).then_with(|| area(at).total_cmp(&area(other)))
+        };
+        let Some(widest) = open.max_by(|&a, &b| rank(a, b)) else { break };
+        let part = &parts[widest];
+        let start = part.start - first;
+        match divide(&mut entries[start..start + part.count], part) {
+            Some([left, right]) => {
+                parts[widest] = left;
+                parts[count] = right;
+                count += 1;
+            }
+            None => parts[widest].is_whole = true,
         }
     }
-    best
+    let parts = &mut parts[..count];
+    parts.sort_unstable_by_key(|part| part.start);
+    parts
+}
+
+/// Parts a part in two; `None` when it stays one leaf, since it has one body or all centers coincide.
+fn divide(entries: &mut [Entry], part: &Part) -> Option<[Part; 2]> {
+    let extent_of = |entries: &[Entry]| entries.iter().fold(Extent::EMPTY, Extent::with);
+    let split = if part.depth < SAH_DEPTH && part.count > 2 { best_split(entries) } else { None };
+    let (middle, [left, right]) = match split {
+        Some(split) => (partition(entries, &split), split.sides),
+        None if part.count < 2 || (2 < part.count && part.count <= LEAF_SIZE) => return None,
+        None => {
+            let axis = part.extent.longest_axis();
+            let middle = part.count / 2;
+            entries.select_nth_unstable_by(middle, |a, b| a.compare(b, axis));
+            let (left, right) = entries.split_at(middle);
+            (middle, [extent_of(left), extent_of(right)])
+        }
+    };
+    let depth = part.depth + 1;
+    let (start, count) = (part.start, part.count);
+    Some([
+        Part { start, count: middle, extent: left, depth, is_whole: false },
+        Part { start: start + middle, count: count - middle, extent: right, depth, is_whole: false },
+    ])
+}
+
+/// Whether a part is better a leaf than a node of its own; its entries are then put in a leaf's order.
+fn stays_leaf(entries: &mut [Entry], part: &Part) -> bool {
+    if part.count > LEAF_SIZE {
+        return false;
+    }
+    let area = part.extent.half_area();
+    let apart: f32 = entries.iter().map(|entry| Extent::EMPTY.with(entry).half_area()).sum();
+    let is_leaf = part.count == 1 || part.count as f32 * area <= NODE_COST * area + apart;
+    if is_leaf {
+        entries.sort_unstable_by_key(Entry::leaf_key);
+    }
+    is_leaf
 }

@@ -74,7 +74,7 @@ impl Bvh {
             let far = visitor.reach();
             for slot in 0..node.first.len() {
                 if node.is_unused(slot) {
-                    break;
+                    continue;
                 }
                 let (enter, met) = boxes.enter(w, &node.sides, slot, far);
                 let met = (met & lanes).bits();

@@ -1,0 +1,127 @@
+//! The bodies of a scene on their way to the stage.
+
+use catoptric_scene::{Body, Scene};
+use rayon::prelude::*;
+
+use super::material::{MaterialTable, NamedMaterials};
+use super::{Entry, StageBody, StageChecker, StageError, StageMaterial};
+use crate::ray::NO_BODY;
+
+/// What is known of a scene's bodies before they are brought into the hierarchy's order.
+pub(super) struct Cast {
+    /// One for each visible bounded body.
+    pub(super) entries: Vec<Entry>,
+    /// The places of the visible planes.
+    pub(super) planes: Vec<u32>,
+    pub(super) chunks: Chunks,
+    pub(super) materials: Vec<StageMaterial>,
+    pub(super) checkers: Vec<StageChecker>,
+}
+
+/// So many bodies that are neighbors in the scene are prepared by one thread.
+const CHUNK: usize = 1 << 12;
+
+/// The prepared bodies in the scene's order, the hidden ones with them.
+pub(super) struct Chunks(Vec<(Vec<StageBody>, Numbering)>);
+
+/// What the materials and checkers of a chunk are numbered in the stage.
+struct Numbering {
+    materials: Vec<u32>,
+    first_checker: u32,
+}
+
+/// What one thread finds out about some bodies.
+struct Chunk<'a> {
+    bodies: Vec<StageBody>,
+    entries: Vec<Entry>,
+    planes: Vec<u32>,
+    materials: MaterialTable<'a>,
+    checkers: Vec<StageChecker>,
+}
+
+impl Cast {
+    /// Prepares the bodies of a scene.
+    pub(super) fn of(scene: &Scene) -> Result<Self, StageError> {
+        let named = MaterialTable::named(scene);
+        let chunks = scene.bodies.par_chunks(CHUNK).enumerate();
+        let chunks: Vec<_> = chunks.map(|(chunk, bodies)| Chunk::of(bodies, chunk * CHUNK, &named)).collect();
+        // Of several undefined materials the first is told.
+        let chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let mut table = MaterialTable::default();
+        let mut cast = Self {
+            entries: Vec::with_capacity(chunks.iter().map(|chunk| chunk.entries.len()).sum()),
+            planes: Vec::new(),
+            chunks: Chunks(Vec::with_capacity(chunks.len())),
+            materials: Vec::new(),
+            checkers: Vec::new(),
+        };
+        for chunk in chunks {
+            let numbering = Numbering {
+                materials: table.append(&chunk.materials),
+                first_checker: cast.checkers.len() as u32,
+            };
+            cast.entries.extend(chunk.entries);
+            cast.planes.extend(chunk.planes);
+            cast.checkers.extend(chunk.checkers);
+            cast.chunks.0.push((chunk.bodies, numbering));
+        }
+        cast.materials = table.into_prepared();
+        Ok(cast)
+    }
+}
+
+impl Chunks {
+    /// The body at this place in the scene, which is not hidden.
+    pub(super) fn body(&self, index: u32) -> StageBody {
+        let (bodies, numbering) = &self.0[index as usize / CHUNK];
+        let mut body = bodies[index as usize % CHUNK];
+        body.material = numbering.materials[body.material as usize];
+        if body.checker != NO_BODY {
+            body.checker += numbering.first_checker;
+        }
+        body
+    }
+}
+
+impl<'a> Chunk<'a> {
+    /// Prepares some bodies, the first of which is at the place `first`.
+    fn of(bodies: &'a [Body], first: usize, named: &NamedMaterials<'a>) -> Result<Self, StageError> {
+        let mut chunk = Self {
+            bodies: Vec::with_capacity(bodies.len()),
+            entries: Vec::with_capacity(bodies.len()),
+            planes: Vec::new(),
+            materials: MaterialTable::default(),
+            checkers: Vec::new(),
+        };
+        for (body, index) in bodies.iter().zip(first..) {
+            let (mut prepared, bounds) = StageBody::new(body);
+            if !body.hidden {
+                let found = chunk.materials.find(named, &body.material);
+                let (material, source) = found.ok_or_else(|| undefined_material(index, body))?;
+                prepared.material = material;
+                prepared.transparent = u16::from(chunk.materials.prepared(material).is_transparent());
+                if let Some(checker) = &source.checker {
+                    prepared.checker = chunk.checkers.len() as u32;
+                    chunk.checkers.push(StageChecker::new(checker, body));
+                }
+                match bounds {
+                    Some(bounds) => chunk.entries.push(Entry::new(bounds, index as u32, u32::from(prepared.kind))),
+                    None => chunk.planes.push(index as u32),
+                }
+            }
+            chunk.bodies.push(prepared);
+        }
+        Ok(chunk)
+    }
+}
+
+fn undefined_material(index: usize, body: &Body) -> StageError {
+    StageError::UndefinedMaterial {
+        body: if body.name.is_empty() {
+            format!("number {}", index + 1)
+        } else {
+            format!("\"{}\"", body.name)
+        },
+        material: body.material.name().unwrap_or_default().to_owned(),
+    }
+}

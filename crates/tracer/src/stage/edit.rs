@@ -1,0 +1,188 @@
+//! Following an edit of a few bodies, at a cost that does not grow with the number of all.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
+
+use super::bvh::Path;
+use super::camera::Surroundings;
+use super::{
+    Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChecker, StageLight, StageMaterial, numbers,
+};
+use crate::ray::NO_BODY;
+
+/// How a stage becomes that of an edited scene; [`Stage::edit`] makes it for [`Stage::apply`].
+#[derive(Clone, Debug, Default)]
+pub struct StageEdit {
+    changes: Vec<Change>,
+}
+
+/// A body that changes.
+#[derive(Clone, Debug)]
+struct Change {
+    /// Its place in the stage.
+    place: u32,
+    body: StageBody,
+    material: StageMaterial,
+    checker: Option<StageChecker>,
+    /// Where its leaf hangs; `None` for a plane.
+    path: Option<Path>,
+}
+
+impl Stage {
+    /// So many materials and checkers may be added before the next preparing tidies up.
+    const MOST_ADDED: u32 = 256;
+
+    /// What makes this stage, prepared from `before`, that of `after`, where at most the bodies at the places `changed`
+    /// are different: moved, resized, reshaped, made of something else. Camera, lights, environment and the limits of
+    /// tracing may be too.
+    ///
+    /// `None` when this would not be right or not wise, and `after` has to be prepared anew: bodies were added,
+    /// removed, hidden or shown, named materials changed, very many bodies did, or the hierarchy would become a poor one.
+    pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<StageEdit> {
+        let Hierarchy::Many(bvh) = &self.hierarchy else { return None };
+        let is_known = before.bodies.len() == after.bodies.len() && before.materials == after.materials;
+        if !is_known || changed.len() > after.bodies.len() / 64 + 1 || self.added > Self::MOST_ADDED {
+            return None;
+        }
+        let mut edit = StageEdit::default();
+        let mut cost = bvh.cost();
+        for &index in changed {
+            let (old, new) = (before.bodies.get(index)?, after.bodies.get(index)?);
+            if is_alike(old, new) {
+                continue;
+            }
+            let is_plane = |body: &Body| body.shape == Shape::Plane;
+            if old.hidden || new.hidden || is_plane(old) != is_plane(new) {
+                return None;
+            }
+            let (place, path) = self.find(old, index as u32)?;
+            let (body, bounds) = StageBody::new(new);
+            if let (Some(path), Some(bounds)) = (&path, bounds) {
+                cost += bvh.growth(path, bounds);
+            }
+            let material = after.material(&new.material)?;
+            edit.changes.push(Change::new(place, path, body, material, new));
+        }
+        bvh.allows(cost).then_some(edit)
+    }
+
+    /// Carries out an edit that [`Self::edit`] planned for this stage and the scene `after`.
+    pub fn apply(&mut self, edit: StageEdit, after: &Scene) {
+        let mut paths = Vec::with_capacity(edit.changes.len());
+        for change in edit.changes {
+            self.replace(&change);
+            paths.extend(change.path);
+        }
+        if let Hierarchy::Many(bvh) = &mut self.hierarchy {
+            for path in &paths {
+                let leaf = bvh.leaf(path);
+                sort_leaf(&mut self.bodies, &mut self.scene_indices, leaf.clone());
+                let indices = self.scene_indices.get(range(&leaf)).unwrap_or_default();
+                let boxes = indices.iter().filter_map(|&index| bounds_of(after, index));
+                bvh.refit(path, boxes.fold(Bounds::EMPTY, Bounds::union));
+            }
+            let planes = self.scene_indices.get(self.bounded as usize..).unwrap_or_default();
+            let planes = planes.iter().filter_map(|&index| after.bodies.get(index as usize));
+            self.camera = StageCamera::new(&after.camera, Surroundings::new(bvh.bounds(), planes));
+        }
+        self.lights = after.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect();
+        self.background = numbers(after.environment.background);
+        self.ambient = numbers(after.environment.ambient);
+        self.generations = after.tracing.generations.clamp(1, Tracing::MAX_GENERATIONS);
+        self.threshold = after.tracing.threshold as f32;
+    }
+
+    /// The place of the body `index` of the scene, which is `body` there, and the way to its leaf, if it hangs on one.
+    pub(super) fn find(&self, body: &Body, index: u32) -> Option<(u32, Option<Path>)> {
+        let place_in = |places: Range<u32>| {
+            let indices = self.scene_indices.get(range(&places))?;
+            let place = indices.iter().position(|&at| at == index)?;
+            Some(places.start + place as u32)
+        };
+        let Some(bounds) = StageBody::new(body).1 else { return Some((place_in(self.planes())?, None)) };
+        match &self.hierarchy {
+            Hierarchy::Few(_) => Some((place_in(0..self.bounded)?, None)),
+            Hierarchy::Many(bvh) => {
+                let path = bvh.path_to(&bounds, |leaf| place_in(leaf).is_some())?;
+                Some((place_in(bvh.leaf(&path))?, Some(path)))
+            }
+        }
+    }
+
+    fn replace(&mut self, change: &Change) {
+        let Some(old) = self.bodies.get(change.place as usize) else { return };
+        let (material, checker) = (old.material, old.checker);
+        let material = self.material_index(&change.material, material);
+        let checker = self.checker_index(change.checker, checker);
+        if let Some(body) = self.bodies.get_mut(change.place as usize) {
+            *body = StageBody { material, checker, ..change.body };
+            self.has_transparency |= body.is_transparent();
+            self.largest_slack = self.largest_slack.max(body.slack);
+        }
+    }
+
+    /// The place of a material in the list, to which it is added if it is not there; `old` is likely.
+    fn material_index(&mut self, material: &StageMaterial, old: u32) -> u32 {
+        if self.materials.get(old as usize) == Some(material) {
+            return old;
+        }
+        let place = self.materials.iter().position(|other| other == material).unwrap_or_else(|| {
+            Arc::make_mut(&mut self.materials).push(*material);
+            self.added += 1;
+            self.materials.len() - 1
+        });
+        place as u32
+    }
+
+    /// The place of a body's checker in the list, if it has one; `old` is that of the one that it had.
+    fn checker_index(&mut self, checker: Option<StageChecker>, old: u32) -> u32 {
+        let Some(checker) = checker else { return NO_BODY };
+        let checkers = Arc::make_mut(&mut self.checkers);
+        if let Some(own) = checkers.get_mut(old as usize) {
+            *own = checker;
+            return old;
+        }
+        checkers.push(checker);
+        self.added += 1;
+        checkers.len() as u32 - 1
+    }
+}
+
+impl Change {
+    fn new(place: u32, path: Option<Path>, mut body: StageBody, of: &Material, source: &Body) -> Self {
+        let material = StageMaterial::new(of);
+        body.transparent = u16::from(material.is_transparent());
+        let checker = of.checker.as_ref().map(|checker| StageChecker::new(checker, source));
+        Self { place, body, material, checker, path }
+    }
+}
+
+/// Whether two bodies are the same to the tracer.
+fn is_alike(one: &Body, other: &Body) -> bool {
+    let Body { name: _, locked: _, shape, placement, material, hidden } = one;
+    let is_same = other.shape == *shape && other.placement == *placement && other.material == *material;
+    (*hidden && other.hidden) || (is_same && other.hidden == *hidden)
+}
+
+fn bounds_of(scene: &Scene, index: u32) -> Option<Bounds> {
+    StageBody::new(scene.bodies.get(index as usize)?).1
+}
+
+/// Puts the bodies of a leaf in order again, one of which may have got another shape.
+fn sort_leaf(bodies: &mut [StageBody], indices: &mut [u32], leaf: Range<u32>) {
+    let (Some(bodies), Some(indices)) = (bodies.get_mut(range(&leaf)), indices.get_mut(range(&leaf))) else {
+        return;
+    };
+    for sorted in 1..bodies.len() {
+        let key = |at: usize| (bodies[at].kind, indices[at]);
+        let place = (0..sorted).find(|&at| key(at) > key(sorted)).unwrap_or(sorted);
+        bodies[place..=sorted].rotate_right(1);
+        indices[place..=sorted].rotate_right(1);
+    }
+}
+
+fn range(places: &Range<u32>) -> Range<usize> {
+    places.start as usize..places.end as usize
+}
