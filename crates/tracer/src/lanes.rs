@@ -64,6 +64,10 @@ pub trait Real:
     fn of_word(word: Self::Word) -> Self;
     /// The numbers of `mask` moved together to the front.
     fn compress(self, mask: Self::Mask) -> Self;
+    /// The smallest of the numbers.
+    fn least(self) -> f32;
+    /// The largest of the numbers.
+    fn greatest(self) -> f32;
     /// Writes the numbers to the front of `to`, which holds at least as many.
     fn store(self, to: &mut [f32]);
 

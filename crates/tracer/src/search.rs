@@ -97,8 +97,8 @@ impl<'a, W: Width> Flight<'a, W> {
                 }
             }
             Hierarchy::Many(bvh) => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction);
-                bvh.traverse_packet(self.w, &boxes, self.lanes, parts, &mut ForNearest(self, &mut best));
+                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
+                bvh.traverse_packet(self.w, &boxes, parts, &mut ForNearest(self, &mut best));
             }
         }
         for index in self.stage.planes() {
@@ -117,8 +117,8 @@ impl<'a, W: Width> Flight<'a, W> {
         match &self.stage.hierarchy {
             Hierarchy::Few(_) => (0..self.stage.bounded).for_each(&mut test),
             Hierarchy::Many(bvh) => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction);
-                bvh.traverse_packet(self.w, &boxes, self.lanes, parts, &mut ForEach(self.w, &mut test));
+                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
+                bvh.traverse_packet(self.w, &boxes, parts, &mut ForEach(self.w, &mut test));
             }
         }
         self.stage.planes().for_each(&mut test);
@@ -177,9 +177,9 @@ impl<'a, W: Width> Flight<'a, W> {
                 }
             }
             Hierarchy::Many(bvh) => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction);
+                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
                 let mut visitor = ForShadow { flight: self, passed: &mut passed, distance };
-                bvh.traverse_packet(self.w, &boxes, self.lanes, parts, &mut visitor);
+                bvh.traverse_packet(self.w, &boxes, parts, &mut visitor);
             }
         }
         for index in self.stage.planes() {

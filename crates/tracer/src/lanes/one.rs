@@ -118,6 +118,16 @@ impl Real for f32 {
     }
 
     #[inline(always)]
+    fn least(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn greatest(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
     fn store(self, to: &mut [f32]) {
         to[0] = self;
     }

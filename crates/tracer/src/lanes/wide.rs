@@ -201,6 +201,16 @@ impl<S: Simd> Real for WideReal<S> {
     }
 
     #[inline(always)]
+    fn least(self) -> f32 {
+        self.0.reduce_min()
+    }
+
+    #[inline(always)]
+    fn greatest(self) -> f32 {
+        self.0.reduce_max()
+    }
+
+    #[inline(always)]
     fn store(self, to: &mut [f32]) {
         self.0.store_slice(&mut to[..S::f32s::LEN]);
     }

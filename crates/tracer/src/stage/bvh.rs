@@ -114,10 +114,10 @@ impl Node {
         slots.filter(|(first, count)| **first != 0 && **count == 0).map(|(first, _)| first)
     }
 
-    /// Whether a slot has no box.
+    /// A bit for each slot that has a box.
     #[inline(always)]
-    fn is_unused(&self, slot: usize) -> bool {
-        self.sides[0][slot] > self.sides[1][slot]
+    fn used(&self) -> u32 {
+        (0..WIDTH).fold(0, |used, slot| used | u32::from(self.sides[0][slot] <= self.sides[1][slot]) << slot)
     }
 
     /// Whether a box contains a point.

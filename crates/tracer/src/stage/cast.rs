@@ -105,7 +105,9 @@ impl<'a> Chunk<'a> {
                     chunk.checkers.push(StageChecker::new(checker, body));
                 }
                 match bounds {
-                    Some(bounds) => chunk.entries.push(Entry::new(bounds, index as u32, u32::from(prepared.kind))),
+                    Some(bounds) => {
+                        chunk.entries.push(Entry::new(bounds, index as u32, u32::from(prepared.kind)))
+                    }
                     None => chunk.planes.push(index as u32),
                 }
             }
