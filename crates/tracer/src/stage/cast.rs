@@ -106,7 +106,7 @@ impl<'a> Chunk<'a> {
                 }
                 match bounds {
                     Some(bounds) => {
-                        chunk.entries.push(Entry::new(bounds, index as u32, u32::from(prepared.kind)))
+                        chunk.entries.push(Entry::new(bounds, index as u32, u32::from(prepared.kind)));
                     }
                     None => chunk.planes.push(index as u32),
                 }

@@ -41,13 +41,18 @@ pub(crate) struct PacketBoxes<W: Width> {
 }
 
 /// Between which numbers the rays of a packet lie, for each axis.
-struct Beam {
-    /// The side of a box that they meet first.
-    near: [usize; 3],
+struct Beam([BeamAxis; 3]);
+
+#[derive(Clone, Copy)]
+struct BeamAxis {
+    /// The side of a node's boxes that they meet first.
+    near: usize,
     /// The origin that is nearest to that side, and the one that is farthest from the other.
-    origins: [(f32, f32); 3],
+    near_origin: f32,
+    far_origin: f32,
     /// Least and greatest inverse of the direction.
-    inverses: [(f32, f32); 3],
+    least: f32,
+    greatest: f32,
 }
 
 impl Bvh {
@@ -168,7 +173,7 @@ impl<W: Width> PacketBoxes<W> {
         inverse: W::R,
     ) -> (W::R, W::R) {
         if let Some(beam) = &self.beam {
-            let near = beam.near[axis];
+            let near = beam.0[axis].near;
             let at_near = (w.real(node.sides[near][slot]) - origin) * inverse;
             let at_far = (w.real(node.sides[near ^ 1][slot]) - origin) * inverse;
             return (at_near, at_far);
@@ -185,34 +190,11 @@ const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
 impl Beam {
     #[inline(always)]
     fn of<W: Width>(w: W, origin: Vector<W::R>, inverse: Vector<W::R>, lanes: W::M) -> Option<Self> {
-        let [x, y, z] = [
-            Self::along(w, origin.x, inverse.x, lanes)?,
-            Self::along(w, origin.y, inverse.y, lanes)?,
-            Self::along(w, origin.z, inverse.z, lanes)?,
-        ];
-        Some(Self { near: [x.0, 2 + y.0, 4 + z.0], origins: [x.1, y.1, z.1], inverses: [x.2, y.2, z.2] })
-    }
-
-    /// Side, origins and inverses along an axis.
-    #[inline(always)]
-    fn along<W: Width>(
-        w: W,
-        origin: W::R,
-        inverse: W::R,
-        lanes: W::M,
-    ) -> Option<(usize, (f32, f32), (f32, f32))> {
-        let back = (inverse.lt(w.real(0.0)) & lanes).bits();
-        let is_back = back != 0;
-        if is_back && back != lanes.bits() {
-            return None;
-        }
-        let (above, below) = (w.real(f32::INFINITY), w.real(f32::NEG_INFINITY));
-        let range =
-            (W::R::select(lanes, inverse, above).least(), W::R::select(lanes, inverse, below).greatest());
-        let least = W::R::select(lanes, origin, above).least();
-        let greatest = W::R::select(lanes, origin, below).greatest();
-        let origins = if is_back { (least, greatest) } else { (greatest, least) };
-        Some((usize::from(is_back), origins, range))
+        Some(Self([
+            BeamAxis::of(w, 0, origin.x, inverse.x, lanes)?,
+            BeamAxis::of(w, 1, origin.y, inverse.y, lanes)?,
+            BeamAxis::of(w, 2, origin.z, inverse.z, lanes)?,
+        ]))
     }
 
     /// Bounds from below for where the rays enter the boxes of a node, and a bit for each box that any may meet before
@@ -220,10 +202,9 @@ impl Beam {
     #[inline(always)]
     fn enter(&self, node: &Node, reach: f32) -> ([f32; WIDTH], u32) {
         let (mut enter, mut exit) = ([0.0_f32; WIDTH], [reach; WIDTH]);
-        for axis in 0..3 {
-            let (near, far) = (&node.sides[self.near[axis]], &node.sides[self.near[axis] ^ 1]);
-            let (near_origin, far_origin) = self.origins[axis];
-            let (least, greatest) = self.inverses[axis];
+        for axis in &self.0 {
+            let (near, far) = (&node.sides[axis.near], &node.sides[axis.near ^ 1]);
+            let BeamAxis { near_origin, far_origin, least, greatest, .. } = *axis;
             for slot in 0..WIDTH {
                 let (to_near, to_far) = (near[slot] - near_origin, far[slot] - far_origin);
                 let first = smaller(to_near * least, to_near * greatest);
@@ -234,6 +215,29 @@ impl Beam {
         }
         let met = (0..WIDTH).fold(0, |met, slot| met | u32::from(enter[slot] <= exit[slot]) << slot);
         (enter, met)
+    }
+}
+
+impl BeamAxis {
+    /// `None` if the rays do not run the same way along the axis.
+    #[inline(always)]
+    fn of<W: Width>(w: W, axis: usize, origin: W::R, inverse: W::R, lanes: W::M) -> Option<Self> {
+        let back = (inverse.lt(w.real(0.0)) & lanes).bits();
+        let is_back = back != 0;
+        if is_back && back != lanes.bits() {
+            return None;
+        }
+        let (above, below) = (w.real(f32::INFINITY), w.real(f32::NEG_INFINITY));
+        let first = W::R::select(lanes, origin, above).least();
+        let last = W::R::select(lanes, origin, below).greatest();
+        let (near_origin, far_origin) = if is_back { (first, last) } else { (last, first) };
+        Some(Self {
+            near: 2 * axis + usize::from(is_back),
+            near_origin,
+            far_origin,
+            least: W::R::select(lanes, inverse, above).least(),
+            greatest: W::R::select(lanes, inverse, below).greatest(),
+        })
     }
 }
 
