@@ -140,7 +140,7 @@ fn the_same_request_again_changes_nothing() {
 fn a_window_that_always_asks_the_same_is_left_in_peace() {
     let window = Window::open();
     let unknown = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
-    let broken = Arc::new(Scene { bodies: vec![unknown], ..Scene::default() });
+    let broken = Arc::new(Scene { bodies: [unknown].into(), ..Scene::default() });
     for asked in [request(1), Request::new(broken, 2, [16, 16])] {
         window.live.request(asked.clone());
         window.settle();
