@@ -5,6 +5,8 @@ mod build;
 mod entry;
 mod refit;
 mod split;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 
