@@ -231,7 +231,7 @@ mod tests {
     #[test]
     fn scenes_and_selections_are_held() {
         let at = |x| body(Shape::SPHERE, DVec3::X * x, DVec3::ZERO, DVec3::ONE);
-        let mut scene = Scene { bodies: vec![at(0.0), at(4.0), at(50.0)], ..Scene::default() };
+        let mut scene = Scene { bodies: [at(0.0), at(4.0), at(50.0)].into(), ..Scene::default() };
         scene.bodies[2].hidden = true;
         scene.bodies.push(Body { shape: Shape::Plane, ..Body::default() });
         scene.lights.push(catoptric_scene::Light { position: DVec3::Y * 7.0, ..Default::default() });

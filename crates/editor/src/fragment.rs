@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use catoptric_scene::{MaterialChoice, Scene, Shape, read, write_fragment};
+use catoptric_scene::{List, MaterialChoice, Scene, Shape, read, write_fragment};
 use glam::DVec3;
 
 use crate::action::{ActionError, Outcome};
@@ -23,7 +23,7 @@ pub(crate) fn copy(scene: &Scene, selection: &Selection) -> Option<String> {
         let chosen = &chosen;
         move |index: &usize| chosen.contains(&kind(*index))
     };
-    let bodies: Vec<_> = (0..scene.bodies.len())
+    let bodies: List<_> = (0..scene.bodies.len())
         .filter(of(Item::Body))
         .filter_map(|index| scene.bodies.get(index).cloned())
         .collect();
@@ -110,7 +110,7 @@ pub(crate) fn add(scene: &Scene, mut parts: Scene) -> Outcome {
     let mut scene = scene.clone();
     scene.materials.append(&mut parts.materials);
     scene.lights.append(&mut parts.lights);
-    scene.bodies.append(&mut parts.bodies);
+    scene.bodies.extend(parts.bodies);
     let items: Vec<Item> = selection.iter().collect();
     let subject = crate::action::subject(&scene, &items);
     Outcome { scene, selection, subject }

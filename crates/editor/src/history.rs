@@ -1,6 +1,7 @@
 //! What was done, so that it can be undone and done again.
 
 mod difference;
+mod sequence;
 
 use std::sync::Arc;
 

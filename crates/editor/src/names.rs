@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use catoptric_scene::{Body, Scene};
+use catoptric_scene::{Body, List, Scene};
 
 /// The names that are taken.
 pub(crate) struct Names {
@@ -39,7 +39,7 @@ impl Names {
 }
 
 /// The names of the materials that bodies are made of.
-pub(crate) fn used_materials(bodies: &[Body]) -> HashSet<&str> {
+pub(crate) fn used_materials(bodies: &List<Body>) -> HashSet<&str> {
     bodies.iter().filter_map(|body| body.material.name()).collect()
 }
 

@@ -177,7 +177,7 @@ mod tests {
     fn a_cancelled_job_prepares_nothing() {
         let gold = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
         let work = Work {
-            scene: Arc::new(Scene { bodies: vec![gold], ..Scene::default() }),
+            scene: Arc::new(Scene { bodies: [gold].into(), ..Scene::default() }),
             settings: RenderSettings { width: 8, height: 8, samples: 1 },
             generations: None,
             threads: 1,

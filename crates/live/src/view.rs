@@ -264,11 +264,8 @@ fn changed_bodies(old: &Request, new: &Request) -> Option<Vec<usize>> {
         return Some(Vec::new());
     }
     let (before, after) = (&old.scene.bodies, &new.scene.bodies);
-    if before.len() != after.len() {
-        return None;
-    }
     let is_changed = |&index: &usize| before.get(index).map(traced_body) != after.get(index).map(traced_body);
-    Some((0..before.len()).into_par_iter().filter(is_changed).collect())
+    (before.len() == after.len()).then(|| before.unshared(after).par_bridge().filter(is_changed).collect())
 }
 
 /// What a picture depends on.

@@ -2,7 +2,7 @@
 //!
 //! A [`Scene`] holds bodies, their materials, lights, a camera, the surroundings and the limits of tracing, in the
 //! units of the file format `catoptric/1`: meters, degrees, linear RGB. It is plain data: cloning and comparing are
-//! cheap enough for undo, and nothing here traces, draws or starts a thread.
+//! cheap enough for undo, since copies of a list of bodies share what is alike, and nothing here traces, draws or starts a thread.
 
 mod body;
 mod camera;
@@ -11,6 +11,7 @@ mod examples;
 mod file;
 pub mod format;
 mod light;
+mod list;
 mod material;
 
 pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
@@ -23,6 +24,7 @@ pub use format::{
     read, read_bytes, update, write, write_fragment,
 };
 pub use light::{Falloff, Light};
+pub use list::{Counted, List, ListIter, ListIterMut, Slices};
 pub use material::{Checker, Material, MaterialChoice, NamedMaterial};
 
 /// A whole scene: everything that decides what a picture shows, except its size.
@@ -39,7 +41,7 @@ pub struct Scene {
     /// Point lights, in the order of the file.
     pub lights: Vec<Light>,
     /// Bodies, in the order of the file.
-    pub bodies: Vec<Body>,
+    pub bodies: List<Body>,
 }
 
 impl Scene {

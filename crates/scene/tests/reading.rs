@@ -24,7 +24,7 @@ fn a_scene_with_everything_is_read() {
     assert_eq!(red.material.checker.unwrap().size, 0.5);
     assert_eq!((glass.name.as_str(), glass.material.ior), ("glass ball", 1.33));
     assert_eq!(scene.lights[0].falloff, Falloff::Linear { constant: 2.0 });
-    let [ball, cube, cone, cylinder, floor] = scene.bodies.as_slice() else { panic!() };
+    let [ball, cube, cone, cylinder, floor] = &scene.bodies.to_vec()[..] else { panic!() };
     assert_eq!((ball.name.as_str(), ball.shape), ("ball", Shape::Sphere { radius: 2.0 }));
     assert_eq!(ball.material, MaterialChoice::Named("red".to_owned()));
     assert_eq!(cube.shape, Shape::Cube { size: DVec3::new(1.0, 2.0, 3.0) });
@@ -66,7 +66,7 @@ fn a_broken_file_gives_what_can_be_understood() {
     );
     assert_eq!(reading.diagnostics.len(), 3);
     assert_eq!(reading.scene.camera, Scene::default().camera);
-    let [ball] = reading.scene.bodies.as_slice() else { panic!() };
+    let [ball] = &reading.scene.bodies.to_vec()[..] else { panic!() };
     assert_eq!((ball.name.as_str(), ball.shape), ("ball", Shape::SPHERE));
     assert!(reading.into_result().is_err());
 }

@@ -155,7 +155,7 @@ fn elements_come_and_go_with_their_comments() {
 
 #[test]
 fn order_and_names_may_change() {
-    let (removed, added) = changes(|scene| scene.bodies.reverse());
+    let (removed, added) = changes(|scene| scene.bodies.change(|bodies| bodies.reverse()));
     assert_eq!((removed.len(), added.len()), (0, 0));
     let (removed, added) = changes(|scene| scene.materials.reverse());
     assert_eq!((removed.len(), added.len()), (0, 0));

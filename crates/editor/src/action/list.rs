@@ -66,14 +66,18 @@ pub(super) fn delete_items(scene: &Scene, selection: &Selection, items: &[Item])
     let mut left = scene.clone();
     let lost: HashSet<&str> =
         items.iter().filter(|item| matches!(item, Item::Material(_))).map(|item| item.name(scene)).collect();
-    for body in &mut left.bodies {
-        if body.material.name().is_some_and(|name| lost.contains(name)) {
-            body.material = own(scene, &body.material);
+    for (index, body) in scene.bodies.iter().enumerate() {
+        if body.material.name().is_some_and(|name| lost.contains(name))
+            && let Some(left) = left.bodies.get_mut(index)
+        {
+            left.material = own(scene, &body.material);
         }
     }
-    retain(&mut left.materials, |index| !gone.contains(&Item::Material(index)));
-    retain(&mut left.lights, |index| !gone.contains(&Item::Light(index)));
-    retain(&mut left.bodies, |index| !gone.contains(&Item::Body(index)));
+    left.materials.retain(stays(&gone, Item::Material));
+    left.lights.retain(stays(&gone, Item::Light));
+    if items.iter().any(|item| matches!(item, Item::Body(_))) {
+        left.bodies.retain(stays(&gone, Item::Body));
+    }
     let before = |index: usize, kind: Kind| {
         let less = |than: Item| items.partition_point(|item| *item < than);
         less(kind(index)) - less(kind(0))
@@ -93,12 +97,10 @@ pub(super) fn own(scene: &Scene, choice: &MaterialChoice) -> MaterialChoice {
     MaterialChoice::Inline(Box::new(scene.material(choice).copied().unwrap_or(Material::default())))
 }
 
-fn retain<T>(list: &mut Vec<T>, stays: impl Fn(usize) -> bool) {
-    let mut index = 0;
-    list.retain(|_| {
-        index += 1;
-        stays(index - 1)
-    });
+/// Whether the next element of a list is not gone.
+fn stays<T>(gone: &HashSet<Item>, kind: Kind) -> impl FnMut(&T) -> bool {
+    let mut indices = 0..;
+    move |_| indices.next().is_some_and(|index| !gone.contains(&kind(index)))
 }
 
 /// Makes items of one kind of the places in its list.
@@ -168,7 +170,7 @@ pub(super) fn reorder(scene: &Scene, selection: &Selection, to: Move) -> Result 
     match kind(0) {
         Item::Material(_) => permute(&mut scene.materials, &order),
         Item::Light(_) => permute(&mut scene.lights, &order),
-        _ => permute(&mut scene.bodies, &order),
+        _ => scene.bodies.change(|bodies| permute(bodies, &order)),
     }
     let mut new_from_old = vec![0; order.len()];
     for (new, old) in order.into_iter().enumerate() {

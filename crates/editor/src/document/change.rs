@@ -63,7 +63,7 @@ impl Editor {
         label: Label,
         edit: impl FnMut(usize, &mut Body),
     ) -> Result<bool, Refused> {
-        self.change_elements(indices, label, |scene| &mut scene.bodies, Part::Body, edit)
+        self.change_elements(indices, label, |scene, index| scene.bodies.get_mut(index), Part::Body, edit)
     }
 
     /// Changes one light; one that does not exist stays so.
@@ -94,7 +94,7 @@ impl Editor {
         label: Label,
         edit: impl FnMut(usize, &mut Light),
     ) -> Result<bool, Refused> {
-        self.change_elements(indices, label, |scene| &mut scene.lights, Part::Light, edit)
+        self.change_elements(indices, label, |scene, index| scene.lights.get_mut(index), Part::Light, edit)
     }
 
     /// Changes the coefficients of a named material; one that does not exist stays so. Its name is changed by
@@ -112,7 +112,7 @@ impl Editor {
         self.change_elements(
             [index],
             label,
-            |scene| &mut scene.materials,
+            |scene, index| scene.materials.get_mut(index),
             Part::Material,
             |_, named| {
                 if let Some(edit) = edit.take() {
@@ -203,7 +203,7 @@ impl Editor {
         &mut self,
         indices: impl IntoIterator<Item = usize>,
         label: Label,
-        list_of: impl Fn(&mut Scene) -> &mut Vec<T>,
+        element_of: impl Fn(&mut Scene, usize) -> Option<&mut T>,
         part: impl Fn(usize) -> Part,
         mut edit: impl FnMut(usize, &mut T),
     ) -> Result<bool, Refused> {
@@ -212,7 +212,7 @@ impl Editor {
         let scene = Arc::make_mut(&mut self.scene);
         let mut old: Vec<(usize, T)> = Vec::new();
         for index in indices {
-            let Some(element) = list_of(scene).get_mut(index) else { continue };
+            let Some(element) = element_of(scene, index) else { continue };
             let before = element.clone();
             edit(index, element);
             if *element != before {
@@ -222,7 +222,7 @@ impl Editor {
         let swap = |scene: &mut Scene, old: &mut Vec<(usize, T)>| {
             // Backwards, so that a place that was given twice ends as it began.
             for (index, value) in old.iter_mut().rev() {
-                if let Some(element) = list_of(scene).get_mut(*index) {
+                if let Some(element) = element_of(scene, *index) {
                     std::mem::swap(element, value);
                 }
             }

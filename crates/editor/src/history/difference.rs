@@ -2,6 +2,8 @@
 
 use catoptric_scene::{Body, Camera, Environment, Light, NamedMaterial, Scene, Tracing};
 
+use super::sequence::Sequence;
+
 /// What has to change in a scene to make another of it, and back.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Difference {
@@ -79,17 +81,19 @@ fn values<T: Copy + PartialEq>(before: &T, after: &T) -> Option<[T; 2]> {
 }
 
 impl<T: Clone + PartialEq> ListDifference<T> {
-    fn between(before: &[T], after: &[T]) -> Self {
-        if before.len() == after.len() {
-            let pairs = before.iter().zip(after).enumerate().filter(|(_, (before, after))| before != after);
-            let pairs = pairs.map(|(index, (before, after))| (index, [before.clone(), after.clone()]));
-            return Self::Elements(pairs.collect());
+    fn between<L: Sequence<T>>(before: &L, after: &L) -> Self {
+        let (count, new_count) = (before.count(), after.count());
+        if count == new_count {
+            let sides = |index: usize| Some((index, [before.at(index)?, after.at(index)?]));
+            let pairs = before.apart(after).filter_map(sides).filter(|(_, [before, after])| before != after);
+            return Self::Elements(pairs.map(|(index, sides)| (index, sides.map(T::clone))).collect());
         }
-        let head = before.iter().zip(after).take_while(|(before, after)| before == after).count();
-        let (before, after) = (before.get(head..).unwrap_or_default(), after.get(head..).unwrap_or_default());
-        let pairs = before.iter().rev().zip(after.iter().rev());
-        let tail = pairs.take_while(|(before, after)| before == after).count();
-        let middle = |list: &[T]| list.get(..list.len() - tail).unwrap_or_default().to_vec();
+        let least = count.min(new_count);
+        let is_same = |old: usize, new: usize| before.at(old) == after.at(new);
+        let head = (0..least).take_while(|&at| is_same(at, at)).count();
+        let tail = (1..=least - head).take_while(|&back| is_same(count - back, new_count - back)).count();
+        let middle =
+            |list: &L| (head..list.count() - tail).filter_map(|index| list.at(index).cloned()).collect();
         Self::Part(head, [middle(before), middle(after)])
     }
 
@@ -99,20 +103,20 @@ impl<T: Clone + PartialEq> ListDifference<T> {
 
     /// Brings a list from one side to the other. A list that is on neither side is a fault of the caller; it is left
     /// as it is where it does not fit.
-    fn take<const SIDE: usize>(&self, list: &mut Vec<T>) {
+    fn take<const SIDE: usize>(&self, list: &mut impl Sequence<T>) {
         match self {
             Self::Elements(elements) => {
                 for (index, sides) in elements {
-                    if let Some(element) = list.get_mut(*index) {
+                    if let Some(element) = list.at_mut(*index) {
                         element.clone_from(&sides[SIDE]);
                     }
                 }
             }
             Self::Part(start, sides) => {
                 let end = start + sides[1 - SIDE].len();
-                debug_assert!(end <= list.len(), "the step was made for another list");
-                if end <= list.len() {
-                    list.splice(*start..end, sides[SIDE].iter().cloned());
+                debug_assert!(end <= list.count(), "the step was made for another list");
+                if end <= list.count() {
+                    list.replace(*start..end, &sides[SIDE]);
                 }
             }
         }
@@ -156,7 +160,7 @@ mod tests {
         assert_eq!(size(|scene| drop(scene.bodies.remove(500))), 1);
         assert_eq!(size(|scene| scene.bodies.insert(0, Body::default())), 1);
         assert_eq!(size(|scene| scene.bodies.push(scene.bodies[999].clone())), 1);
-        assert_eq!(size(|scene| drop(scene.bodies.drain(10..20))), 10);
+        assert_eq!(size(|scene| scene.bodies.splice(10..20, [])), 10);
         assert_eq!(size(|scene| scene.bodies.clear()), 1000);
         assert_eq!(Difference::between(&scene(), &scene()), None);
     }

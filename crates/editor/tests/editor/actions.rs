@@ -32,12 +32,12 @@ fn new_bodies_stand_on_the_ground_beside_others() {
     assert_eq!(selected(&editor), [Item::Body(8)]);
     assert_eq!(editor.undo_label().unwrap().subject, "sphere 2");
     let mut colors = Vec::new();
-    for (index, body) in scene.bodies[4..].iter().enumerate() {
+    for (index, body) in scene.bodies.iter().skip(4).enumerate() {
         let color = scene.material(&body.material).unwrap().color;
         assert!(!colors.contains(&color), "number {index}");
         colors.push(color);
         let bounds = bounds::of_body(body).unwrap();
-        for other in &scene.bodies[4..4 + index] {
+        for other in scene.bodies.iter().skip(4).take(index) {
             assert!(!bounds.overlaps(&bounds::of_body(other).unwrap()));
         }
     }

@@ -30,12 +30,13 @@ pub(crate) fn scene() -> Scene {
     Scene {
         materials: vec![named("red", 1.1), named("blue", 1.2), named("spare", 1.3)],
         lights: vec![lamp("left"), lamp("right")],
-        bodies: vec![
+        bodies: [
             of(ball("a", 0.0), "red"),
             of(ball("b", 3.0), "red"),
             of(ball("c", 6.0), "blue"),
             ball("d", 9.0),
-        ],
+        ]
+        .into(),
         ..Scene::default()
     }
 }

@@ -67,7 +67,7 @@ fn perform(scene: &mut Scene, edit: &Edit) {
         Edit::Everything(generations) => {
             scene.tracing.generations = generations;
             scene.environment.ambient.r = f64::from(generations);
-            scene.bodies.reverse();
+            scene.bodies.change(|bodies| bodies.reverse());
             scene.bodies.truncate(generations as usize);
         }
         _ => {}

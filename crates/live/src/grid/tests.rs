@@ -64,9 +64,9 @@ fn lines_lie_on_multiples_of_the_step() {
 fn bodies_hide_what_is_behind_them_and_a_floor_hides_nothing() {
     let open = Scene::default();
     let length = |lines: &[GridLine]| -> f32 { lines.iter().map(|line| line.from.distance(line.to)).sum() };
-    let floor = Scene { bodies: vec![body(Shape::Plane, DVec3::ZERO)], ..Scene::default() };
+    let floor = Scene { bodies: [body(Shape::Plane, DVec3::ZERO)].into(), ..Scene::default() };
     assert_eq!(grid(&floor), grid(&open));
-    let ball = Scene { bodies: vec![body(Shape::SPHERE, DVec3::new(0.0, 1.0, 0.0))], ..Scene::default() };
+    let ball = Scene { bodies: [body(Shape::SPHERE, DVec3::new(0.0, 1.0, 0.0))].into(), ..Scene::default() };
     let cut = grid(&ball);
     assert!(length(&cut) < 0.97 * length(&grid(&open)));
     let stage = Stage::prepare(&ball).unwrap();
@@ -87,7 +87,7 @@ fn bodies_hide_what_is_behind_them_and_a_floor_hides_nothing() {
         }
     }
     let wall = body(Shape::Cube { size: DVec3::new(99.0, 99.0, 0.1) }, DVec3::new(0.0, 0.0, 7.0));
-    assert_eq!(grid(&Scene { bodies: vec![wall], ..Scene::default() }), []);
+    assert_eq!(grid(&Scene { bodies: [wall].into(), ..Scene::default() }), []);
 }
 
 #[test]

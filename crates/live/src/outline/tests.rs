@@ -23,7 +23,7 @@ fn turned(shape: Shape, position: DVec3, rotation_degrees: DVec3) -> Body {
 }
 
 fn scene(bodies: Vec<Body>) -> Scene {
-    Scene { bodies, ..Scene::default() }
+    Scene { bodies: bodies.into(), ..Scene::default() }
 }
 
 /// The stage of one body, and where it can be in a view of this size.
@@ -218,7 +218,8 @@ fn parts_behind_other_bodies_are_hidden() {
     let screen = body(Shape::Cube { size: DVec3::new(4.0, 4.0, 0.1) }, DVec3::new(2.0, 2.0, 1.0));
     let scene = scene(vec![behind, floor, screen]);
     let found = outlines(&scene, &[0]);
-    let center = outlines(&Scene { bodies: scene.bodies[..1].to_vec(), ..scene.clone() }, &[0]);
+    let center =
+        outlines(&Scene { bodies: scene.bodies.iter().take(1).cloned().collect(), ..scene.clone() }, &[0]);
     assert_eq!(center.len(), 1);
     assert_eq!(found.iter().filter(|line| line.hidden).count(), 1);
     assert_eq!(found.iter().filter(|line| !line.hidden).count(), 1);
@@ -236,14 +237,14 @@ fn parts_behind_other_bodies_are_hidden() {
     // The one in front is not hidden, nor is what stands on a floor hidden by it.
     assert!(outlines(&scene, &[2]).iter().all(|line| !line.hidden));
     let cylinder = body(Shape::Cylinder { radius: 0.5, height: 1.0 }, DVec3::ZERO);
-    let standing = Scene { bodies: vec![cylinder, body(Shape::Plane, DVec3::ZERO)], ..scene.clone() };
+    let standing = Scene { bodies: [cylinder, body(Shape::Plane, DVec3::ZERO)].into(), ..scene.clone() };
     let found = outlines(&standing, &[0]);
     let visible: usize = found.iter().filter(|line| !line.hidden).map(|line| line.points.len()).sum();
     let hidden: usize = found.iter().filter(|line| line.hidden).map(|line| line.points.len()).sum();
     assert!(visible > 20 * hidden, "{visible} points are visible, {hidden} hidden");
     // All of it.
     let front = body(Shape::Cube { size: DVec3::new(9.0, 9.0, 0.1) }, DVec3::new(0.0, 0.0, 2.0));
-    let covered = Scene { bodies: vec![scene.bodies[0].clone(), front], ..scene };
+    let covered = Scene { bodies: [scene.bodies[0].clone(), front].into(), ..scene };
     let found = outlines(&covered, &[0]);
     assert!(found.len() == 1 && found[0].hidden && found[0].closed);
 }

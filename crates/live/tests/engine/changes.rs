@@ -5,7 +5,8 @@ use std::time::Duration;
 
 use catoptric_live::{GridSpec, Request};
 use catoptric_picture::{Development, ToneCurve};
-use catoptric_scene::{Body, Color, Falloff, MaterialChoice, Projection, Scene, Shape};
+use catoptric_scene::{Body, Color, Falloff, MaterialChoice, Placement, Projection, Scene, Shape};
+use catoptric_tracer::Ray;
 use glam::DVec3;
 
 use crate::{Window, expected, four_bodies, from_side, request};
@@ -82,6 +83,57 @@ fn names_and_locks_leave_the_stage_alone() {
     }
 }
 
+/// Balls in rows over the floor of the four bodies.
+fn crowd() -> Scene {
+    let ball = |at: usize| Body {
+        placement: Placement::at(DVec3::new(0.4 * (at % 10) as f64, 2.5, -0.4 * (at / 10) as f64)),
+        shape: Shape::Sphere { radius: 0.15 },
+        ..Body::default()
+    };
+    let mut scene = (*four_bodies()).clone();
+    scene.bodies.extend((0..100).map(ball));
+    scene
+}
+
+#[test]
+fn moved_bodies_are_followed_in_the_stage() {
+    let window = Window::open();
+    let mut scene = crowd();
+    window.shown(Request { scene: Arc::new(scene.clone()), ..request(1) });
+    let address = || Arc::as_ptr(&window.live.stage().unwrap().1);
+    let before = address();
+    for revision in 2..6 {
+        let body = &mut scene.bodies[20 + revision as usize];
+        body.placement = body.placement.moved_by(0.1 * DVec3::ONE);
+        scene.lights[0].intensity *= 0.9;
+        let asked = Request { scene: Arc::new(scene.clone()), outline: vec![1], ..request(revision) };
+        let frame = window.shown(asked.clone());
+        assert!(*frame.pixels == expected(&asked, 3), "edit {revision}");
+        assert!(!frame.outline.is_empty());
+        assert_eq!(window.live.stage().unwrap().0, revision);
+    }
+    assert_eq!(address(), before, "the stage is edited, not prepared anew");
+}
+
+#[test]
+fn a_stage_that_somebody_holds_stays_as_it_is() {
+    let window = Window::open();
+    let mut scene = crowd();
+    window.shown(Request { scene: Arc::new(scene.clone()), ..request(1) });
+    let (_, held) = window.live.stage().unwrap();
+    let ball = 4 + 55;
+    let from = scene.bodies[ball].placement.origin() + 0.2 * DVec3::Z;
+    let ray = Ray::from_point(from.as_vec3(), DVec3::NEG_Z.as_vec3());
+    assert_eq!(held.nearest(&ray).map(|hit| hit.body), Some(ball));
+    scene.bodies[ball].placement = Placement::at(DVec3::new(0.0, 4.0, 0.0));
+    let asked = Request { scene: Arc::new(scene), ..request(2) };
+    assert!(*window.shown(asked.clone()).pixels == expected(&asked, 3));
+    let (revision, edited) = window.live.stage().unwrap();
+    assert_eq!(revision, 2);
+    assert_eq!(held.nearest(&ray).map(|hit| hit.body), Some(ball));
+    assert_ne!(edited.nearest(&ray).map(|hit| hit.body), Some(ball));
+}
+
 #[test]
 fn exposure_and_tone_curve_only_develop_again() {
     let window = Window::open();
@@ -140,7 +192,7 @@ fn the_same_request_again_changes_nothing() {
 fn a_window_that_always_asks_the_same_is_left_in_peace() {
     let window = Window::open();
     let unknown = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
-    let broken = Arc::new(Scene { bodies: vec![unknown], ..Scene::default() });
+    let broken = Arc::new(Scene { bodies: [unknown].into(), ..Scene::default() });
     for asked in [request(1), Request::new(broken, 2, [16, 16])] {
         window.live.request(asked.clone());
         window.settle();

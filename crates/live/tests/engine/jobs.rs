@@ -56,7 +56,7 @@ fn what_cannot_be_rendered_is_an_error() {
         assert!(matches!(result(&job), Err(JobError::Size(_))));
     }
     let gold = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
-    let scene = Arc::new(Scene { bodies: vec![gold], ..Scene::default() });
+    let scene = Arc::new(Scene { bodies: [gold].into(), ..Scene::default() });
     let job = RenderJob::start(scene, SETTINGS, None, 1).unwrap();
     assert!(matches!(result(&job), Err(JobError::Stage(_))));
 }

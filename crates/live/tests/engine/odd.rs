@@ -42,7 +42,7 @@ fn what_cannot_be_shown_is_an_error_and_the_last_frame_stays() {
         assert_eq!(refused(Request { camera, ..request(3) }), Some(LiveError::Camera));
     }
     let gold = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
-    let scene = Arc::new(Scene { bodies: vec![gold], ..Scene::default() });
+    let scene = Arc::new(Scene { bodies: [gold].into(), ..Scene::default() });
     let error = refused(Request::new(scene, 4, [16, 16]));
     assert!(matches!(&error, Some(LiveError::Stage(_))), "{error:?}");
     assert!(error.unwrap().to_string().contains("gold"));
@@ -84,8 +84,9 @@ fn what_is_prepared_outlives_requests_of_nothing() {
 #[test]
 fn odd_scenes_and_cameras_have_pictures() {
     let window = Window::open();
-    let one = Scene { bodies: vec![Body::default()], ..Scene::default() };
-    let plane = Scene { bodies: vec![Body { shape: Shape::Plane, ..Body::default() }], ..Scene::default() };
+    let one = Scene { bodies: [Body::default()].into(), ..Scene::default() };
+    let plane =
+        Scene { bodies: [Body { shape: Shape::Plane, ..Body::default() }].into(), ..Scene::default() };
     let inside = Camera { position: DVec3::new(0.1, 0.2, 0.0), target: DVec3::X, ..Camera::default() };
     let nowhere = Camera { position: DVec3::ZERO, target: DVec3::ZERO, ..Camera::default() };
     let upright = Camera { up: DVec3::NEG_Z, target: DVec3::ZERO, position: DVec3::Z, ..Camera::default() };

@@ -281,7 +281,7 @@ mod tests {
         let mut scene = Scene {
             materials: vec![NamedMaterial { name: "m".to_owned(), material }],
             lights: vec![Light { intensity: -1.0, ..Light::default() }],
-            bodies: vec![ball.clone(), ball, rod, cube],
+            bodies: [ball.clone(), ball, rod, cube].into(),
             ..Scene::default()
         };
         scene.camera.target = scene.camera.position;
@@ -321,12 +321,8 @@ mod tests {
         let mut scene = Scene {
             materials: vec![named("m", 0.0), named("", 1.5), named("m", 1.5)],
             lights: vec![light(""), light("a"), light("a"), light("")],
-            bodies: vec![
-                body("", 1.0, "m"),
-                body("b", -1.0, "none"),
-                body("c", 1.0, "m"),
-                body("b", 1.0, "m"),
-            ],
+            bodies: [body("", 1.0, "m"), body("b", -1.0, "none"), body("c", 1.0, "m"), body("b", 1.0, "m")]
+                .into(),
             ..Scene::default()
         };
         scene.camera.up = DVec3::ZERO;

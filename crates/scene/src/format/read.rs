@@ -142,7 +142,6 @@ impl<'t> Reader<'t> {
         self.close(ListKind::Bodies);
         self.finish();
         self.found.locate(self.text);
-        self.scene.bodies.shrink_to_fit();
         self.scene.lights.shrink_to_fit();
         Reading { scene: self.scene, diagnostics: self.found }
     }

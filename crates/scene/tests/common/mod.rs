@@ -127,7 +127,7 @@ fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {
             };
             let anchor = Anchor::Axis { base, top };
             let body = Body { shape, placement: Placement { anchor, scale: DVec3::ONE }, ..Body::default() };
-            let scene = Scene { bodies: vec![body], ..Scene::default() };
+            let scene = Scene { bodies: [body].into(), ..Scene::default() };
             scene.check().is_empty().then_some((shape, anchor))
         },
     );
@@ -211,7 +211,7 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
             tracing: Tracing { generations, threshold },
             materials,
             lights: unique(lights, |light| &mut light.name),
-            bodies,
+            bodies: bodies.into(),
         }
     })
 }

@@ -47,10 +47,11 @@ pub(crate) fn fresh_scene(texts: &Texts) -> Scene {
             position: DVec3::new(-4.0, 7.0, 5.0),
             ..Light::default()
         }],
-        bodies: vec![
+        bodies: [
             body("name-plane", Shape::Plane, DVec3::ZERO, floor),
             body("name-sphere", Shape::SPHERE, DVec3::Y, ball),
-        ],
+        ]
+        .into(),
         ..Scene::default()
     }
 }

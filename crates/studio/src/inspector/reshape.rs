@@ -180,7 +180,7 @@ mod tests {
                 let mut body = Body { shape: from.shape(), ..Body::default() };
                 reshape(&mut body, to);
                 assert_eq!(body.shape.kind(), to);
-                let scene = catoptric_scene::Scene { bodies: vec![body], ..Default::default() };
+                let scene = catoptric_scene::Scene { bodies: [body].into(), ..Default::default() };
                 assert_eq!(scene.check(), []);
             }
         }

@@ -65,7 +65,7 @@ fn rename(harness: &mut Kit, name: &str) {
 }
 
 fn first_body(harness: &Kit) -> String {
-    harness.state().editor().scene().bodies.first().map(|body| body.name.clone()).unwrap_or_default()
+    harness.state().editor().scene().bodies.get(0).map(|body| body.name.clone()).unwrap_or_default()
 }
 
 fn run(harness: &mut Kit, command: Command) {

@@ -283,7 +283,7 @@ fn ten_thousand_rows_are_as_quick_as_ten_and_the_selected_one_comes_into_view() 
 fn things_without_a_name_are_called_what_they_are() {
     let mut harness = studio();
     settle(&mut harness);
-    let scene = Scene { bodies: vec![Body::default(); 2], ..Scene::default() };
+    let scene = Scene { bodies: vec![Body::default(); 2].into(), ..Scene::default() };
     *harness.state_mut().editor_mut() = catoptric_editor::Editor::new(scene);
     settle(&mut harness);
     assert!(harness.query_by_role_and_label(Role::TreeItem, "Sphere 2").is_some());

@@ -6,6 +6,8 @@ mod entry;
 mod packet;
 mod refit;
 mod split;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 

@@ -1,6 +1,6 @@
 //! The bodies of a scene on their way to the stage.
 
-use catoptric_scene::{Body, Scene};
+use catoptric_scene::{Body, List, Scene};
 use rayon::prelude::*;
 
 use super::material::{MaterialTable, NamedMaterials};
@@ -19,7 +19,8 @@ pub(super) struct Cast {
 }
 
 /// So many bodies that are neighbors in the scene are prepared by one thread.
-const CHUNK: usize = 1 << 12;
+const CHUNK: usize = SLICES * List::<Body>::SLICE;
+const SLICES: usize = 16;
 
 /// The prepared bodies in the scene's order, the hidden ones with them.
 pub(super) struct Chunks(Vec<(Vec<StageBody>, Numbering)>);
@@ -43,8 +44,9 @@ impl Cast {
     /// Prepares the bodies of a scene.
     pub(super) fn of(scene: &Scene) -> Result<Self, StageError> {
         let named = MaterialTable::named(scene);
-        let chunks = scene.bodies.par_chunks(CHUNK).enumerate();
-        let chunks: Vec<_> = chunks.map(|(chunk, bodies)| Chunk::of(bodies, chunk * CHUNK, &named)).collect();
+        let slices: Vec<&[Body]> = scene.bodies.slices().collect();
+        let chunks = slices.par_chunks(SLICES).enumerate();
+        let chunks: Vec<_> = chunks.map(|(chunk, slices)| Chunk::of(slices, chunk * CHUNK, &named)).collect();
         // Of several undefined materials the first is told.
         let chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut table = MaterialTable::default();
@@ -85,15 +87,16 @@ impl Chunks {
 
 impl<'a> Chunk<'a> {
     /// Prepares some bodies, the first of which is at the place `first`.
-    fn of(bodies: &'a [Body], first: usize, named: &NamedMaterials<'a>) -> Result<Self, StageError> {
+    fn of(slices: &[&'a [Body]], first: usize, named: &NamedMaterials<'a>) -> Result<Self, StageError> {
+        let count = slices.iter().map(|slice| slice.len()).sum();
         let mut chunk = Self {
-            bodies: Vec::with_capacity(bodies.len()),
-            entries: Vec::with_capacity(bodies.len()),
+            bodies: Vec::with_capacity(count),
+            entries: Vec::with_capacity(count),
             planes: Vec::new(),
             materials: MaterialTable::default(),
             checkers: Vec::new(),
         };
-        for (body, index) in bodies.iter().zip(first..) {
+        for (body, index) in slices.iter().copied().flatten().zip(first..) {
             let (mut prepared, bounds) = StageBody::new(body);
             if !body.hidden {
                 let found = chunk.materials.find(named, &body.material);

@@ -71,7 +71,7 @@ mod tests {
     fn materials_and_lights_are_shared() {
         let plane = Body { shape: Shape::Plane, ..Body::default() };
         let scene = Scene {
-            bodies: vec![Body::default(), plane],
+            bodies: [Body::default(), plane].into(),
             lights: vec![Light::default()],
             ..Scene::default()
         };

@@ -96,7 +96,7 @@ fn light_at_the_limits_is_a_number_and_highlights_stay_within_their_coefficient(
     assert!(picture(&scene, 9, 9).pixels().as_flattened().iter().all(|value| !value.is_nan()));
 
     let shiny = Material { diffuse: 0.0, ambient: 0.0, specular: 1.0, shininess: 1e6, ..red };
-    scene.bodies = vec![ball(1.0, DVec3::ZERO, Material { reflection: Some(0.0), ..shiny })];
+    scene.bodies = [ball(1.0, DVec3::ZERO, Material { reflection: Some(0.0), ..shiny })].into();
     scene.environment.background = Color::BLACK;
     scene.camera = camera(v(0.0, 0.0, 5.0), DVec3::ZERO, 0.05);
     scene.lights = vec![light(v(0.01, 0.0, 5.0), 1.0, Falloff::None)];

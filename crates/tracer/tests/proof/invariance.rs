@@ -142,9 +142,9 @@ fn the_order_of_bodies_does_not_matter() {
     let scene = checkered();
     let original = taken(&scene);
     let mut reversed = scene.clone();
-    reversed.bodies.reverse();
+    reversed.bodies.change(|bodies| bodies.reverse());
     let mut rotated = scene.clone();
-    rotated.bodies.rotate_left(3);
+    rotated.bodies.change(|bodies| bodies.rotate_left(3));
     for other in [reversed, rotated] {
         assert_same_picture(&original, &taken(&other), 0.0);
     }

@@ -56,7 +56,7 @@ fn balls() -> Scene {
         Material { color: Color::new(1.0, 0.9, 0.7), diffuse: 0.5, specular: 0.5, ..Material::default() };
     let floor = Material { color: Color::new(1.0, 0.75, 0.33), diffuse: 0.8, ..Material::default() };
     // The floor is one polygon; a sheet below it has the same upper side.
-    let mut bodies = vec![block(v(24.0, 24.0, 1e-3), v(0.0, 0.0, -0.5005), floor)];
+    let mut bodies = [block(v(24.0, 24.0, 1e-3), v(0.0, 0.0, -0.5005), floor)].into();
     sphereflake(DVec3::ZERO, 0.5, DVec3::Z, 4, shiny, &mut bodies);
     let mut scene = scene(bodies);
     scene.camera = Camera {
@@ -85,7 +85,7 @@ fn the_sphereflake_is_the_published_one() {
         (v(0.481689, 0.481689, 0.57904), 0.00617284),
         (v(0.475329, 0.45787, 0.577669), 0.00617284),
     ];
-    for (body, (center, radius)) in bodies[1..].iter().zip(expected) {
+    for (body, (center, radius)) in bodies.iter().skip(1).zip(expected) {
         let catoptric_scene::Anchor::Frame { position, .. } = body.placement.anchor else { unreachable!() };
         assert!(position.distance(center) < 2e-6, "{position} instead of {center}");
         assert!(

@@ -100,7 +100,7 @@ pub(crate) fn scene(bodies: Vec<Body>) -> Scene {
     Scene {
         environment: Environment { background: Color::BLACK, ambient: Color::WHITE },
         tracing: Tracing { generations: 64, threshold: 0.0 },
-        bodies,
+        bodies: bodies.into(),
         ..Scene::default()
     }
 }
