@@ -226,7 +226,7 @@ mod tests {
     fn what_is_hidden_is_left_out() {
         let body = Body { hidden: true, ..Body::default() };
         let lamp = Light { hidden: true, ..Light::default() };
-        let mut scene = Scene { bodies: vec![body], lights: vec![lamp], ..Scene::default() };
+        let mut scene = Scene { bodies: vec![body].into(), lights: vec![lamp], ..Scene::default() };
         assert_eq!(source(&scene).unwrap().lines().count(), 4);
         scene.bodies[0].hidden = false;
         scene.lights[0].hidden = false;
@@ -246,7 +246,9 @@ mod tests {
         let clear = Material { transmission: 1.0, diffuse: 0.0, ..glass };
         assert!(surface(&clear).is_ok());
         let scene = Scene {
-            bodies: vec![Body { material: MaterialChoice::Named("none".to_owned()), ..Body::default() }],
+            bodies: [Body { material: MaterialChoice::Named("none".to_owned()), ..Body::default() }]
+                .into_iter()
+                .collect(),
             ..Scene::default()
         };
         assert!(source(&scene).is_err());

@@ -65,7 +65,7 @@ pub(crate) fn glass_grid() -> Scene {
                 ..Light::default()
             },
         ],
-        bodies,
+        bodies: bodies.into(),
         ..Scene::default()
     }
 }
@@ -78,7 +78,7 @@ mod tests {
     fn the_spheres_stand_apart_above_the_floor() {
         let scene = glass_grid();
         assert!(scene.check().is_empty(), "{:?}", scene.check());
-        let centers: Vec<DVec3> = scene.bodies[1..].iter().map(|body| body.placement.origin()).collect();
+        let centers: Vec<DVec3> = scene.bodies.iter().skip(1).map(|body| body.placement.origin()).collect();
         assert_eq!(centers.len(), 27);
         for (index, center) in centers.iter().enumerate() {
             assert!(center.y > RADIUS);

@@ -44,7 +44,7 @@ pub(crate) fn sphereflake(levels: u32) -> Scene {
         tracing: Tracing { generations: 5, threshold: 0.0 },
         materials: vec![NamedMaterial { name: BALL.to_owned(), material: ball }],
         lights: vec![light(DVec3::new(4.0, 3.0, 2.0), 0.6), light(DVec3::new(1.0, 4.0, 4.0), 0.5)],
-        bodies,
+        bodies: bodies.into(),
     }
 }
 
