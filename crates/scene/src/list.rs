@@ -117,7 +117,7 @@ impl<T: Clone> List<T> {
         if count < self.len() {
             self.chunks.truncate(count.div_ceil(CHUNK));
             if let Some(last) = self.chunks.last_mut()
-                && count % CHUNK != 0
+                && !count.is_multiple_of(CHUNK)
             {
                 Arc::make_mut(last).truncate(count % CHUNK);
             }
@@ -336,7 +336,7 @@ mod tests {
     use super::*;
 
     /// Checks what every list keeps to.
-    fn checked(list: List<usize>) -> Vec<usize> {
+    fn checked(list: &List<usize>) -> Vec<usize> {
         let full = list.chunks.len().saturating_sub(1);
         assert!(list.chunks.iter().take(full).all(|chunk| chunk.len() == CHUNK));
         assert!(list.chunks.last().is_none_or(|last| (1..=CHUNK).contains(&last.len())));
@@ -364,7 +364,7 @@ mod tests {
                 (&|list| list.extend(0..CHUNK + 3), &|all| all.extend(0..CHUNK + 3)),
                 (&|list| list.insert(0, 9), &|all| all.insert(0, 9)),
                 (&|list| list.retain(|element| element % 3 == 0), &|all| {
-                    all.retain(|element| element % 3 == 0)
+                    all.retain(|element| element % 3 == 0);
                 }),
                 (&|list| list.splice(0..0, [7, 8]), &|all| drop(all.splice(0..0, [7, 8]))),
                 (&|list| list.iter_mut().for_each(|element| *element += 1), &|all| {
@@ -381,8 +381,8 @@ mod tests {
                 let copy = list.clone();
                 edit(&mut list);
                 same(&mut all);
-                assert_eq!(checked(list), all, "edit {number} of {count}");
-                assert!(checked(copy).into_iter().eq(0..count), "a copy stays as it is");
+                assert_eq!(checked(&list), all, "edit {number} of {count}");
+                assert!(checked(&copy).into_iter().eq(0..count), "a copy stays as it is");
             }
         }
     }
