@@ -59,9 +59,15 @@ fn follow(mut scene: Scene, mut stage: Stage, runs: usize) -> Result<(), Box<dyn
         println!("moved {what}: median {median:.3} ms, at most {most:.3} ms, {anew} times prepared anew");
     }
     let fresh = Stage::prepare(&scene)?;
-    let settings = RenderSettings { width: 320, height: 180, samples: 1 };
-    let [one, other] = [&stage, &fresh].map(|stage| render(stage, settings, &Control::default()));
-    let is_same = one?.picture.pixels() == other?.picture.pixels();
+    let settings = RenderSettings { width: 640, height: 360, samples: 1 };
+    let traced = |stage: &Stage| {
+        let mut picture = None;
+        let time = best_of(runs, || picture = render(stage, settings, &Control::default()).ok());
+        (time, picture.map(|rendering| rendering.picture))
+    };
+    let ((time, one), (fresh_time, other)) = (traced(&stage), traced(&fresh));
+    let is_same = one.is_some() && one == other;
+    println!("then traced in {time:.1} ms, a new stage in {fresh_time:.1} ms");
     println!("the picture is {} a new stage's", if is_same { "that of" } else { "NOT that of" });
     Ok(())
 }

@@ -30,7 +30,7 @@ use few::FewBodies;
 pub(crate) use light::StageLight;
 pub(crate) use material::StageMaterial;
 
-/// A scene prepared for tracing: immutable, shared by reference between threads.
+/// A scene prepared for tracing, shared by reference between threads.
 ///
 /// Bodies stand in the order of the bounding volume hierarchy's leaves, the unbounded ones last. What
 /// the search reads is plain single-precision data.
