@@ -38,6 +38,17 @@ struct Relation<M> {
     inside: M,
 }
 
+/// Where rays meet a body first.
+struct Meeting<W: Width> {
+    /// Those that enter it, and where.
+    entering: W::M,
+    enter: W::R,
+    /// Those that leave it without having entered.
+    leaving: W::M,
+    /// Where all of them leave it.
+    exit: W::R,
+}
+
 /// Rays in flight.
 pub(crate) struct Flight<'a, W: Width> {
     w: W,
@@ -82,29 +93,33 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     pub(crate) fn nearest(&self, parts: &mut Vec<PacketPart>) -> Hits<W> {
         let mut best = Best::new(self.w, self.start_slack);
-        match &self.stage.hierarchy {
-            Hierarchy::Few(few) => {
-                for (sphere, index) in few.spheres.iter().zip(0..) {
-                    let body = self.stage.body(index);
-                    let mut lanes: W::M = self.lanes;
-                    if !body.is_sphere() {
-                        lanes = lanes & sphere.is_met(self.origin, self.direction, best.reach);
-                        if !lanes.any() {
-                            continue;
-                        }
-                    }
-                    self.test(index, body, lanes, &mut best);
-                }
-            }
-            Hierarchy::Many(bvh) => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-                bvh.traverse_packet(self.w, &boxes, parts, &mut ForNearest(self, &mut best));
-            }
-        }
+        self.visit(parts, &mut ForNearest(self, &mut best));
         for index in self.stage.planes() {
             self.test(index, self.stage.body(index), self.lanes, &mut best);
         }
         best.first(self.w)
+    }
+
+    /// Shows `visitor` the bounded bodies that some of the rays may meet.
+    #[inline(always)]
+    fn visit(&self, parts: &mut Vec<PacketPart>, visitor: &mut impl Visit<W>) {
+        match &self.stage.hierarchy {
+            Hierarchy::Few(few) => {
+                for (sphere, index) in few.spheres.iter().zip(0..) {
+                    let mut lanes: W::M = self.lanes;
+                    if !self.stage.body(index).is_sphere() {
+                        lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
+                    }
+                    if lanes.any() {
+                        visitor.leaf(index..index + 1, lanes);
+                    }
+                }
+            }
+            Hierarchy::Many(bvh) => {
+                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
+                bvh.traverse_packet(self.w, &boxes, parts, visitor);
+            }
+        }
     }
 
     /// The first meeting of one ray with every body that it meets, in no particular order.
@@ -114,13 +129,7 @@ impl<'a, W: Width> Flight<'a, W> {
             self.test(index, self.stage.body(index), self.lanes, &mut best);
             found_in(&best.first(self.w)).into_iter().for_each(&mut found);
         };
-        match &self.stage.hierarchy {
-            Hierarchy::Few(_) => (0..self.stage.bounded).for_each(&mut test),
-            Hierarchy::Many(bvh) => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-                bvh.traverse_packet(self.w, &boxes, parts, &mut ForEach(self.w, &mut test));
-            }
-        }
+        self.visit(parts, &mut ForEach(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
     }
 
@@ -130,22 +139,7 @@ impl<'a, W: Width> Flight<'a, W> {
         if !lanes.any() {
             return;
         }
-        let span = body.span(self.origin, self.direction);
-        let zero = self.w.real(0.0);
-        let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
-        let enters = span.enter.gt(zero);
-        let mut entering = ahead & enters;
-        let mut enter = span.enter;
-        let mut leaving = lanes & inside;
-        let mut exit = exit_of(&span);
-        let within = ahead & !enters;
-        if within.any() {
-            let start = self.start_within(body, &span, within);
-            entering = entering | start.at_entry;
-            enter = W::R::select(start.at_entry, zero, enter);
-            leaving = leaving | start.inside;
-            exit = W::R::select(start.inside, span.exit, exit);
-        }
+        let Meeting { entering, enter, leaving, exit } = self.meeting(body, lanes, inside);
         if entering.any() {
             best.enter(self.w, self.stage, index, body.slack, enter, entering);
         }
@@ -162,26 +156,7 @@ impl<'a, W: Width> Flight<'a, W> {
         let distance = distance * (1.0 - POINT_ROUNDING);
         let one = self.w.real(1.0);
         let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one) };
-        match &self.stage.hierarchy {
-            Hierarchy::Few(few) => {
-                for (sphere, index) in few.spheres.iter().zip(0..) {
-                    let body = self.stage.body(index);
-                    let mut lanes: W::M = passed.lanes;
-                    if !body.is_sphere() {
-                        lanes = lanes & sphere.is_met(self.origin, self.direction, distance);
-                        if !lanes.any() {
-                            continue;
-                        }
-                    }
-                    self.filter(index, body, distance, lanes, &mut passed);
-                }
-            }
-            Hierarchy::Many(bvh) => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-                let mut visitor = ForShadow { flight: self, passed: &mut passed, distance };
-                bvh.traverse_packet(self.w, &boxes, parts, &mut visitor);
-            }
-        }
+        self.visit(parts, &mut ForShadow { flight: self, passed: &mut passed, distance });
         for index in self.stage.planes() {
             if !passed.lanes.any() {
                 break;
@@ -199,18 +174,9 @@ impl<'a, W: Width> Flight<'a, W> {
         if !lanes.any() {
             return;
         }
-        let span = body.span(self.origin, self.direction);
-        let zero = self.w.real(0.0);
-        let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
-        let enters = span.enter.gt(zero);
-        let mut in_front = ahead & enters & span.enter.lt(distance);
-        let mut behind = lanes & inside & exit_of(&span).lt(distance);
-        let within = ahead & !enters;
-        if within.any() {
-            let start = self.start_within(body, &span, within);
-            in_front = in_front | (start.at_entry & zero.lt(distance));
-            behind = behind | (start.inside & span.exit.lt(distance));
-        }
+        let Meeting { entering, enter, leaving, exit } = self.meeting(body, lanes, inside);
+        let in_front = entering & enter.lt(distance);
+        let behind = leaving & exit.lt(distance);
         let crossed = in_front | behind;
         if !crossed.any() {
             return;
@@ -219,11 +185,34 @@ impl<'a, W: Width> Flight<'a, W> {
             passed.lanes = passed.lanes & !crossed;
             return;
         }
-        let both = in_front & span.exit.lt(distance);
+        let both = in_front & exit.lt(distance);
         let filter = self.stage.material(body).filter;
         let once = passed.share.times_all(filter);
         passed.share = Vector::select(crossed, once, passed.share);
         passed.share = Vector::select(both, once.times_all(filter), passed.share);
+    }
+
+    /// Where rays meet a body first.
+    #[inline(always)]
+    fn meeting(&self, body: &StageBody, lanes: W::M, inside: W::M) -> Meeting<W> {
+        let span = body.span(self.origin, self.direction);
+        let zero = self.w.real(0.0);
+        let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
+        let enters = span.enter.gt(zero);
+        let mut meeting = Meeting {
+            entering: ahead & enters,
+            enter: span.enter,
+            leaving: lanes & inside,
+            exit: exit_of(&span),
+        };
+        let within = ahead & !enters;
+        if within.any() {
+            let start = self.start_within(body, &span, within);
+            meeting.entering = meeting.entering | start.at_entry;
+            meeting.enter = W::R::select(start.at_entry, zero, span.enter);
+            meeting.leaving = meeting.leaving | start.inside;
+        }
+        meeting
     }
 
     /// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.

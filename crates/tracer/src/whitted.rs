@@ -181,7 +181,7 @@ impl<'a> Whitted<'a> {
         let light = self.local_light(w, beams, inside, &at);
         let light = beams.weight.times(Vector::select(hit, light, background));
         let limit = self.stage.generations();
-        let goes_on = hit & w.mask(beams.below(w, limit));
+        let goes_on = hit & beams.below(w, limit);
         if goes_on.any() {
             self.spawn(w, beams, &at, goes_on, offspring);
         }

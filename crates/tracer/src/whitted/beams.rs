@@ -20,12 +20,12 @@ pub(crate) struct Beams<W: Width> {
 }
 
 impl<W: Width> Beams<W> {
-    /// A bit for each ray of a generation below `limit`.
+    /// The rays of a generation below `limit`.
     #[inline(always)]
-    pub(super) fn below(&self, w: W, limit: u32) -> u32 {
+    pub(super) fn below(&self, w: W, limit: u32) -> W::M {
         // Small numbers in the words are small positive subnormal numbers; made normal they keep their order.
         let number = |word: W::W| W::R::of_word(word.or(w.word(0x4b00_0000)));
-        number(self.generation).lt(number(w.word(limit))).bits()
+        number(self.generation).lt(number(w.word(limit)))
     }
 }
 
