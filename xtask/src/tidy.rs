@@ -14,8 +14,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("tracer", &["scene", "picture"]),
     ("editor", &["scene", "files"]),
     ("live", &["tracer", "scene", "picture"]),
-    ("studio", &["live", "editor", "tracer", "scene", "picture", "files"]),
-    ("catoptric", &["studio", "tracer", "scene", "picture", "files"]),
+    ("lab", &["tracer", "scene", "picture", "files"]),
+    ("studio", &["lab", "live", "editor", "tracer", "scene", "picture", "files"]),
+    ("catoptric", &["studio", "lab", "tracer", "scene", "picture", "files"]),
 ];
 
 const LONGEST_FILE: usize = 600;

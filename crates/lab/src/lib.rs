@@ -1,0 +1,1 @@
+//! Experiments on a scene. No window: the program and the studio show what is found here.
