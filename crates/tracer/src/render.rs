@@ -134,16 +134,26 @@ impl Tile<'_> {
         size: DVec2,
         samples: u32,
     ) -> bool {
+        if samples == 1 {
+            let Some(light) = tracer.trace(self.place, size, 0) else { return false };
+            for (y, row) in self.rows.iter_mut().enumerate() {
+                light.each(y, row, |pixel, light| *pixel = light);
+            }
+            return true;
+        }
         sums.clear();
         sums.resize(self.place.pixels(), DVec3::ZERO);
+        let width = self.place.width;
         for sample in 0..samples {
-            let Some(lights) = tracer.trace(self.place, size, sample) else { return false };
-            sums.iter_mut().zip(lights).for_each(|(sum, light)| *sum += light);
+            let Some(light) = tracer.trace(self.place, size, sample) else { return false };
+            for (y, row) in sums.chunks_mut(width).enumerate() {
+                light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
+            }
         }
-        let pixels = self.rows.iter_mut().flat_map(|row| row.iter_mut());
-        for (pixel, sum) in pixels.zip(&*sums) {
-            let mean = if samples == 1 { *sum } else { *sum / f64::from(samples) };
-            *pixel = mean.as_vec3().to_array();
+        for (row, sums) in self.rows.iter_mut().zip(sums.chunks(width)) {
+            for (pixel, sum) in row.iter_mut().zip(sums) {
+                *pixel = (*sum / f64::from(samples)).as_vec3().to_array();
+            }
         }
         true
     }

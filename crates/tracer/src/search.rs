@@ -6,7 +6,7 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{Hierarchy, PacketPart, Stage, StageBody, Visit};
+use crate::stage::{Hierarchy, PacketPart, Sight, Stage, StageBody, Visit};
 use crate::vector::Vector;
 
 /// Where a ray meets a body: the cheap record kept during the search.
@@ -61,11 +61,30 @@ pub(crate) struct Flight<'a, W: Width> {
     /// Those that fly.
     lanes: W::M,
     inside: &'a Inside,
+    along: Along<'a>,
+}
+
+/// What is known of a handful of bodies before rays are tested.
+#[derive(Clone, Copy)]
+pub(crate) enum Along<'a> {
+    /// Nothing.
+    Anything,
+    /// The rays come from the point that these bodies are seen from; others they do not meet.
+    From(&'a [Sight]),
+    /// The rays go to it.
+    To(&'a [Sight]),
 }
 
 impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
-    pub(crate) fn new(w: W, stage: &'a Stage, rays: &Rays<W>, lanes: W::M, inside: &'a Inside) -> Self {
+    pub(crate) fn new(
+        w: W,
+        stage: &'a Stage,
+        rays: &Rays<W>,
+        lanes: W::M,
+        inside: &'a Inside,
+        along: Along<'a>,
+    ) -> Self {
         Self {
             w,
             stage,
@@ -76,6 +95,7 @@ impl<'a, W: Width> Flight<'a, W> {
             start_slack: rays.slack(),
             lanes,
             inside,
+            along,
         }
     }
 
@@ -104,20 +124,34 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     fn visit(&self, parts: &mut Vec<PacketPart>, visitor: &mut impl Visit<W>) {
         match &self.stage.hierarchy {
-            Hierarchy::Few(few) => {
-                for (sphere, index) in few.spheres.iter().zip(0..) {
-                    let mut lanes: W::M = self.lanes;
-                    if !self.stage.body(index).is_sphere() {
-                        lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
-                    }
-                    if lanes.any() {
-                        visitor.leaf(index..index + 1, lanes);
+            Hierarchy::Few(few) => match self.along {
+                Along::From(sights) => self.visit_seen(sights, self.direction, visitor),
+                Along::To(sights) => self.visit_seen(sights, -self.direction, visitor),
+                Along::Anything => {
+                    for (sphere, index) in few.spheres.iter().zip(0..) {
+                        let mut lanes: W::M = self.lanes;
+                        if !self.stage.body(index).is_sphere() {
+                            lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
+                        }
+                        if lanes.any() {
+                            visitor.leaf(index..index + 1, lanes);
+                        }
                     }
                 }
-            }
+            },
             Hierarchy::Many(bvh) => {
                 let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
                 bvh.traverse_packet(self.w, &boxes, parts, visitor);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn visit_seen(&self, sights: &[Sight], direction: Vector<W::R>, visitor: &mut impl Visit<W>) {
+        for sight in sights {
+            let lanes = self.lanes & sight.is_met(direction, visitor.reach());
+            if lanes.any() {
+                visitor.leaf(sight.body..sight.body + 1, lanes);
             }
         }
     }

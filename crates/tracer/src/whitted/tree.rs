@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Beams, Offspring, Whitted};
+use super::{Beams, Offspring, Origin, Whitted};
 use crate::lanes::One;
 use crate::pick::SurfaceHit;
 use crate::ray::Ray;
@@ -73,7 +73,7 @@ impl Whitted<'_> {
             && tree.len() < limit
         {
             let mut children = Children { waiting: &mut waiting, parent: Some(tree.len()) };
-            let followed = self.follow(One, &beam, &mut children);
+            let followed = self.follow(One, &beam, Origin::Anywhere, &mut children);
             let ray = beam.rays.ray();
             tree.push(TracedRay {
                 ray,
