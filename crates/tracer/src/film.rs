@@ -129,7 +129,7 @@ impl FilmTile {
             return RayCounts::default();
         };
         for (y, row) in self.sums.chunks_mut(self.place.width).enumerate() {
-            light.each_sum(y, row, |sum, light| *sum += light);
+            light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
         }
         self.samples += 1;
         control.add_done(self.place);

@@ -147,7 +147,7 @@ impl Tile<'_> {
         for sample in 0..samples {
             let Some(light) = tracer.trace(self.place, size, sample) else { return false };
             for (y, row) in sums.chunks_mut(width).enumerate() {
-                light.each_sum(y, row, |sum, light| *sum += light);
+                light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
             }
         }
         for (row, sums) in self.rows.iter_mut().zip(sums.chunks(width)) {

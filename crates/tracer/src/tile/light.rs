@@ -1,9 +1,7 @@
 //! The light of a tile's pixels.
 
-use glam::DVec3;
-
 use super::Place;
-use crate::lanes::{MOST_LANES, Mask as _, Real, Width, Word as _};
+use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::vector::Vector;
 use crate::whitted::Beams;
 
@@ -16,8 +14,6 @@ pub(crate) struct TileLight {
     light: [Vec<f32>; 3],
     /// The same, while rays are added of which a pixel has many.
     sums: [Vec<f64>; 3],
-    /// Whether there are such.
-    is_summed: bool,
     /// Size of a block, pixels.
     block: [usize; 2],
     /// Blocks across.
@@ -26,13 +22,7 @@ pub(crate) struct TileLight {
 
 impl Default for TileLight {
     fn default() -> Self {
-        Self {
-            light: Default::default(),
-            sums: Default::default(),
-            is_summed: false,
-            block: [1; 2],
-            across: 0,
-        }
+        Self { light: Default::default(), sums: Default::default(), block: [1; 2], across: 0 }
     }
 }
 
@@ -40,7 +30,6 @@ impl TileLight {
     /// Makes room for the pixels of a tile in blocks of this size.
     pub(super) fn begin(&mut self, place: Place, block: [usize; 2]) {
         let [width, height] = block;
-        self.is_summed = false;
         self.block = block;
         self.across = place.width.div_ceil(width);
         let pixels = self.across * place.height.div_ceil(height) * width * height;
@@ -49,7 +38,7 @@ impl TileLight {
 
     /// Sets the light of the pixels of a block.
     #[inline(always)]
-    pub(super) fn set<R: Real>(&mut self, first: usize, light: Vector<R>) {
+    pub(super) fn set<R: crate::lanes::Real>(&mut self, first: usize, light: Vector<R>) {
         let [red, green, blue] = &mut self.light;
         light.x.store(&mut red[first..]);
         light.y.store(&mut green[first..]);
@@ -59,7 +48,6 @@ impl TileLight {
     /// Prepares for more light than was [set](Self::set).
     #[inline(always)]
     pub(super) fn open(&mut self) {
-        self.is_summed = true;
         for (sums, light) in self.sums.iter_mut().zip(&self.light) {
             sums.clear();
             sums.extend(light.iter().map(|&light| f64::from(light)));
@@ -101,31 +89,11 @@ impl TileLight {
 
     /// Shows `take` the pixels of row `y`, from left to right, each with one of `to`.
     #[inline]
-    pub(crate) fn each<T>(&self, y: usize, to: &mut [T], take: impl FnMut(&mut T, [f32; 3])) {
-        self.each_of(&self.light, y, to, take);
-    }
-
-    /// The same before the sums of a pixel's rays are rounded to single precision.
-    #[inline]
-    pub(crate) fn each_sum<T>(&self, y: usize, to: &mut [T], mut take: impl FnMut(&mut T, DVec3)) {
-        if self.is_summed {
-            self.each_of(&self.sums, y, to, |to, sum| take(to, DVec3::from(sum)));
-        } else {
-            self.each(y, to, |to, light| take(to, DVec3::from(light.map(f64::from))));
-        }
-    }
-
-    #[inline(always)]
-    fn each_of<N: Copy, T>(
-        &self,
-        [red, green, blue]: &[Vec<N>; 3],
-        y: usize,
-        to: &mut [T],
-        mut take: impl FnMut(&mut T, [N; 3]),
-    ) {
+    pub(crate) fn each<T>(&self, y: usize, to: &mut [T], mut take: impl FnMut(&mut T, [f32; 3])) {
         let [width, height] = self.block;
         let lanes = width * height;
         let start = y / height * self.across * lanes + y % height * width;
+        let [red, green, blue] = &self.light;
         for (to, start) in to.chunks_mut(width).zip((start..).step_by(lanes)) {
             let parts = red[start..].iter().zip(&green[start..]).zip(&blue[start..]);
             for (to, ((&red, &green), &blue)) in to.iter_mut().zip(parts) {
