@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use catoptric_picture::{Picture, SizeError};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, UVec2};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
@@ -119,6 +119,41 @@ pub fn render_through(
     Ok(Rendering { picture, counts })
 }
 
+/// The light of one pixel (column, row) as [`render_through`] has it, bit by bit, at the cost of a tile around it;
+/// `None` if the pixel is not in the picture.
+///
+/// # Errors
+/// As for [`render`].
+pub fn render_pixel(
+    stage: &Stage,
+    camera: &StageCamera,
+    settings: RenderSettings,
+    pixel: UVec2,
+    control: &Control,
+) -> Result<Option<[f32; 3]>, RenderError> {
+    let RenderSettings { width, height, samples } = settings;
+    Picture::check_size(width, height)?;
+    let size = UVec2::new(width, height);
+    if pixel.x >= width || pixel.y >= height {
+        return Ok(None);
+    }
+    let place = Place::around(pixel, size);
+    let index = (pixel.y as usize - place.y) * place.width + pixel.x as usize - place.x;
+    let mut tracer = TileTracer::new(stage, camera, control);
+    let mut sum = DVec3::ZERO;
+    for sample in 0..samples.max(1) {
+        let mut lights = tracer.trace(place, size.as_dvec2(), sample).ok_or(RenderError::Cancelled)?;
+        sum += lights.nth(index).unwrap_or_default();
+    }
+    Ok(Some(mean_of(sum, samples.max(1))))
+}
+
+/// The mean of the samples of a pixel.
+pub(crate) fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
+    let mean = if samples == 1 { sum } else { sum / f64::from(samples) };
+    mean.as_vec3().to_array()
+}
+
 /// A square of the picture and its rows.
 struct Tile<'a> {
     place: Place,
@@ -142,8 +177,7 @@ impl Tile<'_> {
         }
         let pixels = self.rows.iter_mut().flat_map(|row| row.iter_mut());
         for (pixel, sum) in pixels.zip(&*sums) {
-            let mean = if samples == 1 { *sum } else { *sum / f64::from(samples) };
-            *pixel = mean.as_vec3().to_array();
+            *pixel = mean_of(*sum, samples);
         }
         true
     }

@@ -21,6 +21,7 @@ use rayon::prelude::*;
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::{Bvh, Entry, PacketPart, Visit};
+pub(crate) use camera::RaysNear;
 pub use camera::StageCamera;
 use camera::Surroundings;
 use cast::Cast;
@@ -167,6 +168,17 @@ impl Stage {
     /// The limit of generations.
     pub fn generations(&self) -> u32 {
         self.generations
+    }
+
+    /// The same stage with another threshold of weight (0 or more).
+    pub fn with_threshold(mut self, threshold: f32) -> Self {
+        self.threshold = threshold.max(0.0);
+        self
+    }
+
+    /// The weight below which rays are not traced.
+    pub fn threshold(&self) -> f32 {
+        self.threshold
     }
 
     /// The camera.

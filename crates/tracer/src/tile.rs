@@ -1,12 +1,12 @@
 //! The squares that a picture is traced in, and the rays of a square side by side.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, UVec2, Vec2};
 
 use crate::counts::RayCounts;
 use crate::lanes::{Lanes, MOST_LANES, Mask as _, Real as _, Width, Work};
 use crate::render::Control;
 use crate::sampling::sample_offset;
-use crate::stage::{Stage, StageCamera};
+use crate::stage::{RaysNear, Stage, StageCamera};
 use crate::vector::Vector;
 use crate::whitted::{Beams, Offspring, Queue, Whitted};
 
@@ -38,6 +38,34 @@ impl Place {
 
     fn extent(self) -> DVec2 {
         DVec2::new(self.width as f64, self.height as f64)
+    }
+
+    /// The tile of this pixel in a picture of `size` pixels that has it.
+    pub(crate) fn around(pixel: UVec2, size: UVec2) -> Self {
+        let first = |at: u32| at as usize / TILE * TILE;
+        let (x, y) = (first(pixel.x), first(pixel.y));
+        Self { x, y, width: TILE.min(size.x as usize - x), height: TILE.min(size.y as usize - y) }
+    }
+
+    /// The primary rays of the tile, and where the sample of its upper left pixel lies among them.
+    fn rays(self, camera: &StageCamera, size: DVec2, sample: u32) -> (RaysNear, Vec2) {
+        let middle = DVec2::new(self.x as f64, self.y as f64) + 0.5 * self.extent();
+        // The last blocks may reach beyond the tile.
+        let reach = 0.5 * self.extent() + LARGEST_BLOCK;
+        let offset = (sample_offset(sample) - 0.5 * self.extent()).as_vec2();
+        (camera.near(middle, reach, size), offset)
+    }
+
+    /// The origin and direction of one of them: those that the rendering of the tile has, bit by bit.
+    pub(crate) fn ray(
+        self,
+        camera: &StageCamera,
+        (pixel, size): (UVec2, UVec2),
+        sample: u32,
+    ) -> (Vector<f32>, Vector<f32>) {
+        let (near, offset) = self.rays(camera, size.as_dvec2(), sample);
+        let [x, y] = [pixel.x as usize - self.x, pixel.y as usize - self.y];
+        near.rays(x as f32 + offset.x, y as f32 + offset.y)
     }
 
     /// How many pixels it has.
@@ -125,11 +153,7 @@ impl TileTracer<'_> {
     #[inline(always)]
     fn primary<W: Width>(&mut self, w: W, place: Place, size: DVec2, sample: u32) -> bool {
         let block = Block::new(w);
-        let middle = DVec2::new(place.x as f64, place.y as f64) + 0.5 * place.extent();
-        // The last blocks may reach beyond the tile.
-        let reach = 0.5 * place.extent() + Block::<W>::LARGEST;
-        let near = self.whitted.camera.near(middle, reach, size);
-        let offset = (sample_offset(sample) - 0.5 * place.extent()).as_vec2();
+        let (near, offset) = place.rays(self.whitted.camera, size, sample);
         for top in (0..place.height).step_by(block.height) {
             if self.is_cancelled() {
                 return false;
@@ -243,10 +267,10 @@ struct Block<W: Width> {
     y: W::R,
 }
 
-impl<W: Width> Block<W> {
-    /// No block has more pixels across or down.
-    const LARGEST: DVec2 = DVec2::splat(4.0);
+/// No block has more pixels across or down.
+const LARGEST_BLOCK: DVec2 = DVec2::splat(4.0);
 
+impl<W: Width> Block<W> {
     #[inline(always)]
     fn new(w: W) -> Self {
         let width = if W::LANES >= 8 { 4 } else { 2.min(W::LANES) };

@@ -4,6 +4,7 @@
 
 mod beams;
 mod encounter;
+mod record;
 mod tree;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,6 +15,7 @@ use crate::counts::RayCounts;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_START, Ray, Rays};
+use crate::render::Control;
 use crate::search::{Flight, Hits};
 use crate::stage::{PacketPart, Stage, StageCamera};
 use crate::surface::{mend_unit, phong_highlight, reflect, refract};
@@ -21,7 +23,10 @@ use crate::vector::Vector;
 
 pub(crate) use beams::{Beams, Offspring, Queue};
 use encounter::Encounter;
-pub use tree::{RayKind, TracedRay};
+pub use record::{
+    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
+    TracedRay,
+};
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {
@@ -58,6 +63,11 @@ impl<'a> Whitted<'a> {
             eye_media: None,
             counts: RayCounts::default(),
         }
+    }
+
+    /// The same, stopped by a [`Control`].
+    pub fn watched(stage: &'a Stage, camera: &'a StageCamera, control: &'a Control) -> Self {
+        Self::through(stage, camera, &control.cancel)
     }
 
     /// The rays traced so far.
@@ -178,7 +188,9 @@ impl<'a> Whitted<'a> {
             return Followed { light: beams.weight.times(background), hits };
         }
         let at = Encounter::new(w, self.stage, &beams.rays, &hits);
-        let light = self.local_light(w, beams, inside, &at);
+        offspring.meets(&at);
+        let light = self.local_light(w, beams, inside, &at, offspring);
+        offspring.shades(light);
         let light = beams.weight.times(Vector::select(hit, light, background));
         let limit = self.stage.generations();
         let goes_on = hit & beams.below(w, limit);
@@ -217,17 +229,19 @@ impl<'a> Whitted<'a> {
         beams: &Beams<W>,
         inside: &Inside,
         at: &Encounter<W>,
+        offspring: &mut impl Offspring<W>,
     ) -> Vector<W::R> {
         let zero = w.real(0.0);
         let mut light = at.ambient;
         if !at.answers.any() {
             return light;
         }
-        for source in self.stage.lights.iter().filter(|light| light.shines()) {
+        for (number, source) in self.stage.lights.iter().enumerate().filter(|(_, light)| light.shines()) {
             let offset = Vector::splat(zero, source.position) - at.position;
             let distance = offset.length_squared().sqrt();
             let to_light = offset * (w.real(1.0) / distance);
             let cos = at.normal.dot(to_light);
+            offspring.faces(number, to_light, distance, cos);
             // A light that stands exactly here has no direction.
             let lit = at.answers & distance.gt(zero) & cos.gt(zero);
             if !lit.any() {
@@ -236,6 +250,7 @@ impl<'a> Whitted<'a> {
             self.counts.shadow += u64::from(lit.bits().count_ones());
             let rays = at.rays_on_this_side(to_light);
             let passed = self.transmittance(w, &rays, lit, distance, inside);
+            offspring.asks(&rays, distance, inside, passed);
             let lit = lit & !passed.is_zero();
             if !lit.any() {
                 continue;
@@ -245,9 +260,12 @@ impl<'a> Whitted<'a> {
             if at.glossy.any() {
                 let highlight = phong_highlight(to_viewer, to_light, at.normal, at.shininess);
                 let highlight = at.specular * highlight;
+                offspring.shines(to_viewer, highlight);
                 answer = answer.map(|diffuse| diffuse + highlight);
             }
-            let more = passed.times(source.power_at(distance)).times(answer);
+            let power = source.power_at(distance);
+            let more = passed.times(power).times(answer);
+            offspring.answers(power, more);
             light = Vector::select(lit, light + more, light);
         }
         light
@@ -271,6 +289,7 @@ impl<'a> Whitted<'a> {
         if transparent.any() {
             let (ratio, beyond) = self.cross(w, beams, at, transparent);
             let (bent, passes) = refract(direction, at.normal, ratio);
+            offspring.crosses(ratio, passes);
             // Total internal reflection: all of the light, and nothing twice.
             reflection = W::R::select(transparent & !passes, one, reflection);
             let weight = beams.weight.times(at.filter);
