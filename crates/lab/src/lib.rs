@@ -1,1 +1,3 @@
 //! Experiments on a scene. No window: the program and the studio show what is found here.
+
+pub mod audit;

@@ -30,6 +30,6 @@ pub use search::Hit;
 pub use stage::{Stage, StageCamera, StageEdit, StageError};
 pub use vector::Vector;
 pub use whitted::{
-    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
+    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer, Tally,
     TracedRay, Whitted,
 };

@@ -46,7 +46,12 @@ impl Control {
 
     /// Counts the pixels of a tile that was gone through.
     pub(crate) fn add_done(&self, place: Place) {
-        self.pixels_done.fetch_add(place.pixels() as u64, Ordering::Relaxed);
+        self.add_pixels(place.pixels() as u64);
+    }
+
+    /// Counts pixels that other work than rendering has finished.
+    pub fn add_pixels(&self, pixels: u64) {
+        self.pixels_done.fetch_add(pixels, Ordering::Relaxed);
     }
 
     /// Pixels finished so far.

@@ -5,6 +5,7 @@
 mod beams;
 mod encounter;
 mod record;
+mod tally;
 mod tree;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,6 +28,7 @@ pub use record::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
     TracedRay,
 };
+pub use tally::Tally;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {

@@ -201,7 +201,7 @@ impl Whitted<'_> {
     }
 
     /// Whether a look at the cancel flag is due, and it is set.
-    fn is_cancelled_at(&self, done: usize) -> bool {
+    pub(super) fn is_cancelled_at(&self, done: usize) -> bool {
         done > 0
             && done.is_multiple_of(Self::CANCEL_INTERVAL as usize)
             && self.cancel.load(std::sync::atomic::Ordering::Relaxed)

@@ -1,0 +1,4 @@
+//! Experiments against known answers.
+
+mod audit;
+mod scenes;
