@@ -170,12 +170,6 @@ impl Stage {
         self.generations
     }
 
-    /// The same stage with another threshold of weight (0 or more).
-    pub fn with_threshold(mut self, threshold: f32) -> Self {
-        self.threshold = threshold.max(0.0);
-        self
-    }
-
     /// The weight below which rays are not traced.
     pub fn threshold(&self) -> f32 {
         self.threshold

@@ -10,6 +10,7 @@ mod tree;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use catoptric_scene::Tracing;
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
@@ -35,6 +36,10 @@ pub struct Whitted<'a> {
     stage: &'a Stage,
     pub(crate) camera: &'a StageCamera,
     pub(crate) cancel: &'a AtomicBool,
+    /// Rays of this generation are the last.
+    generations: u32,
+    /// The weight below which rays are not traced.
+    threshold: f32,
     /// Working memory of searches.
     parts: Vec<PacketPart>,
     media: MediaTable,
@@ -59,6 +64,8 @@ impl<'a> Whitted<'a> {
             stage,
             camera,
             cancel,
+            generations: stage.generations(),
+            threshold: stage.threshold(),
             parts: Vec::new(),
             media: MediaTable::default(),
             inside: Inside::default(),
@@ -70,6 +77,13 @@ impl<'a> Whitted<'a> {
     /// The same, stopped by a [`Control`].
     pub fn watched(stage: &'a Stage, camera: &'a StageCamera, control: &'a Control) -> Self {
         Self::through(stage, camera, &control.cancel)
+    }
+
+    /// The same walker with other limits than the stage's: of generations (at least 1), and the weight below which rays
+    /// are not traced.
+    pub fn with_limits(self, generations: u32, threshold: f32) -> Self {
+        let generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
+        Self { generations, threshold: threshold.max(0.0), ..self }
     }
 
     /// The rays traced so far.
@@ -194,8 +208,7 @@ impl<'a> Whitted<'a> {
         let light = self.local_light(w, beams, inside, &at, offspring);
         offspring.shades(light);
         let light = beams.weight.times(Vector::select(hit, light, background));
-        let limit = self.stage.generations();
-        let goes_on = hit & beams.below(w, limit);
+        let goes_on = hit & beams.below(w, self.generations);
         if goes_on.any() {
             self.spawn(w, beams, &at, goes_on, offspring);
         }
@@ -330,7 +343,7 @@ impl<'a> Whitted<'a> {
     #[inline(always)]
     fn carries<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
         let strongest = weight.largest();
-        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.stage.threshold))
+        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.threshold))
     }
 
     /// The ratio of indices for rays that cross the surface, and the media beyond it.

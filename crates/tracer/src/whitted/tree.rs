@@ -235,7 +235,7 @@ impl Whitted<'_> {
     }
 
     fn answer(&mut self, beam: &Beams<One>, at: &Encounter<One>, scribe: Scribe<'_>) -> SurfaceAnswer {
-        let is_last = beam.generation >= self.stage.generations;
+        let is_last = beam.generation >= self.generations;
         let crossing = if is_last { self.crossing_beyond(beam, at) } else { scribe.crossing };
         let interface = crossing.map(|(ratio, passes)| {
             let beyond = self.media.crossing(self.stage, beam.media, at.body).beyond;
