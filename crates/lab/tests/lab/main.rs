@@ -3,6 +3,7 @@
 
 mod audit;
 mod depth;
+mod documents;
 mod exact;
 mod maps;
 mod scenes;
