@@ -1,6 +1,5 @@
 //! `catoptric render`
 
-use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, anyhow, bail};
