@@ -23,7 +23,7 @@ fn the_sum_is_the_pixel_of_the_rendered_picture() {
         for tree in audit["trees"].as_array().unwrap() {
             let rays = tree["rays"].as_array().unwrap();
             let reds = rays.iter().map(|ray| ray["light"][0].as_f64().unwrap());
-            assert!((reds.sum::<f64>() - tree["light"][0].as_f64().unwrap()).abs() < 1e-12);
+            assert!((reds.sum::<f64>() - tree["sum"][0].as_f64().unwrap()).abs() < 1e-12);
         }
     }
 }

@@ -21,8 +21,11 @@ fn a_good_scene_gets_a_line_with_what_it_holds() {
 #[test]
 fn mirrors_that_need_more_generations_are_noted() {
     let folder = Folder::new();
-    let wall =
-        |x: f64| format!("[[bodies]]\nshape = \"cube\"\nmaterial = {{ reflection = 0.5 }}\nposition = [{x:.1}, 0.0, 0.0]\n");
+    let wall = |x: f64| {
+        format!(
+            "[[bodies]]\nshape = \"cube\"\nmaterial = {{ reflection = 0.5 }}\nposition = [{x:.1}, 0.0, 0.0]\n"
+        )
+    };
     let head = "format = \"catoptric/1\"\n[tracing]\ngenerations = 5\n";
     folder.write("mirrors.toml", format!("{head}{}{}", wall(-2.0), wall(2.0)));
     let output = folder.good("check mirrors.toml");

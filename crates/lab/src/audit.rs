@@ -35,7 +35,6 @@ use catoptric_tracer::{
 use glam::{DVec3, UVec2};
 
 pub use names::Names;
-use sum::ExactSum;
 pub use tree::{Node, NodeKind, RayTree};
 
 /// How a pixel is looked into.
@@ -71,7 +70,8 @@ pub struct Audit {
     pub threshold: f32,
     /// The trees of the samples. Samples for which no rays were left have none.
     pub trees: Vec<RayTree>,
-    /// The mean of the trees' light, in double precision.
+    /// The exact sum of the light of all rays, rounded to double precision; of several samples, the mean of their
+    /// [light](RayTree::light).
     pub sum: DVec3,
     /// The pixel's linear light, the bits of the rendered picture.
     pub light: [f32; 3],
@@ -83,8 +83,8 @@ pub struct Audit {
 
 /// How it is known that the light of the rays adds up to the pixel.
 ///
-/// The renderer adds in double precision, in the order in which it meets the rays, and rounds to single precision at
-/// the end.
+/// The renderer adds up the rays of a sample in double precision, in the order in which it meets them, and rounds the sum to
+/// single precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proof {
     /// The exact sum has few enough digits that no order of adding rounds, or lies so that all orders are rounded to the
@@ -155,7 +155,7 @@ pub fn audit(
     let mut whitted = Whitted::watched(stage, camera, control);
     let mut left = settings.most_rays.max(1);
     let mut trees = Vec::new();
-    let mut total = <[ExactSum; 3]>::default();
+    let mut certain = true;
     for sample in 0..samples {
         if left == 0 {
             break;
@@ -165,21 +165,23 @@ pub fn audit(
             return Err(AuditError::Cancelled);
         }
         left -= rays.len().min(left);
-        let (tree, sum) = RayTree::new(sample, sample_offset(sample), rays);
+        let (tree, is_certain) = RayTree::new(sample, sample_offset(sample), rays);
         trees.push(tree);
-        total.iter_mut().zip(&sum).for_each(|(total, sum)| total.absorb(sum));
+        certain &= is_certain;
     }
     let is_complete = trees.len() == samples as usize && trees.iter().all(|tree| tree.left_out == 0);
-    let sum = DVec3::from(total.each_ref().map(ExactSum::value)) / f64::from(samples);
-    let certain = if is_complete { certain_light(&total, samples) } else { None };
-    let (light, proof) = match certain {
-        Some(light) => (light, Proof::AnyOrder),
-        None => {
-            let light = render_pixel(stage, camera, picture, pixel, control)?;
-            let light = light.ok_or(AuditError::NoSuchPixel { pixel, size })?;
-            let is_same = light == sum.as_vec3().to_array();
-            (light, if is_complete { Proof::Rendered { is_same } } else { Proof::Incomplete })
-        }
+    // A sample's light is rounded to single precision, the samples are added up in double.
+    let sum = match trees.as_slice() {
+        [tree] if samples == 1 => tree.sum(),
+        trees => trees.iter().map(|tree| tree.light.as_dvec3()).sum::<DVec3>() / f64::from(samples),
+    };
+    let (light, proof) = if is_complete && certain {
+        (sum.as_vec3().to_array(), Proof::AnyOrder)
+    } else {
+        let light = render_pixel(stage, camera, picture, pixel, control)?;
+        let light = light.ok_or(AuditError::NoSuchPixel { pixel, size })?;
+        let is_same = light == sum.as_vec3().to_array();
+        (light, if is_complete { Proof::Rendered { is_same } } else { Proof::Incomplete })
     };
     let mut names = Names::of_lights(scene);
     for node in trees.iter().flat_map(|tree| &tree.nodes) {
@@ -196,27 +198,4 @@ pub fn audit(
         proof,
         names,
     })
-}
-
-/// The pixel, if the renderer comes to the same number in whatever order it adds up the light of these rays.
-fn certain_light(total: &[ExactSum; 3], samples: u32) -> Option<[f32; 3]> {
-    let mut light = [0.0; 3];
-    for (light, sum) in light.iter_mut().zip(total) {
-        let mean = |sum: f64| if samples == 1 { sum } else { sum / f64::from(samples) };
-        let middle = mean(sum.value());
-        *light = middle as f32;
-        if !middle.is_finite() {
-            return None;
-        }
-        if sum.is_free_of_rounding() {
-            continue;
-        }
-        // Beside the sums within the samples, those of the samples, the division, and that of the exact sum here.
-        let bound = sum.rounding_of_any_order(samples as usize + 4) / f64::from(samples);
-        let [least, most] = [middle - bound, middle + bound].map(|light| light as f32);
-        if least.to_bits() != most.to_bits() {
-            return None;
-        }
-    }
-    Some(light)
 }

@@ -125,11 +125,11 @@ impl Film {
 impl FilmTile {
     fn add_sample(&mut self, tracer: &mut TileTracer<'_>, size: DVec2, control: &Control) -> RayCounts {
         let before = tracer.counts();
-        let Some(lights) = tracer.trace(self.place, size, self.samples) else {
+        let Some(light) = tracer.trace(self.place, size, self.samples) else {
             return RayCounts::default();
         };
-        for (sum, light) in self.sums.iter_mut().zip(lights) {
-            *sum += light;
+        for (y, row) in self.sums.chunks_mut(self.place.width).enumerate() {
+            light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
         }
         self.samples += 1;
         control.add_done(self.place);

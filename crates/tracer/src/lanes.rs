@@ -38,6 +38,8 @@ pub trait Real:
 
     /// As many numbers, all of this value.
     fn like(self, value: f32) -> Self;
+    /// x·`factor` + `term`, rounded once or twice as the processor likes best: for bounds, which have room for either.
+    fn roughly_times_plus(self, factor: Self, term: Self) -> Self;
     /// |x|.
     fn abs(self) -> Self;
     /// √x; no number for x < 0.

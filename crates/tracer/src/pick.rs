@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::lanes::One;
 use crate::media::{Inside, MediaTable};
 use crate::ray::Ray;
-use crate::search::{Flight, Hit, found_in};
+use crate::search::{Along, Flight, Hit, found_in};
 use crate::stage::Stage;
 
 /// The point at which a ray meets a body.
@@ -75,6 +75,6 @@ impl Stage {
         let media = table.at_point(self, rays.origin);
         let mut inside = Inside::default();
         inside.fill::<One>(&table, media, true);
-        Some(look(Flight::new(One, self, &rays, true, &inside)))
+        Some(look(Flight::new(One, self, &rays, true, &inside, Along::Anything)))
     }
 }

@@ -143,20 +143,21 @@ pub fn render_pixel(
         return Ok(None);
     }
     let place = Place::around(pixel, size);
-    let index = (pixel.y as usize - place.y) * place.width + pixel.x as usize - place.x;
+    let [x, y] = [pixel.x as usize - place.x, pixel.y as usize - place.y];
     let mut tracer = TileTracer::new(stage, camera, control);
+    let mut row = [[0.0; 3]; TILE];
     let mut sum = DVec3::ZERO;
     for sample in 0..samples.max(1) {
-        let mut lights = tracer.trace(place, size.as_dvec2(), sample).ok_or(RenderError::Cancelled)?;
-        sum += lights.nth(index).unwrap_or_default();
+        let light = tracer.trace(place, size.as_dvec2(), sample).ok_or(RenderError::Cancelled)?;
+        light.each(y, &mut row, |pixel, light| *pixel = light);
+        sum += row.get(x).map_or(DVec3::ZERO, |light| DVec3::from(light.map(f64::from)));
     }
     Ok(Some(mean_of(sum, samples.max(1))))
 }
 
 /// The mean of the samples of a pixel.
-pub(crate) fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
-    let mean = if samples == 1 { sum } else { sum / f64::from(samples) };
-    mean.as_vec3().to_array()
+fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
+    (sum / f64::from(samples)).as_vec3().to_array()
 }
 
 /// A square of the picture and its rows.
@@ -174,15 +175,26 @@ impl Tile<'_> {
         size: DVec2,
         samples: u32,
     ) -> bool {
+        if samples == 1 {
+            let Some(light) = tracer.trace(self.place, size, 0) else { return false };
+            for (y, row) in self.rows.iter_mut().enumerate() {
+                light.each(y, row, |pixel, light| *pixel = light);
+            }
+            return true;
+        }
         sums.clear();
         sums.resize(self.place.pixels(), DVec3::ZERO);
+        let width = self.place.width;
         for sample in 0..samples {
-            let Some(lights) = tracer.trace(self.place, size, sample) else { return false };
-            sums.iter_mut().zip(lights).for_each(|(sum, light)| *sum += light);
+            let Some(light) = tracer.trace(self.place, size, sample) else { return false };
+            for (y, row) in sums.chunks_mut(width).enumerate() {
+                light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
+            }
         }
-        let pixels = self.rows.iter_mut().flat_map(|row| row.iter_mut());
-        for (pixel, sum) in pixels.zip(&*sums) {
-            *pixel = mean_of(*sum, samples);
+        for (row, sums) in self.rows.iter_mut().zip(sums.chunks(width)) {
+            for (pixel, sum) in row.iter_mut().zip(sums) {
+                *pixel = mean_of(*sum, samples);
+            }
         }
         true
     }

@@ -6,7 +6,7 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{Hierarchy, PacketPart, Stage, StageBody, Visit};
+use crate::stage::{Hierarchy, PacketPart, Sight, Stage, StageBody, Visit};
 use crate::vector::Vector;
 
 /// Where a ray meets a body: the cheap record kept during the search.
@@ -54,10 +54,9 @@ struct Crossed<W: Width> {
     /// Those that enter it, and where.
     in_front: W::M,
     enter: W::R,
-    /// Those that leave it without having entered, and those that do both.
+    /// Those that leave it without having entered.
     behind: W::M,
-    both: W::M,
-    /// Where either leave it.
+    /// Where either leave it; of those that enter it, perhaps behind the light.
     exit: W::R,
 }
 
@@ -73,11 +72,30 @@ pub(crate) struct Flight<'a, W: Width> {
     /// Those that fly.
     lanes: W::M,
     inside: &'a Inside,
+    along: Along<'a>,
+}
+
+/// What is known of a handful of bodies before rays are tested.
+#[derive(Clone, Copy)]
+pub(crate) enum Along<'a> {
+    /// Nothing.
+    Anything,
+    /// The rays come from the point that these bodies are seen from; others they do not meet.
+    From(&'a [Sight]),
+    /// The rays go to it.
+    To(&'a [Sight]),
 }
 
 impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
-    pub(crate) fn new(w: W, stage: &'a Stage, rays: &Rays<W>, lanes: W::M, inside: &'a Inside) -> Self {
+    pub(crate) fn new(
+        w: W,
+        stage: &'a Stage,
+        rays: &Rays<W>,
+        lanes: W::M,
+        inside: &'a Inside,
+        along: Along<'a>,
+    ) -> Self {
         Self {
             w,
             stage,
@@ -88,6 +106,7 @@ impl<'a, W: Width> Flight<'a, W> {
             start_slack: rays.slack(),
             lanes,
             inside,
+            along,
         }
     }
 
@@ -116,20 +135,34 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     fn visit(&self, parts: &mut Vec<PacketPart>, visitor: &mut impl Visit<W>) {
         match &self.stage.hierarchy {
-            Hierarchy::Few(few) => {
-                for (sphere, index) in few.spheres.iter().zip(0..) {
-                    let mut lanes: W::M = self.lanes;
-                    if !self.stage.body(index).is_sphere() {
-                        lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
-                    }
-                    if lanes.any() {
-                        visitor.leaf(index..index + 1, lanes);
+            Hierarchy::Few(few) => match self.along {
+                Along::From(sights) => self.visit_seen(sights, self.direction, visitor),
+                Along::To(sights) => self.visit_seen(sights, -self.direction, visitor),
+                Along::Anything => {
+                    for (sphere, index) in few.spheres.iter().zip(0..) {
+                        let mut lanes: W::M = self.lanes;
+                        if !self.stage.body(index).is_sphere() {
+                            lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
+                        }
+                        if lanes.any() {
+                            visitor.leaf(index..index + 1, lanes);
+                        }
                     }
                 }
-            }
+            },
             Hierarchy::Many(bvh) => {
                 let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
                 bvh.traverse_packet(self.w, &boxes, parts, visitor);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn visit_seen(&self, sights: &[Sight], direction: Vector<W::R>, visitor: &mut impl Visit<W>) {
+        for sight in sights {
+            let lanes = self.lanes & sight.is_met(direction, visitor.reach());
+            if lanes.any() {
+                visitor.leaf(sight.body..sight.body + 1, lanes);
             }
         }
     }
@@ -190,15 +223,12 @@ impl<'a, W: Width> Flight<'a, W> {
         };
         let mut test = |index: u32| {
             let body = self.stage.body(index);
-            let Some(Crossed { in_front, enter, behind, both, exit }) =
-                self.crossed(index, body, distance, self.lanes)
-            else {
-                return;
-            };
+            let Some(crossed) = self.crossed(index, body, distance, self.lanes) else { return };
+            let Crossed { in_front, enter, behind, exit } = crossed;
             if in_front.any() {
                 found(Hit { t: number(enter), body: index, leaving: false });
             }
-            if (behind | both).any() {
+            if (behind | in_front & exit.lt(distance)).any() {
                 found(Hit { t: number(exit), body: index, leaving: true });
             }
         };
@@ -216,14 +246,16 @@ impl<'a, W: Width> Flight<'a, W> {
         let Meeting { entering, enter, leaving, exit } = self.meeting(body, lanes, inside);
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
-        let both = in_front & exit.lt(distance);
-        (in_front | behind).any().then_some(Crossed { in_front, enter, behind, both, exit })
+        if !(in_front | behind).any() {
+            return None;
+        }
+        Some(Crossed { in_front, enter, behind, exit })
     }
 
     /// What one body lets through on the way to a light at `distance`.
     #[inline(always)]
     fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Passed<W>) {
-        let Some(Crossed { in_front, behind, both, .. }) = self.crossed(index, body, distance, lanes) else {
+        let Some(Crossed { in_front, behind, exit, .. }) = self.crossed(index, body, distance, lanes) else {
             return;
         };
         let crossed = in_front | behind;
@@ -231,6 +263,7 @@ impl<'a, W: Width> Flight<'a, W> {
             passed.lanes = passed.lanes & !crossed;
             return;
         }
+        let both = in_front & exit.lt(distance);
         let filter = self.stage.material(body).filter;
         let once = passed.share.times_all(filter);
         passed.share = Vector::select(crossed, once, passed.share);

@@ -11,6 +11,7 @@ mod few;
 mod light;
 mod material;
 mod only;
+mod sight;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -30,6 +31,7 @@ pub use edit::StageEdit;
 use few::FewBodies;
 pub(crate) use light::StageLight;
 pub(crate) use material::StageMaterial;
+pub(crate) use sight::Sight;
 
 /// A scene prepared for tracing, shared by reference between threads.
 ///

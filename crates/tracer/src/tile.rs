@@ -1,14 +1,18 @@
 //! The squares that a picture is traced in, and the rays of a square side by side.
 
-use glam::{DVec2, DVec3, UVec2, Vec2};
+mod light;
+
+use glam::{DVec2, UVec2, Vec2};
 
 use crate::counts::RayCounts;
-use crate::lanes::{Lanes, MOST_LANES, Mask as _, Real as _, Width, Work};
+use crate::lanes::{Lanes, MOST_LANES, Width, Word as _, Work};
 use crate::render::Control;
 use crate::sampling::sample_offset;
 use crate::stage::{RaysNear, Stage, StageCamera};
 use crate::vector::Vector;
-use crate::whitted::{Beams, Offspring, Queue, Whitted};
+use crate::whitted::{Beams, Offspring, Origin, Queue, Whitted};
+
+pub(crate) use light::TileLight;
 
 /// Edge of a tile, pixels: small enough to balance, large enough that rays of a tile meet the same bodies and that
 /// vectors of them are full.
@@ -47,13 +51,13 @@ impl Place {
         Self { x, y, width: TILE.min(size.x as usize - x), height: TILE.min(size.y as usize - y) }
     }
 
-    /// The primary rays of the tile, and where the sample of its upper left pixel lies among them.
-    fn rays(self, camera: &StageCamera, size: DVec2, sample: u32) -> (RaysNear, Vec2) {
+    /// The primary rays of the tile, how far they reach, and where the sample of its upper left pixel lies among them.
+    fn rays(self, camera: &StageCamera, size: DVec2, sample: u32) -> (RaysNear, DVec2, Vec2) {
         let middle = DVec2::new(self.x as f64, self.y as f64) + 0.5 * self.extent();
         // The last blocks may reach beyond the tile.
         let reach = 0.5 * self.extent() + LARGEST_BLOCK;
         let offset = (sample_offset(sample) - 0.5 * self.extent()).as_vec2();
-        (camera.near(middle, reach, size), offset)
+        (camera.near(middle, reach, size), reach, offset)
     }
 
     /// The origin and direction of one of them: those that the rendering of the tile has, bit by bit.
@@ -63,7 +67,7 @@ impl Place {
         (pixel, size): (UVec2, UVec2),
         sample: u32,
     ) -> (Vector<f32>, Vector<f32>) {
-        let (near, offset) = self.rays(camera, size.as_dvec2(), sample);
+        let (near, _, offset) = self.rays(camera, size.as_dvec2(), sample);
         let [x, y] = [pixel.x as usize - self.x, pixel.y as usize - self.y];
         near.rays(x as f32 + offset.x, y as f32 + offset.y)
     }
@@ -80,7 +84,7 @@ pub(crate) struct TileTracer<'a> {
     lanes: Lanes,
     /// The rays that wait, by their distance in the tree from the eye.
     levels: Vec<Level>,
-    sums: Vec<[f64; 3]>,
+    light: TileLight,
 }
 
 /// Rays of the same distance from the eye.
@@ -96,7 +100,7 @@ impl<'a> TileTracer<'a> {
             whitted: Whitted::through(stage, camera, &control.cancel),
             lanes: Lanes::widest(),
             levels: Vec::new(),
-            sums: Vec::new(),
+            light: TileLight::default(),
         }
     }
 
@@ -105,21 +109,14 @@ impl<'a> TileTracer<'a> {
         self.whitted.counts()
     }
 
-    /// The light of one sample of each pixel, row by row; `None` if it was cancelled midway.
-    pub(crate) fn trace(
-        &mut self,
-        place: Place,
-        size: DVec2,
-        sample: u32,
-    ) -> Option<impl Iterator<Item = DVec3>> {
-        self.sums.clear();
-        self.sums.resize(place.pixels(), [0.0; 3]);
+    /// The light of one sample of each pixel; `None` if it was cancelled midway.
+    pub(crate) fn trace(&mut self, place: Place, size: DVec2, sample: u32) -> Option<&TileLight> {
         self.whitted.tidy();
         let is_finished = self.lanes.run(Sample { tracer: self, place, size, sample });
         if !is_finished {
             self.levels.iter_mut().for_each(Level::clear);
         }
-        is_finished.then(|| self.sums.iter().copied().map(DVec3::from))
+        is_finished.then_some(&self.light)
     }
 }
 
@@ -153,19 +150,26 @@ impl TileTracer<'_> {
     #[inline(always)]
     fn primary<W: Width>(&mut self, w: W, place: Place, size: DVec2, sample: u32) -> bool {
         let block = Block::new(w);
-        let (near, offset) = place.rays(self.whitted.camera, size, sample);
-        for top in (0..place.height).step_by(block.height) {
+        let [width, height] = Block::<W>::SIZE;
+        self.light.begin(place, Block::<W>::SIZE);
+        let (near, reach, offset) = place.rays(self.whitted.camera, size, sample);
+        self.whitted.aim(&near, reach);
+        let mut first = 0;
+        for top in (0..place.height).step_by(height) {
             if self.is_cancelled() {
                 return false;
             }
-            for left in (0..place.width).step_by(block.width) {
+            for left in (0..place.width).step_by(width) {
                 // Whole numbers are added first: a pixel's ray is the same in blocks of every width.
                 let x = block.x + left as f32 + offset.x;
                 let y = block.y + top as f32 + offset.y;
                 let rays = near.rays(x, y);
-                let (lanes, pixels) = block.pixels(place, left, top);
-                let beams = self.whitted.roots(w, rays, w.load_words(&pixels), w.mask(lanes));
-                self.follow(w, &beams, 0);
+                let lanes = w.mask(Block::<W>::lanes(place, left, top));
+                let pixels = block.pixel.plus(w.word(first as u32));
+                let beams = self.whitted.roots(w, rays, pixels, lanes);
+                let light = self.follow(w, &beams, Origin::Eye, 0);
+                self.light.set(first, light);
+                first += W::LANES;
             }
         }
         true
@@ -174,6 +178,10 @@ impl TileTracer<'_> {
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
     fn drain<W: Width>(&mut self, w: W) -> bool {
+        if self.waiting(0) == 0 {
+            return true;
+        }
+        self.light.open();
         let mut at = 0;
         loop {
             if self.is_cancelled() {
@@ -181,7 +189,8 @@ impl TileTracer<'_> {
             }
             if self.waiting(at) > 0 {
                 let beams = self.levels[at].take(w);
-                self.follow(w, &beams, at + 1);
+                let light = self.follow(w, &beams, Origin::Anywhere, at + 1);
+                self.light.add(&beams, light);
                 if self.waiting(at + 1) >= Self::MOST_WAITING {
                     at += 1;
                 }
@@ -190,6 +199,7 @@ impl TileTracer<'_> {
             } else if at > 0 {
                 at -= 1;
             } else {
+                self.light.close();
                 return true;
             }
         }
@@ -199,37 +209,13 @@ impl TileTracer<'_> {
         self.levels.get(level).map_or(0, |level| level.reflected.len() + level.refracted.len())
     }
 
-    /// Traces rays; those that grow from them wait at `level`.
+    /// Traces rays: the light that each brings. Those that grow from them wait at `level`.
     #[inline(always)]
-    fn follow<W: Width>(&mut self, w: W, beams: &Beams<W>, level: usize) {
+    fn follow<W: Width>(&mut self, w: W, beams: &Beams<W>, from: Origin, level: usize) -> Vector<W::R> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
-        let followed = self.whitted.follow(w, beams, &mut self.levels[level]);
-        self.add(beams, followed.light);
-    }
-
-    /// Adds light to the pixels that it belongs to.
-    #[inline(always)]
-    fn add<W: Width>(&mut self, beams: &Beams<W>, light: Vector<W::R>) {
-        use crate::lanes::Word as _;
-        let mut pixels = [0; MOST_LANES];
-        beams.pixel.store(&mut pixels);
-        // An iterator over arrays of vectors would move them through memory, unaligned.
-        let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
-        light.x.store(&mut red);
-        light.y.store(&mut green);
-        light.z.store(&mut blue);
-        let mut left = beams.lanes.bits();
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize % MOST_LANES;
-            left &= left - 1;
-            if let Some(sum) = self.sums.get_mut(pixels[lane] as usize) {
-                sum[0] += f64::from(red[lane]);
-                sum[1] += f64::from(green[lane]);
-                sum[2] += f64::from(blue[lane]);
-            }
-        }
+        self.whitted.follow(w, beams, from, &mut self.levels[level]).light
     }
 }
 
@@ -260,42 +246,50 @@ impl<W: Width> Offspring<W> for Level {
 
 /// Neighboring pixels whose rays are traced side by side.
 struct Block<W: Width> {
-    width: usize,
-    height: usize,
     /// Where the corners of the pixels lie, relative to that of the block.
     x: W::R,
     y: W::R,
+    /// The numbers of the pixels from the block's first on.
+    pixel: W::W,
 }
 
 /// No block has more pixels across or down.
 const LARGEST_BLOCK: DVec2 = DVec2::splat(4.0);
 
 impl<W: Width> Block<W> {
+    /// Pixels across and down.
+    const SIZE: [usize; 2] = {
+        let width = if W::LANES >= 8 {
+            4
+        } else if W::LANES >= 2 {
+            2
+        } else {
+            1
+        };
+        [width, W::LANES / width]
+    };
+
     #[inline(always)]
     fn new(w: W) -> Self {
-        let width = if W::LANES >= 8 { 4 } else { 2.min(W::LANES) };
-        let height = W::LANES / width;
-        let [mut x, mut y] = [[0.0; MOST_LANES]; 2];
+        let [width, _] = Self::SIZE;
+        let ([mut x, mut y], mut pixel) = ([[0.0; MOST_LANES]; 2], [0; MOST_LANES]);
         for lane in 0..W::LANES {
             x[lane] = (lane % width) as f32;
             y[lane] = (lane / width) as f32;
+            pixel[lane] = lane as u32;
         }
-        Self { width, height, x: w.load(&x), y: w.load(&y) }
+        Self { x: w.load(&x), y: w.load(&y), pixel: w.load_words(&pixel) }
     }
 
-    /// A bit for each pixel that lies in the tile, and their places in it.
+    /// A bit for each pixel that lies in the tile.
     #[inline(always)]
-    fn pixels(&self, place: Place, left: usize, top: usize) -> (u32, [u32; MOST_LANES]) {
-        let mut lanes = 0;
-        let mut pixels = [0; MOST_LANES];
-        for (lane, pixel) in pixels.iter_mut().enumerate().take(W::LANES) {
-            let (x, y) = (left + lane % self.width, top + lane / self.width);
-            if x < place.width && y < place.height {
-                lanes |= 1 << lane;
-                *pixel = (y * place.width + x) as u32;
-            }
+    fn lanes(place: Place, left: usize, top: usize) -> u32 {
+        let [width, height] = Self::SIZE;
+        if left + width <= place.width && top + height <= place.height {
+            return u32::MAX >> (32 - W::LANES);
         }
-        (lanes, pixels)
+        let inside = |lane: usize| left + lane % width < place.width && top + lane / width < place.height;
+        (0..W::LANES).fold(0, |lanes, lane| lanes | u32::from(inside(lane)) << lane)
     }
 }
 

@@ -39,6 +39,12 @@ impl<R: Real> Vector<R> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
+    /// The scalar product, for bounds: see [`Real::roughly_times_plus`].
+    #[inline(always)]
+    pub(crate) fn rough_dot(self, other: Self) -> R {
+        self.z.roughly_times_plus(other.z, self.y.roughly_times_plus(other.y, self.x * other.x))
+    }
+
     #[inline(always)]
     pub(crate) fn length_squared(self) -> R {
         self.dot(self)
@@ -103,6 +109,12 @@ impl From<Vec3A> for Vector<f32> {
 impl From<Vector<f32>> for Vec3 {
     fn from(Vector { x, y, z }: Vector<f32>) -> Self {
         Self { x, y, z }
+    }
+}
+
+impl From<Vector<f32>> for [f32; 3] {
+    fn from(Vector { x, y, z }: Vector<f32>) -> Self {
+        [x, y, z]
     }
 }
 

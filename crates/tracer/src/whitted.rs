@@ -7,6 +7,7 @@ mod encounter;
 mod record;
 mod tally;
 mod tree;
+mod views;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -18,8 +19,8 @@ use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_START, Ray, Rays};
 use crate::render::Control;
-use crate::search::{Flight, Hits};
-use crate::stage::{PacketPart, Stage, StageCamera};
+use crate::search::{Along, Flight, Hits};
+use crate::stage::{PacketPart, RaysNear, Stage, StageCamera};
 use crate::surface::{mend_unit, phong_highlight, reflect, refract};
 use crate::vector::Vector;
 
@@ -30,6 +31,7 @@ pub use record::{
     TracedRay,
 };
 pub use tally::Tally;
+use views::Views;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {
@@ -42,6 +44,7 @@ pub struct Whitted<'a> {
     threshold: f32,
     /// Working memory of searches.
     parts: Vec<PacketPart>,
+    views: Views,
     media: MediaTable,
     inside: Inside,
     /// The media at the eye, if all rays start there and the table knows them.
@@ -67,6 +70,7 @@ impl<'a> Whitted<'a> {
             generations: stage.generations(),
             threshold: stage.threshold(),
             parts: Vec::new(),
+            views: Views::new(stage, camera),
             media: MediaTable::default(),
             inside: Inside::default(),
             eye_media: None,
@@ -98,7 +102,7 @@ impl<'a> Whitted<'a> {
         let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
-            light += Vec3A::from(self.follow(One, &beam, &mut pending).light);
+            light += Vec3A::from(self.follow(One, &beam, Origin::Anywhere, &mut pending).light);
             until_look -= 1;
             if until_look == 0 {
                 if self.cancel.load(Ordering::Relaxed) {
@@ -124,6 +128,11 @@ impl<'a> Whitted<'a> {
         if self.media.tidy() {
             self.eye_media = None;
         }
+    }
+
+    /// Prepares for rays from the eye within `reach` pixels of the middle of these.
+    pub(crate) fn aim(&mut self, rays: &RaysNear, reach: DVec2) {
+        self.views.aim(rays, reach.as_vec2().to_array());
     }
 
     /// Makes the first beams of rays from the eye.
@@ -174,6 +183,7 @@ impl<'a> Whitted<'a> {
         &mut self,
         w: W,
         beams: &Beams<W>,
+        from: Origin,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
         w.run(
@@ -181,7 +191,7 @@ impl<'a> Whitted<'a> {
             || {
                 let mut inside = std::mem::take(&mut self.inside);
                 inside.fill::<W>(&self.media, beams.media, beams.lanes);
-                let followed = self.follow_inside(w, beams, &inside, offspring);
+                let followed = self.follow_inside(w, beams, from, &inside, offspring);
                 self.inside = inside;
                 followed
             },
@@ -193,10 +203,11 @@ impl<'a> Whitted<'a> {
         &mut self,
         w: W,
         beams: &Beams<W>,
+        from: Origin,
         inside: &Inside,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
-        let hits = self.nearest(w, beams, inside);
+        let hits = self.nearest(w, beams, from, inside);
         let hit = hits.hit & beams.lanes;
         let hits = Hits { hit, ..hits };
         let background = Vector::splat(w.real(0.0), self.stage.background);
@@ -215,10 +226,16 @@ impl<'a> Whitted<'a> {
         Followed { light, hits }
     }
 
-    fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, inside: &Inside) -> Hits<W> {
+    fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, from: Origin, inside: &Inside) -> Hits<W> {
         w.run(
             #[inline(always)]
-            || Flight::new(w, self.stage, &beams.rays, beams.lanes, inside).nearest(&mut self.parts),
+            || {
+                let along = match from {
+                    Origin::Eye => self.views.ahead(),
+                    Origin::Anywhere => Along::Anything,
+                };
+                Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, along).nearest(&mut self.parts)
+            },
         )
     }
 
@@ -227,12 +244,16 @@ impl<'a> Whitted<'a> {
         w: W,
         rays: &Rays<W>,
         lanes: W::M,
-        distance: W::R,
+        (light, distance): (usize, W::R),
         inside: &Inside,
     ) -> Vector<W::R> {
         w.run(
             #[inline(always)]
-            || Flight::new(w, self.stage, rays, lanes, inside).transmittance(distance, &mut self.parts),
+            || {
+                let along = self.views.to_light(light);
+                Flight::new(w, self.stage, rays, lanes, inside, along)
+                    .transmittance(distance, &mut self.parts)
+            },
         )
     }
 
@@ -251,12 +272,12 @@ impl<'a> Whitted<'a> {
         if !at.answers.any() {
             return light;
         }
-        for (number, source) in self.stage.lights.iter().enumerate().filter(|(_, light)| light.shines()) {
+        for (index, source) in self.stage.lights.iter().enumerate().filter(|(_, light)| light.shines()) {
             let offset = Vector::splat(zero, source.position) - at.position;
             let distance = offset.length_squared().sqrt();
             let to_light = offset * (w.real(1.0) / distance);
             let cos = at.normal.dot(to_light);
-            offspring.faces(number, to_light, distance, cos);
+            offspring.faces(index, to_light, distance, cos);
             // A light that stands exactly here has no direction.
             let lit = at.answers & distance.gt(zero) & cos.gt(zero);
             if !lit.any() {
@@ -264,7 +285,7 @@ impl<'a> Whitted<'a> {
             }
             self.counts.shadow += u64::from(lit.bits().count_ones());
             let rays = at.rays_on_this_side(to_light);
-            let passed = self.transmittance(w, &rays, lit, distance, inside);
+            let passed = self.transmittance(w, &rays, lit, (index, distance), inside);
             offspring.asks(&rays, distance, inside, passed);
             let lit = lit & !passed.is_zero();
             if !lit.any() {
@@ -377,6 +398,14 @@ impl<'a> Whitted<'a> {
             (media[lane], ratios[lane]) = (crossing.beyond, crossing.ratio);
         }
     }
+}
+
+/// Where rays come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// The eye; they were [aimed](Whitted::aim).
+    Eye,
+    Anywhere,
 }
 
 /// What became of rays side by side.

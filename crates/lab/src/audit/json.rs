@@ -35,7 +35,8 @@ impl Audit {
         json!({
             "sample": tree.sample,
             "offset": tree.offset.to_array(),
-            "light": tree.light().to_array(),
+            "sum": tree.sum().to_array(),
+            "light": tree.light.to_array(),
             "left_out": tree.left_out,
             "rays": rays,
         })

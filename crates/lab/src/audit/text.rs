@@ -63,19 +63,23 @@ impl Audit {
         text
     }
 
+    /// Of several samples, their light and its mean.
     fn write_mean(&self, text: &mut String) {
-        if self.trees.len() > 1 {
-            let _ = writeln!(text, "\nThe mean of {} samples", self.trees.len());
-            for tree in &self.trees {
-                let light = tree.light().to_array().map(exact_double);
-                let _ = writeln!(text, "  sample {:<6} {}", tree.sample + 1, columns(&light, 22));
-            }
+        if self.picture.samples == 1 {
+            return;
         }
-        let (sum, light) = (self.sum.to_array().map(exact_double), self.light.map(exact));
-        let what = if self.trees.len() > 1 { "mean" } else { "sum" };
-        let _ = writeln!(text, "  {what:<13} {}", columns(&sum, 22));
-        let _ = writeln!(text, "  {:<13} {}", "pixel", columns(&light, 22));
+        let _ = writeln!(text, "\nThe mean of {}", counted(self.picture.samples as usize, "sample"));
+        for tree in &self.trees {
+            line(text, &format!("sample {}", tree.sample + 1), &tree.light.to_array().map(exact));
+        }
+        line(text, "mean", &self.sum.to_array().map(exact_double));
+        line(text, "pixel", &self.light.map(exact));
     }
+}
+
+/// A line of a sum.
+fn line(text: &mut String, what: &str, channels: &[String; 3]) {
+    let _ = writeln!(text, "  {what:<13} {}", columns(channels, 22));
 }
 
 impl Proof {
@@ -363,8 +367,12 @@ impl Page<'_> {
     fn sum(&mut self) {
         let _ = writeln!(self.text, "\nThe sum");
         for (place, node) in self.tree.nodes.iter().enumerate() {
-            let light = node.ray.light.to_array().map(exact);
-            let _ = writeln!(self.text, "  ray {:<9} {}", place + 1, columns(&light, 22));
+            line(self.text, &format!("ray {}", place + 1), &node.ray.light.to_array().map(exact));
+        }
+        line(self.text, "sum", &self.tree.sum().to_array().map(exact_double));
+        match self.audit.picture.samples {
+            1 => line(self.text, "pixel", &self.audit.light.map(exact)),
+            _ => line(self.text, "light", &self.tree.light.to_array().map(exact)),
         }
     }
 }

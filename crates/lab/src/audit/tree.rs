@@ -85,12 +85,15 @@ pub struct RayTree {
     /// The rays, each after its parent, the whole reflected branch of a hit before the refracted one. The first is the
     /// primary ray.
     pub nodes: Vec<Node>,
+    /// The light of the sample: the exact sum, rounded once to single precision.
+    pub light: Vec3,
     /// How many rays the renderer follows that are not here, not counting those that grow from them.
     pub left_out: usize,
 }
 
 impl RayTree {
-    pub(super) fn new(sample: u32, offset: DVec2, rays: Vec<TracedRay>) -> (Self, [ExactSum; 3]) {
+    /// The tree, and whether the renderer comes to its light in whatever order it adds.
+    pub(super) fn new(sample: u32, offset: DVec2, rays: Vec<TracedRay>) -> (Self, bool) {
         let mut nodes: Vec<Node> = Vec::with_capacity(rays.len());
         for ray in rays {
             let place = nodes.len();
@@ -106,11 +109,12 @@ impl RayTree {
         let left_out = nodes.iter().filter_map(Node::answer).flat_map(branches);
         let left_out = left_out.filter(|fate| *fate == Fate::LeftOut).count();
         let total = sum_up(&mut nodes);
-        (Self { sample, offset, nodes, left_out }, total)
+        let light = Vec3::from(total.each_ref().map(|sum| sum.value() as f32));
+        (Self { sample, offset, nodes, light, left_out }, total.iter().all(ExactSum::is_certain))
     }
 
-    /// The light of the sample: what the primary ray brings.
-    pub fn light(&self) -> DVec3 {
+    /// The exact sum of the light of all its rays, rounded to double precision: what the primary ray brings.
+    pub fn sum(&self) -> DVec3 {
         self.nodes.first().map_or(DVec3::ZERO, |root| root.brings)
     }
 

@@ -53,6 +53,11 @@ impl Real for f32 {
     }
 
     #[inline(always)]
+    fn roughly_times_plus(self, factor: f32, term: f32) -> f32 {
+        self * factor + term
+    }
+
+    #[inline(always)]
     fn abs(self) -> f32 {
         f32::abs(self)
     }

@@ -136,6 +136,11 @@ impl<S: Simd> Real for WideReal<S> {
     }
 
     #[inline(always)]
+    fn roughly_times_plus(self, factor: Self, term: Self) -> Self {
+        Self(self.0.mul_add(factor.0, term.0))
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.abs())
     }

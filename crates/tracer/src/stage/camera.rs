@@ -221,6 +221,19 @@ impl Exact {
 }
 
 impl RaysNear {
+    /// How far the starts lie along the rays from the eye, meters.
+    pub(crate) fn way(&self) -> f32 {
+        self.way
+    }
+
+    /// The middle ray's direction, and the least cosine of the angle between it and another within `reach` pixels.
+    pub(crate) fn cone(&self, [x, y]: [f32; 2]) -> (Vector<f32>, f32) {
+        let axis = Vector::splat(0.0, self.direction.near);
+        let corners = [(x, y), (-x, y), (x, -y), (-x, -y)];
+        let cosines = corners.map(|(x, y)| axis.dot(self.rays(x, y).1));
+        (axis, cosines.into_iter().fold(1.0, f32::min))
+    }
+
     /// The origins and directions of the rays through the points so many pixels right of and below the middle.
     #[inline(always)]
     pub(crate) fn rays<R: Real>(&self, x: R, y: R) -> (Vector<R>, Vector<R>) {

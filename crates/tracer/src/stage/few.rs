@@ -16,8 +16,8 @@ pub(crate) struct FewBodies {
 /// A sphere around a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BoundingSphere {
-    center: [f32; 3],
-    radius: f32,
+    pub(super) center: [f32; 3],
+    pub(super) radius: f32,
 }
 
 impl FewBodies {
@@ -36,15 +36,21 @@ impl FewBodies {
 }
 
 impl BoundingSphere {
-    /// Whether a ray of length 1 comes no further from the center than the radius, which is widened by the rounding of a
-    /// long way, before `reach`.
+    /// Whether a ray of length 1 comes no further from the center than the radius, before `reach`.
+    ///
+    /// With m the way to the center and s = m·d, the ray passes at √(m·m - s²). All roundings of that together are
+    /// less than `ROUNDING` of m·m.
     #[inline(always)]
     pub(crate) fn is_met<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, reach: R) -> R::Mask {
+        const ROUNDING: f32 = 32.0 * f32::EPSILON;
         let to_center = Vector::splat(reach, self.center) - origin;
-        let along = to_center.dot(direction);
-        let aside = to_center - direction * along;
-        let wide = along.abs() * POINT_ROUNDING + self.radius;
-        let near = aside.length_squared().le(wide * wide);
-        near & (along + wide).ge(reach.like(0.0)) & (along - wide).le(reach)
+        let along = to_center.rough_dot(direction);
+        let distance_squared = to_center.rough_dot(to_center);
+        let within =
+            along.roughly_times_plus(along, reach.like(self.radius * self.radius * (1.0 + ROUNDING)));
+        let near = within.ge(distance_squared * (1.0 - ROUNDING));
+        let radius = self.radius * (1.0 + ROUNDING);
+        let enter = along.roughly_times_plus(reach.like(1.0 - POINT_ROUNDING), reach.like(-radius));
+        near & along.ge(reach.like(-radius)) & enter.le(reach)
     }
 }

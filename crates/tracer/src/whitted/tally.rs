@@ -2,7 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
-use super::{Beams, Whitted};
+use super::{Beams, Origin, Whitted};
 use crate::counts::RayCounts;
 use crate::lanes::One;
 use crate::tile::Place;
@@ -43,7 +43,7 @@ impl Whitted<'_> {
             && !self.is_cancelled_at(followed)
             && let Some(beam) = pending.pop()
         {
-            let light = Vec3::from(self.follow(One, &beam, &mut pending).light).as_dvec3();
+            let light = Vec3::from(self.follow(One, &beam, Origin::Anywhere, &mut pending).light).as_dvec3();
             let generation = beam.generation as usize;
             if generations.len() < generation {
                 generations.resize(generation, DVec3::ZERO);

@@ -10,12 +10,12 @@ use super::record::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
     TracedRay,
 };
-use super::{Beams, Followed, Offspring, Whitted};
+use super::{Beams, Followed, Offspring, Origin, Whitted};
 use crate::lanes::One;
 use crate::media::Inside;
 use crate::pick::SurfaceHit;
 use crate::ray::{Ray, Rays};
-use crate::search::{Flight, found_in};
+use crate::search::{Along, Flight, found_in};
 use crate::stage::Stage;
 use crate::surface::highlight_cosine;
 use crate::tile::Place;
@@ -104,7 +104,7 @@ impl Offspring<One> for Scribe<'_> {
 
     fn asks(&mut self, rays: &Rays<One>, distance: f32, inside: &Inside, passed: Vector<f32>) {
         let mut crossings = Vec::new();
-        Flight::new(One, self.stage, rays, true, inside).crossings(distance, |hit| {
+        Flight::new(One, self.stage, rays, true, inside, Along::Anything).crossings(distance, |hit| {
             let body = self.stage.body(hit.body);
             let filter = body.is_transparent().then(|| self.stage.material(body).filter.into());
             crossings.extend(self.stage.scene_index(hit.body).map(|body| ShadowCrossing {
@@ -189,7 +189,7 @@ impl Whitted<'_> {
             }
             let place = tree.len();
             let mut scribe = Scribe::new(self.stage);
-            let followed = self.follow(One, &beam, &mut scribe);
+            let followed = self.follow(One, &beam, Origin::Anywhere, &mut scribe);
             for (kind, beam) in scribe.sent.drain(..) {
                 waiting.push(Waiting { beam, kind, parent: Some(place), number });
                 number += 1;
