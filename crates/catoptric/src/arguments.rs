@@ -4,6 +4,7 @@ use std::num::IntErrorKind;
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use catoptric_lab::maps::MapKind;
 use catoptric_picture::{Picture, ToneCurve};
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
@@ -34,6 +35,8 @@ pub(crate) enum Command {
     Render(RenderArguments),
     /// Find all problems of scene files, with line and column
     Check(CheckArguments),
+    /// Tell every number behind a pixel
+    Audit(AuditArguments),
     /// Tell how two pictures differ
     Diff(DiffArguments),
     /// Convert a picture, or write a scene in its standard form
@@ -92,6 +95,9 @@ pub(crate) struct RenderArguments {
     /// Generations of rays, 1 to 64, instead of the scene's
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(Tracing::MAX_GENERATIONS)))]
     pub generations: Option<u32>,
+    /// Show a map over the picture instead of the picture itself
+    #[arg(long, value_name = "NAME", value_parser = maps(), conflicts_with = "stats")]
+    pub map: Option<MapKind>,
     #[command(flatten)]
     pub development: DevelopmentArguments,
     /// Write times, rays and memory as JSON; - for standard output
@@ -111,6 +117,45 @@ pub(crate) struct CheckArguments {
     /// Scene files, or names of built-in scenes
     #[arg(required = true)]
     pub scenes: Vec<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("what").required(true).args(["pixel", "exact"]))]
+#[command(after_help = "\
+Examples:
+  catoptric audit whitted --pixel 545,330
+  catoptric audit whitted --pixel 545,330 --svg tree.svg
+  catoptric audit ring-of-images --exact")]
+pub(crate) struct AuditArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// Column and row of the pixel, from 0 at the upper left
+    #[arg(long, value_name = "X,Y")]
+    pub pixel: Option<Pixel>,
+    /// Width and height of the picture in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720")]
+    pub size: Size,
+    /// Samples per pixel, 1 to 65536; a tree of rays for each
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(RenderSettings::MAX_SAMPLES)))]
+    pub samples: u32,
+    /// Generations of rays, 1 to 64, instead of the scene's
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(Tracing::MAX_GENERATIONS)))]
+    pub generations: Option<u32>,
+    /// Show rays up to N steps from the eye only; the sum has all
+    #[arg(long, value_name = "N")]
+    pub depth: Option<usize>,
+    /// Print JSON
+    #[arg(long, conflicts_with_all = ["dot", "svg"])]
+    pub json: bool,
+    /// Write the tree of rays for Graphviz; - for standard output
+    #[arg(long, value_name = "FILE", requires = "pixel", conflicts_with = "svg")]
+    pub dot: Option<PathBuf>,
+    /// Write the tree of rays as a drawing; - for standard output
+    #[arg(long, value_name = "FILE", requires = "pixel")]
+    pub svg: Option<PathBuf>,
+    /// Hold the images of mirrors, focal points and highlights against their formulas
+    #[arg(long, conflicts_with_all = ["dot", "svg"])]
+    pub exact: bool,
 }
 
 #[derive(Debug, Args)]
@@ -212,6 +257,30 @@ impl FromStr for Size {
         };
         Ok(Self { width: side(width)?, height: side(height)? })
     }
+}
+
+/// A pixel of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Pixel {
+    pub x: u32,
+    pub y: u32,
+}
+
+impl FromStr for Pixel {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers =
+            text.split_once(',').and_then(|(x, y)| x.trim().parse().ok().zip(y.trim().parse().ok()));
+        let (x, y) = numbers.ok_or("give column and row, such as 640,360")?;
+        Ok(Self { x, y })
+    }
+}
+
+fn maps() -> impl clap::builder::TypedValueParser<Value = MapKind> {
+    use clap::builder::TypedValueParser as _;
+    PossibleValuesParser::new(MapKind::ALL.map(MapKind::name))
+        .map(|name| MapKind::ALL.into_iter().find(|kind| kind.name() == name).unwrap_or_default())
 }
 
 /// A number or a quotient such as 1/255, not negative.

@@ -6,6 +6,7 @@ mod console;
 mod input;
 mod interrupt;
 mod memory;
+mod notes;
 mod output;
 mod progress;
 mod stats;
@@ -44,6 +45,7 @@ fn run(command: &Command) -> Result<Outcome> {
         Command::Studio(arguments) => commands::studio::run(arguments.scene.as_deref()),
         Command::Render(arguments) => commands::render::run(arguments),
         Command::Check(arguments) => commands::check::run(arguments),
+        Command::Audit(arguments) => commands::audit::run(arguments),
         Command::Diff(arguments) => commands::diff::run(arguments),
         Command::Convert(arguments) => commands::convert::run(arguments),
         Command::Examples(arguments) => commands::examples::run(arguments),

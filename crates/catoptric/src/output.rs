@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Result, bail};
-use catoptric_picture::{BitDepth, Development, Picture, write_exr, write_png};
+use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, write_exr, write_png};
 
 use crate::arguments::DevelopmentArguments;
 use crate::interrupt;
@@ -49,6 +49,11 @@ impl Kind {
 }
 
 impl DevelopmentArguments {
+    /// Nothing asked for.
+    pub(crate) fn plain() -> Self {
+        Self { exposure: 0.0, tone_curve: ToneCurve::None, bits: "8".to_owned() }
+    }
+
     pub(crate) fn development(&self) -> Development {
         Development { exposure_stops: self.exposure, tone_curve: self.tone_curve }
     }
@@ -81,6 +86,11 @@ fn place(path: &Path) -> PathBuf {
         (Ok(folder), Some(name)) => folder.join(name),
         _ => path.to_owned(),
     }
+}
+
+/// Whether standard output is meant, not a file.
+pub(crate) fn is_stdout(path: &Path) -> bool {
+    path.as_os_str() == "-"
 }
 
 /// Writes a text file, whole or not at all.

@@ -30,7 +30,7 @@ mod write;
 
 pub use catoptric_files::WriteError;
 pub use compare::difference::{Comparison, Difference, SizeMismatch};
-pub use compare::heat::{HeatMap, HeatMapError, heat_map};
+pub use compare::heat::{HeatMap, HeatMapError, heat_map, scale_color};
 pub use develop::{BitDepth, Codes, Developed, Development};
 pub use picture::{Picture, SizeError};
 pub use read::{DecodeError, ReadError, decode, read};

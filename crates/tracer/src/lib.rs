@@ -24,9 +24,12 @@ pub use film::Film;
 pub use lanes::Real;
 pub use pick::SurfaceHit;
 pub use ray::{NO_BODY, Ray, Start};
-pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_through};
+pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_pixel, render_through};
 pub use sampling::sample_offset;
 pub use search::Hit;
 pub use stage::{Stage, StageCamera, StageEdit, StageError};
 pub use vector::Vector;
-pub use whitted::{RayKind, TracedRay, Whitted};
+pub use whitted::{
+    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer, Tally,
+    TracedRay, Whitted,
+};

@@ -45,7 +45,7 @@ impl MediaTable {
     }
 
     /// The bodies of a list, the one entered last first.
-    fn bodies(&self, media: u32) -> impl Iterator<Item = u32> {
+    pub(crate) fn bodies(&self, media: u32) -> impl Iterator<Item = u32> {
         let mut at = media;
         std::iter::from_fn(move || {
             let &(body, rest) = self.links.get(at as usize)?;
@@ -83,11 +83,14 @@ impl MediaTable {
         }
         let is_inside = self.bodies(media).any(|other| other == body);
         let beyond = if is_inside { self.left(media, body) } else { self.entered(media, body) };
-        let ior =
-            |media: u32| self.bodies(media).next().map_or(1.0, |index| stage.material(stage.body(index)).ior);
-        let crossing = Crossing { beyond, ratio: ior(media) / ior(beyond) };
+        let crossing = Crossing { beyond, ratio: self.ior(stage, media) / self.ior(stage, beyond) };
         self.crossings.insert((media, body), crossing);
         crossing
+    }
+
+    /// The index of refraction in these media: that of the body entered last, or of air.
+    pub(crate) fn ior(&self, stage: &Stage, media: u32) -> f32 {
+        self.bodies(media).next().map_or(1.0, |index| stage.material(stage.body(index)).ior)
     }
 
     /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.

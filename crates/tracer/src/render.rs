@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use catoptric_picture::{Picture, SizeError};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, UVec2};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
@@ -46,7 +46,12 @@ impl Control {
 
     /// Counts the pixels of a tile that was gone through.
     pub(crate) fn add_done(&self, place: Place) {
-        self.pixels_done.fetch_add(place.pixels() as u64, Ordering::Relaxed);
+        self.add_pixels(place.pixels() as u64);
+    }
+
+    /// Counts pixels that other work than rendering has finished.
+    pub fn add_pixels(&self, pixels: u64) {
+        self.pixels_done.fetch_add(pixels, Ordering::Relaxed);
     }
 
     /// Pixels finished so far.
@@ -119,6 +124,42 @@ pub fn render_through(
     Ok(Rendering { picture, counts })
 }
 
+/// The light of one pixel (column, row) as [`render_through`] has it, bit by bit, at the cost of a tile around it;
+/// `None` if the pixel is not in the picture.
+///
+/// # Errors
+/// As for [`render`].
+pub fn render_pixel(
+    stage: &Stage,
+    camera: &StageCamera,
+    settings: RenderSettings,
+    pixel: UVec2,
+    control: &Control,
+) -> Result<Option<[f32; 3]>, RenderError> {
+    let RenderSettings { width, height, samples } = settings;
+    Picture::check_size(width, height)?;
+    let size = UVec2::new(width, height);
+    if pixel.x >= width || pixel.y >= height {
+        return Ok(None);
+    }
+    let place = Place::around(pixel, size);
+    let [x, y] = [pixel.x as usize - place.x, pixel.y as usize - place.y];
+    let mut tracer = TileTracer::new(stage, camera, control);
+    let mut row = [[0.0; 3]; TILE];
+    let mut sum = DVec3::ZERO;
+    for sample in 0..samples.max(1) {
+        let light = tracer.trace(place, size.as_dvec2(), sample).ok_or(RenderError::Cancelled)?;
+        light.each(y, &mut row, |pixel, light| *pixel = light);
+        sum += row.get(x).map_or(DVec3::ZERO, |light| DVec3::from(light.map(f64::from)));
+    }
+    Ok(Some(mean_of(sum, samples.max(1))))
+}
+
+/// The mean of the samples of a pixel.
+fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
+    (sum / f64::from(samples)).as_vec3().to_array()
+}
+
 /// A square of the picture and its rows.
 struct Tile<'a> {
     place: Place,
@@ -152,7 +193,7 @@ impl Tile<'_> {
         }
         for (row, sums) in self.rows.iter_mut().zip(sums.chunks(width)) {
             for (pixel, sum) in row.iter_mut().zip(sums) {
-                *pixel = (*sum / f64::from(samples)).as_vec3().to_array();
+                *pixel = mean_of(*sum, samples);
             }
         }
         true

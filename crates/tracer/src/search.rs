@@ -49,6 +49,17 @@ struct Meeting<W: Width> {
     exit: W::R,
 }
 
+/// Where rays cross a body's surface before a light.
+struct Crossed<W: Width> {
+    /// Those that enter it, and where.
+    in_front: W::M,
+    enter: W::R,
+    /// Those that leave it without having entered.
+    behind: W::M,
+    /// Where either leave it; of those that enter it, perhaps behind the light.
+    exit: W::R,
+}
+
 /// Rays in flight.
 pub(crate) struct Flight<'a, W: Width> {
     w: W,
@@ -201,20 +212,53 @@ impl<'a, W: Width> Flight<'a, W> {
         passed.share.map(|share| W::R::select(passed.lanes, share, nothing))
     }
 
-    /// What one body lets through on the way to a light at `distance`.
+    /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
+    /// leaves it; in no particular order.
+    pub(crate) fn crossings(&self, distance: W::R, mut found: impl FnMut(Hit)) {
+        let distance = distance * (1.0 - POINT_ROUNDING);
+        let number = |t: W::R| {
+            let mut first = [0.0; MOST_LANES];
+            t.store(&mut first);
+            first[0]
+        };
+        let mut test = |index: u32| {
+            let body = self.stage.body(index);
+            let Some(crossed) = self.crossed(index, body, distance, self.lanes) else { return };
+            let Crossed { in_front, enter, behind, exit } = crossed;
+            if in_front.any() {
+                found(Hit { t: number(enter), body: index, leaving: false });
+            }
+            if (behind | in_front & exit.lt(distance)).any() {
+                found(Hit { t: number(exit), body: index, leaving: true });
+            }
+        };
+        self.visit(&mut Vec::new(), &mut ForEach(self.w, &mut test));
+        self.stage.planes().for_each(&mut test);
+    }
+
+    /// Where rays cross the surface of one body before `distance`, if any do.
     #[inline(always)]
-    fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Passed<W>) {
+    fn crossed(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M) -> Option<Crossed<W>> {
         let Relation { lanes, inside } = self.relation(index, body, lanes);
         if !lanes.any() {
-            return;
+            return None;
         }
         let Meeting { entering, enter, leaving, exit } = self.meeting(body, lanes, inside);
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
-        let crossed = in_front | behind;
-        if !crossed.any() {
-            return;
+        if !(in_front | behind).any() {
+            return None;
         }
+        Some(Crossed { in_front, enter, behind, exit })
+    }
+
+    /// What one body lets through on the way to a light at `distance`.
+    #[inline(always)]
+    fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Passed<W>) {
+        let Some(Crossed { in_front, behind, exit, .. }) = self.crossed(index, body, distance, lanes) else {
+            return;
+        };
+        let crossed = in_front | behind;
         if !body.is_transparent() {
             passed.lanes = passed.lanes & !crossed;
             return;

@@ -172,6 +172,11 @@ impl Stage {
         self.generations
     }
 
+    /// The weight below which rays are not traced.
+    pub fn threshold(&self) -> f32 {
+        self.threshold
+    }
+
     /// The camera.
     pub fn camera(&self) -> &StageCamera {
         &self.camera

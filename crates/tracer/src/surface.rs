@@ -44,14 +44,21 @@ pub fn phong_highlight<R: Real>(
     /// e⁻³⁰ of the brightest light that a scene may have, 10⁶, is nothing in single precision.
     const INVISIBLE: f32 = 30.0;
     let [zero, one] = [0.0, 1.0].map(|value| shininess.like(value));
-    // Rounding may make the product of two unit vectors more than 1, and a power of it much more.
-    let cos = (-to_viewer.dot(reflect(to_light, normal))).min(one);
+    let cos = highlight_cosine(to_viewer, to_light, normal);
     // ln x ≤ x - 1, so that the power is at most exp(-n·(1 - cos)): what is certain to vanish is not computed.
     let is_visible = cos.gt(zero) & (shininess * (one - cos)).lt(shininess.like(INVISIBLE));
     if !is_visible.any() {
         return zero;
     }
     R::select(is_visible, power(R::select(is_visible, cos, one), shininess), zero)
+}
+
+/// Ŝ·R̂ of [`phong_highlight`].
+#[inline(always)]
+pub(crate) fn highlight_cosine<R: Real>(to_viewer: Vector<R>, to_light: Vector<R>, normal: Vector<R>) -> R {
+    // Rounding may make the product of two unit vectors more than 1, and a power of it much more.
+    let cos = -to_viewer.dot(reflect(to_light, normal));
+    cos.min(cos.like(1.0))
 }
 
 /// x to the power n, for 0 < x ≤ 1 and n ≥ 0: exp(n·ln x), as accurate as single precision allows for results above

@@ -2,13 +2,13 @@
 
 mod light;
 
-use glam::DVec2;
+use glam::{DVec2, UVec2, Vec2};
 
 use crate::counts::RayCounts;
 use crate::lanes::{Lanes, MOST_LANES, Width, Word as _, Work};
 use crate::render::Control;
 use crate::sampling::sample_offset;
-use crate::stage::{Stage, StageCamera};
+use crate::stage::{RaysNear, Stage, StageCamera};
 use crate::vector::Vector;
 use crate::whitted::{Beams, Offspring, Origin, Queue, Whitted};
 
@@ -42,6 +42,34 @@ impl Place {
 
     fn extent(self) -> DVec2 {
         DVec2::new(self.width as f64, self.height as f64)
+    }
+
+    /// The tile of this pixel in a picture of `size` pixels that has it.
+    pub(crate) fn around(pixel: UVec2, size: UVec2) -> Self {
+        let first = |at: u32| at as usize / TILE * TILE;
+        let (x, y) = (first(pixel.x), first(pixel.y));
+        Self { x, y, width: TILE.min(size.x as usize - x), height: TILE.min(size.y as usize - y) }
+    }
+
+    /// The primary rays of the tile, how far they reach, and where the sample of its upper left pixel lies among them.
+    fn rays(self, camera: &StageCamera, size: DVec2, sample: u32) -> (RaysNear, DVec2, Vec2) {
+        let middle = DVec2::new(self.x as f64, self.y as f64) + 0.5 * self.extent();
+        // The last blocks may reach beyond the tile.
+        let reach = 0.5 * self.extent() + LARGEST_BLOCK;
+        let offset = (sample_offset(sample) - 0.5 * self.extent()).as_vec2();
+        (camera.near(middle, reach, size), reach, offset)
+    }
+
+    /// The origin and direction of one of them: those that the rendering of the tile has, bit by bit.
+    pub(crate) fn ray(
+        self,
+        camera: &StageCamera,
+        (pixel, size): (UVec2, UVec2),
+        sample: u32,
+    ) -> (Vector<f32>, Vector<f32>) {
+        let (near, _, offset) = self.rays(camera, size.as_dvec2(), sample);
+        let [x, y] = [pixel.x as usize - self.x, pixel.y as usize - self.y];
+        near.rays(x as f32 + offset.x, y as f32 + offset.y)
     }
 
     /// How many pixels it has.
@@ -124,12 +152,8 @@ impl TileTracer<'_> {
         let block = Block::new(w);
         let [width, height] = Block::<W>::SIZE;
         self.light.begin(place, Block::<W>::SIZE);
-        let middle = DVec2::new(place.x as f64, place.y as f64) + 0.5 * place.extent();
-        // The last blocks may reach beyond the tile.
-        let reach = 0.5 * place.extent() + Block::<W>::LARGEST;
-        let near = self.whitted.camera.near(middle, reach, size);
+        let (near, reach, offset) = place.rays(self.whitted.camera, size, sample);
         self.whitted.aim(&near, reach);
-        let offset = (sample_offset(sample) - 0.5 * place.extent()).as_vec2();
         let mut first = 0;
         for top in (0..place.height).step_by(height) {
             if self.is_cancelled() {
@@ -229,10 +253,10 @@ struct Block<W: Width> {
     pixel: W::W,
 }
 
-impl<W: Width> Block<W> {
-    /// No block has more pixels across or down.
-    const LARGEST: DVec2 = DVec2::splat(4.0);
+/// No block has more pixels across or down.
+const LARGEST_BLOCK: DVec2 = DVec2::splat(4.0);
 
+impl<W: Width> Block<W> {
     /// Pixels across and down.
     const SIZE: [usize; 2] = {
         let width = if W::LANES >= 8 {

@@ -4,17 +4,21 @@
 
 mod beams;
 mod encounter;
+mod record;
+mod tally;
 mod tree;
 mod views;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use catoptric_scene::Tracing;
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_START, Ray, Rays};
+use crate::render::Control;
 use crate::search::{Along, Flight, Hits};
 use crate::stage::{PacketPart, RaysNear, Stage, StageCamera};
 use crate::surface::{mend_unit, phong_highlight, reflect, refract};
@@ -22,7 +26,11 @@ use crate::vector::Vector;
 
 pub(crate) use beams::{Beams, Offspring, Queue};
 use encounter::Encounter;
-pub use tree::{RayKind, TracedRay};
+pub use record::{
+    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
+    TracedRay,
+};
+pub use tally::Tally;
 use views::Views;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
@@ -30,6 +38,10 @@ pub struct Whitted<'a> {
     stage: &'a Stage,
     pub(crate) camera: &'a StageCamera,
     pub(crate) cancel: &'a AtomicBool,
+    /// Rays of this generation are the last.
+    generations: u32,
+    /// The weight below which rays are not traced.
+    threshold: f32,
     /// Working memory of searches.
     parts: Vec<PacketPart>,
     views: Views,
@@ -55,6 +67,8 @@ impl<'a> Whitted<'a> {
             stage,
             camera,
             cancel,
+            generations: stage.generations(),
+            threshold: stage.threshold(),
             parts: Vec::new(),
             views: Views::new(stage, camera),
             media: MediaTable::default(),
@@ -62,6 +76,18 @@ impl<'a> Whitted<'a> {
             eye_media: None,
             counts: RayCounts::default(),
         }
+    }
+
+    /// The same, stopped by a [`Control`].
+    pub fn watched(stage: &'a Stage, camera: &'a StageCamera, control: &'a Control) -> Self {
+        Self::through(stage, camera, &control.cancel)
+    }
+
+    /// The same walker with other limits than the stage's: of generations (at least 1), and the weight below which rays
+    /// are not traced.
+    pub fn with_limits(self, generations: u32, threshold: f32) -> Self {
+        let generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
+        Self { generations, threshold: threshold.max(0.0), ..self }
     }
 
     /// The rays traced so far.
@@ -189,10 +215,11 @@ impl<'a> Whitted<'a> {
             return Followed { light: beams.weight.times(background), hits };
         }
         let at = Encounter::new(w, self.stage, &beams.rays, &hits);
-        let light = self.local_light(w, beams, inside, &at);
+        offspring.meets(&at);
+        let light = self.local_light(w, beams, inside, &at, offspring);
+        offspring.shades(light);
         let light = beams.weight.times(Vector::select(hit, light, background));
-        let limit = self.stage.generations();
-        let goes_on = hit & beams.below(w, limit);
+        let goes_on = hit & beams.below(w, self.generations);
         if goes_on.any() {
             self.spawn(w, beams, &at, goes_on, offspring);
         }
@@ -238,6 +265,7 @@ impl<'a> Whitted<'a> {
         beams: &Beams<W>,
         inside: &Inside,
         at: &Encounter<W>,
+        offspring: &mut impl Offspring<W>,
     ) -> Vector<W::R> {
         let zero = w.real(0.0);
         let mut light = at.ambient;
@@ -249,6 +277,7 @@ impl<'a> Whitted<'a> {
             let distance = offset.length_squared().sqrt();
             let to_light = offset * (w.real(1.0) / distance);
             let cos = at.normal.dot(to_light);
+            offspring.faces(index, to_light, distance, cos);
             // A light that stands exactly here has no direction.
             let lit = at.answers & distance.gt(zero) & cos.gt(zero);
             if !lit.any() {
@@ -257,6 +286,7 @@ impl<'a> Whitted<'a> {
             self.counts.shadow += u64::from(lit.bits().count_ones());
             let rays = at.rays_on_this_side(to_light);
             let passed = self.transmittance(w, &rays, lit, (index, distance), inside);
+            offspring.asks(&rays, distance, inside, passed);
             let lit = lit & !passed.is_zero();
             if !lit.any() {
                 continue;
@@ -266,9 +296,12 @@ impl<'a> Whitted<'a> {
             if at.glossy.any() {
                 let highlight = phong_highlight(to_viewer, to_light, at.normal, at.shininess);
                 let highlight = at.specular * highlight;
+                offspring.shines(to_viewer, highlight);
                 answer = answer.map(|diffuse| diffuse + highlight);
             }
-            let more = passed.times(source.power_at(distance)).times(answer);
+            let power = source.power_at(distance);
+            let more = passed.times(power).times(answer);
+            offspring.answers(power, more);
             light = Vector::select(lit, light + more, light);
         }
         light
@@ -292,6 +325,7 @@ impl<'a> Whitted<'a> {
         if transparent.any() {
             let (ratio, beyond) = self.cross(w, beams, at, transparent);
             let (bent, passes) = refract(direction, at.normal, ratio);
+            offspring.crosses(ratio, passes);
             // Total internal reflection: all of the light, and nothing twice.
             reflection = W::R::select(transparent & !passes, one, reflection);
             let weight = beams.weight.times(at.filter);
@@ -330,7 +364,7 @@ impl<'a> Whitted<'a> {
     #[inline(always)]
     fn carries<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
         let strongest = weight.largest();
-        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.stage.threshold))
+        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.threshold))
     }
 
     /// The ratio of indices for rays that cross the surface, and the media beyond it.

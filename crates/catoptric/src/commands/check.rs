@@ -8,7 +8,7 @@ use catoptric_scene::{Diagnostics, LoadError, Scene, Severity};
 use super::{Outcome, in_words};
 use crate::arguments::CheckArguments;
 use crate::console::{color_on, count, print};
-use crate::input;
+use crate::{input, notes};
 
 pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
     let color = color_on(&std::io::stdout());
@@ -23,13 +23,14 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
     Ok(outcome)
 }
 
-/// Whether the scene can be used, and a report on it: its findings, and a line with the verdict.
+/// Whether the scene can be used, and a report on it: its findings, notes, and a line with the verdict.
 fn check(path: &Path, color: bool) -> (bool, String) {
     let name = path.display().to_string();
     match input::scene(path) {
         Ok(input::Named { loaded, .. }) => {
             let found = findings(&loaded.warnings, &name, &loaded.text, color);
-            (true, format!("{found}{name}: {}\n", praise(&loaded.scene, &loaded.warnings)))
+            let notes = notes::on_scene(&name, &loaded.scene);
+            (true, format!("{found}{notes}{name}: {}\n", praise(&loaded.scene, &loaded.warnings)))
         }
         Err(error) => match error.downcast_ref::<LoadError>() {
             Some(LoadError::Diagnostics { text, diagnostics, .. }) => {

@@ -1,19 +1,20 @@
 //! `catoptric render`
 
-use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, anyhow, bail};
+use catoptric_lab::depth::DepthMeasure;
+use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::Picture;
 use catoptric_tracer::{Control, RenderSettings, Rendering, Stage, render};
 
 use super::Outcome;
-use crate::arguments::{Backend, RenderArguments};
+use crate::arguments::{Backend, DevelopmentArguments, RenderArguments};
 use crate::console::{count, print, say};
-use crate::output::{Kind, PictureKind, check_output, milliseconds, write_picture, write_text};
+use crate::output::{Kind, PictureKind, check_output, is_stdout, milliseconds, write_picture, write_text};
 use crate::progress::Progress;
 use crate::stats::{Stats, Times};
-use crate::{input, memory};
+use crate::{input, memory, notes};
 
 pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let kind = refuse_early(arguments)?;
@@ -46,6 +47,9 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         height: arguments.size.height,
         samples: arguments.samples,
     };
+    if let Some(map) = arguments.map {
+        return show_map(arguments, kind, map, &stage, settings, &pool, progress);
+    }
     let start = Instant::now();
     let rendering = trace(&stage, settings, &pool, progress)?;
     times.trace = milliseconds(start);
@@ -68,7 +72,61 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         peak_memory_bytes: memory::peak_bytes(),
     };
     finish(arguments, &stats, progress)?;
+    if progress.is_shown() {
+        advise(&stage, settings, &pool);
+    }
     Ok(Outcome::Done)
+}
+
+/// Writes a map instead of the picture: in colors with a legend, or as an EXR of its numbers.
+fn show_map(
+    arguments: &RenderArguments,
+    kind: PictureKind,
+    map_kind: MapKind,
+    stage: &Stage,
+    picture: RenderSettings,
+    pool: &rayon::ThreadPool,
+    progress: Progress,
+) -> Result<Outcome> {
+    let settings = MapSettings { kind: map_kind, picture, exposure_stops: arguments.development.exposure };
+    let control = Control::default();
+    let pixels = u64::from(picture.width) * u64::from(picture.height);
+    let map = progress
+        .of_tracing(&control, pixels, || pool.install(|| map(stage, stage.camera(), &settings, &control)))?;
+    let shown = match kind {
+        PictureKind::Png => map.to_picture()?,
+        PictureKind::Exr => map.to_numbers()?,
+    };
+    let plain = DevelopmentArguments::plain();
+    progress.of_writing(&arguments.output.to_string_lossy(), || {
+        write_picture(&arguments.output, kind, &shown, &plain)
+    })?;
+    if !arguments.quiet && map.incomplete > 0 {
+        say(&format!(
+            "warning: {} more than {} rays; the map counts so many",
+            count(map.incomplete, "pixel has", "pixels have"),
+            catoptric_lab::maps::MOST_RAYS
+        ));
+    }
+    if progress.is_shown() {
+        say(&format!(
+            "{}: {} up to {}, {} on average",
+            arguments.output.display(),
+            map_kind.name(),
+            map.in_words(map.greatest()),
+            map.in_words(map.mean() as f32)
+        ));
+    }
+    Ok(Outcome::Done)
+}
+
+/// Says how many generations the scene needs.
+fn advise(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
+    let size = glam::UVec2::new(settings.width, settings.height);
+    let measure = pool.install(|| DepthMeasure::of(stage, stage.camera(), size, &Control::default()));
+    if let Ok(measure) = measure {
+        say(&notes::on_depth(&measure, stage.generations()));
+    }
 }
 
 /// Refuses what can be refused before the work begins; returns the kind of picture to write.
@@ -131,8 +189,4 @@ fn warn_of_scene(input: &input::Named) {
             input.name
         ));
     }
-}
-
-fn is_stdout(path: &Path) -> bool {
-    path.as_os_str() == "-"
 }

@@ -75,8 +75,8 @@ fn pixel_color(a: &[f32; 3], b: &[f32; 3], options: &HeatMap) -> [f32; 3] {
     scale_color(if worst > 0.0 { worst / options.maximum.max(0.0) } else { 0.0 })
 }
 
-/// The scale's color in linear light.
-fn scale_color(t: f64) -> [f32; 3] {
+/// The color of the scale "inferno" at `t`, clamped to 0…1, in linear light.
+pub fn scale_color(t: f64) -> [f32; 3] {
     inferno(t).map(|channel| srgb::decode(channel) as f32)
 }
 

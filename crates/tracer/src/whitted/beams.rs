@@ -1,6 +1,8 @@
 //! Rays of the tree side by side, and the queues in which they wait.
 
+use super::encounter::Encounter;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word};
+use crate::media::Inside;
 use crate::ray::Rays;
 use crate::vector::Vector;
 
@@ -29,10 +31,40 @@ impl<W: Width> Beams<W> {
     }
 }
 
-/// Where the rays go that grow from others.
+/// Where the rays go that grow from others, and who looks on while they grow.
+///
+/// Rendering does not look: what is seen is dropped, at no cost. A [tree](super::Whitted::tree) writes it down.
 pub(crate) trait Offspring<W: Width> {
     fn reflected(&mut self, beams: Beams<W>);
     fn refracted(&mut self, beams: Beams<W>);
+
+    /// The points that were met.
+    #[inline(always)]
+    fn meets(&mut self, _at: &Encounter<W>) {}
+
+    /// The direction to a light of the stage, its distance, and the cosine to the normal.
+    #[inline(always)]
+    fn faces(&mut self, _light: usize, _to_light: Vector<W::R>, _distance: W::R, _cos: W::R) {}
+
+    /// Shadow rays towards that light, and what they let pass.
+    #[inline(always)]
+    fn asks(&mut self, _rays: &Rays<W>, _distance: W::R, _inside: &Inside, _passed: Vector<W::R>) {}
+
+    /// That light's highlight, with k_s.
+    #[inline(always)]
+    fn shines(&mut self, _to_viewer: Vector<W::R>, _highlight: W::R) {}
+
+    /// What arrives of that light if nothing is in the way, and what the surface sends on of it.
+    #[inline(always)]
+    fn answers(&mut self, _power: Vector<W::R>, _light: Vector<W::R>) {}
+
+    /// The sum of the local terms.
+    #[inline(always)]
+    fn shades(&mut self, _local: Vector<W::R>) {}
+
+    /// The ratio of indices across a transparent surface, and who is not totally reflected.
+    #[inline(always)]
+    fn crosses(&mut self, _ratio: W::R, _passes: W::M) {}
 }
 
 /// A stack of single rays: the reflected one is taken first.

@@ -7,7 +7,8 @@ use crate::stage::{Stage, StageBody};
 use crate::vector::Vector;
 
 /// The points that rays side by side met. Of rays that met nothing, the numbers mean nothing.
-pub(super) struct Encounter<W: Width> {
+#[derive(Clone, Copy)]
+pub(crate) struct Encounter<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     /// The body, and [`INWARDS`] where the ray came from within: the start of rays on this side.
@@ -113,6 +114,12 @@ impl<W: Width> Encounter<W> {
             self.transparent = self.transparent | lanes;
             self.filter = Vector::select(lanes, Vector::splat(zero, material.filter), self.filter);
         }
+    }
+
+    /// Rays that met the surface from within.
+    #[inline(always)]
+    pub(super) fn leaves(&self) -> W::M {
+        self.start.has(INWARDS)
     }
 
     /// Rays from here to the side that the incoming rays came from.

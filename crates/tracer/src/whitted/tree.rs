@@ -1,63 +1,152 @@
-//! The tree of rays behind one pixel, ray by ray.
+//! The tree of rays behind one pixel, ray by ray, with every number on the way.
 
-use glam::Vec3;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
-use super::{Beams, Offspring, Origin, Whitted};
+use glam::{UVec2, Vec3};
+
+use super::encounter::Encounter;
+use super::record::{
+    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
+    TracedRay,
+};
+use super::{Beams, Followed, Offspring, Origin, Whitted};
 use crate::lanes::One;
+use crate::media::Inside;
 use crate::pick::SurfaceHit;
-use crate::ray::Ray;
-use crate::search::found_in;
+use crate::ray::{Ray, Rays};
+use crate::search::{Along, Flight, found_in};
+use crate::stage::Stage;
+use crate::surface::highlight_cosine;
+use crate::tile::Place;
+use crate::vector::Vector;
 
-/// Why a ray was sent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RayKind {
-    /// From the eye, or wherever the tree begins.
-    Primary,
-    /// Mirrored, total internal reflection included.
-    Reflected,
-    /// Bent into or out of a transparent body.
-    Refracted,
-}
-
-/// One ray of a tree.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TracedRay {
-    /// The ray itself.
-    pub ray: Ray,
-    /// Why it was sent.
-    pub kind: RayKind,
-    /// The place in the tree of the ray at whose end it starts; `None` for the first.
-    pub parent: Option<usize>,
-    /// Its generation; the first ray is generation 1.
-    pub generation: u32,
-    /// Product of the coefficients on the way from the eye.
-    pub weight: Vec3,
-    /// What this ray alone adds to the pixel: the local terms at its end, or the background, times its weight.
-    pub light: Vec3,
-    /// What it meets.
-    pub hit: Option<SurfaceHit>,
-}
-
-/// A ray that waits, and why.
+/// A ray that waits, and why. The heaviest goes first, of equal ones the one sent first.
 struct Waiting {
     beam: Beams<One>,
     kind: RayKind,
     parent: Option<usize>,
+    number: usize,
 }
 
-/// The rays that grow from the one at `parent`.
-struct Children<'a> {
-    waiting: &'a mut Vec<Waiting>,
-    parent: Option<usize>,
+impl Waiting {
+    fn key(&self) -> (f32, usize) {
+        (self.beam.weight.largest(), self.number)
+    }
 }
 
-impl Offspring<One> for Children<'_> {
+impl Ord for Waiting {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let ((weight, number), (other_weight, other_number)) = (self.key(), other.key());
+        weight.total_cmp(&other_weight).then(other_number.cmp(&number))
+    }
+}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Waiting {}
+
+/// Writes down what becomes of one ray.
+struct Scribe<'a> {
+    stage: &'a Stage,
+    at: Option<Encounter<One>>,
+    local: Option<Vector<f32>>,
+    lights: Vec<LightTerm>,
+    highlight: Option<(Vector<f32>, f32)>,
+    /// The ratio of indices, and whether the ray passes.
+    crossing: Option<(f32, bool)>,
+    /// The rays that go on.
+    sent: Vec<(RayKind, Beams<One>)>,
+}
+
+impl<'a> Scribe<'a> {
+    fn new(stage: &'a Stage) -> Self {
+        Self {
+            stage,
+            at: None,
+            local: None,
+            lights: Vec::new(),
+            highlight: None,
+            crossing: None,
+            sent: Vec::new(),
+        }
+    }
+}
+
+impl Offspring<One> for Scribe<'_> {
     fn reflected(&mut self, beam: Beams<One>) {
-        self.waiting.push(Waiting { beam, kind: RayKind::Reflected, parent: self.parent });
+        self.sent.push((RayKind::Reflected, beam));
     }
 
     fn refracted(&mut self, beam: Beams<One>) {
-        self.waiting.push(Waiting { beam, kind: RayKind::Refracted, parent: self.parent });
+        self.sent.push((RayKind::Refracted, beam));
+    }
+
+    fn meets(&mut self, at: &Encounter<One>) {
+        self.at = Some(*at);
+    }
+
+    fn faces(&mut self, light: usize, to_light: Vector<f32>, distance: f32, cosine: f32) {
+        self.highlight = None;
+        let direction = to_light.into();
+        self.lights.push(LightTerm { light, direction, distance, cosine, shadow: None, answer: None });
+    }
+
+    fn asks(&mut self, rays: &Rays<One>, distance: f32, inside: &Inside, passed: Vector<f32>) {
+        let mut crossings = Vec::new();
+        Flight::new(One, self.stage, rays, true, inside, Along::Anything).crossings(distance, |hit| {
+            let body = self.stage.body(hit.body);
+            let filter = body.is_transparent().then(|| self.stage.material(body).filter.into());
+            crossings.extend(self.stage.scene_index(hit.body).map(|body| ShadowCrossing {
+                body,
+                distance: hit.t,
+                leaving: hit.leaving,
+                filter,
+            }));
+        });
+        crossings.sort_by(|a, b| {
+            a.distance.total_cmp(&b.distance).then(b.leaving.cmp(&a.leaving)).then(a.body.cmp(&b.body))
+        });
+        if let Some(term) = self.lights.last_mut() {
+            term.shadow = Some(Shadow { passed: passed.into(), crossings });
+        }
+    }
+
+    fn shines(&mut self, to_viewer: Vector<f32>, highlight: f32) {
+        self.highlight = Some((to_viewer, highlight));
+    }
+
+    fn answers(&mut self, power: Vector<f32>, light: Vector<f32>) {
+        let Some((at, term)) = self.at.zip(self.lights.last_mut()) else { return };
+        let (highlight_cosine, highlight) =
+            self.highlight.map_or((f32::NAN, 0.0), |(to_viewer, highlight)| {
+                (highlight_cosine(to_viewer, term.direction.into(), at.normal), highlight)
+            });
+        term.answer = Some(LightAnswer {
+            power: power.into(),
+            diffuse: (at.diffuse * term.cosine).into(),
+            highlight_cosine,
+            highlight,
+            light: light.into(),
+        });
+    }
+
+    fn shades(&mut self, local: Vector<f32>) {
+        self.local = Some(local);
+    }
+
+    fn crosses(&mut self, ratio: f32, passes: bool) {
+        self.crossing = Some((ratio, passes));
     }
 }
 
@@ -65,26 +154,177 @@ impl Whitted<'_> {
     /// The tree of rays that grows from `primary`, at most `limit` of them: each ray after its parent, the reflected
     /// branch of a hit before the refracted one. The sum of all [`TracedRay::light`] is what reaches the start.
     ///
-    /// A tree of glass bodies doubles with every generation, hence the limit.
+    /// A tree of glass bodies doubles with every generation, hence the limit: the heaviest rays are followed first, and
+    /// what was not followed is marked [`Fate::LeftOut`]. The tree ends early, too, when it is cancelled.
     pub fn tree(&mut self, primary: Ray, limit: usize) -> Vec<TracedRay> {
-        let mut waiting = vec![Waiting { beam: self.root(&primary), kind: RayKind::Primary, parent: None }];
-        let mut tree = Vec::new();
-        while let Some(Waiting { beam, kind, parent }) = waiting.pop()
-            && tree.len() < limit
-        {
-            let mut children = Children { waiting: &mut waiting, parent: Some(tree.len()) };
-            let followed = self.follow(One, &beam, Origin::Anywhere, &mut children);
-            let ray = beam.rays.ray();
-            tree.push(TracedRay {
-                ray,
-                kind,
-                parent,
-                generation: beam.generation,
-                weight: beam.weight.into(),
-                light: followed.light.into(),
-                hit: found_in(&followed.hits).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit)),
-            });
-        }
-        tree
+        let root = self.root(&primary);
+        self.grow(root, limit)
     }
+
+    /// The tree of rays of one sample of a pixel (column, row) of a picture of `size` pixels, as [`tree`](Self::tree).
+    /// It is the tree that [`render`](crate::render) has there, bit by bit: its rays are the same, as are the numbers on
+    /// each. Only the order is another in which light is added up.
+    ///
+    /// A pixel that is not in the picture has no rays.
+    pub fn pixel_tree(&mut self, pixel: UVec2, size: UVec2, sample: u32, limit: usize) -> Vec<TracedRay> {
+        if pixel.x >= size.x || pixel.y >= size.y {
+            return Vec::new();
+        }
+        self.tidy();
+        let ray = Place::around(pixel, size).ray(self.camera, (pixel, size), sample);
+        let root = self.roots(One, ray, 0, true);
+        self.grow(root, limit)
+    }
+
+    fn grow(&mut self, root: Beams<One>, limit: usize) -> Vec<TracedRay> {
+        let mut waiting = BinaryHeap::new();
+        waiting.push(Waiting { beam: root, kind: RayKind::Primary, parent: None, number: 0 });
+        let mut tree: Vec<TracedRay> = Vec::new();
+        let mut number = 1;
+        while tree.len() < limit
+            && let Some(Waiting { beam, kind, parent, .. }) = waiting.pop()
+        {
+            if self.is_cancelled_at(tree.len()) {
+                break;
+            }
+            let place = tree.len();
+            let mut scribe = Scribe::new(self.stage);
+            let followed = self.follow(One, &beam, Origin::Anywhere, &mut scribe);
+            for (kind, beam) in scribe.sent.drain(..) {
+                waiting.push(Waiting { beam, kind, parent: Some(place), number });
+                number += 1;
+            }
+            tree.push(self.write_down(&beam, kind, parent, &followed, scribe));
+            settle(&mut tree, place);
+        }
+        in_depth_first_order(tree)
+    }
+
+    /// Whether a look at the cancel flag is due, and it is set.
+    pub(super) fn is_cancelled_at(&self, done: usize) -> bool {
+        done > 0
+            && done.is_multiple_of(Self::CANCEL_INTERVAL as usize)
+            && self.cancel.load(std::sync::atomic::Ordering::Relaxed)
+    }
+
+    fn write_down(
+        &mut self,
+        beam: &Beams<One>,
+        kind: RayKind,
+        parent: Option<usize>,
+        followed: &Followed<One>,
+        scribe: Scribe<'_>,
+    ) -> TracedRay {
+        let ray = beam.rays.ray();
+        let bodies = self.media.bodies(beam.media);
+        let media = bodies.filter_map(|body| self.stage.scene_index(body)).collect();
+        let background = Vec3::from(self.stage.background);
+        TracedRay {
+            ray,
+            kind,
+            parent,
+            generation: beam.generation,
+            weight: beam.weight.into(),
+            light: followed.light.into(),
+            local: scribe.local.map_or(background, Vec3::from),
+            media,
+            ior: self.media.ior(self.stage, beam.media),
+            hit: found_in(&followed.hits).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit)),
+            answer: scribe.at.map(|at| self.answer(beam, &at, scribe)),
+        }
+    }
+
+    fn answer(&mut self, beam: &Beams<One>, at: &Encounter<One>, scribe: Scribe<'_>) -> SurfaceAnswer {
+        let is_last = beam.generation >= self.generations;
+        let crossing = if is_last { self.crossing_beyond(beam, at) } else { scribe.crossing };
+        let interface = crossing.map(|(ratio, passes)| {
+            let beyond = self.media.crossing(self.stage, beam.media, at.body).beyond;
+            let ior_beyond = self.media.ior(self.stage, beyond);
+            Interface { ior_beyond, ratio, is_total: !passes }
+        });
+        let is_total = interface.is_some_and(|interface| interface.is_total);
+        let reflection = Vec3::splat(if is_total { 1.0 } else { at.reflection });
+        let reflected = self.branch(beam, reflection, is_last);
+        let mut refracted = self.branch(beam, Vec3::from(at.filter), is_last);
+        if is_total {
+            refracted.fate = Fate::TotalReflection;
+        }
+        let body = self.stage.body(at.body);
+        let material = self.stage.material(body);
+        let point = body.surface_point(beam.rays.origin, beam.rays.direction, at.t, at.leaves());
+        let checker = self.stage.checkers.get(body.checker as usize);
+        let odd = checker.filter(|checker| checker.is_odd(point.in_body));
+        SurfaceAnswer {
+            color: odd.map_or(material.color, |checker| checker.color).into(),
+            is_odd_cell: odd.is_some(),
+            ambient_coefficient: material.ambient,
+            ambient_light: self.stage.ambient.into(),
+            ambient: at.ambient.into(),
+            diffuse_coefficient: material.diffuse,
+            specular_coefficient: material.specular,
+            shininess: material.shininess,
+            lights: scribe.lights,
+            interface,
+            reflected,
+            refracted,
+        }
+    }
+
+    /// The crossing of a surface from which no ray goes on any more: what it would have been.
+    fn crossing_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Option<(f32, bool)> {
+        let counts = self.counts;
+        let mut scribe = Scribe::new(self.stage);
+        self.spawn(One, beam, at, true, &mut scribe);
+        self.counts = counts;
+        scribe.crossing
+    }
+
+    /// A branch before it is known which ray it is: one that is followed counts as left out.
+    fn branch(&self, beam: &Beams<One>, coefficient: Vec3, is_last: bool) -> Branch {
+        let weight = beam.weight.times(coefficient.into());
+        let fate = match self.carries(One, weight) {
+            true if is_last => Fate::GenerationLimit,
+            true => Fate::LeftOut,
+            false if weight.largest() > 0.0 => Fate::Threshold,
+            false => Fate::Nothing,
+        };
+        Branch { coefficient, weight: weight.into(), fate }
+    }
+}
+
+/// Tells the parent of the ray at `place` that it is followed.
+fn settle(tree: &mut [TracedRay], place: usize) {
+    let Some((kind, parent)) = tree.get(place).and_then(|ray| Some((ray.kind, ray.parent?))) else { return };
+    if let Some(answer) = tree.get_mut(parent).and_then(|ray| ray.answer.as_mut()) {
+        *fate_of(answer, kind) = Fate::Followed(place);
+    }
+}
+
+fn fate_of(answer: &mut SurfaceAnswer, kind: RayKind) -> &mut Fate {
+    match kind {
+        RayKind::Refracted => &mut answer.refracted.fate,
+        _ => &mut answer.reflected.fate,
+    }
+}
+
+/// Puts a tree in order: each ray after its parent, the whole reflected branch of a hit before the refracted one.
+fn in_depth_first_order(tree: Vec<TracedRay>) -> Vec<TracedRay> {
+    let mut rays: Vec<Option<TracedRay>> = tree.into_iter().map(Some).collect();
+    let mut ordered: Vec<TracedRay> = Vec::with_capacity(rays.len());
+    let mut pending = vec![(0, None)];
+    while let Some((old, parent)) = pending.pop() {
+        let Some(mut ray) = rays.get_mut(old).and_then(Option::take) else { continue };
+        let place = ordered.len();
+        ray.parent = parent;
+        if let Some(answer) = &ray.answer {
+            for fate in [answer.refracted.fate, answer.reflected.fate] {
+                if let Fate::Followed(child) = fate {
+                    pending.push((child, Some(place)));
+                }
+            }
+        }
+        ordered.push(ray);
+        settle(&mut ordered, place);
+    }
+    ordered
 }

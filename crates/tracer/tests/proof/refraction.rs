@@ -25,7 +25,7 @@ fn tilt(d: DVec3) -> f64 {
 fn across_a_floor(ior: f64, incidence: f64, from_below: bool) -> TracedRay {
     let sign = if from_below { -1.0 } else { 1.0 };
     let d = falling(incidence) * v(1.0, sign, 1.0);
-    chain(&stage_of(vec![plane(DVec3::ZERO, 0.0, glass(ior))]), ray(-d, d))[1]
+    chain(&stage_of(vec![plane(DVec3::ZERO, 0.0, glass(ior))]), ray(-d, d)).swap_remove(1)
 }
 
 #[test]

@@ -1,0 +1,57 @@
+//! `catoptric audit`
+
+use anyhow::{Context as _, Result};
+use catoptric_lab::audit::{Audit, AuditSettings, audit};
+use catoptric_lab::exact;
+use catoptric_tracer::{Control, RenderSettings, Stage};
+
+use super::Outcome;
+use crate::arguments::AuditArguments;
+use crate::console::print;
+use crate::input;
+use crate::output::{check_output, is_stdout, write_text};
+
+pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
+    for path in arguments.dot.iter().chain(&arguments.svg).filter(|path| !is_stdout(path)) {
+        check_output(path, &[&arguments.scene])?;
+    }
+    let input = input::scene(&arguments.scene)?;
+    input.warn();
+    let scene = &input.loaded.scene;
+    let stage = Stage::prepare(scene).with_context(|| input.name.clone())?;
+    let stage = match arguments.generations {
+        Some(generations) => stage.with_generations(generations),
+        None => stage,
+    };
+    if arguments.exact {
+        let answers = exact::answers(scene);
+        let text = if arguments.json {
+            format!("{:#}\n", exact::to_json(&answers))
+        } else {
+            exact::to_text(&answers)
+        };
+        print(&text)?;
+    }
+    if let Some(pixel) = arguments.pixel {
+        let picture = RenderSettings {
+            width: arguments.size.width,
+            height: arguments.size.height,
+            samples: arguments.samples,
+        };
+        let settings = AuditSettings { picture, ..AuditSettings::default() };
+        let pixel = glam::UVec2::new(pixel.x, pixel.y);
+        let audit = audit(scene, &stage, stage.camera(), pixel, &settings, &Control::default())?;
+        write(&audit, arguments)?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn write(audit: &Audit, arguments: &AuditArguments) -> Result<()> {
+    let (path, text) = match (&arguments.dot, &arguments.svg) {
+        (Some(path), _) => (path, audit.to_dot(arguments.depth)),
+        (_, Some(path)) => (path, audit.to_svg(arguments.depth)),
+        _ if arguments.json => return print(&format!("{:#}\n", audit.to_json())),
+        _ => return print(&audit.to_text(arguments.depth)),
+    };
+    if is_stdout(path) { print(&text) } else { write_text(path, &text) }
+}

@@ -1,0 +1,47 @@
+//! What bodies and lights are called.
+
+use std::collections::BTreeMap;
+
+use catoptric_scene::Scene;
+
+/// The names of a scene's bodies and lights, as a person would say them: those of the file, or what they are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Names {
+    /// By the place in the scene.
+    bodies: BTreeMap<usize, String>,
+    /// Of those that are not hidden.
+    lights: Vec<String>,
+}
+
+impl Names {
+    /// The names of lights; those of bodies are added when they are met.
+    pub(super) fn of_lights(scene: &Scene) -> Self {
+        let lights = scene.lights.iter().enumerate().filter(|(_, light)| !light.hidden);
+        let name = |(number, light): (usize, &catoptric_scene::Light)| match light.name.as_str() {
+            "" => format!("light {}", number + 1),
+            name => format!("\"{name}\""),
+        };
+        Self { bodies: BTreeMap::new(), lights: lights.map(name).collect() }
+    }
+
+    /// Looks up the name of a body.
+    pub(super) fn meet(&mut self, scene: &Scene, body: usize) {
+        let name = || match scene.bodies.get(body) {
+            Some(found) if !found.name.is_empty() => format!("\"{}\"", found.name),
+            Some(found) => format!("{} {}", found.shape.key(), body + 1),
+            None => format!("body {}", body + 1),
+        };
+        self.bodies.entry(body).or_insert_with(name);
+    }
+
+    /// The name of the body at this place in the scene, in quotes, or its shape and number counted from 1. Bodies that no
+    /// ray of the audit meets are known by number only.
+    pub fn body(&self, body: usize) -> String {
+        self.bodies.get(&body).cloned().unwrap_or_else(|| format!("body {}", body + 1))
+    }
+
+    /// The name in quotes, or the number, of a light: its place among the scene's lights that are not hidden.
+    pub fn light(&self, light: usize) -> String {
+        self.lights.get(light).cloned().unwrap_or_else(|| format!("light {}", light + 1))
+    }
+}

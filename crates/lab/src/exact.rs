@@ -1,0 +1,275 @@
+//! Exact answers: where images of mirrors, focal points and highlights must be, and where the tracer has them.
+//!
+//! Each is worked out in double precision from the laws of optics, and by the tracer with the bodies concerned alone,
+//! so that nothing is in the way. The pictures that belong to them need not show them: an image may be hidden.
+
+mod geometry;
+mod mirrors;
+mod probe;
+mod report;
+mod spheres;
+
+use catoptric_scene::{Body, Scene, Shape};
+use glam::DVec3;
+
+pub use geometry::{alhazen, ball_crossing, ball_focal_length, mirrored, ring_of_images, sphere_image};
+pub use report::{to_json, to_text};
+
+/// An answer of optics, and the tracer's. Places of bodies and lights are those in the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExactAnswer {
+    /// The virtual image of a body's center in a plane mirror: as far behind the mirror as the body is before it.
+    PlaneImage {
+        /// The mirror.
+        mirror: usize,
+        /// The body.
+        body: usize,
+        /// The body's center.
+        object: DVec3,
+        /// The image.
+        image: Compared,
+    },
+    /// The images of a body's center in two plane mirrors.
+    Ring {
+        /// The mirrors.
+        mirrors: [usize; 2],
+        /// The body.
+        body: usize,
+        /// The body's center.
+        object: DVec3,
+        /// The angle between the mirrors, radians.
+        angle: f64,
+        /// All images.
+        images: Vec<RingImage>,
+    },
+    /// The image of a body's center in a spherical mirror, for rays near the line through both centers.
+    SphereImage {
+        /// The mirror.
+        mirror: usize,
+        /// The body.
+        body: usize,
+        /// The body's center.
+        object: DVec3,
+        /// The image; behind the surface it is virtual.
+        image: Compared,
+    },
+    /// The point of a spherical mirror where the eye sees a body's center (Alhazen's problem).
+    ReflectionPoint {
+        /// The mirror.
+        mirror: usize,
+        /// The body.
+        body: usize,
+        /// The body's center.
+        object: DVec3,
+        /// The point on the mirror.
+        point: Compared,
+    },
+    /// Where a ball of glass gathers light that comes along the line from the eye through its center.
+    Focus {
+        /// The ball.
+        body: usize,
+        /// The distance from its center for rays near that line, meters: n·R/(2(n − 1)).
+        focal_length: f64,
+        /// The focal point.
+        paraxial: Compared,
+        /// Where a ray [`MARGINAL`] radii from the line crosses it.
+        marginal: Compared,
+    },
+    /// The point of a body where the highlight of a light is brightest for the eye.
+    Highlight {
+        /// The body.
+        body: usize,
+        /// The light.
+        light: usize,
+        /// The point.
+        point: DVec3,
+        /// The angle that the tracer has there between the mirrored light and the way to the eye, radians: 0 but for
+        /// rounding. `None` if it finds another point or none.
+        off: Option<f64>,
+    },
+}
+
+impl ExactAnswer {
+    /// Whether the tracer has an answer, too.
+    pub fn is_found(&self) -> bool {
+        match self {
+            Self::PlaneImage { image, .. } | Self::SphereImage { image, .. } => image.found.is_some(),
+            Self::ReflectionPoint { point, .. } => point.found.is_some(),
+            Self::Focus { paraxial, marginal, .. } => paraxial.found.or(marginal.found).is_some(),
+            Self::Highlight { off, .. } => off.is_some(),
+            Self::Ring { images, .. } => images.iter().any(|image| image.miss.is_some()),
+        }
+    }
+}
+
+/// How far from the axis the marginal ray of [`ExactAnswer::Focus`] runs, in radii.
+pub const MARGINAL: f64 = 0.7;
+
+/// A point that is known, and where the tracer finds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// By the law, meters.
+    pub exact: DVec3,
+    /// By the tracer; `None` if its rays go elsewhere.
+    pub found: Option<DVec3>,
+}
+
+impl Compared {
+    /// How far apart they are, meters.
+    pub fn difference(&self) -> Option<f64> {
+        self.found.map(|found| found.distance(self.exact))
+    }
+}
+
+/// An image of the ring between two plane mirrors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RingImage {
+    /// Where it stands.
+    pub position: DVec3,
+    /// How many reflections make it.
+    pub reflections: u32,
+    /// How far the tracer's ray from the eye towards the image passes the body's center after its reflections, meters;
+    /// `None` if the eye does not see this image, as the mirrors end.
+    pub miss: Option<f64>,
+}
+
+/// Exact answers of a scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Answers {
+    /// The answers, in the order of kinds.
+    pub answers: Vec<ExactAnswer>,
+    /// What bodies and lights are called, by their place.
+    names: Vec<(usize, String)>,
+    lights: Vec<String>,
+    /// Whether there are more mirrors, bodies, balls or highlights than were looked at.
+    pub is_cut: bool,
+}
+
+/// What reflects less is no mirror to look into.
+const LEAST_MIRROR: f64 = 0.25;
+
+/// So many mirrors, bodies before them, and bodies with highlights are looked at.
+const MOST: usize = 8;
+
+/// The exact answers that a scene has, for the strongest of its mirrors and the first of its other bodies: those that the
+/// tracer has an answer to as well.
+pub fn answers(scene: &Scene) -> Answers {
+    let mut answers = answers_for(scene, None);
+    answers.answers.retain(ExactAnswer::is_found);
+    answers
+}
+
+/// The same for one body that is mirrored, gathers light or shines, or for all; also those that the tracer cannot
+/// follow, as a mirror ends too soon.
+pub fn answers_for(scene: &Scene, body: Option<usize>) -> Answers {
+    let setting = Setting::new(scene, body);
+    let mut found = Vec::new();
+    mirrors::answer(&setting, &mut found);
+    spheres::answer(&setting, &mut found);
+    let lights = scene.lights.iter().enumerate().map(|(place, light)| match light.name.as_str() {
+        "" => format!("light {}", place + 1),
+        name => format!("\"{name}\""),
+    });
+    let mut answers =
+        Answers { answers: found, names: Vec::new(), lights: lights.collect(), is_cut: setting.is_cut };
+    answers.name_bodies(scene);
+    answers
+}
+
+/// What the answers are about.
+struct Setting<'a> {
+    scene: &'a Scene,
+    /// Opaque mirrors, the strongest first.
+    mirrors: Vec<Place<'a>>,
+    /// Bodies that may be seen in them.
+    objects: Vec<Place<'a>>,
+    /// Transparent balls.
+    lenses: Vec<Place<'a>>,
+    /// Bodies with a highlight.
+    glossy: Vec<Place<'a>>,
+    is_cut: bool,
+}
+
+/// A body that takes part.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    index: usize,
+    body: &'a Body,
+    center: DVec3,
+}
+
+impl<'a> Setting<'a> {
+    fn new(scene: &'a Scene, only: Option<usize>) -> Self {
+        let mut setting = Self {
+            scene,
+            mirrors: Vec::new(),
+            objects: Vec::new(),
+            lenses: Vec::new(),
+            glossy: Vec::new(),
+            is_cut: false,
+        };
+        for (index, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
+            let Some(material) = scene.material(&body.material) else { continue };
+            let place = Place { index, body, center: center(body) };
+            let is_meant = only.is_none_or(|only| only == index);
+            let is_clear = material.transmission > 0.0 && material.tint != catoptric_scene::Color::BLACK;
+            let is_mirror = material.reflection() >= LEAST_MIRROR && !is_clear;
+            if is_mirror {
+                setting.mirrors.push(place);
+            }
+            let is_around = scene.camera.position.distance(place.center) < extent(body);
+            if is_meant && body.shape != Shape::Plane && !is_around && material.reflection() < LEAST_MIRROR {
+                keep(&mut setting.objects, place, &mut setting.is_cut);
+            }
+            if is_meant && is_clear && material.ior > 1.0 && radius(body).is_some() {
+                keep(&mut setting.lenses, place, &mut setting.is_cut);
+            }
+            if is_meant && material.specular > 0.0 && !is_around {
+                keep(&mut setting.glossy, place, &mut setting.is_cut);
+            }
+        }
+        let strength = |place: &Place<'_>| {
+            scene.material(&place.body.material).map_or(0.0, catoptric_scene::Material::reflection)
+        };
+        setting.mirrors.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
+        setting.is_cut |= setting.mirrors.len() > MOST;
+        setting.mirrors.truncate(MOST);
+        setting
+    }
+
+    fn eye(&self) -> DVec3 {
+        self.scene.camera.position
+    }
+}
+
+fn keep<'a>(places: &mut Vec<Place<'a>>, place: Place<'a>, is_cut: &mut bool) {
+    if places.len() < MOST { places.push(place) } else { *is_cut = true }
+}
+
+/// The middle of a body.
+fn center(body: &Body) -> DVec3 {
+    let middle = DVec3::Y * (0.5 * body.height().unwrap_or(0.0));
+    body.placement.world_from_body().transform_point3(middle)
+}
+
+/// The radius of a body that is a ball in the world too, meters.
+fn radius(body: &Body) -> Option<f64> {
+    let Shape::Sphere { radius } = body.shape else { return None };
+    let scale = body.placement.scale.abs();
+    let is_even = (scale.max_element() - scale.min_element()) <= 1e-12 * scale.max_element();
+    is_even.then_some(radius * scale.x)
+}
+
+/// How far a body reaches at most from its middle, meters.
+fn extent(body: &Body) -> f64 {
+    let own = match body.shape {
+        Shape::Sphere { radius } => radius,
+        Shape::Cube { size } => 0.5 * size.length(),
+        Shape::Cylinder { radius, height } => radius.hypot(0.5 * body.height().unwrap_or(height)),
+        Shape::Cone { radius, top_radius, height } => {
+            radius.max(top_radius).hypot(0.5 * body.height().unwrap_or(height))
+        }
+        Shape::Plane => f64::INFINITY,
+    };
+    own * body.placement.scale.abs().max_element()
+}

@@ -1,0 +1,251 @@
+//! The audit against the renderer, bit by bit.
+
+use std::panic::AssertUnwindSafe;
+
+use catoptric_lab::audit::{Audit, AuditError, AuditSettings, NodeKind, Proof, audit};
+use catoptric_picture::Picture;
+use catoptric_scene::{Color, Example, Material, Scene};
+use catoptric_tracer::{Control, Fate, RenderSettings, Stage, render};
+use glam::{DVec3, UVec2, Vec3};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree as _;
+use proptest::test_runner::TestRunner;
+
+use crate::scenes::{any_scene, ball, cases};
+
+fn look(scene: &Scene, picture: RenderSettings, pixel: UVec2) -> Audit {
+    let stage = Stage::prepare(scene).unwrap();
+    let settings = AuditSettings { picture, ..AuditSettings::default() };
+    audit(scene, &stage, stage.camera(), pixel, &settings, &Control::default()).unwrap()
+}
+
+fn rendered(scene: &Scene, picture: RenderSettings) -> Picture {
+    render(&Stage::prepare(scene).unwrap(), picture, &Control::default()).unwrap().picture
+}
+
+fn bits(light: [f32; 3]) -> [u32; 3] {
+    light.map(f32::to_bits)
+}
+
+/// Every claim that an audit makes of itself.
+fn assert_sound(audit: &Audit) {
+    for tree in &audit.trees {
+        for (place, node) in tree.nodes.iter().enumerate() {
+            let ray = &node.ray;
+            assert_eq!(ray.light, ray.weight * ray.local, "ray {place}: what it adds");
+            match ray.parent {
+                Some(parent) => {
+                    let parent = &tree.nodes[parent];
+                    assert!(ray.parent.unwrap() < place && parent.children.contains(&place));
+                    assert_eq!(ray.weight, parent.ray.weight * node.coefficient, "ray {place}: its weight");
+                    assert_eq!(Vec3::from(ray.ray.origin), parent.ray.hit.unwrap().position);
+                }
+                None => assert_eq!((place, ray.weight, node.kind), (0, Vec3::ONE, NodeKind::Primary)),
+            }
+            let below: DVec3 = node.children.iter().map(|&child| tree.nodes[child].brings).sum();
+            let sum = below + ray.light.as_dvec3();
+            assert!((node.brings - sum).abs().max_element() <= 1e-15 * (1.0 + sum.max_element()));
+            let weighted = node.radiance * ray.weight.as_dvec3();
+            assert!((weighted - node.brings).abs().max_element() < 1e-5 * (1e-3 + sum.max_element()));
+            let Some(answer) = node.answer() else { continue };
+            let mut local = answer.ambient;
+            for light in &answer.lights {
+                let (Some(shadow), Some(sent)) = (&light.shadow, light.answer) else { continue };
+                let diffuse = answer.color * answer.diffuse_coefficient * light.cosine;
+                assert_eq!(sent.diffuse, diffuse);
+                assert_eq!(sent.light, shadow.passed * sent.power * (sent.diffuse + sent.highlight));
+                let filters = shadow.crossings.iter().map(|crossing| crossing.filter.unwrap());
+                let passed: Vec3 = filters.product();
+                assert!((shadow.passed - passed).abs().max_element() < 1e-6, "ray {place}: its shadow");
+                local += sent.light;
+            }
+            assert_eq!(ray.local, local, "ray {place}: its local terms");
+            for light in &answer.lights {
+                let is_dark = light.shadow.as_ref().is_some_and(|shadow| shadow.passed == Vec3::ZERO);
+                assert_eq!(light.answer.is_some(), light.shadow.is_some() && !is_dark);
+                assert_eq!(light.shadow.is_some(), light.cosine > 0.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn audits_of_random_scenes_have_the_bits_of_the_picture() {
+    let strategy =
+        (any_scene(), prop::array::uniform2(0.3..0.6_f64), prop_oneof![3 => Just(1_u32), 1 => 2..6_u32]);
+    let (mut rays, mut certain, mut totals, mut all) = (0, 0, 0, 0);
+    let count = AssertUnwindSafe(|audit: &Audit| {
+        let nodes = || audit.trees.iter().flat_map(|tree| &tree.nodes);
+        (nodes().count(), nodes().filter(|node| node.kind == NodeKind::TotallyReflected).count())
+    });
+    let mut runner = TestRunner::new(cases(40));
+    for _ in 0..40 {
+        let (scene, at, samples) = strategy.new_tree(&mut runner).unwrap().current();
+        // Two tiles, one of them cut.
+        let settings = RenderSettings { width: 41, height: 33, samples };
+        let picture = rendered(&scene, settings);
+        for step in 0..6 {
+            let x = (at[0] * 41.0) as u32 + 3 * step;
+            let pixel = UVec2::new(x % 41, ((at[1] * 33.0) as u32 + 2 * step) % 33);
+            let audit = look(&scene, settings, pixel);
+            let truth = picture.pixels()[(pixel.y * 41 + pixel.x) as usize];
+            assert_eq!(bits(audit.light), bits(truth), "pixel {pixel} of {scene:#?}");
+            assert_sound(&audit);
+            let (more, total) = count(&audit);
+            (rays, totals, all) = (rays + more, totals + total, all + 1);
+            certain += usize::from(audit.proof == Proof::AnyOrder);
+        }
+    }
+    println!("{rays} rays, {totals} of them totally reflected, {certain} of {all} pixels certain");
+    assert!(rays > 1000 && totals > 20 && certain * 20 > all * 19, "{rays} {totals} {certain}");
+}
+
+#[test]
+fn every_pixel_of_the_examples_is_audited_exactly() {
+    for name in ["whitted", "mirror-box", "nested-glass"] {
+        let scene = Example::find(name).unwrap().load().unwrap().scene;
+        let settings = RenderSettings { width: 40, height: 24, samples: 1 };
+        let picture = rendered(&scene, settings);
+        for number in (0..40 * 24).step_by(7) {
+            let audit = look(&scene, settings, UVec2::new(number % 40, number / 40));
+            assert_eq!(bits(audit.light), bits(picture.pixels()[number as usize]), "{name}, pixel {number}");
+            assert_eq!(audit.proof, Proof::AnyOrder);
+            assert_sound(&audit);
+        }
+    }
+}
+
+fn glass_heap() -> Scene {
+    let glass = Material {
+        transmission: 0.9,
+        reflection: Some(0.4),
+        ambient: 0.0,
+        diffuse: 0.0,
+        specular: 0.5,
+        ior: 1.5,
+        ..Material::default()
+    };
+    let balls = (0..27).map(|number| {
+        let at = [number % 3, number / 3 % 3, number / 9].map(|step| 0.7 * f64::from(step) - 0.7);
+        ball(0.4, DVec3::from(at) + DVec3::Y, glass)
+    });
+    let mut scene = Scene { bodies: balls.collect(), ..Scene::default() };
+    scene.tracing.generations = 40;
+    scene
+}
+
+#[test]
+fn a_tree_that_is_too_large_says_what_it_leaves_out() {
+    let mut scene = glass_heap();
+    scene.tracing.generations = 14;
+    let stage = Stage::prepare(&scene).unwrap();
+    let picture = RenderSettings { width: 33, height: 33, samples: 1 };
+    let settings = AuditSettings { picture, most_rays: 100 };
+    let pixel = UVec2::new(16, 16);
+    let audit = audit(&scene, &stage, stage.camera(), pixel, &settings, &Control::default()).unwrap();
+    assert_eq!((audit.trees[0].nodes.len(), audit.proof), (100, Proof::Incomplete));
+    assert!(audit.trees[0].left_out > 0);
+    assert_eq!(bits(audit.light), bits(rendered(&scene, picture).pixels()[16 * 33 + 16]));
+    // What is there is the heaviest part.
+    assert!(audit.sum.max_element() < audit.light[0].into());
+    let weight = |fate_is_left_out: bool| {
+        let answers = audit.trees[0].nodes.iter().filter_map(|node| node.answer());
+        let branches = answers.flat_map(|answer| [answer.reflected, answer.refracted]);
+        let wanted = branches.filter(move |branch| {
+            if fate_is_left_out {
+                branch.fate == Fate::LeftOut
+            } else {
+                matches!(branch.fate, Fate::Followed(_))
+            }
+        });
+        wanted.map(|branch| branch.weight.max_element())
+    };
+    let (heaviest_left, lightest_taken) =
+        (weight(true).fold(0.0, f32::max), weight(false).fold(1.0, f32::min));
+    assert!(heaviest_left <= lightest_taken, "{heaviest_left} {lightest_taken}");
+    assert_sound(&audit);
+    for text in [audit.to_text(None), audit.to_dot(None), audit.to_svg(None), audit.to_json().to_string()] {
+        assert!(text.contains("eft"), "{text}");
+    }
+}
+
+#[test]
+fn ends_of_branches_have_reasons() {
+    let mut scene = Example::find("whitted").unwrap().load().unwrap().scene;
+    scene.tracing.generations = 3;
+    scene.tracing.threshold = 0.05;
+    let settings = RenderSettings { width: 64, height: 36, samples: 1 };
+    let mut seen = [0; 5];
+    for number in 0..64 * 36 {
+        let audit = look(&scene, settings, UVec2::new(number % 64, number / 64));
+        for answer in audit.trees[0].nodes.iter().filter_map(|node| node.answer()) {
+            for branch in [answer.reflected, answer.refracted] {
+                let largest = branch.weight.max_element();
+                let kind = match branch.fate {
+                    Fate::Followed(_) => 0,
+                    Fate::Nothing => {
+                        assert_eq!(largest, 0.0);
+                        1
+                    }
+                    Fate::TotalReflection => 2,
+                    Fate::GenerationLimit => 3,
+                    Fate::Threshold => {
+                        assert!(largest < 0.05 && largest > 0.0);
+                        4
+                    }
+                    Fate::LeftOut => panic!("nothing is left out here"),
+                };
+                seen[kind] += 1;
+            }
+        }
+    }
+    assert!([0, 1, 3, 4].iter().all(|&kind| seen[kind] > 0), "{seen:?}");
+}
+
+#[test]
+fn pixels_beyond_the_picture_are_refused() {
+    let scene = Scene::default();
+    let stage = Stage::prepare(&scene).unwrap();
+    let try_at = |pixel: UVec2, width: u32| {
+        let picture = RenderSettings { width, height: 4, samples: 1 };
+        let settings = AuditSettings { picture, ..AuditSettings::default() };
+        audit(&scene, &stage, stage.camera(), pixel, &settings, &Control::default())
+    };
+    for pixel in [UVec2::new(4, 0), UVec2::new(0, 4), UVec2::MAX] {
+        let error = try_at(pixel, 4).unwrap_err();
+        assert!(matches!(error, AuditError::NoSuchPixel { .. }), "{error}");
+    }
+    assert!(matches!(try_at(UVec2::ZERO, 0), Err(AuditError::Size(_))));
+    assert_eq!(
+        try_at(UVec2::new(3, 3), 4).unwrap().light,
+        scene.environment.background.to_array().map(|c| c as f32)
+    );
+}
+
+#[test]
+fn a_cancelled_audit_has_no_result() {
+    let scene = glass_heap();
+    let stage = Stage::prepare(&scene).unwrap();
+    let picture = RenderSettings { width: 9, height: 9, samples: 1 };
+    let settings = AuditSettings { picture, most_rays: usize::MAX };
+    let control = Control::default();
+    control.cancel();
+    let outcome = audit(&scene, &stage, stage.camera(), UVec2::new(4, 4), &settings, &control);
+    assert!(matches!(outcome, Err(AuditError::Cancelled)));
+}
+
+#[test]
+fn names_are_harmless_in_every_format() {
+    let mut scene = glass_heap();
+    scene.environment.background = Color::WHITE;
+    scene.tracing.generations = 2;
+    for index in 0..27 {
+        if let Some(body) = scene.bodies.get_mut(index) {
+            body.name = format!("<b\"&\\{index}>");
+        }
+    }
+    let audit = look(&scene, RenderSettings { width: 9, height: 9, samples: 1 }, UVec2::new(4, 4));
+    let svg = audit.to_svg(None);
+    assert!(svg.contains("&lt;b&quot;&amp;") && !svg.contains("<b"), "{svg}");
+    assert!(audit.to_dot(None).contains("<b\\\"&\\\\"));
+}

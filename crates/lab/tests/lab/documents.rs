@@ -1,0 +1,42 @@
+//! The documents' worked example is what the program prints.
+
+use std::fs;
+
+use catoptric_lab::audit::{AuditSettings, audit};
+use catoptric_scene::Example;
+use catoptric_tracer::{Control, Stage};
+use glam::UVec2;
+
+const BEGIN: &str = "    catoptric audit whitted --pixel 800,440\n\n```text\n";
+const END: &str = "```\n";
+
+/// `BLESS=1` writes the listing into both documents; the words around it are to be read again then.
+#[test]
+fn the_pixel_explained_is_the_pixel() {
+    let scene = Example::find("whitted").unwrap().load().unwrap().scene;
+    let stage = Stage::prepare(&scene).unwrap();
+    let pixel = UVec2::new(800, 440);
+    let audit =
+        audit(&scene, &stage, stage.camera(), pixel, &AuditSettings::default(), &Control::default()).unwrap();
+    let listing = audit.to_text(None);
+    for language in ["en", "ru"] {
+        let path = format!("{}/../../docs/{language}/audit.md", env!("CARGO_MANIFEST_DIR"));
+        let text = fs::read_to_string(&path).unwrap();
+        let (head, rest) = text.split_once(BEGIN).unwrap();
+        let (written, tail) = rest.split_once(END).unwrap();
+        if std::env::var_os("BLESS").is_some() {
+            fs::write(&path, format!("{head}{BEGIN}{listing}{END}{tail}")).unwrap();
+        } else {
+            assert_eq!(written, listing, "{path} is out of date: BLESS=1 refreshes it");
+        }
+        let mut numbers = 0;
+        for word in tail.split(|c: char| !(c.is_ascii_digit() || c == '.')) {
+            let number = word.trim_matches('.');
+            if number.contains('.') && number.len() >= 5 {
+                assert!(listing.contains(number), "{path}: {number} is not in the listing");
+                numbers += 1;
+            }
+        }
+        assert!(numbers > 20, "{path}: only {numbers} numbers are explained");
+    }
+}

@@ -1,0 +1,125 @@
+//! Random scenes of everything, and short ways to build scenes.
+
+use catoptric_scene::{
+    Anchor, Body, Camera, Checker, Color, Falloff, Light, Material, MaterialChoice, Placement, Projection,
+    Scene, Shape, Tracing,
+};
+use glam::DVec3;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+
+/// The same cases every time. `PROPTEST_RNG_SEED` and `PROPTEST_CASES` explore others.
+pub(crate) fn cases(count: u32) -> Config {
+    let mut config = Config::default();
+    if config.rng_seed == RngSeed::Random {
+        config.rng_seed = RngSeed::Fixed(0x0CA7_0971C);
+    }
+    if std::env::var_os("PROPTEST_CASES").is_none() {
+        config.cases = count;
+    }
+    config.failure_persistence = None;
+    config
+}
+
+pub(crate) fn body(shape: Shape, position: DVec3, material: Material) -> Body {
+    let material = MaterialChoice::Inline(Box::new(material));
+    Body { shape, placement: Placement::at(position), material, ..Body::default() }
+}
+
+pub(crate) fn ball(radius: f64, position: DVec3, material: Material) -> Body {
+    body(Shape::Sphere { radius }, position, material)
+}
+
+fn color() -> impl Strategy<Value = Color> {
+    prop::array::uniform3(0.1..1.0_f64).prop_map(Color::from)
+}
+
+fn material() -> impl Strategy<Value = Material> {
+    let opaque = (color(), 0.0..1.0_f64, 0.0..0.9_f64, 1.0..100.0_f64).prop_map(
+        |(color, diffuse, specular, shininess)| Material {
+            color,
+            diffuse,
+            specular,
+            shininess,
+            ..Material::default()
+        },
+    );
+    let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| Material {
+        color,
+        checker: Some(Checker { color: other, size }),
+        ..Material::default()
+    });
+    let clear = (color(), 0.4..1.0_f64, 0.0..0.5_f64, 0.7..2.0_f64).prop_map(
+        |(tint, transmission, reflection, ior)| Material {
+            ambient: 0.02,
+            diffuse: 0.1,
+            specular: 0.4,
+            tint,
+            transmission,
+            reflection: Some(reflection),
+            ior,
+            ..Material::default()
+        },
+    );
+    prop_oneof![2 => opaque, 1 => checkered, 3 => clear]
+}
+
+fn any_body() -> impl Strategy<Value = Body> {
+    let shape = prop_oneof![
+        (0.2..0.9_f64).prop_map(|radius| Shape::Sphere { radius }),
+        prop::array::uniform3(0.3..1.5_f64).prop_map(|size| Shape::Cube { size: size.into() }),
+        (0.2..0.7_f64, 0.4..1.6_f64).prop_map(|(radius, height)| Shape::Cylinder { radius, height }),
+        (0.2..0.8_f64, 0.0..0.5_f64, 0.5..1.6_f64).prop_map(|(radius, top_radius, height)| Shape::Cone {
+            radius,
+            top_radius,
+            height
+        }),
+    ];
+    let place = (-1.5..1.5_f64, 0.1..1.8_f64, -1.5..1.5_f64).prop_map(DVec3::from);
+    let turn = prop::array::uniform3(-180.0..180.0_f64).prop_map(DVec3::from);
+    (shape, place, turn, material()).prop_map(|(shape, position, rotation_degrees, material)| {
+        let mut body = body(shape, position, material);
+        body.placement.anchor = Anchor::Frame { position, rotation_degrees };
+        body
+    })
+}
+
+fn lamp() -> impl Strategy<Value = Light> {
+    let falloff = prop_oneof![
+        Just(Falloff::None),
+        (0.0..2.0_f64).prop_map(|constant| Falloff::Linear { constant }),
+        Just(Falloff::InverseSquare),
+    ];
+    (prop::array::uniform3(-6.0..6.0_f64), 0.0..1.5_f64, falloff, any::<bool>()).prop_map(
+        |([x, y, z], intensity, falloff, hidden)| Light {
+            position: DVec3::new(x, y, z),
+            intensity,
+            falloff,
+            hidden,
+            ..Light::default()
+        },
+    )
+}
+
+/// Bodies of all kinds on a floor, in front of a camera of either kind.
+pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
+    let bodies = prop::collection::vec(any_body(), 1..18);
+    let lights = prop::collection::vec(lamp(), 1..4);
+    let eye = (-4.0..4.0_f64, 0.3..4.0_f64, 2.0..7.0_f64).prop_map(DVec3::from);
+    let floor = prop::option::of(material());
+    let tracing = (1..8_u32, prop_oneof![Just(0.0), 0.0..0.05_f64]);
+    (bodies, floor, lights, eye, any::<bool>(), color(), tracing).prop_map(
+        |(mut bodies, floor, lights, position, is_parallel, background, (generations, threshold))| {
+            bodies.extend(floor.map(|material| body(Shape::Plane, DVec3::ZERO, material)));
+            let target = DVec3::new(0.0, 0.9, 0.0);
+            let mut scene = Scene { bodies: bodies.into_iter().collect(), lights, ..Scene::default() };
+            scene.camera = Camera { position, target, ..Camera::default() };
+            if is_parallel {
+                scene.camera.projection = Projection::Parallel { height: 4.0 };
+            }
+            scene.environment.background = background;
+            scene.tracing = Tracing { generations, threshold };
+            scene
+        },
+    )
+}

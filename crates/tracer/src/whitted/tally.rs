@@ -1,0 +1,58 @@
+//! The tree of a pixel in figures.
+
+use glam::{DVec3, UVec2, Vec3};
+
+use super::{Beams, Origin, Whitted};
+use crate::counts::RayCounts;
+use crate::lanes::One;
+use crate::tile::Place;
+
+/// What the rays of one sample of a pixel come to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// The rays.
+    pub counts: RayCounts,
+    /// The light of the rays of each generation, the first first; as long as the tree is deep.
+    pub generations: Vec<DVec3>,
+    /// Whether all rays were followed.
+    pub is_complete: bool,
+}
+
+impl Tally {
+    /// The light of all generations.
+    pub fn light(&self) -> DVec3 {
+        self.generations.iter().sum()
+    }
+}
+
+impl Whitted<'_> {
+    /// Counts the rays of one sample of a pixel (column, row) of a picture of `size` pixels, and adds up their light
+    /// generation by generation. After about `most_rays`, shadow rays not counted, it gives up; so it does when it is
+    /// cancelled. A pixel that is not in the picture has no rays.
+    pub fn pixel_tally(&mut self, pixel: UVec2, size: UVec2, sample: u32, most_rays: usize) -> Tally {
+        if pixel.x >= size.x || pixel.y >= size.y {
+            return Tally::default();
+        }
+        self.tidy();
+        let before = self.counts;
+        let ray = Place::around(pixel, size).ray(self.camera, (pixel, size), sample);
+        let mut pending: Vec<Beams<One>> = vec![self.roots(One, ray, 0, true)];
+        let mut generations: Vec<DVec3> = Vec::new();
+        let mut followed = 0;
+        while followed < most_rays
+            && !self.is_cancelled_at(followed)
+            && let Some(beam) = pending.pop()
+        {
+            let light = Vec3::from(self.follow(One, &beam, Origin::Anywhere, &mut pending).light).as_dvec3();
+            let generation = beam.generation as usize;
+            if generations.len() < generation {
+                generations.resize(generation, DVec3::ZERO);
+            }
+            if let Some(sum) = generation.checked_sub(1).and_then(|place| generations.get_mut(place)) {
+                *sum += light;
+            }
+            followed += 1;
+        }
+        Tally { counts: self.counts - before, generations, is_complete: pending.is_empty() }
+    }
+}
