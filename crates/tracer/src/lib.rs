@@ -27,6 +27,6 @@ pub use ray::{NO_BODY, Ray, Start};
 pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_through};
 pub use sampling::sample_offset;
 pub use search::Hit;
-pub use stage::{Stage, StageCamera, StageEdit, StageError};
+pub use stage::{Search, Stage, StageCamera, StageEdit, StageError};
 pub use vector::Vector;
 pub use whitted::{RayKind, TracedRay, Whitted};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use catoptric_scene::Scene;
 
-use super::{Entry, Hierarchy, Stage};
+use super::{Entry, Hierarchy, Search, Stage};
 
 /// Up to this many bodies are looked for one by one.
 const FEW_WANTED: usize = 256;
@@ -35,7 +35,7 @@ impl Stage {
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut entries);
+        let hierarchy = Hierarchy::over(&mut entries, Search::Quickest);
         let order: Vec<u32> = entries.iter().map(Entry::place).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),
