@@ -7,6 +7,7 @@ mod counts;
 mod film;
 mod lanes;
 mod media;
+pub mod method;
 mod pick;
 mod ray;
 mod render;
