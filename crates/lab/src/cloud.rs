@@ -161,7 +161,10 @@ mod tests {
         assert_eq!(large.bodies[2], scene.bodies[3]);
         for body in large.bodies.iter().skip(3) {
             let origin = body.placement.origin();
-            assert!(origin.cmpge(DVec3::new(-3.0, -1.0, -1.0)).all() && origin.cmple(DVec3::new(3.0, 1.0, 1.0)).all());
+            assert!(
+                origin.cmpge(DVec3::new(-3.0, -1.0, -1.0)).all()
+                    && origin.cmple(DVec3::new(3.0, 1.0, 1.0)).all()
+            );
             assert!(large.material(&body.material).is_some());
         }
         // The volume that the bodies have to themselves does not depend on their number.

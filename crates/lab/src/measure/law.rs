@@ -148,9 +148,8 @@ fn exponential(law: Law, points: &[(f64, f64)], least: f64, greatest: f64) -> Op
     // Even steps of the logarithm of the ratio.
     const STEPS: usize = 200;
     let ratio = |step: f64| least * (greatest / least).powf(step / STEPS as f64);
-    let best = (0..=STEPS).min_by(|&one, &other| {
-        residual(ratio(one as f64)).total_cmp(&residual(ratio(other as f64)))
-    })?;
+    let best = (0..=STEPS)
+        .min_by(|&one, &other| residual(ratio(one as f64)).total_cmp(&residual(ratio(other as f64))))?;
     let step = golden_section(best as f64 - 1.0, best as f64 + 1.0, |step| {
         residual(ratio(step.clamp(0.0, STEPS as f64)))
     });
@@ -207,7 +206,8 @@ fn finished(law: Law, points: &[(f64, f64)], coefficients: Vec<Coefficient>) -> 
     // A power law is a line of logarithms, and its R² is that line's.
     let scale = |t: f64| if law == Law::Power { t.ln() } else { t };
     let mean = points.iter().map(|&(_, t)| scale(t)).sum::<f64>() / count;
-    let squares = |term: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(|point| term(point).powi(2)).sum::<f64>();
+    let squares =
+        |term: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(|point| term(point).powi(2)).sum::<f64>();
     let variation = squares(&|&(_, t)| scale(t) - mean);
     let rest = squares(&|&(x, t)| scale(t) - scale(fit.at(x)));
     fit.r_squared = if variation > 0.0 { 1.0 - rest / variation } else { 0.0 };

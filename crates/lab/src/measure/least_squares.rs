@@ -107,7 +107,18 @@ mod tests {
 
     #[test]
     fn students_t_is_that_of_the_tables() {
-        for (freedom, t) in [(1, 12.706), (2, 4.303), (3, 3.182), (4, 2.776), (5, 2.571), (6, 2.447), (9, 2.262), (10, 2.228), (30, 2.042), (120, 1.980)] {
+        for (freedom, t) in [
+            (1, 12.706),
+            (2, 4.303),
+            (3, 3.182),
+            (4, 2.776),
+            (5, 2.571),
+            (6, 2.447),
+            (9, 2.262),
+            (10, 2.228),
+            (30, 2.042),
+            (120, 1.980),
+        ] {
             assert!((student(freedom) - t).abs() < 6e-4, "{freedom}: {}", student(freedom));
         }
     }
@@ -117,7 +128,9 @@ mod tests {
         // The line through (1, 1), (2, 2), (3, 4): slope 3/2, intercept −2/3, residual 1/6.
         let rows: Vec<Vec<f64>> = [1.0, 2.0, 3.0].map(|x| vec![1.0, x]).to_vec();
         let found = solve(&rows, &[1.0, 2.0, 4.0], &[1.0; 3]).unwrap();
-        assert!((found.coefficients[0] + 2.0 / 3.0).abs() < 1e-12 && (found.coefficients[1] - 1.5).abs() < 1e-12);
+        assert!(
+            (found.coefficients[0] + 2.0 / 3.0).abs() < 1e-12 && (found.coefficients[1] - 1.5).abs() < 1e-12
+        );
         assert!((found.residual - 1.0 / 6.0).abs() < 1e-12);
         // Variance of the slope: (1/6) / Σ(x − 2)² = 1/12.
         assert!((found.margins[1] - 12.706 * (1.0_f64 / 12.0).sqrt()).abs() < 1e-3);

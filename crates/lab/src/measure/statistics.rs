@@ -49,7 +49,11 @@ pub fn summarize(values: &[f64]) -> Option<Summary> {
         coverage,
         least: at(0)?,
         greatest: at(count - 1)?,
-        outliers: (0..).zip(values).filter(|(_, value)| is_outlier(**value)).map(|(place, _)| place).collect(),
+        outliers: (0..)
+            .zip(values)
+            .filter(|(_, value)| is_outlier(**value))
+            .map(|(place, _)| place)
+            .collect(),
     })
 }
 
@@ -86,9 +90,15 @@ mod tests {
     #[test]
     fn the_ranks_are_those_of_the_tables() {
         // From the table of Le Boudec 2010, appendix A: n, rank of the lower end (from 1), coverage.
-        for (count, rank, coverage) in
-            [(6, 1, 0.969), (8, 1, 0.992), (9, 2, 0.961), (11, 2, 0.988), (12, 3, 0.961), (20, 6, 0.959), (31, 10, 0.971)]
-        {
+        for (count, rank, coverage) in [
+            (6, 1, 0.969),
+            (8, 1, 0.992),
+            (9, 2, 0.961),
+            (11, 2, 0.988),
+            (12, 3, 0.961),
+            (20, 6, 0.959),
+            (31, 10, 0.971),
+        ] {
             let found = interval(count);
             assert_eq!(found.0 + 1, rank, "{count}");
             assert!((found.1 - coverage).abs() < 1e-3, "{count}: {found:?}");
