@@ -64,10 +64,9 @@ impl Frame {
         Ok(values)
     }
 
-    /// The pixel at this place of the picture, if there is one.
-    pub(super) fn index(self, at: DVec2) -> Option<usize> {
-        let inside = at.x >= 0.0 && at.y >= 0.0 && at.x < self.width as f64 && at.y < self.height as f64;
-        inside.then(|| at.y as usize * self.width + at.x as usize)
+    /// Whether a place lies in the picture.
+    pub(super) fn holds(self, at: DVec2) -> bool {
+        at.cmpge(DVec2::ZERO).all() && at.cmplt(self.size()).all()
     }
 
     /// Calls `row` for each row of `values` with what `make` makes once for each thread, on all threads; the counts that

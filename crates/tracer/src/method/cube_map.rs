@@ -13,6 +13,7 @@ use crate::counts::RayCounts;
 use crate::render::{Control, RenderSettings, render_through};
 use crate::stage::Stage;
 
+pub(super) use cache::around;
 pub use cache::{CubeMapUse, CubeMaps};
 pub(super) use proxy::{Proxy, center_of};
 

@@ -114,11 +114,6 @@ impl GBuffer {
         })
     }
 
-    /// The place in the picture of the sample of pixel (x, y).
-    pub(super) fn place(&self, x: usize, y: usize) -> DVec2 {
-        DVec2::new(x as f64, y as f64) + self.offset
-    }
-
     /// The geometry pass: finds the points of a sample.
     pub(super) fn look(
         &mut self,

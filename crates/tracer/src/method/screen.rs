@@ -45,12 +45,6 @@ struct Mark {
     depth: f64,
 }
 
-/// What the screen shows at a place.
-struct Shown<'a> {
-    depth: f64,
-    texel: &'a Texel,
-}
-
 impl Way {
     fn new(from: Homogeneous, along: Homogeneous, reach: f64) -> Self {
         let end = from.at + along.at * reach;
@@ -92,8 +86,8 @@ impl Screen<'_> {
         let mut step = 0.0;
         while step < count {
             let here = way.at((step + 1.0) / count);
-            if let Some(shown) = self.in_way(own, direction, here)
-                && self.is_within(here, last, &shown)
+            if let Some(behind) = self.behind(own, direction, here)
+                && self.is_within(behind, here, last)
                 && let Some(at) = self.refine(&way, own, direction, [step / count, (step + 1.0) / count])
             {
                 return Fate::Met(at);
@@ -124,58 +118,57 @@ impl Screen<'_> {
         }
     }
 
-    /// What stands at a mark of a ray and may be met: another body (a convex one is never met by rays that leave it), on
-    /// the side that the eye sees, and not behind the ray's depth.
-    fn in_way(&self, own: u32, direction: DVec3, mark: Mark) -> Option<Shown<'_>> {
-        let shown = self.shown(mark.at)?;
-        let faces = exact(shown.texel.normal).dot(direction) < 0.0;
-        (shown.texel.start.body != own && faces && mark.depth >= shown.depth).then_some(shown)
+    /// How far a mark of a ray lies behind a surface that it may meet there: one of another body (a convex one is never met
+    /// by rays that leave it), on the side that the eye sees.
+    fn behind(&self, own: u32, direction: DVec3, mark: Mark) -> Option<f64> {
+        let texel = self.nearest(mark.at).filter(|texel| !texel.is_empty() && texel.start.body != own)?;
+        let may_be_met = exact(texel.normal).dot(direction) < 0.0;
+        let behind = mark.depth - may_be_met.then(|| self.depth(mark.at, texel))?;
+        (behind >= 0.0).then_some(behind)
     }
 
-    /// Whether a ray that has come behind what is shown did so by no more than the thickness, and the depth that it made
-    /// since the last mark.
-    fn is_within(&self, mark: Mark, last: Mark, shown: &Shown<'_>) -> bool {
-        mark.depth - shown.depth <= self.settings.thickness + (mark.depth - last.depth).abs()
+    /// Whether a ray is behind a surface by no more than the thickness, and the depth that it made since the last mark.
+    fn is_within(&self, behind: f64, mark: Mark, last: Mark) -> bool {
+        behind <= self.settings.thickness + (mark.depth - last.depth).abs()
     }
 
     /// Halves the step in which a surface was met.
     fn refine(&self, way: &Way, own: u32, direction: DVec3, [mut low, mut high]: [f64; 2]) -> Option<DVec2> {
         for _ in 0..self.settings.refinements {
             let middle = 0.5 * (low + high);
-            if self.in_way(own, direction, way.at(middle)).is_some() {
+            if self.behind(own, direction, way.at(middle)).is_some() {
                 high = middle;
             } else {
                 low = middle;
             }
         }
         let mark = way.at(high);
-        let shown = self.in_way(own, direction, mark)?;
-        self.is_within(mark, way.at(low), &shown).then_some(mark.at)
+        let behind = self.behind(own, direction, mark)?;
+        self.is_within(behind, mark, way.at(low)).then_some(mark.at)
     }
 
-    /// What the screen shows at a place. Depths are interpolated between pixels of one body, 1/w evenly on the screen.
-    fn shown(&self, at: DVec2) -> Option<Shown<'_>> {
-        let around = self.around(at);
-        let texel = around.nearest(&self.buffer.texels).filter(|texel| !texel.is_empty())?;
-        let mut sum = 0.0;
+    /// How deep the surface of `texel` lies at a place. Depths are interpolated between pixels of one body, 1/w evenly on
+    /// the screen.
+    fn depth(&self, at: DVec2, texel: &Texel) -> f64 {
         let is_parallel = self.camera.parallel_height().is_some();
-        for (index, weight) in around.neighbors {
-            let other = self.buffer.texels.get(index)?;
-            if other.start != texel.start {
-                return Some(Shown { depth: f64::from(texel.depth), texel });
+        let mut sum = 0.0;
+        for (index, weight) in self.neighbors(at) {
+            match self.buffer.texels.get(index) {
+                Some(other) if other.start == texel.start => {
+                    let depth = f64::from(other.depth);
+                    sum += weight * if is_parallel { depth } else { depth.recip() };
+                }
+                _ => return f64::from(texel.depth),
             }
-            let depth = f64::from(other.depth);
-            sum += weight * if is_parallel { depth } else { depth.recip() };
         }
-        Some(Shown { depth: if is_parallel { sum } else { sum.recip() }, texel })
+        if is_parallel { sum } else { sum.recip() }
     }
 
     /// The light that the picture has at a place, interpolated between pixels of one body.
     pub(super) fn light(&self, at: DVec2) -> Vector<f32> {
-        let around = self.around(at);
-        let body = around.nearest(&self.buffer.texels).map(|texel| texel.start);
+        let body = self.nearest(at).map(|texel| texel.start);
         let (mut light, mut weights) = (DVec3::ZERO, 0.0);
-        for (index, weight) in around.neighbors {
+        for (index, weight) in self.neighbors(at) {
             if self.buffer.texels.get(index).map(|texel| texel.start) == body {
                 light += weight * self.buffer.lit.get(index).map_or(DVec3::ZERO, |lit| exact(*lit));
                 weights += weight;
@@ -184,34 +177,27 @@ impl Screen<'_> {
         super::probe::vector(light / weights)
     }
 
-    fn around(&self, at: DVec2) -> Around {
+    /// The pixel whose sample is nearest to a place.
+    fn nearest(&self, at: DVec2) -> Option<&Texel> {
+        let frame = self.buffer.frame;
+        let place = at - self.buffer.offset + 0.5;
+        let (x, y) = (place.x.max(0.0) as usize, place.y.max(0.0) as usize);
+        self.buffer.texels.get(y.min(frame.height - 1) * frame.width + x.min(frame.width - 1))
+    }
+
+    /// The four pixels around a place with their shares, which add up to 1.
+    fn neighbors(&self, at: DVec2) -> [(usize, f64); 4] {
         let frame = self.buffer.frame;
         let last = frame.size() - 1.0;
         let place = (at - self.buffer.offset).clamp(DVec2::ZERO, last);
         let low = place.floor();
         let part = place - low;
-        let index = |at: DVec2| at.y as usize * frame.width + at.x as usize;
-        let corner = |x: f64, y: f64| {
-            let at = (low + DVec2::new(x, y)).min(last);
-            let share = |part: f64, side: f64| if side == 1.0 { part } else { 1.0 - part };
-            (index(at), share(part.x, x) * share(part.y, y))
+        let corner = |right: bool, down: bool| {
+            let x = (low.x as usize + usize::from(right)).min(frame.width - 1);
+            let y = (low.y as usize + usize::from(down)).min(frame.height - 1);
+            let share = |part: f64, is_second: bool| if is_second { part } else { 1.0 - part };
+            (y * frame.width + x, share(part.x, right) * share(part.y, down))
         };
-        Around {
-            nearest: index((place + 0.5).floor().min(last)),
-            neighbors: [corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0)],
-        }
-    }
-}
-
-/// The pixels around a place.
-struct Around {
-    nearest: usize,
-    /// The four with their shares, which add up to 1.
-    neighbors: [(usize, f64); 4],
-}
-
-impl Around {
-    fn nearest<'t>(&self, texels: &'t [Texel]) -> Option<&'t Texel> {
-        texels.get(self.nearest)
+        [corner(false, false), corner(true, false), corner(false, true), corner(true, true)]
     }
 }

@@ -73,9 +73,17 @@ fn odd_scenes_make_finite_pictures() {
     let odd = [
         Scene::default(),
         // The eye in a plane, on a body, in a mirror ball, and far away.
-        scene(vec![body(Shape::Plane, DVec3::ZERO, mirror())], camera(v(0.0, 0.0, 1.0), DVec3::ZERO, 60.0), vec![]),
+        scene(
+            vec![body(Shape::Plane, DVec3::ZERO, mirror())],
+            camera(v(0.0, 0.0, 1.0), DVec3::ZERO, 60.0),
+            vec![],
+        ),
         scene(vec![ball(1.0, DVec3::ZERO, mirror())], camera(v(0.0, 0.0, 1.0), DVec3::ZERO, 60.0), vec![]),
-        scene(vec![ball(1.0, DVec3::ZERO, mirror())], camera(v(0.0, 0.1, 0.2), v(1.0, 0.0, 0.0), 170.0), vec![]),
+        scene(
+            vec![ball(1.0, DVec3::ZERO, mirror())],
+            camera(v(0.0, 0.1, 0.2), v(1.0, 0.0, 0.0), 170.0),
+            vec![],
+        ),
         scene(
             vec![ball(1.0, DVec3::ZERO, mirror()), body(Shape::Plane, v(0.0, -1.0, 0.0), mirror())],
             camera(v(0.0, 3e6, 1e7), DVec3::ZERO, 1e-5),

@@ -5,4 +5,5 @@
 mod common;
 mod driver;
 mod mirrored;
+mod reasons;
 mod shaded;

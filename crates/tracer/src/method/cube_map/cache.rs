@@ -121,9 +121,12 @@ fn render_around(
     size: u32,
     control: &Control,
 ) -> Result<(CubeMap, RayCounts), MethodError> {
-    // The map is the second generation of its pictures.
-    let others = stage.without(index).with_generations(stage.generations.saturating_sub(1));
-    CubeMap::render(&others, center_of(stage, index), size, control)
+    CubeMap::render(&around(stage, index), center_of(stage, index), size, control)
+}
+
+/// What the map of a body shows: the stage without it. The first rays of a map are the second generation of a picture.
+pub(in crate::method) fn around(stage: &Stage, index: u32) -> Stage {
+    stage.without(index).with_generations(stage.generations.saturating_sub(1))
 }
 
 /// All that maps can show.
