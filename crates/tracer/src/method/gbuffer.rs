@@ -2,6 +2,7 @@
 
 use catoptric_picture::{Picture, SizeError};
 use glam::DVec2;
+use rayon::prelude::*;
 
 use super::canvas::Frame;
 use super::probe::{Point, Probe, color_of, exact, vector};
@@ -97,6 +98,8 @@ pub(super) struct GBuffer {
     /// Where the sample lies in its pixel.
     pub(super) offset: DVec2,
     pub(super) texels: Vec<Texel>,
+    /// The least depth of a pixel and its eight neighbors: in front of it, there is nothing at all.
+    pub(super) fronts: Vec<f32>,
     /// The local terms.
     pub(super) lit: Vec<Vector<f32>>,
     /// What reflected rays brought.
@@ -109,6 +112,7 @@ impl GBuffer {
             frame,
             offset: sample_offset(0),
             texels: frame.buffer(Texel::EMPTY)?,
+            fronts: frame.buffer(f32::INFINITY)?,
             lit: frame.buffer(NOTHING)?,
             reflected: frame.buffer(NOTHING)?,
         })
@@ -125,14 +129,28 @@ impl GBuffer {
         self.offset = sample_offset(sample);
         let (offset, frame) = (self.offset, self.frame);
         let make = || Probe::new(stage, camera);
-        frame.each_row(&mut self.texels, control, make, |probe, y, row| {
+        let counts = frame.each_row(&mut self.texels, control, make, |probe, y, row| {
             let before = probe.counts;
             for (x, texel) in row.iter_mut().enumerate() {
                 let at = DVec2::new(x as f64, y as f64) + offset;
                 *texel = seen(stage, camera, probe, at, frame.size());
             }
             probe.counts - before
-        })
+        })?;
+        self.find_fronts();
+        Ok(counts)
+    }
+
+    fn find_fronts(&mut self) {
+        let (texels, width) = (&self.texels, self.frame.width);
+        self.fronts.par_chunks_mut(width).enumerate().for_each(|(y, fronts)| {
+            let rows = texels.chunks(width).skip(y.saturating_sub(1)).take(if y == 0 { 2 } else { 3 });
+            let near = |x: usize| x.saturating_sub(1)..(x + 2).min(width);
+            for (x, front) in fronts.iter_mut().enumerate() {
+                let around = rows.clone().flat_map(|row| row.get(near(x)).into_iter().flatten());
+                *front = around.map(|texel| texel.depth).fold(f32::INFINITY, f32::min);
+            }
+        });
     }
 
     /// The lighting pass: the local terms with shadows.

@@ -121,7 +121,12 @@ impl Screen<'_> {
     /// How far a mark of a ray lies behind a surface that it may meet there: one of another body (a convex one is never met
     /// by rays that leave it), on the side that the eye sees.
     fn behind(&self, own: u32, direction: DVec3, mark: Mark) -> Option<f64> {
-        let texel = self.nearest(mark.at).filter(|texel| !texel.is_empty() && texel.start.body != own)?;
+        let index = self.nearest(mark.at);
+        if mark.depth < f64::from(*self.buffer.fronts.get(index)?) {
+            return None;
+        }
+        let texels = self.buffer.texels.get(index);
+        let texel = texels.filter(|texel| !texel.is_empty() && texel.start.body != own)?;
         let may_be_met = exact(texel.normal).dot(direction) < 0.0;
         let behind = mark.depth - may_be_met.then(|| self.depth(mark.at, texel))?;
         (behind >= 0.0).then_some(behind)
@@ -166,7 +171,7 @@ impl Screen<'_> {
 
     /// The light that the picture has at a place, interpolated between pixels of one body.
     pub(super) fn light(&self, at: DVec2) -> Vector<f32> {
-        let body = self.nearest(at).map(|texel| texel.start);
+        let body = self.buffer.texels.get(self.nearest(at)).map(|texel| texel.start);
         let (mut light, mut weights) = (DVec3::ZERO, 0.0);
         for (index, weight) in self.neighbors(at) {
             if self.buffer.texels.get(index).map(|texel| texel.start) == body {
@@ -178,11 +183,11 @@ impl Screen<'_> {
     }
 
     /// The pixel whose sample is nearest to a place.
-    fn nearest(&self, at: DVec2) -> Option<&Texel> {
+    fn nearest(&self, at: DVec2) -> usize {
         let frame = self.buffer.frame;
         let place = at - self.buffer.offset + 0.5;
         let (x, y) = (place.x.max(0.0) as usize, place.y.max(0.0) as usize);
-        self.buffer.texels.get(y.min(frame.height - 1) * frame.width + x.min(frame.width - 1))
+        y.min(frame.height - 1) * frame.width + x.min(frame.width - 1)
     }
 
     /// The four pixels around a place with their shares, which add up to 1.
