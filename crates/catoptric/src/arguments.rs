@@ -1,5 +1,7 @@
 //! The command line's grammar.
 
+mod method;
+
 use std::num::IntErrorKind;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -12,6 +14,8 @@ use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
+
+pub(crate) use method::MethodArguments;
 
 /// A laboratory for reflections from geometric bodies.
 #[derive(Debug, Parser)]
@@ -33,7 +37,7 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Open the studio (also what happens without a command)
     Studio(StudioArguments),
-    /// Trace a scene into a picture
+    /// Draw a scene into a picture
     Render(RenderArguments),
     /// Find all problems of scene files, with line and column
     Check(CheckArguments),
@@ -84,9 +88,6 @@ pub(crate) struct RenderArguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720")]
     pub size: Size,
-    /// How reflections are found
-    #[arg(long, value_enum, default_value_t = Method::Whitted)]
-    pub method: Method,
     /// What does the work
     #[arg(long, value_enum, default_value_t = Backend::Auto)]
     pub backend: Backend,
@@ -107,6 +108,8 @@ pub(crate) struct RenderArguments {
     /// No progress, no warnings, no summary
     #[arg(short, long)]
     pub quiet: bool,
+    #[command(flatten)]
+    pub method: MethodArguments,
 }
 
 #[derive(Debug, Args)]
@@ -270,13 +273,6 @@ pub(crate) struct CompletionsArguments {
 pub(crate) struct ManArguments {
     /// The command to explain, such as render; without it, the program
     pub command: Option<String>,
-}
-
-/// How reflections are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Method {
-    /// Whitted's tree of rays
-    Whitted,
 }
 
 /// What does the work.

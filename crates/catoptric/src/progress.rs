@@ -129,7 +129,14 @@ fn watch(control: &Control, finished: &AtomicBool) {
     const INTERVAL: Duration = Duration::from_millis(100);
     thread::park_timeout(INTERVAL);
     while !finished.load(Ordering::Relaxed) {
-        with_shown(|bar| bar.set_position(control.pixels_done()));
+        with_shown(|bar| {
+            // Some work announces more as it goes on.
+            let expected = control.pixels_expected();
+            if expected > 0 {
+                bar.set_length(expected);
+            }
+            bar.set_position(control.pixels_done());
+        });
         thread::park_timeout(INTERVAL);
     }
 }

@@ -3,17 +3,32 @@
 //! [`draw`] makes a picture of a stage by any [`Method`], all with the same camera and the same local terms, so that
 //! pictures can be held against each other pixel by pixel. What a method gets wrong, [`reasons`] tells by tracing.
 
+mod canvas;
+mod cube_map;
+mod gbuffer;
+mod mesh;
+mod mirrored;
+mod probe;
+mod raster;
 mod reasons;
+mod screen;
 mod settings;
+mod shaded;
 
 use std::time::{Duration, Instant};
 
 use catoptric_picture::{Picture, SizeError};
 
 use crate::counts::RayCounts;
-use crate::render::{Control, RenderError, RenderSettings, render_through};
+use crate::render::{Control, RenderError, RenderSettings, Rendering, render_through};
 use crate::stage::{Stage, StageCamera};
 
+use gbuffer::GBuffer;
+use mirrored::{MapsInUse, Mirrors};
+use shaded::Shading;
+
+pub use cube_map::{CubeMap, CubeMapUse, CubeMaps};
+pub use gbuffer::Layer;
 pub use reasons::{Reason, ReasonMap, reasons};
 pub use settings::{CubeMapSettings, Fallback, LightModel, SettingError, ShadingSettings, SsrSettings};
 
@@ -162,6 +177,44 @@ pub struct Drawing {
     pub counts: RayCounts,
     /// How long each pass took, in the order of the work, all samples together.
     pub passes: Vec<(PassName, Duration)>,
+    /// The cube maps that served, if the method uses any.
+    pub cube_maps: Option<CubeMapUse>,
+    evidence: Evidence,
+}
+
+impl Drawing {
+    /// A layer of the buffers behind the picture (of `ssr` and `cube-map`; other methods have none), of the first sample.
+    /// `stage` is the one that was drawn.
+    ///
+    /// # Errors
+    /// When memory is short.
+    pub fn layer(&self, stage: &Stage, layer: Layer) -> Result<Option<Picture>, SizeError> {
+        match &self.evidence {
+            Evidence::Buffers(buffer, _) => buffer.picture(stage, layer).map(Some),
+            Evidence::None | Evidence::Bodies(_) => Ok(None),
+        }
+    }
+
+    /// The cube maps that served the picture, each with the place in [`Scene::bodies`](catoptric_scene::Scene::bodies) of
+    /// its body.
+    pub fn maps(&self, stage: &Stage) -> Vec<(usize, &CubeMap)> {
+        match &self.evidence {
+            Evidence::Buffers(_, maps) => {
+                maps.iter().filter_map(|(body, map)| Some((stage.scene_index(body)?, map))).collect()
+            }
+            Evidence::None | Evidence::Bodies(_) => Vec::new(),
+        }
+    }
+}
+
+/// What [`reasons`] needs of a drawing, of its first sample.
+#[derive(Clone, Debug)]
+enum Evidence {
+    None,
+    /// The body in each pixel, by its place in the stage.
+    Bodies(Vec<u32>),
+    /// What the pixels show and reflect, and the maps that they looked into.
+    Buffers(Box<GBuffer>, MapsInUse),
 }
 
 /// Why there is no picture.
@@ -176,9 +229,30 @@ pub enum MethodError {
     /// [`Control::cancel`] was called.
     #[error("the drawing was cancelled")]
     Cancelled,
-    /// The method is not there yet.
-    #[error("the method {0} is not there yet")]
-    NotYet(MethodKind),
+    /// The cube maps of all reflecting bodies would take too much memory.
+    #[error(
+        "the cube maps of {bodies} reflecting bodies with faces of {size}x{size} pixels would take {bytes} bytes, and may \
+         take at most {limit}; make them smaller",
+        limit = CubeMaps::MOST_BYTES
+    )]
+    TooManyCubeMaps {
+        /// How many bodies reflect in the picture.
+        bodies: usize,
+        /// Edge of a face, pixels.
+        size: u32,
+        /// What they would take.
+        bytes: u64,
+    },
+    /// The pictures are not of the size that was asked for.
+    #[error("a picture of {width}x{height} pixels was expected, and this one has {of_picture:?}")]
+    SizeMismatch {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+        /// What the picture has.
+        of_picture: [u32; 2],
+    },
 }
 
 impl From<RenderError> for MethodError {
@@ -200,10 +274,10 @@ pub fn draw(
     settings: RenderSettings,
     control: &Control,
 ) -> Result<Drawing, MethodError> {
-    draw_through(stage, stage.camera(), method, settings, control)
+    draw_through(stage, stage.camera(), method, settings, control, &mut CubeMaps::new())
 }
 
-/// The same through a camera of [`Stage::camera_for`].
+/// The same through a camera of [`Stage::camera_for`], with cube maps that are kept in `maps` from picture to picture.
 ///
 /// # Errors
 /// As for [`draw`].
@@ -213,15 +287,30 @@ pub fn draw_through(
     method: &Method,
     settings: RenderSettings,
     control: &Control,
+    maps: &mut CubeMaps,
 ) -> Result<Drawing, MethodError> {
     method.check()?;
+    let shade = |shading, how: &ShadingSettings| shaded::draw(stage, camera, shading, how, settings, control);
     match method {
-        Method::Whitted => {
-            let start = Instant::now();
-            let rendering = render_through(stage, camera, settings, control)?;
-            let passes = vec![(PassName::Trace, start.elapsed())];
-            Ok(Drawing { picture: rendering.picture, counts: rendering.counts, passes })
-        }
-        other => Err(MethodError::NotYet(other.kind())),
+        Method::Whitted => trace(stage, camera, settings, control),
+        Method::Flat(how) => shade(Shading::Flat, how),
+        Method::Gouraud(how) => shade(Shading::Gouraud, how),
+        Method::Phong(how) => shade(Shading::Phong, how),
+        Method::Ssr(how) => mirrored::draw(stage, camera, Mirrors::of_screen(how), settings, control, maps),
+        Method::CubeMap(how) => mirrored::draw(stage, camera, Mirrors::of_maps(how), settings, control, maps),
     }
+}
+
+fn trace(
+    stage: &Stage,
+    camera: &StageCamera,
+    settings: RenderSettings,
+    control: &Control,
+) -> Result<Drawing, MethodError> {
+    let start = Instant::now();
+    let pixels = u64::from(settings.width) * u64::from(settings.height);
+    control.expect(pixels);
+    let Rendering { picture, counts } = render_through(stage, camera, settings, control)?;
+    let passes = vec![(PassName::Trace, start.elapsed())];
+    Ok(Drawing { picture, counts, passes, cube_maps: None, evidence: Evidence::None })
 }

@@ -21,6 +21,7 @@ use rayon::prelude::*;
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::{Bvh, Entry, PacketPart, Visit};
+pub(crate) use camera::Homogeneous;
 pub use camera::StageCamera;
 use camera::Surroundings;
 use cast::Cast;

@@ -1,10 +1,22 @@
 //! Why a pixel drawn by a method differs from the traced one.
 
-use catoptric_picture::Picture;
+mod reflection;
+mod shading;
+mod witness;
 
-use super::{Drawing, Method, MethodError};
+use std::collections::BTreeMap;
+
+use catoptric_picture::Picture;
+use glam::{DVec2, Vec3};
+use rayon::prelude::*;
+
+use super::canvas::Frame;
+use super::cube_map::around;
+use super::{Drawing, Evidence, Method, MethodError};
 use crate::render::{Control, RenderSettings};
-use crate::stage::Stage;
+use crate::sampling::sample_offset;
+use crate::stage::{Stage, StageCamera};
+use witness::Witness;
 
 /// Why a pixel differs from the traced truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -116,13 +128,14 @@ impl ReasonMap {
 }
 
 /// Tells for each pixel of `drawing` of which a channel differs from `truth` by more than `bound` why it does. Light is
-/// linear and not clamped. Method and settings are those of the drawing; `truth` is the traced picture of the same size.
+/// linear and not clamped. The method is that of the drawing; `truth` is the traced picture of the same stage and size. Of
+/// a traced drawing, nothing is told.
 ///
 /// Nothing is guessed: the tree of rays behind the pixel's center is traced, the light of its parts is held against what
 /// the method has for each, and of the part that differs most it is traced why.
 ///
 /// # Errors
-/// When the sizes differ, memory is short, or the work is cancelled.
+/// When the sizes differ from those of `settings`, memory is short, or the work is cancelled.
 pub fn reasons(
     stage: &Stage,
     method: &Method,
@@ -132,6 +145,103 @@ pub fn reasons(
     bound: f64,
     control: &Control,
 ) -> Result<ReasonMap, MethodError> {
-    let _ = (stage, settings, truth, drawing, bound, control);
-    Err(MethodError::NotYet(method.kind()))
+    let frame = Frame::new(settings)?;
+    for picture in [truth, &drawing.picture] {
+        let (RenderSettings { width, height, .. }, of_picture) =
+            (settings, [picture.width(), picture.height()]);
+        if of_picture != [width, height] {
+            return Err(MethodError::SizeMismatch { width, height, of_picture });
+        }
+    }
+    let mut reasons: Vec<Option<Reason>> = frame.buffer(None)?;
+    let groups = wrong_pixels(method, truth, drawing, bound);
+    control.expect(groups.values().map(|pixels| pixels.len() as u64).sum());
+    for (body, pixels) in groups {
+        let others = body.map(|body| around(stage, body));
+        let case = Case { stage, camera: stage.camera(), method, drawing, frame, others: others.as_ref() };
+        let found = pixels.par_iter().map_init(
+            || Witness::new(&case, control),
+            |witness, &pixel| {
+                if control.is_cancelled() {
+                    return (pixel, None);
+                }
+                control.add_pixels(1);
+                (pixel, case.reason(witness, pixel))
+            },
+        );
+        let found: Vec<(usize, Option<Reason>)> = found.collect();
+        for (pixel, reason) in found {
+            reasons.get_mut(pixel).into_iter().for_each(|slot| *slot = reason);
+        }
+    }
+    if control.is_cancelled() {
+        return Err(MethodError::Cancelled);
+    }
+    Ok(ReasonMap { width: settings.width, height: settings.height, reasons })
+}
+
+/// The pixels that differ: those that a cube map served by the body that reflects, all others together.
+fn wrong_pixels(
+    method: &Method,
+    truth: &Picture,
+    drawing: &Drawing,
+    bound: f64,
+) -> BTreeMap<Option<u32>, Vec<usize>> {
+    let mut groups: BTreeMap<Option<u32>, Vec<usize>> = BTreeMap::new();
+    let pairs = truth.pixels().iter().zip(drawing.picture.pixels());
+    for (index, (a, b)) in pairs.enumerate() {
+        let within = a.iter().zip(b).all(|(a, b)| f64::from((a - b).abs()) <= bound || a == b);
+        if within {
+            continue;
+        }
+        let group = match (method, &drawing.evidence) {
+            (Method::CubeMap(_), Evidence::Buffers(buffer, _)) => {
+                buffer.texels.get(index).filter(|texel| !texel.is_empty()).map(|texel| texel.start.body)
+            }
+            _ => None,
+        };
+        groups.entry(group).or_default().push(index);
+    }
+    groups
+}
+
+/// What is to be explained.
+struct Case<'a> {
+    stage: &'a Stage,
+    camera: &'a StageCamera,
+    method: &'a Method,
+    drawing: &'a Drawing,
+    frame: Frame,
+    /// What the cube map of the pixels' body shows.
+    others: Option<&'a Stage>,
+}
+
+impl Case<'_> {
+    fn reason(&self, witness: &mut Witness<'_>, pixel: usize) -> Option<Reason> {
+        let (x, y) = (pixel % self.frame.width, pixel / self.frame.width);
+        let at = DVec2::new(x as f64, y as f64) + sample_offset(0);
+        let ray = self.camera.ray(at, self.frame.size());
+        let drawn = Vec3::from(*self.drawing.picture.pixels().get(pixel)?);
+        match (self.method, &self.drawing.evidence) {
+            (Method::Flat(how) | Method::Gouraud(how) | Method::Phong(how), Evidence::Bodies(bodies)) => {
+                self.of_shading(witness, how, ray, *bodies.get(pixel)?, drawn)
+            }
+            (Method::Ssr(how), Evidence::Buffers(buffer, maps)) => {
+                self.of_screen(witness, how, ray, (buffer, maps), pixel)
+            }
+            (Method::CubeMap(_), Evidence::Buffers(buffer, maps)) => {
+                self.of_map(witness, ray, (buffer, maps), pixel)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The reason with the largest error of a channel.
+fn largest<const N: usize>(errors: [(Reason, Vec3); N]) -> Option<Reason> {
+    let size = |error: Vec3| if error.is_nan() { f32::INFINITY } else { error.abs().max_element() };
+    let errors = errors.into_iter().map(|(reason, error)| (reason, size(error)));
+    // Of equal ones the first.
+    let larger = |best: (Reason, f32), next: (Reason, f32)| if next.1 > best.1 { next } else { best };
+    errors.reduce(larger).map(|(reason, _)| reason)
 }

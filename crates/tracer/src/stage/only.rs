@@ -26,9 +26,19 @@ impl Stage {
             let chosen = places.filter(|&(&index, _)| wanted.contains(&(index as usize)));
             chosen.map(|(_, place)| place).collect()
         };
+        self.with_bodies(&chosen)
+    }
+
+    /// The same stage without its body `index`.
+    pub(crate) fn without(&self, index: u32) -> Self {
+        let others: Vec<u32> = (0..self.bodies.len() as u32).filter(|&other| other != index).collect();
+        self.with_bodies(&others)
+    }
+
+    fn with_bodies(&self, chosen: &[u32]) -> Self {
         let mut entries = Vec::new();
         let mut planes = Vec::new();
-        for &index in &chosen {
+        for &index in chosen {
             let body = self.body(index);
             match body.bounds() {
                 Some(bounds) => entries.push(Entry::new(bounds, index, u32::from(body.kind))),
