@@ -209,11 +209,9 @@ impl<'a> Work<'a> {
         if !alike || !traced || self.variant.method.kind() == MethodKind::Whitted {
             return Ok(None);
         }
-        match reasons(&self.stage, &self.variant.method, self.settings, picture, drawing, bound, control) {
-            Ok(map) => Ok(Some(map)),
-            Err(MethodError::NotYet(_)) => Ok(None),
-            Err(error) => Err(CompareError::method(&self.variant.name, error)),
-        }
+        reasons(&self.stage, &self.variant.method, self.settings, picture, drawing, bound, control)
+            .map(Some)
+            .map_err(|error| CompareError::method(&self.variant.name, error))
     }
 
     fn finish(self, reasons: Option<ReasonMap>) -> Option<Contender> {

@@ -44,7 +44,8 @@ fn drawn() -> Vec<Contender> {
     let settings = RenderSettings { width: 64, height: 36, samples: 1 };
     let job = Job { scene: &scene, variants: &variants, settings, runs: 2, bound: 1.0 / 255.0 };
     let mut told = Vec::new();
-    let contenders = draw_all(&job, &Control::default(), &mut |done, total| told.push((done, total))).unwrap();
+    let contenders =
+        draw_all(&job, &Control::default(), &mut |done, total| told.push((done, total))).unwrap();
     assert_eq!(told, (1..=9).map(|done| (done, 9)).collect::<Vec<_>>());
     contenders
 }
@@ -94,7 +95,10 @@ fn the_page_is_whole_and_well_formed_in_both_languages() {
         for node in document.descendants() {
             let addresses = ["href", "src"].into_iter().filter_map(|name| node.attribute(name));
             for address in addresses {
-                assert!(address.starts_with('#') || address.starts_with("data:image/png;base64,"), "{address}");
+                assert!(
+                    address.starts_with('#') || address.starts_with("data:image/png;base64,"),
+                    "{address}"
+                );
             }
         }
         let text: String = document.descendants().filter_map(|node| node.text()).collect();

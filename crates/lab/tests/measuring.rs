@@ -4,12 +4,12 @@
 use std::time::Duration;
 
 use catoptric_lab::Machine;
-use catoptric_lab::measure::{
-    Axis, Law, MeasureError, Measured, Plan, Point, Run, measure, series,
-};
+use catoptric_lab::measure::{Axis, Law, MeasureError, Measured, Plan, Point, Run, measure, series};
 use catoptric_lab::report::{Language, Study, study};
 use catoptric_picture::decode;
-use catoptric_scene::{Anchor, Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing};
+use catoptric_scene::{
+    Anchor, Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
+};
 use catoptric_tracer::method::MethodKind;
 use catoptric_tracer::{Control, RayCounts, RenderSettings};
 use glam::DVec3;
@@ -135,7 +135,8 @@ fn what_was_measured_before_a_cancellation_is_kept() {
 
 #[test]
 fn plans_that_make_no_sense_are_refused() {
-    let refused = |vary: &str| measure(&plan(panes(), vary), &Control::default(), &mut |_| {}).unwrap_err().to_string();
+    let refused =
+        |vary: &str| measure(&plan(panes(), vary), &Control::default(), &mut |_| {}).unwrap_err().to_string();
     assert!(refused("fineness=2,3").contains("the method whitted has no fineness to vary"));
     assert!(refused("cube-map-size=2,3").contains("the method whitted has no cube-map-size to vary"));
     let mut many = plan(panes(), "bodies,search");
@@ -191,8 +192,7 @@ fn text(study: &Study, name: &str) -> String {
 
 #[test]
 fn a_study_holds_all_in_both_languages() {
-    let measured =
-        synthetic("size", |point| 0.5 + 2e-5 * point.values[0].number().unwrap());
+    let measured = synthetic("size", |point| 0.5 + 2e-5 * point.values[0].number().unwrap());
     for (language, median, law) in [
         (Language::English, "0.500 + 2.00·10⁻⁵·C", "linear"),
         (Language::Russian, "0,500 + 2,00·10⁻⁵·C", "линейный"),
@@ -204,7 +204,9 @@ fn a_study_holds_all_in_both_languages() {
         assert!(study.laws[0].starts_with(law) && study.laws[0].contains(median), "{:?}", study.laws);
         let svg = text(&study, "time.svg");
         let document = roxmltree::Document::parse(&svg).unwrap();
-        let rings = document.descendants().filter(|node| node.attribute("fill") == Some("none") && node.has_tag_name("circle"));
+        let rings = document
+            .descendants()
+            .filter(|node| node.attribute("fill") == Some("none") && node.has_tag_name("circle"));
         assert_eq!(rings.count(), 7, "an outlier at each point");
         let (_, png) = study.files.iter().find(|(name, _)| *name == "time.png").unwrap();
         assert_eq!(decode(png).unwrap().width(), 1440);

@@ -49,7 +49,6 @@ texts! {
     item: "Item", "Параметр";
     value: "Value", "Значение";
     pictures: "Pictures", "Изображения";
-    picture_caption: "{name}", "{name}";
     from_file: "read from a file", "прочитано из файла";
     results: "Differences and times", "Отличия и время";
     results_caption: "Each picture against “{truth}”; smaller is better but for PSNR and SSIM",
@@ -66,7 +65,6 @@ texts! {
         учитывается. Время с доверительными интервалами и законами роста даёт catoptric measure.";
     passes: "Where the time goes", "На что уходит время";
     passes_caption: "Time of each pass, ms", "Время каждого прохода, мс";
-    pass: "Pass", "Проход";
     pair_title: "{name} against {truth}", "{name} и {truth}";
     split_caption: "Left of the line “{truth}”, right of it “{name}”. On a screen the line can be moved.",
         "Слева от линии «{truth}», справа — «{name}». На экране линию можно передвигать.";
@@ -79,7 +77,8 @@ texts! {
         "ꟻLIP: насколько заметно отличие, если попеременно показывать изображения. Среднее {mean}.";
     reasons_caption: "Why each wrong pixel is wrong. Gray pixels agree with “{truth}”.",
         "Почему неверен каждый неверный пиксель. Серые пиксели совпадают с «{truth}».";
-    shares_caption: "Wrong pixels by their reason", "Неверные пиксели по причинам";
+    shares_caption: "Wrong pixels by their reason; light beyond white counts too",
+        "Неверные пиксели по причинам; учитывается и свет ярче белого";
     reason: "Reason", "Причина";
     pixels_head: "Pixels", "Пикселей";
     share_of_wrong: "Of the wrong ones, %", "Из неверных, %";
@@ -153,9 +152,7 @@ texts! {
     no_law: "A law needs at least three different numbers.", "Для закона нужны хотя бы три разных числа.";
     time_axis: "Time t, ms", "Время t, мс";
     rays_axis: "Rays for one picture", "Лучей на изображение";
-    all_points: "all", "все";
     figure: "Figure {n}", "Рис. {n}";
-    table: "Table {n}", "Таблица {n}";
     worst_case: "Worst case of the growth: each ray gives two, so that the work is O(N·C·2ᴷ).",
         "Худший случай роста: каждый луч порождает два, и работа составляет O(N·C·2ᴷ).";
 }
