@@ -4,28 +4,23 @@
 use std::time::Duration;
 
 use catoptric_lab::Machine;
+use catoptric_lab::cloud::grown;
 use catoptric_lab::measure::{Axis, Law, MeasureError, Measured, Plan, Point, Run, measure, series};
 use catoptric_lab::report::{Language, Study, study};
 use catoptric_picture::decode;
 use catoptric_scene::{
-    Anchor, Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
+    Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
 };
 use catoptric_tracer::method::MethodKind;
-use catoptric_tracer::{Control, RayCounts, RenderSettings};
+use catoptric_tracer::{Control, RayCounts, RenderSettings, Search, Stage, render};
 use glam::DVec3;
 
-/// Half-silvered panes that do not bend light, one behind the other, seen along their normals from the middle: each ray
-/// gives two, and none leaves before many generations.
+/// Half-silvered panes that do not bend light, one behind the other, seen along their normals from the middle: at each
+/// face a ray gives two, and none leaves before many generations.
 fn panes() -> Scene {
     let pane = |number: i32| Body {
-        shape: Shape::Plane,
-        placement: Placement {
-            anchor: Anchor::Frame {
-                position: DVec3::new(0.0, 0.0, f64::from(number) + 0.5),
-                rotation_degrees: DVec3::new(90.0, 0.0, 0.0),
-            },
-            scale: DVec3::ONE,
-        },
+        shape: Shape::Cube { size: DVec3::new(1000.0, 1000.0, 0.5) },
+        placement: Placement::at(DVec3::new(0.0, 0.0, f64::from(number) + 0.5)),
         material: MaterialChoice::Inline(Box::new(Material {
             ambient: 0.1,
             reflection: Some(0.5),
@@ -114,6 +109,17 @@ fn every_combination_is_measured_once_a_round_and_told() {
         assert_eq!(one.rays, other.rays);
     }
     assert_eq!(series(&measured).len(), 2);
+}
+
+#[test]
+fn the_picture_does_not_depend_on_the_search() {
+    let scene = grown(&Example::find("four-bodies").unwrap().load().unwrap().scene, 150);
+    let settings = RenderSettings { width: 48, height: 27, samples: 1 };
+    let picture = |search| {
+        let stage = Stage::prepare_for(&scene, search).unwrap();
+        render(&stage, settings, &Control::default()).unwrap().picture
+    };
+    assert!(picture(Search::Quickest) == picture(Search::OneByOne));
 }
 
 #[test]
