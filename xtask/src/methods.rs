@@ -15,8 +15,8 @@ use crate::sheet::Sheet;
 /// Size of each picture, and how many times smaller it is on its sheet.
 const SIZE: (u32, u32) = (960, 540);
 const REDUCED: u32 = 2;
-/// The difference that is lightest in the maps: a third of white, since the methods are far off.
-const MOST: f64 = 1.0 / 3.0;
+/// The difference that is lightest in the maps: an eighth of white, since the methods are far off.
+const MOST: f64 = 0.125;
 
 pub(crate) fn run() -> Result<()> {
     let folder = root().join("docs/methods");

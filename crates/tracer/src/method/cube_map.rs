@@ -48,8 +48,8 @@ struct Spot {
 
 /// The light that comes to a point from all directions, in linear light.
 ///
-/// Each face has a border of one pixel that is taken from its neighbors, so that light is interpolated across the edges of
-/// the cube as within a face; the corner of a border is the mean of the three pixels that meet there.
+/// Each face is rendered one pixel wider on every side than the cube's, so that light is interpolated up to the edges and
+/// corners of the cube as within a face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CubeMap {
     center: DVec3,
@@ -71,28 +71,24 @@ impl CubeMap {
     ) -> Result<(Self, RayCounts), MethodError> {
         let mut map = Self::empty(center, size)?;
         let mut counts = RayCounts::default();
-        for (face, axes) in FACES.iter().enumerate() {
-            let camera = Camera {
-                position: center,
-                target: center + axes.forward,
-                up: axes.up,
-                projection: Projection::Perspective { fov_degrees: 90.0 },
-            };
-            let settings = RenderSettings { width: size, height: size, samples: 1 };
+        let side = size + 2;
+        let half_angle = (f64::from(side) / f64::from(size)).atan();
+        let projection = Projection::Perspective { fov_degrees: 2.0 * half_angle.to_degrees() };
+        let settings = RenderSettings { width: side, height: side, samples: 1 };
+        for (face, pixels) in FACES.iter().zip(map.pixels.chunks_mut((side * side) as usize)) {
+            let target = center + face.forward;
+            let camera = Camera { position: center, target, up: face.up, projection };
             let rendering = render_through(stage, &stage.camera_for(&camera), settings, control)?;
             counts += rendering.counts;
-            for (y, row) in rendering.picture.rows().enumerate() {
-                let first = map.index(face, 0, y as isize);
-                map.pixels.iter_mut().skip(first).zip(row).for_each(|(to, from)| *to = *from);
-            }
+            pixels.iter_mut().zip(rendering.picture.pixels()).for_each(|(to, from)| *to = *from);
         }
-        map.fill_borders();
         Ok((map, counts))
     }
 
     fn empty(center: DVec3, size: u32) -> Result<Self, SizeError> {
         Picture::check_size(size, size)?;
-        let count = Self::bytes_of(size) / size_of::<[f32; 3]>();
+        Picture::check_size(size.saturating_add(2), size.saturating_add(2))?;
+        let count = Self::pixels_of(size);
         let mut pixels = Vec::new();
         pixels.try_reserve_exact(count).map_err(|_| SizeError::Memory {
             width: size,
@@ -105,8 +101,13 @@ impl CubeMap {
 
     /// The bytes of a map with faces of `size`² pixels.
     pub fn bytes_of(size: u32) -> usize {
+        Self::pixels_of(size) * size_of::<[f32; 3]>()
+    }
+
+    /// The pixels that are rendered for it.
+    fn pixels_of(size: u32) -> usize {
         let side = size as usize + 2;
-        6 * side * side * size_of::<[f32; 3]>()
+        6 * side * side
     }
 
     /// The point that is surrounded, meters.
@@ -175,45 +176,6 @@ impl CubeMap {
 
     fn pixel(&self, face: usize, x: isize, y: isize) -> Vec3 {
         self.pixels.get(self.index(face, x, y)).copied().unwrap_or_default().into()
-    }
-
-    fn fill_borders(&mut self) {
-        let last = self.size as isize - 1;
-        for face in 0..FACES.len() {
-            for along in 0..=last {
-                for (x, y) in [(-1, along), (last + 1, along), (along, -1), (along, last + 1)] {
-                    self.set(face, x, y, self.beyond(face, x, y));
-                }
-            }
-        }
-        for face in 0..FACES.len() {
-            for (x, in_x) in [(-1, 0), (last + 1, last)] {
-                for (y, in_y) in [(-1, 0), (last + 1, last)] {
-                    let sum =
-                        self.pixel(face, in_x, in_y) + self.pixel(face, x, in_y) + self.pixel(face, in_x, y);
-                    self.set(face, x, y, sum / 3.0);
-                }
-            }
-        }
-    }
-
-    fn set(&mut self, face: usize, x: isize, y: isize, light: Vec3) {
-        let index = self.index(face, x, y);
-        self.pixels.get_mut(index).into_iter().for_each(|pixel| *pixel = light.to_array());
-    }
-
-    /// The pixel beyond an edge of a face: the cube is folded there, so that it is the one on the neighboring face, as far
-    /// from the edge.
-    fn beyond(&self, face: usize, x: isize, y: isize) -> Vec3 {
-        let Some(axes) = FACES.get(face) else { return Vec3::ZERO };
-        let place = |at: isize| (2 * at + 1) as f64 / self.size as f64 - 1.0;
-        let (a, b) = (place(x), -place(y));
-        let excess = (a.abs().max(b.abs()) - 1.0).max(0.0);
-        let fold = |side: f64| side.clamp(-1.0, 1.0);
-        let direction = axes.forward * (1.0 - excess) + axes.right * fold(a) + axes.up * fold(b);
-        let Spot { face, x, y } = self.spot(direction.as_vec3());
-        let whole = |at: f32| (at.floor() as isize).clamp(0, self.size as isize - 1);
-        self.pixel(face, whole(x), whole(y))
     }
 }
 

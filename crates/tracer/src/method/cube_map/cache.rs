@@ -72,7 +72,7 @@ impl CubeMaps {
         let missing =
             |index: &&u32| stage.scene_index(**index).is_some_and(|place| !self.maps.contains_key(&place));
         let missing: Vec<u32> = bodies.iter().filter(missing).copied().collect();
-        control.expect(missing.len() as u64 * 6 * u64::from(size) * u64::from(size));
+        control.expect(missing.len() as u64 * CubeMap::pixels_of(size) as u64);
         for &index in &missing {
             let start = Instant::now();
             let (map, rays) = render_around(stage, index, size, control)?;
