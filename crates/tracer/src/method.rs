@@ -5,6 +5,7 @@
 
 mod canvas;
 mod cube_map;
+mod fronts;
 mod gbuffer;
 mod mesh;
 mod mirrored;

@@ -2,9 +2,9 @@
 
 use catoptric_picture::{Picture, SizeError};
 use glam::DVec2;
-use rayon::prelude::*;
 
 use super::canvas::Frame;
+use super::fronts::Fronts;
 use super::probe::{Point, Probe, color_of, exact, vector};
 use super::{LightModel, MethodError};
 use crate::counts::RayCounts;
@@ -98,8 +98,7 @@ pub(super) struct GBuffer {
     /// Where the sample lies in its pixel.
     pub(super) offset: DVec2,
     pub(super) texels: Vec<Texel>,
-    /// The least depth of a pixel and its eight neighbors: in front of it, there is nothing at all.
-    pub(super) fronts: Vec<f32>,
+    pub(super) fronts: Fronts,
     /// The local terms.
     pub(super) lit: Vec<Vector<f32>>,
     /// What reflected rays brought.
@@ -112,7 +111,7 @@ impl GBuffer {
             frame,
             offset: sample_offset(0),
             texels: frame.buffer(Texel::EMPTY)?,
-            fronts: frame.buffer(f32::INFINITY)?,
+            fronts: Fronts::new(frame)?,
             lit: frame.buffer(NOTHING)?,
             reflected: frame.buffer(NOTHING)?,
         })
@@ -137,20 +136,8 @@ impl GBuffer {
             }
             probe.counts - before
         })?;
-        self.find_fronts();
+        self.fronts.find(&self.texels);
         Ok(counts)
-    }
-
-    fn find_fronts(&mut self) {
-        let (texels, width) = (&self.texels, self.frame.width);
-        self.fronts.par_chunks_mut(width).enumerate().for_each(|(y, fronts)| {
-            let rows = texels.chunks(width).skip(y.saturating_sub(1)).take(if y == 0 { 2 } else { 3 });
-            let near = |x: usize| x.saturating_sub(1)..(x + 2).min(width);
-            for (x, front) in fronts.iter_mut().enumerate() {
-                let around = rows.clone().flat_map(|row| row.get(near(x)).into_iter().flatten());
-                *front = around.map(|texel| texel.depth).fold(f32::INFINITY, f32::min);
-            }
-        });
     }
 
     /// The lighting pass: the local terms with shadows.

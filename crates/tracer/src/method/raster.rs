@@ -103,13 +103,12 @@ impl Triangle {
             let shares = [0, 1, 2].map(|i| self.edges[i].x * at_x + rest[i]);
             let sum = shares[0] + shares[1] + shares[2];
             // The sum is in proportion to 1/w: what is not before the eye is not seen.
-            if shares.iter().any(|share| *share < 0.0) || !(sum > 0.0) {
-                continue;
-            }
-            let shares = shares.map(|share| share / sum);
-            let depth: f64 = shares.iter().zip(self.depths).map(|(share, depth)| share * depth).sum();
-            if depth > 0.0 && depth < fragment.depth {
-                *fragment = self.fragment(all, shares, depth);
+            if shares.iter().all(|share| *share >= 0.0) && sum > 0.0 {
+                let shares = shares.map(|share| share / sum);
+                let depth: f64 = shares.iter().zip(self.depths).map(|(share, depth)| share * depth).sum();
+                if depth > 0.0 && depth < fragment.depth {
+                    *fragment = self.fragment(all, shares, depth);
+                }
             }
         }
     }

@@ -82,20 +82,45 @@ impl Screen<'_> {
             return end;
         }
         let own = texel.start.body;
-        let mut last = way.at(0.0);
-        let mut step = 0.0;
-        while step < count {
-            let here = way.at((step + 1.0) / count);
+        let mut step = 1.0;
+        while step <= count {
+            let here = way.at(step / count);
+            let free = self.free_steps(&way, here, step, count);
+            if free > 0.0 {
+                step += free;
+                continue;
+            }
+            let (low, high) = ((step - 1.0) / count, step / count);
             if let Some(behind) = self.behind(own, direction, here)
-                && self.is_within(behind, here, last)
-                && let Some(at) = self.refine(&way, own, direction, [step / count, (step + 1.0) / count])
+                && self.is_within(behind, here, way.at(low))
+                && let Some(at) = self.refine(&way, own, direction, [low, high])
             {
                 return Fate::Met(at);
             }
-            last = here;
             step += 1.0;
         }
         end
+    }
+
+    /// How many steps from this one on, the mark of which is `here`, surely meet nothing: those that stay in its square of
+    /// pixels, if the ray does not come as deep there as anything.
+    fn free_steps(&self, way: &Way, here: Mark, step: f64, count: f64) -> f64 {
+        let square = self.buffer.fronts.square(self.nearest(here.at));
+        if here.depth >= square.front {
+            return 0.0;
+        }
+        let pace = (way.places[1] - way.places[0]) / count;
+        let place = self.pixel_place(here.at);
+        let ahead = |place: f64, low: f64, high: f64, pace: f64| {
+            let border = if pace > 0.0 { high } else { low };
+            if pace == 0.0 { f64::INFINITY } else { ((border - place) / pace).max(0.0) }
+        };
+        let more = ahead(place.x, square.low.x, square.high.x, pace.x)
+            .min(ahead(place.y, square.low.y, square.high.y, pace.y))
+            .min(count - step)
+            .floor();
+        // Depth rises or falls all along the way.
+        if way.at((step + more) / count).depth < square.front { more + 1.0 } else { 0.0 }
     }
 
     /// How far the ray stays on the screen and in range, meters, and what ends it.
@@ -122,7 +147,7 @@ impl Screen<'_> {
     /// by rays that leave it), on the side that the eye sees.
     fn behind(&self, own: u32, direction: DVec3, mark: Mark) -> Option<f64> {
         let index = self.nearest(mark.at);
-        if mark.depth < f64::from(*self.buffer.fronts.get(index)?) {
+        if mark.depth < self.buffer.fronts.around(index) {
             return None;
         }
         let texels = self.buffer.texels.get(index);
@@ -182,10 +207,15 @@ impl Screen<'_> {
         super::probe::vector(light / weights)
     }
 
+    /// A place of the picture in pixels of which the samples are the centers.
+    fn pixel_place(&self, at: DVec2) -> DVec2 {
+        at - self.buffer.offset + 0.5
+    }
+
     /// The pixel whose sample is nearest to a place.
     fn nearest(&self, at: DVec2) -> usize {
         let frame = self.buffer.frame;
-        let place = at - self.buffer.offset + 0.5;
+        let place = self.pixel_place(at);
         let (x, y) = (place.x.max(0.0) as usize, place.y.max(0.0) as usize);
         y.min(frame.height - 1) * frame.width + x.min(frame.width - 1)
     }

@@ -55,7 +55,7 @@ fn interpolated_light_is_that_of_the_direction() {
 #[test]
 fn light_does_not_jump_at_an_edge() {
     // Every pixel is another color.
-    let map = painted(5, |direction| (direction * 43.7).map(|part| part.sin()));
+    let map = painted(5, |direction| (direction * 43.7).map(f64::sin));
     for part in 0..200 {
         let along = f64::from(part) / 100.0 - 1.0;
         for (one, other) in [(DVec3::X, DVec3::Z), (DVec3::Y, DVec3::NEG_X), (DVec3::NEG_Z, DVec3::NEG_Y)] {
