@@ -51,7 +51,7 @@ impl Progress {
     pub(crate) fn of_steps<T>(
         self,
         total: usize,
-        work: impl FnOnce(&mut dyn FnMut(usize, Option<Duration>)) -> T,
+        work: impl FnOnce(&mut (dyn FnMut(usize, Option<Duration>) + Send)) -> T,
     ) -> T {
         if !self.shown {
             return work(&mut |_, _| {});

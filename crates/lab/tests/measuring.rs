@@ -15,7 +15,7 @@ use catoptric_tracer::method::MethodKind;
 use catoptric_tracer::{Control, RayCounts, RenderSettings, Search, Stage, render};
 use glam::DVec3;
 
-/// Half-silvered panes that do not bend light, one behind the other, seen along their normals from the middle: at each
+/// Half-silvered panes, one behind the other, seen along their normals from the middle: at each
 /// face a ray gives two, and none leaves before many generations.
 fn panes() -> Scene {
     let pane = |number: i32| Body {
@@ -25,7 +25,7 @@ fn panes() -> Scene {
             ambient: 0.1,
             reflection: Some(0.5),
             transmission: 0.5,
-            ior: 1.0,
+            ior: 1.5,
             ..Material::default()
         })),
         ..Body::default()

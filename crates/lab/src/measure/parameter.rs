@@ -237,7 +237,7 @@ impl Axis {
                 }
                 // A method may have settings, with a = of their own.
                 (None, Some(axis)) if !axis.values.is_empty() => {
-                    axis.values.push(axis.parameter.value(word)?)
+                    axis.values.push(axis.parameter.value(word)?);
                 }
                 _ => return Err(AxisError::Parameter { name: key.to_owned() }),
             }

@@ -229,11 +229,11 @@ fn works(plan: &Plan) -> Result<Vec<Work>, MeasureError> {
             })
             .collect();
     }
-    combinations.into_iter().map(|values| Work::new(plan, values)).collect()
+    combinations.iter().map(|values| Work::new(plan, values)).collect()
 }
 
 impl Work {
-    fn new(plan: &Plan, values: Vec<(Parameter, Value)>) -> Result<Self, MeasureError> {
+    fn new(plan: &Plan, values: &[(Parameter, Value)]) -> Result<Self, MeasureError> {
         let mut work = Self {
             values: values.iter().map(|(_, value)| value.clone()).collect(),
             bodies: None,

@@ -118,12 +118,12 @@ impl Page<'_> {
                 Some(drawn) => {
                     format!("{} {}", language.significant(drawn.time, 3), language.milliseconds())
                 }
-                None => language.from_file().to_owned(),
+                None => language.read_from_file().to_owned(),
             };
-            let _ = write!(
+            let _ = writeln!(
                 html,
                 "<figure><svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{name}\"><use \
-                 href=\"#p{index}\"/></svg><figcaption><b>{name}</b> · {}</figcaption></figure>\n",
+                 href=\"#p{index}\"/></svg><figcaption><b>{name}</b> · {}</figcaption></figure>",
                 escape(&time),
                 name = escape(&contender.name)
             );
@@ -248,7 +248,7 @@ impl Page<'_> {
     /// How the numbers are made.
     fn reading(&self, html: &mut String) {
         let language = self.settings.language;
-        let _ = write!(html, "<h2>{}</h2>\n", language.reading());
+        let _ = writeln!(html, "<h2>{}</h2>", language.reading());
         for text in [language.reading_rmse(), language.reading_ssim(), language.reading_flip()] {
             let _ = writeln!(html, "<p>{}</p>", escape(text));
         }

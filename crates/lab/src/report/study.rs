@@ -482,7 +482,7 @@ impl Chapter<'_> {
                 tex(&caption)
             );
         }
-        let _ = write!(text, "{}\n", self.times_table().latex("times"));
+        let _ = writeln!(text, "{}", self.times_table().latex("times"));
         let _ = write!(text, "\\subsection{{{}}}\n\n", tex(language.law_head()));
         match self.laws_table() {
             Some(table) => text.push_str(&table.latex("laws")),

@@ -49,7 +49,7 @@ texts! {
     item: "Item", "Параметр";
     value: "Value", "Значение";
     pictures: "Pictures", "Изображения";
-    from_file: "read from a file", "прочитано из файла";
+    read_from_file: "read from a file", "прочитано из файла";
     results: "Differences and times", "Отличия и время";
     results_caption: "Each picture against “{truth}”; smaller is better but for PSNR and SSIM",
         "Отличие каждого изображения от «{truth}»; чем меньше, тем лучше, кроме PSNR и SSIM";

@@ -40,7 +40,7 @@ th, td { padding: .32rem .55rem; text-align: right; vertical-align: baseline; bo
 th:first-child, .words td { text-align: left; }
 thead th { font-weight: 600; border-bottom: 2px solid var(--ink); vertical-align: bottom; hyphens: manual; }
 tbody th { font-weight: 500; }
-.reasons tbody th { white-space: nowrap; }
+.reasons { font-size: .82rem; }
 .key { display: inline-block; width: .85em; height: .85em; margin-right: .5em; vertical-align: -.08em;
   border: 1px solid var(--rule); }
 @page { size: A4; margin: 16mm 15mm 18mm; }
@@ -50,8 +50,8 @@ tbody th { font-weight: 500; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   h2, h3 { break-after: avoid; }
   .pair { break-before: page; }
-  .gallery { grid-template-columns: repeat(2, 1fr); gap: 5mm; }
-  .maps { grid-template-columns: repeat(2, 1fr); gap: 5mm; }
+  .gallery { grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 5mm; }
+  .maps { grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 5mm; }
   .live .split + label { display: none; }
 }
 ";

@@ -34,14 +34,14 @@ impl Page<'_> {
         let [width, height] = self.size();
         let (middle, label) = (f64::from(width) / 2.0, escape(self.settings.language.split_label()));
         let stroke = (f64::from(width) / 500.0).max(0.5);
-        let _ = write!(
+        let _ = writeln!(
             html,
             "<figure><svg class=\"split\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\">\
              <clipPath id=\"c{index}\"><rect class=\"cover\" x=\"{middle}\" width=\"{width}\" height=\"{height}\"/>\
              </clipPath><use href=\"#p0\"/><g clip-path=\"url(#c{index})\"><use href=\"#p{index}\"/></g>\
              <line class=\"divider\" x1=\"{middle}\" x2=\"{middle}\" y2=\"{height}\" stroke=\"#ffffff\" \
              stroke-width=\"{stroke}\"/></svg><label>{label}<input type=\"range\" min=\"0\" max=\"100\" step=\"any\" \
-             value=\"50\"/></label><figcaption>{}</figcaption></figure>\n",
+             value=\"50\"/></label><figcaption>{}</figcaption></figure>",
             escape(title),
             escape(caption)
         );
@@ -82,11 +82,11 @@ impl Page<'_> {
     fn map(&self, html: &mut String, data: &str, caption: &str, legend: &str) {
         let [width, height] = self.size();
         let caption = escape(caption);
-        let _ = write!(
+        let _ = writeln!(
             html,
             "<figure><svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{caption}\"><image \
              width=\"{width}\" height=\"{height}\" href=\"{data}\"/></svg>{legend}<figcaption>{caption}</figcaption>\
-             </figure>\n"
+             </figure>"
         );
     }
 
