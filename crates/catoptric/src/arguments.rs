@@ -199,9 +199,9 @@ The first picture is the truth. A method is one of whitted, ssr, cube-map, phong
 ssr:range=5:fallback=cube-map or whitted:generations=2:samples=16.
 
 Examples:
-  catoptric compare whitted --methods whitted,ssr,cube-map,phong -o compared
-  catoptric compare hall-of-mirrors --methods whitted,whitted:generations=4 -o compared --language ru
-  catoptric compare --pictures reference.exr,mine.exr -o compared")]
+  catoptric compare whitted --methods whitted,ssr,cube-map,phong
+  catoptric compare hall-of-mirrors --methods whitted,whitted:generations=4 -o hall --language ru
+  catoptric compare --pictures reference.exr,mine.exr")]
 pub(crate) struct CompareArguments {
     /// A scene file, or the name of a built-in scene; can be left out when only pictures are compared
     #[arg(value_name = "SCENE", required_unless_present = "pictures")]
@@ -219,7 +219,7 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "FILES", value_delimiter = ',')]
     pub pictures: Vec<PathBuf>,
     /// The directory for the report, the pictures and the numbers
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", default_value = "compared")]
     pub output: PathBuf,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "640x360")]
@@ -252,9 +252,9 @@ What to vary is one of bodies, generations, size, samples, threads, method, fine
 them separated by a comma; values follow a = sign. Ctrl-C ends the measurement and keeps what was measured.
 
 Examples:
-  catoptric measure whitted --vary size -o study
-  catoptric measure whitted --vary bodies,search -o study --language ru
-  catoptric measure hall-of-mirrors --vary generations=1,2,4,8,16,32 -o study")]
+  catoptric measure whitted --vary size
+  catoptric measure whitted --vary bodies,search -o bodies --language ru
+  catoptric measure hall-of-mirrors --vary generations=1,2,4,8,16,32")]
 pub(crate) struct MeasureArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
@@ -262,7 +262,7 @@ pub(crate) struct MeasureArguments {
     #[arg(long, value_name = "PARAMETERS")]
     pub vary: String,
     /// The directory for the report, the plots and the tables
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", default_value = "study")]
     pub output: PathBuf,
     /// The method, unless it is varied
     #[arg(long, value_name = "METHOD", default_value = "whitted")]

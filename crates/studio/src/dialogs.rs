@@ -48,13 +48,13 @@ pub(crate) trait Dialog {
 pub(crate) struct Dialogs {
     /// The last one is on top and has the keyboard.
     open: Vec<Opened>,
-    count: u64,
     /// Pictures of the examples.
     thumbnails: examples::thumbnails::Thumbnails,
 }
 
 struct Opened {
-    number: u64,
+    /// Tells it from the other open ones, once it has been drawn.
+    number: Option<usize>,
     is_new: bool,
     dialog: Box<dyn Dialog>,
 }
@@ -62,8 +62,7 @@ struct Opened {
 impl Dialogs {
     /// Opens `dialog` on top of the others.
     pub(crate) fn open(&mut self, dialog: impl Dialog + 'static) {
-        self.count += 1;
-        self.open.push(Opened { number: self.count, is_new: true, dialog: Box::new(dialog) });
+        self.open.push(Opened { number: None, is_new: true, dialog: Box::new(dialog) });
     }
 
     /// Whether any dialog is open; shortcuts rest then.
@@ -75,9 +74,10 @@ impl Dialogs {
 /// Draws the open dialogs.
 pub(crate) fn dialogs_ui(ui: &mut Ui, studio: &mut Studio) {
     let mut open = std::mem::take(&mut studio.dialogs.open);
-    let top = open.last().map(|opened| opened.number);
+    number_new(&mut open);
+    let top = open.last().and_then(|opened| opened.number);
     open.retain_mut(|opened| {
-        let is_top = top == Some(opened.number);
+        let is_top = top == opened.number;
         show(ui.ctx(), studio, opened, is_top) == Flow::Stay
     });
     // Those that were opened meanwhile lie on top.
@@ -85,12 +85,23 @@ pub(crate) fn dialogs_ui(ui: &mut Ui, studio: &mut Studio) {
     studio.dialogs.open = open;
 }
 
+/// Gives new dialogs the least numbers that are free, for the toolkit never forgets what it kept for a number.
+fn number_new(open: &mut [Opened]) {
+    for index in 0..open.len() {
+        let least = (0..).find(|number| open.iter().all(|other| other.number != Some(*number)));
+        if let Some(opened) = open.get_mut(index) {
+            opened.number = opened.number.or(least);
+        }
+    }
+}
+
 /// Whether Enter presses the default button, for [`buttons`].
 #[derive(Clone, Copy)]
 struct EnterDecides(bool);
 
 fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: bool) -> Flow {
-    if std::mem::take(&mut opened.is_new) {
+    let is_new = std::mem::take(&mut opened.is_new);
+    if is_new {
         // Whatever lies below must not hear the keys any more.
         context.memory_mut(|memory| memory.focused().map(|focused| memory.surrender_focus(focused)));
     }
@@ -103,7 +114,11 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: boo
 
     let title = opened.dialog.title(&studio.texts);
     let id = egui::Id::unique(("dialog", opened.number));
-    let area = Modal::default_area(id).accessible_name(&title);
+    // Not in the size of the one that had this number before, and not in its place.
+    let area = Modal::default_area(id).accessible_name(&title).sizing_pass(is_new);
+    if is_new {
+        context.move_to_top(area.layer());
+    }
     let style = context.global_style();
     let frame = Frame::window(&style).inner_margin(Margin::symmetric(20, 16));
     let flow = Modal::new(id)

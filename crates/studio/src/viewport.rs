@@ -2,6 +2,7 @@
 
 mod carry;
 mod compass;
+mod dashes;
 mod gizmo;
 mod glide;
 mod handles;

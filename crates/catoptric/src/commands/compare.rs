@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::Outcome;
 use crate::arguments::CompareArguments;
-use crate::console::print;
+use crate::console::{print, say};
 use crate::input::{self, Named};
 use crate::output::{prepare_directory, write_file, write_text};
 use crate::progress::Progress;
@@ -52,6 +52,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
     })?;
     if !arguments.quiet {
         print(&summary(&compared))?;
+        say(&format!("the report is {}", arguments.output.join("report.html").display()));
     }
     Ok(Outcome::Done)
 }

@@ -59,6 +59,7 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
     }
     if !arguments.quiet {
         print(&format!("{}\n", study.laws.join("\n")))?;
+        say(&format!("the report is {}", arguments.output.join("report.md").display()));
     }
     if measured.complete {
         return Ok(Outcome::Done);

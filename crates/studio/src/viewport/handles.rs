@@ -2,9 +2,10 @@
 
 use catoptric_editor::Item;
 use catoptric_scene::{Camera, Light, Projection};
-use egui::{Color32, Painter, Pos2, Shape, Stroke};
+use egui::{Color32, Painter, Pos2, Stroke};
 use glam::DVec3;
 
+use super::dashes::dashed;
 use super::sight::{Sight, marks};
 use crate::context::Cx;
 use crate::theme::Palette;
@@ -76,7 +77,7 @@ impl Pen<'_> {
         let Some([top, bottom]) = self.sight.lens.segment(from, foot) else { return };
         let color = self.palette.accent.gamma_multiply(0.8);
         let points = [self.sight.pos(top), self.sight.pos(bottom)];
-        self.painter.extend(Shape::dashed_line(&points, Stroke::new(1.2, color), 4.0, 4.0));
+        dashed(self.painter, points, Stroke::new(1.2, color), 4.0, 4.0);
         let arm = 8.0 * self.sight.lens.meters_per_point(foot);
         for direction in [DVec3::X, DVec3::Z] {
             if let Some([from, to]) = self.sight.lens.segment(foot - arm * direction, foot + arm * direction)

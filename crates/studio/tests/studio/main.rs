@@ -11,3 +11,7 @@ mod render;
 mod software;
 mod viewport;
 mod window;
+
+/// As in the program, for the test that looks at memory.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;

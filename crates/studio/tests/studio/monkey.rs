@@ -4,6 +4,7 @@
 //! pictures leave between small things; `MALLOC_ARENA_MAX=1 MALLOC_MMAP_THRESHOLD_=65536` shows what is really in use.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use catoptric_editor::{Action, Item, Label};
 use catoptric_scene::{Example, MaterialChoice, ShapeKind};
@@ -304,7 +305,11 @@ impl Monkey {
     fn close_pictures(&mut self) {
         // The question whether to lose the picture lies over its window.
         const CLOSE: &[&str] = &["Don’t save", "Не сохранять", "Close the picture", "Закрыть изображение"];
-        for attempt in 0..100 {
+        for attempt in 0..1000 {
+            if attempt > 100 {
+                // One that is being saved or copied cannot be closed yet.
+                std::thread::sleep(Duration::from_millis(20));
+            }
             let rank = |node: &egui_kittest::Node<'_>| {
                 let node = node.accesskit_node();
                 let label = node.label().filter(|_| node.role() == accesskit::Role::Button)?;

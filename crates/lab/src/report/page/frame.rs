@@ -39,7 +39,8 @@ caption { text-align: left; color: var(--soft); padding: 0 0 .45rem; }
 th, td { padding: .32rem .55rem; text-align: right; vertical-align: baseline; border-bottom: 1px solid var(--rule); }
 th:first-child, .words td { text-align: left; }
 thead th { font-weight: 600; border-bottom: 2px solid var(--ink); vertical-align: bottom; hyphens: manual; }
-tbody th { font-weight: 500; }
+tbody th { font-weight: 500; hyphens: manual; white-space: nowrap; }
+.reasons tbody th { white-space: normal; }
 .reasons { font-size: .82rem; }
 .key { display: inline-block; width: .85em; height: .85em; margin-right: .5em; vertical-align: -.08em;
   border: 1px solid var(--rule); }
@@ -53,6 +54,10 @@ tbody th { font-weight: 500; }
   .gallery { grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 5mm; }
   .maps { grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 5mm; }
   .live .split + label { display: none; }
+  .pair .split { width: 62%; }
+  h2 { margin-top: 1.2rem; }
+  th, td { padding: .22rem .4rem; }
+  .reasons { font-size: .74rem; }
 }
 ";
 
