@@ -7,6 +7,7 @@ use egui::{CentralPanel, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
 
 use crate::StudioError;
+use crate::audit::{self, Auditing};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::dialogs::Dialogs;
@@ -32,6 +33,7 @@ pub struct Studio {
     pub(crate) texts: Texts,
     pub(crate) settings: Settings,
     pub(crate) view: View,
+    pub(crate) audit: Auditing,
     pub(crate) live: Live,
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
@@ -94,6 +96,7 @@ impl Studio {
             texts: Texts::new(settings.language),
             settings,
             view: View::default(),
+            audit: Auditing::default(),
             live,
             layout,
             documents: Documents::default(),
@@ -170,6 +173,7 @@ impl Studio {
         let bar = Frame::new().fill(palette.bar).inner_margin(egui::Margin::symmetric(8, 3));
         Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
         documents::banner_ui(ui, self);
+        audit::keep_up(ui.ctx(), &mut self.cx());
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         crate::first_steps::first_steps_ui(ui.ctx(), self);
@@ -185,6 +189,7 @@ impl Studio {
             ui.ctx().request_repaint();
         }
         documents::keep(ui.ctx(), self);
+        audit::poll_saving(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();
     }
@@ -196,6 +201,7 @@ impl Studio {
             texts: &self.texts,
             settings: &mut self.settings,
             view: &mut self.view,
+            audit: &mut self.audit,
             live: &self.live,
             commands: &mut self.commands,
         }

@@ -3,6 +3,7 @@
 use catoptric_editor::Editor;
 use catoptric_live::Live;
 
+use crate::audit::Auditing;
 use crate::command::Command;
 use crate::settings::Settings;
 use crate::texts::Texts;
@@ -18,6 +19,8 @@ pub(crate) struct Cx<'a> {
     pub(crate) settings: &'a mut Settings,
     /// How the document is looked at.
     pub(crate) view: &'a mut View,
+    /// The pixel that is looked into.
+    pub(crate) audit: &'a mut Auditing,
     /// The traced picture.
     pub(crate) live: &'a Live,
     /// What is to be done when the frame is drawn.

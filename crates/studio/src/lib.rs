@@ -4,6 +4,7 @@
 //! the worker of `catoptric-live` what to show.
 
 mod app;
+mod audit;
 mod command;
 mod context;
 mod dialogs;
@@ -35,7 +36,7 @@ mod widgets;
 mod window;
 
 pub use app::{Start, Studio};
-pub use command::{Command, Group, Look, Tool, Zoom};
+pub use command::{AuditAct, Command, Group, Look, Tool, Zoom};
 pub use layout::Pane;
 pub use pictures::{PictureKind, RenderChoices};
 pub use settings::{LastScene, Settings, Theme};

@@ -30,6 +30,7 @@ macro_rules! catalogues {
             ("document", include_str!(concat!("../texts/", $folder, "/document.ftl"))),
             ("edits", include_str!(concat!("../texts/", $folder, "/edits.ftl"))),
             ("render", include_str!(concat!("../texts/", $folder, "/render.ftl"))),
+            ("audit", include_str!(concat!("../texts/", $folder, "/audit.ftl"))),
             ("help", include_str!(concat!("../texts/", $folder, "/help.ftl"))),
         ]
     };

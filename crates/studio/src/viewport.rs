@@ -13,6 +13,8 @@ mod load;
 mod marks;
 mod menu;
 mod picture;
+mod pixels;
+mod rays;
 mod sight;
 mod toolbar;
 mod travel;
@@ -32,8 +34,9 @@ use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
 pub(crate) use jumps::{
-    frame, look_along, place_for_new, place_for_new_light, set_camera, set_scene_camera, toggle_free,
+    frame, look_along, look_through, place_for_new, place_for_new_light, set_camera, set_scene_camera, toggle_free,
 };
+pub(crate) use lens::Lens;
 use picture::Picture;
 pub(crate) use picture::why;
 use sight::{Sight, Target};
@@ -110,6 +113,8 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
             marks::outlines(&painter, rect, frame, palette);
         }
     }
+    crate::audit::keep_sight(ui.ctx(), cx, camera);
+    rays::draw(&painter, &sight, cx);
     over_picture(&painter, cx, viewport, &sight, palette);
     tell(ui, cx, &response);
     toolbar::toolbar_ui(ui, cx, rect);
@@ -228,7 +233,7 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
 }
 
 /// Short texts: what is being changed, what is under the pointer, how to fly.
-fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
+fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
     /// How long the pointer rests before it is told what it is over, seconds.
     const REST: f32 = 0.5;
     let palette = theme::palette(ui.visuals());
@@ -246,7 +251,9 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         Some(Target::Body { index, .. }) => Some(Item::Body(index)),
         _ => None,
     };
-    if let (Some(amount), Some(pointer)) = (amount, pointer) {
+    if cx.view.is_auditing {
+        pixels::note(ui, cx, sight, palette);
+    } else if let (Some(amount), Some(pointer)) = (amount, pointer) {
         let grain = sight.lens.meters_per_point(sight.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
         labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);

@@ -4,6 +4,7 @@ menu-file = File
 menu-edit = Edit
 menu-add = Add
 menu-view = View
+menu-lab = Lab
 menu-help = Help
 menu-recent = Open recent
 menu-no-recent = No recent files
@@ -26,6 +27,7 @@ group-select = Selecting
 group-add = Adding
 group-view = Camera and view
 group-tool = Tools
+group-lab = Lab
 group-window = Window
 group-help = Help
 
@@ -159,6 +161,26 @@ command-toggle-grid = Ground grid
 command-toggle-handles = Handles
     .tip = Shows lights and handles over the picture.
 
+# Lab.
+command-audit = Audit of a pixel
+    .tip = A click in the picture pins a pixel: all its rays are listed with their arithmetic and drawn in space; drags look at them from elsewhere.
+command-audit-view = Look through the audited pixel
+    .tip = Looks again from where the pixel was pinned.
+command-audit-previous = A generation less
+    .tip = Shows the rays of one generation less.
+command-audit-next = A generation more
+    .tip = Shows the rays of one generation more.
+command-audit-all = All rays
+    .tip = Shows the rays of all generations, whole.
+command-audit-play = Slow light
+    .tip = Pulses run along the rays, so slowly that one can follow them; again to stop.
+command-audit-copy = Copy the audit as text
+    .tip = Puts the tree of rays with every number into the clipboard.
+command-audit-save = Save the tree of rays…
+    .tip = Saves the tree of rays as an SVG drawing.
+command-audit-release = End the audit
+    .tip = Lets the pixel go; its rays vanish from the picture.
+
 # Window.
 command-pane-outliner = Scene
     .tip = The panel of everything in the scene.
@@ -168,6 +190,8 @@ command-pane-history = History
     .tip = The panel of the steps of editing.
 command-pane-problems = Problems
     .tip = The panel of what is wrong in the file.
+command-pane-audit = Audit
+    .tip = The panel of all rays behind a pixel.
 command-pane-viewport = Picture
     .tip = The panel of the traced picture.
 command-reset-layout = Reset panels

@@ -1,0 +1,128 @@
+//! The rows of the list of rays: which ray or which of its terms stands where.
+
+use super::{Auditing, terms};
+use crate::texts::{Language, Texts};
+
+/// What stands in a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Row {
+    /// A ray.
+    Ray(usize),
+    /// A term of a ray, by its place among them.
+    Term(usize, usize),
+}
+
+/// The rows, as long as nothing changes that decides about them.
+#[derive(Default)]
+pub(super) struct Listing {
+    key: Option<Key>,
+    rows: Vec<Row>,
+    /// How many steps each ray is from the eye.
+    depths: Vec<u32>,
+}
+
+#[derive(PartialEq)]
+struct Key {
+    serial: u64,
+    step: Option<u32>,
+    expanded: Vec<usize>,
+    language: Language,
+}
+
+impl Listing {
+    /// How many rows there are.
+    pub(super) fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// What stands in a row.
+    pub(super) fn row(&self, index: usize) -> Option<Row> {
+        self.rows.get(index).copied()
+    }
+
+    /// Where a ray stands, if it is shown.
+    pub(super) fn place_of(&self, node: usize) -> Option<usize> {
+        self.rows.iter().position(|row| *row == Row::Ray(node))
+    }
+
+    /// How many steps a ray is from the eye.
+    pub(super) fn depth(&self, node: usize) -> u32 {
+        self.depths.get(node).copied().unwrap_or(0)
+    }
+}
+
+/// Brings the rows up to date.
+pub(super) fn refresh(audit: &mut Auditing, texts: &Texts) {
+    let Some(found) = &audit.found else { return };
+    let (expanded, step) = (audit.expanded.iter().copied().collect(), audit.step);
+    let key = Key { serial: found.serial, step, expanded, language: texts.language() };
+    if audit.listing.key.as_ref() == Some(&key) {
+        return;
+    }
+    let Some(tree) = found.tree() else { return };
+    let mut depths: Vec<u32> = Vec::with_capacity(tree.nodes.len());
+    let mut rows = Vec::with_capacity(tree.nodes.len());
+    for (place, node) in tree.nodes.iter().enumerate() {
+        let above = node.ray.parent.and_then(|parent| depths.get(parent));
+        depths.push(above.map_or(0, |above| above + 1));
+        if !audit.shows(node.ray.generation) {
+            continue;
+        }
+        rows.push(Row::Ray(place));
+        if audit.expanded.contains(&place) {
+            let count = terms::of_node(texts, &found.scene, &found.audit, node).len();
+            rows.extend((0..count).map(|term| Row::Term(place, term)));
+        }
+    }
+    audit.listing = Listing { key: Some(key), rows, depths };
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use catoptric_scene::{Example, MaterialChoice};
+    use catoptric_tracer::{Control, Stage};
+    use glam::UVec2;
+
+    use super::super::found::Order;
+    use super::super::{Found, Pin};
+    use super::*;
+
+    /// A pixel whose rays all branch: glass in glass, deep.
+    fn found(generations: u32) -> Found {
+        let mut scene = Example::find("glass-row").unwrap().load().unwrap().scene;
+        scene.tracing.generations = generations;
+        scene.tracing.threshold = 0.0;
+        for body in scene.bodies.iter_mut() {
+            if let MaterialChoice::Inline(material) = &mut body.material {
+                (material.reflection, material.transmission) = (Some(0.4), 0.5);
+            }
+        }
+        let stage = Arc::new(Stage::prepare(&scene).unwrap());
+        let camera = scene.camera;
+        let pin = Pin { pixel: UVec2::new(80, 45), size: UVec2::new(160, 90), camera, home: camera };
+        let order = Order { serial: 1, pin, scene: Arc::new(scene), stage, before: None };
+        order.carry_out(&Control::default()).unwrap()
+    }
+
+    #[test]
+    fn rows_follow_the_steps_and_what_is_expanded() {
+        let texts = Texts::new(Language::English);
+        let found = found(8);
+        let nodes = &found.tree().unwrap().nodes.clone();
+        assert!(nodes.len() > 4, "{}", nodes.len());
+        let mut audit = Auditing { found: Some(Arc::new(found)), ..Auditing::default() };
+        refresh(&mut audit, &texts);
+        assert_eq!(audit.listing.len(), nodes.len());
+        audit.expanded.insert(1);
+        refresh(&mut audit, &texts);
+        assert!(audit.listing.len() > nodes.len() + 3);
+        assert_eq!(audit.listing.row(2), Some(Row::Term(1, 0)));
+        assert_eq!(audit.listing.place_of(1), Some(1));
+        audit.step = Some(1);
+        refresh(&mut audit, &texts);
+        assert_eq!((audit.listing.len(), audit.listing.place_of(1)), (1, None));
+        assert_eq!(audit.listing.depth(1), 1);
+    }
+}
