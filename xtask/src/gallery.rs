@@ -54,7 +54,7 @@ fn picture(example: &Example, samples: u32) -> Result<Picture> {
 }
 
 /// Pictures in documents are JPEG: a repository should stay small.
-fn write_jpeg(path: &Path, picture: &Picture) -> Result<()> {
+pub(crate) fn write_jpeg(path: &Path, picture: &Picture) -> Result<()> {
     let developed = Development::default().develop(picture, BitDepth::Eight)?;
     let mut bytes = Vec::new();
     if let Codes::Eight(codes) = developed.codes() {

@@ -4,6 +4,7 @@ mod bench;
 mod ci;
 mod dist;
 mod gallery;
+mod methods;
 mod packages;
 mod povray;
 mod scenes;
@@ -31,6 +32,8 @@ enum Chore {
     Ci,
     /// Render the built-in scenes into docs/gallery and the README's picture
     Gallery(gallery::GalleryArguments),
+    /// Draw the documents' pictures of the methods
+    Methods,
     /// Write a scene of very many bodies, for measuring
     Cloud(scenes::CloudArguments),
     /// Time the tracer against POV-Ray and other renderers on nine scenes, by turns
@@ -47,6 +50,7 @@ fn main() -> anyhow::Result<()> {
     match Arguments::parse().chore {
         Chore::Ci => ci::run(),
         Chore::Gallery(arguments) => gallery::run(&arguments),
+        Chore::Methods => methods::run(),
         Chore::Cloud(arguments) => scenes::write_cloud(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
         Chore::BenchStudio => window::bench(),

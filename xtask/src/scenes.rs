@@ -2,9 +2,8 @@
 
 mod cloud;
 mod glass_grid;
-mod random;
 mod sphereflake;
 
-pub(crate) use cloud::{CloudArguments, cloud, write_cloud};
+pub(crate) use cloud::{CloudArguments, write_cloud};
 pub(crate) use glass_grid::glass_grid;
 pub(crate) use sphereflake::sphereflake;

@@ -1,15 +1,22 @@
 //! The command line's grammar.
 
+mod method;
+
 use std::num::IntErrorKind;
 use std::path::PathBuf;
 use std::str::FromStr;
 
 use catoptric_lab::maps::MapKind;
+use catoptric_lab::Variant;
+use catoptric_lab::measure::Plan;
+use catoptric_lab::report::Language;
 use catoptric_picture::{Picture, ToneCurve};
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
+
+pub(crate) use method::MethodArguments;
 
 /// A laboratory for reflections from geometric bodies.
 #[derive(Debug, Parser)]
@@ -31,7 +38,7 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Open the studio (also what happens without a command)
     Studio(StudioArguments),
-    /// Trace a scene into a picture
+    /// Draw a scene into a picture
     Render(RenderArguments),
     /// Find all problems of scene files, with line and column
     Check(CheckArguments),
@@ -39,6 +46,10 @@ pub(crate) enum Command {
     Audit(AuditArguments),
     /// Tell how two pictures differ
     Diff(DiffArguments),
+    /// Draw a scene in several ways and hold them against the first
+    Compare(CompareArguments),
+    /// Measure how the time of a picture grows, and name the law
+    Measure(MeasureArguments),
     /// Convert a picture, or write a scene in its standard form
     Convert(ConvertArguments),
     /// List the built-in scenes, or write one
@@ -80,9 +91,6 @@ pub(crate) struct RenderArguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720")]
     pub size: Size,
-    /// How reflections are found
-    #[arg(long, value_enum, default_value_t = Method::Whitted)]
-    pub method: Method,
     /// What does the work
     #[arg(long, value_enum, default_value_t = Backend::Auto)]
     pub backend: Backend,
@@ -106,6 +114,8 @@ pub(crate) struct RenderArguments {
     /// No progress, no warnings, no summary
     #[arg(short, long)]
     pub quiet: bool,
+    #[command(flatten)]
+    pub method: MethodArguments,
 }
 
 #[derive(Debug, Args)]
@@ -184,6 +194,100 @@ pub(crate) struct DiffArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "\
+The first picture is the truth. A method is one of whitted, ssr, cube-map, phong, gouraud, flat, with settings such as
+ssr:range=5:fallback=cube-map or whitted:generations=2:samples=16.
+
+Examples:
+  catoptric compare whitted --methods whitted,ssr,cube-map,phong -o compared
+  catoptric compare hall-of-mirrors --methods whitted,whitted:generations=4 -o compared --language ru
+  catoptric compare --pictures reference.exr,mine.exr -o compared")]
+pub(crate) struct CompareArguments {
+    /// A scene file, or the name of a built-in scene; can be left out when only pictures are compared
+    #[arg(value_name = "SCENE", required_unless_present = "pictures")]
+    pub scene: Option<PathBuf>,
+    /// The ways of drawing, the first of which is the truth
+    #[arg(
+        long,
+        value_name = "METHODS",
+        value_delimiter = ',',
+        requires = "scene",
+        required_unless_present = "pictures"
+    )]
+    pub methods: Vec<Variant>,
+    /// Picture files to compare too: .png or .exr, all of one size
+    #[arg(long, value_name = "FILES", value_delimiter = ',')]
+    pub pictures: Vec<PathBuf>,
+    /// The directory for the report, the pictures and the numbers
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "640x360")]
+    pub size: Size,
+    /// Samples per pixel, 1 to 65536
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(RenderSettings::MAX_SAMPLES)))]
+    pub samples: u32,
+    /// Number of threads, 1 to 1024; all cores by default
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// How often each is drawn for its time, after a first time that is not counted, 1 to 1000
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = value_parser!(u32).range(1..=1000))]
+    pub runs: u32,
+    /// The largest difference of a channel that counts as equal, in linear light
+    #[arg(long, value_name = "D", default_value = "1/255", allow_negative_numbers = true, value_parser = fraction)]
+    pub tolerance: f64,
+    /// The language of the report: en or ru
+    #[arg(long, value_name = "LANGUAGE", default_value_t = Language::English)]
+    pub language: Language,
+    #[command(flatten)]
+    pub development: DevelopmentArguments,
+    /// No progress, no warnings, no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+What to vary is one of bodies, generations, size, samples, threads, method, fineness, cube-map-size, search, or two of
+them separated by a comma; values follow a = sign. Ctrl-C ends the measurement and keeps what was measured.
+
+Examples:
+  catoptric measure whitted --vary size -o study
+  catoptric measure whitted --vary bodies,search -o study --language ru
+  catoptric measure hall-of-mirrors --vary generations=1,2,4,8,16,32 -o study")]
+pub(crate) struct MeasureArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// What to vary, one parameter or two, each with its values or the usual ones
+    #[arg(long, value_name = "PARAMETERS")]
+    pub vary: String,
+    /// The directory for the report, the plots and the tables
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// The method, unless it is varied
+    #[arg(long, value_name = "METHOD", default_value = "whitted")]
+    pub method: Variant,
+    /// Width and height in pixels, unless they are varied
+    #[arg(long, value_name = "WxH", default_value = "320x180")]
+    pub size: Size,
+    /// Samples per pixel, 1 to 65536, unless they are varied
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(RenderSettings::MAX_SAMPLES)))]
+    pub samples: u32,
+    /// Number of threads, 1 to 1024, unless it is varied; all cores by default
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// How often each point is measured, 1 to 1000
+    #[arg(long, value_name = "N", default_value_t = Plan::ROUNDS, value_parser = value_parser!(u32).range(1..=1000))]
+    pub rounds: u32,
+    /// The language of the report: en or ru
+    #[arg(long, value_name = "LANGUAGE", default_value_t = Language::English)]
+    pub language: Language,
+    /// No progress, no warnings, no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ConvertArguments {
     /// A picture (.png, .exr) or a scene (.toml)
     #[arg(value_name = "IN")]
@@ -214,13 +318,6 @@ pub(crate) struct CompletionsArguments {
 pub(crate) struct ManArguments {
     /// The command to explain, such as render; without it, the program
     pub command: Option<String>,
-}
-
-/// How reflections are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Method {
-    /// Whitted's tree of rays
-    Whitted,
 }
 
 /// What does the work.

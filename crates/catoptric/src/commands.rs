@@ -2,16 +2,19 @@
 
 pub(crate) mod audit;
 pub(crate) mod check;
+pub(crate) mod compare;
 pub(crate) mod convert;
 pub(crate) mod diff;
 pub(crate) mod examples;
 pub(crate) mod manual;
+pub(crate) mod measure;
 pub(crate) mod render;
 pub(crate) mod studio;
 
 use catoptric_scene::LoadError;
 
-/// How a command ended when nothing went wrong with the program itself. (Interrupted, only the studio returns.)
+/// How a command ended when nothing went wrong with the program itself. (Interrupted, only those return that are asked
+/// to end.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// Exit status 0.
@@ -20,7 +23,7 @@ pub(crate) enum Outcome {
     Failed,
     /// The input is wrong, and that has been said: exit status 2.
     WrongInput,
-    /// The studio was asked to end by Ctrl-C or the like: exit status 130.
+    /// The studio or a measurement was asked to end by Ctrl-C or the like: exit status 130.
     Interrupted,
 }
 

@@ -15,14 +15,14 @@ use crate::progress;
 /// The exit status of an interrupted program.
 pub(crate) const INTERRUPTED: u8 = 130;
 
-/// So long the studio has to end by itself.
-const PATIENCE: Duration = Duration::from_secs(5);
+/// So long has what is asked to end by itself.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The files written so far; locked while one is being written.
 static WRITTEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// What asks the studio to end, when it is open.
-static STUDIO: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
+/// What asks the studio, or a measurement under way, to end by itself.
+static ASKED: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
 
 /// From now on, Ctrl-C (or a request to end) ends the program with exit status 130.
 pub(crate) fn listen() {
@@ -30,18 +30,19 @@ pub(crate) fn listen() {
     let _ = on_request(request());
 }
 
-/// The first request only calls `ask`: the studio keeps unsaved work and ends by itself, or else is ended soon.
+/// The first request only calls `ask`: the studio keeps unsaved work, a measurement what was measured, and each ends by
+/// itself, or else is ended soon.
 pub(crate) fn ask_first(ask: impl Fn() + Send + Sync + 'static) {
-    // There is one studio at most.
-    let _ = STUDIO.set(Box::new(ask));
+    // A command asks once at most.
+    let _ = ASKED.set(Box::new(ask));
 }
 
 /// What to do at each request.
 fn request() -> impl FnMut() + Send + 'static {
     let mut again = false;
     move || {
-        // A thread of its own waits for the file or the studio, and this one for a second request.
-        let end = || match STUDIO.get() {
+        // A thread of its own waits for the file or what was asked, and this one for a second request.
+        let end = || match ASKED.get() {
             Some(ask) => {
                 ask();
                 thread::sleep(PATIENCE);

@@ -47,6 +47,8 @@ fn run(command: &Command) -> Result<Outcome> {
         Command::Check(arguments) => commands::check::run(arguments),
         Command::Audit(arguments) => commands::audit::run(arguments),
         Command::Diff(arguments) => commands::diff::run(arguments),
+        Command::Compare(arguments) => commands::compare::run(arguments),
+        Command::Measure(arguments) => commands::measure::run(arguments),
         Command::Convert(arguments) => commands::convert::run(arguments),
         Command::Examples(arguments) => commands::examples::run(arguments),
         Command::Completions(arguments) => commands::manual::completions(arguments),

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Result, bail};
+use anyhow::{Context as _, Result, bail};
 use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, write_exr, write_png};
 
 use crate::arguments::DevelopmentArguments;
@@ -93,9 +93,20 @@ pub(crate) fn is_stdout(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
+/// Makes a directory for several files, unless it is there, and asks before the work begins whether they can be written.
+pub(crate) fn prepare_directory(path: &Path, first: &str) -> Result<()> {
+    fs::create_dir_all(path).with_context(|| format!("cannot make the directory {}", path.display()))?;
+    check_output(&path.join(first), &[])
+}
+
+/// Writes a file, whole or not at all.
+pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
+    Ok(interrupt::while_writing(path, || catoptric_files::write_bytes(path, bytes))?)
+}
+
 /// Writes a text file, whole or not at all.
 pub(crate) fn write_text(path: &Path, text: &str) -> Result<()> {
-    Ok(interrupt::while_writing(path, || catoptric_files::write_bytes(path, text.as_bytes()))?)
+    write_file(path, text.as_bytes())
 }
 
 /// Writes a picture, whole or not at all; returns the milliseconds spent on developing and on writing it.

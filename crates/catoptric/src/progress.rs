@@ -47,6 +47,29 @@ impl Progress {
         result
     }
 
+    /// Does `work` while a bar shows how many steps of `total` it says are done, and the seconds it says are left.
+    pub(crate) fn of_steps<T>(
+        self,
+        total: usize,
+        work: impl FnOnce(&mut (dyn FnMut(usize, Option<Duration>) + Send)) -> T,
+    ) -> T {
+        if !self.shown {
+            return work(&mut |_, _| {});
+        }
+        show(ProgressBar::new(total as u64), "{bar:40} {pos} of {len}  {elapsed} elapsed{msg}");
+        let result = work(&mut |done, left| {
+            with_shown(|bar| {
+                bar.set_position(done as u64);
+                if let Some(left) = left {
+                    bar.set_message(format!(", {:#} left", HumanDuration(left)));
+                }
+                bar.tick();
+            });
+        });
+        clear();
+        result
+    }
+
     /// Does `work` under a line that says what it is.
     pub(crate) fn of_writing<T>(self, what: &str, work: impl FnOnce() -> T) -> T {
         if !self.shown {
@@ -106,7 +129,14 @@ fn watch(control: &Control, finished: &AtomicBool) {
     const INTERVAL: Duration = Duration::from_millis(100);
     thread::park_timeout(INTERVAL);
     while !finished.load(Ordering::Relaxed) {
-        with_shown(|bar| bar.set_position(control.pixels_done()));
+        with_shown(|bar| {
+            // Some work announces more as it goes on.
+            let expected = control.pixels_expected();
+            if expected > 0 {
+                bar.set_length(expected);
+            }
+            bar.set_position(control.pixels_done());
+        });
         thread::park_timeout(INTERVAL);
     }
 }

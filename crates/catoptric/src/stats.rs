@@ -1,7 +1,10 @@
 //! What a render took, as JSON.
 
+use std::time::Duration;
+
 use catoptric_tracer::RayCounts;
-use serde_json::{Value, json};
+use catoptric_tracer::method::{CubeMapUse, PassName};
+use serde_json::{Map, Value, json};
 
 /// Milliseconds of each step.
 #[derive(Clone, Copy, Debug, Default)]
@@ -24,6 +27,9 @@ pub(crate) struct Stats<'a> {
     pub bodies: usize,
     pub lights: usize,
     pub stage_bytes: usize,
+    pub method: &'a str,
+    pub passes: &'a [(PassName, Duration)],
+    pub cube_maps: Option<CubeMapUse>,
     pub times: Times,
     pub rays: RayCounts,
     pub peak_memory_bytes: Option<u64>,
@@ -36,6 +42,12 @@ impl Stats<'_> {
         if self.times.trace > 0.0 { rounded(rays / (self.times.trace * 1e3)) } else { 0.0 }
     }
 
+    /// Milliseconds of each pass.
+    fn passes(&self) -> Map<String, Value> {
+        let passes = self.passes.iter();
+        passes.map(|(name, time)| (name.name().to_owned(), milliseconds(*time).into())).collect()
+    }
+
     pub(crate) fn to_json(&self) -> Value {
         let Times { read, prepare, trace, develop, write } = self.times;
         let RayCounts { primary, shadow, reflected, refracted } = self.rays;
@@ -45,7 +57,7 @@ impl Stats<'_> {
             "height": self.height,
             "samples": self.samples,
             "generations": self.generations,
-            "method": "whitted",
+            "method": self.method,
             "backend": "cpu",
             "threads": self.threads,
             "bodies": self.bodies,
@@ -57,6 +69,13 @@ impl Stats<'_> {
                 "develop": rounded(develop),
                 "write": rounded(write),
             },
+            "passes": self.passes(),
+            "cube_maps": self.cube_maps.map(|CubeMapUse { built, kept, build_time, bytes }| json!({
+                "built": built,
+                "kept": kept,
+                "build_milliseconds": milliseconds(build_time),
+                "bytes": bytes,
+            })),
             "rays": {
                 "primary": primary,
                 "shadow": shadow,
@@ -69,6 +88,10 @@ impl Stats<'_> {
             "peak_memory_bytes": self.peak_memory_bytes,
         })
     }
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    rounded(time.as_secs_f64() * 1e3)
 }
 
 /// To three places: more would be noise.

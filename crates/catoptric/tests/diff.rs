@@ -79,9 +79,29 @@ fn the_numbers_come_as_json() {
     assert_eq!(value["worst_pixel"], serde_json::json!([2, 4]));
     assert_eq!(value["share_above"], 0.01);
     assert!((value["max"].as_f64().unwrap() - 0.1).abs() < 1e-6);
-    for key in ["mean", "rmse", "psnr_db", "tolerance", "share_allowed", "pixels_not_a_number"] {
+    assert_eq!(value["ssim"], Value::Null, "10x10 pixels are too few");
+    for key in ["flip", "mean", "rmse", "psnr_db", "tolerance", "share_allowed", "pixels_not_a_number"] {
         assert!(value[key].is_number(), "{key}");
     }
+}
+
+#[test]
+fn how_different_they_look_is_told() {
+    let folder = Folder::new();
+    for (name, light) in [("black.exr", 0.0), ("white.exr", 1.0)] {
+        write_exr(&folder.path(name), &Picture::from_fn(16, 16, |_, _| [light; 3]).unwrap()).unwrap();
+    }
+    // 0.9674 is the authors' own program's; the similarity is C1 / (1 + C1).
+    let output = folder.run("diff black.exr white.exr").output;
+    assert!(output.contains("\nSSIM           0.000100\nFLIP           0.967"), "{output}");
+    let value: Value = serde_json::from_str(&folder.run("diff black.exr white.exr --json").output).unwrap();
+    assert!((value["flip"].as_f64().unwrap() - 0.96739).abs() < 5e-5, "{value}");
+    assert!((value["ssim"].as_f64().unwrap() - 1e-4).abs() < 1e-6, "{value}");
+    assert!(
+        folder
+            .good("diff white.exr white.exr")
+            .contains("\nSSIM           1.000000\nFLIP           0.000000\n")
+    );
 }
 
 #[test]

@@ -35,6 +35,7 @@ use catoptric_tracer::{
 use glam::{DVec3, UVec2};
 
 pub use names::Names;
+use sum::ExactSum;
 pub use tree::{Node, NodeKind, RayTree};
 
 /// How a pixel is looked into.
@@ -96,7 +97,7 @@ pub enum Proof {
         /// Whether the exact sum is rounded to the pixel.
         is_same: bool,
     },
-    /// Rays were left out, and the pixel was rendered to see the whole.
+    /// Rays were left out, and the pixel was traced once more to see the whole.
     Incomplete,
 }
 
@@ -175,13 +176,26 @@ pub fn audit(
         [tree] if samples == 1 => tree.sum(),
         trees => trees.iter().map(|tree| tree.light.as_dvec3()).sum::<DVec3>() / f64::from(samples),
     };
-    let (light, proof) = if is_complete && certain {
-        (sum.as_vec3().to_array(), Proof::AnyOrder)
-    } else {
-        let light = render_pixel(stage, camera, picture, pixel, control)?;
-        let light = light.ok_or(AuditError::NoSuchPixel { pixel, size })?;
-        let is_same = light == sum.as_vec3().to_array();
-        (light, if is_complete { Proof::Rendered { is_same } } else { Proof::Incomplete })
+    let own = sum.as_vec3().to_array();
+    let known = match (is_complete, certain) {
+        (true, true) => Some(own),
+        (true, false) => None,
+        (false, _) => whole_light(&mut whitted, pixel, size, samples),
+    };
+    if control.is_cancelled() {
+        return Err(AuditError::Cancelled);
+    }
+    let light = match known {
+        Some(light) => light,
+        None => {
+            let light = render_pixel(stage, camera, picture, pixel, control)?;
+            light.ok_or(AuditError::NoSuchPixel { pixel, size })?
+        }
+    };
+    let proof = match (is_complete, certain) {
+        (false, _) => Proof::Incomplete,
+        (true, true) => Proof::AnyOrder,
+        (true, false) => Proof::Rendered { is_same: light == own },
     };
     let mut names = Names::of_lights(scene);
     for node in trees.iter().flat_map(|tree| &tree.nodes) {
@@ -198,4 +212,21 @@ pub fn audit(
         proof,
         names,
     })
+}
+
+/// The light of a pixel by all its rays, none of which is kept; `None` if its last bit depends on the order of adding.
+fn whole_light(whitted: &mut Whitted<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Option<[f32; 3]> {
+    let mut mean = DVec3::ZERO;
+    for sample in 0..samples {
+        let mut sums = <[ExactSum; 3]>::default();
+        let is_whole = whitted.pixel_rays(pixel, size, sample, usize::MAX, |_, light| {
+            let channels = sums.iter_mut().zip(light.to_array());
+            channels.for_each(|(sum, light)| sum.absorb(&ExactSum::of(light)));
+        });
+        if !is_whole || !sums.iter().all(ExactSum::is_certain) {
+            return None;
+        }
+        mean += DVec3::from(sums.each_ref().map(|sum| f64::from(sum.value() as f32)));
+    }
+    Some((mean / f64::from(samples)).as_vec3().to_array())
 }

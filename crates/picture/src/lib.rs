@@ -4,7 +4,8 @@
 //! - [`Development`]: exposure → tone curve → sRGB → 8 or 16 bits ([`Developed`]).
 //! - [`write_png`], [`write_exr`]: whole files or none.
 //! - [`read`]: PNG and EXR by content, safe on hostile files.
-//! - [`Difference`] and [`heat_map`]: how far two pictures are apart, and where.
+//! - [`Difference`] and [`heat_map`]: how far two pictures are apart, and where; [`ssim`] and [`Flip`]: how far apart
+//!   they look.
 //!
 //! The crate knows nothing of scenes or rays. Nothing here panics on any input.
 //!
@@ -29,8 +30,12 @@ mod tone;
 mod write;
 
 pub use catoptric_files::WriteError;
+pub use compare::CompareError;
 pub use compare::difference::{Comparison, Difference, SizeMismatch};
-pub use compare::heat::{HeatMap, HeatMapError, heat_map, scale_color};
+pub use compare::flip::{Flip, FlipMap};
+pub use compare::heat::{HeatMap, heat_map, scale_color};
+pub use compare::inferno::inferno;
+pub use compare::ssim::ssim;
 pub use develop::{BitDepth, Codes, Developed, Development};
 pub use picture::{Picture, SizeError};
 pub use read::{DecodeError, ReadError, decode, read};

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests may panic as tests may")]
 
 use catoptric_picture::{
-    BitDepth, Codes, Comparison, Development, Difference, HeatMap, HeatMapError, Picture, SizeMismatch,
+    BitDepth, Codes, CompareError, Comparison, Development, Difference, HeatMap, Picture, SizeMismatch,
     decode, encode_png, heat_map,
 };
 use proptest::prelude::*;
@@ -118,7 +118,7 @@ fn sizes_must_agree() {
     assert_eq!(error, SizeMismatch { a: [3, 2], b: [2, 3] });
     assert!(error.to_string().contains("3x2 and 2x3"), "{error}");
     let error = heat_map(&picture(3, 2), &picture(2, 3), &HeatMap::default());
-    assert!(matches!(error, Err(HeatMapError::Mismatch(_))));
+    assert!(matches!(error, Err(CompareError::Mismatch(_))));
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod counts;
 mod film;
 mod lanes;
 mod media;
+pub mod method;
 mod pick;
 mod ray;
 mod render;
@@ -27,7 +28,7 @@ pub use ray::{NO_BODY, Ray, Start};
 pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_pixel, render_through};
 pub use sampling::sample_offset;
 pub use search::Hit;
-pub use stage::{Stage, StageCamera, StageEdit, StageError};
+pub use stage::{Search, Stage, StageCamera, StageEdit, StageError};
 pub use vector::Vector;
 pub use whitted::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer, Tally,

@@ -100,7 +100,7 @@ impl Start {
         (self.body & NO_START) | if self.inwards { INWARDS } else { 0 }
     }
 
-    fn of_word(word: u32) -> Self {
+    pub(crate) fn of_word(word: u32) -> Self {
         let body = word & NO_START;
         Self { body: if body == NO_START { NO_BODY } else { body }, inwards: word & INWARDS != 0 }
     }

@@ -31,6 +31,7 @@ impl RenderSettings {
 pub struct Control {
     pub(crate) cancel: AtomicBool,
     pixels_done: AtomicU64,
+    pixels_expected: AtomicU64,
 }
 
 impl Control {
@@ -49,9 +50,19 @@ impl Control {
         self.add_pixels(place.pixels() as u64);
     }
 
-    /// Counts pixels that other work than rendering has finished.
+    /// Counts pixels that were gone through, by other work than rendering too.
     pub fn add_pixels(&self, pixels: u64) {
         self.pixels_done.fetch_add(pixels, Ordering::Relaxed);
+    }
+
+    /// Announces pixels, those of cube maps and of every pass among them.
+    pub(crate) fn expect(&self, count: u64) {
+        self.pixels_expected.fetch_add(count, Ordering::Relaxed);
+    }
+
+    /// Pixels to be gone through, as far as is known by now; 0 for [`render`], which goes through those of the picture.
+    pub fn pixels_expected(&self) -> u64 {
+        self.pixels_expected.load(Ordering::Relaxed)
     }
 
     /// Pixels finished so far.

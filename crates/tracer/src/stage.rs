@@ -22,7 +22,7 @@ use rayon::prelude::*;
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::{Bvh, Entry, PacketPart, Visit};
-pub(crate) use camera::RaysNear;
+pub(crate) use camera::{Homogeneous, RaysNear};
 pub use camera::StageCamera;
 use camera::Surroundings;
 use cast::Cast;
@@ -69,10 +69,21 @@ pub(crate) enum Hierarchy {
     Many(Bvh),
 }
 
+/// Which of the bodies a ray is tested against. The picture does not depend on it, but the time does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Search {
+    /// What is quickest for the number of bodies: one by one when they are few, else through a hierarchy of bounding
+    /// boxes. The default.
+    #[default]
+    Quickest,
+    /// The bounding sphere of every body, one by one, however many there are: the time grows in proportion to them.
+    OneByOne,
+}
+
 impl Hierarchy {
     /// The hierarchy over these entries, which are put into its order.
-    fn over(entries: &mut [Entry]) -> Self {
-        if entries.len() <= Stage::FEW {
+    fn over(entries: &mut [Entry], search: Search) -> Self {
+        if entries.len() <= Stage::FEW || search == Search::OneByOne {
             entries.sort_by_key(Entry::leaf_key);
             Self::Few(FewBodies::new(entries.iter().map(Entry::bounds)))
         } else {
@@ -117,11 +128,19 @@ impl Stage {
     /// # Errors
     /// When a body that is not hidden names an undefined material, or there are too many bodies.
     pub fn prepare(scene: &Scene) -> Result<Self, StageError> {
+        Self::prepare_for(scene, Search::Quickest)
+    }
+
+    /// The same with a choice of how bodies are found, for measuring what it is worth.
+    ///
+    /// # Errors
+    /// As for [`Self::prepare`].
+    pub fn prepare_for(scene: &Scene, search: Search) -> Result<Self, StageError> {
         if scene.bodies.len() > Self::MAX_BODIES {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
         }
         let Cast { mut entries, planes, chunks, materials, checkers } = Cast::of(scene)?;
-        let hierarchy = Hierarchy::over(&mut entries);
+        let hierarchy = Hierarchy::over(&mut entries, search);
         let surroundings = Surroundings::new(
             hierarchy.bounds(&entries),
             planes.iter().map(|&index| &scene.bodies[index as usize]),

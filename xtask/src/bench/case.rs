@@ -7,7 +7,7 @@ use catoptric_files::write_bytes;
 use catoptric_scene::{Scene, load, save, write};
 
 use super::folder;
-use crate::scenes::{cloud, glass_grid, sphereflake};
+use crate::scenes::{glass_grid, sphereflake};
 use crate::{povray, root};
 
 /// A scene to measure.

@@ -1,7 +1,10 @@
 //! `catoptric diff`
 
 use anyhow::{Context as _, Result, bail};
-use catoptric_picture::{BitDepth, Comparison, Development, Difference, HeatMap, heat_map, read, write_png};
+use catoptric_picture::{
+    BitDepth, CompareError, Comparison, Development, Difference, Flip, HeatMap, Picture, heat_map, read,
+    ssim, write_png,
+};
 use serde_json::json;
 
 use super::Outcome;
@@ -27,17 +30,41 @@ pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
         let developed = Development::default().develop(&map, BitDepth::Eight)?;
         while_writing(path, || write_png(path, &developed))?;
     }
+    let perceived = Perceived::of(&a, &b).with_context(names)?;
     let equal = difference.share_above <= arguments.allow;
     let size = [a.width(), a.height()];
     print(&if arguments.json {
-        as_json(&difference, arguments, size, equal)
+        as_json(&difference, &perceived, arguments, size, equal)
     } else {
-        as_text(&difference, arguments, size, equal)
+        as_text(&difference, &perceived, arguments, size, equal)
     })?;
     Ok(if equal { Outcome::Done } else { Outcome::Failed })
 }
 
-fn as_json(difference: &Difference, arguments: &DiffArguments, size: [u32; 2], equal: bool) -> String {
+/// How different the pictures look.
+struct Perceived {
+    /// `None` when they are too small for it.
+    ssim: Option<f64>,
+    flip: f64,
+}
+
+impl Perceived {
+    fn of(a: &Picture, b: &Picture) -> Result<Self, CompareError> {
+        let ssim = match ssim(a, b) {
+            Err(CompareError::TooSmall { .. }) => None,
+            other => Some(other?),
+        };
+        Ok(Self { ssim, flip: Flip::default().compare(a, b)?.mean() })
+    }
+}
+
+fn as_json(
+    difference: &Difference,
+    perceived: &Perceived,
+    arguments: &DiffArguments,
+    size: [u32; 2],
+    equal: bool,
+) -> String {
     let finite = |value: f64| value.is_finite().then_some(value);
     let value = json!({
         "width": size[0],
@@ -46,6 +73,8 @@ fn as_json(difference: &Difference, arguments: &DiffArguments, size: [u32; 2], e
         "mean": finite(difference.mean),
         "rmse": finite(difference.rmse),
         "psnr_db": finite(difference.psnr_db),
+        "ssim": perceived.ssim,
+        "flip": perceived.flip,
         "tolerance": arguments.tolerance,
         "pixels_above": difference.above,
         "share_above": difference.share_above,
@@ -57,7 +86,13 @@ fn as_json(difference: &Difference, arguments: &DiffArguments, size: [u32; 2], e
     format!("{value:#}\n")
 }
 
-fn as_text(difference: &Difference, arguments: &DiffArguments, size: [u32; 2], equal: bool) -> String {
+fn as_text(
+    difference: &Difference,
+    perceived: &Perceived,
+    arguments: &DiffArguments,
+    size: [u32; 2],
+    equal: bool,
+) -> String {
     let worst = match difference.worst {
         Some([x, y]) => format!(" at pixel {x},{y}"),
         None => String::new(),
@@ -72,12 +107,16 @@ fn as_text(difference: &Difference, arguments: &DiffArguments, size: [u32; 2], e
         _ if difference.rmse == 0.0 => "infinite".to_owned(),
         _ => "none".to_owned(),
     };
+    let ssim =
+        perceived.ssim.map_or_else(|| "none, below 11x11 pixels".to_owned(), |ssim| format!("{ssim:.6}"));
     format!(
         "largest        {:.6}{worst}\nmean           {:.6}\nRMSE           {:.6}\nPSNR           {psnr}\n\
+         SSIM           {ssim}\nFLIP           {:.6}\n\
          above {:.5}  {} of {} pixels, {:.4} %\n{not_a_number}{}\n",
         difference.max,
         difference.mean,
         difference.rmse,
+        perceived.flip,
         arguments.tolerance,
         difference.above,
         u64::from(size[0]) * u64::from(size[1]),

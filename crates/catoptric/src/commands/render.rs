@@ -5,8 +5,9 @@ use std::time::Instant;
 use anyhow::{Context as _, Result, anyhow, bail};
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
-use catoptric_picture::Picture;
-use catoptric_tracer::{Control, RenderSettings, Rendering, Stage, render};
+use catoptric_picture::{Picture, ToneCurve};
+use catoptric_tracer::method::{Drawing, Layer, Method, draw};
+use catoptric_tracer::{Control, RenderSettings, Stage};
 
 use super::Outcome;
 use crate::arguments::{Backend, DevelopmentArguments, RenderArguments};
@@ -17,6 +18,7 @@ use crate::stats::{Stats, Times};
 use crate::{input, memory, notes};
 
 pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
+    let method = arguments.method.chosen()?;
     let kind = refuse_early(arguments)?;
     let progress = Progress::new(arguments.quiet);
     let mut times = Times::default();
@@ -51,12 +53,15 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         return show_map(arguments, kind, map, &stage, settings, &pool, progress);
     }
     let start = Instant::now();
-    let rendering = trace(&stage, settings, &pool, progress)?;
+    let drawing = trace(&stage, &method, settings, &pool, progress)?;
     times.trace = milliseconds(start);
 
     (times.develop, times.write) = progress.of_writing(&arguments.output.to_string_lossy(), || {
-        write_picture(&arguments.output, kind, &rendering.picture, &arguments.development)
+        write_picture(&arguments.output, kind, &drawing.picture, &arguments.development)
     })?;
+    if let Some(folder) = &arguments.method.layers {
+        progress.of_writing(&folder.to_string_lossy(), || write_layers(folder, &stage, &drawing))?;
+    }
     let stats = Stats {
         scene: &input.name,
         width: settings.width,
@@ -67,8 +72,11 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         bodies: stage.body_count(),
         lights: stage.light_count(),
         stage_bytes: stage.bytes(),
+        method: method.name(),
+        passes: &drawing.passes,
+        cube_maps: drawing.cube_maps,
         times,
-        rays: rendering.counts,
+        rays: drawing.counts,
         peak_memory_bytes: memory::peak_bytes(),
     };
     finish(arguments, &stats, progress)?;
@@ -142,18 +150,41 @@ fn refuse_early(arguments: &RenderArguments) -> Result<PictureKind> {
     {
         check_output(path, &[&arguments.scene, &arguments.output])?;
     }
+    if let Some(folder) = &arguments.method.layers {
+        std::fs::create_dir_all(folder)
+            .with_context(|| format!("cannot make the folder {} for the layers", folder.display()))?;
+    }
     Ok(kind)
 }
 
 fn trace(
     stage: &Stage,
+    method: &Method,
     settings: RenderSettings,
     pool: &rayon::ThreadPool,
     progress: Progress,
-) -> Result<Rendering> {
+) -> Result<Drawing> {
     let control = Control::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
-    Ok(progress.of_tracing(&control, pixels, || pool.install(|| render(stage, settings, &control)))?)
+    Ok(progress.of_tracing(&control, pixels, || pool.install(|| draw(stage, method, settings, &control)))?)
+}
+
+/// Writes the buffers behind the picture: `depth.png` and the like, and of each cube map `cube-map-3.png`, 3 being the
+/// number of its body in the scene.
+fn write_layers(folder: &Path, stage: &Stage, drawing: &Drawing) -> Result<()> {
+    let plain = DevelopmentArguments { exposure: 0.0, tone_curve: ToneCurve::None, bits: "8".to_owned() };
+    let write = |name: String, picture: &Picture| {
+        write_picture(&folder.join(name), PictureKind::Png, picture, &plain).map(|_| ())
+    };
+    for layer in Layer::ALL {
+        if let Some(picture) = drawing.layer(stage, layer)? {
+            write(format!("{}.png", layer.name()), &picture)?;
+        }
+    }
+    for (body, map) in drawing.maps(stage) {
+        write(format!("cube-map-{}.png", body + 1), &map.unfolded()?)?;
+    }
+    Ok(())
 }
 
 /// Writes the statistics, and on a terminal says in a line what was done.

@@ -94,7 +94,7 @@ impl Proof {
                 "The light of the rays adds up to the pixel but for its last bit, which depends on the order; the pixel was rendered anew."
             }
             Self::Incomplete => {
-                "There are more rays than are written down; the pixel was rendered to see the whole."
+                "There are more rays than are written down; the pixel was traced once more to see the whole."
             }
         }
     }

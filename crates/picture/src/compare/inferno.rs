@@ -15,7 +15,7 @@ const COEFFICIENTS: [[f64; 3]; 7] = [
 ];
 
 /// The sRGB color at `t`, clamped to 0…1 (NaN gives the top, since it must not look harmless).
-pub(super) fn inferno(t: f64) -> [f64; 3] {
+pub fn inferno(t: f64) -> [f64; 3] {
     let t = if t.is_nan() { 1.0 } else { t.clamp(0.0, 1.0) };
     let mut color = [0.0; 3];
     for row in COEFFICIENTS.iter().rev() {

@@ -63,7 +63,7 @@ impl StageBody {
     }
 
     /// The bounds of the body as it is kept; `None` for a plane.
-    pub(super) fn bounds(&self) -> Option<Bounds> {
+    pub(crate) fn bounds(&self) -> Option<Bounds> {
         let transform =
             DAffine3::from_mat3_translation(self.linear(), DVec3::from(self.origin.map(f64::from)));
         let Canonical { kind, cone_ratio } = self.canonical();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_scene::{Body, Camera, Projection};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, DVec4};
 
 use super::Bounds;
 use crate::lanes::Real;
@@ -168,6 +168,42 @@ impl StageCamera {
         (depth > 0.0 && at.is_finite()).then_some((at, depth))
     }
 
+    /// Where a point of the world (w = 1) or a direction (w = 0) lies in a picture of `size` pixels, in homogeneous
+    /// coordinates: (x·w', y·w', w'), and its depth. All four are linear, before the eye and behind it; w' is the depth
+    /// for a perspective and w for a parallel projection.
+    pub(crate) fn homogeneous(&self, point: DVec4, size: DVec2) -> Homogeneous {
+        let offset = point.truncate() - point.w * self.position;
+        let depth = -offset.dot(self.w);
+        let (scale, w) = match self.window {
+            Window::Perspective { distance } => (distance, depth),
+            Window::Parallel { height } => (height.recip(), point.w),
+        };
+        let on_window = DVec2::new(offset.dot(self.u), -offset.dot(self.v));
+        let at = scale * size.y * on_window + 0.5 * w * size;
+        Homogeneous { at: at.extend(w), depth }
+    }
+
+    /// The unit direction from a point towards the viewer.
+    pub(crate) fn toward_viewer(&self, point: DVec3) -> DVec3 {
+        match self.window {
+            Window::Perspective { .. } => (self.position - point).normalize_or(self.w),
+            Window::Parallel { .. } => self.w,
+        }
+    }
+
+    /// The eye, or the middle of the window of a parallel projection, meters.
+    pub(crate) fn position(&self) -> DVec3 {
+        self.position
+    }
+
+    /// The height of the window of a parallel projection, meters.
+    pub(crate) fn parallel_height(&self) -> Option<f64> {
+        match self.window {
+            Window::Perspective { .. } => None,
+            Window::Parallel { height } => Some(height),
+        }
+    }
+
     /// The unit vectors of the view: to the right, up, and forward.
     pub fn axes(&self) -> [DVec3; 3] {
         [self.u, self.v, -self.w]
@@ -182,6 +218,15 @@ impl StageCamera {
     pub fn eye(&self) -> Option<Vector<f32>> {
         matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3().into())
     }
+}
+
+/// A point or direction as a picture has it; see [`StageCamera::homogeneous`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Homogeneous {
+    /// x·w, y·w (pixels from the upper left corner) and w.
+    pub at: DVec3,
+    /// Along the view, meters.
+    pub depth: f64,
 }
 
 /// The rays through a small part of the picture: one, computed in double precision, and the small difference of the

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use catoptric_scene::Scene;
 
-use super::{Entry, Hierarchy, Stage};
+use super::{Entry, Hierarchy, Search, Stage};
 
 /// Up to this many bodies are looked for one by one.
 const FEW_WANTED: usize = 256;
@@ -26,16 +26,26 @@ impl Stage {
             let chosen = places.filter(|&(&index, _)| wanted.contains(&(index as usize)));
             chosen.map(|(_, place)| place).collect()
         };
+        self.with_bodies(&chosen)
+    }
+
+    /// The same stage without its body `index`.
+    pub(crate) fn without(&self, index: u32) -> Self {
+        let others: Vec<u32> = (0..self.bodies.len() as u32).filter(|&other| other != index).collect();
+        self.with_bodies(&others)
+    }
+
+    fn with_bodies(&self, chosen: &[u32]) -> Self {
         let mut entries = Vec::new();
         let mut planes = Vec::new();
-        for &index in &chosen {
+        for &index in chosen {
             let body = self.body(index);
             match body.bounds() {
                 Some(bounds) => entries.push(Entry::new(bounds, index, u32::from(body.kind))),
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut entries);
+        let hierarchy = Hierarchy::over(&mut entries, Search::Quickest);
         let order: Vec<u32> = entries.iter().map(Entry::place).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),

@@ -30,29 +30,44 @@ impl Whitted<'_> {
     /// generation by generation. After about `most_rays`, shadow rays not counted, it gives up; so it does when it is
     /// cancelled. A pixel that is not in the picture has no rays.
     pub fn pixel_tally(&mut self, pixel: UVec2, size: UVec2, sample: u32, most_rays: usize) -> Tally {
+        let before = self.counts;
+        let mut generations: Vec<DVec3> = Vec::new();
+        let is_complete = self.pixel_rays(pixel, size, sample, most_rays, |generation, light| {
+            let generation = generation as usize;
+            if generations.len() < generation {
+                generations.resize(generation, DVec3::ZERO);
+            }
+            if let Some(sum) = generation.checked_sub(1).and_then(|place| generations.get_mut(place)) {
+                *sum += light.as_dvec3();
+            }
+        });
+        Tally { counts: self.counts - before, generations, is_complete }
+    }
+
+    /// Shows `take` the generation of each ray of one sample of a pixel and what it adds to it, in no particular order;
+    /// limits are those of [`pixel_tally`](Self::pixel_tally). Whether that were all rays.
+    pub fn pixel_rays(
+        &mut self,
+        pixel: UVec2,
+        size: UVec2,
+        sample: u32,
+        most_rays: usize,
+        mut take: impl FnMut(u32, Vec3),
+    ) -> bool {
         if pixel.x >= size.x || pixel.y >= size.y {
-            return Tally::default();
+            return false;
         }
         self.tidy();
-        let before = self.counts;
         let ray = Place::around(pixel, size).ray(self.camera, (pixel, size), sample);
         let mut pending: Vec<Beams<One>> = vec![self.roots(One, ray, 0, true)];
-        let mut generations: Vec<DVec3> = Vec::new();
         let mut followed = 0;
         while followed < most_rays
             && !self.is_cancelled_at(followed)
             && let Some(beam) = pending.pop()
         {
-            let light = Vec3::from(self.follow(One, &beam, Origin::Anywhere, &mut pending).light).as_dvec3();
-            let generation = beam.generation as usize;
-            if generations.len() < generation {
-                generations.resize(generation, DVec3::ZERO);
-            }
-            if let Some(sum) = generation.checked_sub(1).and_then(|place| generations.get_mut(place)) {
-                *sum += light;
-            }
+            take(beam.generation, self.follow(One, &beam, Origin::Anywhere, &mut pending).light.into());
             followed += 1;
         }
-        Tally { counts: self.counts - before, generations, is_complete: pending.is_empty() }
+        pending.is_empty()
     }
 }

@@ -64,9 +64,7 @@ fn a_cancelled_pass_spoils_nothing() {
         });
         film.picture().unwrap();
     }
-    while film.samples() < 8 {
-        film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
-    }
+    film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
     let whole = render(&stage, settings(film.samples()), &Control::default()).unwrap();
     assert!(film.picture().unwrap() == whole.picture);
 }

@@ -1,0 +1,68 @@
+//! `catoptric measure`
+
+use std::sync::Arc;
+
+use anyhow::{Context as _, Result};
+use catoptric_lab::measure::{Axis, MeasureError, Plan, measure};
+use catoptric_lab::report::study;
+use catoptric_picture::Picture;
+use catoptric_tracer::{Control, RenderSettings};
+
+use super::Outcome;
+use crate::arguments::MeasureArguments;
+use crate::console::{print, say};
+use crate::output::{prepare_directory, write_file};
+use crate::progress::Progress;
+use crate::{input, interrupt};
+
+pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let axes = Axis::read(&arguments.vary, threads).context("--vary")?;
+    Picture::check_size(arguments.size.width, arguments.size.height)?;
+    let input = input::scene(&arguments.scene)?;
+    if !arguments.quiet {
+        input.warn();
+    }
+    prepare_directory(&arguments.output, "report.md")?;
+    let plan = Plan {
+        scene: input.loaded.scene,
+        name: input.name,
+        variant: arguments.method.clone(),
+        settings: RenderSettings {
+            width: arguments.size.width,
+            height: arguments.size.height,
+            samples: arguments.samples,
+        },
+        threads: arguments.threads.map_or(0, usize::from),
+        axes,
+        rounds: arguments.rounds,
+        least_time: Plan::LEAST_TIME,
+    };
+    let control = Arc::new(Control::default());
+    let asked = Arc::clone(&control);
+    interrupt::ask_first(move || asked.cancel());
+    let points: usize = plan.axes.iter().map(|axis| axis.values.len()).product();
+    let total = points.saturating_mul(plan.rounds as usize + 1);
+    let progress = Progress::new(arguments.quiet);
+    let measured = progress
+        .of_steps(total, |tell| measure(&plan, &control, &mut |progress| tell(progress.done, progress.left)));
+    let measured = match measured {
+        Err(MeasureError::Cancelled) => {
+            say("interrupted; nothing was written");
+            return Ok(Outcome::Interrupted);
+        }
+        other => other?,
+    };
+    let study = study(&measured, arguments.language)?;
+    for (name, bytes) in &study.files {
+        write_file(&arguments.output.join(name), bytes)?;
+    }
+    if !arguments.quiet {
+        print(&format!("{}\n", study.laws.join("\n")))?;
+    }
+    if measured.complete {
+        return Ok(Outcome::Done);
+    }
+    say(&format!("interrupted; what was measured is in {}", arguments.output.display()));
+    Ok(Outcome::Interrupted)
+}

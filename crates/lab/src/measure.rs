@@ -1,0 +1,14 @@
+//! How the time of a picture depends on what it is made of: sweeps of one or two parameters, and the law behind them.
+
+mod law;
+mod least_squares;
+mod parameter;
+mod run;
+mod series;
+mod statistics;
+
+pub use law::{Coefficient, Fit, Law, best_growth, fit};
+pub use parameter::{Axis, AxisError, Parameter, Value};
+pub use run::{MeasureError, Measured, Plan, Point, Progress, Run, measure};
+pub use series::{Series, series};
+pub use statistics::{Summary, summarize};

@@ -1,0 +1,443 @@
+//! Doing the measurements.
+
+use std::collections::HashMap;
+use std::time::{Duration, Instant};
+
+use catoptric_scene::Scene;
+use catoptric_tracer::method::{Method, MethodError, PassName, draw};
+use catoptric_tracer::{Control, RayCounts, RenderSettings, Search, Stage, StageError};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::parameter::{Axis, AxisError, Parameter, Value};
+use crate::cloud::grown;
+use crate::machine::Machine;
+use crate::random::Random;
+use crate::variant::Variant;
+
+/// What to measure.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The scene; what varies is changed in copies of it.
+    pub scene: Scene,
+    /// What the scene is called in the report.
+    pub name: String,
+    /// The method, unless it is varied.
+    pub variant: Variant,
+    /// Size and samples, unless they are varied.
+    pub settings: RenderSettings,
+    /// The number of threads, unless it is varied; 0 takes all.
+    pub threads: usize,
+    /// What is varied: one parameter, or two, the second of which makes a curve for each of its values.
+    pub axes: Vec<Axis>,
+    /// How often each point is measured, at least once. Eleven give the second least and the second greatest time as the
+    /// interval of the median.
+    pub rounds: u32,
+    /// A point quicker than this is drawn several times in a row, whose mean is one measurement: clocks and threads that
+    /// wake up must not count. The number is found in the warm-up and at most 1000.
+    pub least_time: Duration,
+}
+
+impl Plan {
+    /// How often each point is measured, if nothing is said.
+    pub const ROUNDS: u32 = 11;
+    /// The least time of a measurement, if nothing is said.
+    pub const LEAST_TIME: Duration = Duration::from_millis(20);
+    /// The most points.
+    pub const MOST_POINTS: usize = 10_000;
+}
+
+/// Why nothing could be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum MeasureError {
+    /// The parameters do not go together.
+    #[error(transparent)]
+    Axis(#[from] AxisError),
+    /// A parameter says nothing of the method.
+    #[error("the method {method} has no {parameter} to vary; choose another method")]
+    Meaningless {
+        /// The parameter.
+        parameter: Parameter,
+        /// The method's name.
+        method: String,
+    },
+    /// Too many points.
+    #[error("{0} points are too many to measure: at most {most}", most = Plan::MOST_POINTS)]
+    Points(usize),
+    /// The scene cannot be prepared.
+    #[error(transparent)]
+    Stage(#[from] StageError),
+    /// The picture cannot be drawn.
+    #[error(transparent)]
+    Method(#[from] MethodError),
+    /// The threads cannot be started.
+    #[error("cannot start {threads} threads; ask for fewer")]
+    Threads {
+        /// How many.
+        threads: usize,
+        /// Why.
+        source: rayon::ThreadPoolBuildError,
+    },
+    /// Cancelled before every point was measured once.
+    #[error("cancelled before anything was measured")]
+    Cancelled,
+}
+
+/// One measurement of a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// In which round, from 0.
+    pub round: u32,
+    /// The time to prepare the scene, milliseconds.
+    pub prepare: f64,
+    /// The time to draw the picture, milliseconds: the sum of the passes.
+    pub draw: f64,
+    /// The time of each pass, milliseconds.
+    pub passes: Vec<(PassName, f64)>,
+}
+
+/// A combination of values and its measurements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// The value of each axis.
+    pub values: Vec<Value>,
+    /// How many bodies were drawn.
+    pub bodies: usize,
+    /// Size and samples.
+    pub settings: RenderSettings,
+    /// The limit of generations.
+    pub generations: u32,
+    /// The number of threads.
+    pub threads: usize,
+    /// The method's name with its settings.
+    pub method: String,
+    /// The rays of one picture: the same in every run.
+    pub rays: RayCounts,
+    /// How often the picture is drawn for one measurement.
+    pub repeats: u32,
+    /// The measurements, round by round; the warm-up is none of them.
+    pub runs: Vec<Run>,
+}
+
+/// How far a sweep is.
+#[derive(Clone, Copy, Debug)]
+pub struct Progress<'a> {
+    /// Pictures measured, those of the warm-up counted.
+    pub done: usize,
+    /// All there will be.
+    pub total: usize,
+    /// The time since the start.
+    pub elapsed: Duration,
+    /// The time that the rest will take, once every point was drawn.
+    pub left: Option<Duration>,
+    /// What was measured so far.
+    pub points: &'a [Point],
+}
+
+/// The measurements.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// What the scene is called.
+    pub name: String,
+    /// What was varied.
+    pub axes: Vec<Axis>,
+    /// The points; those of the first axis are next to each other.
+    pub points: Vec<Point>,
+    /// How many rounds were asked for.
+    pub rounds: u32,
+    /// Whether all of them were made.
+    pub complete: bool,
+    /// Where it was measured.
+    pub machine: Machine,
+}
+
+/// Measures what `plan` says.
+///
+/// Every point is first drawn once without being counted: caches and threads get warm, and it is found how often to
+/// draw it for one measurement. Then round follows round, and in each round all points are measured once in an order
+/// shuffled anew (always the same for the same plan), so that whatever drifts, such as the processor's clock, hits all
+/// alike. Each measurement prepares the scene again, and the scene is made again for each: the memory is that of one.
+///
+/// `watch` is told of the progress after each measurement. When `control` is cancelled, what was measured is kept.
+///
+/// # Errors
+/// When the plan makes no sense, a picture cannot be drawn, or it is cancelled before each point was measured once.
+pub fn measure(
+    plan: &Plan,
+    control: &Control,
+    watch: &mut dyn FnMut(&Progress<'_>),
+) -> Result<Measured, MeasureError> {
+    let works = works(plan)?;
+    let rounds = plan.rounds.max(1);
+    let mut sweep = Sweep {
+        plan,
+        control,
+        pools: HashMap::new(),
+        points: Vec::new(),
+        costs: Vec::new(),
+        total: works.len() * (rounds as usize + 1),
+        done: 0,
+        start: Instant::now(),
+    };
+    let outcome = sweep.run(&works, rounds, watch);
+    let complete = match outcome {
+        Ok(()) => true,
+        Err(MeasureError::Method(MethodError::Cancelled)) => false,
+        Err(error) => return Err(error),
+    };
+    if !complete
+        && (sweep.points.len() < works.len() || sweep.points.iter().any(|point| point.runs.is_empty()))
+    {
+        return Err(MeasureError::Cancelled);
+    }
+    Ok(Measured {
+        name: plan.name.clone(),
+        axes: plan.axes.clone(),
+        points: sweep.points,
+        rounds,
+        complete,
+        machine: Machine::here(),
+    })
+}
+
+/// What is drawn at a point.
+struct Work {
+    values: Vec<Value>,
+    bodies: Option<usize>,
+    variant: Variant,
+    settings: RenderSettings,
+    threads: usize,
+    search: Search,
+}
+
+/// All combinations of values.
+fn works(plan: &Plan) -> Result<Vec<Work>, MeasureError> {
+    Axis::check(&plan.axes)?;
+    let counts = plan.axes.iter().map(|axis| axis.values.len());
+    let count = counts.fold(1_usize, usize::saturating_mul);
+    if count > Plan::MOST_POINTS {
+        return Err(MeasureError::Points(count));
+    }
+    let mut combinations: Vec<Vec<(Parameter, Value)>> = vec![Vec::new()];
+    // The last axis first, so that the values of the first are next to each other.
+    for axis in plan.axes.iter().rev() {
+        combinations = combinations
+            .iter()
+            .flat_map(|rest| {
+                axis.values
+                    .iter()
+                    .map(move |value| [vec![(axis.parameter, value.clone())], rest.clone()].concat())
+            })
+            .collect();
+    }
+    combinations.iter().map(|values| Work::new(plan, values)).collect()
+}
+
+impl Work {
+    fn new(plan: &Plan, values: &[(Parameter, Value)]) -> Result<Self, MeasureError> {
+        let mut work = Self {
+            values: values.iter().map(|(_, value)| value.clone()).collect(),
+            bodies: None,
+            variant: plan.variant.clone(),
+            settings: plan.settings,
+            threads: plan.threads,
+            search: Search::Quickest,
+        };
+        // A method comes first: it brings its own settings.
+        let is_method = |(parameter, _): &&(Parameter, Value)| *parameter == Parameter::Method;
+        let (methods, others): (Vec<_>, Vec<_>) = values.iter().partition(is_method);
+        for (parameter, value) in methods.into_iter().chain(others) {
+            work.set(*parameter, value)?;
+        }
+        work.variant.method.check().map_err(MethodError::from)?;
+        if let Some(samples) = work.variant.samples {
+            work.settings.samples = samples;
+        }
+        Ok(work)
+    }
+
+    fn set(&mut self, parameter: Parameter, value: &Value) -> Result<(), MeasureError> {
+        if !Axis::applies(parameter, &self.variant.method) {
+            return Err(MeasureError::Meaningless { parameter, method: self.variant.name.clone() });
+        }
+        match (parameter, value) {
+            (Parameter::Bodies, Value::Count(count)) => self.bodies = Some(*count as usize),
+            (Parameter::Generations, Value::Count(count)) => self.variant.generations = Some(*count),
+            (Parameter::Samples, Value::Count(count)) => {
+                (self.settings.samples, self.variant.samples) = (*count, None);
+            }
+            (Parameter::Threads, Value::Count(count)) => self.threads = *count as usize,
+            (Parameter::Size, Value::Size([width, height])) => {
+                (self.settings.width, self.settings.height) = (*width, *height);
+            }
+            (Parameter::Method, Value::Method(variant)) => self.variant = variant.clone(),
+            (Parameter::Search, Value::Search(search)) => self.search = *search,
+            (Parameter::Fineness | Parameter::CubeMapSize, Value::Count(count)) => {
+                match &mut self.variant.method {
+                    Method::Flat(shading) | Method::Gouraud(shading) | Method::Phong(shading) => {
+                        shading.fineness = *count;
+                    }
+                    Method::CubeMap(map) => map.size = *count,
+                    Method::Whitted | Method::Ssr(_) => {}
+                }
+            }
+            (parameter, value) => {
+                let (value, expected) = (value.to_string(), "a value of another parameter".to_owned());
+                return Err(AxisError::Value { parameter, value, expected }.into());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A sweep under way.
+struct Sweep<'a> {
+    plan: &'a Plan,
+    control: &'a Control,
+    pools: HashMap<usize, ThreadPool>,
+    points: Vec<Point>,
+    /// The seconds that a measurement of each point took last, with making and preparing the scene.
+    costs: Vec<f64>,
+    total: usize,
+    done: usize,
+    start: Instant,
+}
+
+impl Sweep<'_> {
+    fn run(
+        &mut self,
+        works: &[Work],
+        rounds: u32,
+        watch: &mut dyn FnMut(&Progress<'_>),
+    ) -> Result<(), MeasureError> {
+        for work in works {
+            self.warm_up(work)?;
+            self.tell(watch, 0);
+        }
+        let mut random = Random::new(0);
+        let mut order: Vec<usize> = (0..works.len()).collect();
+        for round in 0..rounds {
+            shuffle(&mut order, &mut random);
+            for &index in &order {
+                let repeats = self.points.get(index).map_or(1, |point| point.repeats);
+                let Some(work) = works.get(index) else { continue };
+                let start = Instant::now();
+                let drawn = self.draw(work, repeats)?;
+                if let (Some(point), Some(cost)) = (self.points.get_mut(index), self.costs.get_mut(index)) {
+                    point.runs.push(Run { round, ..drawn.run });
+                    *cost = start.elapsed().as_secs_f64();
+                }
+                self.tell(watch, rounds);
+            }
+        }
+        Ok(())
+    }
+
+    /// Counts a measurement and says how far it is.
+    fn tell(&mut self, watch: &mut dyn FnMut(&Progress<'_>), rounds: u32) {
+        self.done += 1;
+        let left = (rounds > 0).then(|| {
+            let rest = self.points.iter().zip(&self.costs);
+            let rest =
+                rest.map(|(point, cost)| cost * (f64::from(rounds) - point.runs.len() as f64).max(0.0));
+            Duration::try_from_secs_f64(rest.sum()).unwrap_or(Duration::MAX)
+        });
+        watch(&Progress {
+            done: self.done,
+            total: self.total,
+            elapsed: self.start.elapsed(),
+            left,
+            points: &self.points,
+        });
+    }
+
+    /// Draws a point for the first time, and finds how often to draw it for a measurement.
+    fn warm_up(&mut self, work: &Work) -> Result<(), MeasureError> {
+        let first = self.draw(work, 1)?;
+        let wanted = self.plan.least_time.as_secs_f64() * 1e3 / first.run.draw.max(1e-6);
+        let repeats = wanted.ceil().clamp(1.0, 1000.0) as u32;
+        let Drawn { run, rays, bodies, generations, threads } = first;
+        self.costs.push((run.prepare + run.draw * f64::from(repeats)) / 1e3);
+        self.points.push(Point {
+            values: work.values.clone(),
+            bodies,
+            settings: work.settings,
+            generations,
+            threads,
+            method: work.variant.name.clone(),
+            rays,
+            repeats,
+            runs: Vec::new(),
+        });
+        Ok(())
+    }
+
+    /// Makes the scene of a point, prepares it and draws it so many times.
+    fn draw(&mut self, work: &Work, repeats: u32) -> Result<Drawn, MeasureError> {
+        let grown = work.bodies.map(|bodies| grown(&self.plan.scene, bodies));
+        let scene = grown.as_ref().unwrap_or(&self.plan.scene);
+        let control = self.control;
+        let pool = self.pool(work.threads)?;
+        let start = Instant::now();
+        let stage = pool.install(|| Stage::prepare_for(scene, work.search))?;
+        let prepare = start.elapsed().as_secs_f64() * 1e3;
+        let stage = match work.variant.generations {
+            Some(generations) => stage.with_generations(generations),
+            None => stage,
+        };
+        let mut drawn = Drawn {
+            run: Run { round: 0, prepare, draw: 0.0, passes: Vec::new() },
+            rays: RayCounts::default(),
+            bodies: stage.body_count(),
+            generations: stage.generations(),
+            threads: pool.current_num_threads(),
+        };
+        for _ in 0..repeats.max(1) {
+            let drawing = pool.install(|| draw(&stage, &work.variant.method, work.settings, control))?;
+            drawn.rays = drawing.counts;
+            drawn.run.add(&drawing.passes, f64::from(repeats.max(1)));
+        }
+        Ok(drawn)
+    }
+
+    /// The threads, started once for each number of them.
+    fn pool(&mut self, threads: usize) -> Result<&ThreadPool, MeasureError> {
+        use std::collections::hash_map::Entry;
+        match self.pools.entry(threads) {
+            Entry::Occupied(entry) => Ok(entry.into_mut()),
+            Entry::Vacant(entry) => {
+                let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+                Ok(entry.insert(pool.map_err(|source| MeasureError::Threads { threads, source })?))
+            }
+        }
+    }
+}
+
+/// What drawing a point told.
+struct Drawn {
+    run: Run,
+    rays: RayCounts,
+    bodies: usize,
+    generations: u32,
+    threads: usize,
+}
+
+impl Run {
+    /// Adds the passes of one of so many drawings.
+    fn add(&mut self, passes: &[(PassName, Duration)], repeats: f64) {
+        for (name, time) in passes {
+            let time = time.as_secs_f64() * 1e3 / repeats;
+            self.draw += time;
+            match self.passes.iter_mut().find(|(known, _)| known == name) {
+                Some((_, sum)) => *sum += time,
+                None => self.passes.push((*name, time)),
+            }
+        }
+    }
+}
+
+/// Shuffles by R. Durstenfeld, 1964.
+fn shuffle(order: &mut [usize], random: &mut Random) {
+    for last in (1..order.len()).rev() {
+        order.swap(last, random.below(last as u64 + 1) as usize);
+    }
+}

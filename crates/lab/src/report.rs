@@ -1,0 +1,17 @@
+//! Reports: pages, tables and plots, in English or Russian.
+
+mod html;
+mod language;
+mod page;
+
+mod plot;
+mod raster;
+mod study;
+mod tables;
+mod texts;
+
+pub use language::{Language, UnknownLanguage};
+
+pub use page::{PageError, Settings, page};
+pub use raster::{RasterError, rasterize};
+pub use study::{Study, study};

@@ -1,0 +1,232 @@
+//! The geometry buffer: for each pixel the point that it shows, and how it is lit (Saito, Takahashi 1990).
+
+use catoptric_picture::{Picture, SizeError};
+use glam::DVec2;
+
+use super::canvas::Frame;
+use super::fronts::Fronts;
+use super::probe::{Point, Probe, color_of, exact, vector};
+use super::{LightModel, MethodError};
+use crate::counts::RayCounts;
+use crate::ray::{NO_BODY, Ray, Start};
+use crate::render::Control;
+use crate::sampling::sample_offset;
+use crate::stage::{Stage, StageCamera};
+use crate::surface::{mend_unit, reflect};
+use crate::vector::Vector;
+
+/// The point that a pixel shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Texel {
+    /// Body and side; of background no body.
+    pub(super) start: Start,
+    /// Distance along the view, meters; infinite for background.
+    pub(super) depth: f32,
+    /// World space, meters.
+    pub(super) position: Vector<f32>,
+    /// Unit normal facing the viewer.
+    pub(super) normal: Vector<f32>,
+    /// Color C.
+    pub(super) color: Vector<f32>,
+}
+
+const NOTHING: Vector<f32> = Vector { x: 0.0, y: 0.0, z: 0.0 };
+
+impl Texel {
+    pub(super) const EMPTY: Self =
+        Self { start: Start::FREE, depth: f32::INFINITY, position: NOTHING, normal: NOTHING, color: NOTHING };
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.start.body == NO_BODY
+    }
+
+    /// The direction of the ray that is reflected to the viewer.
+    pub(super) fn reflected(&self, camera: &StageCamera) -> Vector<f32> {
+        let direction = -vector(camera.toward_viewer(exact(self.position)));
+        mend_unit(reflect(direction, self.normal))
+    }
+
+    /// The ray that is reflected to the viewer.
+    pub(super) fn reflected_ray(&self, camera: &StageCamera) -> Ray {
+        let direction = self.reflected(camera);
+        Ray { origin: self.position.into(), direction: direction.into(), start: self.start }
+    }
+}
+
+/// What can be looked at of the buffers behind a picture; see [`Drawing::layer`](super::Drawing::layer).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Layer {
+    /// The least depth of the picture divided by the depth: white is near, black the background.
+    Depth,
+    /// The normal facing the viewer: red, green and blue are its x, y and z from -1 (black) to 1.
+    Normal,
+    /// The color C of the body.
+    Color,
+    /// The coefficients k_d, k_s and k_r as red, green and blue.
+    Coefficients,
+    /// A color of its own for each body.
+    Body,
+    /// The local terms: what a reflected ray finds on the screen.
+    Lit,
+    /// What reflected rays found, before it is multiplied by k_r; black where nothing reflects.
+    Reflected,
+}
+
+impl Layer {
+    /// All layers.
+    pub const ALL: [Self; 7] =
+        [Self::Depth, Self::Normal, Self::Color, Self::Coefficients, Self::Body, Self::Lit, Self::Reflected];
+
+    /// The layer's name in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Normal => "normal",
+            Self::Color => "color",
+            Self::Coefficients => "coefficients",
+            Self::Body => "body",
+            Self::Lit => "lit",
+            Self::Reflected => "reflected",
+        }
+    }
+}
+
+/// The buffers of one sample of a picture.
+#[derive(Clone, Debug)]
+pub(super) struct GBuffer {
+    pub(super) frame: Frame,
+    /// Where the sample lies in its pixel.
+    pub(super) offset: DVec2,
+    pub(super) texels: Vec<Texel>,
+    pub(super) fronts: Fronts,
+    /// The local terms.
+    pub(super) lit: Vec<Vector<f32>>,
+    /// What reflected rays brought.
+    pub(super) reflected: Vec<Vector<f32>>,
+}
+
+impl GBuffer {
+    pub(super) fn new(frame: Frame) -> Result<Self, SizeError> {
+        Ok(Self {
+            frame,
+            offset: sample_offset(0),
+            texels: frame.buffer(Texel::EMPTY)?,
+            fronts: Fronts::new(frame)?,
+            lit: frame.buffer(NOTHING)?,
+            reflected: frame.buffer(NOTHING)?,
+        })
+    }
+
+    /// The geometry pass: finds the points of a sample.
+    pub(super) fn look(
+        &mut self,
+        stage: &Stage,
+        camera: &StageCamera,
+        sample: u32,
+        control: &Control,
+    ) -> Result<RayCounts, MethodError> {
+        self.offset = sample_offset(sample);
+        let (offset, frame) = (self.offset, self.frame);
+        let make = || Probe::new(stage, camera);
+        let counts = frame.each_row(&mut self.texels, control, make, |probe, y, row| {
+            let before = probe.counts;
+            for (x, texel) in row.iter_mut().enumerate() {
+                let at = DVec2::new(x as f64, y as f64) + offset;
+                *texel = seen(stage, camera, probe, at, frame.size());
+            }
+            probe.counts - before
+        })?;
+        self.fronts.find(&self.texels);
+        Ok(counts)
+    }
+
+    /// The lighting pass: the local terms with shadows.
+    pub(super) fn light(
+        &mut self,
+        stage: &Stage,
+        camera: &StageCamera,
+        control: &Control,
+    ) -> Result<RayCounts, MethodError> {
+        let (texels, frame) = (&self.texels, self.frame);
+        let make = || Probe::new(stage, camera);
+        frame.each_row(&mut self.lit, control, make, |probe, y, row| {
+            let before = probe.counts;
+            for (lit, texel) in row.iter_mut().zip(texels.iter().skip(y * frame.width)) {
+                *lit = light_of(stage, camera, probe, texel);
+            }
+            probe.counts - before
+        })
+    }
+
+    /// A layer as a picture.
+    pub(super) fn picture(&self, stage: &Stage, layer: Layer) -> Result<Picture, SizeError> {
+        let nearest = self.texels.iter().map(|texel| texel.depth).fold(f32::INFINITY, f32::min);
+        let color = |index: usize| -> Option<Vector<f32>> {
+            match layer {
+                Layer::Lit => return self.lit.get(index).copied(),
+                Layer::Reflected => return self.reflected.get(index).copied(),
+                _ => {}
+            }
+            let texel = self.texels.get(index).filter(|texel| !texel.is_empty())?;
+            let material = stage.material(stage.body(texel.start.body));
+            Some(match layer {
+                Layer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
+                Layer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
+                Layer::Coefficients => Vector::new(material.diffuse, material.specular, material.reflection),
+                Layer::Body => color_of_number(stage.scene_index(texel.start.body)?),
+                _ => texel.color,
+            })
+        };
+        let width = self.frame.width;
+        Picture::from_fn(width as u32, self.frame.height as u32, |x, y| {
+            let Vector { x, y, z } = color(y as usize * width + x as usize).unwrap_or(NOTHING);
+            [x, y, z]
+        })
+    }
+}
+
+/// The point that the ray through a place of the picture meets.
+pub(super) fn seen(
+    stage: &Stage,
+    camera: &StageCamera,
+    probe: &mut Probe<'_>,
+    at: DVec2,
+    size: DVec2,
+) -> Texel {
+    let ray = camera.ray(at, size);
+    let Some(hit) = probe.primary(&ray) else { return Texel::EMPTY };
+    let rays = ray.alone();
+    let point = stage.body(hit.body).surface_point(rays.origin, rays.direction, hit.t, hit.leaving);
+    Texel {
+        start: Start { body: hit.body, inwards: hit.leaving },
+        depth: camera.homogeneous(exact(point.in_world).extend(1.0), size).depth as f32,
+        position: point.in_world,
+        normal: point.normal,
+        color: color_of(stage, hit.body, point.in_body),
+    }
+}
+
+/// The local terms, or the background.
+pub(super) fn light_of(
+    stage: &Stage,
+    camera: &StageCamera,
+    probe: &mut Probe<'_>,
+    texel: &Texel,
+) -> Vector<f32> {
+    if texel.is_empty() {
+        return Vector::splat(0.0, stage.background);
+    }
+    let Texel { start, position, normal, .. } = *texel;
+    let to_viewer = vector(camera.toward_viewer(exact(position)));
+    let light = probe.light(&Point { start, position, normal, to_viewer }, LightModel::Phong, true);
+    light.with_color(texel.color)
+}
+
+/// Colors that are far apart for neighboring numbers: hues a golden section of the circle apart.
+fn color_of_number(number: usize) -> Vector<f32> {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let hue = (number as f64 * GOLDEN).fract() as f32 * 6.0;
+    // The ramps of red, green and blue around the circle of hues.
+    let ramp = |middle: f32| (2.0 - ((hue - middle + 9.0) % 6.0 - 3.0).abs()).clamp(0.0, 1.0);
+    Vector::new(ramp(0.0), ramp(2.0), ramp(4.0)).map(|part| 0.15 + 0.7 * part)
+}

@@ -1,0 +1,184 @@
+//! `ssr` and `cube-map`: traced points with their local light, and one reflection that is not traced.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::canvas::{Canvas, Clock, Frame};
+use super::cube_map::{CubeMap, CubeMapUse, CubeMaps, Proxy};
+use super::gbuffer::{GBuffer, Texel};
+use super::probe::{exact, reflection_of, vector};
+use super::screen::{Fate, Screen};
+use super::{CubeMapSettings, Drawing, Evidence, Fallback, MethodError, PassName, SsrSettings};
+use crate::counts::RayCounts;
+use crate::ray::NO_BODY;
+use crate::render::{Control, RenderSettings};
+use crate::stage::{Stage, StageCamera};
+use crate::vector::Vector;
+
+/// The cube maps that a picture uses, by the bodies' places in the stage, and the boxes of their corrections.
+#[derive(Clone, Debug, Default)]
+pub(super) struct MapsInUse {
+    maps: BTreeMap<u32, (Arc<CubeMap>, Option<Proxy>)>,
+}
+
+impl MapsInUse {
+    /// The maps with their bodies.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (u32, &CubeMap)> {
+        self.maps.iter().map(|(body, (map, _))| (*body, &**map))
+    }
+
+    /// The direction in which the map of a body is asked for a reflected ray, and the map.
+    pub(super) fn looked_up(&self, texel: &Texel, direction: Vector<f32>) -> Option<(DVec3, &CubeMap)> {
+        let (map, proxy) = self.maps.get(&texel.start.body)?;
+        let direction = exact(direction);
+        let corrected =
+            proxy.map_or(direction, |proxy| proxy.corrected(map.center(), exact(texel.position), direction));
+        Some((corrected, map))
+    }
+
+    /// What the map of its body shows to a reflected ray.
+    fn light(&self, texel: &Texel, direction: Vector<f32>) -> Option<Vector<f32>> {
+        self.looked_up(texel, direction).map(|(direction, map)| map.light(direction.as_vec3()).into())
+    }
+}
+
+/// How reflections are found.
+#[derive(Clone, Copy)]
+pub(super) struct Mirrors<'a> {
+    pub(super) screen: Option<&'a SsrSettings>,
+    pub(super) maps: Option<&'a CubeMapSettings>,
+}
+
+impl<'a> Mirrors<'a> {
+    pub(super) fn of_screen(settings: &'a SsrSettings) -> Self {
+        let maps = match &settings.fallback {
+            Fallback::Background => None,
+            Fallback::CubeMap(maps) => Some(maps),
+        };
+        Self { screen: Some(settings), maps }
+    }
+
+    pub(super) fn of_maps(maps: &'a CubeMapSettings) -> Self {
+        Self { screen: None, maps: Some(maps) }
+    }
+}
+
+pub(super) fn draw(
+    stage: &Stage,
+    camera: &StageCamera,
+    mirrors: Mirrors<'_>,
+    render: RenderSettings,
+    control: &Control,
+    cache: &mut CubeMaps,
+) -> Result<Drawing, MethodError> {
+    let frame = Frame::new(render)?;
+    let samples = render.samples.max(1);
+    control.expect(3 * frame.pixels() as u64 * u64::from(samples));
+    let mut canvas = Canvas::new(frame)?;
+    let mut buffer = GBuffer::new(frame)?;
+    let (mut clock, mut counts) = (Clock::default(), RayCounts::default());
+    let (mut maps, mut used) = (MapsInUse::default(), CubeMapUse::default());
+    // The first sample last: its buffers are kept.
+    for sample in (0..samples).rev() {
+        counts += clock.time(PassName::Geometry, || buffer.look(stage, camera, sample, control))?;
+        counts += clock.time(PassName::Light, || buffer.light(stage, camera, control))?;
+        if let Some(settings) = mirrors.maps {
+            counts += clock.time(PassName::CubeMaps, || {
+                take_maps(stage, &buffer, settings, control, cache, (&mut maps, &mut used))
+            })?;
+        }
+        clock.time(PassName::Reflect, || {
+            reflect(stage, camera, mirrors, &mut buffer, &maps, control)?;
+            let both = canvas.sums().iter_mut().zip(buffer.lit.iter().zip(&buffer.reflected));
+            for ((sum, (lit, reflected)), texel) in both.zip(&buffer.texels) {
+                let share = reflecting(stage, texel).unwrap_or(0.0);
+                *sum += exact(*lit + *reflected * share);
+            }
+            Ok::<(), MethodError>(())
+        })?;
+    }
+    let picture = canvas.picture(samples)?;
+    let cube_maps = mirrors.maps.map(|_| used);
+    let evidence = Evidence::Buffers(Box::new(buffer), maps);
+    Ok(Drawing { picture, counts, passes: clock.passes, cube_maps, evidence })
+}
+
+/// k_r of what a texel shows, if its reflected ray would be traced.
+pub(super) fn reflecting(stage: &Stage, texel: &Texel) -> Option<f32> {
+    if texel.is_empty() { None } else { reflection_of(stage, texel.start.body) }
+}
+
+/// Has the maps made of all bodies that reflect in the picture.
+fn take_maps(
+    stage: &Stage,
+    buffer: &GBuffer,
+    settings: &CubeMapSettings,
+    control: &Control,
+    cache: &mut CubeMaps,
+    (maps, used): (&mut MapsInUse, &mut CubeMapUse),
+) -> Result<RayCounts, MethodError> {
+    let mut bodies: BTreeSet<u32> = maps.maps.keys().copied().collect();
+    let before = bodies.len();
+    let mut last = NO_BODY;
+    for texel in &buffer.texels {
+        // Neighboring pixels mostly show the same body.
+        if texel.start.body != last {
+            last = texel.start.body;
+            if reflecting(stage, texel).is_some() {
+                bodies.insert(last);
+            }
+        }
+    }
+    if bodies.len() == before {
+        return Ok(RayCounts::default());
+    }
+    let (made, counts) = cache.prepare(stage, &bodies, settings.size, control)?;
+    // Maps that an earlier sample has had made are not there from before.
+    *used = CubeMapUse { built: used.built + made.built, kept: made.kept.saturating_sub(used.built), ..made };
+    for index in bodies {
+        let Some(map) = stage.scene_index(index).and_then(|place| cache.get(place)) else { continue };
+        let proxy = || settings.parallax.then(|| Proxy::around(stage, index, map.center()));
+        maps.maps.entry(index).or_insert_with(|| (Arc::clone(map), proxy()));
+    }
+    Ok(counts)
+}
+
+/// Finds what each reflected ray brings.
+fn reflect(
+    stage: &Stage,
+    camera: &StageCamera,
+    mirrors: Mirrors<'_>,
+    buffer: &mut GBuffer,
+    maps: &MapsInUse,
+    control: &Control,
+) -> Result<(), MethodError> {
+    let frame = buffer.frame;
+    let mut reflected = std::mem::take(&mut buffer.reflected);
+    let shown = &*buffer;
+    let screen = mirrors.screen.map(|settings| Screen { buffer: shown, camera, settings });
+    let background = Vector::splat(0.0, stage.background);
+    let find = |texel: &Texel| {
+        let direction = texel.reflected(camera);
+        let met = screen.as_ref().and_then(|screen| match screen.march(texel, exact(direction)) {
+            Fate::Met(at) => Some(screen.light(at)),
+            Fate::LeftScreen | Fate::OutOfRange => None,
+        });
+        met.or_else(|| maps.light(texel, direction)).unwrap_or(background)
+    };
+    let done = frame.each_row(
+        &mut reflected,
+        control,
+        || (),
+        |(), y, row| {
+            for (found, texel) in row.iter_mut().zip(shown.texels.iter().skip(y * frame.width)) {
+                let reflects = reflecting(stage, texel).is_some();
+                *found = if reflects { find(texel) } else { vector(DVec3::ZERO) };
+            }
+            RayCounts::default()
+        },
+    );
+    buffer.reflected = reflected;
+    done.map(|_| ())
+}

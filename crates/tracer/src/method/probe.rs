@@ -1,0 +1,149 @@
+//! One thread's means of asking the stage: what a ray meets, and how a point is lit.
+
+use glam::DVec3;
+
+use super::LightModel;
+use crate::counts::RayCounts;
+use crate::lanes::One;
+use crate::media::{Inside, MediaTable};
+use crate::ray::{Ray, Rays, Start};
+use crate::search::{Along, Flight, Hit, found_in};
+use crate::stage::{PacketPart, Stage, StageCamera};
+use crate::surface::phong_highlight;
+use crate::vector::Vector;
+
+/// A point of a surface that is to be lit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point {
+    /// Body and side.
+    pub(super) start: Start,
+    /// World space, meters.
+    pub(super) position: Vector<f32>,
+    /// Unit normal on the viewer's side.
+    pub(super) normal: Vector<f32>,
+    /// Unit direction to the viewer.
+    pub(super) to_viewer: Vector<f32>,
+}
+
+/// What a surface answers, before its color C is known: the color may change within a face, the light does not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LocalLight {
+    /// What the color is multiplied with: k_a·I_a + Σ V·A·I·k_d·(n̂·L̂).
+    pub(super) on_color: Vector<f32>,
+    /// Σ V·A·I·k_s·(Ŝ·R̂)ⁿ.
+    pub(super) highlight: Vector<f32>,
+}
+
+impl LocalLight {
+    /// The light that leaves a surface of this color.
+    pub(super) fn with_color(&self, color: Vector<f32>) -> Vector<f32> {
+        self.on_color.times(color) + self.highlight
+    }
+}
+
+/// Asks a stage; reusable from point to point by one thread. Counts the rays it sends.
+pub(super) struct Probe<'a> {
+    stage: &'a Stage,
+    camera: &'a StageCamera,
+    table: MediaTable,
+    /// The transparent bodies around the start of the primary ray; a reflected ray stays in them.
+    inside: Inside,
+    parts: Vec<PacketPart>,
+    pub(super) counts: RayCounts,
+}
+
+impl<'a> Probe<'a> {
+    pub(super) fn new(stage: &'a Stage, camera: &'a StageCamera) -> Self {
+        let mut probe = Self {
+            stage,
+            camera,
+            table: MediaTable::default(),
+            inside: Inside::default(),
+            parts: Vec::new(),
+            counts: RayCounts::default(),
+        };
+        probe.stand_at(vector(camera.position()));
+        probe
+    }
+
+    /// From now on, primary rays start here.
+    pub(super) fn stand_at(&mut self, point: Vector<f32>) {
+        if self.stage.has_transparency {
+            self.table.tidy();
+            let media = self.table.at_point(self.stage, point);
+            self.inside.fill::<One>(&self.table, media, true);
+        }
+    }
+
+    /// What a primary ray meets.
+    pub(super) fn primary(&mut self, ray: &Ray) -> Option<Hit> {
+        if self.camera.eye().is_none() {
+            self.stand_at(ray.origin.into());
+        }
+        self.counts.primary += 1;
+        let rays = ray.alone();
+        found_in(&Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything).nearest(&mut self.parts))
+    }
+
+    /// The local terms at a point.
+    pub(super) fn light(&mut self, at: &Point, model: LightModel, shadows: bool) -> LocalLight {
+        let stage = self.stage;
+        let nothing = Vector::new(0.0, 0.0, 0.0);
+        let material = stage.material(stage.body(at.start.body));
+        let specular = if model == LightModel::Phong { material.specular } else { 0.0 };
+        let on_color = Vector::from(glam::Vec3::from(stage.ambient)) * material.ambient;
+        let mut light = LocalLight { on_color, highlight: nothing };
+        if material.diffuse == 0.0 && specular == 0.0 {
+            return light;
+        }
+        for source in stage.lights.iter().filter(|light| light.shines()) {
+            let offset = Vector::splat(0.0, source.position) - at.position;
+            let distance = offset.length_squared().sqrt();
+            let to_light = offset * (1.0 / distance);
+            let cos = at.normal.dot(to_light);
+            // A light that stands exactly here has no direction.
+            if !(distance > 0.0 && cos > 0.0) {
+                continue;
+            }
+            let mut power = source.power_at(distance);
+            if shadows {
+                power = power.times(self.transmittance(at, to_light, distance));
+            }
+            light.on_color = light.on_color + power * (material.diffuse * cos);
+            if specular != 0.0 {
+                let share = phong_highlight(at.to_viewer, to_light, at.normal, material.shininess);
+                light.highlight = light.highlight + power * (specular * share);
+            }
+        }
+        light
+    }
+
+    /// What reaches a point from a light.
+    fn transmittance(&mut self, at: &Point, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
+        self.counts.shadow += 1;
+        let rays: Rays<One> = Rays { origin: at.position, direction: to_light, start: at.start.word() };
+        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything).transmittance(distance, &mut self.parts)
+    }
+}
+
+/// The color C of a body at a point of its own frame.
+pub(super) fn color_of(stage: &Stage, body: u32, in_body: Vector<f32>) -> Vector<f32> {
+    let body = stage.body(body);
+    let checker = stage.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(in_body));
+    let color = checker.map_or(stage.material(body).color, |checker| checker.color);
+    Vector::splat(0.0, color)
+}
+
+/// Coefficient k_r, if a ray that carries it is traced at all.
+pub(super) fn reflection_of(stage: &Stage, body: u32) -> Option<f32> {
+    let reflection = stage.material(stage.body(body)).reflection;
+    (stage.generations > 1 && reflection > 0.0 && reflection >= stage.threshold).then_some(reflection)
+}
+
+pub(super) fn vector(v: DVec3) -> Vector<f32> {
+    v.as_vec3().into()
+}
+
+pub(super) fn exact(v: Vector<f32>) -> DVec3 {
+    glam::Vec3::from(v).as_dvec3()
+}

@@ -1,0 +1,110 @@
+//! The traced truth of a pixel, in parts.
+
+use std::sync::atomic::AtomicBool;
+
+use glam::Vec3;
+
+use super::Case;
+use crate::method::LightModel;
+use crate::method::probe::{Point, Probe, color_of, exact, vector};
+use crate::ray::{Ray, Start};
+use crate::render::Control;
+use crate::stage::Stage;
+use crate::vector::Vector;
+use crate::whitted::{RayKind, TracedRay, Whitted};
+
+/// The light of a pixel, by what brings it.
+pub(super) struct Parts {
+    /// The primary ray.
+    pub(super) primary: TracedRay,
+    /// The ray reflected where that meets something.
+    pub(super) mirrored: Option<TracedRay>,
+    /// What the tree behind the reflected ray brings, without its first hit.
+    pub(super) second: Vec3,
+    /// What is seen through the surface.
+    pub(super) refracted: Vec3,
+}
+
+impl Parts {
+    /// The light of the reflected ray's own hit.
+    pub(super) fn first(&self) -> Vec3 {
+        self.mirrored.as_ref().map_or(Vec3::ZERO, |ray| ray.light)
+    }
+}
+
+/// One thread's means of finding the truth.
+pub(super) struct Witness<'a> {
+    pub(super) probe: Probe<'a>,
+    whitted: Whitted<'a>,
+    others: Option<Whitted<'a>>,
+}
+
+impl<'a> Witness<'a> {
+    /// So many rays of a tree are looked at; what the rest brings is little.
+    const MOST_RAYS: usize = 4096;
+
+    pub(super) fn new(case: &Case<'a>, control: &'a Control) -> Self {
+        let cancel: &AtomicBool = &control.cancel;
+        Self {
+            probe: Probe::new(case.stage, case.camera),
+            whitted: Whitted::through(case.stage, case.camera, cancel),
+            others: case.others.map(|others| Whitted::new(others, cancel)),
+        }
+    }
+
+    /// Traces the tree behind a primary ray.
+    pub(super) fn parts(&mut self, ray: Ray) -> Option<Parts> {
+        let tree = self.whitted.tree(ray, Self::MOST_RAYS);
+        let (primary, rest) = tree.split_first()?;
+        let (mut mirrored, mut second, mut refracted) = (None, Vec3::ZERO, Vec3::ZERO);
+        // For each ray of the tree, whether it belongs to the reflected branch.
+        let mut branch = vec![false; tree.len()];
+        for (ray, index) in rest.iter().zip(1..) {
+            let parent = ray.parent.unwrap_or(0);
+            let is_mirrored = match parent {
+                0 => ray.kind == RayKind::Reflected,
+                _ => branch.get(parent).copied().unwrap_or(false),
+            };
+            branch.get_mut(index).into_iter().for_each(|slot| *slot = is_mirrored);
+            if !is_mirrored {
+                refracted += ray.light;
+            } else if parent == 0 {
+                mirrored = Some(ray.clone());
+            } else {
+                second += ray.light;
+            }
+        }
+        Some(Parts { primary: primary.clone(), mirrored, second, refracted })
+    }
+
+    /// What comes along a ray from what the cube map shows.
+    pub(super) fn light_of_others(&mut self, ray: Ray) -> Vec3 {
+        let others = self.others.as_mut();
+        others
+            .map_or(Vec3::ZERO, |others| others.tree(ray, Self::MOST_RAYS).iter().map(|ray| ray.light).sum())
+    }
+
+    /// The local terms where `ray` meets something, seen from `viewer` (a direction of length 1); without a hit, the
+    /// background.
+    pub(super) fn local(
+        &mut self,
+        stage: &Stage,
+        ray: &TracedRay,
+        viewer: Option<Vector<f32>>,
+        model: LightModel,
+        shadows: bool,
+    ) -> Vec3 {
+        let Some(hit) = ray.hit else { return Vec3::from(stage.background) };
+        let rays = ray.ray.alone();
+        let body = stage.body(hit.hit.body);
+        let found = body.surface_point(rays.origin, rays.direction, hit.hit.t, hit.hit.leaving);
+        let point = Point {
+            start: Start { body: hit.hit.body, inwards: hit.hit.leaving },
+            position: found.in_world,
+            normal: found.normal,
+            to_viewer: viewer.unwrap_or_else(|| -vector(exact(rays.direction))),
+        };
+        let light = self.probe.light(&point, model, shadows);
+        light.with_color(color_of(stage, hit.hit.body, found.in_body)).into()
+    }
+}

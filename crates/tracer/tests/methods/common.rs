@@ -1,0 +1,112 @@
+//! Short ways to build scenes and to draw them.
+
+use catoptric_picture::{Comparison, Picture};
+use catoptric_scene::{
+    Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, Placement, Projection, Scene,
+    Shape, Tracing,
+};
+use catoptric_tracer::method::{Drawing, Method, draw};
+use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use glam::DVec3;
+
+pub(crate) fn v(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+pub(crate) fn body(shape: Shape, position: DVec3, material: Material) -> Body {
+    turned(shape, position, DVec3::ZERO, material)
+}
+
+pub(crate) fn turned(shape: Shape, position: DVec3, rotation_degrees: DVec3, material: Material) -> Body {
+    Body {
+        shape,
+        placement: Placement { anchor: Anchor::Frame { position, rotation_degrees }, scale: DVec3::ONE },
+        material: MaterialChoice::Inline(Box::new(material)),
+        ..Body::default()
+    }
+}
+
+pub(crate) fn ball(radius: f64, position: DVec3, material: Material) -> Body {
+    body(Shape::Sphere { radius }, position, material)
+}
+
+pub(crate) fn block(size: DVec3, position: DVec3, material: Material) -> Body {
+    body(Shape::Cube { size }, position, material)
+}
+
+pub(crate) fn mirror() -> Material {
+    Material { ambient: 0.0, diffuse: 0.0, reflection: Some(1.0), ..Material::default() }
+}
+
+pub(crate) fn glow(r: f64, g: f64, b: f64) -> Material {
+    Material { color: Color::new(r, g, b), ambient: 1.0, diffuse: 0.0, ..Material::default() }
+}
+
+pub(crate) fn chalk(r: f64, g: f64, b: f64) -> Material {
+    Material { color: Color::new(r, g, b), ambient: 0.1, diffuse: 0.8, ..Material::default() }
+}
+
+pub(crate) fn glossy() -> Material {
+    Material {
+        color: Color::new(0.8, 0.3, 0.2),
+        ambient: 0.1,
+        diffuse: 0.7,
+        specular: 0.6,
+        shininess: 40.0,
+        reflection: Some(0.0),
+        ..Material::default()
+    }
+}
+
+pub(crate) fn camera(position: DVec3, target: DVec3, fov_degrees: f64) -> Camera {
+    Camera { position, target, up: DVec3::Y, projection: Projection::Perspective { fov_degrees } }
+}
+
+pub(crate) fn light(position: DVec3, intensity: f64) -> Light {
+    Light { position, intensity, ..Light::default() }
+}
+
+pub(crate) fn scene(bodies: Vec<Body>, camera: Camera, lights: Vec<Light>) -> Scene {
+    Scene {
+        environment: Environment { background: Color::new(0.2, 0.3, 0.5), ambient: Color::WHITE },
+        tracing: Tracing { generations: 4, threshold: 0.0 },
+        bodies: bodies.into(),
+        camera,
+        lights,
+        ..Scene::default()
+    }
+}
+
+pub(crate) fn stage(scene: &Scene) -> Stage {
+    Stage::prepare(scene).unwrap()
+}
+
+pub(crate) fn size(width: u32, height: u32) -> RenderSettings {
+    RenderSettings { width, height, samples: 1 }
+}
+
+pub(crate) fn traced(stage: &Stage, settings: RenderSettings) -> Picture {
+    render(stage, settings, &Control::default()).unwrap().picture
+}
+
+pub(crate) fn drawn(stage: &Stage, method: Method, settings: RenderSettings) -> Drawing {
+    draw(stage, &method, settings, &Control::default()).unwrap()
+}
+
+/// The root of the mean squared difference.
+pub(crate) fn rmse(a: &Picture, b: &Picture) -> f64 {
+    Comparison { clamp: false, ..Comparison::default() }.compare(a, b).unwrap().rmse
+}
+
+/// Whether a channel differs by more than `bound`.
+pub(crate) fn differs(a: &[f32; 3], b: &[f32; 3], bound: f32) -> bool {
+    a.iter().zip(b).any(|(a, b)| (a - b).abs() > bound)
+}
+
+/// For each pixel, the place in the scene of the body it shows.
+pub(crate) fn bodies_seen(stage: &Stage, settings: RenderSettings) -> Vec<Option<usize>> {
+    let size = glam::DVec2::new(f64::from(settings.width), f64::from(settings.height));
+    let pixels = (0..settings.height).flat_map(|y| (0..settings.width).map(move |x| (x, y)));
+    let center = |(x, y)| glam::DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+    pixels.map(|pixel| stage.nearest(&stage.camera().ray(center(pixel), size)).map(|hit| hit.body)).collect()
+}

@@ -1,0 +1,247 @@
+//! `ssr` and `cube-map` against the traced picture.
+
+use catoptric_picture::Picture;
+use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
+use catoptric_tracer::method::{
+    CubeMap, CubeMapSettings, CubeMaps, Fallback, Layer, Method, PassName, SsrSettings, draw_through,
+};
+use catoptric_tracer::{Control, Stage};
+use glam::{DVec3, Vec3};
+
+use crate::common::*;
+
+fn ssr() -> SsrSettings {
+    SsrSettings::default()
+}
+
+fn cube_map(size: u32, parallax: bool) -> Method {
+    Method::CubeMap(CubeMapSettings { size, parallax })
+}
+
+/// A mirror for a floor, and a wall and boxes of which only what the eye sees is reflected: the view is level, so that a
+/// reflected ray stays in the column of its pixel.
+fn mirror_floor(projection: Projection) -> Scene {
+    let bodies = vec![
+        body(Shape::Plane, DVec3::ZERO, mirror()),
+        block(v(40.0, 20.0, 0.2), v(0.0, 10.0, -6.0), chalk(0.9, 0.7, 0.4)),
+        block(v(1.0, 1.5, 1.0), v(-1.5, 0.75, -2.0), chalk(0.3, 0.5, 0.9)),
+        block(v(0.8, 0.8, 0.8), v(1.2, 0.4, 0.0), chalk(0.5, 0.9, 0.3)),
+    ];
+    let mut camera = camera(v(0.0, 1.5, 6.0), v(0.0, 1.5, -6.0), 45.0);
+    if matches!(projection, Projection::Parallel { .. }) {
+        // Seen along the floor, the floor would be a line.
+        camera.position = v(0.0, 4.5, 6.0);
+    }
+    camera.projection = projection;
+    scene(bodies, camera, vec![light(v(1.0, 6.0, 8.0), 0.9)])
+}
+
+/// The share of the pixels that show the scene's first body and differ by more than `bound`.
+fn share_off(stage: &Stage, drawn: &Picture, truth: &Picture, bound: f32) -> f64 {
+    let seen = bodies_seen(stage, size(truth.width(), truth.height()));
+    let pixels = drawn.pixels().iter().zip(truth.pixels()).zip(seen);
+    let of_first: Vec<bool> =
+        pixels.filter(|(_, seen)| *seen == Some(0)).map(|((a, b), _)| differs(a, b, bound)).collect();
+    assert!(of_first.len() > 500, "{} pixels", of_first.len());
+    of_first.iter().filter(|off| **off).count() as f64 / of_first.len() as f64
+}
+
+#[test]
+fn a_plane_mirror_of_what_is_on_the_screen_is_the_traced_one() {
+    let perspective = Projection::Perspective { fov_degrees: 45.0 };
+    for projection in [perspective, Projection::Parallel { height: 4.0 }] {
+        let stage = stage(&mirror_floor(projection));
+        let truth = traced(&stage, size(480, 300));
+        let drawing = drawn(&stage, Method::Ssr(ssr()), size(480, 300));
+        let off = share_off(&stage, &drawing.picture, &truth, 2.0 / 255.0);
+        assert!(off <= 0.01, "{projection:?}: {:.2} % are off", 100.0 * off);
+        // What does not reflect is traced.
+        let seen = bodies_seen(&stage, size(480, 300));
+        let others = drawing.picture.pixels().iter().zip(truth.pixels()).zip(seen);
+        assert!(others.filter(|(_, seen)| *seen != Some(0)).all(|((a, b), _)| !differs(a, b, 1e-4)));
+    }
+}
+
+#[test]
+fn coarse_steps_and_no_refinement_cost_accuracy() {
+    let stage = stage(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 }));
+    let truth = traced(&stage, size(160, 100));
+    let off = |settings| {
+        let picture = drawn(&stage, Method::Ssr(settings), size(160, 100)).picture;
+        share_off(&stage, &picture, &truth, 2.0 / 255.0)
+    };
+    let fine = off(ssr());
+    let unrefined = off(SsrSettings { step_pixels: 8.0, refinements: 0, ..ssr() });
+    let short = off(SsrSettings { range: 2.0, ..ssr() });
+    assert!(unrefined > fine + 0.1, "{unrefined} and {fine}");
+    assert!(short > 0.5, "{short}");
+}
+
+#[test]
+fn one_generation_reflects_nothing() {
+    let stage = stage(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 })).with_generations(1);
+    let truth = traced(&stage, size(90, 60));
+    for method in [Method::Ssr(ssr()), cube_map(8, false)] {
+        assert!(rmse(&drawn(&stage, method, size(90, 60)).picture, &truth) < 1e-5, "{}", method.name());
+    }
+}
+
+#[test]
+fn a_cube_map_of_a_far_background_is_the_traced_one() {
+    let far = 1e5;
+    let sun = |direction: DVec3, r, g, b| ball(0.4 * far, far * direction.normalize(), glow(r, g, b));
+    let eye = camera(v(0.0, 0.5, 5.0), DVec3::ZERO, 30.0);
+    let alone = stage(&scene(vec![ball(1.0, DVec3::ZERO, mirror())], eye, vec![]));
+    let picture = drawn(&alone, cube_map(16, false), size(120, 90)).picture;
+    assert!(rmse(&picture, &traced(&alone, size(120, 90))) < 1e-6);
+    let bodies = vec![
+        ball(1.0, DVec3::ZERO, mirror()),
+        sun(v(1.0, 0.2, 0.5), 1.0, 0.5, 0.2),
+        sun(v(-1.0, 0.8, 0.1), 0.2, 0.9, 0.4),
+        sun(v(0.1, -0.7, 1.0), 0.7, 0.2, 0.9),
+        sun(v(0.0, 1.0, -0.3), 0.9, 0.9, 0.3),
+    ];
+    let stage = stage(&scene(bodies, eye, vec![]));
+    let truth = traced(&stage, size(240, 180));
+    let picture = drawn(&stage, cube_map(1024, false), size(240, 180)).picture;
+    let off = share_off(&stage, &picture, &truth, 2.0 / 255.0);
+    // The outlines of the far bodies only.
+    assert!(off < 0.02, "{off}");
+}
+
+/// A mirror ball in a room of six planes of six colors.
+fn room_of_planes() -> Scene {
+    let wall = |position, rotation, r, g, b| turned(Shape::Plane, position, rotation, glow(r, g, b));
+    let bodies = vec![
+        ball(1.0, v(0.6, -0.4, -0.5), mirror()),
+        wall(v(0.0, -2.0, 0.0), DVec3::ZERO, 0.8, 0.1, 0.1),
+        wall(v(0.0, 3.0, 0.0), v(180.0, 0.0, 0.0), 0.1, 0.8, 0.1),
+        wall(v(-3.0, 0.0, 0.0), v(0.0, 0.0, -90.0), 0.1, 0.1, 0.8),
+        wall(v(4.0, 0.0, 0.0), v(0.0, 0.0, 90.0), 0.8, 0.8, 0.1),
+        wall(v(0.0, 0.0, -3.0), v(90.0, 0.0, 0.0), 0.1, 0.8, 0.8),
+        wall(v(0.0, 0.0, 7.0), v(-90.0, 0.0, 0.0), 0.8, 0.1, 0.8),
+    ];
+    scene(bodies, camera(v(0.2, 0.5, 6.5), v(0.4, -0.2, 0.0), 30.0), vec![])
+}
+
+/// The same room as one cube with a pattern on its walls.
+fn room_of_one_cube() -> Scene {
+    let pattern = Material {
+        checker: Some(Checker { color: Color::new(0.9, 0.3, 0.1), size: 2.5 }),
+        ..glow(0.1, 0.4, 0.8)
+    };
+    let bodies =
+        vec![ball(1.0, v(0.6, -0.4, -0.5), mirror()), block(v(8.0, 5.0, 10.0), v(0.5, 0.5, 1.0), pattern)];
+    scene(bodies, camera(v(0.2, 0.5, 5.5), v(0.4, -0.2, 0.0), 35.0), vec![])
+}
+
+#[test]
+fn a_corrected_cube_map_of_a_box_room_is_exact_for_the_room() {
+    for room in [room_of_planes(), room_of_one_cube()] {
+        let stage = stage(&room);
+        let truth = traced(&stage, size(240, 180));
+        let off = |parallax| {
+            let picture = drawn(&stage, cube_map(1024, parallax), size(240, 180)).picture;
+            share_off(&stage, &picture, &truth, 2.0 / 255.0)
+        };
+        let (corrected, plain) = (off(true), off(false));
+        // Where two colors meet, a pixel of the map has part of both.
+        assert!(corrected < 0.02 && plain > 0.05, "{corrected} and {plain}");
+    }
+}
+
+#[test]
+fn the_fallback_fills_what_the_screen_lacks() {
+    let stage = stage(&room_of_planes());
+    let truth = traced(&stage, size(160, 120));
+    let maps = CubeMapSettings { size: 256, parallax: true };
+    let off = |fallback| {
+        let picture = drawn(&stage, Method::Ssr(SsrSettings { fallback, ..ssr() }), size(160, 120)).picture;
+        share_off(&stage, &picture, &truth, 3.0 / 255.0)
+    };
+    let (background, mapped) = (off(Fallback::Background), off(Fallback::CubeMap(maps)));
+    assert!(background > 0.3 && mapped < 0.05, "{background} and {mapped}");
+}
+
+#[test]
+fn cube_maps_are_kept_while_nothing_they_show_changes() {
+    let base = room_of_planes();
+    let mut maps = CubeMaps::new();
+    let mut draw = |scene: &Scene| {
+        let stage = stage(scene);
+        let method = cube_map(32, false);
+        let drawing =
+            draw_through(&stage, stage.camera(), &method, size(60, 40), &Control::default(), &mut maps)
+                .unwrap();
+        let fresh = drawn(&stage, method, size(60, 40));
+        assert!(drawing.picture == fresh.picture);
+        let used = drawing.cube_maps.unwrap();
+        assert_eq!(used.bytes, CubeMap::bytes_of(32) as u64);
+        assert!(used.build_time > std::time::Duration::ZERO);
+        (used.built, used.kept)
+    };
+    assert_eq!(draw(&base), (1, 0));
+    assert_eq!(draw(&base), (0, 1));
+    let mut scene = base.clone();
+    scene.camera.position.x += 0.3;
+    assert_eq!(draw(&scene), (0, 1), "the eye moved");
+    scene.bodies[0].material =
+        catoptric_scene::MaterialChoice::Inline(Box::new(Material { reflection: Some(0.5), ..mirror() }));
+    assert_eq!(draw(&scene), (0, 1), "the body itself changed");
+    scene.bodies[0].placement = scene.bodies[0].placement.moved_by(v(0.1, 0.0, 0.0));
+    assert_eq!(draw(&scene), (1, 0), "the body moved");
+    scene.bodies[1].placement = scene.bodies[1].placement.moved_by(v(0.0, -0.1, 0.0));
+    assert_eq!(draw(&scene), (1, 0), "a wall moved");
+    scene.lights.push(light(v(0.0, 1.0, 0.0), 1.0));
+    assert_eq!(draw(&scene), (1, 0), "a light came");
+    scene.environment.background = Color::BLACK;
+    assert_eq!(draw(&scene), (1, 0), "the background changed");
+}
+
+#[test]
+fn a_map_shows_what_surrounds_its_body_and_not_the_body() {
+    let stage = stage(&room_of_planes());
+    let drawing = drawn(&stage, cube_map(16, false), size(60, 40));
+    let maps = drawing.maps(&stage);
+    let [(0, map)] = maps[..] else { panic!("{} maps", maps.len()) };
+    assert_eq!(map.center().as_vec3(), Vec3::new(0.6, -0.4, -0.5));
+    assert!((map.light(Vec3::NEG_Y) - Vec3::new(0.8, 0.1, 0.1)).length() < 1e-6);
+    assert!((map.light(Vec3::Z * 9.0) - Vec3::new(0.8, 0.1, 0.8)).length() < 1e-6);
+    let unfolded = map.unfolded().unwrap();
+    assert_eq!((unfolded.width(), unfolded.height()), (64, 48));
+    let passes: Vec<PassName> = drawing.passes.iter().map(|(pass, _)| *pass).collect();
+    assert_eq!(passes, [PassName::Geometry, PassName::Light, PassName::CubeMaps, PassName::Reflect]);
+}
+
+#[test]
+fn layers_show_what_the_buffers_hold() {
+    let stage = stage(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 }));
+    let drawing = drawn(&stage, Method::Ssr(ssr()), size(80, 50));
+    let layer = |layer| drawing.layer(&stage, layer).unwrap().unwrap();
+    // The floor in the middle of the lowest row.
+    let at = |which, x, y| layer(which).pixel(x, y).unwrap();
+    assert_eq!(at(Layer::Normal, 40, 49), [0.5, 1.0, 0.5]);
+    assert_eq!(at(Layer::Coefficients, 40, 49), [0.0, 0.0, 1.0]);
+    assert_eq!(at(Layer::Lit, 40, 49), [0.0; 3]);
+    assert!(at(Layer::Reflected, 40, 49)[0] > 0.1);
+    assert!(at(Layer::Depth, 40, 49)[0] > 0.9 && at(Layer::Depth, 40, 2)[0] < 0.4);
+    assert_ne!(at(Layer::Body, 40, 49), at(Layer::Body, 40, 2));
+    assert_eq!(at(Layer::Color, 40, 2).map(|part| (part * 10.0).round()), [9.0, 7.0, 4.0]);
+    assert!(drawn(&stage, Method::Whitted, size(8, 5)).layer(&stage, Layer::Lit).unwrap().is_none());
+}
+
+#[test]
+fn the_bytes_do_not_depend_on_the_threads() {
+    let fallback = Fallback::CubeMap(CubeMapSettings { size: 16, parallax: true });
+    for example in ["four-bodies", "still-life"] {
+        let stage = stage(&Example::find(example).unwrap().load().unwrap().scene);
+        for method in [Method::Ssr(SsrSettings { fallback, ..ssr() }), cube_map(16, true)] {
+            let on = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                let settings = catoptric_tracer::RenderSettings { samples: 2, ..size(97, 61) };
+                pool.install(|| drawn(&stage, method, settings).picture)
+            };
+            assert!(on(1) == on(3), "{}", method.name());
+        }
+    }
+}
