@@ -5,6 +5,7 @@ use catoptric_live::{Live, Request};
 use catoptric_scene::{Camera, Scene};
 use egui::{CentralPanel, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
+use glam::DVec2;
 
 use crate::StudioError;
 use crate::audit::{self, Auditing};
@@ -24,6 +25,7 @@ use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
 use crate::view::View;
+use crate::viewport::Lens;
 use crate::window::Interruption;
 use crate::{documents, menu, picture_frame, shortcuts, status_bar};
 
@@ -158,6 +160,15 @@ impl Studio {
     /// Where the picture is in the window, points, once it has been drawn.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()
+    }
+
+    /// Where a ray of the audit begins and ends in the window, points, if it is seen; rays are counted from 0.
+    pub fn audit_ray_in_window(&self, ray: usize) -> Option<[egui::Pos2; 2]> {
+        let (camera, rect) = (self.live.latest()?.camera, self.viewport_rect()?);
+        let way = self.audit.found()?.ways.iter().find(|way| way.is_ray() && way.node == ray)?;
+        let size = DVec2::new(rect.width().into(), rect.height().into());
+        let ends = Lens::new(&camera, size).segment(way.from, way.to)?;
+        Some(ends.map(|end| rect.min + egui::vec2(end.x as f32, end.y as f32)))
     }
 
     /// Has `command` done at the end of the next frame.

@@ -264,8 +264,7 @@ fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 }
 
 fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    let panes =
-        [Pane::Outliner, Pane::History, Pane::Inspector, Pane::Problems, Pane::Audit, Pane::Viewport];
+    let panes = [Pane::Outliner, Pane::History, Pane::Inspector, Pane::Problems, Pane::Audit, Pane::Viewport];
     do_ui(ui, studio, commands, panes.map(Command::TogglePane));
     ui.separator();
     do_ui(ui, studio, commands, [Command::ResetLayout]);

@@ -34,7 +34,8 @@ use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
 pub(crate) use jumps::{
-    frame, look_along, look_through, place_for_new, place_for_new_light, set_camera, set_scene_camera, toggle_free,
+    frame, look_along, look_through, place_for_new, place_for_new_light, set_camera, set_scene_camera,
+    toggle_free,
 };
 pub(crate) use lens::Lens;
 use picture::Picture;

@@ -1,9 +1,9 @@
 //! Slow light: how far it has come.
 
 /// Meters a second at which slow light begins.
-const SPEED: f64 = 2.0;
+const SPEED: f64 = 4.0;
 /// The slowest and the fastest slow light, meters a second.
-pub(crate) const SPEEDS: std::ops::RangeInclusive<f64> = 0.1..=20.0;
+pub(crate) const SPEEDS: std::ops::RangeInclusive<f64> = 0.1..=100.0;
 
 /// Light that runs along the rays, so slowly that one can follow it. Whoever draws tells it the time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,23 +59,24 @@ mod tests {
 
     #[test]
     fn light_runs_by_the_clock() {
+        const LONGEST: f64 = 7.0;
         let mut light = SlowLight::default();
-        light.toggle(3.0);
+        light.toggle(LONGEST);
         for now in [10.0, 10.25, 10.5] {
-            light.move_on(now, 3.0);
+            light.move_on(now, LONGEST);
         }
-        assert_eq!(light.front, Some(1.0));
-        light.toggle(3.0);
-        light.move_on(11.0, 3.0);
-        assert_eq!(light.front, Some(1.0), "at rest");
-        light.toggle(3.0);
-        light.move_on(20.0, 3.0);
-        light.move_on(30.0, 3.0);
-        assert_eq!(light.front, Some(1.5), "after a long frame");
-        light.speed = 20.0;
-        light.move_on(30.25, 3.0);
-        assert_eq!((light.front, light.is_running), (Some(3.0), false));
-        light.toggle(3.0);
+        assert_eq!(light.front, Some(2.0));
+        light.toggle(LONGEST);
+        light.move_on(11.0, LONGEST);
+        assert_eq!(light.front, Some(2.0), "at rest");
+        light.toggle(LONGEST);
+        light.move_on(20.0, LONGEST);
+        light.move_on(30.0, LONGEST);
+        assert_eq!(light.front, Some(3.0), "after a long frame");
+        light.speed = 40.0;
+        light.move_on(30.25, LONGEST);
+        assert_eq!((light.front, light.is_running), (Some(LONGEST), false));
+        light.toggle(LONGEST);
         assert_eq!(light.front, Some(0.0), "anew");
         light.end();
         assert_eq!((light.front, light.is_running), (None, false));

@@ -35,9 +35,7 @@ pub(super) fn parts(
     control: &Control,
 ) -> Vec<Vec<Part>> {
     let look = Look { scene, stage, lens: Lens::new(camera, DVec2::ONE) };
-    ways.iter()
-        .map(|way| if control.is_cancelled() { SEEN.to_vec() } else { look.parts(way) })
-        .collect()
+    ways.iter().map(|way| if control.is_cancelled() { SEEN.to_vec() } else { look.parts(way) }).collect()
 }
 
 struct Look<'a> {
@@ -92,9 +90,7 @@ impl Look<'_> {
         let ray = Ray::from_point(origin.as_vec3(), direction.as_vec3());
         let hits = self.stage.hits_along(&ray);
         let before = distance * (1.0 - NEAR);
-        hits.iter()
-            .take_while(|hit| f64::from(hit.hit.t) < before)
-            .any(|hit| !self.is_clear(hit.body))
+        hits.iter().take_while(|hit| f64::from(hit.hit.t) < before).any(|hit| !self.is_clear(hit.body))
     }
 
     fn is_clear(&self, body: usize) -> bool {

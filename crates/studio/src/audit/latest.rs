@@ -46,9 +46,11 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
                 let control = Arc::new(Control::default());
                 let own = Arc::clone(&control);
                 // Without a thread there is no result; the next frame tries again.
-                self.running = Job::start(context, "audit", move || work(&own))
-                    .ok()
-                    .map(|job| Running { key: key.clone(), control, job });
+                self.running = Job::start(context, "audit", move || work(&own)).ok().map(|job| Running {
+                    key: key.clone(),
+                    control,
+                    job,
+                });
             }
         }
     }
@@ -61,11 +63,6 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
             Progress::Lost => None,
         };
         self.running.take().map(|running| (running.key, found))
-    }
-
-    /// Whether something is under way.
-    pub(super) fn is_busy(&self) -> bool {
-        self.running.is_some()
     }
 
     /// Lets go of what is under way.

@@ -81,27 +81,29 @@ pub(super) fn refresh(audit: &mut Auditing, texts: &Texts) {
 mod tests {
     use std::sync::Arc;
 
-    use catoptric_scene::{Example, MaterialChoice};
+    use catoptric_scene::{Body, Material, MaterialChoice, Placement, Scene, Shape};
     use catoptric_tracer::{Control, Stage};
-    use glam::UVec2;
+    use glam::{DVec3, UVec2};
 
     use super::super::found::Order;
     use super::super::{Found, Pin};
     use super::*;
 
-    /// A pixel whose rays all branch: glass in glass, deep.
-    fn found(generations: u32) -> Found {
-        let mut scene = Example::find("glass-row").unwrap().load().unwrap().scene;
-        scene.tracing.generations = generations;
-        scene.tracing.threshold = 0.0;
-        for body in scene.bodies.iter_mut() {
-            if let MaterialChoice::Inline(material) = &mut body.material {
-                (material.reflection, material.transmission) = (Some(0.4), 0.5);
-            }
-        }
+    /// A pixel whose rays branch at each of some panes of glass, one behind the other.
+    fn found(panes: usize) -> Found {
+        let glass =
+            Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
+        let pane = |place: usize| Body {
+            shape: Shape::Cube { size: DVec3::new(4.0, 4.0, 0.1) },
+            placement: Placement::at(-0.3 * place as f64 * DVec3::Z),
+            material: MaterialChoice::Inline(Box::new(glass.clone())),
+            ..Body::default()
+        };
+        let mut scene = Scene { bodies: (0..panes).map(pane).collect(), ..Scene::default() };
+        (scene.tracing.generations, scene.tracing.threshold) = (6, 0.0);
         let stage = Arc::new(Stage::prepare(&scene).unwrap());
         let camera = scene.camera;
-        let pin = Pin { pixel: UVec2::new(80, 45), size: UVec2::new(160, 90), camera, home: camera };
+        let pin = Pin { pixel: UVec2::new(80, 70), size: UVec2::new(160, 90), camera, home: camera };
         let order = Order { serial: 1, pin, scene: Arc::new(scene), stage, before: None };
         order.carry_out(&Control::default()).unwrap()
     }
@@ -109,20 +111,21 @@ mod tests {
     #[test]
     fn rows_follow_the_steps_and_what_is_expanded() {
         let texts = Texts::new(Language::English);
-        let found = found(8);
-        let nodes = &found.tree().unwrap().nodes.clone();
-        assert!(nodes.len() > 4, "{}", nodes.len());
+        let found = found(3);
+        let count = found.tree().unwrap().nodes.len();
+        assert!(count > 8, "{count}");
         let mut audit = Auditing { found: Some(Arc::new(found)), ..Auditing::default() };
         refresh(&mut audit, &texts);
-        assert_eq!(audit.listing.len(), nodes.len());
-        audit.expanded.insert(1);
+        assert_eq!(audit.listing.len(), count);
+        audit.expanded.insert(0);
         refresh(&mut audit, &texts);
-        assert!(audit.listing.len() > nodes.len() + 3);
-        assert_eq!(audit.listing.row(2), Some(Row::Term(1, 0)));
-        assert_eq!(audit.listing.place_of(1), Some(1));
+        let terms = audit.listing.len() - count;
+        assert!(terms > 5, "{terms}");
+        assert_eq!(audit.listing.row(1), Some(Row::Term(0, 0)));
+        assert_eq!(audit.listing.place_of(1), Some(1 + terms));
         audit.step = Some(1);
         refresh(&mut audit, &texts);
-        assert_eq!((audit.listing.len(), audit.listing.place_of(1)), (1, None));
+        assert_eq!((audit.listing.len(), audit.listing.place_of(1)), (1 + terms, None));
         assert_eq!(audit.listing.depth(1), 1);
     }
 }

@@ -27,7 +27,8 @@ pub(super) fn color(color: Vec3) -> String {
 /// A point or a direction. What is small beside the others is nothing.
 pub(super) fn vector(vector: Vec3) -> String {
     let least = 1e-5 * vector.abs().max_element();
-    let [x, y, z] = vector.to_array().map(|part| if part.abs() < least { 0.0 } else { f64::from(part) }).map(short);
+    let [x, y, z] =
+        vector.to_array().map(|part| if part.abs() < least { 0.0 } else { f64::from(part) }).map(short);
     format!("({x}, {y}, {z})")
 }
 

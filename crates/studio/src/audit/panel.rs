@@ -114,7 +114,9 @@ fn light_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
     let name = cx.texts.get("audit-front");
     let mut front = cx.audit.light.front.unwrap_or(found.longest);
     let unit = format!(" {}", cx.t("audit-meters"));
-    let slider = Slider::new(&mut front, 0.0..=found.longest.max(1e-3)).max_decimals(2).suffix(unit);
+    // The slider rounds to as many digits as it shows, and would take that for a move of the hand.
+    let slider = Slider::new(&mut front, 0.0..=found.longest.max(1e-3)).suffix(unit);
+    let slider = slider.custom_formatter(|front, _| format!("{front:.2}"));
     let response = ui.add(slider).accessible_name(name);
     if response.changed() {
         cx.audit.light.is_running = false;
@@ -136,7 +138,8 @@ fn button(ui: &mut Ui, cx: &mut Cx<'_>, act: AuditAct) {
     let tip = situation.tip(&command).map_or_else(|| name.clone(), |tip| format!("{name}\n{tip}"));
     let is_on = situation.is_on(&command) == Some(true);
     let can = situation.can(&command);
-    let response = ui.add_enabled_ui(can, |ui| explained_icon_button(ui, look.icon, &name, &tip, is_on)).inner;
+    let response =
+        ui.add_enabled_ui(can, |ui| explained_icon_button(ui, look.icon, &name, &tip, is_on)).inner;
     if response.clicked() {
         cx.run(command);
     }

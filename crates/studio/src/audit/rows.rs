@@ -6,7 +6,8 @@ use std::sync::Arc;
 use catoptric_lab::audit::{Node, NodeKind};
 use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, FontId, Id, Rect, Response, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Id, Rect, Response, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2,
+    vec2,
 };
 use egui_material_icons::icons;
 use glam::DVec3;
@@ -16,6 +17,7 @@ use super::listing::{self, Row};
 use super::numbers::{color, color_text, short};
 use super::terms::{self, Term, body_name};
 use crate::context::Cx;
+use crate::texts::Texts;
 use crate::theme::{self, Palette};
 use crate::typeset::{self, Line};
 use crate::widgets::color::screen_color;
@@ -129,7 +131,8 @@ fn columns(rect: Rect) -> [Rect; 3] {
     let share = room / COLUMNS.iter().sum::<f32>();
     let mut left = rect.right() - room - 12.0;
     COLUMNS.map(|width| {
-        let column = Rect::from_min_max(pos2(left, rect.top()), pos2(left + width * share - 6.0, rect.bottom()));
+        let column =
+            Rect::from_min_max(pos2(left, rect.top()), pos2(left + width * share - 6.0, rect.bottom()));
         left += width * share;
         column
     })
@@ -165,7 +168,7 @@ fn ray_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found, place: usize, node: &Node
     let end = columns.first().map_or(rect.right(), |column| column.left() - 6.0);
     let text = Rect::from_min_max(pos2(left + 36.0, rect.top()), pos2(end, rect.bottom()));
     paint_line(ui, text, &name, palette.text);
-    columns_ui(ui, found, place, node, columns);
+    columns_ui(ui, texts, found, (place, node), columns);
     if response.clicked() {
         cx.audit.select(place);
     }
@@ -182,7 +185,13 @@ fn row_info(ui: &Ui, response: &Response, name: &str, is_selected: bool, is_expa
     });
 }
 
-fn columns_ui(ui: &Ui, found: &Found, place: usize, node: &Node, columns: [Rect; 3]) {
+fn columns_ui(
+    ui: &Ui,
+    texts: &Texts,
+    found: &Found,
+    (place, node): (usize, &Node),
+    columns: [Rect; 3],
+) {
     let palette = theme::palette(ui.visuals());
     let font = FontId::proportional(12.5);
     let old = found.before.as_ref().map(|before| before.twin(place).map(|(_, node)| node));
@@ -195,9 +204,10 @@ fn columns_ui(ui: &Ui, found: &Found, place: usize, node: &Node, columns: [Rect;
     let text = color_text(node.brings);
     let (tone, text) = match old {
         // It was not there.
-        Some(None) => (palette.warning, format!("{text} +")),
+        Some(None) => (palette.warning, format!("{text} {}", texts.get("audit-new"))),
         Some(Some(old)) if old.brings != node.brings => {
-            (palette.warning, format!("{text} ← {}", color_text(old.brings)))
+            let was = texts.with("audit-was", &[("value", color_text(old.brings).into())]);
+            (palette.warning, format!("{text}, {was}"))
         }
         _ => (palette.text, text),
     };
@@ -295,26 +305,16 @@ fn set(ui: &Ui, term: &Term, old: Option<&Term>, cx: &Cx<'_>, palette: &Palette,
 
 /// A term as plain text.
 fn plain(term: &Term) -> String {
-    let mut text = format!("{}:", term.name);
-    for part in [&term.words, &typeset::plain(term.symbols)].into_iter().filter(|part| !part.is_empty()) {
-        text.push(' ');
-        text.push_str(part);
-    }
-    if !term.numbers.is_empty() {
-        let sign = if term.symbols.is_empty() { " " } else { " = " };
-        text.push_str(sign);
-        text.push_str(&typeset::plain(&term.numbers));
-    }
-    if let Some(value) = term.value {
-        let sign = if term.numbers.is_empty() { " " } else { " = " };
-        text.push_str(sign);
-        text.push_str(&color_text(value));
-    }
-    text
+    let value = term.value.map(color_text).unwrap_or_default();
+    let sides = [typeset::plain(term.symbols), typeset::plain(&term.numbers), value];
+    let equation: Vec<String> = sides.into_iter().filter(|side| !side.is_empty()).collect();
+    let words = [format!("{}:", term.name), term.words.clone(), equation.join(" = ")];
+    let words: Vec<String> = words.into_iter().filter(|words| !words.is_empty()).collect();
+    words.join(" ")
 }
 
 /// What stands beside a selected ray in the picture: its number, kind and weight.
-pub(crate) fn tag(texts: &crate::texts::Texts, place: usize, node: &Node) -> String {
+pub(crate) fn tag(texts: &Texts, place: usize, node: &Node) -> String {
     let arguments = [
         ("ray", (place + 1).into()),
         ("kind", texts.get(kind_key(node.kind)).into()),

@@ -125,7 +125,8 @@ impl Writer<'_> {
             ("medium", medium.into()),
             ("index", short(node.ray.ior.into()).into()),
         ];
-        Term::new(Part::Way, self.texts.get("audit-way")).words(self.texts.with("audit-way-words", &arguments))
+        Term::new(Part::Way, self.texts.get("audit-way"))
+            .words(self.texts.with("audit-way-words", &arguments))
     }
 
     fn surface(&self, terms: &mut Vec<Term>, node: &Node, answer: &SurfaceAnswer) {
@@ -185,8 +186,10 @@ impl Writer<'_> {
             terms.push(head.words(texts.get("audit-light-below").to_owned()).formula("~n·~L", cosine));
             return;
         };
-        let arguments = [("distance", short(light.distance.into()).into()), ("between", self.between(shadow).into())];
-        terms.push(head.words(texts.with("audit-light-words", &arguments)).formula("V", color(shadow.passed)));
+        let arguments =
+            [("distance", short(light.distance.into()).into()), ("between", self.between(shadow).into())];
+        terms
+            .push(head.words(texts.with("audit-light-words", &arguments)).formula("V", color(shadow.passed)));
         let Some(sent) = light.answer else { return };
         let mut sum: Vec<String> = Vec::new();
         if answer.diffuse_coefficient != 0.0 {
@@ -253,8 +256,10 @@ impl Writer<'_> {
     fn local(&self, node: &Node, answer: &SurfaceAnswer) -> Term {
         let lights = answer.lights.iter().filter_map(|light| light.answer).map(|answer| answer.light);
         let terms: Vec<String> = std::iter::once(answer.ambient).chain(lights).map(color).collect();
+        // One term by itself is its own sum.
+        let numbers = if terms.len() > 1 { terms.join(" + ") } else { String::new() };
         let term = Term::new(Part::Local, self.texts.get("audit-local"));
-        term.formula("I_{local}", terms.join(" + ")).value(node.ray.local)
+        term.formula("I_{local}", numbers).value(node.ray.local)
     }
 
     /// What becomes of a ray that may go on.
@@ -275,6 +280,10 @@ impl Writer<'_> {
             Fate::LeftOut => texts.with("audit-ends-left-out", &[weight()]),
         };
         let term = Term::new(part, texts.get(key)).words(words);
-        if branch.fate == Fate::TotalReflection { term } else { term.formula(symbols, color(branch.coefficient)) }
+        if branch.fate == Fate::TotalReflection {
+            term
+        } else {
+            term.formula(symbols, color(branch.coefficient))
+        }
     }
 }

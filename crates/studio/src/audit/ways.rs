@@ -78,7 +78,9 @@ pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &Pin) -> (Vec<Way>, us
     }
     let left_out = ways.len().saturating_sub(MOST);
     // The heaviest last: they are drawn over the others.
-    ways.sort_by(|a, b| (a.is_ray(), a.weight).partial_cmp(&(b.is_ray(), b.weight)).unwrap_or(std::cmp::Ordering::Equal));
+    ways.sort_by(|a, b| {
+        (a.is_ray(), a.weight).partial_cmp(&(b.is_ray(), b.weight)).unwrap_or(std::cmp::Ordering::Equal)
+    });
     ways.drain(..left_out);
     (ways, left_out)
 }

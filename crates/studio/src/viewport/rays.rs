@@ -112,7 +112,8 @@ impl Pen<'_> {
         }
         for part in parts.iter().filter(|part| part.from < share) {
             let point = |at: f64| way.from.lerp(way.to, at);
-            let Some([from, to]) = self.sight.lens.segment(point(part.from), point(part.to.min(share))) else {
+            let Some([from, to]) = self.sight.lens.segment(point(part.from), point(part.to.min(share)))
+            else {
                 continue;
             };
             let ends = [self.sight.pos(from), self.sight.pos(to)];
@@ -257,14 +258,22 @@ impl Pen<'_> {
         let Some(place) = self.audit.selected().filter(|place| *place != 0) else { return };
         let way = self.found.ways.iter().find(|way| way.node == place && way.is_ray());
         let (Some(way), Some(node)) = (way, self.found.node(place)) else { return };
-        let Some([from, to]) = self.sight.lens.segment(way.from, way.to).filter(|_| self.share(way) > 0.0) else {
+        let Some([from, to]) = self.sight.lens.segment(way.from, way.to).filter(|_| self.share(way) > 0.0)
+        else {
             return;
         };
         let middle = self.sight.pos(from).lerp(self.sight.pos(to), 0.5);
         if self.sight.rect.contains(middle) {
             let text = audit::tag(cx.texts, place, node);
             let palette = theme::palette(&Visuals::dark());
-            labels::plate(self.painter, self.sight.rect, middle + vec2(0.0, -14.0), Align2::CENTER_BOTTOM, &text, palette);
+            labels::plate(
+                self.painter,
+                self.sight.rect,
+                middle + vec2(0.0, -14.0),
+                Align2::CENTER_BOTTOM,
+                &text,
+                palette,
+            );
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The audit of a pixel: pinned with the pointer, read in the panel, seen in space.
 
+use catoptric_editor::Label;
+use catoptric_scene::{Color, Environment};
 use catoptric_studio::host::Host as _;
 use catoptric_studio::{AuditAct, Command, Language, Start, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2, Vec2, vec2};
@@ -18,7 +20,7 @@ impl Auditor {
     fn new() -> Self {
         let host = TestHost::new();
         let mut harness = studio_with(host.clone(), Start::Example("whitted".to_owned()));
-        harness.set_size(Vec2::new(1500.0, 900.0));
+        harness.set_size(Vec2::new(1500.0, 1500.0));
         harness.run_steps(2);
         let mut auditor = Self { harness, host };
         auditor.run(Command::Audit(AuditAct::Tool));
@@ -75,7 +77,7 @@ impl Auditor {
         let is_row = |role| matches!(role, Role::TreeItem | Role::Label);
         nodes
             .filter(|node| is_row(node.accesskit_node().role()))
-            .filter_map(|node| node.accesskit_node().label())
+            .filter_map(|node| node.accesskit_node().label().or_else(|| node.accesskit_node().value()))
             .collect()
     }
 
@@ -211,12 +213,9 @@ fn a_changed_coefficient_is_marked() {
     audit.pin(audit.place(0.85, 0.9));
     let before = audit.row("Ambient:");
     let studio = audit.harness.state_mut();
-    let mut scene = (**studio.editor().scene()).clone();
-    scene.environment.ambient = scene.environment.ambient.scaled(0.5);
-    studio
-        .editor_mut()
-        .change_environment(catoptric_editor::Label::new("edit-value", ""), |own| *own = scene.environment)
-        .unwrap();
+    let label = Label::new("edit-ambient-light", "");
+    let half = |own: &mut Environment| own.ambient = Color::new(0.1, 0.1, 0.1);
+    studio.editor_mut().change_environment(label, half).unwrap();
     studio.editor_mut().settle();
     audit.wait_for("another ambient term", |rows| {
         rows.iter().any(|row| row.starts_with("Ambient:") && *row != before)
@@ -229,7 +228,7 @@ fn the_tree_is_saved_as_a_drawing_in_russian() {
     audit.run(Command::Language(Language::Russian));
     audit.pin(audit.place(0.4, 0.45));
     assert!(audit.row("Пиксель ").contains(" из "));
-    assert!(audit.row("1: ").starts_with("1: первичный → "));
+    assert!(audit.row("1: ").starts_with("1: первичный – "));
     assert!(audit.row("Фоновый свет:").contains("k_a C I_a = "));
     assert!(audit.row("Поколения с 1 по ").contains(" из "));
     let path = audit.host.path("rays.svg");

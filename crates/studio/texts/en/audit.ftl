@@ -6,7 +6,7 @@ audit-kind-primary = primary
 audit-kind-reflected = reflected
 audit-kind-total = totally reflected
 audit-kind-refracted = refracted
-audit-ray = { $ray }: { $kind } → { $end }
+audit-ray = { $ray }: { $kind } – { $end }
 audit-tag = { $ray }: { $kind }, weight { $weight }
 audit-expand = Terms of ray { $ray }
 audit-fold = Fold ray { $ray }
@@ -52,8 +52,8 @@ audit-meets-words = { $body } after { $distance } m at { $point }, normal { $nor
 audit-meets-within = { $body }, from within, after { $distance } m at { $point }, normal { $normal }
 audit-angles = Angles
 audit-angle = incidence { $incidence }
-audit-angles-both = incidence { $incidence }, refraction { $refraction } (n = { $from } → { $to })
-audit-angles-total = incidence { $incidence }, total internal reflection (n = { $from } → { $to })
+audit-angles-both = incidence { $incidence }, refraction { $refraction } (from n = { $from } to { $to })
+audit-angles-total = incidence { $incidence }, total internal reflection (from n = { $from } to { $to })
 audit-ambient = Ambient
 audit-light-below = below the surface, adds nothing
 audit-light-words = { $distance } m away, { $between }
@@ -81,3 +81,4 @@ audit-weight-times-light = weight · local light
 audit-brings = Brings
 audit-with-branches = with all that grows from it
 audit-was = was { $value }
+audit-new = new

@@ -6,7 +6,7 @@ audit-kind-primary = первичный
 audit-kind-reflected = отражённый
 audit-kind-total = полное отражение
 audit-kind-refracted = преломлённый
-audit-ray = { $ray }: { $kind } → { $end }
+audit-ray = { $ray }: { $kind } – { $end }
 audit-tag = { $ray }: { $kind }, вес { $weight }
 audit-expand = Слагаемые луча { $ray }
 audit-fold = Свернуть луч { $ray }
@@ -53,8 +53,8 @@ audit-meets-words = { $body } через { $distance } м в точке { $point
 audit-meets-within = { $body } изнутри через { $distance } м в точке { $point }, нормаль { $normal }
 audit-angles = Углы
 audit-angle = падения { $incidence }
-audit-angles-both = падения { $incidence }, преломления { $refraction } (n = { $from } → { $to })
-audit-angles-total = падения { $incidence }, полное внутреннее отражение (n = { $from } → { $to })
+audit-angles-both = падения { $incidence }, преломления { $refraction } (из n = { $from } в n = { $to })
+audit-angles-total = падения { $incidence }, полное внутреннее отражение (из n = { $from } в n = { $to })
 audit-ambient = Фоновый свет
 audit-light-below = за поверхностью, ничего не добавляет
 audit-light-words = расстояние { $distance } м, { $between }
@@ -69,7 +69,7 @@ audit-more-surfaces = { $count ->
 audit-diffuse = Рассеянный
 audit-highlight = Блик
 audit-arrives = От источника
-audit-local = Местный свет
+audit-local = Локальный свет
 audit-reflected = Отражённый
 audit-refracted = Преломлённый
 audit-goes-on = продолжается лучом { $ray }
@@ -79,7 +79,8 @@ audit-ends-limit = обрывается на пределе поколений (
 audit-ends-threshold = обрывается: вес { $weight } меньше порога { $threshold }
 audit-ends-left-out = не вошёл в список, вес { $weight }
 audit-adds = Добавляет
-audit-weight-times-light = вес · местный свет
+audit-weight-times-light = вес · локальный свет
 audit-brings = Приносит
 audit-with-branches = вместе со всем, что из него растёт
 audit-was = было { $value }
+audit-new = новый
