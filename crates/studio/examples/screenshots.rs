@@ -51,7 +51,7 @@ struct Look {
     pixel: [f32; 2],
     /// A drag beside everything.
     turn: Option<[[f32; 2]; 2]>,
-    /// How far slow light has come, frames of a sixtieth of a second.
+    /// How far slow light has come, frames of a quarter of a second.
     frames: Option<usize>,
     /// The ray that is chosen, from 0.
     ray: Option<usize>,
@@ -86,7 +86,7 @@ fn shots() -> Vec<Shot> {
             ..shot("studio-audit-outside", "russian", "light", "whitted")
         },
         Shot {
-            audit: Some(Look { turn: Some([[0.2, 0.6], [0.42, 0.75]]), frames: Some(200), ..GLASS }),
+            audit: Some(Look { turn: Some([[0.2, 0.6], [0.42, 0.75]]), frames: Some(9), ..GLASS }),
             ..shot("studio-audit-light", "english", "light", "whitted")
         },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },

@@ -91,8 +91,7 @@ mod tests {
 
     /// A pixel whose rays branch at each of some panes of glass, one behind the other.
     fn found(panes: usize) -> Found {
-        let glass =
-            Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
+        let glass = Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
         let pane = |place: usize| Body {
             shape: Shape::Cube { size: DVec3::new(4.0, 4.0, 0.1) },
             placement: Placement::at(-0.3 * place as f64 * DVec3::Z),

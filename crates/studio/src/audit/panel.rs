@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use catoptric_lab::audit::Proof;
 use egui::{RichText, Slider, Ui};
+use egui_material_icons::icons;
 
 use super::rows::chip_color;
 use super::{Found, clock, rows};
@@ -138,8 +139,8 @@ fn button(ui: &mut Ui, cx: &mut Cx<'_>, act: AuditAct) {
     let tip = situation.tip(&command).map_or_else(|| name.clone(), |tip| format!("{name}\n{tip}"));
     let is_on = situation.is_on(&command) == Some(true);
     let can = situation.can(&command);
-    let response =
-        ui.add_enabled_ui(can, |ui| explained_icon_button(ui, look.icon, &name, &tip, is_on)).inner;
+    let icon = if is_on { icons::ICON_PAUSE } else { look.icon };
+    let response = ui.add_enabled_ui(can, |ui| explained_icon_button(ui, icon, &name, &tip, is_on)).inner;
     if response.clicked() {
         cx.run(command);
     }

@@ -185,13 +185,7 @@ fn row_info(ui: &Ui, response: &Response, name: &str, is_selected: bool, is_expa
     });
 }
 
-fn columns_ui(
-    ui: &Ui,
-    texts: &Texts,
-    found: &Found,
-    (place, node): (usize, &Node),
-    columns: [Rect; 3],
-) {
+fn columns_ui(ui: &Ui, texts: &Texts, found: &Found, (place, node): (usize, &Node), columns: [Rect; 3]) {
     let palette = theme::palette(ui.visuals());
     let font = FontId::proportional(12.5);
     let old = found.before.as_ref().map(|before| before.twin(place).map(|(_, node)| node));

@@ -39,7 +39,9 @@ impl Auditor {
             let revision = studio.editor().revision();
             let rect = studio.viewport_rect().unwrap();
             let size = [rect.width() as u32, rect.height() as u32];
-            studio.live().latest().is_some_and(|frame| frame.revision == revision && frame.view_size == size)
+            let frame = studio.live().latest();
+            let is_there = frame.is_some_and(|frame| frame.revision == revision && frame.view_size == size);
+            is_there && studio.live().status().is_idle
         });
         self.harness.run_steps(3);
     }
@@ -147,7 +149,7 @@ fn a_ray_is_chosen_in_space_while_the_camera_of_the_audit_stays() {
     let pixel = audit.row("Pixel ");
     let camera = audit.harness.state().editor().scene().camera;
     // A drag turns the view, with the free camera.
-    let (from, to) = (audit.place(0.75, 0.75), audit.place(0.5, 0.6));
+    let (from, to) = (audit.place(0.9, 0.6), audit.place(0.66, 0.72));
     let button = |pos, pressed| Event::PointerButton {
         pos,
         button: PointerButton::Primary,
@@ -164,10 +166,10 @@ fn a_ray_is_chosen_in_space_while_the_camera_of_the_audit_stays() {
     audit.wait_for_picture();
     assert_eq!(audit.harness.state().editor().scene().camera, camera);
     assert_eq!(audit.row("Pixel "), pixel);
-    let ends = audit.harness.state().audit_ray_in_window(1).expect("the second ray is seen");
+    let ends = audit.harness.state().audit_ray_in_window(2).expect("the third ray is seen");
     audit.press("Fold ray 1");
     audit.click(ends[0].lerp(ends[1], 0.35));
-    assert!(audit.is_selected("2: "), "{:#?}", audit.rows());
+    assert!(audit.is_selected("3: "), "{:#?}", audit.rows());
     assert_eq!(audit.row("Pixel "), pixel, "a click on a ray pins no pixel");
     // Back to where it was pinned: the picture is the scene camera's again.
     audit.run(Command::Audit(AuditAct::View));
