@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use catoptric_editor::Item;
+use catoptric_lab::maps::MapKind;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
 use catoptric_studio::{AuditAct, Command, Start, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2};
@@ -76,6 +77,14 @@ fn shots() -> Vec<Shot> {
         Shot {
             command: Some(Command::Shortcuts),
             ..shot("studio-shortcuts", "russian", "dark", "four-bodies")
+        },
+        Shot {
+            command: Some(Command::Map(Some(MapKind::Generations))),
+            ..shot("studio-map", "english", "dark", "mirror-box")
+        },
+        Shot {
+            command: Some(Command::Map(Some(MapKind::LimitLoss))),
+            ..shot("studio-map-loss", "russian", "light", "hall-of-mirrors")
         },
         Shot {
             audit: Some(Look { ray: Some(3), ..GLASS }),

@@ -17,6 +17,7 @@ use crate::first_steps::FirstSteps;
 use crate::help::Help;
 use crate::host::Host;
 use crate::layout::{self, Pane};
+use crate::maps::Maps;
 use crate::notices::Toasts;
 use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
@@ -36,6 +37,7 @@ pub struct Studio {
     pub(crate) settings: Settings,
     pub(crate) view: View,
     pub(crate) audit: Auditing,
+    pub(crate) maps: Maps,
     pub(crate) live: Live,
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
@@ -99,6 +101,7 @@ impl Studio {
             settings,
             view: View::default(),
             audit: Auditing::default(),
+            maps: Maps::default(),
             live,
             layout,
             documents: Documents::default(),
@@ -162,6 +165,11 @@ impl Studio {
         self.panes.viewport.rect()
     }
 
+    /// How many rays the audited pixel has, once they have been traced.
+    pub fn audit_rays(&self) -> Option<usize> {
+        self.audit.found()?.tree().map(|tree| tree.nodes.len())
+    }
+
     /// Where a ray of the audit begins and ends in the window, points, if it is seen; rays are counted from 0.
     pub fn audit_ray_in_window(&self, ray: usize) -> Option<[egui::Pos2; 2]> {
         let (camera, rect) = (self.live.latest()?.camera, self.viewport_rect()?);
@@ -213,6 +221,7 @@ impl Studio {
             settings: &mut self.settings,
             view: &mut self.view,
             audit: &mut self.audit,
+            maps: &mut self.maps,
             live: &self.live,
             commands: &mut self.commands,
         }

@@ -3,7 +3,6 @@
 mod clock;
 mod found;
 mod hidden;
-mod latest;
 mod listing;
 mod numbers;
 mod panel;
@@ -33,8 +32,8 @@ pub(crate) use rows::{kind_color, tag};
 pub(crate) use run::{poll_saving, run};
 pub(crate) use ways::{Way, WayKind, pixel_at};
 
+use crate::latest::Latest;
 use found::Order;
-use latest::Latest;
 
 /// A pixel of a picture: what an audit is about.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_lab::maps::MapKind;
 use catoptric_scene::ShapeKind;
 use egui::KeyboardShortcut;
 use egui_material_icons::MaterialIcon;
@@ -76,6 +77,8 @@ pub enum Command {
     ToggleGizmoSpace,
     /// Look into a pixel.
     Audit(AuditAct),
+    /// Show a map over the picture, or the picture alone.
+    Map(Option<MapKind>),
     /// Ground grid and axes.
     ToggleGrid,
     /// Lights and gizmo over the picture.

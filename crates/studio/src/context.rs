@@ -5,6 +5,7 @@ use catoptric_live::Live;
 
 use crate::audit::Auditing;
 use crate::command::Command;
+use crate::maps::Maps;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;
@@ -21,6 +22,8 @@ pub(crate) struct Cx<'a> {
     pub(crate) view: &'a mut View,
     /// The pixel that is looked into.
     pub(crate) audit: &'a mut Auditing,
+    /// The map over the picture.
+    pub(crate) maps: &'a mut Maps,
     /// The traced picture.
     pub(crate) live: &'a Live,
     /// What is to be done when the frame is drawn.

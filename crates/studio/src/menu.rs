@@ -2,6 +2,7 @@
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_lab::maps::MapKind;
 use catoptric_scene::{Example, ShapeKind};
 use egui::containers::menu::{MenuBar, MenuButton, MenuConfig, SubMenuButton};
 use egui::{Align, Button, Layout, ScrollArea, Style, TextWrapMode, Ui, vec2};
@@ -227,6 +228,8 @@ fn lab() -> Vec<Entry> {
     entries.extend(commands_of([Previous, Next, All, Play].map(audit)));
     entries.push(Entry::Line);
     entries.extend(commands_of([Copy, Save, Release].map(audit)));
+    entries.push(Entry::Line);
+    entries.push(Entry::Sub("menu-map", icons::ICON_STACKS, maps_ui));
     entries
 }
 
@@ -261,6 +264,12 @@ fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 
 fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     do_ui(ui, studio, commands, Axis::ALL.map(Command::LookAlong));
+}
+
+fn maps_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, [Command::Map(None)]);
+    ui.separator();
+    do_ui(ui, studio, commands, MapKind::ALL.map(|kind| Command::Map(Some(kind))));
 }
 
 fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {

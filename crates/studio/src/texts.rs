@@ -31,6 +31,7 @@ macro_rules! catalogues {
             ("edits", include_str!(concat!("../texts/", $folder, "/edits.ftl"))),
             ("render", include_str!(concat!("../texts/", $folder, "/render.ftl"))),
             ("audit", include_str!(concat!("../texts/", $folder, "/audit.ftl"))),
+            ("lab", include_str!(concat!("../texts/", $folder, "/lab.ftl"))),
             ("help", include_str!(concat!("../texts/", $folder, "/help.ftl"))),
         ]
     };

@@ -37,6 +37,7 @@ pub(crate) use jumps::{
     frame, look_along, look_through, place_for_new, place_for_new_light, set_camera, set_scene_camera,
     toggle_free,
 };
+pub(crate) use labels::beside_pointer as note_beside;
 pub(crate) use lens::Lens;
 use picture::Picture;
 pub(crate) use picture::why;
@@ -108,6 +109,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     if cx.view.free_camera.is_none() {
         picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
     }
+    crate::maps::draw(&painter, cx, rect, camera);
     if let Some(frame) = &frame {
         marks::grid(&painter, rect, frame, palette);
         if cx.settings.shows_handles {
@@ -120,6 +122,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     tell(ui, cx, &response);
     toolbar::toolbar_ui(ui, cx, rect);
     compass::compass_ui(ui, cx, &sight);
+    crate::maps::legend_ui(ui, cx, rect);
     notes(ui, cx, viewport, &sight);
 }
 
@@ -258,7 +261,9 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
         let grain = sight.lens.meters_per_point(sight.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
         labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
-    } else if let (Some(item), Some(pointer), false) = (over, pointer, Popup::is_any_open(ui.ctx())) {
+    } else if let (Some(item), Some(pointer), false) =
+        (over.filter(|_| cx.maps.kind.is_none()), pointer, Popup::is_any_open(ui.ctx()))
+    {
         if rest >= REST {
             labels::beside_pointer(&painter, sight.rect, pointer, &item_name(cx.texts, scene, item), palette);
         } else {

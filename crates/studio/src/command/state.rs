@@ -10,6 +10,7 @@ use crate::audit::Auditing;
 use crate::context::Cx;
 use crate::history::step_name;
 use crate::layout::{self, Pane};
+use crate::maps::Maps;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;
@@ -22,6 +23,7 @@ pub(crate) struct Situation<'a> {
     settings: &'a Settings,
     view: &'a View,
     audit: &'a Auditing,
+    maps: &'a Maps,
     live: &'a Live,
     /// The panels; `None` while they are being drawn.
     layout: Option<&'a Tree<Pane>>,
@@ -36,6 +38,7 @@ impl Studio {
             settings: &self.settings,
             view: &self.view,
             audit: &self.audit,
+            maps: &self.maps,
             live: &self.live,
             layout: Some(&self.layout),
         }
@@ -51,6 +54,7 @@ impl Cx<'_> {
             settings: self.settings,
             view: self.view,
             audit: self.audit,
+            maps: self.maps,
             live: self.live,
             layout: None,
         }
@@ -109,6 +113,7 @@ impl Situation<'_> {
             Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing,
             Command::Audit(AuditAct::Tool) => self.view.is_auditing,
             Command::Audit(AuditAct::Play) => self.audit.light.is_running,
+            Command::Map(kind) => self.maps.kind == *kind,
             Command::Theme(theme) => self.settings.theme == *theme,
             Command::Language(language) => self.settings.language == *language,
             Command::TogglePane(pane) => layout::is_in_front(self.layout?, *pane),
@@ -138,6 +143,6 @@ impl Situation<'_> {
 impl Command {
     /// Whether it chooses one of several, of which one is always chosen.
     pub(crate) fn is_choice(&self) -> bool {
-        matches!(self, Self::Tool(_) | Self::Theme(_) | Self::Language(_))
+        matches!(self, Self::Tool(_) | Self::Map(_) | Self::Theme(_) | Self::Language(_))
     }
 }

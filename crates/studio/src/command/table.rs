@@ -2,6 +2,7 @@
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_lab::maps::MapKind;
 use catoptric_scene::ShapeKind;
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
@@ -141,6 +142,12 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Audit(AuditAct::Copy) => "command-audit-copy", ICON_CONTENT_COPY;
         Command::Audit(AuditAct::Save) => "command-audit-save", ICON_SAVE_AS;
         Command::Audit(AuditAct::Release) => "command-audit-release", ICON_CLOSE;
+        Command::Map(None) => "command-map-none", ICON_IMAGE, alt(Key::Num0);
+        Command::Map(Some(MapKind::Generations)) => "command-map-generations", ICON_STACKS, alt(Key::Num1);
+        Command::Map(Some(MapKind::Rays)) => "command-map-rays", ICON_NETWORK_NODE, alt(Key::Num2);
+        Command::Map(Some(MapKind::LimitLoss)) => "command-map-limit-loss", ICON_LAYERS_CLEAR, alt(Key::Num3);
+        Command::Map(Some(MapKind::ThresholdLoss)) => "command-map-threshold-loss", ICON_FILTER_ALT, alt(Key::Num4);
+        Command::Map(Some(MapKind::Clipped)) => "command-map-clipped", ICON_FLARE, alt(Key::Num5);
     }
     Window: {
         Command::TogglePane(Pane::Outliner) => "command-pane-outliner", ICON_ACCOUNT_TREE;
@@ -197,6 +204,7 @@ mod tests {
         expected.extend(ShapeKind::ALL.into_iter().map(Command::AddBody));
         expected.extend(Axis::ALL.into_iter().map(Command::LookAlong));
         expected.extend(Language::ALL.into_iter().map(Command::Language));
+        expected.extend(MapKind::ALL.map(|kind| Command::Map(Some(kind))));
         expected.extend([Theme::Dark, Theme::Light, Theme::System].map(Command::Theme));
         expected.extend([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool));
         expected.extend([Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));

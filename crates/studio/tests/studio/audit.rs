@@ -241,3 +241,55 @@ fn the_tree_is_saved_as_a_drawing_in_russian() {
     assert!(audit.host.settings_path().is_some());
     assert_eq!(audit.missing(), Vec::<String>::new());
 }
+
+/// How long it takes until a tree of more than 2^12 rays is listed and drawn, and how long its frames take then.
+#[test]
+#[ignore = "a measurement"]
+fn how_long_a_large_tree_takes() {
+    use std::time::Instant;
+    let host = TestHost::new();
+    let path = host.path("panes.toml");
+    catoptric_scene::save(&path, &catoptric_scene::write(&panes(14))).unwrap();
+    let mut harness = studio_with(host.clone(), Start::File(path));
+    harness.set_size(Vec2::new(1500.0, 900.0));
+    harness.run_steps(2);
+    let mut audit = Auditor { harness, host };
+    audit.run(Command::Audit(AuditAct::Tool));
+    // Nobody has to wait until it is refined.
+    wait_until(&mut audit.harness, "a picture", |studio| {
+        let bodies = studio.editor().scene().bodies.len();
+        bodies == 14
+            && studio.live().latest().is_some_and(|frame| frame.revision == studio.editor().revision())
+    });
+    let start = Instant::now();
+    audit.pin(audit.place(0.5, 0.5));
+    println!("from the click to the list: {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+    let start = Instant::now();
+    audit.harness.step();
+    println!("a frame: {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+    for ray in [4000, 17, 2500] {
+        let Some(ends) = audit.harness.state().audit_ray_in_window(ray) else { continue };
+        let start = Instant::now();
+        audit.click(ends[0].lerp(ends[1], 0.5));
+        println!("five frames of a click on a ray: {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+    }
+    let text = audit.harness.state().audit_rays().unwrap_or(0);
+    println!("{text} rays");
+}
+
+/// Panes of glass one behind the other, at whose faces every ray gives two.
+fn panes(count: usize) -> catoptric_scene::Scene {
+    use catoptric_scene::{Body, Material, MaterialChoice, Placement, Scene, Shape};
+    use glam::DVec3;
+    let glass = Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
+    let pane = |place: usize| Body {
+        shape: Shape::Cube { size: DVec3::new(40.0, 40.0, 0.1) },
+        placement: Placement::at(-0.3 * place as f64 * DVec3::Z),
+        material: MaterialChoice::Inline(Box::new(glass.clone())),
+        ..Body::default()
+    };
+    let mut scene = Scene { bodies: (0..count).map(pane).collect(), ..Scene::default() };
+    scene.lights.push(catoptric_scene::Light::default());
+    (scene.tracing.generations, scene.tracing.threshold) = (15, 0.0);
+    scene
+}

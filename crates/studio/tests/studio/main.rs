@@ -6,6 +6,7 @@ mod commands;
 mod documents;
 mod inspector;
 mod kit;
+mod lab;
 mod monkey;
 mod outliner;
 mod render;

@@ -16,6 +16,7 @@ menu-panels = Panels
 menu-theme = Theme
 menu-language = Language
 menu-zoom = Zoom
+menu-map = Map over the picture
 theme-to-dark = Switch to the dark theme
 theme-to-light = Switch to the light theme
 
@@ -239,3 +240,16 @@ refused-no-such-item = It is no longer in the scene.
 refused-empty-name = A material needs a name.
 refused-bad-text = The clipboard does not hold the text of a scene.
 refused-nothing-to-paste = There is nothing in the clipboard that could be pasted.
+
+command-map-none = No map
+    .tip = Shows the picture itself.
+command-map-generations = Generations
+    .tip = Shows for each pixel the last generation that any of its rays has.
+command-map-rays = Rays per pixel
+    .tip = Shows how many rays each pixel takes, shadow rays included.
+command-map-limit-loss = Light lost by the limit
+    .tip = Shows which part of each pixel’s light the limit of generations leaves out.
+command-map-threshold-loss = Light lost by the threshold
+    .tip = Shows which part of each pixel’s light the threshold leaves out.
+command-map-clipped = Light beyond white
+    .tip = Shows which part of each pixel’s light the display cannot show at this exposure.

@@ -13,7 +13,7 @@ use crate::documents::job::{Job, Progress};
 const PATIENCE: Duration = Duration::from_millis(400);
 
 /// Work for a key, and its result.
-pub(super) struct Latest<K, T> {
+pub(crate) struct Latest<K, T> {
     running: Option<Running<K, T>>,
 }
 
@@ -31,7 +31,7 @@ impl<K, T> Default for Latest<K, T> {
 
 impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
     /// Has `work` done for `key`, unless this or something else is under way; to be asked again in every frame.
-    pub(super) fn want(
+    pub(crate) fn want(
         &mut self,
         context: &Context,
         key: &K,
@@ -56,7 +56,7 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
     }
 
     /// What was found, once, with its key; `None` for work that broke down.
-    pub(super) fn poll(&mut self) -> Option<(K, Option<T>)> {
+    pub(crate) fn poll(&mut self) -> Option<(K, Option<T>)> {
         let found = match self.running.as_ref()?.job.poll() {
             Progress::Waiting => return None,
             Progress::Done(found) => Some(found),
@@ -65,8 +65,13 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
         self.running.take().map(|running| (running.key, found))
     }
 
+    /// How many pixels are done of what is under way.
+    pub(crate) fn pixels_done(&self) -> Option<u64> {
+        self.running.as_ref().map(|running| running.control.pixels_done())
+    }
+
     /// Lets go of what is under way.
-    pub(super) fn cancel(&mut self) {
+    pub(crate) fn cancel(&mut self) {
         if let Some(running) = self.running.take() {
             running.control.cancel();
         }
