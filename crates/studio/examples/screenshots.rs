@@ -87,6 +87,21 @@ fn shots() -> Vec<Shot> {
             ..shot("studio-map-loss", "russian", "light", "hall-of-mirrors")
         },
         Shot {
+            command: Some(Command::ToggleExact),
+            body: Some(5),
+            ..shot("studio-exact", "english", "dark", "ring-of-images")
+        },
+        Shot {
+            command: Some(Command::ToggleExact),
+            body: Some(2),
+            ..shot("studio-exact-ball", "russian", "light", "whitted")
+        },
+        Shot {
+            command: Some(Command::ToggleExact),
+            body: Some(4),
+            ..shot("studio-exact-lens", "russian", "dark", "glass-row")
+        },
+        Shot {
             audit: Some(Look { ray: Some(3), ..GLASS }),
             ..shot("studio-audit", "english", "dark", "whitted")
         },

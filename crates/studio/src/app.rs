@@ -13,6 +13,7 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::dialogs::Dialogs;
 use crate::documents::Documents;
+use crate::exact::Exact;
 use crate::first_steps::FirstSteps;
 use crate::help::Help;
 use crate::host::Host;
@@ -38,6 +39,7 @@ pub struct Studio {
     pub(crate) view: View,
     pub(crate) audit: Auditing,
     pub(crate) maps: Maps,
+    pub(crate) exact: Exact,
     pub(crate) live: Live,
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
@@ -102,6 +104,7 @@ impl Studio {
             view: View::default(),
             audit: Auditing::default(),
             maps: Maps::default(),
+            exact: Exact::default(),
             live,
             layout,
             documents: Documents::default(),
@@ -222,6 +225,7 @@ impl Studio {
             view: &mut self.view,
             audit: &mut self.audit,
             maps: &mut self.maps,
+            exact: &mut self.exact,
             live: &self.live,
             commands: &mut self.commands,
         }

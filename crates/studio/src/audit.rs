@@ -26,7 +26,7 @@ use crate::context::Cx;
 pub(crate) use clock::SlowLight;
 pub(crate) use found::Found;
 pub(crate) use hidden::{Part, SEEN};
-pub(crate) use numbers::color_text;
+pub(crate) use numbers::{color_text, short};
 pub(crate) use panel::panel_ui;
 pub(crate) use rows::{kind_color, tag};
 pub(crate) use run::{poll_saving, run};

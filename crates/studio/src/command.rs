@@ -79,6 +79,8 @@ pub enum Command {
     Audit(AuditAct),
     /// Show a map over the picture, or the picture alone.
     Map(Option<MapKind>),
+    /// Draw where images, focal points and highlights must be.
+    ToggleExact,
     /// Ground grid and axes.
     ToggleGrid,
     /// Lights and gizmo over the picture.

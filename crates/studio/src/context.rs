@@ -5,6 +5,7 @@ use catoptric_live::Live;
 
 use crate::audit::Auditing;
 use crate::command::Command;
+use crate::exact::Exact;
 use crate::maps::Maps;
 use crate::settings::Settings;
 use crate::texts::Texts;
@@ -24,6 +25,8 @@ pub(crate) struct Cx<'a> {
     pub(crate) audit: &'a mut Auditing,
     /// The map over the picture.
     pub(crate) maps: &'a mut Maps,
+    /// What the laws of optics say of the selected body.
+    pub(crate) exact: &'a mut Exact,
     /// The traced picture.
     pub(crate) live: &'a Live,
     /// What is to be done when the frame is drawn.

@@ -9,6 +9,7 @@ mod command;
 mod context;
 mod dialogs;
 mod documents;
+mod exact;
 mod first_steps;
 mod help;
 mod history;

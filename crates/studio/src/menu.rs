@@ -229,6 +229,7 @@ fn lab() -> Vec<Entry> {
     entries.push(Entry::Line);
     entries.extend(commands_of([Copy, Save, Release].map(audit)));
     entries.push(Entry::Line);
+    entries.push(Entry::Do(Command::ToggleExact));
     entries.push(Entry::Sub("menu-map", icons::ICON_STACKS, maps_ui));
     entries
 }

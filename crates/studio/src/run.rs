@@ -67,6 +67,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         }
         Command::Tool(tool) => (studio.view.tool, studio.view.is_auditing) = (tool, false),
         Command::Audit(act) => crate::audit::run(context, studio, act),
+        Command::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
         Command::Map(kind) => studio.maps.kind = kind,
         Command::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
         Command::ToggleGrid => studio.settings.shows_grid = !studio.settings.shows_grid,

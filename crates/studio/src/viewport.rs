@@ -1,5 +1,6 @@
 //! The panel of the picture: the traced scene itself, with what can be seen and held drawn over it.
 
+mod answers;
 mod carry;
 mod compass;
 mod gizmo;
@@ -18,6 +19,7 @@ mod rays;
 mod sight;
 mod toolbar;
 mod travel;
+mod wire;
 
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
@@ -117,6 +119,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
         }
     }
     crate::audit::keep_sight(ui.ctx(), cx, camera);
+    answers::answers_ui(ui, cx, &sight);
     rays::draw(&painter, &sight, cx);
     over_picture(&painter, cx, viewport, &sight, palette);
     tell(ui, cx, &response);

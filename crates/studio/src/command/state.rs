@@ -8,6 +8,7 @@ use super::{AuditAct, Command};
 use crate::app::Studio;
 use crate::audit::Auditing;
 use crate::context::Cx;
+use crate::exact::Exact;
 use crate::history::step_name;
 use crate::layout::{self, Pane};
 use crate::maps::Maps;
@@ -24,6 +25,7 @@ pub(crate) struct Situation<'a> {
     view: &'a View,
     audit: &'a Auditing,
     maps: &'a Maps,
+    exact: &'a Exact,
     live: &'a Live,
     /// The panels; `None` while they are being drawn.
     layout: Option<&'a Tree<Pane>>,
@@ -39,6 +41,7 @@ impl Studio {
             view: &self.view,
             audit: &self.audit,
             maps: &self.maps,
+            exact: &self.exact,
             live: &self.live,
             layout: Some(&self.layout),
         }
@@ -55,6 +58,7 @@ impl Cx<'_> {
             view: self.view,
             audit: self.audit,
             maps: self.maps,
+            exact: self.exact,
             live: self.live,
             layout: None,
         }
@@ -113,6 +117,7 @@ impl Situation<'_> {
             Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing,
             Command::Audit(AuditAct::Tool) => self.view.is_auditing,
             Command::Audit(AuditAct::Play) => self.audit.light.is_running,
+            Command::ToggleExact => self.exact.is_on,
             Command::Map(kind) => self.maps.kind == *kind,
             Command::Theme(theme) => self.settings.theme == *theme,
             Command::Language(language) => self.settings.language == *language,

@@ -142,6 +142,7 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Audit(AuditAct::Copy) => "command-audit-copy", ICON_CONTENT_COPY;
         Command::Audit(AuditAct::Save) => "command-audit-save", ICON_SAVE_AS;
         Command::Audit(AuditAct::Release) => "command-audit-release", ICON_CLOSE;
+        Command::ToggleExact => "command-exact", ICON_ADJUST, alt(Key::E);
         Command::Map(None) => "command-map-none", ICON_IMAGE, alt(Key::Num0);
         Command::Map(Some(MapKind::Generations)) => "command-map-generations", ICON_STACKS, alt(Key::Num1);
         Command::Map(Some(MapKind::Rays)) => "command-map-rays", ICON_NETWORK_NODE, alt(Key::Num2);

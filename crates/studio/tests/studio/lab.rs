@@ -49,3 +49,65 @@ fn a_map_is_shown_with_a_legend_in_both_languages() {
     wait_until(&mut harness, "the picture", |studio| studio.live().latest().is_some());
     assert!(harness.query_by_label("Свет ярче белого").is_none());
 }
+
+#[test]
+fn the_generations_that_are_needed_are_told_and_set() {
+    let mut harness = example("hall-of-mirrors");
+    harness.state_mut().editor_mut().select(catoptric_editor::Item::Tracing);
+    wait_for(&mut harness, "Before tracing: ");
+    wait_for(&mut harness, "As traced: ");
+    let button = words(&harness).into_iter().rfind(|words| words.starts_with("Set ")).unwrap();
+    let wanted: u32 = button[4..].parse().unwrap();
+    assert_ne!(harness.state().editor().scene().tracing.generations, wanted);
+    harness.get_by_label(&button).click();
+    harness.run_steps(3);
+    assert_eq!(harness.state().editor().scene().tracing.generations, wanted);
+    harness.state_mut().run(Command::Language(Language::Russian));
+    wait_for(&mut harness, "До трассировки: ");
+    assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
+}
+
+#[test]
+fn materials_that_give_more_than_they_get_are_told() {
+    let mut harness = example("four-bodies");
+    let scene = harness.state().editor().scene().clone();
+    let body = scene.bodies.iter().position(|body| scene.material(&body.material).is_some()).unwrap();
+    let item = catoptric_editor::Item::Body(body);
+    harness.state_mut().editor_mut().select(item);
+    harness.run_steps(3);
+    let is_told =
+        |words: &[String]| words.iter().any(|words| words.starts_with("The highlight sends out more"));
+    assert!(!is_told(&words(&harness)));
+    let action = catoptric_editor::Action::MakeMaterialUnique;
+    let _ = harness.state_mut().editor_mut().apply(action);
+    let label = catoptric_editor::Label::new("edit-specular", "");
+    let edit = |_: usize, body: &mut catoptric_scene::Body| {
+        if let catoptric_scene::MaterialChoice::Inline(material) = &mut body.material {
+            (material.specular, material.shininess) = (0.5, 20.0);
+            (material.diffuse, material.reflection) = (0.75, Some(0.5));
+            material.color = catoptric_scene::Color::WHITE;
+        }
+    };
+    harness.state_mut().editor_mut().change_bodies([body], label, edit).unwrap();
+    harness.run_steps(3);
+    assert!(words(&harness).iter().any(|words| words.ends_with(" = 1.25")), "{:#?}", words(&harness));
+}
+
+#[test]
+fn exact_answers_stand_over_the_picture() {
+    let mut harness = example("ring-of-images");
+    let scene = harness.state().editor().scene().clone();
+    let body = scene.bodies.iter().position(|body| body.name == "red ball").unwrap();
+    harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(body));
+    harness.state_mut().run(Command::ToggleExact);
+    let image = wait_for(&mut harness, "Image in ");
+    assert!(image.contains("\ntracer: off by "), "{image}");
+    let is_ring = |words: &String| words.contains(" images between mirrors at 60°");
+    assert!(words(&harness).iter().any(is_ring), "{:#?}", words(&harness));
+    harness.state_mut().run(Command::Language(Language::Russian));
+    wait_for(&mut harness, "Изображение в зеркале ");
+    assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
+    harness.state_mut().run(Command::ToggleExact);
+    harness.run_steps(3);
+    assert!(!words(&harness).iter().any(|words| words.starts_with("Изображение в зеркале ")));
+}

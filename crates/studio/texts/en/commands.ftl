@@ -241,6 +241,8 @@ refused-empty-name = A material needs a name.
 refused-bad-text = The clipboard does not hold the text of a scene.
 refused-nothing-to-paste = There is nothing in the clipboard that could be pasted.
 
+command-exact = Exact answers
+    .tip = Draws for the selected body where the laws of optics put its images, its focal point and its highlights, and how far the tracer is from them.
 command-map-none = No map
     .tip = Shows the picture itself.
 command-map-generations = Generations
