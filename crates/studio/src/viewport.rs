@@ -119,9 +119,9 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
         }
     }
     crate::audit::keep_sight(ui.ctx(), cx, camera);
-    answers::answers_ui(ui, cx, &sight);
     rays::draw(&painter, &sight, cx);
     over_picture(&painter, cx, viewport, &sight, palette);
+    answers::answers_ui(ui, cx, &sight);
     tell(ui, cx, &response);
     toolbar::toolbar_ui(ui, cx, rect);
     compass::compass_ui(ui, cx, &sight);

@@ -10,6 +10,7 @@ use egui::{Button, Label, Response, RichText, Ui, vec2};
 use glam::UVec2;
 
 use super::sheet::Sheet;
+use crate::audit::short;
 use crate::latest::Latest;
 use crate::outliner::item_name;
 use crate::theme;
@@ -100,11 +101,12 @@ fn bound_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, bound: &DepthBound)
     let names = bound.cycle.iter().map(|body| item_name(texts, &scene, Item::Body(*body)));
     let names: Vec<String> =
         names.map(|name| texts.with("depth-body", &[("name", (*name).into())])).collect();
-    let arguments = [
-        ("bodies", names.join(", ").into()),
-        ("factor", shown(bound.factor, 3).replace("1.000", "1").into()),
-    ];
-    let key = if bound.generations.is_some() { "depth-cycle" } else { "depth-endless" };
+    let arguments = [("bodies", names.join(", ").into()), ("factor", shown(bound.factor, 3).into())];
+    let key = match bound.generations {
+        Some(_) => "depth-cycle",
+        None if bound.factor < 1.0 => "depth-many",
+        None => "depth-endless",
+    };
     note(ui, &texts.with(key, &arguments), texts.tip(key));
     let Some(generations) = bound.generations else { return };
     let mut line = Line::default();
@@ -122,7 +124,7 @@ fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMe
     let arguments = [
         ("count", measure.generations.into()),
         ("limit", limit.into()),
-        ("loss", shown(loss, 4).into()),
+        ("loss", short(loss).into()),
         ("pixels", measure.pixels.into()),
     ];
     let key = if measure.is_complete { "depth-measured" } else { "depth-measured-part" };

@@ -421,7 +421,7 @@ fn energy_ui(ui: &mut Ui, sheet: &Sheet<'_, '_, Material>) {
         let (key, sum) = match kind {
             ExcessKind::Surface { diffuse, reflection, transmission, .. } => {
                 let parts = [diffuse, reflection, transmission].map(|part| shown(part, 3));
-                ("energy-warning", format!("{} = {amount}", parts.join(" + ")))
+                ("energy-warning", format!("{} = {amount}", parts.join(" + ")).replace(' ', "\u{a0}"))
             }
             ExcessKind::Highlight => ("energy-highlight", amount),
         };

@@ -4,7 +4,9 @@
 use catoptric_editor::Item;
 use catoptric_lab::exact::{Compared, ExactAnswer, RingImage};
 use egui::accesskit::Role;
-use egui::{Align2, Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Visuals, WidgetInfo, vec2};
+use egui::{
+    Align2, Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Visuals, WidgetInfo, pos2, vec2,
+};
 use glam::DVec3;
 
 use super::sight::Sight;
@@ -13,6 +15,7 @@ use crate::audit::short;
 use crate::context::Cx;
 use crate::exact;
 use crate::outliner::item_name;
+use crate::texts::Texts;
 use crate::theme;
 
 /// The color of what the laws say.
@@ -88,11 +91,13 @@ impl Pen<'_> {
                 self.painter.text(at, Align2::CENTER_BOTTOM, number, font, EXACT);
             }
         }
-        let Some(first) = images.first() else { return };
+        // The last ones lie farthest away, where there is room.
+        let Some(last) = images.last() else { return };
         let arguments = [("count", images.len().into()), ("angle", short(angle.to_degrees()).into())];
-        let title = self.cx.texts.with("exact-ring", &arguments);
+        let texts = self.cx.texts;
+        let title = texts.with("exact-ring", &arguments);
         let miss = images.iter().filter_map(|image| image.miss).reduce(f64::max);
-        self.told(first.position, &title, miss.map(length));
+        self.told(last.position, &title, miss.map(|miss| length(texts, miss)));
     }
 
     /// The outline of a body mirrored from `object` to `image`.
@@ -142,7 +147,8 @@ impl Pen<'_> {
         if let Some(found) = compared.found {
             self.found(found);
         }
-        self.told(compared.exact, title, compared.difference().map(length));
+        let off = compared.difference().map(|off| length(self.cx.texts, off));
+        self.told(compared.exact, title, off);
     }
 
     /// A point with what it is, and how far the tracer is from it.
@@ -154,23 +160,28 @@ impl Pen<'_> {
             None => texts.get("exact-elsewhere").to_owned(),
         };
         if let Some(at) = self.sight.point(point).filter(|at| self.sight.rect.contains(*at)) {
-            self.label(at + vec2(12.0, -10.0), &format!("{title}\n{off}"));
+            self.label(at, &format!("{title}\n{off}"));
         }
     }
 
-    /// A label, moved down from those that are there.
-    fn label(&mut self, at: Pos2, text: &str) {
+    /// A label beside a point, moved down from those that are there.
+    fn label(&mut self, point: Pos2, text: &str) {
         /// A little more than two lines.
         const STEP: f32 = 42.0;
         if self.plates.len() == MOST_LABELS {
             return;
         }
-        let place = Rect::from_min_size(at, vec2(200.0, STEP - 2.0));
+        let place = Rect::from_min_size(point + vec2(22.0, -14.0), vec2(200.0, STEP - 2.0));
         let is_free = |place: &Rect| !self.plates.iter().any(|plate| plate.intersects(*place));
         let steps = (0..8_u8).map(|step| place.translate(vec2(0.0, STEP * f32::from(step))));
         let place = steps.into_iter().find(is_free).unwrap_or(place);
         let palette = theme::palette(&Visuals::dark());
         let plate = labels::plate(self.painter, self.sight.rect, place.min, Align2::LEFT_TOP, text, palette);
+        let end = pos2(plate.left(), plate.center().y);
+        if !plate.contains(point) && end.x > point.x {
+            self.painter
+                .line_segment([point + vec2(5.0, 0.0), end], Stroke::new(1.0, EXACT.gamma_multiply(0.8)));
+        }
         self.plates.push(plate);
         let id = Id::unique(("exact answer", self.plates.len()));
         let response = self.ui.interact(plate, id, Sense::hover());
@@ -179,23 +190,25 @@ impl Pen<'_> {
 }
 
 /// A length in the unit in which it is easily said.
-fn length(meters: f64) -> String {
-    let (factor, unit) = match meters {
-        meters if meters >= 1.0 => (1.0, "m"),
-        meters if meters >= 1e-3 => (1e3, "mm"),
-        meters if meters >= 1e-6 => (1e6, "µm"),
-        _ => (1e9, "nm"),
+fn length(texts: &Texts, meters: f64) -> String {
+    let (factor, key) = match meters {
+        meters if meters >= 1.0 => (1.0, "exact-m"),
+        meters if meters >= 1e-3 => (1e3, "exact-mm"),
+        meters if meters >= 1e-6 => (1e6, "exact-um"),
+        _ => (1e9, "exact-nm"),
     };
-    format!("{} {unit}", short((10.0 * factor * meters).round() / 10.0))
+    texts.with(key, &[("value", short((10.0 * factor * meters).round() / 10.0).into())])
 }
 
 #[cfg(test)]
 mod tests {
-    use super::length;
+    use super::*;
+    use crate::texts::Language;
 
     #[test]
     fn lengths_have_units_that_fit() {
-        let all = [0.0, 3.2e-8, 4.56e-5, 0.0123, 2.0].map(length);
+        let texts = Texts::new(Language::English);
+        let all = [0.0, 3.2e-8, 4.56e-5, 0.0123, 2.0].map(|meters| length(&texts, meters));
         assert_eq!(all, ["0 nm", "32 nm", "45.6 µm", "12.3 mm", "2 m"]);
     }
 }

@@ -90,7 +90,11 @@ fn materials_that_give_more_than_they_get_are_told() {
     };
     harness.state_mut().editor_mut().change_bodies([body], label, edit).unwrap();
     harness.run_steps(3);
-    assert!(words(&harness).iter().any(|words| words.ends_with(" = 1.25")), "{:#?}", words(&harness));
+    assert!(
+        words(&harness).iter().any(|words| words.ends_with("\u{a0}=\u{a0}1.25")),
+        "{:#?}",
+        words(&harness)
+    );
 }
 
 #[test]

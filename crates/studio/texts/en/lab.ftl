@@ -21,7 +21,9 @@ map-incomplete = { $count ->
 depth-cycle = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation
     .tip = Of the light of a generation, the next has at most the share k. What the generations behind a limit could bring is a geometric series; less than 1/512 of white is not seen on a display of 8 bits.
 depth-endless = Before tracing: between { $bodies } no light is lost, k = { $factor }, so that no number of generations is enough for certain
-    .tip = The series of reflections has no bound, or needs more than 64 generations. Tracing shows what this picture needs.
+    .tip = The series of reflections has no bound. Tracing shows what this picture needs.
+depth-many = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation; more than 64 generations would be enough for certain
+    .tip = The bound counts the brightest light between the strongest mirrors. Tracing shows what this picture needs.
 depth-no-mirrors = No body reflects or lets light through: 1 generation is enough
     .tip = Rays that go on start only at mirrors and transparent bodies.
 depth-under-way = How much this picture needs is found out when it is done.
@@ -48,5 +50,9 @@ exact-ring = { $count ->
     [one] { $count } image between mirrors at { $angle }°
    *[other] { $count } images between mirrors at { $angle }°
 }
+exact-m = { $value } m
+exact-mm = { $value } mm
+exact-um = { $value } µm
+exact-nm = { $value } nm
 exact-off = tracer: off by { $difference }
 exact-elsewhere = the tracer’s rays go elsewhere
