@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use catoptric_editor::Item;
+use catoptric_lab::maps::MapKind;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
-use catoptric_studio::{Command, Start, Studio};
+use catoptric_studio::{AuditAct, Command, Start, Studio};
+use egui::{Event, Modifiers, PointerButton, Pos2};
 use egui_kittest::Harness;
 
 /// A system without files but for the settings.
@@ -40,10 +42,24 @@ struct Shot {
     body: Option<usize>,
     command: Option<Command>,
     hint: bool,
+    /// What is looked into: a pixel, and how the view is turned then.
+    audit: Option<Look>,
+}
+
+/// Places are shares of the picture's width and height.
+#[derive(Clone, Copy)]
+struct Look {
+    pixel: [f32; 2],
+    /// A drag beside everything.
+    turn: Option<[[f32; 2]; 2]>,
+    /// How far slow light has come, frames of a quarter of a second.
+    frames: Option<usize>,
+    /// The ray that is chosen, from 0.
+    ray: Option<usize>,
 }
 
 const fn shot(name: &'static str, language: &'static str, theme: &'static str, scene: &'static str) -> Shot {
-    Shot { name, language, theme, scene, body: None, command: None, hint: false }
+    Shot { name, language, theme, scene, body: None, command: None, hint: false, audit: None }
 }
 
 fn shots() -> Vec<Shot> {
@@ -62,9 +78,47 @@ fn shots() -> Vec<Shot> {
             command: Some(Command::Shortcuts),
             ..shot("studio-shortcuts", "russian", "dark", "four-bodies")
         },
+        Shot {
+            command: Some(Command::Map(Some(MapKind::Generations))),
+            ..shot("studio-map", "english", "dark", "mirror-box")
+        },
+        Shot {
+            command: Some(Command::Map(Some(MapKind::LimitLoss))),
+            ..shot("studio-map-loss", "russian", "light", "hall-of-mirrors")
+        },
+        Shot {
+            command: Some(Command::ToggleExact),
+            body: Some(5),
+            ..shot("studio-exact", "english", "dark", "ring-of-images")
+        },
+        Shot {
+            command: Some(Command::ToggleExact),
+            body: Some(2),
+            ..shot("studio-exact-ball", "russian", "light", "whitted")
+        },
+        Shot {
+            command: Some(Command::ToggleExact),
+            body: Some(4),
+            ..shot("studio-exact-lens", "russian", "dark", "glass-row")
+        },
+        Shot {
+            audit: Some(Look { ray: Some(3), ..GLASS }),
+            ..shot("studio-audit", "english", "dark", "whitted")
+        },
+        Shot {
+            audit: Some(Look { turn: Some([[0.9, 0.6], [0.66, 0.78]]), ..GLASS }),
+            ..shot("studio-audit-outside", "russian", "light", "whitted")
+        },
+        Shot {
+            audit: Some(Look { turn: Some([[0.2, 0.6], [0.42, 0.75]]), frames: Some(9), ..GLASS }),
+            ..shot("studio-audit-light", "english", "light", "whitted")
+        },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
     ]
 }
+
+/// The glass ball in Whitted's scene.
+const GLASS: Look = Look { pixel: [0.42, 0.46], turn: None, frames: None, ray: None };
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
@@ -103,9 +157,54 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         harness.state_mut().run(command.clone());
     }
     wait(&mut harness, Duration::from_secs(if shot.command == Some(Command::Examples) { 40 } else { 2 }));
+    if let Some(look) = &shot.audit {
+        audit(&mut harness, look);
+    }
     let image = harness.render().unwrap();
     write_jpeg(&folder.join(format!("{}.jpg", shot.name)), image.width(), image.height(), image.as_raw());
     println!("{}", shot.name);
+}
+
+/// Pins a pixel, and looks at its rays.
+fn audit(harness: &mut Harness<'_, Studio>, look: &Look) {
+    harness.state_mut().run(Command::Audit(AuditAct::Tool));
+    wait(harness, Duration::from_secs(1));
+    let rect = harness.state().viewport_rect().unwrap();
+    let place = |[x, y]: [f32; 2]| rect.min + egui::vec2(x, y) * rect.size();
+    drag(harness, &[place(look.pixel)]);
+    wait(harness, Duration::from_secs(1));
+    if let Some([from, to]) = look.turn {
+        let steps: Vec<Pos2> = (0..=10).map(|step| place(from).lerp(place(to), step as f32 / 10.0)).collect();
+        drag(harness, &steps);
+        wait(harness, Duration::from_secs(1));
+    }
+    if let Some(ends) = look.ray.and_then(|ray| harness.state().audit_ray_in_window(ray)) {
+        drag(harness, &[ends[0].lerp(ends[1], 0.4)]);
+    }
+    harness.event(Event::PointerMoved(rect.left_bottom() + egui::vec2(40.0, 60.0)));
+    wait(harness, Duration::from_secs(1));
+    if let Some(frames) = look.frames {
+        harness.state_mut().run(Command::Audit(AuditAct::Play));
+        harness.run_steps(frames);
+    }
+}
+
+/// Presses the button at the first place and lets it go at the last.
+fn drag(harness: &mut Harness<'_, Studio>, places: &[Pos2]) {
+    let button = |pos, pressed| {
+        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+        Event::PointerButton { pos, button, pressed, modifiers }
+    };
+    let (first, last) = (places[0], places[places.len() - 1]);
+    harness.event(Event::PointerMoved(first));
+    harness.step();
+    harness.event(button(first, true));
+    for place in places {
+        harness.event(Event::PointerMoved(*place));
+        harness.step();
+    }
+    harness.event(button(last, false));
+    harness.run_steps(3);
 }
 
 /// Pictures in documents are JPEG: a repository should stay small.

@@ -5,16 +5,20 @@ use catoptric_live::{Live, Request};
 use catoptric_scene::{Camera, Scene};
 use egui::{CentralPanel, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
+use glam::DVec2;
 
 use crate::StudioError;
+use crate::audit::{self, Auditing};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::dialogs::Dialogs;
 use crate::documents::Documents;
+use crate::exact::Exact;
 use crate::first_steps::FirstSteps;
 use crate::help::Help;
 use crate::host::Host;
 use crate::layout::{self, Pane};
+use crate::maps::Maps;
 use crate::notices::Toasts;
 use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
@@ -23,6 +27,7 @@ use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
 use crate::view::View;
+use crate::viewport::Lens;
 use crate::window::Interruption;
 use crate::{documents, menu, picture_frame, shortcuts, status_bar};
 
@@ -32,6 +37,9 @@ pub struct Studio {
     pub(crate) texts: Texts,
     pub(crate) settings: Settings,
     pub(crate) view: View,
+    pub(crate) audit: Auditing,
+    pub(crate) maps: Maps,
+    pub(crate) exact: Exact,
     pub(crate) live: Live,
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
@@ -94,6 +102,9 @@ impl Studio {
             texts: Texts::new(settings.language),
             settings,
             view: View::default(),
+            audit: Auditing::default(),
+            maps: Maps::default(),
+            exact: Exact::default(),
             live,
             layout,
             documents: Documents::default(),
@@ -157,6 +168,20 @@ impl Studio {
         self.panes.viewport.rect()
     }
 
+    /// How many rays the audited pixel has, once they have been traced.
+    pub fn audit_rays(&self) -> Option<usize> {
+        self.audit.found()?.tree().map(|tree| tree.nodes.len())
+    }
+
+    /// Where a ray of the audit begins and ends in the window, points, if it is seen; rays are counted from 0.
+    pub fn audit_ray_in_window(&self, ray: usize) -> Option<[egui::Pos2; 2]> {
+        let (camera, rect) = (self.live.latest()?.camera, self.viewport_rect()?);
+        let way = self.audit.found()?.ways.iter().find(|way| way.is_ray() && way.node == ray)?;
+        let size = DVec2::new(rect.width().into(), rect.height().into());
+        let ends = Lens::new(&camera, size).segment(way.from, way.to)?;
+        Some(ends.map(|end| rect.min + egui::vec2(end.x as f32, end.y as f32)))
+    }
+
     /// Has `command` done at the end of the next frame.
     pub fn run(&mut self, command: Command) {
         self.commands.push(command);
@@ -170,6 +195,7 @@ impl Studio {
         let bar = Frame::new().fill(palette.bar).inner_margin(egui::Margin::symmetric(8, 3));
         Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
         documents::banner_ui(ui, self);
+        audit::keep_up(ui.ctx(), &mut self.cx());
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         crate::first_steps::first_steps_ui(ui.ctx(), self);
@@ -185,6 +211,7 @@ impl Studio {
             ui.ctx().request_repaint();
         }
         documents::keep(ui.ctx(), self);
+        audit::poll_saving(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();
     }
@@ -196,6 +223,9 @@ impl Studio {
             texts: &self.texts,
             settings: &mut self.settings,
             view: &mut self.view,
+            audit: &mut self.audit,
+            maps: &mut self.maps,
+            exact: &mut self.exact,
             live: &self.live,
             commands: &mut self.commands,
         }

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_lab::maps::MapKind;
 use catoptric_scene::ShapeKind;
 use egui::KeyboardShortcut;
 use egui_material_icons::MaterialIcon;
@@ -74,6 +75,12 @@ pub enum Command {
     Tool(Tool),
     /// Gizmo along the world's axes or the body's own.
     ToggleGizmoSpace,
+    /// Look into a pixel.
+    Audit(AuditAct),
+    /// Show a map over the picture, or the picture alone.
+    Map(Option<MapKind>),
+    /// Draw where images, focal points and highlights must be.
+    ToggleExact,
     /// Ground grid and axes.
     ToggleGrid,
     /// Lights and gizmo over the picture.
@@ -112,6 +119,29 @@ pub enum Tool {
     Scale,
 }
 
+/// An act of the audit, which looks into a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AuditAct {
+    /// Clicks in the picture pin pixels, or no longer do.
+    Tool,
+    /// Shows a generation less.
+    Previous,
+    /// Shows a generation more.
+    Next,
+    /// Shows all rays whole.
+    All,
+    /// Slow light runs along the rays, or stops.
+    Play,
+    /// Looks again from where the pixel was pinned.
+    View,
+    /// Copies the tree as text.
+    Copy,
+    /// Saves the tree as a picture.
+    Save,
+    /// Looks into no pixel.
+    Release,
+}
+
 /// A step of the window's magnification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Zoom {
@@ -138,6 +168,8 @@ pub enum Group {
     View,
     /// What the pointer does in the picture.
     Tool,
+    /// Experiments: looking into what is seen.
+    Lab,
     /// Panels, theme, language.
     Window,
     /// Explanations.
@@ -146,8 +178,17 @@ pub enum Group {
 
 impl Group {
     /// All groups, in the order in which to show them.
-    pub const ALL: [Self; 8] =
-        [Self::File, Self::Edit, Self::Select, Self::Add, Self::View, Self::Tool, Self::Window, Self::Help];
+    pub const ALL: [Self; 9] = [
+        Self::File,
+        Self::Edit,
+        Self::Select,
+        Self::Add,
+        Self::View,
+        Self::Tool,
+        Self::Lab,
+        Self::Window,
+        Self::Help,
+    ];
 
     /// The message that names the group.
     pub const fn key(self) -> &'static str {
@@ -158,6 +199,7 @@ impl Group {
             Self::Add => "group-add",
             Self::View => "group-view",
             Self::Tool => "group-tool",
+            Self::Lab => "group-lab",
             Self::Window => "group-window",
             Self::Help => "group-help",
         }

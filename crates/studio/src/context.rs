@@ -3,7 +3,10 @@
 use catoptric_editor::Editor;
 use catoptric_live::Live;
 
+use crate::audit::Auditing;
 use crate::command::Command;
+use crate::exact::Exact;
+use crate::maps::Maps;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;
@@ -18,6 +21,12 @@ pub(crate) struct Cx<'a> {
     pub(crate) settings: &'a mut Settings,
     /// How the document is looked at.
     pub(crate) view: &'a mut View,
+    /// The pixel that is looked into.
+    pub(crate) audit: &'a mut Auditing,
+    /// The map over the picture.
+    pub(crate) maps: &'a mut Maps,
+    /// What the laws of optics say of the selected body.
+    pub(crate) exact: &'a mut Exact,
     /// The traced picture.
     pub(crate) live: &'a Live,
     /// What is to be done when the frame is drawn.

@@ -177,6 +177,7 @@ fn show(studio: &mut Studio, editor: Editor) {
     documents.is_partial = false;
     documents.example = None;
     studio.view.free_camera = None;
+    studio.audit.release();
     studio.view.is_flying = false;
     studio.view.hovered_body = None;
     notice::clear_findings(studio);

@@ -20,6 +20,8 @@ pub enum FileKind {
     Scene,
     /// A picture: `.png` or `.exr`.
     Picture,
+    /// A drawing: `.svg`.
+    Drawing,
 }
 
 impl FileKind {
@@ -28,6 +30,7 @@ impl FileKind {
         match self {
             Self::Scene => &["toml"],
             Self::Picture => &["png", "exr"],
+            Self::Drawing => &["svg"],
         }
     }
 }

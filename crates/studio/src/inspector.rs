@@ -8,6 +8,7 @@ use crate::texts::Texts;
 
 mod body;
 mod camera;
+mod depth;
 mod formula;
 mod header;
 mod kinds;
@@ -31,7 +32,6 @@ pub(crate) struct Inspector {
 }
 
 /// What rows remember and tell each other.
-#[derive(Debug)]
 pub(crate) struct Memory {
     /// The symbol that is lit, in the formula and in the rows.
     pub(crate) pointed: Option<Symbol>,
@@ -53,6 +53,8 @@ pub(crate) struct Memory {
     pub(crate) size_link: bool,
     /// The vectors at the start of a gesture.
     pub(crate) starts: sheet::Starts,
+    /// How many generations the scene needs.
+    pub(crate) adviser: depth::Adviser,
 }
 
 impl Default for Memory {
@@ -69,6 +71,7 @@ impl Default for Memory {
             scale_link: true,
             size_link: false,
             starts: sheet::Starts::default(),
+            adviser: depth::Adviser::default(),
         }
     }
 }

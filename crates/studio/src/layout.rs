@@ -17,12 +17,14 @@ pub enum Pane {
     History,
     /// What is wrong in the file.
     Problems,
+    /// The rays behind a pixel.
+    Audit,
 }
 
 impl Pane {
     /// All panels.
-    pub const ALL: [Self; 5] =
-        [Self::Viewport, Self::Outliner, Self::Inspector, Self::History, Self::Problems];
+    pub const ALL: [Self; 6] =
+        [Self::Viewport, Self::Outliner, Self::Inspector, Self::History, Self::Problems, Self::Audit];
 
     /// The message that names the panel.
     pub const fn key(self) -> &'static str {
@@ -32,12 +34,13 @@ impl Pane {
             Self::Inspector => "pane-inspector",
             Self::History => "pane-history",
             Self::Problems => "pane-problems",
+            Self::Audit => "pane-audit",
         }
     }
 }
 
-/// Outliner and history at the left, the picture in the middle, the inspector at the right, problems below (hidden
-/// until there are any).
+/// Outliner and history at the left, the picture in the middle, the inspector at the right, the drawer with problems
+/// and the audit below (hidden until there is something in it).
 pub(crate) fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
@@ -47,12 +50,13 @@ pub(crate) fn default_layout() -> Tree<Pane> {
     let viewport = tabs(&mut tiles, &[Pane::Viewport]);
     let outliner = tabs(&mut tiles, &[Pane::Outliner, Pane::History]);
     let inspector = tabs(&mut tiles, &[Pane::Inspector]);
-    let problems = tabs(&mut tiles, &[Pane::Problems]);
-    let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.78), (problems, 0.22)]);
+    let drawer = tabs(&mut tiles, &[Pane::Problems, Pane::Audit]);
+    let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.68), (drawer, 0.32)]);
     let root =
         divided(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)]);
     let mut tree = Tree::new(egui::Id::unique("studio-layout"), root, tiles);
     set_visible(&mut tree, Pane::Problems, false);
+    set_visible(&mut tree, Pane::Audit, false);
     tree
 }
 
@@ -80,11 +84,7 @@ pub(crate) fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
 pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     let Some(tile) = tree.tiles.find_pane(&pane) else {
         if visible {
-            let tile = tree.tiles.insert_pane(pane);
-            match tree.root {
-                Some(root) => tree.move_tile_to_container(tile, root, usize::MAX, true),
-                None => tree.root = Some(tile),
-            }
+            put_back(tree, pane);
         }
         return;
     };
@@ -94,12 +94,25 @@ pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     }
 }
 
-/// Whether a remembered layout can be used: every panel once.
+/// Puts a panel into the drawer, or, where there is none, beside all others.
+fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
+    let tile = tree.tiles.insert_pane(pane);
+    let drawer = tree.tiles.find_pane(&Pane::Problems).and_then(|problems| tree.tiles.parent_of(problems));
+    match drawer.filter(|_| pane == Pane::Audit).or(tree.root) {
+        Some(place) => tree.move_tile_to_container(tile, place, usize::MAX, true),
+        None => tree.root = Some(tile),
+    }
+    tree.set_visible(tile, true);
+    tree.make_active(|_, other| *other == Tile::Pane(pane));
+}
+
+/// Whether a remembered layout can be used: every panel once. Those of older versions lack the audit, which is put back
+/// when it is asked for.
 pub(crate) fn is_whole(tree: &Tree<Pane>) -> bool {
     Pane::ALL.iter().all(|pane| {
         let count =
             tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();
-        count == 1
+        count == 1 || (count == 0 && *pane == Pane::Audit)
     }) && tree.root.is_some()
 }
 
@@ -114,6 +127,18 @@ mod tests {
         assert!(is_visible(&tree, Pane::Viewport) && !is_visible(&tree, Pane::Problems));
         set_visible(&mut tree, Pane::Problems, true);
         assert!(is_visible(&tree, Pane::Problems));
+    }
+
+    #[test]
+    fn the_audit_comes_into_the_drawer_of_an_older_layout() {
+        let mut tree = default_layout();
+        let tile = tree.tiles.find_pane(&Pane::Audit).unwrap();
+        tree.remove_recursively(tile);
+        assert!(is_whole(&tree) && !is_visible(&tree, Pane::Audit));
+        set_visible(&mut tree, Pane::Audit, true);
+        assert!(is_in_front(&tree, Pane::Audit));
+        let drawer = |pane| tree.tiles.parent_of(tree.tiles.find_pane(&pane).unwrap());
+        assert_eq!(drawer(Pane::Audit), drawer(Pane::Problems));
     }
 
     #[test]

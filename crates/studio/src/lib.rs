@@ -4,16 +4,20 @@
 //! the worker of `catoptric-live` what to show.
 
 mod app;
+mod audit;
 mod command;
 mod context;
 mod dialogs;
 mod documents;
+mod exact;
 mod first_steps;
 mod help;
 mod history;
 pub mod host;
 mod inspector;
+mod latest;
 mod layout;
+mod maps;
 mod menu;
 mod notices;
 mod outliner;
@@ -35,7 +39,7 @@ mod widgets;
 mod window;
 
 pub use app::{Start, Studio};
-pub use command::{Command, Group, Look, Tool, Zoom};
+pub use command::{AuditAct, Command, Group, Look, Tool, Zoom};
 pub use layout::Pane;
 pub use pictures::{PictureKind, RenderChoices};
 pub use settings::{LastScene, Settings, Theme};

@@ -2,13 +2,14 @@
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_lab::maps::MapKind;
 use catoptric_scene::{Example, ShapeKind};
 use egui::containers::menu::{MenuBar, MenuButton, MenuConfig, SubMenuButton};
 use egui::{Align, Button, Layout, ScrollArea, Style, TextWrapMode, Ui, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
-use crate::command::{Command, Situation, Tool, Zoom};
+use crate::command::{AuditAct, Command, Situation, Tool, Zoom};
 use crate::documents::example_title;
 use crate::documents::recent;
 use crate::layout::Pane;
@@ -18,7 +19,7 @@ use crate::widgets::icon_button;
 use crate::{shortcuts, theme};
 
 /// What the bar needs to show all menus beside each other, points; below it they are folded into one.
-const FULL_WIDTH: f32 = 460.0;
+const FULL_WIDTH: f32 = 520.0;
 
 /// An entry of a menu.
 enum Entry {
@@ -36,11 +37,12 @@ struct Menu {
     entries: fn() -> Vec<Entry>,
 }
 
-const MENUS: [Menu; 5] = [
+const MENUS: [Menu; 6] = [
     Menu { key: "menu-file", entries: file },
     Menu { key: "menu-edit", entries: edit },
     Menu { key: "menu-add", entries: add },
     Menu { key: "menu-view", entries: view },
+    Menu { key: "menu-lab", entries: lab },
     Menu { key: "menu-help", entries: help },
 ];
 
@@ -218,6 +220,20 @@ fn view() -> Vec<Entry> {
     entries
 }
 
+fn lab() -> Vec<Entry> {
+    use AuditAct::{All, Copy, Next, Play, Previous, Release, Save, Tool, View};
+    let audit = Command::Audit;
+    let mut entries: Vec<Entry> = commands_of([Tool, View].map(audit)).collect();
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Previous, Next, All, Play].map(audit)));
+    entries.push(Entry::Line);
+    entries.extend(commands_of([Copy, Save, Release].map(audit)));
+    entries.push(Entry::Line);
+    entries.push(Entry::Do(Command::ToggleExact));
+    entries.push(Entry::Sub("menu-map", icons::ICON_STACKS, maps_ui));
+    entries
+}
+
 fn help() -> Vec<Entry> {
     let mut entries: Vec<Entry> = commands_of([Command::Palette]).collect();
     entries.push(Entry::Line);
@@ -251,8 +267,14 @@ fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     do_ui(ui, studio, commands, Axis::ALL.map(Command::LookAlong));
 }
 
+fn maps_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, [Command::Map(None)]);
+    ui.separator();
+    do_ui(ui, studio, commands, MapKind::ALL.map(|kind| Command::Map(Some(kind))));
+}
+
 fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    let panes = [Pane::Outliner, Pane::History, Pane::Inspector, Pane::Problems, Pane::Viewport];
+    let panes = [Pane::Outliner, Pane::History, Pane::Inspector, Pane::Problems, Pane::Audit, Pane::Viewport];
     do_ui(ui, studio, commands, panes.map(Command::TogglePane));
     ui.separator();
     do_ui(ui, studio, commands, [Command::ResetLayout]);

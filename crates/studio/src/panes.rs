@@ -3,6 +3,7 @@
 use egui::{Frame, Margin, Ui, Visuals, WidgetText};
 use egui_tiles::{SimplificationOptions, Tabs, TileId, UiResponse};
 
+use crate::audit;
 use crate::context::Cx;
 use crate::history::history_ui;
 use crate::inspector::{Inspector, inspector_ui};
@@ -44,6 +45,7 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
                 Pane::Outliner => outliner_ui(ui, cx, &mut panes.outliner),
                 Pane::Inspector => inspector_ui(ui, cx, &mut panes.inspector),
                 Pane::History => history_ui(ui, cx),
+                Pane::Audit => audit::panel_ui(ui, cx),
                 Pane::Problems => problems_ui(ui, cx, &mut panes.problems),
             }
             ui.allocate_space(ui.available_size());

@@ -65,7 +65,10 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             // The keys of flight must not choose rows of a list.
             context.memory_mut(egui::Memory::stop_text_input);
         }
-        Command::Tool(tool) => studio.view.tool = tool,
+        Command::Tool(tool) => (studio.view.tool, studio.view.is_auditing) = (tool, false),
+        Command::Audit(act) => crate::audit::run(context, studio, act),
+        Command::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
+        Command::Map(kind) => studio.maps.kind = kind,
         Command::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
         Command::ToggleGrid => studio.settings.shows_grid = !studio.settings.shows_grid,
         Command::ToggleHandles => studio.settings.shows_handles = !studio.settings.shows_handles,

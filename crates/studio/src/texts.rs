@@ -30,6 +30,8 @@ macro_rules! catalogues {
             ("document", include_str!(concat!("../texts/", $folder, "/document.ftl"))),
             ("edits", include_str!(concat!("../texts/", $folder, "/edits.ftl"))),
             ("render", include_str!(concat!("../texts/", $folder, "/render.ftl"))),
+            ("audit", include_str!(concat!("../texts/", $folder, "/audit.ftl"))),
+            ("lab", include_str!(concat!("../texts/", $folder, "/lab.ftl"))),
             ("help", include_str!(concat!("../texts/", $folder, "/help.ftl"))),
         ]
     };

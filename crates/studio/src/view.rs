@@ -10,6 +10,8 @@ use crate::command::Tool;
 pub(crate) struct View {
     /// What the gizmo does.
     pub(crate) tool: Tool,
+    /// Whether clicks in the picture pin pixels for the audit, instead of selecting.
+    pub(crate) is_auditing: bool,
     /// Gizmo along the body's own axes instead of the world's.
     pub(crate) is_gizmo_local: bool,
     /// The camera of the free view; `None` looks through the scene's camera, which navigation then moves.

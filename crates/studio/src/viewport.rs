@@ -1,5 +1,6 @@
 //! The panel of the picture: the traced scene itself, with what can be seen and held drawn over it.
 
+mod answers;
 mod carry;
 mod compass;
 mod dashes;
@@ -14,9 +15,12 @@ mod load;
 mod marks;
 mod menu;
 mod picture;
+mod pixels;
+mod rays;
 mod sight;
 mod toolbar;
 mod travel;
+mod wire;
 
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
@@ -33,8 +37,11 @@ use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
 pub(crate) use jumps::{
-    frame, look_along, place_for_new, place_for_new_light, set_camera, set_scene_camera, toggle_free,
+    frame, look_along, look_through, place_for_new, place_for_new_light, set_camera, set_scene_camera,
+    toggle_free,
 };
+pub(crate) use labels::beside_pointer as note_beside;
+pub(crate) use lens::Lens;
 use picture::Picture;
 pub(crate) use picture::why;
 use sight::{Sight, Target};
@@ -105,16 +112,21 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     if cx.view.free_camera.is_none() {
         picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
     }
+    crate::maps::draw(&painter, cx, rect, camera);
     if let Some(frame) = &frame {
         marks::grid(&painter, rect, frame, palette);
         if cx.settings.shows_handles {
             marks::outlines(&painter, rect, frame, palette);
         }
     }
+    crate::audit::keep_sight(ui.ctx(), cx, camera);
+    rays::draw(&painter, &sight, cx);
     over_picture(&painter, cx, viewport, &sight, palette);
+    answers::answers_ui(ui, cx, &sight);
     tell(ui, cx, &response);
     toolbar::toolbar_ui(ui, cx, rect);
     compass::compass_ui(ui, cx, &sight);
+    crate::maps::legend_ui(ui, cx, rect);
     notes(ui, cx, viewport, &sight);
 }
 
@@ -229,7 +241,7 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
 }
 
 /// Short texts: what is being changed, what is under the pointer, how to fly.
-fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
+fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
     /// How long the pointer rests before it is told what it is over, seconds.
     const REST: f32 = 0.5;
     let palette = theme::palette(ui.visuals());
@@ -247,11 +259,15 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
         Some(Target::Body { index, .. }) => Some(Item::Body(index)),
         _ => None,
     };
-    if let (Some(amount), Some(pointer)) = (amount, pointer) {
+    if cx.view.is_auditing {
+        pixels::note(ui, cx, sight, palette);
+    } else if let (Some(amount), Some(pointer)) = (amount, pointer) {
         let grain = sight.lens.meters_per_point(sight.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
         labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
-    } else if let (Some(item), Some(pointer), false) = (over, pointer, Popup::is_any_open(ui.ctx())) {
+    } else if let (Some(item), Some(pointer), false) =
+        (over.filter(|_| cx.maps.kind.is_none()), pointer, Popup::is_any_open(ui.ctx()))
+    {
         if rest >= REST {
             labels::beside_pointer(&painter, sight.rect, pointer, &item_name(cx.texts, scene, item), palette);
         } else {

@@ -4,11 +4,14 @@ use catoptric_editor::{Action, Editor, Item};
 use catoptric_live::Live;
 use egui_tiles::Tree;
 
-use super::Command;
+use super::{AuditAct, Command};
 use crate::app::Studio;
+use crate::audit::Auditing;
 use crate::context::Cx;
+use crate::exact::Exact;
 use crate::history::step_name;
 use crate::layout::{self, Pane};
+use crate::maps::Maps;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;
@@ -20,6 +23,9 @@ pub(crate) struct Situation<'a> {
     pub(crate) texts: &'a Texts,
     settings: &'a Settings,
     view: &'a View,
+    audit: &'a Auditing,
+    maps: &'a Maps,
+    exact: &'a Exact,
     live: &'a Live,
     /// The panels; `None` while they are being drawn.
     layout: Option<&'a Tree<Pane>>,
@@ -33,6 +39,9 @@ impl Studio {
             texts: &self.texts,
             settings: &self.settings,
             view: &self.view,
+            audit: &self.audit,
+            maps: &self.maps,
+            exact: &self.exact,
             live: &self.live,
             layout: Some(&self.layout),
         }
@@ -47,6 +56,9 @@ impl Cx<'_> {
             texts: self.texts,
             settings: self.settings,
             view: self.view,
+            audit: self.audit,
+            maps: self.maps,
+            exact: self.exact,
             live: self.live,
             layout: None,
         }
@@ -71,7 +83,22 @@ impl Situation<'_> {
             Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
             Command::FrameAll => !self.editor.scene().bodies.is_empty(),
             Command::CameraFromView => self.view.free_camera.is_some(),
+            Command::Audit(act) => self.can_audit(*act),
             _ => true,
+        }
+    }
+
+    fn can_audit(&self, act: AuditAct) -> bool {
+        let generations = self.audit.found().map(|found| found.generations());
+        match act {
+            AuditAct::Tool => true,
+            AuditAct::Release | AuditAct::View => self.audit.pin().is_some(),
+            AuditAct::Previous => generations.is_some_and(|count| count > 1 && self.audit.shows(2)),
+            AuditAct::Next => generations.is_some_and(|count| !self.audit.shows(count)),
+            AuditAct::All => {
+                generations.is_some_and(|count| !self.audit.shows(count)) || self.audit.light.front.is_some()
+            }
+            AuditAct::Play | AuditAct::Copy | AuditAct::Save => generations.is_some(),
         }
     }
 
@@ -87,7 +114,11 @@ impl Situation<'_> {
                 let camera = self.view.camera(self.editor.scene());
                 matches!(camera.projection, catoptric_scene::Projection::Parallel { .. })
             }
-            Command::Tool(tool) => self.view.tool == *tool,
+            Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing,
+            Command::Audit(AuditAct::Tool) => self.view.is_auditing,
+            Command::Audit(AuditAct::Play) => self.audit.light.is_running,
+            Command::ToggleExact => self.exact.is_on,
+            Command::Map(kind) => self.maps.kind == *kind,
             Command::Theme(theme) => self.settings.theme == *theme,
             Command::Language(language) => self.settings.language == *language,
             Command::TogglePane(pane) => layout::is_in_front(self.layout?, *pane),
@@ -117,6 +148,6 @@ impl Situation<'_> {
 impl Command {
     /// Whether it chooses one of several, of which one is always chosen.
     pub(crate) fn is_choice(&self) -> bool {
-        matches!(self, Self::Tool(_) | Self::Theme(_) | Self::Language(_))
+        matches!(self, Self::Tool(_) | Self::Map(_) | Self::Theme(_) | Self::Language(_))
     }
 }

@@ -2,11 +2,12 @@
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_lab::maps::MapKind;
 use catoptric_scene::ShapeKind;
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
 
-use super::{Command, Group, Look, Tool, Zoom};
+use super::{AuditAct, Command, Group, Look, Tool, Zoom};
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
@@ -131,11 +132,30 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::ToggleGrid => "command-toggle-grid", ICON_GRID_4X4, plain(Key::G);
         Command::ToggleHandles => "command-toggle-handles", ICON_TOUCH_APP, shift(Key::G);
     }
+    Lab: {
+        Command::Audit(AuditAct::Tool) => "command-audit", ICON_COLORIZE, plain(Key::A);
+        Command::Audit(AuditAct::View) => "command-audit-view", ICON_CENTER_FOCUS_WEAK, shift(Key::A);
+        Command::Audit(AuditAct::Previous) => "command-audit-previous", ICON_SKIP_PREVIOUS, plain(Key::Comma);
+        Command::Audit(AuditAct::Next) => "command-audit-next", ICON_SKIP_NEXT, plain(Key::Period);
+        Command::Audit(AuditAct::All) => "command-audit-all", ICON_DONE_ALL;
+        Command::Audit(AuditAct::Play) => "command-audit-play", ICON_PLAY_ARROW, plain(Key::P);
+        Command::Audit(AuditAct::Copy) => "command-audit-copy", ICON_CONTENT_COPY;
+        Command::Audit(AuditAct::Save) => "command-audit-save", ICON_SAVE_AS;
+        Command::Audit(AuditAct::Release) => "command-audit-release", ICON_CLOSE;
+        Command::ToggleExact => "command-exact", ICON_ADJUST, alt(Key::E);
+        Command::Map(None) => "command-map-none", ICON_IMAGE, alt(Key::Num0);
+        Command::Map(Some(MapKind::Generations)) => "command-map-generations", ICON_STACKS, alt(Key::Num1);
+        Command::Map(Some(MapKind::Rays)) => "command-map-rays", ICON_NETWORK_NODE, alt(Key::Num2);
+        Command::Map(Some(MapKind::LimitLoss)) => "command-map-limit-loss", ICON_LAYERS_CLEAR, alt(Key::Num3);
+        Command::Map(Some(MapKind::ThresholdLoss)) => "command-map-threshold-loss", ICON_FILTER_ALT, alt(Key::Num4);
+        Command::Map(Some(MapKind::Clipped)) => "command-map-clipped", ICON_FLARE, alt(Key::Num5);
+    }
     Window: {
         Command::TogglePane(Pane::Outliner) => "command-pane-outliner", ICON_ACCOUNT_TREE;
         Command::TogglePane(Pane::Inspector) => "command-pane-inspector", ICON_TUNE;
         Command::TogglePane(Pane::History) => "command-pane-history", ICON_HISTORY;
         Command::TogglePane(Pane::Problems) => "command-pane-problems", ICON_REPORT;
+        Command::TogglePane(Pane::Audit) => "command-pane-audit", ICON_FUNCTIONS;
         Command::TogglePane(Pane::Viewport) => "command-pane-viewport", ICON_IMAGE;
         Command::ResetLayout => "command-reset-layout", ICON_DASHBOARD;
         Command::Theme(Theme::Dark) => "command-theme-dark", ICON_DARK_MODE;
@@ -185,6 +205,7 @@ mod tests {
         expected.extend(ShapeKind::ALL.into_iter().map(Command::AddBody));
         expected.extend(Axis::ALL.into_iter().map(Command::LookAlong));
         expected.extend(Language::ALL.into_iter().map(Command::Language));
+        expected.extend(MapKind::ALL.map(|kind| Command::Map(Some(kind))));
         expected.extend([Theme::Dark, Theme::Light, Theme::System].map(Command::Theme));
         expected.extend([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool));
         expected.extend([Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));

@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
+use catoptric_lab::depth::{ExcessKind, excess_of};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Checker, Material, MaterialChoice, Scene};
 use egui::{Button, ComboBox, Id, Ui, vec2};
@@ -411,20 +412,25 @@ fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     sheet.number(ui, &CHECKER_SIZE, None);
 }
 
-/// A quiet word when a surface would send out more light than it receives.
+/// A quiet word when a surface or its highlight would send out more light than it receives.
 fn energy_ui(ui: &mut Ui, sheet: &Sheet<'_, '_, Material>) {
-    let material = sheet.primary;
-    let sum = material.diffuse + material.reflection() + material.transmission;
-    if sum <= 1.0 + 1e-9 {
-        return;
-    }
     let texts = sheet.texts();
     let palette = theme::palette(ui.visuals());
-    let response = ui.horizontal_wrapped(|ui| {
-        let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), egui::Sense::hover());
-        paint_icon(ui, ICON_WARNING, rect.center(), 14.0, palette.warning);
-        let text = texts.with("energy-warning", &[("sum", format!("{sum:.2}").into())]);
-        ui.label(egui::RichText::new(text).color(palette.warning).size(12.0))
-    });
-    response.inner.on_hover_text(texts.tip("energy-warning").unwrap_or_default());
+    for (kind, amount) in excess_of(sheet.primary) {
+        let amount = shown(amount, 3);
+        let (key, sum) = match kind {
+            ExcessKind::Surface { diffuse, reflection, transmission, .. } => {
+                let parts = [diffuse, reflection, transmission].map(|part| shown(part, 3));
+                ("energy-warning", format!("{} = {amount}", parts.join(" + ")).replace(' ', "\u{a0}"))
+            }
+            ExcessKind::Highlight => ("energy-highlight", amount),
+        };
+        let response = ui.horizontal_wrapped(|ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), egui::Sense::hover());
+            paint_icon(ui, ICON_WARNING, rect.center(), 14.0, palette.warning);
+            let text = texts.with(key, &[("sum", sum.into())]);
+            ui.label(egui::RichText::new(text).color(palette.warning).size(12.0))
+        });
+        response.inner.on_hover_text(texts.tip(key).unwrap_or_default());
+    }
 }

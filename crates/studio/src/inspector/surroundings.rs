@@ -6,9 +6,9 @@ use catoptric_scene::format::keys;
 use catoptric_scene::{Environment, Tracing};
 use egui::{Id, Ui};
 
-use super::Memory;
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet};
 use super::symbol::Symbol;
+use super::{Memory, depth};
 use crate::context::Cx;
 use crate::widgets::section::section;
 
@@ -79,5 +79,6 @@ pub(super) fn tracing_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     section(ui, "tracing", texts.get("thing-tracing"), "", true, |ui| {
         sheet.number(ui, &GENERATIONS, None);
         sheet.number(ui, &THRESHOLD, None);
+        depth::depth_ui(ui, &mut sheet);
     });
 }

@@ -88,11 +88,7 @@ impl Pen<'_> {
         }
     }
 
-    /// A pyramid from the eye to the edges of the picture, and a mark that shows where up is.
     fn camera(&self, camera: &Camera) {
-        // Large enough to be seen from afar.
-        let least = 40.0 * self.sight.lens.meters_per_point(camera.position);
-        let [eye, corners, top] = frustum(camera, least);
         let color = if self.is_selected {
             self.palette.accent
         } else if self.is_hovered {
@@ -101,27 +97,33 @@ impl Pen<'_> {
             Color32::from_gray(214)
         };
         let width = if self.is_selected || self.is_hovered { 1.8 } else { 1.3 };
-        let mut segments: Vec<[DVec3; 2]> = Vec::new();
-        for index in 0..4 {
-            let (Some(corner), Some(next)) = (corners.get(index), corners.get((index + 1) % 4)) else {
-                continue;
-            };
-            segments.push([*corner, *next]);
-            segments.extend(eye.get(index).map(|eye| [*eye, *corner]));
-        }
-        if let [left, tip, right] = *top.as_slice() {
-            segments.extend([[left, tip], [tip, right]]);
-        }
-        for stroke in [Stroke::new(width + 2.0, Color32::from_black_alpha(90)), Stroke::new(width, color)] {
-            for [from, to] in &segments {
-                if let Some([from, to]) = self.sight.lens.segment(*from, *to) {
-                    self.painter.line_segment([self.sight.pos(from), self.sight.pos(to)], stroke);
-                }
+        draw_camera(self.painter, self.sight, camera, Stroke::new(width, color));
+    }
+}
+
+/// Draws a camera: a pyramid from the eye to the edges of the picture, and a mark that shows where up is.
+pub(crate) fn draw_camera(painter: &Painter, sight: &Sight, camera: &Camera, stroke: Stroke) {
+    // Large enough to be seen from afar.
+    let least = 40.0 * sight.lens.meters_per_point(camera.position);
+    let [eye, corners, top] = frustum(camera, least);
+    let mut segments: Vec<[DVec3; 2]> = Vec::new();
+    for index in 0..4 {
+        let (Some(corner), Some(next)) = (corners.get(index), corners.get((index + 1) % 4)) else { continue };
+        segments.push([*corner, *next]);
+        segments.extend(eye.get(index).map(|eye| [*eye, *corner]));
+    }
+    if let [left, tip, right] = *top.as_slice() {
+        segments.extend([[left, tip], [tip, right]]);
+    }
+    for stroke in [Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(90)), stroke] {
+        for [from, to] in &segments {
+            if let Some([from, to]) = sight.lens.segment(*from, *to) {
+                painter.line_segment([sight.pos(from), sight.pos(to)], stroke);
             }
         }
-        if let Some(center) = self.sight.point(camera.position) {
-            self.painter.circle(center, 4.5, color, Stroke::new(1.2, Color32::from_black_alpha(150)));
-        }
+    }
+    if let Some(center) = sight.point(camera.position) {
+        painter.circle(center, 4.5, stroke.color, Stroke::new(1.2, Color32::from_black_alpha(150)));
     }
 }
 

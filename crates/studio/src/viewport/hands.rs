@@ -97,7 +97,9 @@ impl Hands {
         }
         let button = |button| response.clicked_by(button);
         if let Some(pos) = response.interact_pointer_pos() {
-            if button(PointerButton::Primary) {
+            if button(PointerButton::Primary) && cx.view.is_auditing {
+                super::pixels::click(ui, cx, sight, pos);
+            } else if button(PointerButton::Primary) {
                 self.click(ui, cx, sight, pos);
             } else if button(PointerButton::Secondary) {
                 self.choose_for_menu(cx, sight, pos);
@@ -124,7 +126,9 @@ impl Hands {
         self.click = None;
         let turns = if modifiers.shift || is_middle { Hand::Pan } else { Hand::Orbit };
         let at = sight.at(origin);
-        self.hand = match is_primary.then(|| sight.target(cx, gizmo, at)) {
+        // While pixels are pinned, drags look at their rays from all sides.
+        let holds = is_primary && !cx.view.is_auditing;
+        self.hand = match holds.then(|| sight.target(cx, gizmo, at)) {
             Some(Target::Handle(handle)) => pull(cx, sight, gizmo, handle, at),
             Some(Target::Mark(item)) => carry(cx, sight, (item, None), at, modifiers.alt),
             Some(Target::Body { index, point }) => {
@@ -260,6 +264,7 @@ impl Hands {
             (Hand::Pan, _) => Some(CursorIcon::Move),
             (Hand::Carry(_) | Hand::Pull(_), _) => Some(CursorIcon::Grabbing),
             (Hand::GivenUp, _) => None,
+            (Hand::Open, Some(_)) if cx.view.is_auditing => Some(CursorIcon::Crosshair),
             (Hand::Open, Some(Target::Handle(_))) => Some(CursorIcon::Grab),
             (Hand::Open, Some(Target::Mark(item))) => Some(grab_or_point(item.is_locked(scene))),
             (Hand::Open, Some(Target::Body { index, .. })) => {
@@ -328,7 +333,7 @@ fn pull(cx: &Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>, handle: Handle, at: D
 
 /// The gizmo at what is selected and can be moved; its center is in the middle of the things' places.
 pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
-    if !cx.settings.shows_handles {
+    if !cx.settings.shows_handles || cx.view.is_auditing {
         return None;
     }
     let scene = cx.editor.scene();

@@ -67,6 +67,13 @@ pub(crate) fn look_along(studio: &mut Studio, axis: Axis) {
     glide_from(studio, camera);
 }
 
+/// Looks in the free view as `camera` does: the scene's camera stays.
+pub(crate) fn look_through(studio: &mut Studio, camera: Camera) {
+    let before = studio.view.camera(studio.editor.scene());
+    studio.view.free_camera = Some(camera);
+    glide_from(studio, before);
+}
+
 /// Looks around without moving the scene's camera, or through it again.
 pub(crate) fn toggle_free(studio: &mut Studio) {
     studio.editor.settle();

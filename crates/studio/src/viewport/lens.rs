@@ -60,6 +60,16 @@ impl Lens {
         [self.right, self.up, self.forward]
     }
 
+    /// Where the eye is.
+    pub(crate) fn position(&self) -> DVec3 {
+        self.position
+    }
+
+    /// Whether all rays are parallel.
+    pub(crate) fn is_parallel(&self) -> bool {
+        matches!(self.window, Window::Parallel { .. })
+    }
+
     /// Width and height of the picture, points.
     pub(crate) fn size(&self) -> DVec2 {
         self.size

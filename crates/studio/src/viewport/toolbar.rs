@@ -10,7 +10,7 @@ use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
 
 use super::compass;
-use crate::command::{Command, Tool};
+use crate::command::{AuditAct, Command, Tool};
 use crate::context::Cx;
 use crate::widgets::paint_icon;
 use crate::{shortcuts, theme};
@@ -67,6 +67,8 @@ fn tools(ui: &mut Ui, cx: &mut Cx<'_>) {
     for tool in [Tool::Move, Tool::Rotate, Tool::Scale] {
         command_button(ui, cx, Command::Tool(tool));
     }
+    command_button(ui, cx, Command::Audit(AuditAct::Tool));
+    gap(ui);
     command_button(ui, cx, Command::ToggleGizmoSpace);
 }
 

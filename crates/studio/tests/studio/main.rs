@@ -1,10 +1,12 @@
 //! The studio used as a person uses it, headless: widgets are found by their accessible labels.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
+mod audit;
 mod commands;
 mod documents;
 mod inspector;
 mod kit;
+mod lab;
 mod monkey;
 mod outliner;
 mod render;

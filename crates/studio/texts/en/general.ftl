@@ -5,6 +5,7 @@ pane-outliner = Scene
 pane-inspector = Inspector
 pane-history = History
 pane-problems = Problems
+pane-audit = Audit
 ok = OK
 cancel = Cancel
 close = Close

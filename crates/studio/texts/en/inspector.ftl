@@ -162,7 +162,9 @@ checker-color = Checker color
 checker-size = cell size
     .tip = The edge of a cell.
 energy-warning = Sends out more light than it receives: { $sum }
-    .tip = k_d + k_r + k_t is above 1. The model allows it, nature does not.
+    .tip = k_d C + k_r + k_t τ in the strongest channel is above 1. The model allows it, nature does not.
+energy-highlight = The highlight sends out more light than it receives: { $sum }
+    .tip = 2 k_s / (n + 2) is above 1: what the highlight sends into all directions, against a white matte surface. The model allows it, nature does not.
 
 # Formula
 section-formula = Formula

@@ -5,6 +5,7 @@ pane-outliner = Сцена
 pane-inspector = Свойства
 pane-history = История
 pane-problems = Замечания
+pane-audit = Разбор
 ok = ОК
 cancel = Отмена
 close = Закрыть

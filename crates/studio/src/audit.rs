@@ -1,0 +1,254 @@
+//! The audit: a pixel is pinned, and all its rays are listed with their numbers and drawn in space.
+
+mod clock;
+mod found;
+mod hidden;
+mod listing;
+mod numbers;
+mod panel;
+mod rows;
+mod run;
+mod saving;
+mod terms;
+mod ways;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use catoptric_lab::audit::{Audit, AuditError};
+use catoptric_scene::{Camera, Scene};
+use catoptric_tracer::{RenderSettings, render_pixel};
+use egui::Context;
+use glam::UVec2;
+
+use crate::context::Cx;
+
+pub(crate) use clock::SlowLight;
+pub(crate) use found::Found;
+pub(crate) use hidden::{Part, SEEN};
+pub(crate) use numbers::{color_text, short};
+pub(crate) use panel::panel_ui;
+pub(crate) use rows::{kind_color, tag};
+pub(crate) use run::{poll_saving, run};
+pub(crate) use ways::{Way, WayKind, pixel_at};
+
+use crate::latest::Latest;
+use found::Order;
+
+/// A pixel of a picture: what an audit is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pin {
+    /// Column and row, from the upper left.
+    pub(crate) pixel: UVec2,
+    /// Pixels across and down.
+    pub(crate) size: UVec2,
+    /// The camera of the picture.
+    pub(crate) camera: Camera,
+    /// The same before its window was fitted to the panel: to look through it again.
+    pub(crate) home: Camera,
+}
+
+/// The audit of the window.
+#[derive(Default)]
+pub(crate) struct Auditing {
+    pin: Option<Pin>,
+    found: Option<Arc<Found>>,
+    failure: Option<AuditError>,
+    /// The state of the document that was looked into last, and how it came about.
+    seen: Option<Seen>,
+    audits: Latest<(Seen, Pin), Result<Found, AuditError>>,
+    sights: Latest<(u64, Camera), Vec<Vec<Part>>>,
+    sight: Option<((u64, Camera), Vec<Vec<Part>>)>,
+    probes: Latest<Probe, Option<[f32; 3]>>,
+    probed: Option<(Probe, [f32; 3])>,
+    serial: u64,
+    /// The ray that is lit.
+    selected: Option<usize>,
+    /// Bring it into view in the list.
+    scrolls: bool,
+    /// The rays whose terms are listed.
+    expanded: BTreeSet<usize>,
+    /// The last generation that is shown; `None` for all.
+    step: Option<u32>,
+    pub(crate) light: SlowLight,
+    listing: listing::Listing,
+    saving: saving::Saving,
+}
+
+/// A state of the document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Seen {
+    revision: u64,
+    /// The steps of the history, and whether another one is under way: the same for all states of one drag.
+    step: (usize, bool),
+}
+
+/// A pixel under the pointer, in a state of the document.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Probe {
+    revision: u64,
+    pixel: UVec2,
+    size: UVec2,
+    camera: Camera,
+}
+
+impl Auditing {
+    /// The pinned pixel.
+    pub(crate) fn pin(&self) -> Option<&Pin> {
+        self.pin.as_ref()
+    }
+
+    /// What is known of it.
+    pub(crate) fn found(&self) -> Option<&Arc<Found>> {
+        self.found.as_ref()
+    }
+
+    /// Looks into another pixel.
+    pub(crate) fn pin_to(&mut self, pin: Pin) {
+        self.release();
+        self.pin = Some(pin);
+    }
+
+    /// Looks into no pixel.
+    pub(crate) fn release(&mut self) {
+        self.audits.cancel();
+        self.sights.cancel();
+        (self.pin, self.failure, self.seen, self.sight, self.selected) = (None, None, None, None, None);
+        self.expanded.clear();
+        self.step = None;
+        self.light.end();
+        if let Some(found) = self.found.take() {
+            // A large tree takes its time.
+            crate::documents::job::let_go(found);
+        }
+    }
+
+    /// The ray that is lit.
+    pub(crate) fn selected(&self) -> Option<usize> {
+        self.selected
+    }
+
+    /// Lights a ray, here and in the picture.
+    pub(crate) fn select(&mut self, node: usize) {
+        self.selected = Some(node);
+        self.scrolls = true;
+    }
+
+    /// Whether rays of a generation are shown.
+    pub(crate) fn shows(&self, generation: u32) -> bool {
+        self.step.is_none_or(|step| generation <= step)
+    }
+
+    /// The parts of the ways as `camera` sees them; those of the last camera while they are being found.
+    pub(crate) fn sight(&self) -> Option<&Vec<Vec<Part>>> {
+        let ((serial, _), parts) = self.sight.as_ref()?;
+        (Some(*serial) == self.found.as_ref().map(|found| found.serial)).then_some(parts)
+    }
+
+    /// The linear light of the pixel that was asked for last, if it is known.
+    pub(crate) fn probed(&self, pixel: UVec2) -> Option<[f32; 3]> {
+        self.probed.as_ref().filter(|(probe, _)| probe.pixel == pixel).map(|(_, light)| *light)
+    }
+
+    /// Takes up what was found.
+    fn poll(&mut self) {
+        if let Some(((seen, pin), found)) = self.audits.poll()
+            && self.pin == Some(pin)
+        {
+            self.seen = Some(seen);
+            match found {
+                Some(Ok(found)) => self.take(found),
+                Some(Err(AuditError::Cancelled)) | None => {}
+                Some(Err(error)) => self.failure = Some(error),
+            }
+        }
+        if let Some((key, Some(parts))) = self.sights.poll() {
+            self.sight = Some((key, parts));
+        }
+        if let Some((probe, Some(Some(light)))) = self.probes.poll() {
+            self.probed = Some((probe, light));
+        }
+    }
+
+    fn take(&mut self, found: Found) {
+        self.failure = None;
+        let count = found.tree().map_or(0, |tree| tree.nodes.len());
+        self.selected = self.selected.filter(|node| *node < count).or_else(|| (count > 0).then_some(0));
+        if self.found.is_none() {
+            self.expanded.insert(0);
+        }
+        let generations = found.generations();
+        self.step = self.step.filter(|step| *step < generations);
+        self.found = Some(Arc::new(found));
+    }
+
+    /// The audit before the change that made the present scene.
+    fn before(&self, now: Seen) -> Option<(Arc<Audit>, Arc<Scene>)> {
+        let found = self.found.as_ref()?;
+        let is_same_change = self.seen.is_some_and(|seen| seen.step == now.step);
+        match &found.before {
+            Some(before) if is_same_change => Some((Arc::clone(&before.audit), Arc::clone(&before.scene))),
+            None if is_same_change => None,
+            _ => Some((Arc::clone(&found.audit), Arc::clone(&found.scene))),
+        }
+    }
+}
+
+/// Finds out what is to be known of the pinned pixel; in every frame.
+pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>) {
+    cx.audit.poll();
+    let Some(pin) = cx.audit.pin else { return };
+    if cx.audit.light.is_running {
+        let longest = cx.audit.found.as_ref().map_or(0.0, |found| found.longest);
+        cx.audit.light.move_on(context.input(|input| input.time), longest);
+        context.request_repaint();
+    }
+    let step = (cx.editor.steps_done(), cx.editor.is_in_gesture());
+    let now = Seen { revision: cx.editor.revision(), step };
+    if cx.audit.seen.is_some_and(|seen| seen.revision == now.revision) {
+        return;
+    }
+    let scene = cx.editor.scene();
+    if cx.audit.found.as_ref().is_some_and(|found| is_same_but_for_camera(&found.scene, scene)) {
+        cx.audit.seen = Some(now);
+        return;
+    }
+    // The stage of this state is on its way; the window wakes up when it is there.
+    let Some((_, stage)) = cx.live.stage().filter(|(revision, _)| *revision == now.revision) else { return };
+    let before = cx.audit.before(now);
+    cx.audit.serial += 1;
+    let order = Order { serial: cx.audit.serial, pin, scene: Arc::clone(scene), stage, before };
+    cx.audit.audits.want(context, &(now, pin), move |control| order.carry_out(control));
+}
+
+/// The audited camera stays where it was, wherever the scene's goes.
+fn is_same_but_for_camera(one: &Scene, other: &Scene) -> bool {
+    Scene { camera: other.camera, ..one.clone() } == *other
+}
+
+/// Finds out which parts of the rays `camera` sees.
+pub(crate) fn keep_sight(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
+    let Some(found) = &cx.audit.found else { return };
+    let key = (found.serial, camera);
+    if cx.audit.sight.as_ref().is_some_and(|(known, _)| *known == key) {
+        return;
+    }
+    let Some((_, stage)) = cx.live.stage() else { return };
+    let found = Arc::clone(found);
+    cx.audit.sights.want(context, &key, move |control| {
+        hidden::parts(&found.ways, &found.scene, &stage, &camera, control)
+    });
+}
+
+/// Finds out the light of a pixel under the pointer.
+pub(crate) fn probe(context: &Context, cx: &mut Cx<'_>, pixel: UVec2, size: UVec2, camera: Camera) {
+    let Some((revision, stage)) = cx.live.stage() else { return };
+    let probe = Probe { revision, pixel, size, camera };
+    if cx.audit.probed.as_ref().is_some_and(|(known, _)| *known == probe) {
+        return;
+    }
+    cx.audit.probes.want(context, &probe, move |control| {
+        let picture = RenderSettings { width: size.x, height: size.y, samples: 1 };
+        render_pixel(&stage, &stage.camera_for(&camera), picture, pixel, control).ok().flatten()
+    });
+}

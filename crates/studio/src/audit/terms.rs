@@ -1,0 +1,289 @@
+//! The terms of a ray's light: the formula of the model with the numbers in place, line by line.
+
+use catoptric_editor::Item;
+use catoptric_lab::audit::{Audit, Node};
+use catoptric_scene::Scene;
+use catoptric_tracer::{Branch, Fate, LightTerm, Shadow, SurfaceAnswer};
+use glam::{DVec3, Vec3};
+
+use super::numbers::{color, degrees, short, vector};
+use crate::outliner::item_name;
+use crate::texts::Texts;
+
+/// Surfaces between a point and a light that are named; there may be very many.
+const MOST_NAMED: usize = 4;
+
+/// Which term a line is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    Way,
+    Meets,
+    Angles,
+    Ambient,
+    /// How a light stands to the point, and what lies between.
+    Light(usize),
+    Diffuse(usize),
+    Highlight(usize),
+    /// What comes from a light altogether.
+    Arrives(usize),
+    Local,
+    Reflected,
+    Refracted,
+    Adds,
+    Brings,
+}
+
+/// A line: words, and a formula with its numbers and what comes out.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Term {
+    pub(super) part: Part,
+    pub(super) name: String,
+    pub(super) words: String,
+    /// Markup of [`typeset`](crate::typeset).
+    pub(super) symbols: &'static str,
+    /// Markup, too.
+    pub(super) numbers: String,
+    pub(super) value: Option<DVec3>,
+}
+
+impl Term {
+    fn new(part: Part, name: &str) -> Self {
+        let (name, words, numbers) = (name.to_owned(), String::new(), String::new());
+        Self { part, name, words, symbols: "", numbers, value: None }
+    }
+
+    fn words(mut self, words: String) -> Self {
+        self.words = words;
+        self
+    }
+
+    fn formula(mut self, symbols: &'static str, numbers: String) -> Self {
+        (self.symbols, self.numbers) = (symbols, numbers);
+        self
+    }
+
+    fn value(mut self, value: Vec3) -> Self {
+        self.value = Some(value.as_dvec3());
+        self
+    }
+
+    /// Whether it is a part of the term above it.
+    pub(super) fn is_inner(&self) -> bool {
+        matches!(self.part, Part::Diffuse(_) | Part::Highlight(_) | Part::Arrives(_))
+    }
+}
+
+/// All lines about a ray.
+pub(super) fn of_node(texts: &Texts, scene: &Scene, audit: &Audit, node: &Node) -> Vec<Term> {
+    Writer { texts, scene, audit }.node(node)
+}
+
+/// What a body is called.
+pub(super) fn body_name(texts: &Texts, scene: &Scene, body: usize) -> String {
+    item_name(texts, scene, Item::Body(body)).into_owned()
+}
+
+struct Writer<'a> {
+    texts: &'a Texts,
+    scene: &'a Scene,
+    audit: &'a Audit,
+}
+
+impl Writer<'_> {
+    fn node(&self, node: &Node) -> Vec<Term> {
+        let mut terms = vec![self.way(node)];
+        match node.answer() {
+            Some(answer) => self.surface(&mut terms, node, answer),
+            None => {
+                let background = self.texts.get("audit-background").to_owned();
+                let meets = Term::new(Part::Meets, self.texts.get("audit-meets")).words(background);
+                terms.push(meets.value(node.ray.local));
+            }
+        }
+        let numbers = format!("{} · {}", color(node.ray.weight), color(node.ray.local));
+        terms.push(
+            Term::new(Part::Adds, self.texts.get("audit-adds"))
+                .words(self.texts.get("audit-weight-times-light").to_owned())
+                .formula("", numbers)
+                .value(node.ray.light),
+        );
+        if !node.children.is_empty() {
+            let mut term = Term::new(Part::Brings, self.texts.get("audit-brings"))
+                .words(self.texts.get("audit-with-branches").to_owned());
+            term.value = Some(node.brings);
+            terms.push(term);
+        }
+        terms
+    }
+
+    fn way(&self, node: &Node) -> Term {
+        let inside = node.ray.media.first().map(|body| body_name(self.texts, self.scene, *body));
+        let medium = inside.unwrap_or_else(|| self.texts.get("audit-air").to_owned());
+        let arguments = [
+            ("origin", vector(node.ray.ray.origin.into()).into()),
+            ("direction", vector(node.ray.ray.direction.into()).into()),
+            ("medium", medium.into()),
+            ("index", short(node.ray.ior.into()).into()),
+        ];
+        Term::new(Part::Way, self.texts.get("audit-way"))
+            .words(self.texts.with("audit-way-words", &arguments))
+    }
+
+    fn surface(&self, terms: &mut Vec<Term>, node: &Node, answer: &SurfaceAnswer) {
+        let texts = self.texts;
+        if let Some(hit) = node.ray.hit {
+            let arguments = [
+                ("body", body_name(texts, self.scene, hit.body).into()),
+                ("distance", short(hit.hit.t.into()).into()),
+                ("point", vector(hit.position).into()),
+                ("normal", vector(hit.normal).into()),
+            ];
+            let key = if hit.hit.leaving { "audit-meets-within" } else { "audit-meets-words" };
+            terms.push(Term::new(Part::Meets, texts.get("audit-meets")).words(texts.with(key, &arguments)));
+        }
+        terms.extend(self.angles(node, answer));
+        let numbers = format!(
+            "{} · {} · {}",
+            short(answer.ambient_coefficient.into()),
+            color(answer.color),
+            color(answer.ambient_light)
+        );
+        let ambient = Term::new(Part::Ambient, texts.get("audit-ambient"));
+        terms.push(ambient.formula("k_a C I_a", numbers).value(answer.ambient));
+        for light in &answer.lights {
+            self.light(terms, light, answer);
+        }
+        terms.push(self.local(node, answer));
+        terms.push(self.branch(Part::Reflected, "audit-reflected", "k_r", answer.reflected));
+        if answer.interface.is_some() {
+            terms.push(self.branch(Part::Refracted, "audit-refracted", "k_t τ", answer.refracted));
+        }
+    }
+
+    fn angles(&self, node: &Node, answer: &SurfaceAnswer) -> Option<Term> {
+        let incidence = degrees(node.incidence?);
+        let words = match (answer.interface, node.refraction) {
+            (Some(interface), refraction) => {
+                let arguments = [
+                    ("incidence", incidence.into()),
+                    ("refraction", refraction.map(degrees).unwrap_or_default().into()),
+                    ("from", short(node.ray.ior.into()).into()),
+                    ("to", short(interface.ior_beyond.into()).into()),
+                ];
+                let key = if refraction.is_some() { "audit-angles-both" } else { "audit-angles-total" };
+                self.texts.with(key, &arguments)
+            }
+            (None, _) => self.texts.with("audit-angle", &[("incidence", incidence.into())]),
+        };
+        Some(Term::new(Part::Angles, self.texts.get("audit-angles")).words(words))
+    }
+
+    fn light(&self, terms: &mut Vec<Term>, light: &LightTerm, answer: &SurfaceAnswer) {
+        let texts = self.texts;
+        let head = Term::new(Part::Light(light.light), &self.light_name(light.light));
+        let cosine = short(light.cosine.into());
+        let Some(shadow) = &light.shadow else {
+            terms.push(head.words(texts.get("audit-light-below").to_owned()).formula("~n·~L", cosine));
+            return;
+        };
+        let arguments =
+            [("distance", short(light.distance.into()).into()), ("between", self.between(shadow).into())];
+        terms
+            .push(head.words(texts.with("audit-light-words", &arguments)).formula("V", color(shadow.passed)));
+        let Some(sent) = light.answer else { return };
+        let mut sum: Vec<String> = Vec::new();
+        if answer.diffuse_coefficient != 0.0 {
+            let k = short(answer.diffuse_coefficient.into());
+            let numbers = format!("{k} · {} · {cosine}", color(answer.color));
+            let diffuse = Term::new(Part::Diffuse(light.light), texts.get("audit-diffuse"));
+            terms.push(diffuse.formula("k_d C (~n·~L)", numbers).value(sent.diffuse));
+            sum.push(color(sent.diffuse));
+        }
+        if answer.specular_coefficient != 0.0 {
+            let k = short(answer.specular_coefficient.into());
+            let (base, power) = (short(sent.highlight_cosine.into()), short(answer.shininess.into()));
+            let highlight = Term::new(Part::Highlight(light.light), texts.get("audit-highlight"));
+            let numbers = format!("{k} · {base}^{{{power}}}");
+            terms.push(highlight.formula("k_s (~S·~R)^n", numbers).value(Vec3::splat(sent.highlight)));
+            sum.push(short(sent.highlight.into()));
+        }
+        let sum = if sum.len() > 1 { format!("({})", sum.join(" + ")) } else { sum.concat() };
+        let numbers = format!("{} · {} · {sum}", color(shadow.passed), color(sent.power));
+        let arrives = Term::new(Part::Arrives(light.light), texts.get("audit-arrives"));
+        terms.push(arrives.formula("V A(d)I (…)", numbers).value(sent.light));
+    }
+
+    /// What a light is called; rays know it by its place among those that shine.
+    fn light_name(&self, light: usize) -> String {
+        let shining = self.scene.lights.iter().enumerate().filter(|(_, light)| !light.hidden);
+        let place = shining.map(|(place, _)| place).nth(light).unwrap_or(light);
+        item_name(self.texts, self.scene, Item::Light(place)).into_owned()
+    }
+
+    /// What lies between a point and a light.
+    fn between(&self, shadow: &Shadow) -> String {
+        let texts = self.texts;
+        // Behind an opaque body nothing matters.
+        let end = shadow.crossings.iter().position(|crossing| crossing.filter.is_none());
+        let crossings = shadow.crossings.get(..end.map_or(shadow.crossings.len(), |end| end + 1));
+        let crossings = crossings.unwrap_or_default();
+        if crossings.is_empty() {
+            return texts.get("audit-nothing-between").to_owned();
+        }
+        let mut words: Vec<String> = crossings
+            .iter()
+            .take(MOST_NAMED)
+            .map(|crossing| {
+                let name = body_name(texts, self.scene, crossing.body);
+                let at = short(crossing.distance.into());
+                let mut arguments = vec![("body", name.into()), ("distance", at.into())];
+                match crossing.filter {
+                    Some(filter) => {
+                        arguments.push(("filter", color(filter).into()));
+                        texts.with("audit-filtered", &arguments)
+                    }
+                    None => texts.with("audit-blocked", &arguments),
+                }
+            })
+            .collect();
+        if crossings.len() > MOST_NAMED {
+            let more = [("count", (crossings.len() - MOST_NAMED).into())];
+            words.push(texts.with("audit-more-surfaces", &more));
+        }
+        words.join(", ")
+    }
+
+    fn local(&self, node: &Node, answer: &SurfaceAnswer) -> Term {
+        let lights = answer.lights.iter().filter_map(|light| light.answer).map(|answer| answer.light);
+        let terms: Vec<String> = std::iter::once(answer.ambient).chain(lights).map(color).collect();
+        // One term by itself is its own sum.
+        let numbers = if terms.len() > 1 { terms.join(" + ") } else { String::new() };
+        let term = Term::new(Part::Local, self.texts.get("audit-local"));
+        term.formula("I_{local}", numbers).value(node.ray.local)
+    }
+
+    /// What becomes of a ray that may go on.
+    fn branch(&self, part: Part, key: &'static str, symbols: &'static str, branch: Branch) -> Term {
+        let texts = self.texts;
+        let weight = || ("weight", color(branch.weight).into());
+        let words = match branch.fate {
+            Fate::Followed(child) => texts.with("audit-goes-on", &[("ray", (child + 1).into())]),
+            Fate::Nothing => texts.get("audit-ends-nothing").to_owned(),
+            Fate::TotalReflection => texts.get("audit-ends-total").to_owned(),
+            Fate::GenerationLimit => {
+                texts.with("audit-ends-limit", &[("limit", self.audit.generations.into()), weight()])
+            }
+            Fate::Threshold => {
+                let threshold = short(self.audit.threshold.into());
+                texts.with("audit-ends-threshold", &[("threshold", threshold.into()), weight()])
+            }
+            Fate::LeftOut => texts.with("audit-ends-left-out", &[weight()]),
+        };
+        let term = Term::new(part, texts.get(key)).words(words);
+        if branch.fate == Fate::TotalReflection {
+            term
+        } else {
+            term.formula(symbols, color(branch.coefficient))
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! How many generations the scene needs: from the mirrors alone, and from tracing what is seen.
+
+use std::sync::Arc;
+
+use catoptric_editor::Item;
+use catoptric_lab::depth::{DepthBound, DepthMeasure};
+use catoptric_scene::{Camera, Scene, Tracing};
+use catoptric_tracer::{Control, Stage};
+use egui::{Button, Label, Response, RichText, Ui, vec2};
+use glam::UVec2;
+
+use super::sheet::Sheet;
+use crate::audit::short;
+use crate::latest::Latest;
+use crate::outliner::item_name;
+use crate::theme;
+use crate::typeset::Line;
+use crate::widgets::number::{HEIGHT, shown};
+
+/// The size of letters in the formula.
+const SIZE: f32 = 13.5;
+
+/// What is known about the present scene.
+#[derive(Default)]
+pub(crate) struct Adviser {
+    work: Latest<Key, Advice>,
+    known: Option<(Key, Advice)>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Key {
+    revision: u64,
+    /// The picture that is traced for it; `None` to look at the mirrors alone.
+    picture: Option<(Camera, [u32; 2])>,
+}
+
+#[derive(Clone, Debug)]
+struct Advice {
+    bound: DepthBound,
+    measure: Option<DepthMeasure>,
+}
+
+impl Key {
+    fn carry_out(self, scene: &Scene, stage: &Stage, control: &Control) -> Advice {
+        let bound = DepthBound::of(scene, stage);
+        let measure = self.picture.and_then(|(camera, size)| {
+            DepthMeasure::of(stage, &stage.camera_for(&camera), UVec2::from(size), control).ok()
+        });
+        Advice { bound, measure }
+    }
+}
+
+/// Draws what is known, with buttons that set the generations; has the rest found out.
+pub(super) fn depth_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
+    keep_up(ui, sheet);
+    let Some((key, advice)) = sheet.memory.adviser.known.clone() else { return };
+    ui.add_space(4.0);
+    bound_ui(ui, sheet, &advice.bound);
+    match &advice.measure {
+        Some(measure) => measure_ui(ui, sheet, measure),
+        None if key.picture.is_none() => {
+            ui.label(RichText::new(sheet.texts().get("depth-under-way")).weak().size(12.0));
+        }
+        None => {}
+    }
+}
+
+/// The mirrors are looked at at once; what is seen is traced when the picture is done.
+fn keep_up(ui: &Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
+    let adviser = &mut sheet.memory.adviser;
+    if let Some((key, Some(advice))) = adviser.work.poll() {
+        adviser.known = Some((key, advice));
+    }
+    let Some((revision, stage)) = sheet.cx.live.stage() else { return };
+    let scene = Arc::clone(sheet.cx.editor.scene());
+    if revision != sheet.cx.editor.revision() {
+        return;
+    }
+    let key = match (&adviser.known, sheet.cx.live.latest()) {
+        (Some((known, _)), Some(frame)) if known.revision == revision => {
+            let picture = Some((frame.camera, frame.view_size));
+            if known.picture == picture || !sheet.cx.live.status().is_idle {
+                return;
+            }
+            Key { revision, picture }
+        }
+        _ => Key { revision, picture: None },
+    };
+    adviser.work.want(ui.ctx(), &key, move |control| key.carry_out(&scene, &stage, control));
+}
+
+/// The series of the strongest cycle of mirrors.
+fn bound_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, bound: &DepthBound) {
+    let texts = sheet.texts();
+    let palette = theme::palette(ui.visuals());
+    if bound.cycle.is_empty() {
+        note(ui, texts.get("depth-no-mirrors"), texts.tip("depth-no-mirrors"));
+        return;
+    }
+    let scene = Arc::clone(sheet.cx.editor.scene());
+    let names = bound.cycle.iter().map(|body| item_name(texts, &scene, Item::Body(*body)));
+    let names: Vec<String> =
+        names.map(|name| texts.with("depth-body", &[("name", (*name).into())])).collect();
+    let arguments = [("bodies", names.join(", ").into()), ("factor", shown(bound.factor, 3).into())];
+    let key = match bound.generations {
+        Some(_) => "depth-cycle",
+        None if bound.factor < 1.0 => "depth-many",
+        None => "depth-endless",
+    };
+    note(ui, &texts.with(key, &arguments), texts.tip(key));
+    let Some(generations) = bound.generations else { return };
+    let mut line = Line::default();
+    let (now, next) = (generations, generations + 1);
+    line.push(ui, &format!("k^{{{now}}} + k^{{{next}}} + … < 1/512"), SIZE, palette.accent);
+    advice_ui(ui, sheet, line, generations);
+}
+
+/// What tracing showed.
+fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMeasure) {
+    let texts = sheet.texts();
+    let limit = sheet.primary.generations;
+    let place = usize::try_from(limit.saturating_sub(1)).unwrap_or(usize::MAX);
+    let loss = measure.losses.get(place).copied().unwrap_or(0.0);
+    let arguments = [
+        ("count", measure.generations.into()),
+        ("limit", limit.into()),
+        ("loss", short(loss).into()),
+        ("pixels", measure.pixels.into()),
+    ];
+    let key = if measure.is_complete { "depth-measured" } else { "depth-measured-part" };
+    note(ui, &texts.with(key, &arguments), texts.tip(key));
+    let mut line = Line::default();
+    let color = theme::palette(ui.visuals()).accent;
+    line.push_words(ui, &texts.with("depth-enough", &arguments), SIZE, color, ui.available_width() - 96.0);
+    advice_ui(ui, sheet, line, measure.generations);
+}
+
+fn note(ui: &mut Ui, text: &str, tip: Option<&str>) -> Response {
+    let color = theme::palette(ui.visuals()).weak;
+    let response = ui.add(Label::new(RichText::new(text).color(color).size(12.0)).wrap());
+    response.on_hover_text(tip.unwrap_or_default())
+}
+
+/// A line, and a button that sets the generations.
+fn advice_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, line: Line, generations: u32) {
+    let text = sheet.texts().with("depth-set", &[("count", generations.into())]);
+    let is_set = sheet.primary.generations == generations;
+    let is_clicked = ui
+        .horizontal(|ui| {
+            let size = vec2((ui.available_width() - 92.0).max(60.0), HEIGHT);
+            let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
+            line.paint(ui, rect.left_center());
+            ui.add_enabled(!is_set, Button::new(text).min_size(vec2(84.0, HEIGHT))).clicked()
+        })
+        .inner;
+    if is_clicked {
+        sheet.change("generations", "edit-generations", |_, tracing| tracing.generations = generations);
+        sheet.cx.editor.settle();
+    }
+}

@@ -1,0 +1,295 @@
+//! The audit of a pixel: pinned with the pointer, read in the panel, seen in space.
+
+use catoptric_editor::Label;
+use catoptric_scene::{Color, Environment};
+use catoptric_studio::host::Host as _;
+use catoptric_studio::{AuditAct, Command, Language, Start, Studio};
+use egui::{Event, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+use crate::kit::{TestHost, studio_with, wait_until};
+
+/// A studio with the audit tool over Whitted's scene, and the place of its glass sphere.
+struct Auditor {
+    harness: Harness<'static, Studio>,
+    host: TestHost,
+}
+
+impl Auditor {
+    fn new() -> Self {
+        let host = TestHost::new();
+        let mut harness = studio_with(host.clone(), Start::Example("whitted".to_owned()));
+        harness.set_size(Vec2::new(1500.0, 1500.0));
+        harness.run_steps(2);
+        let mut auditor = Self { harness, host };
+        auditor.run(Command::Audit(AuditAct::Tool));
+        auditor.wait_for_picture();
+        auditor
+    }
+
+    fn run(&mut self, command: Command) {
+        self.harness.state_mut().run(command);
+        self.harness.run_steps(3);
+    }
+
+    /// Until the picture shows the document as it is, in its present size.
+    fn wait_for_picture(&mut self) {
+        wait_until(&mut self.harness, "the picture", |studio| {
+            let revision = studio.editor().revision();
+            let rect = studio.viewport_rect().unwrap();
+            let size = [rect.width() as u32, rect.height() as u32];
+            let frame = studio.live().latest();
+            let is_there = frame.is_some_and(|frame| frame.revision == revision && frame.view_size == size);
+            is_there && studio.live().status().is_idle
+        });
+        self.harness.run_steps(3);
+    }
+
+    /// A place in the picture, from shares of its width and height.
+    fn place(&self, x: f32, y: f32) -> Pos2 {
+        let rect = self.harness.state().viewport_rect().unwrap();
+        (rect.min + vec2(x, y) * rect.size()).round() + Vec2::splat(0.25)
+    }
+
+    fn click(&mut self, pos: Pos2) {
+        let event = |pressed| Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        for event in [Event::PointerMoved(pos), event(true), event(false)] {
+            self.harness.event(event);
+            self.harness.step();
+        }
+        self.harness.run_steps(2);
+    }
+
+    /// Pins the pixel at a place, and waits for its rays.
+    fn pin(&mut self, pos: Pos2) {
+        self.click(pos);
+        self.wait_for("Ray", |names| names.iter().any(|name| name.starts_with("1: ")));
+    }
+
+    /// The names of all rows of the list, rays and terms.
+    fn rows(&self) -> Vec<String> {
+        use egui::accesskit::Role;
+        let nodes = self.harness.root().children_recursive();
+        let is_row = |role| matches!(role, Role::TreeItem | Role::Label);
+        nodes
+            .filter(|node| is_row(node.accesskit_node().role()))
+            .filter_map(|node| node.accesskit_node().label().or_else(|| node.accesskit_node().value()))
+            .collect()
+    }
+
+    fn wait_for(&mut self, what: &str, condition: impl Fn(&[String]) -> bool) {
+        for _ in 0..2000 {
+            self.harness.step();
+            if condition(&self.rows()) {
+                return;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        panic!("waited in vain: {what}: {:#?}", self.rows());
+    }
+
+    /// The only row that begins so.
+    fn row(&self, start: &str) -> String {
+        let rows = self.rows();
+        let found: Vec<&String> = rows.iter().filter(|row| row.starts_with(start)).collect();
+        assert_eq!(found.len(), 1, "{start}: {rows:#?}");
+        found[0].clone()
+    }
+
+    fn press(&mut self, label: &str) {
+        self.harness.get_by_label(label).click();
+        self.harness.run_steps(3);
+    }
+
+    fn is_selected(&self, start: &str) -> bool {
+        let row = self.row(start);
+        self.harness.get_by_label(&row).accesskit_node().is_selected() == Some(true)
+    }
+
+    fn missing(&self) -> Vec<String> {
+        self.harness.state().texts().missing()
+    }
+}
+
+#[test]
+fn a_pixel_is_pinned_and_its_rays_are_read() {
+    let mut audit = Auditor::new();
+    let steps = audit.harness.state().editor().steps_done();
+    audit.pin(audit.place(0.4, 0.45));
+    assert!(audit.row("Pixel ").contains(" of "), "{:?}", audit.rows());
+    assert_eq!(audit.row("exact sum"), "exact sum of the rays");
+    // The terms of the primary ray are open at first.
+    assert!(audit.row("Ambient:").contains("k_a C I_a = "));
+    assert!(audit.row("Adds:").contains(" = "));
+    audit.press("Fold ray 1");
+    assert!(!audit.rows().iter().any(|row| row.starts_with("Ambient:")));
+    audit.press("Terms of ray 2");
+    assert!(audit.row("Way:").starts_with("Way: from ("), "{:?}", audit.rows());
+    let ray = audit.row("2: ");
+    audit.press(&ray);
+    assert!(audit.is_selected("2: ") && !audit.is_selected("1: "));
+    // Pinning leaves the document as it was.
+    assert_eq!(audit.harness.state().editor().steps_done(), steps);
+    audit.run(Command::Audit(AuditAct::Copy));
+    audit.run(Command::Audit(AuditAct::Release));
+    assert!(!audit.rows().iter().any(|row| row.starts_with("1: ")));
+    assert_eq!(audit.missing(), Vec::<String>::new());
+}
+
+#[test]
+fn a_ray_is_chosen_in_space_while_the_camera_of_the_audit_stays() {
+    let mut audit = Auditor::new();
+    audit.pin(audit.place(0.4, 0.45));
+    let pixel = audit.row("Pixel ");
+    let camera = audit.harness.state().editor().scene().camera;
+    // A drag turns the view, with the free camera.
+    let (from, to) = (audit.place(0.9, 0.6), audit.place(0.66, 0.72));
+    let button = |pos, pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let mut events = vec![Event::PointerMoved(from), button(from, true)];
+    events.extend((1..=8).map(|step| Event::PointerMoved(from.lerp(to, step as f32 / 8.0))));
+    events.push(button(to, false));
+    for event in events {
+        audit.harness.event(event);
+        audit.harness.step();
+    }
+    audit.wait_for_picture();
+    assert_eq!(audit.harness.state().editor().scene().camera, camera);
+    assert_eq!(audit.row("Pixel "), pixel);
+    let ends = audit.harness.state().audit_ray_in_window(2).expect("the third ray is seen");
+    audit.press("Fold ray 1");
+    audit.click(ends[0].lerp(ends[1], 0.35));
+    assert!(audit.is_selected("3: "), "{:#?}", audit.rows());
+    assert_eq!(audit.row("Pixel "), pixel, "a click on a ray pins no pixel");
+    // Back to where it was pinned: the picture is the scene camera's again.
+    audit.run(Command::Audit(AuditAct::View));
+    wait_until(&mut audit.harness, "the view back", |studio| {
+        studio.live().latest().is_some_and(|frame| frame.camera.position == camera.position)
+    });
+}
+
+#[test]
+fn generations_are_stepped_through_and_slow_light_runs() {
+    let mut audit = Auditor::new();
+    audit.pin(audit.place(0.4, 0.45));
+    audit.press("Fold ray 1");
+    let all = audit.row("Generations 1 to ");
+    assert!(!all.starts_with("Generations 1 to 1 of"), "{all}");
+    while audit.row("Generations 1 to ") != all.replacen(&all[17..18], "1", 1) {
+        audit.press("A generation less");
+    }
+    assert!(!audit.rows().iter().any(|row| row.starts_with("2: ")));
+    audit.press("A generation more");
+    assert!(audit.rows().iter().any(|row| row.starts_with("2: ")));
+    audit.press("All rays");
+    assert_eq!(audit.row("Generations 1 to "), all);
+    let path = |audit: &Auditor| audit.harness.get_by_label("Path").accesskit_node().numeric_value().unwrap();
+    let whole = path(&audit);
+    audit.press("Slow light");
+    let start = path(&audit);
+    assert!(start < whole);
+    audit.harness.run_steps(4);
+    let later = path(&audit);
+    assert!(later > start && later < whole, "{start} {later} {whole}");
+    audit.press("Slow light");
+    let at_rest = path(&audit);
+    audit.harness.run_steps(4);
+    assert_eq!(path(&audit), at_rest);
+    audit.press("All rays");
+    assert_eq!(path(&audit), whole);
+}
+
+#[test]
+fn a_changed_coefficient_is_marked() {
+    let mut audit = Auditor::new();
+    audit.pin(audit.place(0.85, 0.9));
+    let before = audit.row("Ambient:");
+    let studio = audit.harness.state_mut();
+    let label = Label::new("edit-ambient-light", "");
+    let half = |own: &mut Environment| own.ambient = Color::new(0.1, 0.1, 0.1);
+    studio.editor_mut().change_environment(label, half).unwrap();
+    studio.editor_mut().settle();
+    audit.wait_for("another ambient term", |rows| {
+        rows.iter().any(|row| row.starts_with("Ambient:") && *row != before)
+    });
+}
+
+#[test]
+fn the_tree_is_saved_as_a_drawing_in_russian() {
+    let mut audit = Auditor::new();
+    audit.run(Command::Language(Language::Russian));
+    audit.pin(audit.place(0.4, 0.45));
+    assert!(audit.row("Пиксель ").contains(" из "));
+    assert!(audit.row("1: ").starts_with("1: первичный – "));
+    assert!(audit.row("Фоновый свет:").contains("k_a C I_a = "));
+    assert!(audit.row("Поколения с 1 по ").contains(" из "));
+    let path = audit.host.path("rays.svg");
+    audit.host.answer(Some(path.clone()));
+    audit.run(Command::Audit(AuditAct::Save));
+    wait_until(&mut audit.harness, "the drawing", |_| path.exists());
+    assert!(std::fs::read_to_string(&path).unwrap().starts_with("<svg "));
+    assert!(audit.host.settings_path().is_some());
+    assert_eq!(audit.missing(), Vec::<String>::new());
+}
+
+/// How long it takes until a tree of more than 2^12 rays is listed and drawn, and how long its frames take then.
+#[test]
+#[ignore = "a measurement"]
+fn how_long_a_large_tree_takes() {
+    use std::time::Instant;
+    let host = TestHost::new();
+    let path = host.path("panes.toml");
+    catoptric_scene::save(&path, &catoptric_scene::write(&panes(14))).unwrap();
+    let mut harness = studio_with(host.clone(), Start::File(path));
+    harness.set_size(Vec2::new(1500.0, 900.0));
+    harness.run_steps(2);
+    let mut audit = Auditor { harness, host };
+    audit.run(Command::Audit(AuditAct::Tool));
+    // Nobody has to wait until it is refined.
+    wait_until(&mut audit.harness, "a picture", |studio| {
+        let bodies = studio.editor().scene().bodies.len();
+        bodies == 14
+            && studio.live().latest().is_some_and(|frame| frame.revision == studio.editor().revision())
+    });
+    let start = Instant::now();
+    audit.pin(audit.place(0.5, 0.5));
+    println!("from the click to the list: {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+    let start = Instant::now();
+    audit.harness.step();
+    println!("a frame: {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+    for ray in [4000, 17, 2500] {
+        let Some(ends) = audit.harness.state().audit_ray_in_window(ray) else { continue };
+        let start = Instant::now();
+        audit.click(ends[0].lerp(ends[1], 0.5));
+        println!("five frames of a click on a ray: {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+    }
+    let text = audit.harness.state().audit_rays().unwrap_or(0);
+    println!("{text} rays");
+}
+
+/// Panes of glass one behind the other, at whose faces every ray gives two.
+fn panes(count: usize) -> catoptric_scene::Scene {
+    use catoptric_scene::{Body, Material, MaterialChoice, Placement, Scene, Shape};
+    use glam::DVec3;
+    let glass = Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
+    let pane = |place: usize| Body {
+        shape: Shape::Cube { size: DVec3::new(40.0, 40.0, 0.1) },
+        placement: Placement::at(-0.3 * place as f64 * DVec3::Z),
+        material: MaterialChoice::Inline(Box::new(glass.clone())),
+        ..Body::default()
+    };
+    let mut scene = Scene { bodies: (0..count).map(pane).collect(), ..Scene::default() };
+    scene.lights.push(catoptric_scene::Light::default());
+    (scene.tracing.generations, scene.tracing.threshold) = (15, 0.0);
+    scene
+}

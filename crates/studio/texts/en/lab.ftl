@@ -1,0 +1,58 @@
+# Experiments over the picture and beside it
+map-generations = Generations reached
+    .tip = The last generation that any ray of the pixel has.
+map-rays = Rays per pixel
+    .tip = All rays of the pixel, shadow rays included.
+map-limit-loss = Light lost by the limit of generations
+    .tip = The share of the pixel’s light that the limit of generations leaves out, against a reference of 64 generations.
+map-threshold-loss = Light lost by the threshold
+    .tip = The share of the pixel’s light that the threshold leaves out, against a reference with a far smaller one.
+map-clipped = Light beyond white
+    .tip = The share of the pixel’s light that lies beyond the display’s white at the viewport’s exposure.
+map-mean = mean { $value }
+map-refining = refining, { $percent }%
+map-percent = { $value }%
+map-incomplete = { $count ->
+    [one] { $count } pixel has more rays than were followed; its number may be too small.
+   *[other] { $count } pixels have more rays than were followed; their numbers may be too small.
+}
+
+# How many generations are needed
+depth-cycle = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation
+    .tip = Of the light of a generation, the next has at most the share k. What the generations behind a limit could bring is a geometric series; less than 1/512 of white is not seen on a display of 8 bits.
+depth-endless = Before tracing: between { $bodies } no light is lost, k = { $factor }, so that no number of generations is enough for certain
+    .tip = The series of reflections has no bound. Tracing shows what this picture needs.
+depth-many = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation; more than 64 generations would be enough for certain
+    .tip = The bound counts the brightest light between the strongest mirrors. Tracing shows what this picture needs.
+depth-no-mirrors = No body reflects or lets light through: 1 generation is enough
+    .tip = Rays that go on start only at mirrors and transparent bodies.
+depth-under-way = How much this picture needs is found out when it is done.
+depth-measured = As traced: with { $limit } generations at most { $loss } of white is missing in a pixel
+    .tip = Pixels spread over this view were traced with 64 generations.
+depth-measured-part = As traced: with { $limit } generations about { $loss } of white is missing in a pixel
+    .tip = Pixels spread over this view were traced with 64 generations; some had more rays than were followed, so that more generations may be needed.
+depth-enough = { $count ->
+    [one] { $count } generation is enough
+   *[other] { $count } generations are enough
+}
+depth-set = Set { $count }
+depth-body = “{ $name }”
+
+# Exact answers
+exact-none = No mirror, glass or highlight has an exact answer for this body.
+exact-image = Image in { $mirror }
+exact-sphere-image = Image in { $mirror }, by the mirror equation
+exact-reflection-point = Seen here in { $mirror } (Alhazen’s problem)
+exact-focus = Focal point, { $length } m from the center
+exact-marginal = Crossing of a ray at 0.7 of the radius
+exact-highlight = Highlight of { $light }
+exact-ring = { $count ->
+    [one] { $count } image between mirrors at { $angle }°
+   *[other] { $count } images between mirrors at { $angle }°
+}
+exact-m = { $value } m
+exact-mm = { $value } mm
+exact-um = { $value } µm
+exact-nm = { $value } nm
+exact-off = tracer: off by { $difference }
+exact-elsewhere = the tracer’s rays go elsewhere
