@@ -3,6 +3,8 @@
 
 mod common;
 
+use std::path::Path;
+
 use catoptric_picture::{Picture, decode, write_exr};
 use common::{Folder, ONE_BODY};
 use serde_json::Value;
@@ -24,18 +26,19 @@ fn metrics(folder: &Folder, directory: &str) -> Value {
 fn methods_are_compared_and_reported() {
     let folder = folder();
     let output =
-        folder.good("compare ball.toml --methods whitted,phong,flat:fineness=2 --size 64x36 --runs 1 -o out");
-    assert_eq!(output.lines().count(), 2);
+        folder.good("compare ball.toml --methods whitted,phong,flat:fineness=2 --size 64x36 --runs 1");
+    assert_eq!(output.lines().count(), 3);
+    assert!(output.ends_with(&format!("report: {}\n", Path::new("compared").join("report.html").display())));
     assert!(output.contains("phong") && output.contains("flat:fineness=2"), "{output}");
     let names = ["1-whitted.png", "2-phong.png", "2-phong-difference.png", "3-flat-fineness-2-flip.png"];
     for name in names {
-        decode(&folder.read(format!("out/{name}"))).unwrap();
+        decode(&folder.read(format!("compared/{name}"))).unwrap();
     }
-    let value = metrics(&folder, "out");
+    let value = metrics(&folder, "compared");
     assert_eq!(value["truth"]["name"], "whitted");
     let flip = |index: usize| value["others"][index]["flip"].as_f64().unwrap();
     assert!(flip(0) < flip(1), "smooth normals are nearer than four faces: {value}");
-    let page = String::from_utf8(folder.read("out/report.html")).unwrap();
+    let page = String::from_utf8(folder.read("compared/report.html")).unwrap();
     assert!(page.contains("lang=\"en\"") && page.contains("flat:fineness=2"));
 }
 

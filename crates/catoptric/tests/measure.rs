@@ -17,7 +17,7 @@ fn a_sweep_writes_its_chapter() {
     let line =
         "measure ball.toml --vary generations=1,2,3,search --size 32x18 --rounds 2 -o out --language ru";
     let output = folder.good(line);
-    assert_eq!(output.lines().count(), 2, "{output}");
+    assert_eq!(output.lines().count(), 3, "{output}");
     let text = |name: &str| String::from_utf8(folder.read(format!("out/{name}"))).unwrap();
     assert_eq!(text("points.csv").lines().count(), 1 + 6);
     assert_eq!(text("runs.csv").lines().count(), 1 + 12);

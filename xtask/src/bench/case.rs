@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
-use catoptric_lab::cloud::cloud;
 use catoptric_files::write_bytes;
+use catoptric_lab::cloud::cloud;
 use catoptric_lab::cloud::cloud;
 use catoptric_scene::{Scene, load, save, write};
 

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::Outcome;
 use crate::arguments::CompareArguments;
-use crate::console::{print, say};
+use crate::console::print;
 use crate::input::{self, Named};
 use crate::output::{prepare_directory, write_file, write_text};
 use crate::progress::Progress;
@@ -51,8 +51,8 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
         Ok(compared)
     })?;
     if !arguments.quiet {
-        print(&summary(&compared))?;
-        say(&format!("the report is {}", arguments.output.join("report.html").display()));
+        let report = arguments.output.join("report.html");
+        print(&format!("{}report: {}\n", summary(&compared), report.display()))?;
     }
     Ok(Outcome::Done)
 }

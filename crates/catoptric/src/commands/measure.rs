@@ -58,8 +58,8 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
         write_file(&arguments.output.join(name), bytes)?;
     }
     if !arguments.quiet {
-        print(&format!("{}\n", study.laws.join("\n")))?;
-        say(&format!("the report is {}", arguments.output.join("report.md").display()));
+        let report = arguments.output.join("report.md");
+        print(&format!("{}\nreport: {}\n", study.laws.join("\n"), report.display()))?;
     }
     if measured.complete {
         return Ok(Outcome::Done);

@@ -9,6 +9,7 @@ use egui::{
 };
 use glam::DVec3;
 
+use super::dashes::dashed;
 use super::sight::Sight;
 use super::{labels, wire};
 use crate::audit::short;
@@ -106,9 +107,11 @@ impl Pen<'_> {
         let Some(normal) = (image - object).try_normalize() else { return };
         let middle = object.midpoint(image);
         let mirrored = |point: DVec3| point - 2.0 * (point - middle).dot(normal) * normal;
+        // What is far outside would make a shape of every dash up to there.
+        let near = self.sight.rect.expand(self.sight.rect.size().max_elem());
+        let shown = |point: DVec3| self.sight.point(mirrored(point)).filter(|at| near.contains(*at));
         for line in wire::outline(body, mirrored(self.sight.lens.position())) {
-            let points: Vec<Option<Pos2>> =
-                line.into_iter().map(|point| self.sight.point(mirrored(point))).collect();
+            let points: Vec<Option<Pos2>> = line.into_iter().map(shown).collect();
             for piece in points.split(Option::is_none) {
                 let piece: Vec<Pos2> = piece.iter().copied().flatten().collect();
                 let dark = Stroke::new(3.2, Color32::from_black_alpha(120));
@@ -123,7 +126,7 @@ impl Pen<'_> {
         let Some(ends) = self.sight.lens.segment(from, to) else { return };
         let ends = ends.map(|end| self.sight.pos(end));
         let color = EXACT.gamma_multiply(0.7);
-        self.painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, color), 3.0, 4.0));
+        dashed(self.painter, ends, Stroke::new(1.0, color), 3.0, 4.0);
     }
 
     /// Where the law puts a point.

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use catoptric_lab::audit::NodeKind;
 use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, Vec2, Visuals, vec2};
 
+use super::dashes::dashed;
 use super::handles::draw_camera;
 use super::labels;
 use super::sight::Sight;
@@ -181,7 +182,7 @@ impl Pen<'_> {
         let (width, color) = (self.width(piece.way), self.color(piece.way));
         if piece.is_hidden {
             let stroke = Stroke::new((0.7 * width).max(0.9), color.gamma_multiply(0.5));
-            self.painter.extend(Shape::dashed_line(&piece.ends, stroke, 4.0, 4.0));
+            dashed(self.painter, piece.ends, stroke, 4.0, 4.0);
             return;
         }
         self.painter.line_segment(piece.ends, Stroke::new(width, color));
