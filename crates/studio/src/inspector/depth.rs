@@ -127,7 +127,11 @@ fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMe
         ("loss", short(loss).into()),
         ("pixels", measure.pixels.into()),
     ];
-    let key = if measure.is_complete { "depth-measured" } else { "depth-measured-part" };
+    let key = match measure.is_complete {
+        true if loss == 0.0 => "depth-measured-all",
+        true => "depth-measured",
+        false => "depth-measured-part",
+    };
     note(ui, &texts.with(key, &arguments), texts.tip(key));
     let mut line = Line::default();
     let color = theme::palette(ui.visuals()).accent;

@@ -220,7 +220,7 @@ fn a_changed_coefficient_is_marked() {
     studio.editor_mut().change_environment(label, half).unwrap();
     studio.editor_mut().settle();
     audit.wait_for("another ambient term", |rows| {
-        rows.iter().any(|row| row.starts_with("Ambient:") && *row != before)
+        rows.iter().any(|row| row.starts_with("Ambient:") && *row != before && row.contains("; was "))
     });
 }
 
