@@ -6,8 +6,8 @@ use std::sync::Arc;
 use catoptric_lab::audit::{Node, NodeKind};
 use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, FontId, Id, Rect, Response, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2,
-    vec2,
+    Align, Align2, Color32, FontId, Id, Rect, Response, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo,
+    pos2, vec2,
 };
 use egui_material_icons::icons;
 use glam::DVec3;
@@ -68,7 +68,7 @@ pub(super) fn list_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<Found>) {
         if let Some(place) = wanted {
             let top = ui.max_rect().top() + ROW * (place as f32 - range.start as f32);
             let rect = Rect::from_min_size(pos2(ui.max_rect().left(), top), vec2(10.0, ROW));
-            ui.scroll_to_rect(rect, None);
+            ui.scroll_to_rect(rect, Some(Align::Center));
         }
         rows_ui(ui, cx, found, range);
     });
@@ -120,7 +120,7 @@ fn head_ui(ui: &mut Ui, cx: &Cx<'_>) {
     for (column, key) in columns.iter().zip(titles) {
         paint_line_in(ui, *column, cx.texts.get(key), font.clone(), palette.weak);
     }
-    let left = rect.with_max_x(columns.first().map_or(rect.right(), |column| column.left()));
+    let left = rect.with_max_x(columns.first().map_or(rect.right(), Rect::left));
     paint_line_in(ui, left.with_min_x(rect.left() + 22.0), cx.t("audit-column-ray"), font, palette.weak);
     ui.painter().hline(rect.x_range(), rect.bottom() - 0.5, Stroke::new(1.0, palette.line));
 }
@@ -180,7 +180,8 @@ fn ray_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found, place: usize, node: &Node
         response.clone().on_hover_text(format!("{name}\n{brings} {value}{}", was.unwrap_or_default()));
     }
     if response.clicked() {
-        cx.audit.select(place);
+        // It is in view already.
+        cx.audit.selected = Some(place);
     }
     if response.double_clicked() {
         toggle(cx, place);
