@@ -78,47 +78,33 @@ fn shots() -> Vec<Shot> {
             command: Some(Command::Shortcuts),
             ..shot("studio-shortcuts", "russian", "dark", "four-bodies")
         },
+        Shot { audit: Some(OUTSIDE), ..shot("studio-audit-en", "english", "dark", "whitted") },
+        Shot { audit: Some(OUTSIDE), ..shot("studio-audit-ru", "russian", "light", "whitted") },
+        Shot {
+            audit: Some(Look { frames: Some(10), ..OUTSIDE }),
+            ..shot("studio-slow-light", "english", "light", "whitted")
+        },
         Shot {
             command: Some(Command::Map(Some(MapKind::Generations))),
             ..shot("studio-map", "english", "dark", "mirror-box")
         },
         Shot {
-            command: Some(Command::Map(Some(MapKind::LimitLoss))),
-            ..shot("studio-map-loss", "russian", "light", "hall-of-mirrors")
+            command: Some(Command::ToggleExact),
+            body: Some(5),
+            ..shot("studio-exact-en", "english", "dark", "ring-of-images")
         },
         Shot {
             command: Some(Command::ToggleExact),
             body: Some(5),
-            ..shot("studio-exact", "english", "dark", "ring-of-images")
-        },
-        Shot {
-            command: Some(Command::ToggleExact),
-            body: Some(2),
-            ..shot("studio-exact-ball", "russian", "light", "whitted")
-        },
-        Shot {
-            command: Some(Command::ToggleExact),
-            body: Some(4),
-            ..shot("studio-exact-lens", "russian", "dark", "glass-row")
-        },
-        Shot {
-            audit: Some(Look { ray: Some(3), ..GLASS }),
-            ..shot("studio-audit", "english", "dark", "whitted")
-        },
-        Shot {
-            audit: Some(Look { turn: Some([[0.9, 0.6], [0.66, 0.78]]), ..GLASS }),
-            ..shot("studio-audit-outside", "russian", "light", "whitted")
-        },
-        Shot {
-            audit: Some(Look { turn: Some([[0.2, 0.6], [0.42, 0.75]]), frames: Some(9), ..GLASS }),
-            ..shot("studio-audit-light", "english", "light", "whitted")
+            ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
         },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
     ]
 }
 
-/// The glass ball in Whitted's scene.
-const GLASS: Look = Look { pixel: [0.42, 0.46], turn: None, frames: None, ray: None };
+/// The rays of a pixel of the glass ball in Whitted's scene from beside, the one through the ball chosen.
+const OUTSIDE: Look =
+    Look { pixel: [0.42, 0.46], turn: Some([[0.9, 0.6], [0.66, 0.78]]), frames: None, ray: Some(2) };
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
@@ -209,7 +195,7 @@ fn drag(harness: &mut Harness<'_, Studio>, places: &[Pos2]) {
 
 /// Pictures in documents are JPEG: a repository should stay small.
 fn write_jpeg(path: &Path, width: u32, height: u32, rgba: &[u8]) {
-    let mut encoder = jpeg_encoder::Encoder::new_file(path, 80).unwrap();
+    let mut encoder = jpeg_encoder::Encoder::new_file(path, 70).unwrap();
     encoder.set_optimized_huffman_tables(true);
     encoder.encode(rgba, width as u16, height as u16, jpeg_encoder::ColorType::Rgba).unwrap();
 }

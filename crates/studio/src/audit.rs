@@ -57,8 +57,8 @@ pub(crate) struct Auditing {
     /// The state of the document that was looked into last, and how it came about.
     seen: Option<Seen>,
     audits: Latest<(Seen, Pin), Result<Found, AuditError>>,
-    sights: Latest<(u64, Camera), Vec<Vec<Part>>>,
-    sight: Option<((u64, Camera), Vec<Vec<Part>>)>,
+    sights: Latest<SightKey, Vec<Vec<Part>>>,
+    sight: Option<(SightKey, Vec<Vec<Part>>)>,
     probes: Latest<Probe, Option<[f32; 3]>>,
     probed: Option<(Probe, [f32; 3])>,
     serial: u64,
@@ -74,6 +74,9 @@ pub(crate) struct Auditing {
     listing: listing::Listing,
     saving: saving::Saving,
 }
+
+/// The number of an audit, and the camera that looks at its rays.
+type SightKey = (u64, Camera);
 
 /// A state of the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

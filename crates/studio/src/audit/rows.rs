@@ -6,8 +6,8 @@ use std::sync::Arc;
 use catoptric_lab::audit::{Node, NodeKind};
 use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, FontId, Id, Rect, Response, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2,
-    vec2,
+    Align, Align2, Color32, FontId, Id, Rect, Response, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo,
+    pos2, vec2,
 };
 use egui_material_icons::icons;
 use glam::DVec3;
@@ -68,7 +68,7 @@ pub(super) fn list_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<Found>) {
         if let Some(place) = wanted {
             let top = ui.max_rect().top() + ROW * (place as f32 - range.start as f32);
             let rect = Rect::from_min_size(pos2(ui.max_rect().left(), top), vec2(10.0, ROW));
-            ui.scroll_to_rect(rect, None);
+            ui.scroll_to_rect(rect, Some(Align::Center));
         }
         rows_ui(ui, cx, found, range);
     });
@@ -120,7 +120,7 @@ fn head_ui(ui: &mut Ui, cx: &Cx<'_>) {
     for (column, key) in columns.iter().zip(titles) {
         paint_line_in(ui, *column, cx.texts.get(key), font.clone(), palette.weak);
     }
-    let left = rect.with_max_x(columns.first().map_or(rect.right(), |column| column.left()));
+    let left = rect.with_max_x(columns.first().map_or(rect.right(), Rect::left));
     paint_line_in(ui, left.with_min_x(rect.left() + 22.0), cx.t("audit-column-ray"), font, palette.weak);
     ui.painter().hline(rect.x_range(), rect.bottom() - 0.5, Stroke::new(1.0, palette.line));
 }
@@ -169,8 +169,19 @@ fn ray_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found, place: usize, node: &Node
     let text = Rect::from_min_max(pos2(left + 36.0, rect.top()), pos2(end, rect.bottom()));
     paint_line(ui, text, &name, palette.text);
     columns_ui(ui, texts, found, (place, node), columns);
+    if response.hovered() {
+        // In full what the columns have no room for.
+        let before = found.before.as_ref().and_then(|before| before.twin(place));
+        let was = before.filter(|(_, old)| old.brings != node.brings).map(|(_, old)| {
+            format!("; {}", texts.with("audit-was", &[("value", color_text(old.brings).into())]))
+        });
+        let brings = texts.get("audit-brings");
+        let value = color_text(node.brings);
+        response.clone().on_hover_text(format!("{name}\n{brings} {value}{}", was.unwrap_or_default()));
+    }
     if response.clicked() {
-        cx.audit.select(place);
+        // It is in view already.
+        cx.audit.selected = Some(place);
     }
     if response.double_clicked() {
         toggle(cx, place);
@@ -255,7 +266,11 @@ fn term_ui(ui: &mut Ui, cx: &Cx<'_>, term: &Term, old: Option<&Term>, (place, le
         ui.painter().rect_filled(mark, 1.5, palette.warning);
     }
     let line = set(ui, term, old.filter(|_| is_changed), cx, palette, rect.right() - left);
-    let plain = plain(term);
+    let mut plain = plain(term);
+    if let Some(old) = old.filter(|_| is_changed) {
+        plain.push_str("; ");
+        plain.push_str(&was(cx.texts, old));
+    }
     let response = ui.interact(rect, Id::unique(("audit term", place, plain.as_str())), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &plain));
     line.paint(ui, pos2(left, rect.center().y));
@@ -289,12 +304,17 @@ fn set(ui: &Ui, term: &Term, old: Option<&Term>, cx: &Cx<'_>, palette: &Palette,
         line.push(ui, &color_text(value), SIZE, palette.text);
     }
     if let Some(old) = old {
-        let was = old.value.map_or_else(|| old.numbers.clone(), color_text);
         line.space(10.0);
-        let words = cx.texts.with("audit-was", &[("value", was.into())]);
+        let words = was(cx.texts, old);
         line.push_words(ui, &words, 12.5, palette.warning, (room - line.width()).max(80.0));
     }
     line
+}
+
+/// What a term was before the last change.
+fn was(texts: &Texts, old: &Term) -> String {
+    let value = old.value.map_or_else(|| typeset::plain(&old.numbers), color_text);
+    texts.with("audit-was", &[("value", value.into())])
 }
 
 /// A term as plain text.

@@ -112,7 +112,7 @@ fn bound_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, bound: &DepthBound)
     let mut line = Line::default();
     let (now, next) = (generations, generations + 1);
     line.push(ui, &format!("k^{{{now}}} + k^{{{next}}} + … < 1/512"), SIZE, palette.accent);
-    advice_ui(ui, sheet, line, generations);
+    advice_ui(ui, sheet, &line, generations);
 }
 
 /// What tracing showed.
@@ -127,12 +127,16 @@ fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMe
         ("loss", short(loss).into()),
         ("pixels", measure.pixels.into()),
     ];
-    let key = if measure.is_complete { "depth-measured" } else { "depth-measured-part" };
+    let key = match measure.is_complete {
+        true if loss == 0.0 => "depth-measured-all",
+        true => "depth-measured",
+        false => "depth-measured-part",
+    };
     note(ui, &texts.with(key, &arguments), texts.tip(key));
     let mut line = Line::default();
     let color = theme::palette(ui.visuals()).accent;
     line.push_words(ui, &texts.with("depth-enough", &arguments), SIZE, color, ui.available_width() - 96.0);
-    advice_ui(ui, sheet, line, measure.generations);
+    advice_ui(ui, sheet, &line, measure.generations);
 }
 
 fn note(ui: &mut Ui, text: &str, tip: Option<&str>) -> Response {
@@ -142,7 +146,7 @@ fn note(ui: &mut Ui, text: &str, tip: Option<&str>) -> Response {
 }
 
 /// A line, and a button that sets the generations.
-fn advice_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, line: Line, generations: u32) {
+fn advice_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, line: &Line, generations: u32) {
     let text = sheet.texts().with("depth-set", &[("count", generations.into())]);
     let is_set = sheet.primary.generations == generations;
     let is_clicked = ui

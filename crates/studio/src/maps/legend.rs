@@ -16,7 +16,7 @@ const HEIGHT: f32 = 62.0;
 /// Room at its sides.
 const SIDE: f32 = 14.0;
 /// More steps than this are shown as an even scale.
-const MOST_STEPS: f32 = 12.0;
+const MOST_STEPS: f32 = 20.0;
 
 /// Draws the legend at the lower left corner of `rect`, with a mark at `value`; `progress` tells how far a finer map
 /// is, 0 to 1.
@@ -70,7 +70,8 @@ pub(super) fn legend_ui(
     let ticks = if has_steps { count - 1 } else { 4 };
     for tick in 0..=ticks {
         let value = end * tick as f32 / ticks as f32;
-        let text = number(texts, map.kind, if map.kind.is_share() { value } else { value.round() });
+        let value = if map.kind.is_share() { value } else { value.round() };
+        let text = number(texts, map.kind, value);
         painter.text(
             pos2(at(value), bar.bottom() + 11.0),
             Align2::CENTER_CENTER,

@@ -220,7 +220,7 @@ fn a_changed_coefficient_is_marked() {
     studio.editor_mut().change_environment(label, half).unwrap();
     studio.editor_mut().settle();
     audit.wait_for("another ambient term", |rows| {
-        rows.iter().any(|row| row.starts_with("Ambient:") && *row != before)
+        rows.iter().any(|row| row.starts_with("Ambient:") && *row != before && row.contains("; was "))
     });
 }
 
@@ -285,7 +285,7 @@ fn panes(count: usize) -> catoptric_scene::Scene {
     let pane = |place: usize| Body {
         shape: Shape::Cube { size: DVec3::new(40.0, 40.0, 0.1) },
         placement: Placement::at(-0.3 * place as f64 * DVec3::Z),
-        material: MaterialChoice::Inline(Box::new(glass.clone())),
+        material: MaterialChoice::Inline(Box::new(glass)),
         ..Body::default()
     };
     let mut scene = Scene { bodies: (0..count).map(pane).collect(), ..Scene::default() };

@@ -54,7 +54,7 @@ fn a_window_drawn_in_parts_looks_as_egui_draws_it() {
     let mut ours = studio(By::Software, other);
     type Step = fn(&mut Studio);
     let steps: [(&str, Step); 6] = [
-        ("the beginning", |_| {}),
+        ("the camera", |studio| studio.editor_mut().select(Item::Camera)),
         ("a body selected", |studio| studio.editor_mut().select(Item::Body(1))),
         ("another one", |studio| studio.editor_mut().select(Item::Body(3))),
         ("a dialog over it", |studio| studio.run(Command::Terms)),

@@ -18,16 +18,18 @@ map-incomplete = { $count ->
 }
 
 # How many generations are needed
-depth-cycle = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation
+depth-cycle = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation
     .tip = Of the light of a generation, the next has at most the share k. What the generations behind a limit could bring is a geometric series; less than 1/512 of white is not seen on a display of 8 bits.
-depth-endless = Before tracing: between { $bodies } no light is lost, k = { $factor }, so that no number of generations is enough for certain
+depth-endless = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation; light does not fade there, so that no number of generations is enough for certain
     .tip = The series of reflections has no bound. Tracing shows what this picture needs.
-depth-many = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation; more than 64 generations would be enough for certain
+depth-many = Before tracing: the strongest cycle of mirrors is { $bodies }, k = { $factor } a generation; more than 64 generations would be enough for certain
     .tip = The bound counts the brightest light between the strongest mirrors. Tracing shows what this picture needs.
 depth-no-mirrors = No body reflects or lets light through: 1 generation is enough
     .tip = Rays that go on start only at mirrors and transparent bodies.
 depth-under-way = How much this picture needs is found out when it is done.
 depth-measured = As traced: with { $limit } generations at most { $loss } of white is missing in a pixel
+    .tip = Pixels spread over this view were traced with 64 generations.
+depth-measured-all = As traced: with { $limit } generations nothing is missing
     .tip = Pixels spread over this view were traced with 64 generations.
 depth-measured-part = As traced: with { $limit } generations about { $loss } of white is missing in a pixel
     .tip = Pixels spread over this view were traced with 64 generations; some had more rays than were followed, so that more generations may be needed.

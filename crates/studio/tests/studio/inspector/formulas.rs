@@ -58,11 +58,14 @@ fn terms_explain_themselves() {
 #[test]
 fn a_surface_that_makes_light_is_told_of() {
     let mut window = with_body(Shape::SPHERE);
-    enter(&mut window, "k_d diffuse", "0.6");
+    // Of a gray of 0.8.
+    enter(&mut window, "k_d diffuse", "0.75");
     enter(&mut window, "k_r reflection", "0.4");
     assert!(window.query_by_label_contains("Sends out more light").is_none(), "just all of it");
     enter(&mut window, "k_t transmission", "0.3");
-    window.get_by_label("Sends out more light than it receives: 1.30");
+    window.get_by_label(
+        "Sends out more light than it receives: 0.6\u{a0}+\u{a0}0.4\u{a0}+\u{a0}0.3\u{a0}=\u{a0}1.3",
+    );
 }
 
 #[test]
