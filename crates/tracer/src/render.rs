@@ -156,7 +156,7 @@ pub fn render_pixel(
     let place = Place::around(pixel, size);
     let [x, y] = [pixel.x as usize - place.x, pixel.y as usize - place.y];
     let mut tracer = TileTracer::new(stage, camera, control);
-    let mut row = [[0.0; 3]; TILE];
+    let mut row = vec![[0.0; 3]; place.width];
     let mut sum = DVec3::ZERO;
     for sample in 0..samples.max(1) {
         let light = tracer.trace(place, size.as_dvec2(), sample).ok_or(RenderError::Cancelled)?;

@@ -4,6 +4,7 @@
 //! pictures leave between small things; `MALLOC_ARENA_MAX=1 MALLOC_MMAP_THRESHOLD_=65536` shows what is really in use.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use catoptric_editor::{Action, Item, Label};
@@ -100,6 +101,7 @@ impl Monkey {
     fn check(&self, seed: u64) {
         let studio = self.harness.state();
         let tail = || self.log[self.log.len().saturating_sub(12)..].join("\n");
+        assert!(!PANICKED.load(Ordering::Relaxed), "seed {seed}: a thread panicked\n{}", tail());
         if let Err(broken) = studio.editor().check_invariants() {
             panic!("seed {seed}, step {}: {broken}\n{}", self.log.len(), tail());
         }
@@ -361,10 +363,25 @@ fn memory() -> Option<u64> {
     Some(pages * 4096)
 }
 
+/// Whether a thread of the studio panicked, which the window survives.
+static PANICKED: AtomicBool = AtomicBool::new(false);
+
+fn watch_for_panics() {
+    let tell = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |info| {
+        // The threads of tests are named by their paths.
+        if !std::thread::current().name().is_some_and(|name| name.contains("::")) {
+            PANICKED.store(true, Ordering::Relaxed);
+        }
+        tell(info);
+    }));
+}
+
 #[test]
 fn a_monkey_finds_nothing_to_break() {
     let steps = from_environment("CATOPTRIC_MONKEY_STEPS", STEPS);
     let seed = from_environment("CATOPTRIC_MONKEY_SEED", 1);
+    watch_for_panics();
     let mut monkey = Monkey::new(seed);
     let mut at_rest = Vec::new();
     for step in 0..steps {

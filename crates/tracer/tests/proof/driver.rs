@@ -4,9 +4,9 @@ use std::time::{Duration, Instant};
 
 use catoptric_scene::{Color, Material, Shape};
 use catoptric_tracer::{
-    Control, RenderError, RenderSettings, Rendering, Stage, StageError, render, sample_offset,
+    Control, RenderError, RenderSettings, Rendering, Stage, StageError, render, render_pixel, sample_offset,
 };
-use glam::{DVec2, DVec3, Vec3A};
+use glam::{DVec2, DVec3, UVec2, Vec3A};
 use rayon::ThreadPoolBuilder;
 
 use crate::common::{ball, endless, glass, placed, scene, stage, v};
@@ -124,6 +124,25 @@ fn samples_are_averaged_over_the_pixel() {
     let none = on_threads(1, &stage, RenderSettings { samples: 0, ..settings }).picture;
     let one = on_threads(1, &stage, RenderSettings { samples: 1, ..settings }).picture;
     assert!(none == one);
+}
+
+#[test]
+fn every_pixel_by_itself_is_that_of_the_picture() {
+    // The last tiles are narrower and lower than others.
+    let settings = RenderSettings { width: 45, height: 41, samples: 2 };
+    let stage = stage(&gallery());
+    let control = Control::default();
+    let whole = render(&stage, settings, &control).unwrap().picture;
+    for (y, row) in whole.pixels().chunks(45).enumerate() {
+        for (x, light) in row.iter().enumerate() {
+            let pixel = UVec2::new(x as u32, y as u32);
+            let alone = render_pixel(&stage, stage.camera(), settings, pixel, &control).unwrap();
+            assert_eq!(alone, Some(*light), "{pixel}");
+        }
+    }
+    for pixel in [UVec2::new(45, 0), UVec2::new(0, 41)] {
+        assert_eq!(render_pixel(&stage, stage.camera(), settings, pixel, &control).unwrap(), None);
+    }
 }
 
 #[test]
