@@ -29,6 +29,22 @@ impl<K, T> Default for Latest<K, T> {
     }
 }
 
+impl<K, T> Latest<K, T> {
+    /// Lets go of what is under way.
+    pub(crate) fn cancel(&mut self) {
+        if let Some(running) = self.running.take() {
+            running.control.cancel();
+        }
+    }
+}
+
+/// Nobody is left to wait for it.
+impl<K, T> Drop for Latest<K, T> {
+    fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
 impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
     /// Has `work` done for `key`, unless this or something else is under way; to be asked again in every frame.
     pub(crate) fn want(
@@ -46,7 +62,7 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
                 let control = Arc::new(Control::default());
                 let own = Arc::clone(&control);
                 // Without a thread there is no result; the next frame tries again.
-                self.running = Job::start(context, "audit", move || work(&own)).ok().map(|job| Running {
+                self.running = Job::start(context, "lab", move || work(&own)).ok().map(|job| Running {
                     key: key.clone(),
                     control,
                     job,
@@ -68,12 +84,5 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
     /// How many pixels are done of what is under way.
     pub(crate) fn pixels_done(&self) -> Option<u64> {
         self.running.as_ref().map(|running| running.control.pixels_done())
-    }
-
-    /// Lets go of what is under way.
-    pub(crate) fn cancel(&mut self) {
-        if let Some(running) = self.running.take() {
-            running.control.cancel();
-        }
     }
 }

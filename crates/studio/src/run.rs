@@ -66,12 +66,8 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             context.memory_mut(egui::Memory::stop_text_input);
         }
         Command::Tool(tool) => (studio.view.tool, studio.view.is_auditing) = (tool, false),
-        Command::Audit(act) => crate::audit::run(context, studio, act),
-        Command::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
-        Command::Map(kind) => studio.maps.kind = kind,
-        Command::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
-        Command::ToggleGrid => studio.settings.shows_grid = !studio.settings.shows_grid,
-        Command::ToggleHandles => studio.settings.shows_handles = !studio.settings.shows_handles,
+        Command::Audit(_) | Command::Map(_) | Command::ToggleExact => experiment(context, studio, &command),
+        Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
         Command::TogglePane(pane) => {
             let is_in_front = layout::is_in_front(&studio.layout, pane);
             layout::set_visible(&mut studio.layout, pane, !is_in_front);
@@ -95,6 +91,27 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::Examples | Command::Render => crate::dialogs::run(context, studio, &command),
         Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
     }
+}
+
+/// Looks into the picture with the laboratory.
+fn experiment(context: &Context, studio: &mut Studio, command: &Command) {
+    match *command {
+        Command::Audit(act) => crate::audit::run(context, studio, act),
+        Command::Map(kind) => studio.maps.kind = kind,
+        Command::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
+        _ => {}
+    }
+}
+
+/// Shows or hides what lies over the picture.
+fn switch(studio: &mut Studio, command: &Command) {
+    let is_on = match command {
+        Command::ToggleGizmoSpace => &mut studio.view.is_gizmo_local,
+        Command::ToggleGrid => &mut studio.settings.shows_grid,
+        Command::ToggleHandles => &mut studio.settings.shows_handles,
+        _ => return,
+    };
+    *is_on = !*is_on;
 }
 
 /// Begins to type another name for the primary thing, in the outliner.

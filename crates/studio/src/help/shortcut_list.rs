@@ -10,7 +10,7 @@ use crate::widgets::key_caps;
 
 /// What the mouse and the keys do in the picture: the message with what is done by hand, and the one with what
 /// happens.
-const GESTURES: [(&str, &str); 15] = [
+const GESTURES: [(&str, &str); 17] = [
     ("gesture-click", "gesture-click-does"),
     ("gesture-click-again", "gesture-click-again-does"),
     ("gesture-shift-click", "gesture-shift-click-does"),
@@ -26,6 +26,8 @@ const GESTURES: [(&str, &str); 15] = [
     ("gesture-shift-arrows", "gesture-shift-arrows-does"),
     ("gesture-escape", "gesture-escape-does"),
     ("gesture-fly", "gesture-fly-does"),
+    ("gesture-audit", "gesture-audit-does"),
+    ("gesture-audit-shift", "gesture-audit-shift-does"),
 ];
 
 /// Draws the list.

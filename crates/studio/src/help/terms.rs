@@ -18,7 +18,7 @@ const fn term(sign: &'static str, index: &'static str, key: &'static str) -> Ter
 }
 
 /// The terms, from the surface over the light to the rays.
-const TERMS: [Term; 18] = [
+const TERMS: [Term; 21] = [
     term("C", "", "glossary-color"),
     term("k", "a", "glossary-ambient"),
     term("k", "d", "glossary-diffuse"),
@@ -37,6 +37,9 @@ const TERMS: [Term; 18] = [
     term("w", "", "glossary-threshold"),
     term("", "", "glossary-total-reflection"),
     term("", "", "glossary-shadow"),
+    term("", "", "glossary-weight"),
+    term("", "", "glossary-optical-path"),
+    term("", "", "glossary-virtual-image"),
 ];
 
 /// Draws the terms.

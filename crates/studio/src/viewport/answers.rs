@@ -89,7 +89,9 @@ impl Pen<'_> {
                 let font = egui::FontId::proportional(12.0);
                 let at = at + vec2(0.0, -7.0);
                 let number = image.reflections.to_string();
-                self.painter.text(at, Align2::CENTER_BOTTOM, number, font, EXACT);
+                let shadow = at + vec2(1.0, 1.0);
+                self.painter.text(shadow, Align2::CENTER_BOTTOM, &number, font.clone(), Color32::BLACK);
+                self.painter.text(at, Align2::CENTER_BOTTOM, number, font, Color32::WHITE);
             }
         }
         // The last ones lie farthest away, where there is room.

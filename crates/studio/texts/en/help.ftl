@@ -29,6 +29,10 @@ gesture-escape = Esc
 gesture-escape-does = Gives a drag up; ends the flight
 gesture-fly = W A S D, Q E
 gesture-fly-does = In flight: forward, left, back, right; down, up
+gesture-audit = Click with the audit tool
+gesture-audit-does = Pins the pixel, or chooses a ray that is drawn there
+gesture-audit-shift = Shift + click with the audit tool
+gesture-audit-shift-does = Pins the pixel, also under a ray
 
 # The terms of optics.
 glossary-color = Color
@@ -67,6 +71,12 @@ glossary-total-reflection = Total internal reflection
     .tip = Inside a denser medium, a ray that meets the surface at too shallow an angle cannot leave and is reflected whole.
 glossary-shadow = Shadow
     .tip = A point is in shadow when the straight way to the light is blocked; a transparent body only weakens and tints the light.
+glossary-weight = Weight of a ray
+    .tip = The product of the coefficients on its way from the eye: the share of its light that reaches the pixel.
+glossary-optical-path = Optical path
+    .tip = The length of a way times the index of refraction: light needs as long for it as for that length in air. Slow light runs by it.
+glossary-virtual-image = Virtual image
+    .tip = Where mirrored rays seem to come from: as far behind a plane mirror as the body is before it.
 
 # About.
 about-version = Version { $version }
