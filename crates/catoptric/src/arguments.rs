@@ -6,8 +6,8 @@ use std::num::IntErrorKind;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use catoptric_lab::maps::MapKind;
 use catoptric_lab::Variant;
+use catoptric_lab::maps::MapKind;
 use catoptric_lab::measure::Plan;
 use catoptric_lab::report::Language;
 use catoptric_picture::{Picture, ToneCurve};

@@ -1,7 +1,7 @@
 //! The studio: its state, and what happens in one frame.
 
 use catoptric_editor::Editor;
-use catoptric_live::{Live, Request};
+use catoptric_live::{Live, Request, Shows};
 use catoptric_scene::{Camera, Scene};
 use egui::{CentralPanel, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
@@ -218,12 +218,22 @@ impl Studio {
         picture_frame::fitted(&camera, self.panes.viewport.aspect(), self.settings.picture_aspect())
     }
 
+    /// What of the drawing is asked for: of cube maps, that of the selected body.
+    pub(crate) fn shown(&self) -> Shows {
+        match self.view.shows {
+            Shows::UnfoldedCube(_) => Shows::UnfoldedCube(self.editor.selection().bodies().next()),
+            shows => shows,
+        }
+    }
+
     /// Tells the tracer what to show; it finds out what has changed.
     fn request_picture(&mut self) {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
         request.camera = self.shown_camera();
+        request.method = self.settings.methods.method();
+        request.shows = self.shown();
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;

@@ -7,7 +7,9 @@ use std::path::PathBuf;
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_live::Shows;
 use catoptric_scene::ShapeKind;
+use catoptric_tracer::method::MethodKind;
 use egui::KeyboardShortcut;
 use egui_material_icons::MaterialIcon;
 
@@ -36,6 +38,8 @@ pub enum Command {
     SaveAs,
     /// Make a picture file.
     Render,
+    /// Make a picture of what the viewport shows, to be saved.
+    RenderShown,
     /// Copy the picture of the viewport to the clipboard.
     CopyPicture,
     /// Close the window.
@@ -70,6 +74,10 @@ pub enum Command {
     CameraFromView,
     /// Fly with the keys.
     ToggleFly,
+    /// Choose how the picture is drawn.
+    Method(MethodKind),
+    /// Choose what of the drawing is seen.
+    Show(Shows),
     /// Choose what the gizmo does.
     Tool(Tool),
     /// Gizmo along the world's axes or the body's own.

@@ -3,6 +3,7 @@
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
 use catoptric_scene::{Example, ShapeKind};
+use catoptric_tracer::method::MethodKind;
 use egui::containers::menu::{MenuBar, MenuButton, MenuConfig, SubMenuButton};
 use egui::{Align, Button, Layout, ScrollArea, Style, TextWrapMode, Ui, vec2};
 use egui_material_icons::{MaterialIcon, icons};
@@ -15,7 +16,7 @@ use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
 use crate::widgets::icon_button;
-use crate::{shortcuts, theme};
+use crate::{methods, shortcuts, theme};
 
 /// What the bar needs to show all menus beside each other, points; below it they are folded into one.
 const FULL_WIDTH: f32 = 460.0;
@@ -171,7 +172,7 @@ fn file() -> Vec<Entry> {
     entries.push(Entry::Line);
     entries.extend(commands_of([Command::Save, Command::SaveAs, Command::Revert]));
     entries.push(Entry::Line);
-    entries.extend(commands_of([Command::Render, Command::CopyPicture]));
+    entries.extend(commands_of([Command::Render, Command::RenderShown, Command::CopyPicture]));
     entries.push(Entry::Line);
     entries.push(Entry::Do(Command::Quit));
     entries
@@ -207,6 +208,9 @@ fn view() -> Vec<Entry> {
     entries.push(Entry::Sub("menu-sides", icons::ICON_VIEW_IN_AR, sides_ui));
     entries.extend(commands_of([Command::ToggleProjection, Command::ToggleFreeView]));
     entries.extend(commands_of([Command::CameraFromView, Command::ToggleFly]));
+    entries.push(Entry::Line);
+    entries.push(Entry::Sub("menu-method", icons::ICON_FLARE, methods_ui));
+    entries.push(Entry::Sub("menu-shown", icons::ICON_LAYERS, shown_ui));
     entries.push(Entry::Line);
     entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool)));
     entries.extend(commands_of([Command::ToggleGizmoSpace, Command::ToggleGrid, Command::ToggleHandles]));
@@ -249,6 +253,14 @@ fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 
 fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     do_ui(ui, studio, commands, Axis::ALL.map(Command::LookAlong));
+}
+
+fn methods_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, MethodKind::ALL.map(Command::Method));
+}
+
+fn shown_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, methods::ALL_SHOWN.map(Command::Show));
 }
 
 fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {

@@ -11,7 +11,7 @@ use crate::layout::Pane;
 use crate::outliner::shape_name;
 use crate::palette::Palette;
 use crate::texts::Texts;
-use crate::{documents, inspector, layout, theme, viewport};
+use crate::{documents, inspector, layout, methods, theme, viewport};
 
 /// Does `command`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
@@ -65,6 +65,12 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             // The keys of flight must not choose rows of a list.
             context.memory_mut(egui::Memory::stop_text_input);
         }
+        Command::Method(kind) => studio.settings.methods.choose(kind),
+        Command::Show(shows) => {
+            if methods::has(&studio.settings.methods.method(), shows) {
+                studio.view.shows = shows;
+            }
+        }
         Command::Tool(tool) => studio.view.tool = tool,
         Command::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
         Command::ToggleGrid => studio.settings.shows_grid = !studio.settings.shows_grid,
@@ -90,6 +96,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
         Command::Examples | Command::Render => crate::dialogs::run(context, studio, &command),
+        Command::RenderShown => crate::pictures::start_shown(studio),
         Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
     }
 }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::layout::Pane;
+use crate::methods::Methods;
 use crate::pictures::RenderChoices;
 use crate::texts::Language;
 
@@ -32,6 +33,8 @@ pub struct Settings {
     pub shows_grid: bool,
     /// Whether lights and the axes are drawn over the picture.
     pub shows_handles: bool,
+    /// How the picture is drawn.
+    pub methods: Methods,
     /// Samples per pixel up to which the idle picture is refined.
     pub viewport_samples: u32,
     /// Size of everything in the window, 1 being normal.
@@ -77,6 +80,7 @@ impl Default for Settings {
             is_hint_dismissed: false,
             shows_grid: true,
             shows_handles: true,
+            methods: Methods::default(),
             viewport_samples: 16,
             zoom: 1.0,
             window_size: None,

@@ -29,6 +29,7 @@ macro_rules! catalogues {
             ("outliner", include_str!(concat!("../texts/", $folder, "/outliner.ftl"))),
             ("document", include_str!(concat!("../texts/", $folder, "/document.ftl"))),
             ("edits", include_str!(concat!("../texts/", $folder, "/edits.ftl"))),
+            ("method", include_str!(concat!("../texts/", $folder, "/method.ftl"))),
             ("render", include_str!(concat!("../texts/", $folder, "/render.ftl"))),
             ("help", include_str!(concat!("../texts/", $folder, "/help.ftl"))),
         ]

@@ -1,5 +1,6 @@
 //! How the document is looked at: what is neither part of the scene nor remembered.
 
+use catoptric_live::Shows;
 use catoptric_picture::Development;
 use catoptric_scene::Camera;
 
@@ -18,6 +19,8 @@ pub(crate) struct View {
     pub(crate) eased: Option<Camera>,
     /// Whether the keys fly the camera.
     pub(crate) is_flying: bool,
+    /// What of the drawing is seen.
+    pub(crate) shows: Shows,
     /// Exposure and tone curve of the viewport.
     pub(crate) development: Development,
     /// The body under the pointer, in the picture or in the outliner.

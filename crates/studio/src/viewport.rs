@@ -100,6 +100,14 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
     let sight = Sight::new(cx, rect, camera);
+    if frame.as_deref().is_some_and(picture::is_apart) {
+        // Nothing can be picked in it, and nothing belongs over it.
+        viewport.hands = Hands::default();
+        viewport.travel.settle(ui, cx);
+        tell(ui, cx, &response);
+        toolbar::toolbar_ui(ui, cx, rect);
+        return;
+    }
     act(ui, cx, viewport, (&sight, &response));
     if cx.view.free_camera.is_none() {
         picture_frame::paint(&painter, rect, cx.settings.picture_aspect());

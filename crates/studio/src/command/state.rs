@@ -9,6 +9,7 @@ use crate::app::Studio;
 use crate::context::Cx;
 use crate::history::step_name;
 use crate::layout::{self, Pane};
+use crate::methods;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;
@@ -67,7 +68,8 @@ impl Situation<'_> {
                 matches!(selection.primary(), Some(Item::Body(_) | Item::Light(_) | Item::Material(_)))
             }
             Command::Revert => self.editor.path().is_some(),
-            Command::CopyPicture => self.live.latest().is_some(),
+            Command::Show(shows) => methods::has(&self.settings.methods.method(), *shows),
+            Command::RenderShown | Command::CopyPicture => self.live.latest().is_some(),
             Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
             Command::FrameAll => !self.editor.scene().bodies.is_empty(),
             Command::CameraFromView => self.view.free_camera.is_some(),
@@ -87,6 +89,8 @@ impl Situation<'_> {
                 let camera = self.view.camera(self.editor.scene());
                 matches!(camera.projection, catoptric_scene::Projection::Parallel { .. })
             }
+            Command::Method(kind) => self.settings.methods.kind() == *kind,
+            Command::Show(shows) => self.view.shows == *shows,
             Command::Tool(tool) => self.view.tool == *tool,
             Command::Theme(theme) => self.settings.theme == *theme,
             Command::Language(language) => self.settings.language == *language,
@@ -117,6 +121,6 @@ impl Situation<'_> {
 impl Command {
     /// Whether it chooses one of several, of which one is always chosen.
     pub(crate) fn is_choice(&self) -> bool {
-        matches!(self, Self::Tool(_) | Self::Theme(_) | Self::Language(_))
+        matches!(self, Self::Tool(_) | Self::Method(_) | Self::Show(_) | Self::Theme(_) | Self::Language(_))
     }
 }

@@ -2,7 +2,9 @@
 
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
+use catoptric_live::Shows;
 use catoptric_scene::ShapeKind;
+use catoptric_tracer::method::{Layer, MethodKind};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
 
@@ -69,6 +71,7 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::SaveAs => "command-save-as", ICON_SAVE_AS, ctrl_shift(Key::S);
         Command::Revert => "command-revert", ICON_SETTINGS_BACKUP_RESTORE;
         Command::Render => "command-render", ICON_PHOTO_CAMERA, ctrl(Key::R), plain(Key::F12);
+        Command::RenderShown => "command-render-shown", ICON_SAVE_AS;
         Command::CopyPicture => "command-copy-picture", ICON_IMAGE, ctrl_shift(Key::C);
         Command::Quit => "command-quit", ICON_LOGOUT, ctrl(Key::Q);
     }
@@ -122,6 +125,21 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::ToggleFreeView => "command-toggle-free-view", ICON_360, plain(Key::Num0);
         Command::CameraFromView => "command-camera-from-view", ICON_VIDEOCAM, ctrl_alt(Key::Num0);
         Command::ToggleFly => "command-toggle-fly", ICON_FLIGHT, shift(Key::F);
+        Command::Method(MethodKind::Whitted) => "command-method-whitted", ICON_FLARE, alt(Key::Num1);
+        Command::Method(MethodKind::Ssr) => "command-method-ssr", ICON_SCREENSHOT_MONITOR, alt(Key::Num2);
+        Command::Method(MethodKind::CubeMap) => "command-method-cube-map", ICON_DEPLOYED_CODE, alt(Key::Num3);
+        Command::Method(MethodKind::Phong) => "command-method-phong", ICON_BLUR_LINEAR, alt(Key::Num4);
+        Command::Method(MethodKind::Gouraud) => "command-method-gouraud", ICON_GRADIENT, alt(Key::Num5);
+        Command::Method(MethodKind::Flat) => "command-method-flat", ICON_CATEGORY, alt(Key::Num6);
+        Command::Show(Shows::Picture) => "command-show-picture", ICON_LAYERS, alt(Key::Num0);
+        Command::Show(Shows::Layer(Layer::Depth)) => "command-show-depth", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Normal)) => "command-show-normal", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Body)) => "command-show-body", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Color)) => "command-show-color", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Coefficients)) => "command-show-coefficients", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Lit)) => "command-show-lit", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Reflected)) => "command-show-reflected", ICON_LAYERS;
+        Command::Show(Shows::UnfoldedCube(None)) => "command-show-unfolded", ICON_LAYERS;
     }
     Tool: {
         Command::Tool(Tool::Move) => "command-tool-move", ICON_OPEN_WITH, plain(Key::W);
@@ -187,6 +205,8 @@ mod tests {
         expected.extend(Language::ALL.into_iter().map(Command::Language));
         expected.extend([Theme::Dark, Theme::Light, Theme::System].map(Command::Theme));
         expected.extend([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool));
+        expected.extend(MethodKind::ALL.map(Command::Method));
+        expected.extend(crate::methods::ALL_SHOWN.map(Command::Show));
         expected.extend([Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));
         for command in expected {
             assert!(all.contains(&&command), "{command:?}");

@@ -97,6 +97,7 @@ pub(crate) fn job_error(texts: &Texts, error: &JobError) -> String {
     match error {
         JobError::Size(error) => size_error(texts, error),
         JobError::Stage(error) => texts.with("render-error-scene", &[("reason", error.to_string().into())]),
+        JobError::Method(reason) => texts.with("render-error-method", &[("reason", reason.as_str().into())]),
         JobError::Cancelled => texts.get("render-cancelled").to_owned(),
         JobError::Fault(reason) => fault(texts, reason),
     }

@@ -82,7 +82,10 @@ impl<'a> Probe<'a> {
         }
         self.counts.primary += 1;
         let rays = ray.alone();
-        found_in(&Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything).nearest(&mut self.parts))
+        found_in(
+            &Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
+                .nearest(&mut self.parts),
+        )
     }
 
     /// The local terms at a point.
@@ -122,7 +125,8 @@ impl<'a> Probe<'a> {
     fn transmittance(&mut self, at: &Point, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
         self.counts.shadow += 1;
         let rays: Rays<One> = Rays { origin: at.position, direction: to_light, start: at.start.word() };
-        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything).transmittance(distance, &mut self.parts)
+        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
+            .transmittance(distance, &mut self.parts)
     }
 }
 
