@@ -43,9 +43,9 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Whether the picture has the view's full resolution.
+    /// Whether the picture has the view's full resolution, or one of its own.
     pub fn is_full(&self) -> bool {
-        self.view_size == self.picture_size
+        self.view_size == self.picture_size || matches!(self.shows, Shows::UnfoldedCube(_))
     }
 }
 

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_editor::Item;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
-use catoptric_studio::{Command, Start, Studio};
+use catoptric_studio::{Command, MeasureAct, Pane, Start, Studio};
 use egui_kittest::Harness;
 
 /// A system without files but for the settings.
@@ -38,12 +38,13 @@ struct Shot {
     scene: &'static str,
     /// The body to select.
     body: Option<usize>,
-    command: Option<Command>,
+    /// What is done one after the other.
+    commands: Vec<Command>,
     hint: bool,
 }
 
 const fn shot(name: &'static str, language: &'static str, theme: &'static str, scene: &'static str) -> Shot {
-    Shot { name, language, theme, scene, body: None, command: None, hint: false }
+    Shot { name, language, theme, scene, body: None, commands: Vec::new(), hint: false }
 }
 
 fn shots() -> Vec<Shot> {
@@ -53,14 +54,22 @@ fn shots() -> Vec<Shot> {
         Shot { body: Some(1), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
         Shot { body: Some(1), ..shot("studio-ru-light", "russian", "light", "whitted") },
         Shot {
-            command: Some(Command::Examples),
+            commands: vec![Command::Examples],
             ..shot("studio-examples", "english", "dark", "four-bodies")
         },
-        Shot { command: Some(Command::Render), ..shot("studio-render", "russian", "light", "still-life") },
-        Shot { command: Some(Command::Palette), ..shot("studio-palette", "english", "light", "glass-row") },
+        Shot { commands: vec![Command::Render], ..shot("studio-render", "russian", "light", "still-life") },
+        Shot { commands: vec![Command::Palette], ..shot("studio-palette", "english", "light", "glass-row") },
         Shot {
-            command: Some(Command::Shortcuts),
+            commands: vec![Command::Shortcuts],
             ..shot("studio-shortcuts", "russian", "dark", "four-bodies")
+        },
+        Shot {
+            commands: vec![Command::TogglePane(Pane::Compare)],
+            ..shot("studio-compare", "english", "dark", "four-bodies")
+        },
+        Shot {
+            commands: vec![Command::TogglePane(Pane::Measure), Command::Measure(MeasureAct::Start)],
+            ..shot("studio-measure", "english", "light", "four-bodies")
         },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
     ]
@@ -99,10 +108,13 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
     if let Some(body) = shot.body {
         harness.state_mut().editor_mut().select(Item::Body(body));
     }
-    if let Some(command) = &shot.command {
+    for command in &shot.commands {
         harness.state_mut().run(command.clone());
+        harness.step();
+        harness.step();
     }
-    wait(&mut harness, Duration::from_secs(if shot.command == Some(Command::Examples) { 40 } else { 2 }));
+    let has_thumbnails = shot.commands.contains(&Command::Examples);
+    wait(&mut harness, Duration::from_secs(if has_thumbnails { 40 } else { 2 }));
     let image = harness.render().unwrap();
     write_jpeg(&folder.join(format!("{}.jpg", shot.name)), image.width(), image.height(), image.as_raw());
     println!("{}", shot.name);
@@ -120,7 +132,7 @@ fn wait(harness: &mut Harness<'_, Studio>, least: Duration) {
     let start = Instant::now();
     loop {
         harness.step();
-        let is_refined = harness.state().live().status().is_idle;
+        let is_refined = harness.state().live().status().is_idle && !harness.state().is_measuring();
         if (is_refined && start.elapsed() > least) || start.elapsed() > Duration::from_secs(120) {
             return;
         }

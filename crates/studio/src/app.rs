@@ -24,7 +24,7 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::view::View;
 use crate::window::Interruption;
-use crate::{documents, menu, picture_frame, shortcuts, status_bar};
+use crate::{compare, documents, measure, menu, picture_frame, shortcuts, status_bar};
 
 /// The whole window.
 pub struct Studio {
@@ -152,6 +152,16 @@ impl Studio {
         self.pictures.is_rendering()
     }
 
+    /// Whether times are being measured.
+    pub fn is_measuring(&self) -> bool {
+        self.panes.measure.is_running()
+    }
+
+    /// Whether there is a finished comparison of what was chosen last.
+    pub fn is_compared(&self) -> bool {
+        self.panes.compare.is_found() && !self.panes.compare.is_running()
+    }
+
     /// Where the picture is in the window, points, once it has been drawn.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()
@@ -185,6 +195,9 @@ impl Studio {
             ui.ctx().request_repaint();
         }
         documents::keep(ui.ctx(), self);
+        compare::keep_up(ui.ctx(), self);
+        compare::poll_saving(ui.ctx(), self);
+        measure::keep_up(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();
     }
@@ -240,7 +253,11 @@ impl Studio {
         request.outline = self.editor.selection().bodies().collect();
         request.hover = self.view.hovered_body;
         request.grid = self.settings.shows_grid.then(catoptric_live::GridSpec::default);
-        request.paused = self.view.is_rendering;
+        request.paused = self.view.is_rendering || self.panes.compare.is_running();
+        if self.view.is_measuring {
+            // Nothing else is to be traced meanwhile.
+            request.size = [0, 0];
+        }
         self.live.request(request);
     }
 

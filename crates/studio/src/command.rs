@@ -82,6 +82,10 @@ pub enum Command {
     Tool(Tool),
     /// Gizmo along the world's axes or the body's own.
     ToggleGizmoSpace,
+    /// Compare pictures.
+    Compare(CompareAct),
+    /// Measure times.
+    Measure(MeasureAct),
     /// Ground grid and axes.
     ToggleGrid,
     /// Lights and gizmo over the picture.
@@ -120,6 +124,30 @@ pub enum Tool {
     Scale,
 }
 
+/// An act of the comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CompareAct {
+    /// Exchanges the two pictures.
+    Swap,
+    /// Asks for a picture file as the first picture.
+    FileA,
+    /// Asks for a picture file as the second picture.
+    FileB,
+    /// Saves the report.
+    Save,
+}
+
+/// An act of the measurement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MeasureAct {
+    /// Begins to measure.
+    Start,
+    /// Ends it; what was measured stays.
+    Stop,
+    /// Saves report, plots and tables.
+    Save,
+}
+
 /// A step of the window's magnification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Zoom {
@@ -146,6 +174,8 @@ pub enum Group {
     View,
     /// What the pointer does in the picture.
     Tool,
+    /// Experiments: looking into what is seen.
+    Lab,
     /// Panels, theme, language.
     Window,
     /// Explanations.
@@ -154,8 +184,17 @@ pub enum Group {
 
 impl Group {
     /// All groups, in the order in which to show them.
-    pub const ALL: [Self; 8] =
-        [Self::File, Self::Edit, Self::Select, Self::Add, Self::View, Self::Tool, Self::Window, Self::Help];
+    pub const ALL: [Self; 9] = [
+        Self::File,
+        Self::Edit,
+        Self::Select,
+        Self::Add,
+        Self::View,
+        Self::Tool,
+        Self::Lab,
+        Self::Window,
+        Self::Help,
+    ];
 
     /// The message that names the group.
     pub const fn key(self) -> &'static str {
@@ -166,6 +205,7 @@ impl Group {
             Self::Add => "group-add",
             Self::View => "group-view",
             Self::Tool => "group-tool",
+            Self::Lab => "group-lab",
             Self::Window => "group-window",
             Self::Help => "group-help",
         }

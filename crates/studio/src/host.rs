@@ -20,6 +20,10 @@ pub enum FileKind {
     Scene,
     /// A picture: `.png` or `.exr`.
     Picture,
+    /// A page: `.html`.
+    Page,
+    /// A folder to be made, for several files.
+    Folder,
 }
 
 impl FileKind {
@@ -28,6 +32,8 @@ impl FileKind {
         match self {
             Self::Scene => &["toml"],
             Self::Picture => &["png", "exr"],
+            Self::Page => &["html"],
+            Self::Folder => &[],
         }
     }
 }
@@ -165,7 +171,9 @@ fn native_dialog(question: &FileQuestion) -> Dialog {
     let mut dialog = rfd::AsyncFileDialog::new().set_title(&question.title);
     let extensions = question.kind.extensions();
     let names: Vec<String> = extensions.iter().map(|extension| format!("*.{extension}")).collect();
-    dialog = dialog.add_filter(names.join(", "), extensions);
+    if !extensions.is_empty() {
+        dialog = dialog.add_filter(names.join(", "), extensions);
+    }
     if !question.is_saving {
         dialog = dialog.add_filter("*", &["*"]);
     }

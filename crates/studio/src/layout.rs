@@ -17,12 +17,26 @@ pub enum Pane {
     History,
     /// What is wrong in the file.
     Problems,
+    /// Two pictures and how they differ.
+    Compare,
+    /// How long pictures take.
+    Measure,
 }
 
 impl Pane {
     /// All panels.
-    pub const ALL: [Self; 5] =
-        [Self::Viewport, Self::Outliner, Self::Inspector, Self::History, Self::Problems];
+    pub const ALL: [Self; 7] = [
+        Self::Viewport,
+        Self::Outliner,
+        Self::Inspector,
+        Self::History,
+        Self::Problems,
+        Self::Compare,
+        Self::Measure,
+    ];
+
+    /// The panels of the lab, which older layouts lack; they are put into the drawer when they are asked for.
+    const LAB: [Self; 2] = [Self::Compare, Self::Measure];
 
     /// The message that names the panel.
     pub const fn key(self) -> &'static str {
@@ -32,12 +46,14 @@ impl Pane {
             Self::Inspector => "pane-inspector",
             Self::History => "pane-history",
             Self::Problems => "pane-problems",
+            Self::Compare => "pane-compare",
+            Self::Measure => "pane-measure",
         }
     }
 }
 
-/// Outliner and history at the left, the picture in the middle, the inspector at the right, problems below (hidden
-/// until there are any).
+/// Outliner and history at the left, the picture in the middle, the inspector at the right, the drawer with problems
+/// and the lab below (hidden until there is something in it).
 pub(crate) fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
@@ -47,12 +63,14 @@ pub(crate) fn default_layout() -> Tree<Pane> {
     let viewport = tabs(&mut tiles, &[Pane::Viewport]);
     let outliner = tabs(&mut tiles, &[Pane::Outliner, Pane::History]);
     let inspector = tabs(&mut tiles, &[Pane::Inspector]);
-    let problems = tabs(&mut tiles, &[Pane::Problems]);
-    let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.78), (problems, 0.22)]);
+    let drawer = tabs(&mut tiles, &[Pane::Problems, Pane::Compare, Pane::Measure]);
+    let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.68), (drawer, 0.32)]);
     let root =
         divided(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)]);
     let mut tree = Tree::new(egui::Id::unique("studio-layout"), root, tiles);
-    set_visible(&mut tree, Pane::Problems, false);
+    for pane in [Pane::Problems].into_iter().chain(Pane::LAB) {
+        set_visible(&mut tree, pane, false);
+    }
     tree
 }
 
@@ -80,11 +98,7 @@ pub(crate) fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
 pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     let Some(tile) = tree.tiles.find_pane(&pane) else {
         if visible {
-            let tile = tree.tiles.insert_pane(pane);
-            match tree.root {
-                Some(root) => tree.move_tile_to_container(tile, root, usize::MAX, true),
-                None => tree.root = Some(tile),
-            }
+            put_back(tree, pane);
         }
         return;
     };
@@ -94,12 +108,45 @@ pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     }
 }
 
-/// Whether a remembered layout can be used: every panel once.
+/// Puts a panel where it belongs: the lab into the drawer, others beside all others.
+fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
+    let tile = tree.tiles.insert_pane(pane);
+    let drawer = tree.tiles.find_pane(&Pane::Problems).and_then(|problems| tree.tiles.parent_of(problems));
+    match drawer.filter(|_| Pane::LAB.contains(&pane)).or(tree.root) {
+        Some(place) => tree.move_tile_to_container(tile, place, usize::MAX, true),
+        None => tree.root = Some(tile),
+    }
+    tree.set_visible(tile, true);
+    tree.make_active(|_, other| *other == Tile::Pane(pane));
+}
+
+/// Makes the drawer with `pane` as high as the picture above it, if it is lower: the lab needs room.
+pub(crate) fn make_room(tree: &mut Tree<Pane>, pane: Pane) {
+    /// The drawer's height over that of what it shares the window with.
+    const SHARE: f32 = 1.05;
+    let Some(tile) = tree.tiles.find_pane(&pane) else { return };
+    let Some(tabs) = tree.tiles.parent_of(tile) else { return };
+    let Some(Tile::Container(Container::Linear(linear))) =
+        tree.tiles.parent_of(tabs).and_then(|parent| tree.tiles.get_mut(parent))
+    else {
+        return;
+    };
+    if linear.dir != LinearDir::Vertical {
+        return;
+    }
+    let others: f32 =
+        linear.children.iter().filter(|&&other| other != tabs).map(|&other| linear.shares[other]).sum();
+    if linear.shares[tabs] < SHARE * others {
+        linear.shares.set_share(tabs, SHARE * others);
+    }
+}
+
+/// Whether a remembered layout can be used: every panel once, but for those that older versions did not have.
 pub(crate) fn is_whole(tree: &Tree<Pane>) -> bool {
     Pane::ALL.iter().all(|pane| {
         let count =
             tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();
-        count == 1
+        count == 1 || (count == 0 && Pane::LAB.contains(pane))
     }) && tree.root.is_some()
 }
 
@@ -114,6 +161,21 @@ mod tests {
         assert!(is_visible(&tree, Pane::Viewport) && !is_visible(&tree, Pane::Problems));
         set_visible(&mut tree, Pane::Problems, true);
         assert!(is_visible(&tree, Pane::Problems));
+    }
+
+    #[test]
+    fn the_lab_comes_into_the_drawer_of_an_older_layout() {
+        for pane in Pane::LAB {
+            let mut tree = default_layout();
+            let tile = tree.tiles.find_pane(&pane).unwrap();
+            tree.remove_recursively(tile);
+            assert!(is_whole(&tree) && !is_visible(&tree, pane));
+            set_visible(&mut tree, pane, true);
+            assert!(is_in_front(&tree, pane));
+            let drawer = |pane| tree.tiles.parent_of(tree.tiles.find_pane(&pane).unwrap());
+            assert_eq!(drawer(pane), drawer(Pane::Problems));
+            make_room(&mut tree, pane);
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 mod app;
 mod command;
+mod compare;
 mod context;
 mod dialogs;
 mod documents;
@@ -14,6 +15,7 @@ mod history;
 pub mod host;
 mod inspector;
 mod layout;
+mod measure;
 mod menu;
 mod methods;
 mod notices;
@@ -36,7 +38,7 @@ mod widgets;
 mod window;
 
 pub use app::{Start, Studio};
-pub use command::{Command, Group, Look, Tool, Zoom};
+pub use command::{Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
 pub use layout::Pane;
 pub use methods::Methods;
 pub use pictures::{PictureKind, RenderChoices};

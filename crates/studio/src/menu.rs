@@ -9,7 +9,7 @@ use egui::{Align, Button, Layout, ScrollArea, Style, TextWrapMode, Ui, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
-use crate::command::{Command, Situation, Tool, Zoom};
+use crate::command::{Command, CompareAct, MeasureAct, Situation, Tool, Zoom};
 use crate::documents::example_title;
 use crate::documents::recent;
 use crate::layout::Pane;
@@ -19,7 +19,7 @@ use crate::widgets::icon_button;
 use crate::{methods, shortcuts, theme};
 
 /// What the bar needs to show all menus beside each other, points; below it they are folded into one.
-const FULL_WIDTH: f32 = 460.0;
+const FULL_WIDTH: f32 = 520.0;
 
 /// An entry of a menu.
 enum Entry {
@@ -37,11 +37,12 @@ struct Menu {
     entries: fn() -> Vec<Entry>,
 }
 
-const MENUS: [Menu; 5] = [
+const MENUS: [Menu; 6] = [
     Menu { key: "menu-file", entries: file },
     Menu { key: "menu-edit", entries: edit },
     Menu { key: "menu-add", entries: add },
     Menu { key: "menu-view", entries: view },
+    Menu { key: "menu-lab", entries: lab },
     Menu { key: "menu-help", entries: help },
 ];
 
@@ -222,6 +223,16 @@ fn view() -> Vec<Entry> {
     entries
 }
 
+fn lab() -> Vec<Entry> {
+    let (compare, measure) = (Command::Compare, Command::Measure);
+    let mut entries = vec![Entry::Do(Command::TogglePane(Pane::Compare))];
+    entries.extend(commands_of([CompareAct::Swap, CompareAct::Save].map(compare)));
+    entries.push(Entry::Line);
+    entries.push(Entry::Do(Command::TogglePane(Pane::Measure)));
+    entries.extend(commands_of([MeasureAct::Start, MeasureAct::Stop, MeasureAct::Save].map(measure)));
+    entries
+}
+
 fn help() -> Vec<Entry> {
     let mut entries: Vec<Entry> = commands_of([Command::Palette]).collect();
     entries.push(Entry::Line);
@@ -264,7 +275,15 @@ fn shown_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 }
 
 fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    let panes = [Pane::Outliner, Pane::History, Pane::Inspector, Pane::Problems, Pane::Viewport];
+    let panes = [
+        Pane::Outliner,
+        Pane::History,
+        Pane::Inspector,
+        Pane::Problems,
+        Pane::Compare,
+        Pane::Measure,
+        Pane::Viewport,
+    ];
     do_ui(ui, studio, commands, panes.map(Command::TogglePane));
     ui.separator();
     do_ui(ui, studio, commands, [Command::ResetLayout]);

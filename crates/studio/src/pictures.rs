@@ -18,7 +18,7 @@ use catoptric_live::{JobError, RenderJob, Shows};
 use catoptric_picture::{Development, Picture};
 use catoptric_scene::Scene;
 use catoptric_tracer::method::{Layer, Method};
-use egui::{Context, Ui, UserAttentionType, ViewportCommand};
+use egui::{ColorImage, Context, Ui, UserAttentionType, ViewportCommand};
 
 use crate::app::Studio;
 use crate::dialogs::Message;
@@ -153,16 +153,24 @@ fn take_result(context: &Context, studio: &mut Studio) {
     }
 }
 
+/// A picture as the window shows it, pixel by pixel.
+pub(crate) fn proof_of(picture: &Picture, development: Development) -> ColorImage {
+    proof::proof(picture, &proof::Wanted { development, size: size_of(picture) })
+}
+
 /// The name that a new picture file gets.
 fn file_name(order: &Order, kind: PictureKind) -> String {
-    let plain: String = order
-        .name
+    format!("{}.{}", plain_name(&order.name), kind.extension())
+}
+
+/// A document's name as the beginning of the name of a file.
+pub(crate) fn plain_name(name: &str) -> String {
+    let plain: String = name
         .chars()
         .map(|letter| if letter.is_control() || "/\\:*?\"<>|".contains(letter) { '-' } else { letter })
         .collect();
     let stem = plain.trim().trim_end_matches(".toml");
-    let stem = if stem.is_empty() { "catoptric" } else { stem };
-    format!("{stem}.{}", kind.extension())
+    if stem.is_empty() { "catoptric" } else { stem }.to_owned()
 }
 
 /// The size of a picture, pixels.

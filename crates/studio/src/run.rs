@@ -72,12 +72,17 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             }
         }
         Command::Tool(tool) => studio.view.tool = tool,
+        Command::Compare(act) => crate::compare::run(studio, act),
+        Command::Measure(act) => crate::measure::run(context, studio, act),
         Command::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
         Command::ToggleGrid => studio.settings.shows_grid = !studio.settings.shows_grid,
         Command::ToggleHandles => studio.settings.shows_handles = !studio.settings.shows_handles,
         Command::TogglePane(pane) => {
             let is_in_front = layout::is_in_front(&studio.layout, pane);
             layout::set_visible(&mut studio.layout, pane, !is_in_front);
+            if !is_in_front && matches!(pane, Pane::Compare | Pane::Measure) {
+                layout::make_room(&mut studio.layout, pane);
+            }
         }
         Command::ResetLayout => studio.layout = layout::default_layout(),
         Command::Zoom(step) => zoom(context, studio, step),

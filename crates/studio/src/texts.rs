@@ -30,6 +30,8 @@ macro_rules! catalogues {
             ("document", include_str!(concat!("../texts/", $folder, "/document.ftl"))),
             ("edits", include_str!(concat!("../texts/", $folder, "/edits.ftl"))),
             ("method", include_str!(concat!("../texts/", $folder, "/method.ftl"))),
+            ("compare", include_str!(concat!("../texts/", $folder, "/compare.ftl"))),
+            ("measure", include_str!(concat!("../texts/", $folder, "/measure.ftl"))),
             ("render", include_str!(concat!("../texts/", $folder, "/render.ftl"))),
             ("help", include_str!(concat!("../texts/", $folder, "/help.ftl"))),
         ]

@@ -30,6 +30,8 @@ pub(crate) struct View {
     pub(crate) is_moving: bool,
     /// Whether a final picture is being rendered; the viewport then does not refine.
     pub(crate) is_rendering: bool,
+    /// Whether times are being measured; the viewport then waits.
+    pub(crate) is_measuring: bool,
 }
 
 impl View {

@@ -266,6 +266,11 @@ fn notes(ui: &Ui, cx: &Cx<'_>, viewport: &Viewport, sight: &Sight) {
             ui.ctx().request_repaint_after(left);
         }
     }
+    if cx.view.is_measuring {
+        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
+        let text = cx.t("viewport-measuring");
+        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
+    }
     if cx.view.is_flying {
         // Lines break between the keys, not within what is said of one.
         let parts = cx.t("viewport-fly-hint").split(" · ").map(|part| part.replace(' ', "\u{a0}"));

@@ -4,7 +4,7 @@ use catoptric_editor::{Action, Editor, Item};
 use catoptric_live::Live;
 use egui_tiles::Tree;
 
-use super::Command;
+use super::{Command, CompareAct, MeasureAct};
 use crate::app::Studio;
 use crate::context::Cx;
 use crate::history::step_name;
@@ -20,10 +20,20 @@ pub(crate) struct Situation<'a> {
     pub(crate) editor: &'a Editor,
     pub(crate) texts: &'a Texts,
     settings: &'a Settings,
+    /// What the lab has: `None` while the panels are being drawn.
+    lab: Option<Lab>,
     view: &'a View,
     live: &'a Live,
     /// The panels; `None` while they are being drawn.
     layout: Option<&'a Tree<Pane>>,
+}
+
+/// What the lab has found so far.
+#[derive(Clone, Copy)]
+struct Lab {
+    is_compared: bool,
+    is_measuring: bool,
+    is_measured: bool,
 }
 
 impl Studio {
@@ -33,6 +43,11 @@ impl Studio {
             editor: &self.editor,
             texts: &self.texts,
             settings: &self.settings,
+            lab: Some(Lab {
+                is_compared: self.panes.compare.is_found(),
+                is_measuring: self.panes.measure.is_running(),
+                is_measured: self.panes.measure.is_measured(),
+            }),
             view: &self.view,
             live: &self.live,
             layout: Some(&self.layout),
@@ -47,6 +62,7 @@ impl Cx<'_> {
             editor: self.editor,
             texts: self.texts,
             settings: self.settings,
+            lab: None,
             view: self.view,
             live: self.live,
             layout: None,
@@ -69,7 +85,15 @@ impl Situation<'_> {
             }
             Command::Revert => self.editor.path().is_some(),
             Command::Show(shows) => methods::has(&self.settings.methods.method(), *shows),
-            Command::RenderShown | Command::CopyPicture => self.live.latest().is_some(),
+            Command::Render => !self.view.is_measuring,
+            Command::RenderShown => self.live.latest().is_some() && !self.view.is_measuring,
+            Command::CopyPicture => self.live.latest().is_some(),
+            Command::Compare(CompareAct::Save) => self.lab.is_some_and(|lab| lab.is_compared),
+            Command::Measure(act) => self.lab.is_some_and(|lab| match act {
+                MeasureAct::Start => !lab.is_measuring,
+                MeasureAct::Stop => lab.is_measuring,
+                MeasureAct::Save => lab.is_measured && !lab.is_measuring,
+            }),
             Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
             Command::FrameAll => !self.editor.scene().bodies.is_empty(),
             Command::CameraFromView => self.view.free_camera.is_some(),

@@ -8,7 +8,7 @@ use catoptric_tracer::method::{Layer, MethodKind};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
 
-use super::{Command, Group, Look, Tool, Zoom};
+use super::{Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
@@ -149,11 +149,22 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::ToggleGrid => "command-toggle-grid", ICON_GRID_4X4, plain(Key::G);
         Command::ToggleHandles => "command-toggle-handles", ICON_TOUCH_APP, shift(Key::G);
     }
+    Lab: {
+        Command::Compare(CompareAct::Swap) => "command-compare-swap", ICON_SWAP_HORIZ;
+        Command::Compare(CompareAct::FileA) => "command-compare-file-a", ICON_IMAGE;
+        Command::Compare(CompareAct::FileB) => "command-compare-file-b", ICON_IMAGE;
+        Command::Compare(CompareAct::Save) => "command-compare-save", ICON_SAVE;
+        Command::Measure(MeasureAct::Start) => "command-measure-start", ICON_PLAY_ARROW;
+        Command::Measure(MeasureAct::Stop) => "command-measure-stop", ICON_STOP;
+        Command::Measure(MeasureAct::Save) => "command-measure-save", ICON_SAVE;
+    }
     Window: {
         Command::TogglePane(Pane::Outliner) => "command-pane-outliner", ICON_ACCOUNT_TREE;
         Command::TogglePane(Pane::Inspector) => "command-pane-inspector", ICON_TUNE;
         Command::TogglePane(Pane::History) => "command-pane-history", ICON_HISTORY;
         Command::TogglePane(Pane::Problems) => "command-pane-problems", ICON_REPORT;
+        Command::TogglePane(Pane::Compare) => "command-pane-compare", ICON_COMPARE, plain(Key::F6);
+        Command::TogglePane(Pane::Measure) => "command-pane-measure", ICON_TIMER, plain(Key::F7);
         Command::TogglePane(Pane::Viewport) => "command-pane-viewport", ICON_IMAGE;
         Command::ResetLayout => "command-reset-layout", ICON_DASHBOARD;
         Command::Theme(Theme::Dark) => "command-theme-dark", ICON_DARK_MODE;

@@ -68,7 +68,7 @@ impl Picture {
         // Opaque: nothing is to be multiplied.
         let image = ColorImage::from_rgba_premultiplied(size, &frame.pixels);
         // Pixel upon pixel there is nothing to smooth.
-        let is_whole = frame.is_full();
+        let is_whole = frame.view_size == frame.picture_size;
         let options = if is_whole { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
         match &mut self.texture {
             Some(texture) => texture.set(image, options),

@@ -5,6 +5,7 @@ mod commands;
 mod documents;
 mod inspector;
 mod kit;
+mod lab;
 mod monkey;
 mod outliner;
 mod render;

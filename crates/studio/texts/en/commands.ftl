@@ -4,6 +4,7 @@ menu-file = File
 menu-edit = Edit
 menu-add = Add
 menu-view = View
+menu-lab = Lab
 menu-help = Help
 menu-recent = Open recent
 menu-no-recent = No recent files
@@ -28,6 +29,7 @@ group-select = Selecting
 group-add = Adding
 group-view = Camera and view
 group-tool = Tools
+group-lab = Lab
 group-window = Window
 group-help = Help
 
@@ -194,6 +196,22 @@ command-toggle-grid = Ground grid
 command-toggle-handles = Handles
     .tip = Shows lights and handles over the picture.
 
+# Lab.
+command-compare-swap = Exchange the compared pictures
+    .tip = A becomes B, and B becomes A.
+command-compare-file-a = Picture file as A…
+    .tip = Compares with a picture from a PNG or EXR file.
+command-compare-file-b = Picture file as B…
+    .tip = Holds a picture from a PNG or EXR file against A.
+command-compare-save = Save the comparison…
+    .tip = Saves the comparison as one page that needs nothing else: pictures, maps, numbers, times, reasons.
+command-measure-start = Start measuring
+    .tip = Begins to measure what the panel says; the picture waits meanwhile.
+command-measure-stop = Stop measuring
+    .tip = Ends the measurement; what was measured stays.
+command-measure-save = Save the measurement…
+    .tip = Saves report, plots and tables in a folder: CSV, SVG, PNG, Markdown and LaTeX.
+
 # Window.
 command-pane-outliner = Scene
     .tip = The panel of everything in the scene.
@@ -203,6 +221,10 @@ command-pane-history = History
     .tip = The panel of the steps of editing.
 command-pane-problems = Problems
     .tip = The panel of what is wrong in the file.
+command-pane-compare = Compare
+    .tip = The panel of two pictures, how they differ, and why.
+command-pane-measure = Measure
+    .tip = The panel that measures how the time of a picture grows.
 command-pane-viewport = Picture
     .tip = The panel of the traced picture.
 command-reset-layout = Reset panels

@@ -4,6 +4,7 @@ menu-file = Файл
 menu-edit = Правка
 menu-add = Добавить
 menu-view = Вид
+menu-lab = Лаборатория
 menu-help = Справка
 menu-recent = Недавние файлы
 menu-no-recent = Недавних файлов нет
@@ -28,6 +29,7 @@ group-select = Выделение
 group-add = Добавление
 group-view = Камера и вид
 group-tool = Инструменты
+group-lab = Лаборатория
 group-window = Окно
 group-help = Справка
 
@@ -194,6 +196,22 @@ command-toggle-grid = Сетка на земле
 command-toggle-handles = Манипуляторы
     .tip = Показывает поверх изображения источники света и манипулятор.
 
+# Лаборатория.
+command-compare-swap = Поменять изображения местами
+    .tip = A становится B, а B — A.
+command-compare-file-a = Файл изображения как A…
+    .tip = Сравнить с изображением из файла PNG или EXR.
+command-compare-file-b = Файл изображения как B…
+    .tip = Сравнить изображение из файла PNG или EXR с A.
+command-compare-save = Сохранить сравнение…
+    .tip = Сохраняет сравнение одной страницей, в которой есть всё: изображения, карты, числа, время, причины.
+command-measure-start = Начать измерение
+    .tip = Начинает измерять то, что выбрано на панели; изображение пока ждёт.
+command-measure-stop = Остановить измерение
+    .tip = Завершает измерение; измеренное остаётся.
+command-measure-save = Сохранить измерение…
+    .tip = Сохраняет отчёт, графики и таблицы в папку: CSV, SVG, PNG, Markdown и LaTeX.
+
 # Окно.
 command-pane-outliner = Сцена
     .tip = Панель всего, что есть в сцене.
@@ -203,6 +221,10 @@ command-pane-history = История
     .tip = Панель шагов правки.
 command-pane-problems = Замечания
     .tip = Панель ошибок в файле.
+command-pane-compare = Сравнение
+    .tip = Панель двух изображений: чем они отличаются и почему.
+command-pane-measure = Измерение
+    .tip = Панель, которая измеряет, как растёт время построения изображения.
 command-pane-viewport = Изображение
     .tip = Панель самого изображения.
 command-reset-layout = Вернуть панели на места
