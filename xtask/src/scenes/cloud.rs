@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use catoptric_lab::cloud;
+use catoptric_lab::cloud::cloud;
 use catoptric_scene::{save, write};
 use clap::Args;
 

@@ -165,7 +165,6 @@ fn methods() -> impl TypedValueParser<Value = MethodKind> {
         })
     };
     PossibleValuesParser::new(MethodKind::ALL.map(value)).map(|name| {
-        let kinds = MethodKind::ALL.into_iter();
-        kinds.filter(|kind| kind.name() == name).last().unwrap_or(MethodKind::Whitted)
+        MethodKind::ALL.into_iter().find(|kind| kind.name() == name).unwrap_or(MethodKind::Whitted)
     })
 }

@@ -1,5 +1,6 @@
 //! `catoptric render`
 
+use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, anyhow, bail};

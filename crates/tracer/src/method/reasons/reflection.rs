@@ -86,8 +86,8 @@ impl Case<'_> {
         }
         // The right point: is it lit otherwise for the eye than for the mirror?
         let to_eye = vector(self.camera.toward_viewer(hit.position.as_dvec3()));
-        let for_eye = witness.local(self.stage, &mirrored, Some(to_eye), LightModel::Phong, true);
-        let for_mirror = witness.local(self.stage, &mirrored, None, LightModel::Phong, true);
+        let for_eye = witness.local(self.stage, mirrored, Some(to_eye), LightModel::Phong, true);
+        let for_mirror = witness.local(self.stage, mirrored, None, LightModel::Phong, true);
         largest([(Reason::Highlight, for_eye - for_mirror), (Reason::Sampling, had.found - for_eye)])
     }
 
