@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::{Picture, SizeError};
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{Method, MethodError, draw};
+use catoptric_tracer::method::{Method, MethodError, SettingError, draw};
 use catoptric_tracer::{Control, RenderError, RenderSettings, Rendering, Stage, StageError, render};
 
 use crate::drawn::unfolded;
@@ -65,9 +65,17 @@ pub enum JobError {
     /// There can be no picture of this size.
     #[error(transparent)]
     Size(#[from] SizeError),
-    /// The method cannot draw it.
-    #[error("{0}")]
-    Method(String),
+    /// A setting of the method is out of its range.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// The cube maps of all reflecting bodies would take too much memory.
+    #[error("the cube maps of {bodies} bodies with faces of {size}x{size} pixels take too much memory")]
+    TooManyCubeMaps {
+        /// How many bodies reflect in the picture.
+        bodies: usize,
+        /// Edge of a face, pixels.
+        size: u32,
+    },
     /// It was cancelled.
     #[error("the render was cancelled")]
     Cancelled,
@@ -207,7 +215,10 @@ impl From<MethodError> for JobError {
         match error {
             MethodError::Cancelled => Self::Cancelled,
             MethodError::Size(error) => Self::Size(error),
-            error => Self::Method(error.to_string()),
+            MethodError::Setting(error) => Self::Setting(error),
+            MethodError::TooManyCubeMaps { bodies, size, .. } => Self::TooManyCubeMaps { bodies, size },
+            // It does not come from drawing a picture.
+            error @ MethodError::SizeMismatch { .. } => Self::Fault(error.to_string()),
         }
     }
 }

@@ -108,6 +108,7 @@ impl Studio {
             panes: Panes::default(),
             pictures: Pictures::default(),
         };
+        studio.panes.compare.choose(&studio.settings.compared);
         documents::start(context, &mut studio, start, interruption);
         Ok(studio)
     }

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use catoptric_scene::Camera;
-use catoptric_tracer::method::{Method, MethodKind};
+use catoptric_tracer::method::Method;
 use egui::Context;
 
 use crate::app::Studio;
@@ -98,9 +98,9 @@ pub(crate) struct Comparing {
 
 impl Default for Comparing {
     fn default() -> Self {
-        let side = |kind| Side { methods: Methods::with(kind), file: None };
+        let side = || Side { methods: Methods::default(), file: None };
         Self {
-            sides: [side(MethodKind::Whitted), side(MethodKind::Ssr)],
+            sides: [side(), side()],
             mode: Mode::default(),
             divider: 0.5,
             coarseness: 2,
@@ -116,6 +116,19 @@ impl Default for Comparing {
 }
 
 impl Comparing {
+    /// Compares these ways of drawing.
+    pub(crate) fn choose(&mut self, compared: &[Methods; 2]) {
+        for (side, methods) in self.sides.iter_mut().zip(compared) {
+            side.methods.clone_from(methods);
+        }
+    }
+
+    /// The two ways of drawing, to be remembered.
+    fn chosen(&self) -> [Methods; 2] {
+        let [a, b] = &self.sides;
+        [a.methods.clone(), b.methods.clone()]
+    }
+
     /// Whether pictures are being drawn: the viewport then does not refine its own.
     pub(crate) fn is_running(&self) -> bool {
         self.running.is_some()
@@ -172,6 +185,7 @@ pub(crate) fn keep_up(context: &Context, studio: &mut Studio) {
     let since = match &comparing.wanted {
         Some((wanted, since)) if *wanted == key => *since,
         _ => {
+            studio.settings.compared = comparing.chosen();
             comparing.wanted = Some((key.clone(), Instant::now()));
             Instant::now()
         }

@@ -41,13 +41,14 @@ fn picture_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
     let passes = passes_in_words(texts, status);
     cell(ui, &text, &sample, passes.as_deref().or(texts.tip("status-time-name")));
     let rays = if status.rays_per_second > 0.0 { number(status.rays_per_second / 1e6) } else { dash() };
-    let text = texts.with("status-rays", &[("rays", rays.into())]);
-    let sample = texts.with("status-rays", &[("rays", "8888".into())]);
+    let rays = [rays, "8888".to_owned()].map(|rays| texts.with("status-rays", &[("rays", rays.into())]));
+    // What took the time matters more than how many rays there were.
+    let [text, sample] = passes_in_short(texts, status).unwrap_or(rays);
     let refining = texts.with("status-refining", &[("done", 88.into()), ("wanted", 88.into())]);
     // How far the picture is matters more than how quick it was made.
     if ui.available_width() > width_of(ui, &sample) + width_of(ui, &refining) + 60.0 {
         line(ui);
-        cell(ui, &text, &sample, texts.tip("status-rays-name"));
+        cell(ui, &text, &sample, passes.as_deref().or(texts.tip("status-rays-name")));
     }
     if ui.available_width() > width_of(ui, &refining) + 30.0 {
         line(ui);
@@ -70,6 +71,17 @@ fn method_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
     let passes = passes_in_words(texts, status);
     tip(response, passes.as_deref().or(texts.tip(method_key(kind))));
     line(ui);
+}
+
+/// The passes of the last picture with their milliseconds in a line, and that line with the widest numbers.
+fn passes_in_short(texts: &Texts, status: &Status) -> Option<[String; 2]> {
+    let language = report_language(texts);
+    let line = |number: &dyn Fn(f64) -> String| {
+        let passes = status.passes.iter();
+        let passes = passes.map(|(pass, time)| format!("{} {}", language.pass_name(*pass), number(*time)));
+        passes.collect::<Vec<_>>().join(" · ")
+    };
+    (!status.passes.is_empty()).then(|| [line(&number), line(&|_| "8888".to_owned())])
 }
 
 /// The passes of the last picture with their times, a line each, and the cube maps that served it.

@@ -151,18 +151,18 @@ pub(super) fn pointer_ui(ui: &mut Ui, cx: &Cx<'_>, pixel: Option<[u32; 2]>, foun
     let tip = cx.texts.tip("compare-pixel").unwrap_or_default();
     let light = |picture: &Picture| picture.pixel(x, y).unwrap_or_default();
     let [a, b] = [truth, other].map(|contender| light(&contender.picture));
-    let numbers = |ui: &mut Ui, name: &str, light: [f32; 3]| {
+    let numbers = |ui: &mut Ui, name: &str, light: [f32; 3], width: usize| {
         ui.label(RichText::new(name).strong()).on_hover_text(tip);
-        let parts = light.map(|part| format!("{:>7}", language.fixed(f64::from(part), 4)));
+        let parts = light.map(|part| format!("{:>width$}", language.fixed(f64::from(part), 4)));
         ui.label(RichText::new(parts.join(" ")).text_style(TextStyle::Monospace)).on_hover_text(tip);
     };
     ui.horizontal(|ui| {
         ui.label(cx.texts.with("compare-pixel", &[("x", x.into()), ("y", y.into())]));
-        numbers(ui, "A", a);
-        numbers(ui, "B", b);
+        numbers(ui, "A", a, 6);
+        numbers(ui, "B", b, 6);
     });
     ui.horizontal(|ui| {
-        numbers(ui, "B − A", [b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
+        numbers(ui, "B − A", [b[0] - a[0], b[1] - a[1], b[2] - a[2]], 7);
         let Some(map) = other.drawn.as_ref().and_then(|drawn| drawn.reasons.as_ref()) else { return };
         let place = y as usize * map.width() as usize + x as usize;
         let reason = map.reasons().get(place).copied().flatten();

@@ -60,7 +60,7 @@ pub(super) fn picture_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing
         let end = if mode == Mode::Difference { found.scale } else { 1.0 };
         scale_ui(ui, cx, rect, end);
     }
-    tell(ui, cx, &response, mode, comparing.divider);
+    tell(ui, cx, (&response, rect), mode, comparing.divider);
     facts::pointer_ui(ui, cx, comparing.pixel, found);
 }
 
@@ -188,7 +188,7 @@ fn scale_ui(ui: &Ui, cx: &Cx<'_>, picture: Rect, end: f64) {
 }
 
 /// Tells what is seen to those who do not see it, and shows the focus.
-fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response, mode: Mode, divider: f32) {
+fn tell(ui: &Ui, cx: &Cx<'_>, (response, rect): (&Response, Rect), mode: Mode, divider: f32) {
     let label = match mode {
         Mode::Split => cx.t("compare-divider"),
         Mode::A => cx.t("compare-picture-a"),
@@ -203,6 +203,6 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response, mode: Mode, divider: f32) {
     });
     if response.has_focus() {
         let stroke = Stroke::new(1.5, theme::palette(ui.visuals()).accent);
-        ui.painter().rect_stroke(response.rect, 2.0, stroke, StrokeKind::Inside);
+        ui.painter().rect_stroke(rect, 0.0, stroke, StrokeKind::Inside);
     }
 }
