@@ -23,10 +23,10 @@ use crate::view::{Due, Step, View, check, is_new, size_of_film};
 
 /// A picture under way while something moves is finished though a newer one is asked for, since otherwise none would
 /// ever be; but not if it takes so many times its budget, and a coarser one would be quicker.
-pub(crate) const OVERRUN: f64 = 3.0;
+const OVERRUN: f64 = 3.0;
 
 /// The coarsest picture may take this long.
-pub(crate) const LONGEST: Duration = Duration::from_secs(1);
+const LONGEST: Duration = Duration::from_secs(1);
 
 /// Between frames that only show one more sample.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(60);

@@ -38,8 +38,11 @@ impl Picture {
         match self.texture.as_ref().filter(|_| frame.is_some()) {
             Some(texture) => {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.rect_filled(rect, 0.0, palette.field);
-                painter.image(texture.id(), place_of(rect, frame.as_deref()), whole, Color32::WHITE);
+                let place = place_of(rect, frame.as_deref());
+                if place != rect {
+                    painter.rect_filled(rect, 0.0, palette.field);
+                }
+                painter.image(texture.id(), place, whole, Color32::WHITE);
             }
             None => {
                 painter.rect_filled(rect, 0.0, palette.field);

@@ -3,9 +3,9 @@
 
 mod commands;
 mod documents;
+mod experiments;
 mod inspector;
 mod kit;
-mod lab;
 mod monkey;
 mod outliner;
 mod render;

@@ -70,7 +70,7 @@ fn a_way_of_drawing_is_chosen_over_the_picture() {
         // The status bar tells the method.
         let short = said(&harness, "method-flat");
         assert!(harness.get_all_by_label(&short).count() >= 1);
-        harness.key_press_modifiers(Modifiers::ALT, Key::Num3);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Num3);
         wait_until(&mut harness, "cube maps", |studio| studio.live().status().cube_maps.is_some());
         check_texts(&harness);
     }
