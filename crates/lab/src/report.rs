@@ -13,5 +13,6 @@ mod texts;
 pub use language::{Language, UnknownLanguage};
 
 pub use page::{PageError, Settings, page};
+pub use plot::{Curve, Mark, Plot, PlotAxis, Scale, Tick};
 pub use raster::{RasterError, rasterize};
-pub use study::{Study, study};
+pub use study::{Study, law_lines, machine_rows, study, time_plot};

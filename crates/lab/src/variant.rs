@@ -5,7 +5,9 @@ use std::str::FromStr;
 
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
-use catoptric_tracer::method::{CubeMapSettings, Fallback, LightModel, Method, MethodKind, SettingError};
+use catoptric_tracer::method::{
+    CubeMapSettings, Fallback, LightModel, Method, MethodKind, SettingError, ShadingSettings, SsrSettings,
+};
 
 /// A method with settings, and the limit of generations and samples where they are set apart.
 ///
@@ -79,8 +81,52 @@ fn keys(method: MethodKind) -> Vec<&'static str> {
 
 impl From<Method> for Variant {
     fn from(method: Method) -> Self {
-        Self { name: method.name().to_owned(), method, generations: None, samples: None }
+        Self { name: named(&method), method, generations: None, samples: None }
     }
+}
+
+/// The method as it would be written, with the settings that are not the usual ones.
+fn named(method: &Method) -> String {
+    let mut name = method.name().to_owned();
+    let mut add = |key: &str, value: String, usual: String| {
+        if value != usual {
+            name = format!("{name}:{key}={value}");
+        }
+    };
+    let of_map = |map: &CubeMapSettings| (map.size.to_string(), switched(map.parallax));
+    let usual_map = of_map(&CubeMapSettings::default());
+    match method {
+        Method::Whitted => {}
+        Method::Flat(own) | Method::Gouraud(own) | Method::Phong(own) => {
+            let usual = ShadingSettings::default();
+            add("fineness", own.fineness.to_string(), usual.fineness.to_string());
+            add("shadows", switched(own.shadows), switched(usual.shadows));
+            add("model", own.model.name().to_owned(), usual.model.name().to_owned());
+        }
+        Method::Ssr(own) => {
+            let usual = SsrSettings::default();
+            add("step", own.step_pixels.to_string(), usual.step_pixels.to_string());
+            add("thickness", own.thickness.to_string(), usual.thickness.to_string());
+            add("range", own.range.to_string(), usual.range.to_string());
+            add("refinements", own.refinements.to_string(), usual.refinements.to_string());
+            if let Fallback::CubeMap(map) = &own.fallback {
+                let (size, parallax) = of_map(map);
+                add("fallback", "cube-map".to_owned(), String::new());
+                add("size", size, usual_map.0);
+                add("parallax", parallax, usual_map.1);
+            }
+        }
+        Method::CubeMap(map) => {
+            let (size, parallax) = of_map(map);
+            add("size", size, usual_map.0);
+            add("parallax", parallax, usual_map.1);
+        }
+    }
+    name
+}
+
+fn switched(is_on: bool) -> String {
+    if is_on { "on" } else { "off" }.to_owned()
 }
 
 impl fmt::Display for Variant {
@@ -127,17 +173,32 @@ impl Variant {
                 "range" => ssr.range = number(key, value)?,
                 "refinements" => ssr.refinements = number(key, value)?,
                 "fallback" => ssr.fallback = fallback(key, value)?,
-                _ => return Err(unknown),
+                // Of the map that was named before.
+                _ => match &mut ssr.fallback {
+                    Fallback::CubeMap(map) => set_map(map, key, value, unknown)?,
+                    Fallback::Background => return Err(unknown),
+                },
             },
-            (_, Method::CubeMap(map)) => match key {
-                "size" => map.size = number(key, value)?,
-                "parallax" => map.parallax = switch(key, value)?,
-                _ => return Err(unknown),
-            },
+            (_, Method::CubeMap(map)) => set_map(map, key, value, unknown)?,
             (_, Method::Whitted) => return Err(unknown),
         }
         Ok(())
     }
+}
+
+/// Sets one thing of a cube map.
+fn set_map(
+    map: &mut CubeMapSettings,
+    key: &str,
+    value: &str,
+    unknown: VariantError,
+) -> Result<(), VariantError> {
+    match key {
+        "size" => map.size = number(key, value)?,
+        "parallax" => map.parallax = switch(key, value)?,
+        _ => return Err(unknown),
+    }
+    Ok(())
 }
 
 fn wrong(key: &str, value: &str, expected: &'static str) -> VariantError {
@@ -210,6 +271,20 @@ mod tests {
     }
 
     #[test]
+    fn a_method_is_named_as_it_is_written() {
+        for name in [
+            "whitted",
+            "flat:fineness=3:shadows=on:model=lambert",
+            "ssr:step=2.5:thickness=0.3:range=7:refinements=0",
+            "ssr:fallback=cube-map",
+            "ssr:fallback=cube-map:size=64:parallax=on",
+            "cube-map:size=64:parallax=on",
+        ] {
+            assert_eq!(Variant::from(variant(name).method), variant(name));
+        }
+    }
+
+    #[test]
     fn what_is_wrong_is_said() {
         for (text, said) in [
             ("", "there is no method \"\"; there are whitted, ssr, cube-map, phong, gouraud, flat"),
@@ -220,6 +295,7 @@ mod tests {
             ("ssr:range=-1", "the range in meters is -1"),
             ("ssr:range=NaN", "the range in meters is NaN"),
             ("flat:fineness=0", "the fineness is 0; it must be from 1 to 128"),
+            ("ssr:size=64", "the method ssr has no setting \"size\""),
             ("flat:shadows=yes", "give on or off"),
             ("flat:model=blinn", "give lambert or phong"),
             ("cube-map:size=-4", "give a number"),

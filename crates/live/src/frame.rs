@@ -6,6 +6,8 @@ use catoptric_scene::Camera;
 use catoptric_tracer::RayCounts;
 use glam::Vec2;
 
+use crate::request::Shows;
+
 /// A picture of the view with what is drawn over it. All belongs to the same request.
 #[derive(Clone, Debug)]
 pub struct Frame {
@@ -21,6 +23,9 @@ pub struct Frame {
     pub view_size: [u32; 2],
     /// Width and height of the picture, pixels: the view's, or less for a coarse one, to be stretched over the view.
     pub picture_size: [u32; 2],
+    /// What is seen: [`Request::shows`](crate::Request::shows), or the picture where the method has no such thing. An
+    /// unfolded cube has proportions of its own; outlines and grid do not belong to it.
+    pub shows: Shows,
     /// The picture: red, green, blue (sRGB) and 255 for every pixel, row by row from the top.
     pub pixels: Arc<Vec<u8>>,
     /// Samples per pixel.
@@ -38,9 +43,9 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Whether the picture has the view's full resolution.
+    /// Whether the picture has the view's full resolution, or one of its own.
     pub fn is_full(&self) -> bool {
-        self.view_size == self.picture_size
+        self.view_size == self.picture_size || matches!(self.shows, Shows::UnfoldedCube(_))
     }
 }
 

@@ -8,9 +8,12 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::{Picture, SizeError};
 use catoptric_scene::Scene;
+use catoptric_tracer::method::{Method, MethodError, SettingError, draw};
 use catoptric_tracer::{Control, RenderError, RenderSettings, Rendering, Stage, StageError, render};
 
+use crate::drawn::unfolded;
 use crate::priority::{self, Priority};
+use crate::request::Shows;
 use crate::worker::message_of;
 
 /// A render on threads of its own. Dropping it cancels it.
@@ -22,6 +25,8 @@ pub struct RenderJob {
 /// What the job and its thread share.
 struct Work {
     scene: Arc<Scene>,
+    method: Method,
+    shows: Shows,
     settings: RenderSettings,
     generations: Option<u32>,
     threads: usize,
@@ -60,6 +65,17 @@ pub enum JobError {
     /// There can be no picture of this size.
     #[error(transparent)]
     Size(#[from] SizeError),
+    /// A setting of the method is out of its range.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// The cube maps of all reflecting bodies would take too much memory.
+    #[error("the cube maps of {bodies} bodies with faces of {size}x{size} pixels take too much memory")]
+    TooManyCubeMaps {
+        /// How many bodies reflect in the picture.
+        bodies: usize,
+        /// Edge of a face, pixels.
+        size: u32,
+    },
     /// It was cancelled.
     #[error("the render was cancelled")]
     Cancelled,
@@ -80,8 +96,24 @@ impl RenderJob {
         generations: Option<u32>,
         threads: usize,
     ) -> io::Result<Self> {
+        Self::drawn(scene, Method::Whitted, Shows::Picture, settings, generations, threads)
+    }
+
+    /// The same by another method, or what lies behind its picture.
+    ///
+    /// # Errors
+    /// When the system gives no thread.
+    pub fn drawn(
+        scene: Arc<Scene>,
+        method: Method,
+        shows: Shows,
+        settings: RenderSettings,
+        generations: Option<u32>,
+        threads: usize,
+    ) -> io::Result<Self> {
         let (start, control, done) = (Instant::now(), Control::default(), Mutex::default());
-        let work = Arc::new(Work { scene, settings, generations, threads, start, control, done });
+        let work =
+            Arc::new(Work { scene, method, shows, settings, generations, threads, start, control, done });
         let own = Arc::clone(&work);
         let thread = std::thread::Builder::new().name("render".to_owned()).spawn(move || own.run())?;
         Ok(Self { work, thread: Some(thread) })
@@ -90,7 +122,10 @@ impl RenderJob {
     /// How far it is.
     pub fn progress(&self) -> JobProgress {
         let Work { settings, control, start, .. } = &*self.work;
-        let pixels = u64::from(settings.width) * u64::from(settings.height);
+        let pixels = match control.pixels_expected() {
+            0 => u64::from(settings.width) * u64::from(settings.height),
+            expected => expected,
+        };
         let fraction = (control.pixels_done() as f64 / pixels.max(1) as f64).min(1.0);
         let done = self.work.done();
         let tracing = done.tracing_since.map(|since| since.elapsed().as_secs_f64());
@@ -154,11 +189,37 @@ impl Work {
             }
             go_on()?;
             self.done().tracing_since = Some(Instant::now());
+            if self.method != Method::Whitted {
+                return self.draw(&stage);
+            }
             render(&stage, self.settings, &self.control).map_err(|error| match error {
                 RenderError::Size(error) => error.into(),
                 RenderError::Cancelled => JobError::Cancelled,
             })
         })
+    }
+
+    fn draw(&self, stage: &Stage) -> Result<Rendering, JobError> {
+        let drawing = draw(stage, &self.method, self.settings, &self.control)?;
+        let shown = match self.shows {
+            Shows::Picture => None,
+            Shows::Layer(layer) => drawing.layer(stage, layer)?,
+            Shows::UnfoldedCube(body) => unfolded(&drawing, stage, body)?.map(|(picture, _)| picture),
+        };
+        Ok(Rendering { picture: shown.unwrap_or(drawing.picture), counts: drawing.counts })
+    }
+}
+
+impl From<MethodError> for JobError {
+    fn from(error: MethodError) -> Self {
+        match error {
+            MethodError::Cancelled => Self::Cancelled,
+            MethodError::Size(error) => Self::Size(error),
+            MethodError::Setting(error) => Self::Setting(error),
+            MethodError::TooManyCubeMaps { bodies, size, .. } => Self::TooManyCubeMaps { bodies, size },
+            // It does not come from drawing a picture.
+            error @ MethodError::SizeMismatch { .. } => Self::Fault(error.to_string()),
+        }
     }
 }
 
@@ -178,6 +239,8 @@ mod tests {
         let gold = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
         let work = Work {
             scene: Arc::new(Scene { bodies: [gold].into(), ..Scene::default() }),
+            method: Method::Whitted,
+            shows: Shows::Picture,
             settings: RenderSettings { width: 8, height: 8, samples: 1 },
             generations: None,
             threads: 1,

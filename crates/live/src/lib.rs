@@ -5,8 +5,11 @@
 //! refined picture equals [`catoptric_tracer::render`] bit by bit. Beside the picture stand the [outlines](Polyline) of
 //! chosen bodies and a [ground grid](GridLine), both found by tracing.
 //!
+//! Whitted's tree is the usual way of drawing; a [`Request`] may name another, or ask for what lies behind its picture.
+//!
 //! [`RenderJob`] renders a final picture in the background.
 
+mod drawn;
 mod frame;
 mod grid;
 mod job;
@@ -23,5 +26,5 @@ mod worker;
 pub use frame::{Frame, GridKind, GridLine, Polyline};
 pub use job::{JobError, JobProgress, RenderJob};
 pub use live::{Live, LiveOptions};
-pub use request::{GridSpec, Request};
+pub use request::{GridSpec, Request, Shows};
 pub use status::{LiveError, Status};

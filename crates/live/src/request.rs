@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use catoptric_picture::Development;
 use catoptric_scene::{Camera, Scene};
+use catoptric_tracer::method::{Layer, Method};
 
 /// A snapshot of all that decides what the view shows.
 #[derive(Clone, Debug)]
@@ -18,6 +19,10 @@ pub struct Request {
     pub size: [u32; 2],
     /// Whether a hand moves something: pictures stay coarse until nothing changes for a moment.
     pub moving: bool,
+    /// How reflections are found. Other methods than Whitted's are drawn anew for more samples, in steps of 1, 4, 16 …
+    pub method: Method,
+    /// What of the drawing is seen.
+    pub shows: Shows,
     /// Samples per pixel to refine to.
     pub samples: u32,
     /// How light becomes display codes.
@@ -47,6 +52,8 @@ impl Request {
             revision,
             size,
             moving: false,
+            method: Method::Whitted,
+            shows: Shows::Picture,
             samples: Self::DEFAULT_SAMPLES,
             development: Development::default(),
             outline: Vec::new(),
@@ -55,6 +62,19 @@ impl Request {
             paused: false,
         }
     }
+}
+
+/// What is seen of a drawing. Where the method has no such thing, it is the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shows {
+    /// The picture.
+    #[default]
+    Picture,
+    /// A layer of the buffers behind it (`ssr` and `cube-map`), of the first sample. Light is developed as the picture
+    /// is, numbers are not.
+    Layer(Layer),
+    /// The unfolded cube map of the body at this place in [`Scene::bodies`], or else the first there is.
+    UnfoldedCube(Option<usize>),
 }
 
 /// What to show of the ground grid, which lies in the plane y = 0.

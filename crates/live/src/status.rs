@@ -2,6 +2,7 @@
 
 use catoptric_picture::SizeError;
 use catoptric_tracer::StageError;
+use catoptric_tracer::method::{CubeMapUse, MethodKind, PassName, SettingError};
 
 /// How the worker is doing, for a status bar.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,6 +21,12 @@ pub struct Status {
     pub picture_size: [u32; 2],
     /// What tracing and developing the last picture took.
     pub milliseconds: f64,
+    /// How the last picture was drawn; `None` before there is one.
+    pub method: Option<MethodKind>,
+    /// What each pass of it took, milliseconds; empty for Whitted's tree.
+    pub passes: Vec<(PassName, f64)>,
+    /// The cube maps that served it, if the method uses any.
+    pub cube_maps: Option<CubeMapUse>,
     /// Rays a second while the last picture was traced.
     pub rays_per_second: f64,
     /// Whether there is nothing left to do.
@@ -44,6 +51,17 @@ pub enum LiveError {
         width: u32,
         /// Pixels down.
         height: u32,
+    },
+    /// A setting of the method is out of its range.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// The cube maps of all reflecting bodies would take too much memory.
+    #[error("the cube maps of {bodies} bodies with faces of {size}x{size} pixels take too much memory")]
+    TooManyCubeMaps {
+        /// How many bodies reflect in the picture.
+        bodies: usize,
+        /// Edge of a face, pixels.
+        size: u32,
     },
     /// A number of the camera is infinite or not a number.
     #[error("the camera's position, target, up and angle must be finite numbers")]

@@ -7,13 +7,15 @@ use catoptric_picture::SizeError;
 use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
+use catoptric_tracer::method::Method;
 use catoptric_tracer::{Film, RayCounts, Stage, StageCamera, StageEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
+use crate::drawn::Drawn;
 use crate::frame::{GridLine, Polyline};
 use crate::outline::Outlines;
-use crate::request::Request;
+use crate::request::{Request, Shows};
 use crate::shared::Wait;
 use crate::status::LiveError;
 
@@ -31,6 +33,10 @@ pub(crate) struct View {
     pub(crate) sharper: Option<Film>,
     /// A film of the full size that is not in use; a new one takes as long as a coarse picture.
     spare: Option<Film>,
+    /// What a method other than Whitted's has drawn.
+    pub(crate) drawn: Option<Drawn>,
+    /// Whether the stage has changed since cube maps of the full size were made.
+    pub(crate) has_old_maps: bool,
     pub(crate) shown: Shown,
     outlines: Option<Outlines>,
     hover: Option<Outlines>,
@@ -46,6 +52,7 @@ pub(crate) struct View {
 pub(crate) struct Shown {
     pub(crate) pixels: Arc<Vec<u8>>,
     pub(crate) size: [u32; 2],
+    pub(crate) shows: Shows,
     pub(crate) outline: Arc<Vec<Polyline>>,
     pub(crate) hover: Arc<Vec<Polyline>>,
     pub(crate) grid: Arc<Vec<GridLine>>,
@@ -86,6 +93,8 @@ impl View {
             film: None,
             sharper: None,
             spare: None,
+            drawn: None,
+            has_old_maps: false,
             shown: Shown::default(),
             due: Due::ALL,
             is_at_rest: false,
@@ -105,9 +114,12 @@ impl View {
         let camera = stage.camera_for(&request.camera);
         let before = &self.request;
         let picture = !is_same_stage || request.camera != before.camera || request.size != before.size;
+        let picture = picture || request.method != before.method;
         let due = Due {
             picture: picture || self.due.picture,
-            development: self.due.development || request.development != before.development,
+            development: self.due.development
+                || request.development != before.development
+                || request.shows != before.shows,
             overlays: picture
                 || self.due.overlays
                 || request.outline != before.outline
@@ -126,6 +138,8 @@ impl View {
             film: self.film,
             sharper: self.sharper,
             spare: self.spare,
+            drawn: self.drawn,
+            has_old_maps: self.has_old_maps || !is_same_stage,
             shown: self.shown,
             request,
             stage,
@@ -156,6 +170,11 @@ impl View {
         }
     }
 
+    /// Lets go of the light of traced pictures.
+    pub(crate) fn drop_films(&mut self) {
+        (self.film, self.sharper, self.spare) = (None, None, None);
+    }
+
     /// How long there is nothing to do.
     pub(crate) fn wait(&self) -> Wait {
         if self.is_at_rest {
@@ -175,9 +194,19 @@ impl View {
         self.request.samples.max(1)
     }
 
-    /// The samples of the film, if it is of the full size.
+    /// The samples of the picture, if it is of the full size.
     pub(crate) fn full_samples(&self) -> u32 {
-        self.film.as_ref().filter(|film| size_of_film(film) == self.request.size).map_or(0, Film::samples)
+        let size = self.request.size;
+        if self.request.method == Method::Whitted {
+            self.film.as_ref().filter(|film| size_of_film(film) == size).map_or(0, Film::samples)
+        } else {
+            self.drawn.as_ref().filter(|drawn| drawn.size == size).map_or(0, |drawn| drawn.samples)
+        }
+    }
+
+    /// The size of the picture that was made last, pixels.
+    pub(crate) fn picture_size(&self) -> [u32; 2] {
+        self.drawn.as_ref().map_or(self.shown.size, |drawn| drawn.size)
     }
 
     pub(crate) fn is_refined(&self) -> bool {
@@ -224,6 +253,8 @@ pub(crate) fn is_new(new: &Request, current: &Request) -> bool {
         || new.camera != current.camera
         || new.size != current.size
         || new.development != current.development
+        || new.method != current.method
+        || new.shows != current.shows
         || new.outline != current.outline
         || new.hover != current.hover
         || new.grid != current.grid

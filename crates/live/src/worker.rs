@@ -1,19 +1,22 @@
 //! The thread that traces what is asked for.
 
 use std::any::Any;
+use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use catoptric_picture::{Development, SizeError};
+use catoptric_picture::{Development, Picture, SizeError};
+use catoptric_tracer::method::Method;
 use catoptric_tracer::{Control, Film, RayCounts, RenderError, Stage, StageCamera};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use crate::drawn::{Drawn, Maps, has_light};
 use crate::frame::Frame;
 use crate::live::LiveOptions;
 use crate::pace::Pace;
-use crate::request::Request;
+use crate::request::{Request, Shows};
 use crate::shared::{Call, Patience, Shared, Wait};
 use crate::status::LiveError;
 use crate::view::{Due, Step, View, check, is_new, size_of_film};
@@ -30,18 +33,19 @@ const BETWEEN_FRAMES: Duration = Duration::from_millis(60);
 
 pub(crate) struct Worker {
     shared: Arc<Shared>,
-    pool: ThreadPool,
+    pub(crate) pool: ThreadPool,
     budget: Duration,
-    pace: Pace,
-    view: Option<View>,
+    pub(crate) pace: Pace,
+    pub(crate) view: Option<View>,
+    pub(crate) maps: Maps,
     serial: u64,
     picture_serial: u64,
 }
 
 /// What a finished pass took.
-struct Passed {
-    rays: RayCounts,
-    milliseconds: f64,
+pub(crate) struct Passed {
+    pub(crate) rays: RayCounts,
+    pub(crate) milliseconds: f64,
 }
 
 impl Worker {
@@ -55,6 +59,7 @@ impl Worker {
             budget: Duration::from_secs_f64(1e-3 * budget),
             pace: Pace::new(budget),
             view: None,
+            maps: Maps::default(),
             serial: 0,
             picture_serial: 0,
         }
@@ -82,8 +87,10 @@ impl Worker {
         }
         match &self.view {
             None => Ok(()),
+            Some(view) if view.due.picture && view.request.method != Method::Whitted => self.first_drawing(),
             Some(view) if view.due.picture => self.first_picture(),
             Some(view) if view.due != Due::NOTHING => self.show(None),
+            Some(view) if view.request.method != Method::Whitted => self.refine_drawing(),
             Some(_) => self.refine(),
         }
     }
@@ -104,6 +111,11 @@ impl Worker {
             return Ok(());
         }
         let old = self.view.take();
+        if old.as_ref().is_none_or(|old| old.request.method.kind() != request.method.kind()) {
+            // What a picture takes is another matter now.
+            self.pace = Pace::new(1e3 * self.budget.as_secs_f64());
+            self.maps.change_to(&request.method);
+        }
         let view = self.pool.install(|| self.view_of(request, old));
         self.view = Some(view?);
         self.shared.change_status(|status| status.error = None);
@@ -142,14 +154,10 @@ impl Worker {
         let size = self.pace.coarse(view.request.size);
         let mut film = view.blank_film(size)?;
         let start = Instant::now();
-        let patience = if self.pace.can_be_coarser(view.request.size, size) {
-            self.budget.mul_f64(OVERRUN)
-        } else {
-            LONGEST
-        };
-        let passed = self.pass(&mut film, Some(start + patience))?;
+        let until = start + self.patience(size);
+        let passed = self.pass(&mut film, Some(until))?;
         let Some(view) = &mut self.view else { return Ok(()) };
-        view.film = Some(film);
+        (view.film, view.drawn) = (Some(film), None);
         match passed {
             None => Ok(()),
             Some(passed) => {
@@ -158,6 +166,12 @@ impl Worker {
                 self.show(Some(&passed))
             }
         }
+    }
+
+    /// How long the first picture of this size may take though a newer one is asked for.
+    pub(crate) fn patience(&self, size: [u32; 2]) -> Duration {
+        let view = self.view.as_ref().map_or(size, |view| view.request.size);
+        if self.pace.can_be_coarser(view, size) { self.budget.mul_f64(OVERRUN) } else { LONGEST }
     }
 
     /// Takes the next step towards the full picture with all samples.
@@ -201,23 +215,14 @@ impl Worker {
         let pixels = u64::from(film.width()) * u64::from(film.height());
         let is_full = size_of_film(film) == view.request.size;
         let before = if is_full { film.samples() } else { 0 };
-        let report = |done: u64| {
-            let share = if is_full { done as f32 / pixels as f32 } else { 0.0 };
-            let progress = (before as f32 + share.min(1.0)) / view.samples_wanted() as f32;
-            self.shared.change_status(|status| status.progress = progress.min(1.0));
-            self.shared.wake();
-        };
-        let patience = Patience { is_new: &|request| is_new(request, &view.request), until, report: &report };
-        let mut result = Err(RenderError::Cancelled);
         let (stage, camera): (&Stage, &StageCamera) = (&view.stage, &view.camera);
-        self.pool.in_place_scope(|scope| {
-            let end = self.shared.begin_pass();
-            scope.spawn(|_| {
-                let _end = end;
-                result = film.add_sample(stage, camera, &control);
-            });
-            self.shared.watch_pass(&control, &patience);
-        });
+        let progress = |done: u64| {
+            let share = if is_full { done as f32 / pixels as f32 } else { 0.0 };
+            (before as f32 + share.min(1.0)) / view.samples_wanted() as f32
+        };
+        let work = || film.add_sample(stage, camera, &control);
+        let result = self.watched(view, &control, until, &progress, work);
+        let result = result.unwrap_or(Err(RenderError::Cancelled));
         let milliseconds = milliseconds_since(start);
         match (&result, until) {
             (Err(_), Some(_)) => self.pace.gave_up(control.pixels_done(), milliseconds),
@@ -230,16 +235,46 @@ impl Worker {
         }
     }
 
+    /// Does `work` on the threads that trace and watches it meanwhile. `progress` tells from the pixels done how far the
+    /// picture is refined.
+    pub(crate) fn watched<T: Send>(
+        &self,
+        view: &View,
+        control: &Control,
+        until: Option<Instant>,
+        progress: &dyn Fn(u64) -> f32,
+        work: impl FnOnce() -> T + Send,
+    ) -> Option<T> {
+        let report = |done: u64| {
+            let progress = progress(done).min(1.0);
+            self.shared.change_status(|status| status.progress = progress);
+            self.shared.wake();
+        };
+        let patience = Patience { is_new: &|request| is_new(request, &view.request), until, report: &report };
+        let mut result = None;
+        let place = &mut result;
+        self.pool.in_place_scope(|scope| {
+            let end = self.shared.begin_pass();
+            scope.spawn(move |_| {
+                let _end = end;
+                *place = Some(work());
+            });
+            self.shared.watch_pass(control, &patience);
+        });
+        result
+    }
+
     /// Brings a frame up to date and publishes it, after a pass if there was one.
-    fn show(&mut self, passed: Option<&Passed>) -> Result<(), LiveError> {
+    pub(crate) fn show(&mut self, passed: Option<&Passed>) -> Result<(), LiveError> {
         let Some(view) = &mut self.view else { return Ok(()) };
-        let Some(film) = &view.film else { return Ok(()) };
-        let samples = film.samples();
+        let samples = match (&view.film, &view.drawn) {
+            (_, Some(drawn)) => drawn.samples,
+            (Some(film), None) => film.samples(),
+            (None, None) => return Ok(()),
+        };
         if passed.is_some() || view.due.development {
             let start = Instant::now();
-            let pixels = self.pool.install(|| develop(film, &view.request.development))?;
-            view.shown.pixels = Arc::new(pixels);
-            view.shown.size = size_of_film(film);
+            self.pool.install(|| develop_shown(view))?;
             view.due.development = false;
             self.picture_serial += 1;
             if let Some(passed) = passed {
@@ -263,6 +298,7 @@ impl Worker {
             camera: view.request.camera,
             view_size: view.request.size,
             picture_size: shown.size,
+            shows: shown.shows,
             pixels: Arc::clone(&shown.pixels),
             samples,
             milliseconds: shown.milliseconds,
@@ -284,25 +320,44 @@ impl Worker {
             status.samples_done = done.min(wanted);
             status.samples_wanted = wanted;
             status.progress = (done as f32 / wanted as f32).min(1.0);
-            status.picture_size = view.shown.size;
+            status.picture_size = view.picture_size();
+            status.method = Some(view.request.method.kind());
+            status.passes = view.drawn.as_ref().map(Drawn::passes).unwrap_or_default();
+            status.cube_maps = view.drawn.as_ref().and_then(|drawn| drawn.drawing.cube_maps);
             status.milliseconds = milliseconds;
             status.rays_per_second = 1e3 * rays.total() as f64 / milliseconds.max(1e-6);
         });
     }
 }
 
-/// Display codes of what is on the film, four bytes a pixel; on the current rayon pool.
-fn develop(film: &Film, development: &Development) -> Result<Vec<u8>, SizeError> {
+/// Develops what is to be seen; on the current rayon pool.
+fn develop_shown(view: &mut View) -> Result<(), SizeError> {
+    let development = view.request.development;
+    let (picture, shows, development) = match (&view.drawn, &view.film) {
+        (Some(drawn), _) => {
+            let (picture, shows) = drawn.seen(&view.stage, view.request.shows)?;
+            (picture, shows, if has_light(shows) { development } else { Development::default() })
+        }
+        (None, Some(film)) => (Cow::Owned(film.picture()?), Shows::Picture, development),
+        (None, None) => return Ok(()),
+    };
+    view.shown.pixels = Arc::new(develop(&picture, &development));
+    view.shown.size = [picture.width(), picture.height()];
+    view.shown.shows = shows;
+    Ok(())
+}
+
+/// Display codes of a picture, four bytes a pixel; on the current rayon pool.
+fn develop(picture: &Picture, development: &Development) -> Vec<u8> {
     const RUN: usize = 1 << 14;
-    let picture = film.picture()?;
     let mut codes = vec![0; 4 * picture.pixels().len()];
     picture.pixels().par_chunks(RUN).zip(codes.par_chunks_mut(4 * RUN)).for_each(|(light, codes)| {
         development.develop_rgba8(light, codes.as_chunks_mut().0);
     });
-    Ok(codes)
+    codes
 }
 
-fn milliseconds_since(start: Instant) -> f64 {
+pub(crate) fn milliseconds_since(start: Instant) -> f64 {
     1e3 * start.elapsed().as_secs_f64()
 }
 

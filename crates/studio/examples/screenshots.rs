@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use catoptric_editor::Item;
 use catoptric_lab::maps::MapKind;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
-use catoptric_studio::{AuditAct, Command, Start, Studio};
+use catoptric_studio::{AuditAct, Command, MeasureAct, Pane, Start, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2};
 use egui_kittest::Harness;
 
@@ -40,7 +40,8 @@ struct Shot {
     scene: &'static str,
     /// The body to select.
     body: Option<usize>,
-    command: Option<Command>,
+    /// What is done one after the other.
+    commands: Vec<Command>,
     hint: bool,
     /// What is looked into: a pixel, and how the view is turned then.
     audit: Option<Look>,
@@ -59,7 +60,7 @@ struct Look {
 }
 
 const fn shot(name: &'static str, language: &'static str, theme: &'static str, scene: &'static str) -> Shot {
-    Shot { name, language, theme, scene, body: None, command: None, hint: false, audit: None }
+    Shot { name, language, theme, scene, body: None, commands: Vec::new(), hint: false, audit: None }
 }
 
 fn shots() -> Vec<Shot> {
@@ -69,13 +70,13 @@ fn shots() -> Vec<Shot> {
         Shot { body: Some(1), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
         Shot { body: Some(1), ..shot("studio-ru-light", "russian", "light", "whitted") },
         Shot {
-            command: Some(Command::Examples),
+            commands: vec![Command::Examples],
             ..shot("studio-examples", "english", "dark", "four-bodies")
         },
-        Shot { command: Some(Command::Render), ..shot("studio-render", "russian", "light", "still-life") },
-        Shot { command: Some(Command::Palette), ..shot("studio-palette", "english", "light", "glass-row") },
+        Shot { commands: vec![Command::Render], ..shot("studio-render", "russian", "light", "still-life") },
+        Shot { commands: vec![Command::Palette], ..shot("studio-palette", "english", "light", "glass-row") },
         Shot {
-            command: Some(Command::Shortcuts),
+            commands: vec![Command::Shortcuts],
             ..shot("studio-shortcuts", "russian", "dark", "four-bodies")
         },
         Shot { audit: Some(OUTSIDE), ..shot("studio-audit-en", "english", "dark", "whitted") },
@@ -85,18 +86,26 @@ fn shots() -> Vec<Shot> {
             ..shot("studio-slow-light", "english", "light", "whitted")
         },
         Shot {
-            command: Some(Command::Map(Some(MapKind::Generations))),
+            commands: vec![Command::Map(Some(MapKind::Generations))],
             ..shot("studio-map", "english", "dark", "mirror-box")
         },
         Shot {
-            command: Some(Command::ToggleExact),
+            commands: vec![Command::ToggleExact],
             body: Some(5),
             ..shot("studio-exact-en", "english", "dark", "ring-of-images")
         },
         Shot {
-            command: Some(Command::ToggleExact),
+            commands: vec![Command::ToggleExact],
             body: Some(5),
             ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
+        },
+        Shot {
+            commands: vec![Command::TogglePane(Pane::Compare)],
+            ..shot("studio-compare", "english", "dark", "four-bodies")
+        },
+        Shot {
+            commands: vec![Command::TogglePane(Pane::Measure), Command::Measure(MeasureAct::Start)],
+            ..shot("studio-measure", "english", "light", "four-bodies")
         },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
     ]
@@ -139,10 +148,13 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
     if let Some(body) = shot.body {
         harness.state_mut().editor_mut().select(Item::Body(body));
     }
-    if let Some(command) = &shot.command {
+    for command in &shot.commands {
         harness.state_mut().run(command.clone());
+        harness.step();
+        harness.step();
     }
-    wait(&mut harness, Duration::from_secs(if shot.command == Some(Command::Examples) { 40 } else { 2 }));
+    let has_thumbnails = shot.commands.contains(&Command::Examples);
+    wait(&mut harness, Duration::from_secs(if has_thumbnails { 40 } else { 2 }));
     if let Some(look) = &shot.audit {
         audit(&mut harness, look);
     }
@@ -205,7 +217,7 @@ fn wait(harness: &mut Harness<'_, Studio>, least: Duration) {
     let start = Instant::now();
     loop {
         harness.step();
-        let is_refined = harness.state().live().status().is_idle;
+        let is_refined = harness.state().live().status().is_idle && !harness.state().is_measuring();
         if (is_refined && start.elapsed() > least) || start.elapsed() > Duration::from_secs(120) {
             return;
         }

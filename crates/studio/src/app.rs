@@ -1,7 +1,7 @@
 //! The studio: its state, and what happens in one frame.
 
 use catoptric_editor::Editor;
-use catoptric_live::{Live, Request};
+use catoptric_live::{Live, Request, Shows};
 use catoptric_scene::{Camera, Scene};
 use egui::{CentralPanel, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
@@ -29,7 +29,7 @@ use crate::theme;
 use crate::view::View;
 use crate::viewport::Lens;
 use crate::window::Interruption;
-use crate::{documents, menu, picture_frame, shortcuts, status_bar};
+use crate::{compare, documents, measure, menu, picture_frame, shortcuts, status_bar};
 
 /// The whole window.
 pub struct Studio {
@@ -119,6 +119,7 @@ impl Studio {
             panes: Panes::default(),
             pictures: Pictures::default(),
         };
+        studio.panes.compare.choose(&studio.settings.compared);
         documents::start(context, &mut studio, start, interruption);
         Ok(studio)
     }
@@ -161,6 +162,16 @@ impl Studio {
     /// Whether a final picture is being rendered.
     pub fn is_rendering(&self) -> bool {
         self.pictures.is_rendering()
+    }
+
+    /// Whether times are being measured.
+    pub fn is_measuring(&self) -> bool {
+        self.panes.measure.is_running()
+    }
+
+    /// Whether there is a finished comparison of what was chosen last.
+    pub fn is_compared(&self) -> bool {
+        self.panes.compare.is_found() && !self.panes.compare.is_running()
     }
 
     /// Where the picture is in the window, points, once it has been drawn.
@@ -212,6 +223,9 @@ impl Studio {
         }
         documents::keep(ui.ctx(), self);
         audit::poll_saving(ui.ctx(), self);
+        compare::keep_up(ui.ctx(), self);
+        compare::poll_saving(ui.ctx(), self);
+        measure::keep_up(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();
     }
@@ -248,19 +262,33 @@ impl Studio {
         picture_frame::fitted(&camera, self.panes.viewport.aspect(), self.settings.picture_aspect())
     }
 
+    /// What of the drawing is asked for: of cube maps, that of the selected body.
+    pub(crate) fn shown(&self) -> Shows {
+        match self.view.shows {
+            Shows::UnfoldedCube(_) => Shows::UnfoldedCube(self.editor.selection().bodies().next()),
+            shows => shows,
+        }
+    }
+
     /// Tells the tracer what to show; it finds out what has changed.
     fn request_picture(&mut self) {
         let Some(size) = self.panes.viewport.size_in_pixels() else { return };
         let scene = self.editor.scene();
         let mut request = Request::new(scene.clone(), self.editor.revision(), size);
         request.camera = self.shown_camera();
+        request.method = self.settings.methods.method();
+        request.shows = self.shown();
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;
         request.outline = self.editor.selection().bodies().collect();
         request.hover = self.view.hovered_body;
         request.grid = self.settings.shows_grid.then(catoptric_live::GridSpec::default);
-        request.paused = self.view.is_rendering;
+        request.paused = self.view.is_rendering || self.panes.compare.is_running();
+        if self.view.is_measuring {
+            // Nothing else is to be traced meanwhile.
+            request.size = [0, 0];
+        }
         self.live.request(request);
     }
 

@@ -8,7 +8,9 @@ use std::path::PathBuf;
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
+use catoptric_live::Shows;
 use catoptric_scene::ShapeKind;
+use catoptric_tracer::method::MethodKind;
 use egui::KeyboardShortcut;
 use egui_material_icons::MaterialIcon;
 
@@ -37,6 +39,8 @@ pub enum Command {
     SaveAs,
     /// Make a picture file.
     Render,
+    /// Make a picture of what the viewport shows, to be saved.
+    RenderShown,
     /// Copy the picture of the viewport to the clipboard.
     CopyPicture,
     /// Close the window.
@@ -71,6 +75,10 @@ pub enum Command {
     CameraFromView,
     /// Fly with the keys.
     ToggleFly,
+    /// Choose how the picture is drawn.
+    Method(MethodKind),
+    /// Choose what of the drawing is seen.
+    Show(Shows),
     /// Choose what the gizmo does.
     Tool(Tool),
     /// Gizmo along the world's axes or the body's own.
@@ -81,6 +89,10 @@ pub enum Command {
     Map(Option<MapKind>),
     /// Draw where images, focal points and highlights must be.
     ToggleExact,
+    /// Compare pictures.
+    Compare(CompareAct),
+    /// Measure times.
+    Measure(MeasureAct),
     /// Ground grid and axes.
     ToggleGrid,
     /// Lights and gizmo over the picture.
@@ -140,6 +152,30 @@ pub enum AuditAct {
     Save,
     /// Looks into no pixel.
     Release,
+}
+
+/// An act of the comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CompareAct {
+    /// Exchanges the two pictures.
+    Swap,
+    /// Asks for a picture file as the first picture.
+    FileA,
+    /// Asks for a picture file as the second picture.
+    FileB,
+    /// Saves the report.
+    Save,
+}
+
+/// An act of the measurement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MeasureAct {
+    /// Begins to measure.
+    Start,
+    /// Ends it; what was measured stays.
+    Stop,
+    /// Saves report, plots and tables.
+    Save,
 }
 
 /// A step of the window's magnification.

@@ -22,6 +22,10 @@ pub enum FileKind {
     Picture,
     /// A drawing: `.svg`.
     Drawing,
+    /// A page: `.html`.
+    Page,
+    /// A folder to be made, for several files.
+    Folder,
 }
 
 impl FileKind {
@@ -31,6 +35,8 @@ impl FileKind {
             Self::Scene => &["toml"],
             Self::Picture => &["png", "exr"],
             Self::Drawing => &["svg"],
+            Self::Page => &["html"],
+            Self::Folder => &[],
         }
     }
 }
@@ -168,7 +174,9 @@ fn native_dialog(question: &FileQuestion) -> Dialog {
     let mut dialog = rfd::AsyncFileDialog::new().set_title(&question.title);
     let extensions = question.kind.extensions();
     let names: Vec<String> = extensions.iter().map(|extension| format!("*.{extension}")).collect();
-    dialog = dialog.add_filter(names.join(", "), extensions);
+    if !extensions.is_empty() {
+        dialog = dialog.add_filter(names.join(", "), extensions);
+    }
     if !question.is_saving {
         dialog = dialog.add_filter("*", &["*"]);
     }

@@ -19,12 +19,27 @@ pub enum Pane {
     Problems,
     /// The rays behind a pixel.
     Audit,
+    /// Two pictures and how they differ.
+    Compare,
+    /// How long pictures take.
+    Measure,
 }
 
 impl Pane {
     /// All panels.
-    pub const ALL: [Self; 6] =
-        [Self::Viewport, Self::Outliner, Self::Inspector, Self::History, Self::Problems, Self::Audit];
+    pub const ALL: [Self; 8] = [
+        Self::Viewport,
+        Self::Outliner,
+        Self::Inspector,
+        Self::History,
+        Self::Problems,
+        Self::Audit,
+        Self::Compare,
+        Self::Measure,
+    ];
+
+    /// The panels of the lab, which older layouts lack; they are put into the drawer when they are asked for.
+    const LAB: [Self; 3] = [Self::Audit, Self::Compare, Self::Measure];
 
     /// The message that names the panel.
     pub const fn key(self) -> &'static str {
@@ -35,12 +50,14 @@ impl Pane {
             Self::History => "pane-history",
             Self::Problems => "pane-problems",
             Self::Audit => "pane-audit",
+            Self::Compare => "pane-compare",
+            Self::Measure => "pane-measure",
         }
     }
 }
 
 /// Outliner and history at the left, the picture in the middle, the inspector at the right, the drawer with problems
-/// and the audit below (hidden until there is something in it).
+/// and the lab below (hidden until there is something in it).
 pub(crate) fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
@@ -50,13 +67,14 @@ pub(crate) fn default_layout() -> Tree<Pane> {
     let viewport = tabs(&mut tiles, &[Pane::Viewport]);
     let outliner = tabs(&mut tiles, &[Pane::Outliner, Pane::History]);
     let inspector = tabs(&mut tiles, &[Pane::Inspector]);
-    let drawer = tabs(&mut tiles, &[Pane::Problems, Pane::Audit]);
+    let drawer = tabs(&mut tiles, &[Pane::Problems, Pane::Audit, Pane::Compare, Pane::Measure]);
     let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.68), (drawer, 0.32)]);
     let root =
         divided(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)]);
     let mut tree = Tree::new(egui::Id::unique("studio-layout"), root, tiles);
-    set_visible(&mut tree, Pane::Problems, false);
-    set_visible(&mut tree, Pane::Audit, false);
+    for pane in [Pane::Problems].into_iter().chain(Pane::LAB) {
+        set_visible(&mut tree, pane, false);
+    }
     tree
 }
 
@@ -94,11 +112,11 @@ pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     }
 }
 
-/// Puts a panel into the drawer, or, where there is none, beside all others.
+/// Puts a panel where it belongs: the lab into the drawer, others beside all others.
 fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
     let tile = tree.tiles.insert_pane(pane);
     let drawer = tree.tiles.find_pane(&Pane::Problems).and_then(|problems| tree.tiles.parent_of(problems));
-    match drawer.filter(|_| pane == Pane::Audit).or(tree.root) {
+    match drawer.filter(|_| Pane::LAB.contains(&pane)).or(tree.root) {
         Some(place) => tree.move_tile_to_container(tile, place, usize::MAX, true),
         None => tree.root = Some(tile),
     }
@@ -106,13 +124,33 @@ fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
     tree.make_active(|_, other| *other == Tile::Pane(pane));
 }
 
-/// Whether a remembered layout can be used: every panel once. Those of older versions lack the audit, which is put back
-/// when it is asked for.
+/// Makes the drawer with `pane` as high as the picture above it, if it is lower: the lab needs room.
+pub(crate) fn make_room(tree: &mut Tree<Pane>, pane: Pane) {
+    /// The drawer's height over that of what it shares the window with.
+    const SHARE: f32 = 1.05;
+    let Some(tile) = tree.tiles.find_pane(&pane) else { return };
+    let Some(tabs) = tree.tiles.parent_of(tile) else { return };
+    let Some(Tile::Container(Container::Linear(linear))) =
+        tree.tiles.parent_of(tabs).and_then(|parent| tree.tiles.get_mut(parent))
+    else {
+        return;
+    };
+    if linear.dir != LinearDir::Vertical {
+        return;
+    }
+    let others: f32 =
+        linear.children.iter().filter(|&&other| other != tabs).map(|&other| linear.shares[other]).sum();
+    if linear.shares[tabs] < SHARE * others {
+        linear.shares.set_share(tabs, SHARE * others);
+    }
+}
+
+/// Whether a remembered layout can be used: every panel once, but for those that older versions did not have.
 pub(crate) fn is_whole(tree: &Tree<Pane>) -> bool {
     Pane::ALL.iter().all(|pane| {
         let count =
             tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();
-        count == 1 || (count == 0 && *pane == Pane::Audit)
+        count == 1 || (count == 0 && Pane::LAB.contains(pane))
     }) && tree.root.is_some()
 }
 
@@ -130,15 +168,18 @@ mod tests {
     }
 
     #[test]
-    fn the_audit_comes_into_the_drawer_of_an_older_layout() {
-        let mut tree = default_layout();
-        let tile = tree.tiles.find_pane(&Pane::Audit).unwrap();
-        tree.remove_recursively(tile);
-        assert!(is_whole(&tree) && !is_visible(&tree, Pane::Audit));
-        set_visible(&mut tree, Pane::Audit, true);
-        assert!(is_in_front(&tree, Pane::Audit));
-        let drawer = |pane| tree.tiles.parent_of(tree.tiles.find_pane(&pane).unwrap());
-        assert_eq!(drawer(Pane::Audit), drawer(Pane::Problems));
+    fn the_lab_comes_into_the_drawer_of_an_older_layout() {
+        for pane in Pane::LAB {
+            let mut tree = default_layout();
+            let tile = tree.tiles.find_pane(&pane).unwrap();
+            tree.remove_recursively(tile);
+            assert!(is_whole(&tree) && !is_visible(&tree, pane));
+            set_visible(&mut tree, pane, true);
+            assert!(is_in_front(&tree, pane));
+            let drawer = |pane| tree.tiles.parent_of(tree.tiles.find_pane(&pane).unwrap());
+            assert_eq!(drawer(pane), drawer(Pane::Problems));
+            make_room(&mut tree, pane);
+        }
     }
 
     #[test]

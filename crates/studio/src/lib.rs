@@ -6,6 +6,7 @@
 mod app;
 mod audit;
 mod command;
+mod compare;
 mod context;
 mod dialogs;
 mod documents;
@@ -18,7 +19,9 @@ mod inspector;
 mod latest;
 mod layout;
 mod maps;
+mod measure;
 mod menu;
+mod methods;
 mod notices;
 mod outliner;
 mod palette;
@@ -39,8 +42,9 @@ mod widgets;
 mod window;
 
 pub use app::{Start, Studio};
-pub use command::{AuditAct, Command, Group, Look, Tool, Zoom};
+pub use command::{AuditAct, Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
 pub use layout::Pane;
+pub use methods::Methods;
 pub use pictures::{PictureKind, RenderChoices};
 pub use settings::{LastScene, Settings, Theme};
 pub use texts::{Language, Texts};

@@ -4,19 +4,20 @@ use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
 use catoptric_scene::{Example, ShapeKind};
+use catoptric_tracer::method::MethodKind;
 use egui::containers::menu::{MenuBar, MenuButton, MenuConfig, SubMenuButton};
 use egui::{Align, Button, Layout, ScrollArea, Style, TextWrapMode, Ui, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
-use crate::command::{AuditAct, Command, Situation, Tool, Zoom};
+use crate::command::{AuditAct, Command, CompareAct, MeasureAct, Situation, Tool, Zoom};
 use crate::documents::example_title;
 use crate::documents::recent;
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
 use crate::widgets::icon_button;
-use crate::{shortcuts, theme};
+use crate::{methods, shortcuts, theme};
 
 /// What the bar needs to show all menus beside each other, points; below it they are folded into one.
 const FULL_WIDTH: f32 = 520.0;
@@ -173,7 +174,7 @@ fn file() -> Vec<Entry> {
     entries.push(Entry::Line);
     entries.extend(commands_of([Command::Save, Command::SaveAs, Command::Revert]));
     entries.push(Entry::Line);
-    entries.extend(commands_of([Command::Render, Command::CopyPicture]));
+    entries.extend(commands_of([Command::Render, Command::RenderShown, Command::CopyPicture]));
     entries.push(Entry::Line);
     entries.push(Entry::Do(Command::Quit));
     entries
@@ -210,6 +211,9 @@ fn view() -> Vec<Entry> {
     entries.extend(commands_of([Command::ToggleProjection, Command::ToggleFreeView]));
     entries.extend(commands_of([Command::CameraFromView, Command::ToggleFly]));
     entries.push(Entry::Line);
+    entries.push(Entry::Sub("menu-method", icons::ICON_FLARE, methods_ui));
+    entries.push(Entry::Sub("menu-shown", icons::ICON_LAYERS, shown_ui));
+    entries.push(Entry::Line);
     entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool)));
     entries.extend(commands_of([Command::ToggleGizmoSpace, Command::ToggleGrid, Command::ToggleHandles]));
     entries.push(Entry::Line);
@@ -222,15 +226,19 @@ fn view() -> Vec<Entry> {
 
 fn lab() -> Vec<Entry> {
     use AuditAct::{All, Copy, Next, Play, Previous, Release, Save, Tool, View};
-    let audit = Command::Audit;
+    let (audit, compare, measure) = (Command::Audit, Command::Compare, Command::Measure);
     let mut entries: Vec<Entry> = commands_of([Tool, View].map(audit)).collect();
-    entries.push(Entry::Line);
     entries.extend(commands_of([Previous, Next, All, Play].map(audit)));
-    entries.push(Entry::Line);
     entries.extend(commands_of([Copy, Save, Release].map(audit)));
     entries.push(Entry::Line);
     entries.push(Entry::Do(Command::ToggleExact));
     entries.push(Entry::Sub("menu-map", icons::ICON_STACKS, maps_ui));
+    entries.push(Entry::Line);
+    entries.push(Entry::Do(Command::TogglePane(Pane::Compare)));
+    entries.extend(commands_of([CompareAct::Swap, CompareAct::Save].map(compare)));
+    entries.push(Entry::Line);
+    entries.push(Entry::Do(Command::TogglePane(Pane::Measure)));
+    entries.extend(commands_of([MeasureAct::Start, MeasureAct::Stop, MeasureAct::Save].map(measure)));
     entries
 }
 
@@ -273,8 +281,25 @@ fn maps_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     do_ui(ui, studio, commands, MapKind::ALL.map(|kind| Command::Map(Some(kind))));
 }
 
+fn methods_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, MethodKind::ALL.map(Command::Method));
+}
+
+fn shown_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, methods::ALL_SHOWN.map(Command::Show));
+}
+
 fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    let panes = [Pane::Outliner, Pane::History, Pane::Inspector, Pane::Problems, Pane::Audit, Pane::Viewport];
+    let panes = [
+        Pane::Outliner,
+        Pane::History,
+        Pane::Inspector,
+        Pane::Problems,
+        Pane::Audit,
+        Pane::Compare,
+        Pane::Measure,
+        Pane::Viewport,
+    ];
     do_ui(ui, studio, commands, panes.map(Command::TogglePane));
     ui.separator();
     do_ui(ui, studio, commands, [Command::ResetLayout]);

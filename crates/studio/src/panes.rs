@@ -4,10 +4,12 @@ use egui::{Frame, Margin, Ui, Visuals, WidgetText};
 use egui_tiles::{SimplificationOptions, Tabs, TileId, UiResponse};
 
 use crate::audit;
+use crate::compare::{Comparing, compare_ui};
 use crate::context::Cx;
 use crate::history::history_ui;
 use crate::inspector::{Inspector, inspector_ui};
 use crate::layout::Pane;
+use crate::measure::{Measuring, measure_ui};
 use crate::outliner::{Outliner, outliner_ui};
 use crate::problems::{Problems, problems_ui};
 use crate::theme;
@@ -20,6 +22,8 @@ pub(crate) struct Panes {
     pub(crate) outliner: Outliner,
     pub(crate) inspector: Inspector,
     pub(crate) problems: Problems,
+    pub(crate) compare: Comparing,
+    pub(crate) measure: Measuring,
 }
 
 /// The panels while the layout is drawn.
@@ -47,6 +51,8 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
                 Pane::History => history_ui(ui, cx),
                 Pane::Audit => audit::panel_ui(ui, cx),
                 Pane::Problems => problems_ui(ui, cx, &mut panes.problems),
+                Pane::Compare => compare_ui(ui, cx, &mut panes.compare),
+                Pane::Measure => measure_ui(ui, cx, &mut panes.measure),
             }
             ui.allocate_space(ui.available_size());
         });

@@ -14,13 +14,16 @@ pub(crate) mod told;
 use std::sync::Arc;
 use std::time::Duration;
 
-use catoptric_live::{JobError, RenderJob};
+use catoptric_live::{JobError, RenderJob, Shows};
 use catoptric_picture::{Development, Picture};
-use egui::{Context, Ui, UserAttentionType, ViewportCommand};
+use catoptric_scene::Scene;
+use catoptric_tracer::method::{Layer, Method};
+use egui::{ColorImage, Context, Ui, UserAttentionType, ViewportCommand};
 
 use crate::app::Studio;
 use crate::dialogs::Message;
 use crate::documents::job::let_go;
+use crate::methods;
 pub use choices::{PictureKind, RenderChoices};
 pub(crate) use copy::copy_viewport;
 use leave::Leaving;
@@ -72,15 +75,39 @@ impl Pictures {
 }
 
 /// Starts to render the document as it is now, through its own camera; gives up what is being rendered.
-pub(crate) fn start(studio: &mut Studio, choices: RenderChoices, development: Development) {
+pub(crate) fn start(studio: &mut Studio, choices: RenderChoices, development: Development, method: Method) {
+    let scene = Arc::clone(studio.editor.scene());
+    let order = Order { choices, development, name: studio.editor.title().to_owned() };
+    begin(studio, scene, (method, Shows::Picture), order);
+}
+
+/// Starts to make a picture of what the viewport shows, as large as there and through its camera.
+pub(crate) fn start_shown(studio: &mut Studio) {
+    let Some([width, height]) = studio.panes.viewport.size_in_pixels() else { return };
+    let method = studio.settings.methods.method();
+    let shows = if methods::has(&method, studio.view.shows) { studio.shown() } else { Shows::Picture };
+    let scene = Scene { camera: studio.shown_camera(), ..Scene::clone(studio.editor.scene()) };
+    // Layers are of the first sample, and most of them are numbers that no exposure changes.
+    let is_light = matches!(shows, Shows::Picture | Shows::UnfoldedCube(_))
+        || matches!(shows, Shows::Layer(Layer::Lit | Layer::Reflected));
+    let samples = if shows == Shows::Picture { studio.settings.viewport_samples } else { 1 };
+    let size = RenderChoices { width, height, samples, generations: None, ..studio.settings.render.clone() };
+    let development = if is_light { studio.view.development } else { Development::default() };
+    let what = if shows == Shows::Picture {
+        method.name()
+    } else {
+        studio.texts.get(methods::shown_key(studio.view.shows))
+    };
+    let name = format!("{} {what}", studio.editor.title().trim_end_matches(".toml"));
+    begin(studio, Arc::new(scene), (method, shows), Order { choices: size, development, name });
+}
+
+fn begin(studio: &mut Studio, scene: Arc<Scene>, (method, shows): (Method, Shows), order: Order) {
     studio.pictures.cancel();
     studio.pictures.leaving.forget();
-    let scene = Arc::clone(studio.editor.scene());
-    match RenderJob::start(scene, choices.settings(), choices.generations, 0) {
-        Ok(job) => {
-            let name = studio.editor.title().to_owned();
-            studio.pictures.running = Some(Running { job, order: Order { choices, development, name } });
-        }
+    let (settings, generations) = (order.choices.settings(), order.choices.generations);
+    match RenderJob::drawn(scene, method, shows, settings, generations, 0) {
+        Ok(job) => studio.pictures.running = Some(Running { job, order }),
         Err(error) => {
             let text = told::fault(&studio.texts, &error.to_string());
             studio.dialogs.open(Message::new(studio.texts.get("render-failed"), text));
@@ -126,16 +153,24 @@ fn take_result(context: &Context, studio: &mut Studio) {
     }
 }
 
+/// A picture as the window shows it, pixel by pixel.
+pub(crate) fn proof_of(picture: &Picture, development: Development) -> ColorImage {
+    proof::proof(picture, &proof::Wanted { development, size: size_of(picture) })
+}
+
 /// The name that a new picture file gets.
 fn file_name(order: &Order, kind: PictureKind) -> String {
-    let plain: String = order
-        .name
+    format!("{}.{}", plain_name(&order.name), kind.extension())
+}
+
+/// A document's name as the beginning of the name of a file.
+pub(crate) fn plain_name(name: &str) -> String {
+    let plain: String = name
         .chars()
         .map(|letter| if letter.is_control() || "/\\:*?\"<>|".contains(letter) { '-' } else { letter })
         .collect();
     let stem = plain.trim().trim_end_matches(".toml");
-    let stem = if stem.is_empty() { "catoptric" } else { stem };
-    format!("{stem}.{}", kind.extension())
+    if stem.is_empty() { "catoptric" } else { stem }.to_owned()
 }
 
 /// The size of a picture, pixels.

@@ -11,7 +11,7 @@ use crate::layout::Pane;
 use crate::outliner::shape_name;
 use crate::palette::Palette;
 use crate::texts::Texts;
-use crate::{documents, inspector, layout, theme, viewport};
+use crate::{documents, inspector, layout, methods, theme, viewport};
 
 /// Does `command`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
@@ -65,12 +65,27 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             // The keys of flight must not choose rows of a list.
             context.memory_mut(egui::Memory::stop_text_input);
         }
+        Command::Method(kind) => studio.settings.methods.choose(kind),
+        Command::Show(shows) => {
+            if methods::has(&studio.settings.methods.method(), shows) {
+                studio.view.shows = shows;
+            }
+        }
         Command::Tool(tool) => (studio.view.tool, studio.view.is_auditing) = (tool, false),
-        Command::Audit(_) | Command::Map(_) | Command::ToggleExact => experiment(context, studio, &command),
+        Command::Audit(_)
+        | Command::Map(_)
+        | Command::ToggleExact
+        | Command::Compare(_)
+        | Command::Measure(_) => {
+            experiment(context, studio, &command);
+        }
         Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
         Command::TogglePane(pane) => {
             let is_in_front = layout::is_in_front(&studio.layout, pane);
             layout::set_visible(&mut studio.layout, pane, !is_in_front);
+            if !is_in_front && matches!(pane, Pane::Compare | Pane::Measure) {
+                layout::make_room(&mut studio.layout, pane);
+            }
         }
         Command::ResetLayout => studio.layout = layout::default_layout(),
         Command::Zoom(step) => zoom(context, studio, step),
@@ -89,6 +104,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
         Command::Examples | Command::Render => crate::dialogs::run(context, studio, &command),
+        Command::RenderShown => crate::pictures::start_shown(studio),
         Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
     }
 }
@@ -99,6 +115,8 @@ fn experiment(context: &Context, studio: &mut Studio, command: &Command) {
         Command::Audit(act) => crate::audit::run(context, studio, act),
         Command::Map(kind) => studio.maps.kind = kind,
         Command::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
+        Command::Compare(act) => crate::compare::run(studio, act),
+        Command::Measure(act) => crate::measure::run(context, studio, act),
         _ => {}
     }
 }

@@ -2,11 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use catoptric_tracer::method::MethodKind;
 use egui_tiles::Tree;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::layout::Pane;
+use crate::methods::Methods;
 use crate::pictures::RenderChoices;
 use crate::texts::Language;
 
@@ -32,6 +34,10 @@ pub struct Settings {
     pub shows_grid: bool,
     /// Whether lights and the axes are drawn over the picture.
     pub shows_handles: bool,
+    /// How the picture is drawn.
+    pub methods: Methods,
+    /// The two ways of drawing that were compared last.
+    pub compared: [Methods; 2],
     /// Samples per pixel up to which the idle picture is refined.
     pub viewport_samples: u32,
     /// Size of everything in the window, 1 being normal.
@@ -77,6 +83,8 @@ impl Default for Settings {
             is_hint_dismissed: false,
             shows_grid: true,
             shows_handles: true,
+            methods: Methods::default(),
+            compared: [MethodKind::Whitted, MethodKind::Ssr].map(Methods::with),
             viewport_samples: 16,
             zoom: 1.0,
             window_size: None,

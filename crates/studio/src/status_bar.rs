@@ -1,11 +1,14 @@
 //! The bar at the bottom: how the picture is doing.
 
 use catoptric_live::{LiveError, Status};
+use catoptric_tracer::method::MethodKind;
 use egui::{Align, Label, Layout, ProgressBar, Response, RichText, Sides, TextStyle, Ui, vec2};
 
 use egui_material_icons::icons;
 
 use crate::context::Cx;
+use crate::methods::{method_key, report_language, short_key};
+use crate::pictures::told;
 use crate::texts::Texts;
 use crate::{theme, viewport};
 
@@ -29,20 +32,23 @@ fn picture_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
     }
     backend_ui(ui, texts, status);
     line(ui);
+    method_ui(ui, texts, status);
     size_ui(ui, cx, status);
     line(ui);
     let time = if status.milliseconds > 0.0 { number(status.milliseconds) } else { dash() };
     let text = texts.with("status-time", &[("time", time.into())]);
     let sample = texts.with("status-time", &[("time", "8888".into())]);
-    cell(ui, &text, &sample, texts.tip("status-time-name"));
+    let passes = passes_in_words(texts, status);
+    cell(ui, &text, &sample, passes.as_deref().or(texts.tip("status-time-name")));
     let rays = if status.rays_per_second > 0.0 { number(status.rays_per_second / 1e6) } else { dash() };
-    let text = texts.with("status-rays", &[("rays", rays.into())]);
-    let sample = texts.with("status-rays", &[("rays", "8888".into())]);
+    let rays = [rays, "8888".to_owned()].map(|rays| texts.with("status-rays", &[("rays", rays.into())]));
+    // What took the time matters more than how many rays there were.
+    let [text, sample] = passes_in_short(texts, status).unwrap_or(rays);
     let refining = texts.with("status-refining", &[("done", 88.into()), ("wanted", 88.into())]);
     // How far the picture is matters more than how quick it was made.
     if ui.available_width() > width_of(ui, &sample) + width_of(ui, &refining) + 60.0 {
         line(ui);
-        cell(ui, &text, &sample, texts.tip("status-rays-name"));
+        cell(ui, &text, &sample, passes.as_deref().or(texts.tip("status-rays-name")));
     }
     if ui.available_width() > width_of(ui, &refining) + 30.0 {
         line(ui);
@@ -55,6 +61,49 @@ fn backend_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
     let threads = texts.with("status-threads", &[("count", status.threads.into())]);
     let response = ui.label(format!("{backend} · {threads}"));
     tip(response, texts.tip("status-threads-name"));
+}
+
+/// How the picture is drawn, unless it is traced.
+fn method_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
+    let Some(kind) = status.method.filter(|kind| *kind != MethodKind::Whitted) else { return };
+    let text = RichText::new(texts.get(short_key(kind))).color(theme::palette(ui.visuals()).accent);
+    let response = ui.label(text);
+    let passes = passes_in_words(texts, status);
+    tip(response, passes.as_deref().or(texts.tip(method_key(kind))));
+    line(ui);
+}
+
+/// The passes of the last picture with their milliseconds in a line, and that line with the widest numbers.
+fn passes_in_short(texts: &Texts, status: &Status) -> Option<[String; 2]> {
+    let language = report_language(texts);
+    let line = |number: &dyn Fn(f64) -> String| {
+        let passes = status.passes.iter();
+        let passes = passes.map(|(pass, time)| format!("{} {}", language.pass_name(*pass), number(*time)));
+        passes.collect::<Vec<_>>().join(" · ")
+    };
+    (!status.passes.is_empty()).then(|| [line(&number), line(&|_| "8888".to_owned())])
+}
+
+/// The passes of the last picture with their times, a line each, and the cube maps that served it.
+fn passes_in_words(texts: &Texts, status: &Status) -> Option<String> {
+    let language = report_language(texts);
+    let kind = status.method.filter(|_| !status.passes.is_empty())?;
+    let mut lines = vec![texts.get(method_key(kind)).to_owned()];
+    for (pass, milliseconds) in &status.passes {
+        let arguments = [("pass", language.pass_name(*pass).into()), ("time", number(*milliseconds).into())];
+        lines.push(texts.with("status-pass", &arguments));
+    }
+    if let Some(used) = &status.cube_maps {
+        let milliseconds = 1e3 * used.build_time.as_secs_f64();
+        let arguments = [
+            ("built", used.built.into()),
+            ("kept", used.kept.into()),
+            ("time", number(milliseconds).into()),
+            ("bytes", told::bytes(texts, used.bytes).into()),
+        ];
+        lines.push(texts.with("status-maps", &arguments));
+    }
+    Some(lines.join("\n"))
 }
 
 /// The size of the picture that was traced last, smaller than the view while it is coarse.
@@ -101,6 +150,7 @@ fn error_ui(ui: &mut Ui, texts: &Texts, error: &LiveError) {
     let key = match error {
         LiveError::Stage(_) => "status-error-scene",
         LiveError::Size(_) | LiveError::TooLarge { .. } => "status-error-size",
+        LiveError::Setting(_) | LiveError::TooManyCubeMaps { .. } => "status-error-method",
         LiveError::Camera => "status-error-camera",
         LiveError::Fault(_) => "status-error-fault",
     };

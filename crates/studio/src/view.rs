@@ -1,5 +1,6 @@
 //! How the document is looked at: what is neither part of the scene nor remembered.
 
+use catoptric_live::Shows;
 use catoptric_picture::Development;
 use catoptric_scene::Camera;
 
@@ -20,6 +21,8 @@ pub(crate) struct View {
     pub(crate) eased: Option<Camera>,
     /// Whether the keys fly the camera.
     pub(crate) is_flying: bool,
+    /// What of the drawing is seen.
+    pub(crate) shows: Shows,
     /// Exposure and tone curve of the viewport.
     pub(crate) development: Development,
     /// The body under the pointer, in the picture or in the outliner.
@@ -29,6 +32,8 @@ pub(crate) struct View {
     pub(crate) is_moving: bool,
     /// Whether a final picture is being rendered; the viewport then does not refine.
     pub(crate) is_rendering: bool,
+    /// Whether times are being measured; the viewport then waits.
+    pub(crate) is_measuring: bool,
 }
 
 impl View {

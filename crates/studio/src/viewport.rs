@@ -108,6 +108,14 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
     let sight = Sight::new(cx, rect, camera);
+    if frame.as_deref().is_some_and(picture::is_apart) {
+        // Nothing can be picked in it, and nothing belongs over it.
+        viewport.hands = Hands::default();
+        viewport.travel.settle(ui, cx);
+        tell(ui, cx, &response);
+        toolbar::toolbar_ui(ui, cx, rect);
+        return;
+    }
     act(ui, cx, viewport, (&sight, &response));
     if cx.view.free_camera.is_none() {
         picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
@@ -274,6 +282,11 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
             let left = std::time::Duration::from_secs_f32(REST - rest);
             ui.ctx().request_repaint_after(left);
         }
+    }
+    if cx.view.is_measuring {
+        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
+        let text = cx.t("viewport-measuring");
+        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
     }
     if cx.view.is_flying {
         // Lines break between the keys, not within what is said of one.

@@ -6,11 +6,11 @@ use std::fmt::Write as _;
 
 use super::html::escape;
 use super::language::Language;
-use scale::Scale;
+pub use scale::{Scale, Tick};
 
 /// What an axis is about.
 #[derive(Clone, Debug)]
-pub(crate) struct PlotAxis {
+pub struct PlotAxis {
     /// Its title, with the unit.
     pub title: String,
     /// Whether it is logarithmic; only where all values are above 0.
@@ -21,11 +21,14 @@ pub(crate) struct PlotAxis {
 
 /// A measured place of a curve.
 #[derive(Clone, Debug)]
-pub(crate) struct Mark {
+pub struct Mark {
+    /// The place along the first axis: a value, or the number of its name.
     pub x: f64,
+    /// The median.
     pub y: f64,
     /// The interval of y.
     pub low: f64,
+    /// Its other end.
     pub high: f64,
     /// All measurements, and whether each is an outlier.
     pub all: Vec<(f64, bool)>,
@@ -33,9 +36,10 @@ pub(crate) struct Mark {
 
 /// Measured places and the law through them.
 #[derive(Clone, Debug)]
-pub(crate) struct Curve {
+pub struct Curve {
     /// For the legend; not drawn when empty.
     pub label: String,
+    /// In the order of the first axis.
     pub marks: Vec<Mark>,
     /// The law's name for the legend and its values.
     pub law: Option<(String, Vec<(f64, f64)>)>,
@@ -43,11 +47,16 @@ pub(crate) struct Curve {
 
 /// A plot of curves over one axis.
 #[derive(Clone, Debug)]
-pub(crate) struct Plot {
+pub struct Plot {
+    /// What it shows, in a sentence.
     pub description: String,
+    /// Across.
     pub x: PlotAxis,
+    /// Up.
     pub y: PlotAxis,
+    /// In the order of the legend.
     pub curves: Vec<Curve>,
+    /// How numbers are written.
     pub language: Language,
 }
 
@@ -88,6 +97,11 @@ impl Plot {
     }
 
     fn scales(&self) -> (Scale, Scale) {
+        self.scales_over([LEFT, WIDTH - RIGHT], [HEIGHT - BOTTOM, TOP])
+    }
+
+    /// The scales of both axes between these places: left and right, bottom and top.
+    pub fn scales_over(&self, [left, right]: [f64; 2], [bottom, top]: [f64; 2]) -> (Scale, Scale) {
         let marks = || self.curves.iter().flat_map(|curve| &curve.marks);
         let laws = || self.curves.iter().filter_map(|curve| curve.law.as_ref()).flat_map(|(_, law)| law);
         let xs = marks().map(|mark| mark.x).chain(laws().map(|point| point.0));
@@ -95,11 +109,11 @@ impl Plot {
         let ys = marks().flat_map(|mark| [vec![mark.low, mark.high, mark.y], all(mark)].concat());
         let ys = ys.chain(laws().map(|point| point.1));
         let x = if self.x.names.is_empty() {
-            Scale::over(xs, self.x.logarithmic, LEFT, WIDTH - RIGHT)
+            Scale::over(xs, self.x.logarithmic, left, right)
         } else {
-            Scale::of_places(self.x.names.len(), LEFT, WIDTH - RIGHT)
+            Scale::of_places(self.x.names.len(), left, right)
         };
-        (x, Scale::over(ys, self.y.logarithmic, HEIGHT - BOTTOM, TOP))
+        (x, Scale::over(ys, self.y.logarithmic, bottom, top))
     }
 
     /// The lines, numbers and titles.

@@ -50,6 +50,17 @@ pub fn study(measured: &Measured, language: Language) -> Result<Study, RasterErr
     Ok(Study { files, laws: chapter.curves.iter().map(|curve| chapter.law_line(curve)).collect() })
 }
 
+/// The plot of the times, with the laws as far as the points tell them: for measurements under way, too.
+pub fn time_plot(measured: &Measured, language: Language) -> Plot {
+    Chapter { measured, curves: series(measured), language }.time_plot()
+}
+
+/// The laws in words, a line for each curve.
+pub fn law_lines(measured: &Measured, language: Language) -> Vec<String> {
+    let chapter = Chapter { measured, curves: series(measured), language };
+    chapter.curves.iter().map(|curve| chapter.law_line(curve)).collect()
+}
+
 fn png(svg: &str) -> Result<Vec<u8>, RasterError> {
     let picture = rasterize(svg, SHARPNESS)?;
     let developed = Development::default().develop(&picture, BitDepth::Eight)?;
@@ -152,8 +163,8 @@ fn preparing(point: &Point) -> f64 {
     crate::measure::summarize(&times).map_or(f64::NAN, |summary| summary.median)
 }
 
-/// Rows that describe a machine.
-pub(crate) fn machine_rows(machine: &Machine, language: Language) -> Vec<Vec<String>> {
+/// What a reader must know of a machine, rows of a name and a value.
+pub fn machine_rows(machine: &Machine, language: Language) -> Vec<Vec<String>> {
     let known = |text: &str| if text.is_empty() { language.unknown().to_owned() } else { text.to_owned() };
     let cores = machine.cores.map_or_else(|| language.unknown().to_owned(), |cores| cores.to_string());
     let memory = match machine.memory_bytes {

@@ -159,7 +159,7 @@ texts! {
 
 impl Language {
     /// Why a pixel is wrong.
-    pub(crate) const fn why(self, reason: Reason) -> &'static str {
+    pub const fn why(self, reason: Reason) -> &'static str {
         match reason {
             Reason::LeftScreen => self.choose("what is reflected is off the screen", "отражаемое вне экрана"),
             Reason::Hidden => {
@@ -192,7 +192,7 @@ impl Language {
     }
 
     /// What a pass does.
-    pub(crate) const fn pass_name(self, pass: PassName) -> &'static str {
+    pub const fn pass_name(self, pass: PassName) -> &'static str {
         match pass {
             PassName::Trace => self.choose("tracing", "трассировка"),
             PassName::Tessellate => self.choose("tessellation", "разбиение на грани"),
@@ -205,7 +205,7 @@ impl Language {
     }
 
     /// The parameter's title on an axis or over a column.
-    pub(crate) const fn parameter(self, parameter: Parameter) -> &'static str {
+    pub const fn parameter(self, parameter: Parameter) -> &'static str {
         match parameter {
             Parameter::Bodies => self.choose("Bodies N", "Число тел N"),
             Parameter::Generations => self.choose("Generations K", "Число поколений K"),
@@ -253,7 +253,7 @@ impl Language {
     }
 
     /// A value in words.
-    pub(crate) fn value_name(self, value: &Value) -> String {
+    pub fn value_name(self, value: &Value) -> String {
         use catoptric_tracer::Search;
         match value {
             Value::Size([width, height]) => format!("{width}×{height}"),
@@ -267,7 +267,7 @@ impl Language {
     }
 
     /// What a law is called.
-    pub(crate) const fn law_name(self, law: Law) -> &'static str {
+    pub const fn law_name(self, law: Law) -> &'static str {
         match law {
             Law::Constant => self.choose("no growth", "не растёт"),
             Law::Linear => self.choose("linear", "линейный"),

@@ -5,6 +5,7 @@
 mod changes;
 mod frames;
 mod jobs;
+mod methods;
 mod odd;
 
 use std::sync::mpsc::{Receiver, channel};

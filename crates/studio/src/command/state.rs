@@ -4,7 +4,7 @@ use catoptric_editor::{Action, Editor, Item};
 use catoptric_live::Live;
 use egui_tiles::Tree;
 
-use super::{AuditAct, Command};
+use super::{AuditAct, Command, CompareAct, MeasureAct};
 use crate::app::Studio;
 use crate::audit::Auditing;
 use crate::context::Cx;
@@ -12,6 +12,7 @@ use crate::exact::Exact;
 use crate::history::step_name;
 use crate::layout::{self, Pane};
 use crate::maps::Maps;
+use crate::methods;
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::View;
@@ -22,6 +23,8 @@ pub(crate) struct Situation<'a> {
     pub(crate) editor: &'a Editor,
     pub(crate) texts: &'a Texts,
     settings: &'a Settings,
+    /// What the lab has: `None` while the panels are being drawn.
+    lab: Option<Lab>,
     view: &'a View,
     audit: &'a Auditing,
     maps: &'a Maps,
@@ -31,6 +34,14 @@ pub(crate) struct Situation<'a> {
     layout: Option<&'a Tree<Pane>>,
 }
 
+/// What the lab has found so far.
+#[derive(Clone, Copy)]
+struct Lab {
+    is_compared: bool,
+    is_measuring: bool,
+    is_measured: bool,
+}
+
 impl Studio {
     /// What decides about commands.
     pub(crate) fn situation(&self) -> Situation<'_> {
@@ -38,6 +49,11 @@ impl Studio {
             editor: &self.editor,
             texts: &self.texts,
             settings: &self.settings,
+            lab: Some(Lab {
+                is_compared: self.panes.compare.is_found(),
+                is_measuring: self.panes.measure.is_running(),
+                is_measured: self.panes.measure.is_measured(),
+            }),
             view: &self.view,
             audit: &self.audit,
             maps: &self.maps,
@@ -55,6 +71,7 @@ impl Cx<'_> {
             editor: self.editor,
             texts: self.texts,
             settings: self.settings,
+            lab: None,
             view: self.view,
             audit: self.audit,
             maps: self.maps,
@@ -79,7 +96,16 @@ impl Situation<'_> {
                 matches!(selection.primary(), Some(Item::Body(_) | Item::Light(_) | Item::Material(_)))
             }
             Command::Revert => self.editor.path().is_some(),
+            Command::Show(shows) => methods::has(&self.settings.methods.method(), *shows),
+            Command::Render => !self.view.is_measuring,
+            Command::RenderShown => self.live.latest().is_some() && !self.view.is_measuring,
             Command::CopyPicture => self.live.latest().is_some(),
+            Command::Compare(CompareAct::Save) => self.lab.is_some_and(|lab| lab.is_compared),
+            Command::Measure(act) => self.lab.is_some_and(|lab| match act {
+                MeasureAct::Start => !lab.is_measuring,
+                MeasureAct::Stop => lab.is_measuring,
+                MeasureAct::Save => lab.is_measured && !lab.is_measuring,
+            }),
             Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
             Command::FrameAll => !self.editor.scene().bodies.is_empty(),
             Command::CameraFromView => self.view.free_camera.is_some(),
@@ -114,6 +140,8 @@ impl Situation<'_> {
                 let camera = self.view.camera(self.editor.scene());
                 matches!(camera.projection, catoptric_scene::Projection::Parallel { .. })
             }
+            Command::Method(kind) => self.settings.methods.kind() == *kind,
+            Command::Show(shows) => self.view.shows == *shows,
             Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing,
             Command::Audit(AuditAct::Tool) => self.view.is_auditing,
             Command::Audit(AuditAct::Play) => self.audit.light.is_running,
@@ -148,6 +176,14 @@ impl Situation<'_> {
 impl Command {
     /// Whether it chooses one of several, of which one is always chosen.
     pub(crate) fn is_choice(&self) -> bool {
-        matches!(self, Self::Tool(_) | Self::Map(_) | Self::Theme(_) | Self::Language(_))
+        matches!(
+            self,
+            Self::Tool(_)
+                | Self::Method(_)
+                | Self::Show(_)
+                | Self::Map(_)
+                | Self::Theme(_)
+                | Self::Language(_)
+        )
     }
 }

@@ -3,11 +3,13 @@
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
+use catoptric_live::Shows;
 use catoptric_scene::ShapeKind;
+use catoptric_tracer::method::{Layer, MethodKind};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
 
-use super::{AuditAct, Command, Group, Look, Tool, Zoom};
+use super::{AuditAct, Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
@@ -70,6 +72,7 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::SaveAs => "command-save-as", ICON_SAVE_AS, ctrl_shift(Key::S);
         Command::Revert => "command-revert", ICON_SETTINGS_BACKUP_RESTORE;
         Command::Render => "command-render", ICON_PHOTO_CAMERA, ctrl(Key::R), plain(Key::F12);
+        Command::RenderShown => "command-render-shown", ICON_SAVE_AS;
         Command::CopyPicture => "command-copy-picture", ICON_IMAGE, ctrl_shift(Key::C);
         Command::Quit => "command-quit", ICON_LOGOUT, ctrl(Key::Q);
     }
@@ -123,6 +126,21 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::ToggleFreeView => "command-toggle-free-view", ICON_360, plain(Key::Num0);
         Command::CameraFromView => "command-camera-from-view", ICON_VIDEOCAM, ctrl_alt(Key::Num0);
         Command::ToggleFly => "command-toggle-fly", ICON_FLIGHT, shift(Key::F);
+        Command::Method(MethodKind::Whitted) => "command-method-whitted", ICON_FLARE, ctrl(Key::Num1);
+        Command::Method(MethodKind::Ssr) => "command-method-ssr", ICON_SCREENSHOT_MONITOR, ctrl(Key::Num2);
+        Command::Method(MethodKind::CubeMap) => "command-method-cube-map", ICON_DEPLOYED_CODE, ctrl(Key::Num3);
+        Command::Method(MethodKind::Phong) => "command-method-phong", ICON_BLUR_LINEAR, ctrl(Key::Num4);
+        Command::Method(MethodKind::Gouraud) => "command-method-gouraud", ICON_GRADIENT, ctrl(Key::Num5);
+        Command::Method(MethodKind::Flat) => "command-method-flat", ICON_CATEGORY, ctrl(Key::Num6);
+        Command::Show(Shows::Picture) => "command-show-picture", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Depth)) => "command-show-depth", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Normal)) => "command-show-normal", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Body)) => "command-show-body", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Color)) => "command-show-color", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Coefficients)) => "command-show-coefficients", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Lit)) => "command-show-lit", ICON_LAYERS;
+        Command::Show(Shows::Layer(Layer::Reflected)) => "command-show-reflected", ICON_LAYERS;
+        Command::Show(Shows::UnfoldedCube(None)) => "command-show-unfolded", ICON_LAYERS;
     }
     Tool: {
         Command::Tool(Tool::Move) => "command-tool-move", ICON_OPEN_WITH, plain(Key::W);
@@ -149,6 +167,13 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Map(Some(MapKind::LimitLoss)) => "command-map-limit-loss", ICON_LAYERS_CLEAR, alt(Key::Num3);
         Command::Map(Some(MapKind::ThresholdLoss)) => "command-map-threshold-loss", ICON_FILTER_ALT, alt(Key::Num4);
         Command::Map(Some(MapKind::Clipped)) => "command-map-clipped", ICON_FLARE, alt(Key::Num5);
+        Command::Compare(CompareAct::Swap) => "command-compare-swap", ICON_SWAP_HORIZ;
+        Command::Compare(CompareAct::FileA) => "command-compare-file-a", ICON_IMAGE;
+        Command::Compare(CompareAct::FileB) => "command-compare-file-b", ICON_IMAGE;
+        Command::Compare(CompareAct::Save) => "command-compare-save", ICON_SAVE;
+        Command::Measure(MeasureAct::Start) => "command-measure-start", ICON_PLAY_ARROW;
+        Command::Measure(MeasureAct::Stop) => "command-measure-stop", ICON_STOP;
+        Command::Measure(MeasureAct::Save) => "command-measure-save", ICON_SAVE;
     }
     Window: {
         Command::TogglePane(Pane::Outliner) => "command-pane-outliner", ICON_ACCOUNT_TREE;
@@ -156,6 +181,8 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::TogglePane(Pane::History) => "command-pane-history", ICON_HISTORY;
         Command::TogglePane(Pane::Problems) => "command-pane-problems", ICON_REPORT;
         Command::TogglePane(Pane::Audit) => "command-pane-audit", ICON_FUNCTIONS;
+        Command::TogglePane(Pane::Compare) => "command-pane-compare", ICON_COMPARE, plain(Key::F6);
+        Command::TogglePane(Pane::Measure) => "command-pane-measure", ICON_TIMER, plain(Key::F7);
         Command::TogglePane(Pane::Viewport) => "command-pane-viewport", ICON_IMAGE;
         Command::ResetLayout => "command-reset-layout", ICON_DASHBOARD;
         Command::Theme(Theme::Dark) => "command-theme-dark", ICON_DARK_MODE;
@@ -208,6 +235,8 @@ mod tests {
         expected.extend(MapKind::ALL.map(|kind| Command::Map(Some(kind))));
         expected.extend([Theme::Dark, Theme::Light, Theme::System].map(Command::Theme));
         expected.extend([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool));
+        expected.extend(MethodKind::ALL.map(Command::Method));
+        expected.extend(crate::methods::ALL_SHOWN.map(Command::Show));
         expected.extend([Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));
         for command in expected {
             assert!(all.contains(&&command), "{command:?}");

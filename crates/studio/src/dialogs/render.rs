@@ -7,11 +7,13 @@ use catoptric_picture::Development;
 use catoptric_scene::Tracing;
 use catoptric_scene::format::spec::Limits;
 use catoptric_tracer::RenderSettings;
-use egui::{Grid, Label, Response, RichText, Ui};
+use catoptric_tracer::method::MethodKind;
+use egui::{ComboBox, Grid, Label, Response, RichText, Ui};
 use egui_material_icons::icons::{ICON_INFO, ICON_MEMORY, ICON_SCHEDULE, ICON_WARNING};
 
 use super::{Dialog, Flow, buttons_if};
 use crate::app::Studio;
+use crate::methods::method_key;
 use crate::pictures::{self, PictureKind, RenderChoices, fields, told};
 use crate::texts::Texts;
 use crate::theme;
@@ -33,6 +35,7 @@ const FIELD: f32 = 84.0;
 pub(crate) struct RenderDialog {
     choices: RenderChoices,
     development: Development,
+    method: MethodKind,
     size: Size,
     estimate: Estimate,
     /// Why what was typed last has not been taken.
@@ -46,6 +49,7 @@ pub(crate) fn open(studio: &mut Studio) {
     let choices = studio.settings.render.clone();
     let dialog = RenderDialog {
         development: studio.view.development,
+        method: studio.settings.methods.kind(),
         size: Size::new(&choices, studio.panes.viewport.size_in_pixels()),
         estimate: Estimate::default(),
         refused: None,
@@ -72,11 +76,14 @@ impl Dialog for RenderDialog {
             samples_row(ui, texts, &mut self.choices.samples, &mut self.refused);
             let generations = &mut self.choices.generations;
             generations_row(ui, texts, generations, scene.tracing.generations, &mut self.refused);
+            method_row(ui, texts, &mut self.method);
             kind_row(ui, texts, &mut self.choices.kind);
             self.development_rows(ui, texts);
         });
         ui.add_space(2.0);
-        let time = self.estimate.time(ui.ctx(), studio, &self.choices);
+        // Only of tracing it is known how the time grows.
+        let is_traced = self.method == MethodKind::Whitted;
+        let time = is_traced.then(|| self.estimate.time(ui.ctx(), studio, &self.choices));
         let is_ready = self.notes_ui(ui, studio, time);
         let start = match studio.pictures.is_rendering() {
             true => studio.texts.get("render-start-anew"),
@@ -85,7 +92,8 @@ impl Dialog for RenderDialog {
         match buttons_if(ui, &[start, studio.texts.get("cancel")], is_ready) {
             Some(0) => {
                 studio.settings.render = self.choices.clone();
-                pictures::start(studio, self.choices.clone(), self.development);
+                let method = studio.settings.methods.of(self.method);
+                pictures::start(studio, self.choices.clone(), self.development, method);
                 Flow::Close
             }
             Some(_) => Flow::Close,
@@ -109,7 +117,7 @@ impl RenderDialog {
     }
 
     /// What is to be known before: what it costs, and whether it is possible at all.
-    fn notes_ui(&self, ui: &mut Ui, studio: &Studio, time: Time) -> bool {
+    fn notes_ui(&self, ui: &mut Ui, studio: &Studio, time: Option<Time>) -> bool {
         let texts = &studio.texts;
         let palette = theme::palette(ui.visuals());
         ui.separator();
@@ -131,13 +139,15 @@ impl RenderDialog {
         let memory = told::bytes(texts, self.choices.bytes());
         let memory = texts.with("render-memory", &[("bytes", memory.into())]);
         note(ui, ICON_MEMORY.codepoint, &memory, palette.weak);
-        let time = match time {
-            Time::Unknown => texts.get("render-time-unknown").to_owned(),
-            Time::Seconds(seconds) => {
-                texts.with("render-time", &[("time", told::rough_time(texts, seconds).into())])
-            }
-        };
-        note(ui, ICON_SCHEDULE.codepoint, &time, palette.weak);
+        if let Some(time) = time {
+            let time = match time {
+                Time::Unknown => texts.get("render-time-unknown").to_owned(),
+                Time::Seconds(seconds) => {
+                    texts.with("render-time", &[("time", told::rough_time(texts, seconds).into())])
+                }
+            };
+            note(ui, ICON_SCHEDULE.codepoint, &time, palette.weak);
+        }
         if studio.pictures.is_rendering() {
             note(ui, ICON_WARNING.codepoint, texts.get("render-note-running"), palette.warning);
         }
@@ -265,6 +275,23 @@ fn generations_row(
             }
         });
     });
+    ui.end_row();
+}
+
+/// How it is drawn; the settings of a method are those of the viewport.
+fn method_row(ui: &mut Ui, texts: &Texts, kind: &mut MethodKind) {
+    label(ui, texts, "render-method");
+    let list =
+        ComboBox::from_id_salt("method").selected_text(texts.get(method_key(*kind))).width(WIDTH - 8.0);
+    let shown = list.show_ui(ui, |ui| {
+        for other in MethodKind::ALL {
+            let key = method_key(other);
+            let response = ui.selectable_value(kind, other, texts.get(key));
+            response.on_hover_text(texts.tip(key).unwrap_or_default());
+        }
+    });
+    let tip = texts.tip("render-method").unwrap_or_default();
+    shown.response.accessible_name(texts.get("render-method")).on_hover_text(tip);
     ui.end_row();
 }
 

@@ -17,8 +17,8 @@ const fn term(sign: &'static str, index: &'static str, key: &'static str) -> Ter
     Term { sign, index, key }
 }
 
-/// The terms, from the surface over the light to the rays.
-const TERMS: [Term; 21] = [
+/// The terms, from the surface over the light to the rays, then the other ways of drawing.
+const TERMS: [Term; 27] = [
     term("C", "", "glossary-color"),
     term("k", "a", "glossary-ambient"),
     term("k", "d", "glossary-diffuse"),
@@ -40,6 +40,12 @@ const TERMS: [Term; 21] = [
     term("", "", "glossary-weight"),
     term("", "", "glossary-optical-path"),
     term("", "", "glossary-virtual-image"),
+    term("", "", "glossary-facet"),
+    term("", "", "glossary-g-buffer"),
+    term("", "", "glossary-ssr"),
+    term("", "", "glossary-cube-map"),
+    term("", "", "glossary-parallax"),
+    term("", "", "glossary-flip"),
 ];
 
 /// Draws the terms.

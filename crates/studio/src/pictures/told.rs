@@ -97,6 +97,13 @@ pub(crate) fn job_error(texts: &Texts, error: &JobError) -> String {
     match error {
         JobError::Size(error) => size_error(texts, error),
         JobError::Stage(error) => texts.with("render-error-scene", &[("reason", error.to_string().into())]),
+        JobError::Setting(error) => {
+            texts.with("render-error-method", &[("reason", error.to_string().into())])
+        }
+        JobError::TooManyCubeMaps { bodies, size } => {
+            let arguments = [("bodies", (*bodies).into()), ("size", (*size).into())];
+            texts.with("viewport-error-maps", &arguments)
+        }
         JobError::Cancelled => texts.get("render-cancelled").to_owned(),
         JobError::Fault(reason) => fault(texts, reason),
     }

@@ -2,13 +2,17 @@
 
 use std::sync::Arc;
 
-use catoptric_live::{Frame, LiveError};
+use catoptric_live::{Frame, LiveError, Shows};
 use catoptric_tracer::StageError;
 use egui::{Align2, Color32, ColorImage, FontId, Painter, Rect, TextureHandle, TextureOptions, pos2};
 
 use crate::context::Cx;
+use crate::picture_frame;
 use crate::texts::Texts;
 use crate::theme::Palette;
+
+/// What is left free around an unfolded cube: the bar over the picture, points.
+const CUBE_MARGIN: f32 = 52.0;
 
 /// The newest picture, in the memory of whatever draws the window.
 #[derive(Default)]
@@ -34,7 +38,11 @@ impl Picture {
         match self.texture.as_ref().filter(|_| frame.is_some()) {
             Some(texture) => {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.image(texture.id(), rect, whole, Color32::WHITE);
+                let place = place_of(rect, frame.as_deref());
+                if place != rect {
+                    painter.rect_filled(rect, 0.0, palette.field);
+                }
+                painter.image(texture.id(), place, whole, Color32::WHITE);
             }
             None => {
                 painter.rect_filled(rect, 0.0, palette.field);
@@ -63,7 +71,7 @@ impl Picture {
         // Opaque: nothing is to be multiplied.
         let image = ColorImage::from_rgba_premultiplied(size, &frame.pixels);
         // Pixel upon pixel there is nothing to smooth.
-        let is_whole = frame.is_full();
+        let is_whole = frame.view_size == frame.picture_size;
         let options = if is_whole { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
         match &mut self.texture {
             Some(texture) => texture.set(image, options),
@@ -71,6 +79,18 @@ impl Picture {
         }
         self.shown = Some(frame.picture_serial);
     }
+}
+
+/// Where the picture lies: everywhere, but for an unfolded cube, which keeps its proportions.
+fn place_of(rect: Rect, frame: Option<&Frame>) -> Rect {
+    let Some(frame) = frame.filter(|frame| is_apart(frame)) else { return rect };
+    let [width, height] = frame.picture_size.map(|side| side as f32);
+    picture_frame::frame(rect.shrink(CUBE_MARGIN), f64::from(width) / f64::from(height.max(1.0)))
+}
+
+/// Whether what is seen is no view of the scene: nothing can be drawn over it or picked in it.
+pub(crate) fn is_apart(frame: &Frame) -> bool {
+    matches!(frame.shows, Shows::UnfoldedCube(_))
 }
 
 fn message_ui(painter: &Painter, rect: Rect, text: String, color: Color32, palette: &Palette) {
@@ -93,6 +113,11 @@ pub(crate) fn why(texts: &Texts, error: &LiveError) -> String {
             texts.with("viewport-error-bodies", &[("count", (*count).into())])
         }
         LiveError::Size(_) | LiveError::TooLarge { .. } => texts.get("viewport-error-size").to_owned(),
+        LiveError::Setting(error) => error.to_string(),
+        LiveError::TooManyCubeMaps { bodies, size } => {
+            let arguments = [("bodies", (*bodies).into()), ("size", (*size).into())];
+            texts.with("viewport-error-maps", &arguments)
+        }
         LiveError::Camera => texts.get("viewport-error-camera").to_owned(),
         LiveError::Fault(fault) => texts.with("viewport-error-fault", &[("fault", fault.as_str().into())]),
     }

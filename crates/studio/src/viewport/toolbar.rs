@@ -12,6 +12,7 @@ use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
 use super::compass;
 use crate::command::{AuditAct, Command, Tool};
 use crate::context::Cx;
+use crate::methods::chooser::chooser_ui;
 use crate::widgets::paint_icon;
 use crate::{shortcuts, theme};
 
@@ -38,6 +39,8 @@ pub(crate) fn toolbar_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect) {
                 looking(ui, cx);
                 gap(ui);
                 exposure(ui, cx);
+                gap(ui);
+                chooser_ui(ui, cx, BUTTON);
             });
         });
         if cx.view.free_camera.is_some() {

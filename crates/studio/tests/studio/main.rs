@@ -4,6 +4,7 @@
 mod audit;
 mod commands;
 mod documents;
+mod experiments;
 mod inspector;
 mod kit;
 mod lab;

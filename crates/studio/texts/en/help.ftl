@@ -77,6 +77,18 @@ glossary-optical-path = Optical path
     .tip = The length of a way times the index of refraction: light needs as long for it as for that length in air. Slow light runs by it.
 glossary-virtual-image = Virtual image
     .tip = Where mirrored rays seem to come from: as far behind a plane mirror as the body is before it.
+glossary-facet = Facets
+    .tip = Flat faces that stand for a curved body. With one intensity each they are seen (flat shading); Gouraud interpolates intensities across them, Phong normals.
+glossary-g-buffer = Geometry buffer
+    .tip = What is known of each pixel before its reflection is found: depth, normal, body, color, coefficients, local light.
+glossary-ssr = Screen-space reflections
+    .tip = A reflected ray is marched over the picture in small steps until it comes behind what the picture shows. What is off the screen or hidden cannot be found.
+glossary-cube-map = Cube map
+    .tip = A picture of all that surrounds a point, on the six faces of a cube. A reflected ray looks up its direction.
+glossary-parallax = Parallax
+    .tip = Near things are seen in another direction from the middle of a body than from its surface; a cube map knows only the first.
+glossary-flip = FLIP
+    .tip = A measure of how different two pictures look to an eye that flips between them at 67 pixels per degree (Andersson et al. 2020).
 
 # About.
 about-version = Version { $version }

@@ -4,7 +4,7 @@ use crate::report::language::{Language, superscript};
 
 /// A scale along a line.
 #[derive(Clone, Debug)]
-pub(super) struct Scale {
+pub struct Scale {
     /// The values at the ends; their decimal logarithms when logarithmic.
     low: f64,
     high: f64,
@@ -16,14 +16,16 @@ pub(super) struct Scale {
 
 /// A place with a line, and perhaps a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Tick {
+pub struct Tick {
+    /// The value there.
     pub value: f64,
+    /// Whether its number is written.
     pub labeled: bool,
 }
 
 impl Scale {
     /// The scale that shows these values, from 0 if it is linear and they are above it.
-    pub(super) fn over(values: impl Iterator<Item = f64>, logarithmic: bool, from: f64, to: f64) -> Self {
+    pub fn over(values: impl Iterator<Item = f64>, logarithmic: bool, from: f64, to: f64) -> Self {
         let usable = values.filter(|value| value.is_finite() && (!logarithmic || *value > 0.0));
         let (low, high) = usable
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
@@ -41,24 +43,24 @@ impl Scale {
     }
 
     /// The scale of places that have names: 0, 1, 2 …
-    pub(super) fn of_places(count: usize, from: f64, to: f64) -> Self {
+    pub fn of_places(count: usize, from: f64, to: f64) -> Self {
         Self { low: -0.5, high: count.max(1) as f64 - 0.5, logarithmic: false, from, to }
     }
 
     /// Whether a value can be shown.
-    pub(super) fn shows(&self, value: f64) -> bool {
+    pub fn shows(&self, value: f64) -> bool {
         value.is_finite() && (!self.logarithmic || value > 0.0)
     }
 
     /// The place of a value.
-    pub(super) fn at(&self, value: f64) -> f64 {
+    pub fn at(&self, value: f64) -> f64 {
         let value = if self.logarithmic { value.max(f64::MIN_POSITIVE).log10() } else { value };
         let part = ((value - self.low) / (self.high - self.low)).clamp(-0.05, 1.05);
         self.from + part * (self.to - self.from)
     }
 
     /// The lines of the grid.
-    pub(super) fn ticks(&self) -> Vec<Tick> {
+    pub fn ticks(&self) -> Vec<Tick> {
         if !self.logarithmic {
             let step = self.step();
             let (first, last) = ((self.low / step).ceil() as i64, (self.high / step).floor() as i64);
@@ -97,7 +99,7 @@ impl Scale {
     }
 
     /// The number at a tick.
-    pub(super) fn label(&self, value: f64, language: Language) -> String {
+    pub fn label(&self, value: f64, language: Language) -> String {
         if !self.logarithmic {
             let step = self.step();
             if self.high >= 1e6 {

@@ -1,0 +1,240 @@
+//! The comparison: two pictures of the same view side by side, where and by how much they differ, and why.
+
+mod facts;
+mod header;
+mod images;
+mod panel;
+mod picture;
+mod saving;
+mod work;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use catoptric_scene::Camera;
+use catoptric_tracer::method::Method;
+use egui::Context;
+
+use crate::app::Studio;
+use crate::command::CompareAct;
+use crate::layout::{self, Pane};
+use crate::methods::Methods;
+
+pub(crate) use panel::compare_ui;
+pub(crate) use saving::poll as poll_saving;
+
+use images::Images;
+use work::{Failure, Found, Running};
+
+/// Nothing is compared before view and scene have rested so long.
+const REST: Duration = Duration::from_millis(300);
+
+/// What the panel shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// A at the left of a line, B at its right.
+    #[default]
+    Split,
+    /// The first picture.
+    A,
+    /// The second picture.
+    B,
+    /// By how much they differ.
+    Difference,
+    /// How different they look.
+    Flip,
+    /// Why they differ.
+    Reasons,
+}
+
+/// One of the two pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Side {
+    pub(crate) methods: Methods,
+    /// A picture file instead.
+    pub(crate) file: Option<PathBuf>,
+}
+
+/// What is compared: as long as it stays, the comparison does.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    sources: [Source; 2],
+    /// The view, unless only files are compared.
+    view: Option<ViewKey>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct ViewKey {
+    revision: u64,
+    camera: Camera,
+    size: [u32; 2],
+}
+
+/// Where a picture comes from.
+#[derive(Clone, Debug, PartialEq)]
+enum Source {
+    Method(Method),
+    File(PathBuf),
+}
+
+/// The comparison of the window.
+pub(crate) struct Comparing {
+    sides: [Side; 2],
+    mode: Mode,
+    /// Where the line between the pictures is, 0…1.
+    divider: f32,
+    /// The view's size is divided by this.
+    coarseness: u32,
+    wanted: Option<(Key, Instant)>,
+    running: Option<Running>,
+    found: Option<Arc<Found>>,
+    failed: Option<(Key, Failure)>,
+    images: Images,
+    saving: saving::Saving,
+    /// The pixel under the pointer.
+    pixel: Option<[u32; 2]>,
+}
+
+impl Default for Comparing {
+    fn default() -> Self {
+        let side = || Side { methods: Methods::default(), file: None };
+        Self {
+            sides: [side(), side()],
+            mode: Mode::default(),
+            divider: 0.5,
+            coarseness: 2,
+            wanted: None,
+            running: None,
+            found: None,
+            failed: None,
+            images: Images::default(),
+            saving: saving::Saving::default(),
+            pixel: None,
+        }
+    }
+}
+
+impl Comparing {
+    /// Compares these ways of drawing.
+    pub(crate) fn choose(&mut self, compared: &[Methods; 2]) {
+        for (side, methods) in self.sides.iter_mut().zip(compared) {
+            side.methods.clone_from(methods);
+        }
+    }
+
+    /// The two ways of drawing, to be remembered.
+    fn chosen(&self) -> [Methods; 2] {
+        let [a, b] = &self.sides;
+        [a.methods.clone(), b.methods.clone()]
+    }
+
+    /// Whether pictures are being drawn: the viewport then does not refine its own.
+    pub(crate) fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+
+    /// Whether there is a comparison to be saved.
+    pub(crate) fn is_found(&self) -> bool {
+        self.found.is_some()
+    }
+
+    fn sources(&self) -> [Source; 2] {
+        let source = |side: &Side| match &side.file {
+            Some(path) => Source::File(path.clone()),
+            None => Source::Method(side.methods.method()),
+        };
+        let [a, b] = &self.sides;
+        [source(a), source(b)]
+    }
+
+    /// Gives up what is being drawn.
+    fn cancel(&mut self) {
+        // It ends when it is let go of.
+        self.running = None;
+    }
+}
+
+impl Source {
+    fn is_file(&self) -> bool {
+        matches!(self, Self::File(_))
+    }
+}
+
+/// Does `act`.
+pub(crate) fn run(studio: &mut Studio, act: CompareAct) {
+    match act {
+        CompareAct::Swap => studio.panes.compare.sides.swap(0, 1),
+        CompareAct::FileA => saving::ask_for_picture(studio, 0),
+        CompareAct::FileB => saving::ask_for_picture(studio, 1),
+        CompareAct::Save => saving::ask_to_save(studio),
+    }
+}
+
+/// Has the comparison follow scene, view and choices while its panel can be seen; once a frame.
+pub(crate) fn keep_up(context: &Context, studio: &mut Studio) {
+    take_result(studio);
+    if !layout::is_in_front(&studio.layout, Pane::Compare) || studio.view.is_measuring {
+        studio.panes.compare.cancel();
+        studio.panes.compare.wanted = None;
+        return;
+    }
+    let Some(key) = key(studio) else { return };
+    let is_moving = studio.view.is_moving || studio.editor.is_in_gesture();
+    let comparing = &mut studio.panes.compare;
+    let since = match &comparing.wanted {
+        Some((wanted, since)) if *wanted == key => *since,
+        _ => {
+            studio.settings.compared = comparing.chosen();
+            comparing.wanted = Some((key.clone(), Instant::now()));
+            Instant::now()
+        }
+    };
+    if comparing.running.as_ref().is_some_and(|running| running.key != key) {
+        comparing.cancel();
+    }
+    let is_known = comparing.found.as_ref().is_some_and(|found| found.key == key)
+        || comparing.failed.as_ref().is_some_and(|(failed, _)| *failed == key);
+    if is_known || comparing.running.is_some() {
+        return;
+    }
+    // The first comparison need not wait for a rest.
+    let rest = if comparing.found.is_none() { Duration::ZERO } else { REST };
+    if is_moving || since.elapsed() < rest {
+        context.request_repaint_after(rest.saturating_sub(since.elapsed()).max(Duration::from_millis(16)));
+        return;
+    }
+    let scene = Arc::clone(studio.editor.scene());
+    match Running::start(context, key.clone(), scene, studio.editor.title().to_owned()) {
+        Ok(running) => comparing.running = Some(running),
+        Err(error) => comparing.failed = Some((key, Failure::Fault(error.to_string()))),
+    }
+}
+
+fn key(studio: &Studio) -> Option<Key> {
+    let comparing = &studio.panes.compare;
+    let sources = comparing.sources();
+    if sources.iter().all(Source::is_file) {
+        return Some(Key { sources, view: None });
+    }
+    let size = studio.panes.viewport.size_in_pixels()?;
+    let size = size.map(|side| (side / comparing.coarseness.max(1)).max(1));
+    let (revision, camera) = (studio.editor.revision(), studio.shown_camera());
+    Some(Key { sources, view: Some(ViewKey { revision, camera, size }) })
+}
+
+fn take_result(studio: &mut Studio) {
+    let comparing = &mut studio.panes.compare;
+    let Some(running) = &comparing.running else { return };
+    let Some(result) = running.result() else { return };
+    let key = running.key.clone();
+    comparing.running = None;
+    match result {
+        Ok(found) => {
+            comparing.found = Some(Arc::new(found));
+            comparing.failed = None;
+        }
+        Err(Failure::Cancelled) => {}
+        Err(failure) => comparing.failed = Some((key, failure)),
+    }
+}

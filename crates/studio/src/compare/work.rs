@@ -1,0 +1,250 @@
+//! Drawing and comparing, on threads of their own.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use catoptric_lab::Variant;
+use catoptric_lab::compare::{
+    CompareError, Compared, Contender, Job as Drawing, compare, draw_all, reason_picture,
+};
+use catoptric_picture::{Development, HeatMap, Picture, ReadError, SizeError, heat_map, read};
+use catoptric_scene::Scene;
+use catoptric_tracer::{Control, RenderSettings};
+use egui::{ColorImage, Context};
+
+use super::{Key, Source};
+use crate::documents::job::{Job, Progress};
+use crate::pictures::proof_of;
+
+/// The difference of a channel from which on a pixel counts as wrong: that of `catoptric compare`.
+const BOUND: f64 = 1.0 / 255.0;
+
+/// What was found.
+pub(super) struct Found {
+    pub(super) key: Key,
+    pub(super) compared: Compared,
+    /// The end of the scale of differences.
+    pub(super) scale: f64,
+    pub(super) difference: ColorImage,
+    pub(super) flip: ColorImage,
+    /// `None` where it cannot be told why they differ.
+    pub(super) reasons: Option<ColorImage>,
+    /// The scene's name, and it as it was drawn; for the report.
+    pub(super) name: String,
+    pub(super) scene: Arc<Scene>,
+    /// On how many threads.
+    pub(super) threads: usize,
+}
+
+/// Why there is no comparison.
+#[derive(Debug)]
+pub(super) enum Failure {
+    Cancelled,
+    /// A file cannot be read.
+    Read(PathBuf, String),
+    /// The pictures have different sizes.
+    Sizes([u32; 2], [u32; 2]),
+    /// A picture cannot be drawn or compared.
+    Compare(String),
+    /// A fault of the program or the system.
+    Fault(String),
+}
+
+/// A comparison under way.
+pub(super) struct Running {
+    pub(super) key: Key,
+    control: Arc<Control>,
+    steps: Arc<[AtomicUsize; 2]>,
+    job: Job<Result<Found, Failure>>,
+}
+
+impl Running {
+    pub(super) fn start(
+        context: &Context,
+        key: Key,
+        scene: Arc<Scene>,
+        name: String,
+    ) -> std::io::Result<Self> {
+        let (control, steps) = (Arc::new(Control::default()), Arc::<[AtomicUsize; 2]>::default());
+        let work = Work {
+            key: key.clone(),
+            scene,
+            name,
+            control: Arc::clone(&control),
+            steps: Arc::clone(&steps),
+            context: context.clone(),
+        };
+        Ok(Self { key, control, steps, job: Job::start(context, "compare", move || work.run())? })
+    }
+
+    fn cancel(&self) {
+        self.control.cancel();
+    }
+
+    /// Pictures drawn, and how many there will be.
+    pub(super) fn steps(&self) -> [usize; 2] {
+        let [done, total] = &*self.steps;
+        [done.load(Ordering::Relaxed), total.load(Ordering::Relaxed)]
+    }
+
+    /// The result, once, when there is one.
+    pub(super) fn result(&self) -> Option<Result<Found, Failure>> {
+        match self.job.poll() {
+            Progress::Waiting => None,
+            Progress::Done(result) => Some(result),
+            Progress::Lost => Some(Err(Failure::Fault(String::new()))),
+        }
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
+struct Work {
+    key: Key,
+    scene: Arc<Scene>,
+    name: String,
+    control: Arc<Control>,
+    steps: Arc<[AtomicUsize; 2]>,
+    context: Context,
+}
+
+impl Work {
+    fn run(self) -> Result<Found, Failure> {
+        let files = self.read_files()?;
+        let size = match (&self.key.view, files.iter().flatten().next()) {
+            // Where one is a file, the other is drawn as large as that.
+            (_, Some(file)) => [file.picture.width(), file.picture.height()],
+            (Some(view), None) => view.size,
+            (None, None) => return Err(Failure::Cancelled),
+        };
+        let mut sizes = files.iter().flatten().map(|file| [file.picture.width(), file.picture.height()]);
+        if let Some(other) = sizes.find(|other| *other != size) {
+            return Err(Failure::Sizes(size, other));
+        }
+        // The common threads of the program, of which there is one for each processor.
+        let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let contenders = self.contenders(files, size)?;
+        let compared = compare(contenders, BOUND)?;
+        if self.control.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
+        Found::new(self.key, compared, (self.name, self.scene), threads)
+    }
+
+    fn read_files(&self) -> Result<[Option<Contender>; 2], Failure> {
+        let [a, b] = &self.key.sources;
+        let file = |source: &Source| -> Result<Option<Contender>, Failure> {
+            match source {
+                Source::Method(_) => Ok(None),
+                Source::File(path) => {
+                    let picture = read(path).map_err(|error| Failure::of_file(path, &error))?;
+                    Ok(Some(Contender { name: name_of(path), picture, drawn: None }))
+                }
+            }
+        };
+        Ok([file(a)?, file(b)?])
+    }
+
+    /// Both pictures, in their order.
+    fn contenders(
+        &self,
+        files: [Option<Contender>; 2],
+        [width, height]: [u32; 2],
+    ) -> Result<Vec<Contender>, Failure> {
+        let variants = self.key.sources.iter().filter_map(|source| match source {
+            Source::Method(method) => Some(Variant::from(*method)),
+            Source::File(_) => None,
+        });
+        let variants: Vec<Variant> = variants.collect();
+        let Some(view) = self.key.view.as_ref().filter(|_| !variants.is_empty()) else {
+            return Ok(files.into_iter().flatten().collect());
+        };
+        let scene = Scene { camera: view.camera, ..Scene::clone(&self.scene) };
+        let settings = RenderSettings { width, height, samples: 1 };
+        let job = Drawing { scene: &scene, variants: &variants, settings, runs: 1, bound: BOUND };
+        let mut drawn = draw_all(&job, &self.control, &mut |done, total| {
+            let [own_done, own_total] = &*self.steps;
+            own_done.store(done, Ordering::Relaxed);
+            own_total.store(total, Ordering::Relaxed);
+            self.context.request_repaint();
+        })?
+        .into_iter();
+        Ok(files.into_iter().filter_map(|file| file.or_else(|| drawn.next())).collect())
+    }
+}
+
+impl Found {
+    fn new(
+        key: Key,
+        compared: Compared,
+        (name, scene): (String, Arc<Scene>),
+        threads: usize,
+    ) -> Result<Self, Failure> {
+        let scale = compared.scale();
+        let Some((other, metrics)) = compared.others().next() else { return Err(Failure::Cancelled) };
+        let Some(truth) = compared.truth() else { return Err(Failure::Cancelled) };
+        let options = HeatMap { legend: false, maximum: scale, ..HeatMap::default() };
+        let difference = heat_map(&truth.picture, &other.picture, &options)
+            .map_err(|error| Failure::Compare(error.to_string()))?;
+        let flip = metrics.flip_map.heat_map(&HeatMap { maximum: 1.0, ..options })?;
+        let reasons = other.drawn.as_ref().and_then(|drawn| drawn.reasons.as_ref());
+        let reasons = reasons.map(reason_picture).transpose()?;
+        Ok(Self {
+            key,
+            scale,
+            difference: image(&difference, Development::default()),
+            flip: image(&flip, Development::default()),
+            reasons: reasons.map(|reasons| image(&reasons, Development::default())),
+            compared,
+            name,
+            scene,
+            threads,
+        })
+    }
+
+    /// Pixels across and down.
+    pub(super) fn size(&self) -> [u32; 2] {
+        self.compared.truth().map_or([1, 1], |truth| [truth.picture.width(), truth.picture.height()])
+    }
+}
+
+/// A picture as the window shows it.
+pub(super) fn image(picture: &Picture, development: Development) -> ColorImage {
+    proof_of(picture, development)
+}
+
+/// What a file is called.
+pub(super) fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+impl Failure {
+    fn of_file(path: &Path, error: &ReadError) -> Self {
+        Self::Read(path.to_owned(), error.to_string())
+    }
+}
+
+impl From<CompareError> for Failure {
+    fn from(error: CompareError) -> Self {
+        match error {
+            CompareError::Cancelled => Self::Cancelled,
+            error => {
+                let source = std::error::Error::source(&error).map(ToString::to_string);
+                Self::Compare(
+                    [Some(error.to_string()), source].into_iter().flatten().collect::<Vec<_>>().join(": "),
+                )
+            }
+        }
+    }
+}
+
+impl From<SizeError> for Failure {
+    fn from(error: SizeError) -> Self {
+        Self::Compare(error.to_string())
+    }
+}

@@ -1,0 +1,127 @@
+//! Measuring on a thread of its own.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use catoptric_lab::Machine;
+use catoptric_lab::measure::{MeasureError, Measured, Parameter, Plan, measure};
+use catoptric_tracer::Control;
+use catoptric_tracer::method::MethodError;
+use egui::Context;
+
+use super::form::Wrong;
+use crate::documents::job::{Job, Progress};
+
+/// The window is woken no more often than this: drawing it takes time that is being measured.
+const BETWEEN: Duration = Duration::from_millis(500);
+
+/// Why nothing was measured.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// What was typed makes no sense.
+    Form(Wrong),
+    /// The method has nothing that the parameter could vary.
+    Meaningless(Parameter),
+    /// The method cannot draw it.
+    Method(MethodError),
+    /// A picture is being rendered.
+    Busy,
+    /// Ended before anything was measured.
+    Cancelled,
+    /// Something else.
+    Fault(String),
+}
+
+/// A measurement under way.
+pub(super) struct Running {
+    control: Arc<Control>,
+    told: Arc<Mutex<Told>>,
+    job: Job<Result<Measured, MeasureError>>,
+}
+
+/// What the thread tells.
+#[derive(Clone, Default)]
+pub(super) struct Told {
+    /// Pictures measured, those of the warm-up counted.
+    pub(super) done: usize,
+    /// All there will be.
+    pub(super) total: usize,
+    /// The time that the rest will take, once it is known.
+    pub(super) left: Option<Duration>,
+    measured: Option<Arc<Measured>>,
+}
+
+impl Running {
+    pub(super) fn start(context: &Context, plan: Plan) -> std::io::Result<Self> {
+        let (control, told) = (Arc::new(Control::default()), Arc::new(Mutex::new(Told::default())));
+        let (own_control, own_told, own_context) = (Arc::clone(&control), Arc::clone(&told), context.clone());
+        let work = move || {
+            let machine = Machine::here();
+            let mut woken: Option<Instant> = None;
+            measure(&plan, &own_control, &mut |progress| {
+                if woken.is_some_and(|woken| woken.elapsed() < BETWEEN) {
+                    return;
+                }
+                woken = Some(Instant::now());
+                let measured = Measured {
+                    name: plan.name.clone(),
+                    axes: plan.axes.clone(),
+                    points: progress.points.to_vec(),
+                    rounds: plan.rounds,
+                    complete: false,
+                    machine: machine.clone(),
+                };
+                let measured = Some(Arc::new(measured));
+                *lock(&own_told) =
+                    Told { done: progress.done, total: progress.total, left: progress.left, measured };
+                own_context.request_repaint();
+            })
+        };
+        Ok(Self { control, told, job: Job::start(context, "measure", work)? })
+    }
+
+    pub(super) fn cancel(&self) {
+        self.control.cancel();
+    }
+
+    /// How far it is.
+    pub(super) fn told(&self) -> Told {
+        lock(&self.told).clone()
+    }
+
+    /// What was measured so far, once for each time that it is told.
+    pub(super) fn measured(&self) -> Option<Arc<Measured>> {
+        lock(&self.told).measured.take()
+    }
+
+    /// The result, once, when there is one.
+    pub(super) fn result(&self) -> Option<Result<Measured, Failure>> {
+        match self.job.poll() {
+            Progress::Waiting => None,
+            Progress::Done(result) => Some(result.map_err(Failure::from)),
+            Progress::Lost => Some(Err(Failure::Fault(String::new()))),
+        }
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
+fn lock(told: &Mutex<Told>) -> MutexGuard<'_, Told> {
+    told.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl From<MeasureError> for Failure {
+    fn from(error: MeasureError) -> Self {
+        match error {
+            MeasureError::Meaningless { parameter, .. } => Self::Meaningless(parameter),
+            MeasureError::Method(error) => Self::Method(error),
+            MeasureError::Cancelled => Self::Cancelled,
+            MeasureError::Axis(_) => Self::Form(Wrong::Twice),
+            error => Self::Fault(error.to_string()),
+        }
+    }
+}

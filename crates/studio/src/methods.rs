@@ -1,0 +1,203 @@
+//! The ways of drawing: which one is chosen, with which settings, and how they are called.
+
+pub(crate) mod chooser;
+pub(crate) mod fields;
+
+use catoptric_lab::Variant;
+use catoptric_live::Shows;
+use catoptric_tracer::method::{Layer, Method, MethodKind};
+use egui_material_icons::MaterialIcon;
+use egui_material_icons::icons;
+use serde::{Deserialize, Serialize};
+
+use crate::texts::Texts;
+
+/// The methods with the settings that each had last, and the one that is chosen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "Written", into = "Written")]
+pub struct Methods {
+    chosen: MethodKind,
+    /// In the order of [`MethodKind::ALL`].
+    all: [Method; MethodKind::ALL.len()],
+}
+
+/// As it is remembered: each method as the command line writes it.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(default)]
+struct Written {
+    chosen: String,
+    settings: Vec<String>,
+}
+
+impl Default for Methods {
+    fn default() -> Self {
+        Self { chosen: MethodKind::Whitted, all: MethodKind::ALL.map(MethodKind::method) }
+    }
+}
+
+impl Methods {
+    /// Those of the first time with this one chosen.
+    pub(crate) fn with(kind: MethodKind) -> Self {
+        Self { chosen: kind, ..Self::default() }
+    }
+
+    /// The chosen one.
+    pub fn method(&self) -> Method {
+        self.of(self.chosen)
+    }
+
+    /// The chosen one without its settings.
+    pub fn kind(&self) -> MethodKind {
+        self.chosen
+    }
+
+    /// A method with the settings that it had last.
+    pub fn of(&self, kind: MethodKind) -> Method {
+        self.all.iter().copied().find(|method| method.kind() == kind).unwrap_or_else(|| kind.method())
+    }
+
+    /// Chooses another one.
+    pub fn choose(&mut self, kind: MethodKind) {
+        self.chosen = kind;
+    }
+
+    /// Gives the method of this kind other settings. All methods of faces have the same.
+    pub fn set(&mut self, method: Method) {
+        for known in &mut self.all {
+            match (known, method) {
+                (
+                    Method::Flat(own) | Method::Gouraud(own) | Method::Phong(own),
+                    Method::Flat(new) | Method::Gouraud(new) | Method::Phong(new),
+                ) => *own = new,
+                (known, _) if known.kind() == method.kind() => *known = method,
+                _ => {}
+            }
+        }
+    }
+}
+
+impl From<Written> for Methods {
+    fn from(written: Written) -> Self {
+        let mut methods = Self::default();
+        // What another version has written otherwise is as at the first time.
+        for method in written.settings.iter().filter_map(|text| text.parse::<Variant>().ok()) {
+            methods.set(method.method);
+        }
+        let chosen = MethodKind::ALL.into_iter().find(|kind| kind.name() == written.chosen);
+        methods.chosen = chosen.unwrap_or(MethodKind::Whitted);
+        methods
+    }
+}
+
+impl From<Methods> for Written {
+    fn from(methods: Methods) -> Self {
+        let settings = methods.all.map(|method| Variant::from(method).name).to_vec();
+        Self { chosen: methods.chosen.name().to_owned(), settings }
+    }
+}
+
+/// The message that names a method; its attribute `.tip` explains it, and `.short` is for where there is little room.
+pub(crate) const fn method_key(kind: MethodKind) -> &'static str {
+    match kind {
+        MethodKind::Whitted => "command-method-whitted",
+        MethodKind::Ssr => "command-method-ssr",
+        MethodKind::CubeMap => "command-method-cube-map",
+        MethodKind::Phong => "command-method-phong",
+        MethodKind::Gouraud => "command-method-gouraud",
+        MethodKind::Flat => "command-method-flat",
+    }
+}
+
+/// A method's name where there is little room.
+pub(crate) const fn short_key(kind: MethodKind) -> &'static str {
+    match kind {
+        MethodKind::Whitted => "method-whitted",
+        MethodKind::Ssr => "method-ssr",
+        MethodKind::CubeMap => "method-cube-map",
+        MethodKind::Phong => "method-phong",
+        MethodKind::Gouraud => "method-gouraud",
+        MethodKind::Flat => "method-flat",
+    }
+}
+
+/// What can be seen of a drawing, in the order in which to offer it.
+pub(crate) const ALL_SHOWN: [Shows; 9] = [
+    Shows::Picture,
+    Shows::Layer(Layer::Depth),
+    Shows::Layer(Layer::Normal),
+    Shows::Layer(Layer::Body),
+    Shows::Layer(Layer::Color),
+    Shows::Layer(Layer::Coefficients),
+    Shows::Layer(Layer::Lit),
+    Shows::Layer(Layer::Reflected),
+    Shows::UnfoldedCube(None),
+];
+
+/// The message that names what is seen; its attribute `.tip` explains it.
+pub(crate) const fn shown_key(shows: Shows) -> &'static str {
+    match shows {
+        Shows::Picture => "command-show-picture",
+        Shows::Layer(Layer::Depth) => "command-show-depth",
+        Shows::Layer(Layer::Normal) => "command-show-normal",
+        Shows::Layer(Layer::Color) => "command-show-color",
+        Shows::Layer(Layer::Coefficients) => "command-show-coefficients",
+        Shows::Layer(Layer::Body) => "command-show-body",
+        Shows::Layer(Layer::Lit) => "command-show-lit",
+        Shows::Layer(Layer::Reflected) => "command-show-reflected",
+        Shows::UnfoldedCube(_) => "command-show-unfolded",
+    }
+}
+
+/// Whether a method's drawings have what is to be seen.
+pub(crate) fn has(method: &Method, shows: Shows) -> bool {
+    use catoptric_tracer::method::Fallback;
+    match (shows, method) {
+        (Shows::Picture, _) | (_, Method::CubeMap(_)) | (Shows::Layer(_), Method::Ssr(_)) => true,
+        (Shows::UnfoldedCube(_), Method::Ssr(ssr)) => matches!(ssr.fallback, Fallback::CubeMap(_)),
+        _ => false,
+    }
+}
+
+/// The icon of a method.
+pub(crate) const fn icon(kind: MethodKind) -> MaterialIcon {
+    match kind {
+        MethodKind::Whitted => icons::ICON_FLARE,
+        MethodKind::Ssr => icons::ICON_SCREENSHOT_MONITOR,
+        MethodKind::CubeMap => icons::ICON_DEPLOYED_CODE,
+        MethodKind::Phong => icons::ICON_BLUR_LINEAR,
+        MethodKind::Gouraud => icons::ICON_GRADIENT,
+        MethodKind::Flat => icons::ICON_CATEGORY,
+    }
+}
+
+/// The language in which the lab writes what is said in this one.
+pub(crate) fn report_language(texts: &Texts) -> catoptric_lab::report::Language {
+    match texts.language() {
+        crate::texts::Language::English => catoptric_lab::report::Language::English,
+        crate::texts::Language::Russian => catoptric_lab::report::Language::Russian,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_tracer::method::{CubeMapSettings, ShadingSettings};
+
+    use super::*;
+
+    #[test]
+    fn what_was_chosen_is_remembered() {
+        let mut methods = Methods::with(MethodKind::Ssr);
+        methods.set(Method::CubeMap(CubeMapSettings { size: 64, parallax: true }));
+        methods.set(Method::Flat(ShadingSettings { fineness: 3, ..ShadingSettings::default() }));
+        assert_eq!(
+            methods.of(MethodKind::Phong),
+            Method::Phong(ShadingSettings { fineness: 3, ..ShadingSettings::default() })
+        );
+        let text = serde_json::to_string(&methods).unwrap();
+        assert_eq!(serde_json::from_str::<Methods>(&text).unwrap(), methods);
+        let damaged = r#"{"chosen": "radiosity", "settings": ["flat:fineness=900", "cube-map:size=8"]}"#;
+        let mut expected = Methods::default();
+        expected.set(Method::CubeMap(CubeMapSettings { size: 8, parallax: false }));
+        assert_eq!(serde_json::from_str::<Methods>(damaged).unwrap(), expected);
+    }
+}
