@@ -98,7 +98,8 @@ pub(crate) fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
         .is_some_and(|tile| tree.is_visible(tile) && tree.active_tiles().contains(&tile))
 }
 
-/// Shows or hides `pane`; a shown one comes to the front. A panel that the layout has lost is put back.
+/// Shows or hides `pane`; a shown one comes to the front, and one of the lab gets room. A panel that the layout has lost
+/// is put back.
 pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     let Some(tile) = tree.tiles.find_pane(&pane) else {
         if visible {
@@ -108,7 +109,14 @@ pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     };
     tree.set_visible(tile, visible);
     if visible {
-        tree.make_active(|_, other| *other == Tile::Pane(pane));
+        bring_forward(tree, pane);
+    }
+}
+
+fn bring_forward(tree: &mut Tree<Pane>, pane: Pane) {
+    tree.make_active(|_, other| *other == Tile::Pane(pane));
+    if Pane::LAB.contains(&pane) {
+        make_room(tree, pane);
     }
 }
 
@@ -121,11 +129,11 @@ fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
         None => tree.root = Some(tile),
     }
     tree.set_visible(tile, true);
-    tree.make_active(|_, other| *other == Tile::Pane(pane));
+    bring_forward(tree, pane);
 }
 
 /// Makes the drawer with `pane` as high as the picture above it, if it is lower: the lab needs room.
-pub(crate) fn make_room(tree: &mut Tree<Pane>, pane: Pane) {
+fn make_room(tree: &mut Tree<Pane>, pane: Pane) {
     /// The drawer's height over that of what it shares the window with.
     const SHARE: f32 = 1.05;
     let Some(tile) = tree.tiles.find_pane(&pane) else { return };
@@ -178,7 +186,6 @@ mod tests {
             assert!(is_in_front(&tree, pane));
             let drawer = |pane| tree.tiles.parent_of(tree.tiles.find_pane(&pane).unwrap());
             assert_eq!(drawer(pane), drawer(Pane::Problems));
-            make_room(&mut tree, pane);
         }
     }
 

@@ -64,7 +64,6 @@ fn start(context: &Context, studio: &mut Studio) {
     }
     if !layout::is_in_front(&studio.layout, Pane::Measure) {
         layout::set_visible(&mut studio.layout, Pane::Measure, true);
-        layout::make_room(&mut studio.layout, Pane::Measure);
     }
     if studio.is_rendering() {
         studio.panes.measure.failure = Some(Failure::Busy);

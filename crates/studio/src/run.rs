@@ -47,24 +47,13 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             studio.keys.is_paste_asked = true;
             context.send_viewport_cmd(ViewportCommand::RequestPaste);
         }
-        Command::ToggleFreeView => viewport::toggle_free(studio),
-        Command::CameraFromView => {
-            if let Some(camera) = studio.view.free_camera.take() {
-                viewport::set_scene_camera(studio, "edit-camera-from-view", camera);
-            }
-        }
-        Command::FrameSelection => viewport::frame(studio, false),
-        Command::FrameAll => viewport::frame(studio, true),
-        Command::LookAlong(axis) => viewport::look_along(studio, axis),
-        Command::ToggleProjection => {
-            let camera = studio.view.camera(studio.editor.scene());
-            viewport::set_camera(studio, "edit-projection", navigate::toggle_projection(&camera));
-        }
-        Command::ToggleFly => {
-            studio.view.is_flying = !studio.view.is_flying;
-            // The keys of flight must not choose rows of a list.
-            context.memory_mut(egui::Memory::stop_text_input);
-        }
+        Command::ToggleFreeView
+        | Command::CameraFromView
+        | Command::FrameSelection
+        | Command::FrameAll
+        | Command::LookAlong(_)
+        | Command::ToggleProjection
+        | Command::ToggleFly => look(context, studio, &command),
         Command::Method(kind) => studio.settings.methods.choose(kind),
         Command::Show(shows) => {
             if methods::has(&studio.settings.methods.method(), shows) {
@@ -83,9 +72,6 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::TogglePane(pane) => {
             let is_in_front = layout::is_in_front(&studio.layout, pane);
             layout::set_visible(&mut studio.layout, pane, !is_in_front);
-            if !is_in_front && matches!(pane, Pane::Compare | Pane::Measure) {
-                layout::make_room(&mut studio.layout, pane);
-            }
         }
         Command::ResetLayout => studio.layout = layout::default_layout(),
         Command::Zoom(step) => zoom(context, studio, step),
@@ -117,6 +103,31 @@ fn experiment(context: &Context, studio: &mut Studio, command: &Command) {
         Command::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
         Command::Compare(act) => crate::compare::run(studio, act),
         Command::Measure(act) => crate::measure::run(context, studio, act),
+        _ => {}
+    }
+}
+
+/// Does what concerns the camera.
+fn look(context: &Context, studio: &mut Studio, command: &Command) {
+    match command {
+        Command::ToggleFreeView => viewport::toggle_free(studio),
+        Command::CameraFromView => {
+            if let Some(camera) = studio.view.free_camera.take() {
+                viewport::set_scene_camera(studio, "edit-camera-from-view", camera);
+            }
+        }
+        Command::FrameSelection => viewport::frame(studio, false),
+        Command::FrameAll => viewport::frame(studio, true),
+        Command::LookAlong(axis) => viewport::look_along(studio, *axis),
+        Command::ToggleProjection => {
+            let camera = studio.view.camera(studio.editor.scene());
+            viewport::set_camera(studio, "edit-projection", navigate::toggle_projection(&camera));
+        }
+        Command::ToggleFly => {
+            studio.view.is_flying = !studio.view.is_flying;
+            // The keys of flight must not choose rows of a list.
+            context.memory_mut(egui::Memory::stop_text_input);
+        }
         _ => {}
     }
 }

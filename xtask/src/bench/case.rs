@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use anyhow::{Context as _, Result};
 use catoptric_files::write_bytes;
 use catoptric_lab::cloud::cloud;
-use catoptric_lab::cloud::cloud;
 use catoptric_scene::{Scene, load, save, write};
 
 use super::folder;
