@@ -206,6 +206,9 @@ pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>) {
         cx.audit.light.move_on(context.input(|input| input.time), longest);
         context.request_repaint();
     }
+    if cx.view.is_measuring {
+        return;
+    }
     let step = (cx.editor.steps_done(), cx.editor.is_in_gesture());
     let now = Seen { revision: cx.editor.revision(), step };
     if cx.audit.seen.is_some_and(|seen| seen.revision == now.revision) {
@@ -247,7 +250,7 @@ pub(crate) fn keep_sight(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
 pub(crate) fn probe(context: &Context, cx: &mut Cx<'_>, pixel: UVec2, size: UVec2, camera: Camera) {
     let Some((revision, stage)) = cx.live.stage() else { return };
     let probe = Probe { revision, pixel, size, camera };
-    if cx.audit.probed.as_ref().is_some_and(|(known, _)| *known == probe) {
+    if cx.view.is_measuring || cx.audit.probed.as_ref().is_some_and(|(known, _)| *known == probe) {
         return;
     }
     cx.audit.probes.want(context, &probe, move |control| {

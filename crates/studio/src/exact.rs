@@ -46,6 +46,9 @@ pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
     if let Some((key, Some(answers))) = cx.exact.work.poll() {
         cx.exact.known = Some((key, answers));
     }
+    if cx.view.is_measuring {
+        return;
+    }
     let Some(body) = body_of(cx).filter(|_| cx.exact.is_on) else { return };
     let key = Key { revision: cx.editor.revision(), body, camera };
     if cx.exact.known.as_ref().is_some_and(|(known, _)| *known == key) {

@@ -102,6 +102,9 @@ pub(crate) fn draw(painter: &Painter, cx: &mut Cx<'_>, rect: Rect, camera: Camer
         Some(_) => return,
         None => wanted,
     };
+    if cx.view.is_measuring {
+        return;
+    }
     cx.maps.work.want(painter.ctx(), &key, move |control| key.carry_out(&stage, control));
 }
 

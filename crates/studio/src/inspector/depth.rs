@@ -73,7 +73,7 @@ fn keep_up(ui: &Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
     }
     let Some((revision, stage)) = sheet.cx.live.stage() else { return };
     let scene = Arc::clone(sheet.cx.editor.scene());
-    if revision != sheet.cx.editor.revision() {
+    if sheet.cx.view.is_measuring || revision != sheet.cx.editor.revision() {
         return;
     }
     let key = match (&adviser.known, sheet.cx.live.latest()) {
