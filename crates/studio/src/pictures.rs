@@ -138,7 +138,9 @@ fn take_result(context: &Context, studio: &mut Studio) {
             let pictures = &mut studio.pictures;
             pictures.count += 1;
             pictures.leaving.forget();
-            pictures.finished.push(Finished::new(pictures.count, rendering, order, elapsed));
+            let number = pictures.count;
+            let finished = Finished::new(number, &pictures.finished, rendering, order, elapsed);
+            pictures.finished.push(finished);
             if !context.input(|input| input.focused) {
                 context.send_viewport_cmd(ViewportCommand::RequestUserAttention(
                     UserAttentionType::Informational,

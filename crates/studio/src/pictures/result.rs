@@ -29,6 +29,8 @@ const LEAST: Vec2 = vec2(540.0, 340.0);
 /// A finished picture.
 pub(crate) struct Finished {
     pub(super) number: u64,
+    /// The least place that no other open window has: the toolkit never forgets what it kept for one.
+    place: usize,
     pub(super) picture: Arc<Picture>,
     pub(super) order: Order,
     /// Where it has been kept, if anywhere.
@@ -65,9 +67,18 @@ enum Press {
 }
 
 impl Finished {
-    pub(super) fn new(number: u64, rendering: Rendering, order: Order, elapsed: Duration) -> Self {
+    /// The window of a picture among the `others`.
+    pub(super) fn new(
+        number: u64,
+        others: &[Self],
+        rendering: Rendering,
+        order: Order,
+        elapsed: Duration,
+    ) -> Self {
+        let place = (0..).find(|place| others.iter().all(|other| other.place != *place)).unwrap_or_default();
         Self {
             number,
+            place,
             picture: Arc::new(rendering.picture),
             order,
             kept: None,
@@ -135,9 +146,9 @@ fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) ->
     let most = (0.9 * whole.size()).min(vec2(1040.0, 860.0)).max(LEAST);
     let size = vec2(most.x, (most.x * height / width + 156.0).clamp(LEAST.y, most.y));
     // The next window does not hide the one before.
-    let shift = 24.0 * ((finished.number - 1) % 5) as f32;
+    let shift = 24.0 * (finished.place % 5) as f32;
     let window = Window::new(RichText::new(&title).strong())
-        .id(Id::unique(("picture", finished.number)))
+        .id(Id::unique(("picture", finished.place)))
         .title_frame(Frame::window(&context.global_style()).inner_margin(Margin::symmetric(14, 8)))
         .collapsible(false)
         .resizable(true)
