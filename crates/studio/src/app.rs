@@ -14,6 +14,7 @@ use crate::context::Cx;
 use crate::dialogs::Dialogs;
 use crate::documents::Documents;
 use crate::exact::Exact;
+use crate::exports::Exports;
 use crate::first_steps::FirstSteps;
 use crate::help::Help;
 use crate::host::Host;
@@ -29,7 +30,7 @@ use crate::theme;
 use crate::view::View;
 use crate::viewport::Lens;
 use crate::window::Interruption;
-use crate::{compare, documents, measure, menu, picture_frame, shortcuts, status_bar};
+use crate::{compare, documents, exports, measure, menu, picture_frame, shortcuts, status_bar};
 
 /// The whole window.
 pub struct Studio {
@@ -53,6 +54,7 @@ pub struct Studio {
     pub(crate) commands: Vec<Command>,
     pub(crate) panes: Panes,
     pub(crate) pictures: Pictures,
+    pub(crate) exports: Exports,
 }
 
 /// What to open at the start.
@@ -118,6 +120,7 @@ impl Studio {
             commands: Vec::new(),
             panes: Panes::default(),
             pictures: Pictures::default(),
+            exports: Exports::default(),
         };
         studio.panes.compare.choose(&studio.settings.compared);
         documents::start(context, &mut studio, start, interruption);
@@ -222,9 +225,9 @@ impl Studio {
             ui.ctx().request_repaint();
         }
         documents::keep(ui.ctx(), self);
-        audit::poll_saving(ui.ctx(), self);
         compare::keep_up(ui.ctx(), self);
-        compare::poll_saving(ui.ctx(), self);
+        compare::poll_opening(ui.ctx(), self);
+        exports::poll(ui.ctx(), self);
         measure::keep_up(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();

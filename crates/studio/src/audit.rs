@@ -29,7 +29,7 @@ pub(crate) use hidden::{Part, SEEN};
 pub(crate) use numbers::{color_text, short};
 pub(crate) use panel::panel_ui;
 pub(crate) use rows::{kind_color, tag};
-pub(crate) use run::{poll_saving, run};
+pub(crate) use run::run;
 pub(crate) use ways::{Way, WayKind, pixel_at};
 
 use crate::latest::Latest;
@@ -72,7 +72,6 @@ pub(crate) struct Auditing {
     step: Option<u32>,
     pub(crate) light: SlowLight,
     listing: listing::Listing,
-    saving: saving::Saving,
 }
 
 /// The number of an audit, and the camera that looks at its rays.

@@ -18,11 +18,12 @@ use egui::Context;
 
 use crate::app::Studio;
 use crate::command::CompareAct;
+use crate::documents::ask::Asking;
 use crate::layout::{self, Pane};
 use crate::methods::Methods;
 
 pub(crate) use panel::compare_ui;
-pub(crate) use saving::poll as poll_saving;
+pub(crate) use saving::poll as poll_opening;
 
 use images::Images;
 use work::{Failure, Found, Running};
@@ -91,7 +92,8 @@ pub(crate) struct Comparing {
     found: Option<Arc<Found>>,
     failed: Option<(Key, Failure)>,
     images: Images,
-    saving: saving::Saving,
+    /// The choice of a picture file for one of the sides.
+    opening: Option<(Asking, usize)>,
     /// The pixel under the pointer.
     pixel: Option<[u32; 2]>,
 }
@@ -109,7 +111,7 @@ impl Default for Comparing {
             found: None,
             failed: None,
             images: Images::default(),
-            saving: saving::Saving::default(),
+            opening: None,
             pixel: None,
         }
     }

@@ -11,6 +11,7 @@ mod context;
 mod dialogs;
 mod documents;
 mod exact;
+mod exports;
 mod first_steps;
 mod help;
 mod history;

@@ -30,7 +30,6 @@ pub(crate) struct Measuring {
     measured: Option<Arc<Measured>>,
     failure: Option<Failure>,
     shown: results::Shown,
-    saving: saving::Saving,
 }
 
 impl Measuring {
@@ -105,5 +104,4 @@ pub(crate) fn keep_up(context: &Context, studio: &mut Studio) {
         }
     }
     studio.view.is_measuring = studio.panes.measure.is_running();
-    saving::poll(context, studio);
 }

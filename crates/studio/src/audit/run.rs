@@ -4,8 +4,6 @@ use std::sync::Arc;
 
 use egui::{Context, OutputCommand};
 
-pub(crate) use super::saving::poll as poll_saving;
-
 use super::saving;
 use crate::app::Studio;
 use crate::command::AuditAct;
