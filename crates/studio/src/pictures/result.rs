@@ -153,7 +153,8 @@ fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) ->
         .collapsible(false)
         .resizable(true)
         .default_size(size)
-        .min_size(LEAST)
+        // Magnified, the whole window may have less room than that.
+        .min_size(LEAST.min(0.9 * context.content_rect().size()))
         .default_pos(whole.center() - 0.5 * size + vec2(shift, shift))
         .constrain_to(context.content_rect());
     window.show(context, |ui| contents_ui(ui, studio, finished)).and_then(|shown| shown.inner).flatten()
@@ -204,7 +205,14 @@ fn development_ui(ui: &mut Ui, texts: &Texts, development: &mut Development) {
 /// The kind of file and the buttons; at the left, where there is room, what has become of the picture.
 fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<Press> {
     let mut press = None;
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+    let is_narrow = ui.available_width() < LEAST.x - 60.0;
+    let layout = if is_narrow {
+        Layout::left_to_right(Align::Center).with_main_wrap(true)
+    } else {
+        Layout::right_to_left(Align::Center)
+    };
+    let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(row, layout, |ui| {
         let texts = &studio.texts;
         let is_copying = copy::is_copying(studio, finished.number);
         let is_saving = !matches!(finished.saving, Saving::No);
@@ -218,7 +226,12 @@ fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<P
         if button_ui(ui, texts, "picture-close", None, !is_saving && !is_copying) {
             press = Some(Press::Close);
         }
-        ui.with_layout(Layout::left_to_right(Align::Center), |ui| state_ui(ui, texts, finished, is_copying));
+        if is_narrow {
+            state_ui(ui, texts, finished, is_copying);
+        } else {
+            let layout = Layout::left_to_right(Align::Center);
+            ui.with_layout(layout, |ui| state_ui(ui, texts, finished, is_copying));
+        }
     });
     press
 }

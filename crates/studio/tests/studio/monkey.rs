@@ -326,7 +326,8 @@ impl Monkey {
             self.click(at.center(), PointerButton::Primary);
             self.harness.step();
         }
-        panic!("a picture cannot be closed");
+        let context = &self.harness.ctx;
+        panic!("a picture cannot be closed in {}, zoom {}", context.content_rect(), context.zoom_factor());
     }
 
     /// Back to a small document without a history, whatever is open.

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, encode_exr, encode_png, read};
 use catoptric_scene::Scene;
 use catoptric_studio::host::PictureClipboard;
-use catoptric_studio::{Command, Language, Start, Studio};
+use catoptric_studio::{Command, Language, Start, Studio, Zoom};
 use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use egui::accesskit::Role;
 use egui::{OutputCommand, ViewportCommand};
@@ -316,6 +316,31 @@ fn an_unsaved_picture_is_not_dropped_without_asking() {
     assert!(!is_seen(&harness, "Picture 96 × 54"));
     close_requested(&mut harness);
     assert!(!viewport_commands(&harness).contains(&ViewportCommand::CancelClose));
+}
+
+#[test]
+fn a_picture_can_be_closed_however_much_is_magnified() {
+    for language in Language::ALL {
+        let host = TestHost::new();
+        let mut harness = on(&host);
+        harness.run();
+        start_small(&mut harness);
+        wait_for(&mut harness, "Picture 96 × 54");
+        harness.state_mut().run(Command::Language(language));
+        for _ in 0..12 {
+            harness.state_mut().run(Command::Zoom(Zoom::In));
+            harness.step();
+        }
+        settle(&mut harness);
+        let label = if language == Language::English {
+            "Close the picture"
+        } else {
+            "Закрыть изображение"
+        };
+        let button = harness.get_by_role_and_label(Role::Button, label).rect();
+        let whole = harness.ctx.content_rect();
+        assert!(whole.width() < 540.0 && whole.contains_rect(button), "{button} in {whole}");
+    }
 }
 
 #[test]
