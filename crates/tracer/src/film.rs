@@ -91,8 +91,9 @@ impl Film {
         let sample = self.samples;
         let counts = self
             .tiles
-            .par_iter_mut()
+            .iter_mut()
             .filter(|tile| tile.samples == sample)
+            .par_bridge()
             .map_init(
                 || TileTracer::new(stage, camera, control),
                 |tracer, tile| tile.add_sample(tracer, size, control),

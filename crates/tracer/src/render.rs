@@ -114,12 +114,13 @@ pub fn render_through(
     let mut picture = Picture::new(settings.width, settings.height)?;
     let size = DVec2::new(f64::from(settings.width), f64::from(settings.height));
     let samples = settings.samples.max(1);
-    let mut tiles = tiles(&mut picture);
-    let counts = tiles
-        .par_iter_mut()
+    // Who is free takes the next tile: of two halves of a picture one may have all that takes long.
+    let counts = tiles(&mut picture)
+        .into_iter()
+        .par_bridge()
         .map_init(
             || (TileTracer::new(stage, camera, control), Vec::new()),
-            |(tracer, sums), tile| {
+            |(tracer, sums), mut tile| {
                 let before = tracer.counts();
                 if tile.trace(tracer, sums, size, samples) {
                     control.add_done(tile.place);
@@ -128,7 +129,6 @@ pub fn render_through(
             },
         )
         .reduce(RayCounts::default, std::ops::Add::add);
-    drop(tiles);
     if control.is_cancelled() {
         return Err(RenderError::Cancelled);
     }
