@@ -307,7 +307,7 @@ impl Monkey {
     fn close_pictures(&mut self) {
         // The question whether to lose the picture lies over its window.
         const CLOSE: &[&str] = &["Don’t save", "Не сохранять", "Close the picture", "Закрыть изображение"];
-        for attempt in 0..1000 {
+        for attempt in 0..4000 {
             if attempt > 100 {
                 // One that is being saved or copied cannot be closed yet.
                 std::thread::sleep(Duration::from_millis(20));
@@ -327,7 +327,10 @@ impl Monkey {
             self.harness.step();
         }
         let context = &self.harness.ctx;
-        panic!("a picture cannot be closed in {}, zoom {}", context.content_rect(), context.zoom_factor());
+        let nodes = self.harness.root().children_recursive();
+        let labels: Vec<_> = nodes.filter_map(|node| node.accesskit_node().label()).collect();
+        let (rect, zoom) = (context.content_rect(), context.zoom_factor());
+        panic!("a picture cannot be closed in {rect}, zoom {zoom}: {labels:?}");
     }
 
     /// Back to a small document without a history, whatever is open.
