@@ -328,7 +328,12 @@ impl Monkey {
         }
         let context = &self.harness.ctx;
         let nodes = self.harness.root().children_recursive();
-        let labels: Vec<_> = nodes.filter_map(|node| node.accesskit_node().label()).collect();
+        let labels: Vec<_> = nodes
+            .filter_map(|node| {
+                let access = node.accesskit_node();
+                Some((access.label()?, access.role(), access.is_disabled(), node.rect()))
+            })
+            .collect();
         let (rect, zoom) = (context.content_rect(), context.zoom_factor());
         panic!("a picture cannot be closed in {rect}, zoom {zoom}: {labels:?}");
     }
