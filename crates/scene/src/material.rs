@@ -1,13 +1,124 @@
-//! Materials: Whitted's and Phong's coefficients.
+//! Materials: Whitted's and Phong's coefficients, and what surfaces of glass, metal and plastic do.
+
+use catoptric_optics::{CLEAR, Clear, METALS, Metal};
+use glam::DVec3;
 
 use crate::color::Color;
 
-/// How a surface answers light: the coefficients of
-/// `I = k_a·C·I_a + Σ_j V_j·A(d_j)·I_j·[k_d·C·(n̂·L̂_j) + k_s·(Ŝ·R̂_j)ⁿ] + k_r·I_reflected + k_t·τ·I_refracted`
-/// (Phong 1975; Whitted 1980, eq. 2). Coefficients are independent of each other and not negative.
+/// What a surface does with light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Model {
+    /// The coefficients of
+    /// `I = k_a·C·I_a + Σ_j V_j·A(d_j)·I_j·[k_d·C·(n̂·L̂_j) + k_s·(Ŝ·R̂_j)ⁿ] + k_r·I_reflected + k_t·τ·I_refracted`
+    /// (Phong 1975; Whitted 1980, eq. 2), independent of each other.
+    #[default]
+    Phong,
+    /// The smooth or rough boundary of a clear substance: reflects by Fresnel's formulas, and lets through the rest.
+    Dielectric,
+    /// The same of a metal, which lets nothing through.
+    Conductor,
+    /// Reflects its color under every angle.
+    Mirror,
+    /// Scatters its color to all sides (J. H. Lambert 1760).
+    Matte,
+    /// Matte under a clear coat: plastic, lacquer, glazed ceramic.
+    Coated,
+}
+
+impl Model {
+    /// All, in the order of the format.
+    pub const ALL: [Self; 6] =
+        [Self::Phong, Self::Dielectric, Self::Conductor, Self::Mirror, Self::Matte, Self::Coated];
+
+    /// Its word in scene files.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Phong => "phong",
+            Self::Dielectric => "dielectric",
+            Self::Conductor => "conductor",
+            Self::Mirror => "mirror",
+            Self::Matte => "matte",
+            Self::Coated => "coated",
+        }
+    }
+
+    /// Whether the body's color and a checker of it are seen.
+    pub const fn has_color(self) -> bool {
+        !matches!(self, Self::Dielectric | Self::Conductor)
+    }
+
+    /// The model of this word.
+    pub fn of_key(key: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|model| model.key() == key)
+    }
+}
+
+/// What a conductor is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Conductor {
+    /// A measured metal.
+    Metal(&'static Metal),
+    /// Refractive index n and extinction coefficient k for red, green and blue light.
+    Index {
+        /// n.
+        n: DVec3,
+        /// k.
+        k: DVec3,
+    },
+}
+
+impl Default for Conductor {
+    fn default() -> Self {
+        Self::Metal(&METALS[DEFAULT_METAL])
+    }
+}
+
+/// The metal that a conductor is unless it says otherwise.
+pub(crate) const DEFAULT_METAL: usize = {
+    let mut at = 0;
+    while !is_same(METALS[at].name, "silver") {
+        at += 1;
+    }
+    at
+};
+
+/// Names of metals, for scene files.
+pub(crate) const METAL_NAMES: [&str; METALS.len()] = {
+    let mut names = [""; METALS.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = METALS[at].name;
+        at += 1;
+    }
+    names
+};
+
+/// Names of clear substances, for scene files.
+pub(crate) const SUBSTANCE_NAMES: [&str; CLEAR.len()] = {
+    let mut names = [""; CLEAR.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = CLEAR[at].name;
+        at += 1;
+    }
+    names
+};
+
+const fn is_same(one: &str, other: &str) -> bool {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    let mut at = 0;
+    while at < one.len() && at < other.len() && one[at] == other[at] {
+        at += 1;
+    }
+    at == one.len() && at == other.len()
+}
+
+/// How a surface answers light. Which numbers count depends on the model; a scene file has no others. None is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Color C of the body. Default gray 0.8.
+    /// What the surface does with light. Default [`Model::Phong`].
+    pub model: Model,
+    /// Color C of the body; of a mirror, what it reflects. Default gray 0.8.
     pub color: Color,
     /// Ambient coefficient k_a. Default 0.1.
     pub ambient: f64,
@@ -17,7 +128,7 @@ pub struct Material {
     pub specular: f64,
     /// Highlight exponent n. Default 32.
     pub shininess: f64,
-    /// Reflection coefficient k_r; `None` (the default) takes the same value as `specular`.
+    /// Reflection coefficient k_r; `None` (the default) takes the same value as `specular`, and 1 for a mirror.
     pub reflection: Option<f64>,
     /// Transmission coefficient k_t; 0 (the default) is opaque.
     pub transmission: f64,
@@ -27,18 +138,38 @@ pub struct Material {
     pub tint: Color,
     /// A second color in a checkerboard of the world's axes. Default none.
     pub checker: Option<Checker>,
+    /// What a dielectric is made of, in the place of `ior`. Default none.
+    pub substance: Option<&'static Clear>,
+    /// Color that white light has after [`attenuation_distance`](Self::attenuation_distance) in a dielectric. Default
+    /// white.
+    pub attenuation_color: Color,
+    /// Meters. Default 1.
+    pub attenuation_distance: f64,
+    /// What a conductor is. Default silver.
+    pub conductor: Conductor,
 }
 
 impl Material {
     /// Reflection coefficient k_r after its default.
     pub fn reflection(&self) -> f64 {
-        self.reflection.unwrap_or(self.specular)
+        self.reflection.unwrap_or(if self.model == Model::Mirror { 1.0 } else { self.specular })
+    }
+
+    /// The index of refraction of yellow light, relative to air.
+    pub fn ior(&self) -> f64 {
+        match self.substance {
+            Some(substance) if self.model == Model::Dielectric => {
+                substance.dispersion.index(catoptric_optics::Lines::D)
+            }
+            _ => self.ior,
+        }
     }
 }
 
 impl Default for Material {
     fn default() -> Self {
         Self {
+            model: Model::Phong,
             color: Color::gray(0.8),
             ambient: 0.1,
             diffuse: 0.9,
@@ -49,6 +180,10 @@ impl Default for Material {
             ior: 1.5,
             tint: Color::WHITE,
             checker: None,
+            substance: None,
+            attenuation_color: Color::WHITE,
+            attenuation_distance: 1.0,
+            conductor: Conductor::default(),
         }
     }
 }

@@ -31,6 +31,6 @@ pub use search::Hit;
 pub use stage::{Search, Stage, StageCamera, StageEdit, StageError};
 pub use vector::Vector;
 pub use whitted::{
-    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer, Tally,
-    TracedRay, Whitted,
+    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, ReflectionLaw, Shadow, ShadowCrossing,
+    SurfaceAnswer, Tally, TracedRay, Whitted,
 };

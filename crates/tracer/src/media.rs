@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::lanes::{MOST_LANES, Mask as _, Width, Word as _};
+use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::stage::{Hierarchy, Stage};
+use crate::surface::exponential;
 use crate::vector::Vector;
 
 /// In no body: in air.
@@ -91,6 +92,39 @@ impl MediaTable {
     /// The index of refraction in these media: that of the body entered last, or of air.
     pub(crate) fn ior(&self, stage: &Stage, media: u32) -> f32 {
         self.bodies(media).next().map_or(1.0, |index| stage.material(stage.body(index)).ior)
+    }
+
+    /// The share of light that is left after ways of these lengths in the body entered last: for each way 1 if that is
+    /// clear, or none.
+    #[inline(never)]
+    pub(crate) fn left_after<W: Width>(
+        &self,
+        w: W,
+        stage: &Stage,
+        media: W::W,
+        lengths: W::R,
+        lanes: W::M,
+    ) -> Vector<W::R> {
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
+        for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
+            if let Some(&(body, _)) = self.links.get(lists[lane] as usize) {
+                [red[lane], green[lane], blue[lane]] = stage.material(stage.body(body)).absorption;
+            }
+        }
+        w.run(
+            #[inline(always)]
+            || {
+                let one = w.real(1.0);
+                let left = |loss: &[f32]| {
+                    let loss: W::R = w.load(loss);
+                    // A way without end through a clear body loses nothing.
+                    W::R::select(loss.eq(w.real(0.0)), one, exponential(-(loss * lengths)))
+                };
+                Vector::new(left(&red), left(&green), left(&blue))
+            },
+        )
     }
 
     /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.

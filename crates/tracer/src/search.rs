@@ -255,7 +255,8 @@ impl<'a, W: Width> Flight<'a, W> {
     /// What one body lets through on the way to a light at `distance`.
     #[inline(always)]
     fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Passed<W>) {
-        let Some(Crossed { in_front, behind, exit, .. }) = self.crossed(index, body, distance, lanes) else {
+        let Some(Crossed { in_front, enter, behind, exit }) = self.crossed(index, body, distance, lanes)
+        else {
             return;
         };
         let crossed = in_front | behind;
@@ -264,10 +265,17 @@ impl<'a, W: Width> Flight<'a, W> {
             return;
         }
         let both = in_front & exit.lt(distance);
-        let filter = self.stage.material(body).filter;
-        let once = passed.share.times_all(filter);
-        passed.share = Vector::select(crossed, once, passed.share);
-        passed.share = Vector::select(both, once.times_all(filter), passed.share);
+        let material = self.stage.material(body);
+        let once = passed.share.times_all(material.filter);
+        let mut share = Vector::select(crossed, once, passed.share);
+        share = Vector::select(both, once.times_all(material.filter), share);
+        if material.absorbs() {
+            let from = W::R::select(in_front, enter, self.w.real(0.0));
+            let way = exit.min(distance) - from;
+            let left = material.left_after(way.max(self.w.real(0.0)));
+            share = Vector::select(crossed, share.times(left), share);
+        }
+        passed.share = share;
     }
 
     /// Where rays meet a body first.

@@ -6,6 +6,7 @@ mod bvh;
 mod camera;
 mod cast;
 mod checker;
+mod curve;
 mod edit;
 mod few;
 mod light;
@@ -27,10 +28,11 @@ use camera::Surroundings;
 pub(crate) use camera::{Homogeneous, RaysNear};
 use cast::Cast;
 pub(crate) use checker::StageChecker;
+pub(crate) use curve::Curve;
 pub use edit::StageEdit;
 use few::FewBodies;
 pub(crate) use light::StageLight;
-pub(crate) use material::StageMaterial;
+pub(crate) use material::{Law, StageMaterial};
 pub(crate) use sight::Sight;
 
 /// A scene prepared for tracing, shared by reference between threads.
@@ -56,6 +58,8 @@ pub struct Stage {
     pub(crate) threshold: f32,
     /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
+    /// Whether light is lost in some body.
+    pub(crate) absorbs: bool,
     /// The largest [`StageBody::slack`], or more after an edit.
     pub(crate) largest_slack: f32,
     /// Materials and checkers that edits have added.
@@ -158,6 +162,7 @@ impl Stage {
             bodies,
             scene_indices,
             has_transparency: materials.iter().any(StageMaterial::is_transparent),
+            absorbs: materials.iter().any(StageMaterial::absorbs),
             materials: materials.into(),
             checkers: checkers.into(),
             lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),

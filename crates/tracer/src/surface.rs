@@ -32,6 +32,25 @@ pub fn refract<R: Real>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (V
     (Vector::select(is_straight, direction, bent), is_straight | !cos_out_squared.lt(zero))
 }
 
+/// The share of unpolarized light that the smooth boundary of a clear body reflects (A. Fresnel 1823; Born, Wolf 1999,
+/// eq. 1.5.32), 1 at total reflection and 0 at equal indices.
+///
+/// `cos` is that of the angle of incidence, 0 to 1; `ratio` is the index before the boundary divided by that behind it.
+#[inline(always)]
+pub(crate) fn fresnel<R: Real>(cos: R, ratio: R) -> R {
+    let [zero, one] = [0.0, 1.0].map(|value| cos.like(value));
+    // 1 - ratio²·sin², without a difference of near numbers where the indices are nearly equal.
+    let cos_out_squared = (one - ratio) * (one + ratio) + ratio * ratio * cos * cos;
+    let cos_out = cos_out_squared.max(zero).sqrt();
+    // Both cosines are 0 only where nothing passes.
+    let least = cos.like(f32::MIN_POSITIVE);
+    let across = (ratio * cos - cos_out) / (ratio * cos + cos_out).max(least);
+    let along = (cos - ratio * cos_out) / (cos + ratio * cos_out).max(least);
+    let share = ((across * across + along * along) * 0.5).min(one);
+    let is_total = cos_out_squared.lt(zero) | cos.le(zero);
+    R::select(ratio.eq(one), zero, R::select(is_total, one, share))
+}
+
 /// The share (Ŝ·R̂)⁺ⁿ of Phong's highlight (Phong 1975), with R̂ the direction to the light mirrored about the normal
 /// and Ŝ the direction to the viewer. All are unit vectors.
 #[inline(always)]
@@ -102,9 +121,9 @@ fn logarithm<R: Real>(x: R) -> R {
     tail + f + exponent * 0.693_359_4
 }
 
-/// eˣ for x ≤ 0: x = n·ln 2 + r with |r| ≤ ½·ln 2, and a polynomial in r.
+/// eˣ for x ≤ 0, also for -∞: x = n·ln 2 + r with |r| ≤ ½·ln 2, and a polynomial in r.
 #[inline(always)]
-fn exponential<R: Real>(x: R) -> R {
+pub(crate) fn exponential<R: Real>(x: R) -> R {
     const LEAST: f32 = -87.0;
     const ROUND: f32 = 12_582_912.0;
     const P: [f32; 6] = [1.987_569_1e-4, 1.398_199_9e-3, 8.333_452e-3, 4.166_579_6e-2, 1.666_666_5e-1, 0.5];
@@ -127,6 +146,28 @@ fn exponential<R: Real>(x: R) -> R {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn reflectances_are_those_of_double_precision() {
+        use catoptric_optics::fresnel::dielectric;
+        for eta in [0.4_f32, 1.0 / 1.5, 0.999, 1.0, 1.001, 1.333, 1.5, 2.417, 10.0] {
+            for step in 0..=2000_u16 {
+                let cos = f32::from(step) / 2000.0;
+                let exact = dielectric(f64::from(cos), 1.0 / f64::from(1.0 / eta)).mean();
+                let error = (f64::from(fresnel(cos, 1.0 / eta)) - exact).abs();
+                // Where total reflection begins, the curve is as steep as numbers are far apart.
+                let critical = (1.0 - f64::from(eta).min(1.0).powi(2)).sqrt();
+                let is_steep = eta < 1.0 && (f64::from(cos) - critical).abs() < 1e-4;
+                assert!(
+                    error < if is_steep { 2e-3 } else { 1e-5 },
+                    "{cos} into {eta}: {error:e} off {exact}"
+                );
+            }
+        }
+        let inside = fresnel(41.0_f32.to_radians().cos(), 1.5);
+        assert!((inside - 0.379_751_3).abs() < 1e-5, "{inside}");
+        assert_eq!((fresnel(0.3_f32, 1.0), fresnel(0.0_f32, 1.5), fresnel(0.0_f32, 1.0)), (0.0, 1.0, 0.0));
+    }
 
     #[test]
     fn powers_are_those_of_double_precision() {

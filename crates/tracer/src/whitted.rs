@@ -21,14 +21,14 @@ use crate::ray::{NO_START, Ray, Rays};
 use crate::render::Control;
 use crate::search::{Along, Flight, Hits};
 use crate::stage::{PacketPart, RaysNear, Stage, StageCamera};
-use crate::surface::{mend_unit, phong_highlight, reflect, refract};
+use crate::surface::{fresnel, mend_unit, phong_highlight, reflect, refract};
 use crate::vector::Vector;
 
-pub(crate) use beams::{Beams, Offspring, Queue};
+pub(crate) use beams::{Beams, Crossed, Offspring, Queue};
 use encounter::Encounter;
 pub use record::{
-    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
-    TracedRay,
+    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, ReflectionLaw, Shadow, ShadowCrossing,
+    SurfaceAnswer, TracedRay,
 };
 pub use tally::Tally;
 use views::Views;
@@ -210,6 +210,14 @@ impl<'a> Whitted<'a> {
         let hits = self.nearest(w, beams, from, inside);
         let hit = hits.hit & beams.lanes;
         let hits = Hits { hit, ..hits };
+        let mut beams = beams;
+        let absorbed;
+        if self.stage.absorbs && !inside.is_empty() {
+            let through = self.media.left_after(w, self.stage, beams.media, hits.t, beams.lanes);
+            offspring.travels(through);
+            absorbed = Beams { weight: beams.weight.times(through), ..*beams };
+            beams = &absorbed;
+        }
         let background = Vector::splat(w.real(0.0), self.stage.background);
         if !hit.any() {
             return Followed { light: beams.weight.times(background), hits };
@@ -292,7 +300,7 @@ impl<'a> Whitted<'a> {
                 continue;
             }
             let to_viewer = -beams.rays.direction;
-            let mut answer = at.diffuse * cos;
+            let mut answer = at.scattered(cos);
             if at.glossy.any() {
                 let highlight = phong_highlight(to_viewer, to_light, at.normal, at.shininess);
                 let highlight = at.specular * highlight;
@@ -325,10 +333,19 @@ impl<'a> Whitted<'a> {
         if transparent.any() {
             let (ratio, beyond) = self.cross(w, beams, at, transparent);
             let (bent, passes) = refract(direction, at.normal, ratio);
-            offspring.crosses(ratio, passes);
+            let mut filter = at.filter;
+            let clear = transparent & at.clear;
+            if clear.any() {
+                let cos = (-at.normal.dot(direction)).min(one).max(w.real(0.0));
+                let share = fresnel(cos, ratio);
+                reflection = W::R::select(clear, share, reflection);
+                let rest = one - share;
+                filter = Vector::select(clear, Vector::new(rest, rest, rest), filter);
+            }
             // Total internal reflection: all of the light, and nothing twice.
             reflection = W::R::select(transparent & !passes, one, reflection);
-            let weight = beams.weight.times(at.filter);
+            offspring.crosses(Crossed { ratio, passes, reflection, filter });
+            let weight = beams.weight.times(filter);
             let lanes = transparent & passes & self.carries(w, weight);
             if lanes.any() {
                 self.counts.refracted += u64::from(lanes.bits().count_ones());
@@ -345,7 +362,7 @@ impl<'a> Whitted<'a> {
                 });
             }
         }
-        let weight = beams.weight * reflection;
+        let weight = beams.weight.times(at.reflected(reflection));
         let lanes = goes_on & self.carries(w, weight);
         if lanes.any() {
             self.counts.reflected += u64::from(lanes.bits().count_ones());

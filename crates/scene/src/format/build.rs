@@ -1,5 +1,6 @@
 //! From tables to the document's types. Everything absent or wrong keeps its default.
 
+use catoptric_optics::{Clear, Metal};
 use glam::DVec3;
 
 use crate::body::{Anchor, Body, Placement, Shape};
@@ -12,7 +13,7 @@ use crate::format::toml::{Span, Value, ValueKind};
 use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
-use crate::material::{Checker, Material, MaterialChoice};
+use crate::material::{Checker, Conductor, Material, MaterialChoice, Model};
 use crate::{Environment, Tracing};
 
 /// What tables are built with.
@@ -96,7 +97,13 @@ impl<'t> Build<'_, 't> {
     pub(crate) fn material(&mut self, table: &Table<'t>) -> Material {
         let mut fields = self.fields(&keys::MATERIAL, table);
         let default = Material::default();
+        let model = fields.choice("model");
+        if model.is_err() {
+            fields.check_dependent("model", &[]);
+        }
+        check_company(&mut fields, "write either the one or the other");
         let mut material = Material {
+            model: model.ok().flatten().and_then(Model::of_key).unwrap_or_default(),
             color: fields.color("color").unwrap_or(default.color),
             ambient: fields.number("ambient").unwrap_or(default.ambient),
             diffuse: fields.number("diffuse").unwrap_or(default.diffuse),
@@ -107,6 +114,12 @@ impl<'t> Build<'_, 't> {
             ior: fields.number("ior").unwrap_or(default.ior),
             tint: fields.color("tint").unwrap_or(default.tint),
             checker: None,
+            substance: fields.choice("substance").ok().flatten().and_then(Clear::named),
+            attenuation_color: fields.color("attenuation_color").unwrap_or(default.attenuation_color),
+            attenuation_distance: fields
+                .number("attenuation_distance")
+                .unwrap_or(default.attenuation_distance),
+            conductor: conductor(&mut fields).unwrap_or(default.conductor),
         };
         if let Some(checker) = fields.child("checker") {
             material.checker = Some(self.checker(checker));
@@ -199,6 +212,14 @@ fn table_has(table: &Table<'_>, name: &str) -> bool {
     table.get(name).is_some()
 }
 
+/// What a conductor is, if it is said.
+fn conductor(fields: &mut Fields<'_, '_, '_>) -> Option<Conductor> {
+    match fields.choice("metal") {
+        Ok(Some(name)) => Metal::named(name).map(Conductor::Metal),
+        _ => Some(Conductor::Index { n: fields.vector("n")?, k: fields.vector("k")? }),
+    }
+}
+
 /// The shape of a body; `Err` when it is not known which.
 fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
     let is_on_axis = fields.has("base") || fields.has("top");
@@ -238,7 +259,10 @@ fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
     // A body of an unknown shape with a base is meant to be one of those that take it.
     let takes_axis = matches!(shape, Ok(Shape::Cylinder { .. } | Shape::Cone { .. }) | Err(()));
     if takes_axis && (fields.has("base") || fields.has("top")) {
-        check_company(fields);
+        check_company(
+            fields,
+            "`base` and `top` set position, rotation and height; write either them or those",
+        );
         let (base, top) = (fields.vector("base"), fields.vector("top"));
         if let (Some(base), Some(top)) = (base, top) {
             match rules::axis(base, top) {
@@ -255,10 +279,11 @@ fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
 }
 
 /// Reports keys that lack the key they need, or stand beside one that excludes them.
-fn check_company(fields: &mut Fields<'_, '_, '_>) {
+/// `help` is what to do about the latter.
+fn check_company(fields: &mut Fields<'_, '_, '_>, help: &str) {
     let mut reported: Vec<&str> = Vec::new();
     for key in fields.spec.keys {
-        let Some(span) = fields.key_span(key.name) else { continue };
+        let Some(span) = fields.key_span(key.name).filter(|_| fields.has_meaning(key)) else { continue };
         if let Some(other) = key.requires.filter(|other| !fields.has(other)) {
             let message = format!("`{}` needs `{other}`", key.name);
             let help = match fields.spec.find(other) {
@@ -279,7 +304,7 @@ fn check_company(fields: &mut Fields<'_, '_, '_>) {
             fields.found.push(
                 Diagnostic::error(other_span, message)
                     .label(format!("`{}` sets this already", key.name))
-                    .help("`base` and `top` set position, rotation and height; write either them or those")
+                    .help(help)
                     .related(span.clone(), format!("`{}` stands here", key.name)),
             );
         }

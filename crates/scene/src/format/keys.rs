@@ -5,6 +5,7 @@
 
 use crate::Tracing;
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
+use crate::material::{METAL_NAMES, SUBSTANCE_NAMES};
 
 /// Versions of the format that can be read; the last one is written.
 pub const VERSIONS: &[&str] = &["catoptric/1"];
@@ -107,31 +108,90 @@ pub static TRACING: TableSpec = TableSpec {
 /// `[materials.NAME]`, and the inline material of a body.
 pub static MATERIAL: TableSpec = TableSpec {
     name: "a material",
-    doc: "How a surface answers light: the coefficients of Phong (1975) and Whitted (1980)",
+    doc: "How a surface answers light",
     keys: &[
+        KeySpec::new(
+            "model",
+            Kind::Choice(&["phong", "dielectric", "conductor", "mirror", "matte", "coated"]),
+            "what the surface does with light",
+        )
+        .or(Default::Text("phong")),
         KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the body")
             .or(Default::Vector([0.8; 3]))
+            .only("model", &["phong", "mirror", "matte", "coated"])
             .written(),
-        amount("ambient", "the ambient coefficient").or(Default::Number(0.1)),
-        amount("diffuse", "the diffuse coefficient").or(Default::Number(0.9)),
-        amount("specular", "the coefficient of the highlight").or(Default::Number(0.0)),
-        amount("shininess", "the exponent of the highlight").or(Default::Number(32.0)),
-        amount("reflection", "the coefficient of reflected light; when absent, the same as `specular`"),
-        amount("transmission", "the coefficient of transmitted light; 0 is opaque").or(Default::Number(0.0)),
+        amount("ambient", "the ambient coefficient")
+            .or(Default::Number(0.1))
+            .only("model", &["phong", "matte", "coated"]),
+        amount("diffuse", "the diffuse coefficient").or(Default::Number(0.9)).only("model", PHONG),
+        amount("specular", "the coefficient of the highlight").or(Default::Number(0.0)).only("model", PHONG),
+        amount("shininess", "the exponent of the highlight").or(Default::Number(32.0)).only("model", PHONG),
+        amount(
+            "reflection",
+            "the coefficient of reflected light; when absent, the same as `specular`, or 1 for a mirror",
+        )
+        .only("model", &["phong", "mirror"]),
+        amount("transmission", "the coefficient of transmitted light; 0 is opaque")
+            .or(Default::Number(0.0))
+            .only("model", PHONG),
         KeySpec::new(
             "ior",
             Kind::Number(Limits::new(0.01, 100.0)),
             "the index of refraction relative to air",
         )
-        .or(Default::Number(1.5)),
-        KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light").or(WHITE),
+        .or(Default::Number(1.5))
+        .only("model", &["phong", "dielectric", "coated"]),
+        KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light")
+            .or(WHITE)
+            .only("model", PHONG),
+        KeySpec::new("substance", Kind::Choice(&SUBSTANCE_NAMES), "what a clear body is made of")
+            .only("model", DIELECTRIC)
+            .excluding(&["ior"]),
+        KeySpec::new(
+            "attenuation_color",
+            Kind::Color(Limits::new(0.0, 1.0)),
+            "the color that white light has after `attenuation_distance` in the body",
+        )
+        .or(WHITE)
+        .only("model", DIELECTRIC),
+        KeySpec::new(
+            "attenuation_distance",
+            Kind::Number(Limits::LENGTH),
+            "the way after which light has `attenuation_color`, meters",
+        )
+        .or(Default::Number(1.0))
+        .only("model", DIELECTRIC),
+        KeySpec::new("metal", Kind::Choice(&METAL_NAMES), "a measured metal")
+            .or(Default::Text("silver"))
+            .only("model", CONDUCTOR)
+            .excluding(&["n", "k"])
+            .written(),
+        KeySpec::new(
+            "n",
+            Kind::Vector(Limits::new(0.001, 100.0)),
+            "the refractive index for red, green and blue light",
+        )
+        .only("model", CONDUCTOR)
+        .beside("k", &["metal"]),
+        KeySpec::new(
+            "k",
+            Kind::Vector(Limits::new(0.0, 100.0)),
+            "the extinction coefficient for red, green and blue light",
+        )
+        .only("model", CONDUCTOR)
+        .beside("n", &["metal"]),
         KeySpec::new(
             "checker",
             Kind::Table(&CHECKER),
             "a second color in a checkerboard of the world's axes",
-        ),
+        )
+        .only("model", &["phong", "mirror", "matte", "coated"]),
     ],
 };
+
+const PHONG: &[&str] = &["phong"];
+const DIELECTRIC: &[&str] = &["dielectric"];
+const CONDUCTOR: &[&str] = &["conductor"];
 
 /// `checker` of a material.
 pub static CHECKER: TableSpec = TableSpec {

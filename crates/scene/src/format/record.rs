@@ -10,7 +10,7 @@ use crate::color::Color;
 use crate::format::keys;
 use crate::format::spec::{Default, KeySpec, TableSpec, When};
 use crate::light::{Falloff, Light};
-use crate::material::{Checker, Material, MaterialChoice};
+use crate::material::{Checker, Conductor, Material, MaterialChoice, Model};
 use crate::{Environment, Tracing};
 
 /// A value of the document.
@@ -158,24 +158,57 @@ pub(crate) fn tracing(tracing: &Tracing) -> Record<'static> {
 }
 
 pub(crate) fn material(material: &Material) -> Record<'static> {
-    let mut record = Record::new(&keys::MATERIAL)
+    let mut record = Record::new(&keys::MATERIAL).text("model", material.model.key());
+    record = match material.model {
+        Model::Phong => phong(record, material),
+        Model::Dielectric => dielectric(record, material),
+        Model::Conductor => match material.conductor {
+            Conductor::Metal(metal) => record.text("metal", metal.name),
+            Conductor::Index { n, k } => record.vector("n", n).vector("k", k),
+        },
+        Model::Mirror => reflection(record.color("color", material.color), material),
+        Model::Matte => record.color("color", material.color).number("ambient", material.ambient),
+        Model::Coated => record
+            .color("color", material.color)
+            .number("ambient", material.ambient)
+            .number("ior", material.ior),
+    };
+    if let (Some(Checker { color, size }), true) = (material.checker, material.model.has_color()) {
+        let checker = Record::new(&keys::CHECKER).color("color", color).number("size", size);
+        record = record.with("checker", Datum::Table(checker));
+    }
+    record
+}
+
+fn phong(record: Record<'static>, material: &Material) -> Record<'static> {
+    let record = record
         .color("color", material.color)
         .number("ambient", material.ambient)
         .number("diffuse", material.diffuse)
         .number("specular", material.specular)
         .number("shininess", material.shininess);
-    if let Some(reflection) = material.reflection {
-        record = record.number("reflection", reflection);
-    }
-    record = record
+    reflection(record, material)
         .number("transmission", material.transmission)
         .number("ior", material.ior)
-        .color("tint", material.tint);
-    if let Some(Checker { color, size }) = material.checker {
-        let checker = Record::new(&keys::CHECKER).color("color", color).number("size", size);
-        record = record.with("checker", Datum::Table(checker));
+        .color("tint", material.tint)
+}
+
+/// A coefficient that is absent has a default of its own.
+fn reflection(record: Record<'static>, material: &Material) -> Record<'static> {
+    match material.reflection {
+        Some(reflection) => record.number("reflection", reflection),
+        None => record,
     }
+}
+
+fn dielectric(record: Record<'static>, material: &Material) -> Record<'static> {
+    let record = match material.substance {
+        Some(substance) => record.text("substance", substance.name),
+        None => record.number("ior", material.ior),
+    };
     record
+        .color("attenuation_color", material.attenuation_color)
+        .number("attenuation_distance", material.attenuation_distance)
 }
 
 pub(crate) fn light(light: &Light) -> Record<'_> {
@@ -235,6 +268,24 @@ mod tests {
         assert_eq!(words, ShapeKind::ALL.map(ShapeKind::key));
         for kind in ShapeKind::ALL {
             assert_eq!(kind.shape().kind(), kind);
+        }
+    }
+
+    #[test]
+    fn the_table_and_the_types_have_the_same_models() {
+        use crate::format::spec::Kind;
+        let Kind::Choice(words) = keys::MATERIAL.key("model").unwrap().kind else { panic!() };
+        assert_eq!(words, Model::ALL.map(Model::key));
+        for model in Model::ALL {
+            let record = material(&Material { model, ..Material::default() });
+            let chosen = |name: &str| (name == "model").then_some(model.key());
+            for (name, datum) in &record.values {
+                let key = keys::MATERIAL.key(name).unwrap();
+                assert!(key.applies(chosen), "{name} for {model:?}");
+                assert!(*name == "model" || record.is_default(key, datum), "{name} of {model:?}");
+            }
+            let color = keys::MATERIAL.key("color").unwrap();
+            assert_eq!(color.applies(chosen), model.has_color());
         }
     }
 

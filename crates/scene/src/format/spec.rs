@@ -85,6 +85,12 @@ impl KeySpec {
         self
     }
 
+    /// The same, with keys that must not stand beside it.
+    pub const fn excluding(mut self, excludes: &'static [&'static str]) -> Self {
+        self.excludes = excludes;
+        self
+    }
+
     /// The same, written always.
     pub const fn written(mut self) -> Self {
         self.always_written = true;

@@ -176,6 +176,11 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
     }
 
+    /// Whether a key has a meaning for the value of the choice it depends on, as far as that is known.
+    pub(crate) fn has_meaning(&self, key: &KeySpec) -> bool {
+        key.applies(|choice| self.chosen(choice).map(|(chosen, _)| chosen))
+    }
+
     /// Reports the keys that have no meaning for the value of the choice they depend on.
     pub(crate) fn check_choices(&mut self) {
         for entry in &self.table.entries {

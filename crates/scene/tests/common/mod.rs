@@ -1,8 +1,9 @@
 //! Arbitrary valid scenes.
 
+use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, Color, Environment, Falloff, Light, Material, MaterialChoice,
-    NamedMaterial, Placement, Projection, Scene, Shape, Tracing,
+    Anchor, Body, Camera, Checker, Color, Conductor, Environment, Falloff, Light, Material, MaterialChoice,
+    Model, NamedMaterial, Placement, Projection, Scene, Shape, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -60,16 +61,17 @@ fn camera() -> impl Strategy<Value = Camera> {
 }
 
 fn material() -> impl Strategy<Value = Material> {
-    let checker = proptest::option::of((color(), length()).prop_map(|(color, size)| Checker { color, size }));
-    let reflection = proptest::option::of(amount());
-    let some = (
+    let checker =
+        || proptest::option::of((color(), length()).prop_map(|(color, size)| Checker { color, size }));
+    let reflection = || proptest::option::of(amount());
+    let phong = (
         color(),
         [amount(), amount(), amount(), amount()],
-        reflection,
+        reflection(),
         amount(),
         0.01..100.0f64,
         color(),
-        checker,
+        checker(),
     )
         .prop_map(
             |(
@@ -92,10 +94,40 @@ fn material() -> impl Strategy<Value = Material> {
                     ior,
                     tint,
                     checker,
+                    ..Material::default()
                 }
             },
         );
-    prop_oneof![Just(Material::default()), some]
+    let colored = (color(), amount(), 0.01..100.0f64, reflection(), checker(), 0..3).prop_map(
+        |(color, ambient, ior, reflection, checker, which)| {
+            let plain = Material { color, checker, ..Material::default() };
+            match which {
+                0 => Material { model: Model::Mirror, reflection, ..plain },
+                1 => Material { model: Model::Matte, ambient, ..plain },
+                _ => Material { model: Model::Coated, ambient, ior, ..plain },
+            }
+        },
+    );
+    let share = || (0.0..1.0f64, 0.0..1.0f64, 0.0..1.0f64).prop_map(|(r, g, b)| Color::new(r, g, b));
+    let substance = proptest::option::of(proptest::sample::select(CLEAR.iter().collect::<Vec<_>>()));
+    let clear =
+        (substance, 0.01..100.0f64, share(), length()).prop_map(|(substance, ior, color, length)| Material {
+            model: Model::Dielectric,
+            substance,
+            ior: if substance.is_some() { Material::default().ior } else { ior },
+            attenuation_color: color,
+            attenuation_distance: length,
+            ..Material::default()
+        });
+    let metal = proptest::sample::select(METALS.iter().collect::<Vec<_>>()).prop_map(Conductor::Metal);
+    let index = (0.001..100.0f64, 0.0..100.0f64)
+        .prop_map(|(n, k)| Conductor::Index { n: DVec3::new(n, 1.0, 1.5), k: DVec3::new(0.0, k, 3.0) });
+    let conductor = prop_oneof![metal, index].prop_map(|conductor| Material {
+        model: Model::Conductor,
+        conductor,
+        ..Material::default()
+    });
+    prop_oneof![Just(Material::default()), phong, colored, clear, conductor]
 }
 
 fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {

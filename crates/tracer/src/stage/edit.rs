@@ -119,6 +119,7 @@ impl Stage {
         if let Some(body) = self.bodies.get_mut(change.place as usize) {
             *body = StageBody { material, checker, ..change.body };
             self.has_transparency |= body.is_transparent();
+            self.absorbs |= change.material.absorbs();
             self.largest_slack = self.largest_slack.max(body.slack);
         }
     }
@@ -129,7 +130,7 @@ impl Stage {
             return old;
         }
         let place = self.materials.iter().position(|other| other == material).unwrap_or_else(|| {
-            Arc::make_mut(&mut self.materials).push(*material);
+            Arc::make_mut(&mut self.materials).push(material.clone());
             self.added += 1;
             self.materials.len() - 1
         });

@@ -1,12 +1,20 @@
 //! Materials of the stage.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
+use catoptric_optics::{METALS, fresnel};
+use catoptric_scene::{Color, Conductor, Material, MaterialChoice, Model, Scene};
+
+use super::curve::Curve;
 use super::numbers;
-use catoptric_scene::{Material, MaterialChoice, Scene};
+use crate::lanes::Real;
+use crate::surface::exponential;
+use crate::vector::Vector;
+use crate::whitted::ReflectionLaw;
 
 /// Coefficients of a surface, in single precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StageMaterial {
     /// Color C.
     pub color: [f32; 3],
@@ -18,25 +26,136 @@ pub(crate) struct StageMaterial {
     pub specular: f32,
     /// Exponent n.
     pub shininess: f32,
-    /// k_r.
+    /// k_r; of what reflects by a law of its own, what it reflects of light that falls on it straight.
     pub reflection: f32,
-    /// k_t·τ, what one crossing of the surface lets through.
+    /// What one crossing of the surface lets through: k_t·τ, or what is not reflected of light that falls on it straight.
     pub filter: [f32; 3],
     /// Index of refraction.
     pub ior: f32,
+    /// How much it reflects under which angle.
+    pub law: Law,
+    /// What light loses in the body, for each meter: the negative logarithm of what is left of it.
+    pub absorption: [f32; 3],
+}
+
+/// How much a surface reflects under which angle.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Law {
+    /// k_r under any.
+    Constant,
+    /// C·k_r under any.
+    Mirror,
+    /// By Fresnel's formulas with the indices of refraction on either side; the rest goes on.
+    Dielectric,
+    /// By Fresnel's formulas for the spectrum of a metal.
+    Conductor(Arc<Curve>),
+    /// By Fresnel's formulas, out of air; the rest is scattered below.
+    Coat(Coat),
+}
+
+impl Law {
+    /// Which it is.
+    pub(crate) fn name(&self) -> ReflectionLaw {
+        match self {
+            Self::Constant => ReflectionLaw::Constant,
+            Self::Mirror => ReflectionLaw::Mirror,
+            Self::Dielectric => ReflectionLaw::Dielectric,
+            Self::Conductor(_) => ReflectionLaw::Conductor,
+            Self::Coat(_) => ReflectionLaw::Coat,
+        }
+    }
+}
+
+/// A clear coat on a matte ground.
+///
+/// Light that goes in, is scattered evenly and goes out again, or is reflected back to the ground any number of times:
+/// `(1 - R(θ_v))·(1 - R(θ_l))·C / (η²·(1 - C·inner))` (M. Pharr, G. Humphreys 2004; W. Jakob 2010, Mitsuba, `plastic`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Coat {
+    /// Index of air divided by that of the coat.
+    pub ratio: f32,
+    /// 1/η².
+    pub spread: f32,
+    /// What the coat reflects of light scattered evenly below it.
+    pub inner: f32,
+    /// What the coat lets in of light that comes evenly from all sides.
+    pub lets_in: f32,
+}
+
+impl Coat {
+    fn new(ior: f64) -> Self {
+        // ∫ R(θ) dcos²θ by the midpoint rule, which likes smooth integrands that end flat.
+        const STEPS: u32 = 4096;
+        let reflectance = |step| {
+            let cos = (f64::from(step) + 0.5) / f64::from(STEPS);
+            2.0 * cos * fresnel::dielectric(cos, ior).mean() / f64::from(STEPS)
+        };
+        let lets_in = 1.0 - (0..STEPS).map(reflectance).sum::<f64>();
+        let spread = 1.0 / (ior * ior);
+        Self {
+            ratio: (1.0 / ior) as f32,
+            spread: spread as f32,
+            // A pencil of light and its reverse lose alike.
+            inner: (1.0 - lets_in * spread) as f32,
+            lets_in: lets_in as f32,
+        }
+    }
 }
 
 impl StageMaterial {
     pub(super) fn new(material: &Material) -> Self {
-        Self {
+        let plain = Self {
             color: numbers(material.color),
             ambient: material.ambient as f32,
-            diffuse: material.diffuse as f32,
-            specular: material.specular as f32,
-            shininess: material.shininess as f32,
-            reflection: material.reflection() as f32,
-            filter: numbers(material.tint).map(|tint| tint * material.transmission as f32),
-            ior: material.ior as f32,
+            diffuse: 0.0,
+            specular: 0.0,
+            shininess: 1.0,
+            reflection: 0.0,
+            filter: [0.0; 3],
+            ior: 1.0,
+            law: Law::Constant,
+            absorption: [0.0; 3],
+        };
+        let straight = |ior: f64| fresnel::dielectric(1.0, ior).mean();
+        match material.model {
+            Model::Phong => Self {
+                diffuse: material.diffuse as f32,
+                specular: material.specular as f32,
+                shininess: material.shininess as f32,
+                reflection: material.reflection() as f32,
+                filter: numbers(material.tint).map(|tint| tint * material.transmission as f32),
+                ior: material.ior as f32,
+                ..plain
+            },
+            Model::Matte => Self { diffuse: 1.0, ..plain },
+            Model::Mirror => {
+                Self { ambient: 0.0, reflection: material.reflection() as f32, law: Law::Mirror, ..plain }
+            }
+            Model::Dielectric => {
+                let reflection = straight(material.ior());
+                Self {
+                    ambient: 0.0,
+                    reflection: reflection as f32,
+                    filter: [(1.0 - reflection) as f32; 3],
+                    ior: material.ior() as f32,
+                    law: Law::Dielectric,
+                    absorption: absorption(material),
+                    ..plain
+                }
+            }
+            Model::Conductor => {
+                let curve = Curve::of(&material.conductor);
+                let [red, green, blue] = curve.at(1.0);
+                let reflection = (red + green + blue) / 3.0;
+                Self { ambient: 0.0, reflection, law: Law::Conductor(curve), ..plain }
+            }
+            Model::Coated => Self {
+                color: numbers(material.color).map(|part| part.min(1.0)),
+                diffuse: 1.0,
+                reflection: straight(material.ior) as f32,
+                law: Law::Coat(Coat::new(material.ior)),
+                ..plain
+            },
         }
     }
 
@@ -44,6 +163,25 @@ impl StageMaterial {
     pub(crate) fn is_transparent(&self) -> bool {
         self.filter != [0.0; 3]
     }
+
+    /// Whether light is lost in the body.
+    pub(crate) fn absorbs(&self) -> bool {
+        self.absorption != [0.0; 3]
+    }
+
+    /// The share of light that is left after a way of this length in the body, meters.
+    #[inline(always)]
+    pub(crate) fn left_after<R: Real>(&self, way: R) -> Vector<R> {
+        Vector::splat(way, self.absorption).map(|loss| exponential(-(loss * way)))
+    }
+}
+
+/// The law of P. Bouguer (1729), J. H. Lambert (1760) and A. Beer (1852), for each meter.
+fn absorption(material: &Material) -> [f32; 3] {
+    /// After a micrometer nothing is left; more would be infinite in products.
+    const MOST: f64 = 1e8;
+    let left = material.attenuation_color.to_array();
+    left.map(|left| (-left.min(1.0).ln() / material.attenuation_distance).clamp(0.0, MOST) as f32)
 }
 
 /// The named materials of a scene.
@@ -52,10 +190,10 @@ pub(super) type NamedMaterials<'a> = HashMap<&'a str, &'a Material>;
 /// The materials that some bodies use, each distinct one once, in the order of their first use.
 #[derive(Default)]
 pub(super) struct MaterialTable<'a> {
-    indices: HashMap<[u64; 13], u32>,
+    indices: HashMap<Key, u32>,
     of_names: HashMap<&'a str, (u32, &'a Material)>,
     prepared: Vec<StageMaterial>,
-    keys: Vec<[u64; 13]>,
+    keys: Vec<Key>,
 }
 
 impl<'a> MaterialTable<'a> {
@@ -72,21 +210,21 @@ impl<'a> MaterialTable<'a> {
     ) -> Option<(u32, &'a Material)> {
         match choice {
             MaterialChoice::Inline(material) => {
-                Some((self.index(bits(material), || StageMaterial::new(material)), material))
+                Some((self.index(key(material), || StageMaterial::new(material)), material))
             }
             MaterialChoice::Named(name) => {
                 if let Some(found) = self.of_names.get(name.as_str()) {
                     return Some(*found);
                 }
                 let material = *named.get(name.as_str())?;
-                let index = self.index(bits(material), || StageMaterial::new(material));
+                let index = self.index(key(material), || StageMaterial::new(material));
                 self.of_names.insert(name, (index, material));
                 Some((index, material))
             }
         }
     }
 
-    fn index(&mut self, key: [u64; 13], prepare: impl FnOnce() -> StageMaterial) -> u32 {
+    fn index(&mut self, key: Key, prepare: impl FnOnce() -> StageMaterial) -> u32 {
         *self.indices.entry(key).or_insert_with(|| {
             self.prepared.push(prepare());
             self.keys.push(key);
@@ -97,7 +235,7 @@ impl<'a> MaterialTable<'a> {
     /// Takes over the materials of another table and returns their indices in this one.
     pub(super) fn append(&mut self, other: &Self) -> Vec<u32> {
         let materials = other.keys.iter().zip(&other.prepared);
-        materials.map(|(key, material)| self.index(*key, || *material)).collect()
+        materials.map(|(key, material)| self.index(*key, || material.clone())).collect()
     }
 
     /// The prepared material of an index that [`Self::find`] gave.
@@ -110,34 +248,48 @@ impl<'a> MaterialTable<'a> {
     }
 }
 
-/// All numbers that reach a [`StageMaterial`], for comparing exactly.
-fn bits(material: &Material) -> [u64; 13] {
-    let Material {
-        color,
-        ambient,
-        diffuse,
-        specular,
-        shininess,
-        reflection: _,
-        transmission,
-        ior,
-        tint,
-        checker: _,
-    } = *material;
-    [
-        color.r,
-        color.g,
-        color.b,
-        tint.r,
-        tint.g,
-        tint.b,
-        ambient,
-        diffuse,
-        specular,
-        shininess,
-        material.reflection(),
-        transmission,
-        ior,
-    ]
-    .map(f64::to_bits)
+/// The model and all numbers that reach a [`StageMaterial`], for comparing exactly.
+type Key = (Model, [u64; 13]);
+
+fn key(material: &Material) -> Key {
+    let m = material;
+    let Color { r, g, b } = m.color;
+    let mut numbers = [0.0; 13];
+    let mut put = |values: &[f64]| {
+        for (number, value) in numbers.iter_mut().zip(values) {
+            *number = *value;
+        }
+    };
+    match m.model {
+        Model::Phong => put(&[
+            r,
+            g,
+            b,
+            m.tint.r,
+            m.tint.g,
+            m.tint.b,
+            m.ambient,
+            m.diffuse,
+            m.specular,
+            m.shininess,
+            m.reflection(),
+            m.transmission,
+            m.ior,
+        ]),
+        Model::Dielectric => {
+            let left = m.attenuation_color;
+            put(&[m.ior(), left.r, left.g, left.b, m.attenuation_distance]);
+        }
+        Model::Conductor => match m.conductor {
+            Conductor::Metal(metal) => {
+                let place = METALS.iter().position(|other| std::ptr::eq(other, metal));
+                put(&[1.0, place.map_or(-1.0, |place| place as f64)]);
+            }
+            Conductor::Index { n, k } => put(&[2.0, n.x, n.y, n.z, k.x, k.y, k.z]),
+        },
+        Model::Mirror => put(&[r, g, b, m.reflection()]),
+        Model::Matte => put(&[r, g, b, m.ambient]),
+        Model::Coated => put(&[r, g, b, m.ambient, m.ior]),
+    }
+    (m.model, numbers.map(f64::to_bits))
 }

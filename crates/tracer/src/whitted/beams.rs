@@ -31,6 +31,19 @@ impl<W: Width> Beams<W> {
     }
 }
 
+/// What becomes of rays across a transparent surface.
+#[derive(Clone, Copy)]
+pub(crate) struct Crossed<W: Width> {
+    /// The ratio of indices.
+    pub(crate) ratio: W::R,
+    /// Those that are not totally reflected.
+    pub(crate) passes: W::M,
+    /// The coefficient of what is reflected.
+    pub(crate) reflection: W::R,
+    /// The coefficients of what passes.
+    pub(crate) filter: Vector<W::R>,
+}
+
 /// Where the rays go that grow from others, and who looks on while they grow.
 ///
 /// Rendering does not look: what is seen is dropped, at no cost. A [tree](super::Whitted::tree) writes it down.
@@ -62,9 +75,13 @@ pub(crate) trait Offspring<W: Width> {
     #[inline(always)]
     fn shades(&mut self, _local: Vector<W::R>) {}
 
-    /// The ratio of indices across a transparent surface, and who is not totally reflected.
+    /// What becomes of rays across a transparent surface.
     #[inline(always)]
-    fn crosses(&mut self, _ratio: W::R, _passes: W::M) {}
+    fn crosses(&mut self, _crossed: Crossed<W>) {}
+
+    /// The share of light that the media leave on the way to what was met.
+    #[inline(always)]
+    fn travels(&mut self, _through: Vector<W::R>) {}
 }
 
 /// A stack of single rays: the reflected one is taken first.

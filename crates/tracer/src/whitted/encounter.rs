@@ -3,7 +3,8 @@
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::ray::{INWARDS, Rays};
 use crate::search::Hits;
-use crate::stage::{Stage, StageBody};
+use crate::stage::{Curve, Law, Stage, StageBody, StageMaterial};
+use crate::surface::fresnel;
 use crate::vector::Vector;
 
 /// The points that rays side by side met. Of rays that met nothing, the numbers mean nothing.
@@ -24,8 +25,10 @@ pub(crate) struct Encounter<W: Width> {
     pub(super) specular: W::R,
     /// Exponent n.
     pub(super) shininess: W::R,
-    /// k_r.
+    /// k_r, or what is reflected under this angle; of what is clear, only the crossing tells.
     pub(super) reflection: W::R,
+    /// The same of what reflects in color.
+    sheen: Vector<W::R>,
     /// k_t·τ.
     pub(super) filter: Vector<W::R>,
     /// Rays that met something transparent.
@@ -34,6 +37,14 @@ pub(crate) struct Encounter<W: Width> {
     pub(super) answers: W::M,
     /// Those that met something with a highlight.
     pub(super) glossy: W::M,
+    /// Those that met the boundary of a clear body.
+    pub(super) clear: W::M,
+    /// Those that met something that reflects in color.
+    pub(super) colored: W::M,
+    /// Those that met a coat.
+    coated: W::M,
+    /// The index of air divided by that of the coat.
+    coat_ratio: W::R,
 }
 
 impl<W: Width> Encounter<W> {
@@ -54,10 +65,15 @@ impl<W: Width> Encounter<W> {
             specular: zero,
             shininess: zero,
             reflection: zero,
+            sheen: nowhere,
             filter: nowhere,
             transparent: none,
             answers: none,
             glossy: none,
+            clear: none,
+            colored: none,
+            coated: none,
+            coat_ratio: w.real(1.0),
         };
         let mut bodies = [0; MOST_LANES];
         hits.body.store(&mut bodies);
@@ -110,10 +126,79 @@ impl<W: Width> Encounter<W> {
             self.answers = self.answers | lanes;
         }
         self.reflection = real(material.reflection, self.reflection);
+        if !matches!(material.law, Law::Constant) {
+            self.obey(w, material, (color, stage.ambient), rays.direction, lanes);
+        }
         if body.is_transparent() {
             self.transparent = self.transparent | lanes;
             self.filter = Vector::select(lanes, Vector::splat(zero, material.filter), self.filter);
         }
+    }
+
+    /// Takes up what rays `lanes` find on a surface that reflects by a law of its own.
+    #[cold]
+    #[inline(never)]
+    fn obey(
+        &mut self,
+        w: W,
+        material: &StageMaterial,
+        (color, ambient): (Vector<W::R>, [f32; 3]),
+        direction: Vector<W::R>,
+        lanes: W::M,
+    ) {
+        w.run(
+            #[inline(always)]
+            || {
+                let one = w.real(1.0);
+                let cos = (-self.normal.dot(direction)).min(one).max(w.real(0.0));
+                match &material.law {
+                    Law::Constant => {}
+                    Law::Dielectric => self.clear = self.clear | lanes,
+                    Law::Mirror => self.color(color * w.real(material.reflection), lanes),
+                    Law::Conductor(curve) => self.color(curve_at(w, curve, cos), lanes),
+                    Law::Coat(coat) => {
+                        let share = fresnel(cos, w.real(coat.ratio));
+                        self.reflection = W::R::select(lanes, share, self.reflection);
+                        self.coated = self.coated | lanes;
+                        self.coat_ratio = W::R::select(lanes, w.real(coat.ratio), self.coat_ratio);
+                        // Between ground and coat light goes to and fro, and leaves a little of itself each time.
+                        let again = (color * w.real(coat.inner)).map(|lost| one / (one - lost));
+                        let below = color.times(again) * ((one - share) * coat.spread);
+                        self.diffuse = Vector::select(lanes, below, self.diffuse);
+                        let even = ambient.map(|light| light * material.ambient * coat.lets_in);
+                        self.ambient = Vector::select(lanes, below.times_all(even), self.ambient);
+                    }
+                }
+            },
+        );
+    }
+
+    fn color(&mut self, sheen: Vector<W::R>, lanes: W::M) {
+        self.colored = self.colored | lanes;
+        self.sheen = Vector::select(lanes, sheen, self.sheen);
+    }
+
+    /// What is reflected, of each channel.
+    #[inline(always)]
+    pub(super) fn reflected(&self, reflection: W::R) -> Vector<W::R> {
+        let mut reflected = Vector::new(reflection, reflection, reflection);
+        if self.colored.any() {
+            reflected = Vector::select(self.colored, self.sheen, reflected);
+        }
+        reflected
+    }
+
+    /// What the ground scatters of light that falls in under an angle of this cosine: k_d·C·(n̂·L̂), or what a coat leaves
+    /// of it.
+    #[inline(always)]
+    pub(super) fn scattered(&self, cos: W::R) -> Vector<W::R> {
+        let all = self.diffuse * cos;
+        if !self.coated.any() {
+            return all;
+        }
+        let one = cos.like(1.0);
+        let passed = one - fresnel(cos.min(one).max(cos.like(0.0)), self.coat_ratio);
+        Vector::select(self.coated, all * passed, all)
     }
 
     /// Rays that met the surface from within.
@@ -134,4 +219,15 @@ impl<W: Width> Encounter<W> {
         let other = self.start.plus(self.start.like(INWARDS));
         Rays { origin: self.position, direction, start: other }
     }
+}
+
+/// The reflectances of a metal under angles of these cosines.
+fn curve_at<W: Width>(w: W, curve: &Curve, cos: W::R) -> Vector<W::R> {
+    let mut cosines = [0.0; MOST_LANES];
+    cos.store(&mut cosines);
+    let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
+    for (lane, cos) in cosines.into_iter().enumerate().take(W::LANES) {
+        [red[lane], green[lane], blue[lane]] = curve.at(cos);
+    }
+    Vector::new(w.load(&red), w.load(&green), w.load(&blue))
 }

@@ -29,7 +29,9 @@ pub struct TracedRay {
     pub generation: u32,
     /// Product of the coefficients on the way from the eye.
     pub weight: Vec3,
-    /// What this ray alone adds to the pixel: `weight` × `local`.
+    /// The share of light that the media leave on its way; 1 but in bodies that absorb.
+    pub through: Vec3,
+    /// What this ray alone adds to the pixel: `weight` × `through` × `local`.
     pub light: Vec3,
     /// The sum of the local terms at its end, or the background: ((ambient + first light) + second light) + ….
     pub local: Vec3,
@@ -44,9 +46,26 @@ pub struct TracedRay {
     pub answer: Option<SurfaceAnswer>,
 }
 
+/// By which law a surface reflects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReflectionLaw {
+    /// Whitted's k_r under every angle.
+    Constant,
+    /// A mirror's color under every angle.
+    Mirror,
+    /// Fresnel's formulas for the indices on either side; the rest goes on.
+    Dielectric,
+    /// Fresnel's formulas for a metal.
+    Conductor,
+    /// Fresnel's formulas for a clear coat; the rest is scattered below it.
+    Coat,
+}
+
 /// How a surface answers a ray that meets it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceAnswer {
+    /// By which law it reflects; the coefficients are those of the [branches](Branch).
+    pub law: ReflectionLaw,
     /// C: the body's color at this point.
     pub color: Vec3,
     /// Whether the point lies in an odd cell of a checker, so that C is the checker's color.
@@ -147,7 +166,8 @@ pub struct ShadowCrossing {
     pub distance: f32,
     /// Whether the body is left here, not entered.
     pub leaving: bool,
-    /// k_t·τ, what the crossing lets through; `None` if the body is opaque.
+    /// What the crossing lets through: k_t·τ, or what is not reflected; and what the way in the body leaves of it, at the
+    /// last crossing of the body. `None` if the body is opaque.
     pub filter: Option<Vec3>,
 }
 

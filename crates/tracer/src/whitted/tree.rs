@@ -10,12 +10,12 @@ use super::record::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
     TracedRay,
 };
-use super::{Beams, Followed, Offspring, Origin, Whitted};
+use super::{Beams, Crossed, Followed, Offspring, Origin, Whitted};
 use crate::lanes::One;
 use crate::media::Inside;
 use crate::pick::SurfaceHit;
 use crate::ray::{Ray, Rays};
-use crate::search::{Along, Flight, found_in};
+use crate::search::{Along, Flight, Hit, found_in};
 use crate::stage::Stage;
 use crate::surface::highlight_cosine;
 use crate::tile::Place;
@@ -63,8 +63,9 @@ struct Scribe<'a> {
     local: Option<Vector<f32>>,
     lights: Vec<LightTerm>,
     highlight: Option<(Vector<f32>, f32)>,
-    /// The ratio of indices, and whether the ray passes.
-    crossing: Option<(f32, bool)>,
+    crossing: Option<Crossed<One>>,
+    /// What the way there leaves of the light.
+    through: Vector<f32>,
     /// The rays that go on.
     sent: Vec<(RayKind, Beams<One>)>,
 }
@@ -78,6 +79,7 @@ impl<'a> Scribe<'a> {
             lights: Vec::new(),
             highlight: None,
             crossing: None,
+            through: Vector::new(1.0, 1.0, 1.0),
             sent: Vec::new(),
         }
     }
@@ -103,17 +105,31 @@ impl Offspring<One> for Scribe<'_> {
     }
 
     fn asks(&mut self, rays: &Rays<One>, distance: f32, inside: &Inside, passed: Vector<f32>) {
-        let mut crossings = Vec::new();
-        Flight::new(One, self.stage, rays, true, inside, Along::Anything).crossings(distance, |hit| {
+        let mut hits: Vec<Hit> = Vec::new();
+        Flight::new(One, self.stage, rays, true, inside, Along::Anything)
+            .crossings(distance, |hit| hits.push(hit));
+        let filter = |hit: &Hit| {
             let body = self.stage.body(hit.body);
-            let filter = body.is_transparent().then(|| self.stage.material(body).filter.into());
-            crossings.extend(self.stage.scene_index(hit.body).map(|body| ShadowCrossing {
-                body,
-                distance: hit.t,
-                leaving: hit.leaving,
-                filter,
-            }));
-        });
+            let material = self.stage.material(body);
+            let mut filter = Vector::splat(0.0, material.filter);
+            let other = |leaving| {
+                hits.iter().find(|other| other.body == hit.body && other.leaving == leaving).map(|hit| hit.t)
+            };
+            let way = match hit.leaving {
+                true => Some(hit.t - other(false).unwrap_or(0.0)),
+                false if other(true).is_none() => Some(distance - hit.t),
+                false => None,
+            };
+            if let Some(way) = way.filter(|_| material.absorbs()) {
+                filter = filter.times(material.left_after(way.max(0.0)));
+            }
+            body.is_transparent().then_some(filter.into())
+        };
+        let crossing = |hit: &Hit| {
+            let body = self.stage.scene_index(hit.body)?;
+            Some(ShadowCrossing { body, distance: hit.t, leaving: hit.leaving, filter: filter(hit) })
+        };
+        let mut crossings: Vec<ShadowCrossing> = hits.iter().filter_map(crossing).collect();
         crossings.sort_by(|a, b| {
             a.distance.total_cmp(&b.distance).then(b.leaving.cmp(&a.leaving)).then(a.body.cmp(&b.body))
         });
@@ -134,7 +150,7 @@ impl Offspring<One> for Scribe<'_> {
             });
         term.answer = Some(LightAnswer {
             power: power.into(),
-            diffuse: (at.diffuse * term.cosine).into(),
+            diffuse: at.scattered(term.cosine).into(),
             highlight_cosine,
             highlight,
             light: light.into(),
@@ -145,8 +161,12 @@ impl Offspring<One> for Scribe<'_> {
         self.local = Some(local);
     }
 
-    fn crosses(&mut self, ratio: f32, passes: bool) {
-        self.crossing = Some((ratio, passes));
+    fn crosses(&mut self, crossed: Crossed<One>) {
+        self.crossing = Some(crossed);
+    }
+
+    fn travels(&mut self, through: Vector<f32>) {
+        self.through = through;
     }
 }
 
@@ -225,6 +245,7 @@ impl Whitted<'_> {
             parent,
             generation: beam.generation,
             weight: beam.weight.into(),
+            through: scribe.through.into(),
             light: followed.light.into(),
             local: scribe.local.map_or(background, Vec3::from),
             media,
@@ -237,15 +258,17 @@ impl Whitted<'_> {
     fn answer(&mut self, beam: &Beams<One>, at: &Encounter<One>, scribe: Scribe<'_>) -> SurfaceAnswer {
         let is_last = beam.generation >= self.generations;
         let crossing = if is_last { self.crossing_beyond(beam, at) } else { scribe.crossing };
-        let interface = crossing.map(|(ratio, passes)| {
+        let interface = crossing.map(|Crossed { ratio, passes, .. }| {
             let beyond = self.media.crossing(self.stage, beam.media, at.body).beyond;
             let ior_beyond = self.media.ior(self.stage, beyond);
             Interface { ior_beyond, ratio, is_total: !passes }
         });
         let is_total = interface.is_some_and(|interface| interface.is_total);
-        let reflection = Vec3::splat(if is_total { 1.0 } else { at.reflection });
-        let reflected = self.branch(beam, reflection, is_last);
-        let mut refracted = self.branch(beam, Vec3::from(at.filter), is_last);
+        let weight = beam.weight.times(scribe.through);
+        let reflection = crossing.map_or(at.reflection, |crossing| crossing.reflection);
+        let reflected = self.branch(weight, Vec3::from(at.reflected(reflection)), is_last);
+        let filter = crossing.map_or(at.filter, |crossing| crossing.filter);
+        let mut refracted = self.branch(weight, Vec3::from(filter), is_last);
         if is_total {
             refracted.fate = Fate::TotalReflection;
         }
@@ -257,6 +280,7 @@ impl Whitted<'_> {
         SurfaceAnswer {
             color: odd.map_or(material.color, |checker| checker.color).into(),
             is_odd_cell: odd.is_some(),
+            law: material.law.name(),
             ambient_coefficient: material.ambient,
             ambient_light: self.stage.ambient.into(),
             ambient: at.ambient.into(),
@@ -271,7 +295,7 @@ impl Whitted<'_> {
     }
 
     /// The crossing of a surface from which no ray goes on any more: what it would have been.
-    fn crossing_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Option<(f32, bool)> {
+    fn crossing_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Option<Crossed<One>> {
         let counts = self.counts;
         let mut scribe = Scribe::new(self.stage);
         self.spawn(One, beam, at, true, &mut scribe);
@@ -280,8 +304,8 @@ impl Whitted<'_> {
     }
 
     /// A branch before it is known which ray it is: one that is followed counts as left out.
-    fn branch(&self, beam: &Beams<One>, coefficient: Vec3, is_last: bool) -> Branch {
-        let weight = beam.weight.times(coefficient.into());
+    fn branch(&self, weight: Vector<f32>, coefficient: Vec3, is_last: bool) -> Branch {
+        let weight = weight.times(coefficient.into());
         let fate = match self.carries(One, weight) {
             true if is_last => Fate::GenerationLimit,
             true => Fate::LeftOut,

@@ -10,6 +10,7 @@ mod edits;
 mod film;
 mod invariance;
 mod local_light;
+mod materials;
 mod media;
 mod mirrors;
 mod random;

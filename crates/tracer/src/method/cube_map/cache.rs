@@ -152,7 +152,7 @@ impl Shown {
             let checker = stage.checkers.get(body.checker as usize).copied();
             // Numbers of materials mean nothing from stage to stage.
             let plain = StageBody { material: 0, checker: 0, ..*body };
-            (*place, (plain, *stage.material(body), checker))
+            (*place, (plain, stage.material(body).clone(), checker))
         };
         Self {
             bodies: stage.bodies.iter().zip(&stage.scene_indices).map(body).collect(),
