@@ -1,6 +1,8 @@
 //! How deep a scene needs to be traced, and materials that give more light than they get.
 
-use catoptric_scene::{Body, Camera, Checker, Color, Material, MaterialChoice, Projection, Scene, Tracing};
+use catoptric_scene::{
+    Body, Camera, Checker, Color, Material, MaterialChoice, Model, Projection, Scene, Tracing,
+};
 use catoptric_tracer::{Control, Ray, RenderError, Stage, StageCamera, Whitted};
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
@@ -36,10 +38,14 @@ impl DepthBound {
         let mut clear: Option<(f64, usize)> = None;
         for (place, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
             let Some(material) = scene.material(&body.material) else { continue };
-            let (reflection, passes) = (material.reflection(), transmission(material));
+            let (reflection, passes) = (material.reflects().most, material.lets_through().most);
             if passes > 0.0 {
-                let least = if material.ior == 1.0 { 0.0 } else { 1.0 };
-                let factor = (reflection + passes).max(least);
+                let factor = match material.model {
+                    // What is not reflected passes.
+                    Model::Dielectric => 1.0,
+                    _ if material.ior() == 1.0 => reflection + passes,
+                    _ => (reflection + passes).max(1.0),
+                };
                 if clear.is_none_or(|(most, _)| factor > most) {
                     clear = Some((factor, place));
                 }
@@ -81,11 +87,6 @@ impl DepthBound {
         }
         Self { factor, cycle, generations }
     }
-}
-
-/// What passes a surface at most, k_t·τ in the strongest channel.
-fn transmission(material: &Material) -> f64 {
-    material.transmission * material.tint.to_array().into_iter().fold(0.0, f64::max)
 }
 
 /// Whether rays may start within a body: always assumed where they start all over a window.
@@ -254,12 +255,19 @@ pub fn excess_of(material: &Material) -> impl Iterator<Item = (ExcessKind, f64)>
     let other = material.checker.as_ref().map_or(Color::BLACK, |checker: &Checker| checker.color).to_array();
     let (color, tint) = (material.color.to_array(), material.tint.to_array());
     let channels = color.iter().zip(other).zip(tint).enumerate().map(|(channel, ((color, other), tint))| {
-        let diffuse = material.diffuse * color.max(other);
-        let (reflection, transmission) = (material.reflection(), material.transmission * tint);
+        let color = color.max(other);
+        let (diffuse, reflection, transmission) = match material.model {
+            Model::Phong => (material.diffuse * color, material.reflection(), material.transmission * tint),
+            Model::Mirror => (0.0, material.reflection() * color, 0.0),
+            Model::Matte => (color, 0.0, 0.0),
+            // They take from one what they give to the other, and a coat knows no ground brighter than white.
+            Model::Dielectric | Model::Conductor | Model::Coated => (0.0, 0.0, 0.0),
+        };
         let kind = ExcessKind::Surface { channel, diffuse, reflection, transmission };
         (kind, diffuse + reflection + transmission)
     });
     let most = channels.reduce(|most, next| if next.1 > most.1 { next } else { most });
-    let highlight = (ExcessKind::Highlight, 2.0 * material.specular / (material.shininess + 2.0));
+    let specular = if material.has_highlight() { material.specular } else { 0.0 };
+    let highlight = (ExcessKind::Highlight, 2.0 * specular / (material.shininess + 2.0));
     most.into_iter().chain([highlight]).filter(|(_, amount)| *amount > ALL)
 }

@@ -212,24 +212,25 @@ impl<'a> Setting<'a> {
             let Some(material) = scene.material(&body.material) else { continue };
             let place = Place { index, body, center: center(body) };
             let is_meant = only.is_none_or(|only| only == index);
-            let is_clear = material.transmission > 0.0 && material.tint != catoptric_scene::Color::BLACK;
-            let is_mirror = material.reflection() >= LEAST_MIRROR && !is_clear;
+            let is_clear = material.lets_through().most > 0.0;
+            let reflection = material.reflects().straight;
+            let is_mirror = reflection >= LEAST_MIRROR && !is_clear;
             if is_mirror {
                 setting.mirrors.push(place);
             }
             let is_around = scene.camera.position.distance(place.center) < extent(body);
-            if is_meant && body.shape != Shape::Plane && !is_around && material.reflection() < LEAST_MIRROR {
+            if is_meant && body.shape != Shape::Plane && !is_around && reflection < LEAST_MIRROR {
                 keep(&mut setting.objects, place, &mut setting.is_cut);
             }
-            if is_meant && is_clear && material.ior > 1.0 && radius(body).is_some() {
+            if is_meant && is_clear && material.ior() > 1.0 && radius(body).is_some() {
                 keep(&mut setting.lenses, place, &mut setting.is_cut);
             }
-            if is_meant && material.specular > 0.0 && !is_around {
+            if is_meant && material.has_highlight() && !is_around {
                 keep(&mut setting.glossy, place, &mut setting.is_cut);
             }
         }
         let strength = |place: &Place<'_>| {
-            scene.material(&place.body.material).map_or(0.0, catoptric_scene::Material::reflection)
+            scene.material(&place.body.material).map_or(0.0, |material| material.reflects().straight)
         };
         setting.mirrors.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
         setting.is_cut |= setting.mirrors.len() > MOST;

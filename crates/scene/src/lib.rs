@@ -25,7 +25,7 @@ pub use format::{
 };
 pub use light::{Falloff, Light};
 pub use list::{Counted, List, ListIter, ListIterMut, Slices};
-pub use material::{Checker, Conductor, Material, MaterialChoice, Model, NamedMaterial};
+pub use material::{Checker, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};
 
 /// A whole scene: everything that decides what a picture shows, except its size.
 #[derive(Clone, Debug, Default, PartialEq)]

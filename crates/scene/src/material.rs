@@ -1,6 +1,6 @@
 //! Materials: Whitted's and Phong's coefficients, and what surfaces of glass, metal and plastic do.
 
-use catoptric_optics::{CLEAR, Clear, METALS, Metal};
+use catoptric_optics::{CLEAR, Clear, METALS, Metal, fresnel};
 use glam::DVec3;
 
 use crate::color::Color;
@@ -155,6 +155,50 @@ impl Material {
         self.reflection.unwrap_or(if self.model == Model::Mirror { 1.0 } else { self.specular })
     }
 
+    /// What it reflects, in the strongest channel.
+    pub fn reflects(&self) -> Share {
+        let largest = |color: Color| color.to_array().into_iter().fold(0.0, f64::max);
+        let fresnel = |straight: f64| Share { straight, most: 1.0 };
+        match self.model {
+            Model::Phong => Share::always(self.reflection()),
+            Model::Matte => Share::always(0.0),
+            Model::Mirror => {
+                let checker = self.checker.map_or(0.0, |checker| largest(checker.color));
+                Share::always(self.reflection() * largest(self.color).max(checker))
+            }
+            Model::Dielectric if self.ior() == 1.0 => Share::always(0.0),
+            Model::Dielectric | Model::Coated => fresnel(fresnel::dielectric(1.0, self.ior()).mean()),
+            Model::Conductor => fresnel(match self.conductor {
+                Conductor::Metal(metal) => {
+                    metal.reflectance(1.0, 1.0).into_iter().fold(0.0, f64::max).min(1.0)
+                }
+                Conductor::Index { n, k } => {
+                    let channels = n.to_array().into_iter().zip(k.to_array());
+                    channels.map(|(n, k)| fresnel::conductor(1.0, n, k).mean()).fold(0.0, f64::max)
+                }
+            }),
+        }
+    }
+
+    /// What it lets through, in the strongest channel; of what is lost in the body nothing is known here.
+    pub fn lets_through(&self) -> Share {
+        match self.model {
+            Model::Phong => {
+                Share::always(self.transmission * self.tint.to_array().into_iter().fold(0.0, f64::max))
+            }
+            Model::Dielectric => {
+                let straight = 1.0 - fresnel::dielectric(1.0, self.ior()).mean();
+                Share { straight, most: 1.0 }
+            }
+            Model::Conductor | Model::Mirror | Model::Matte | Model::Coated => Share::always(0.0),
+        }
+    }
+
+    /// Whether lights are seen in it as highlights.
+    pub fn has_highlight(&self) -> bool {
+        self.model == Model::Phong && self.specular > 0.0
+    }
+
     /// The index of refraction of yellow light, relative to air.
     pub fn ior(&self) -> f64 {
         match self.substance {
@@ -163,6 +207,22 @@ impl Material {
             }
             _ => self.ior,
         }
+    }
+}
+
+/// How much of the light that falls on a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share {
+    /// Of light that falls in straight.
+    pub straight: f64,
+    /// Under the angle where it is most.
+    pub most: f64,
+}
+
+impl Share {
+    /// The same under every angle.
+    const fn always(share: f64) -> Self {
+        Self { straight: share, most: share }
     }
 }
 

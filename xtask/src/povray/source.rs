@@ -6,7 +6,7 @@
 use std::fmt::Write as _;
 
 use anyhow::{Context as _, Result, bail, ensure};
-use catoptric_scene::{Body, Camera, Color, Falloff, Light, Material, Projection, Scene, Shape};
+use catoptric_scene::{Body, Camera, Color, Falloff, Light, Material, Model, Projection, Scene, Shape};
 use glam::DVec3;
 
 /// Where POV-Ray's laws of falloff begin; far nearer to a light than anything that it shows.
@@ -105,7 +105,8 @@ fn matrix(body: &Body) -> String {
 
 /// Pigment, finish and, if anything goes through, the inside.
 fn surface(material: &Material) -> Result<String> {
-    let Material { ambient, diffuse, specular, shininess, transmission, ior, .. } = *material;
+    let Material { model, ambient, diffuse, specular, shininess, transmission, ior, .. } = *material;
+    ensure!(model == Model::Phong, "POV-Ray is asked for Phong's model only, not for {}", model.key());
     let opacity = 1.0 - transmission;
     ensure!(
         opacity > 0.0 || (ambient == 0.0 && diffuse == 0.0),

@@ -52,6 +52,7 @@ impl Audit {
             "generation": ray.generation,
             "coefficient": node.coefficient.to_array(),
             "weight": ray.weight.to_array(),
+            "through": ray.through.to_array(),
             "origin": ray.ray.origin.to_array(),
             "direction": ray.ray.direction.to_array(),
             "media": media,
@@ -76,6 +77,7 @@ impl Audit {
     fn answer(&self, answer: &SurfaceAnswer) -> Value {
         let lights: Vec<Value> = answer.lights.iter().map(|light| self.light(light)).collect();
         json!({
+            "law": answer.law.key(),
             "color": answer.color.to_array(),
             "odd_cell": answer.is_odd_cell,
             "k_a": answer.ambient_coefficient,

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use catoptric_tracer::{Branch, Fate, LightTerm, Shadow, SurfaceAnswer};
+use catoptric_tracer::{Branch, Fate, LightTerm, ReflectionLaw, Shadow, SurfaceAnswer};
+use glam::Vec3;
 
 use super::numbers::{degrees, exact, exact_color, exact_double, short, short_color, short_vector};
 use super::{Audit, Node, NodeKind, Proof, RayTree};
@@ -204,8 +205,12 @@ impl Page<'_> {
             Some(answer) => self.surface(node, answer),
             None => self.line("meets", &format!("nothing: the background {}", exact_color(node.ray.local))),
         }
+        let through = match node.ray.through {
+            Vec3::ONE => String::new(),
+            through => format!(" × {} left by the way", exact_color(through)),
+        };
         let sum = format!(
-            "weight {} × {} = {}",
+            "weight {}{through} × {} = {}",
             exact_color(node.ray.weight),
             exact_color(node.ray.local),
             exact_color(node.ray.light)
@@ -228,22 +233,37 @@ impl Page<'_> {
         );
         self.angles(node, answer);
         let odd = if answer.is_odd_cell { ", the checker's" } else { "" };
-        self.line("color", &format!("C = {}{odd}", exact_color(answer.color)));
-        self.line(
-            "ambient",
-            &format!(
-                "k_a·C·I_a = {} × {} × {} = {}",
-                exact(answer.ambient_coefficient),
-                exact_color(answer.color),
-                exact_color(answer.ambient_light),
-                exact_color(answer.ambient)
-            ),
-        );
+        if answer.law.has_ground() || answer.law == ReflectionLaw::Mirror {
+            self.line("color", &format!("C = {}{odd}", exact_color(answer.color)));
+        }
+        if answer.law == ReflectionLaw::Constant {
+            self.line(
+                "ambient",
+                &format!(
+                    "k_a·C·I_a = {} × {} × {} = {}",
+                    exact(answer.ambient_coefficient),
+                    exact_color(answer.color),
+                    exact_color(answer.ambient_light),
+                    exact_color(answer.ambient)
+                ),
+            );
+        } else if answer.law == ReflectionLaw::Coat {
+            self.line("ambient", &format!("{} through the coat", exact_color(answer.ambient)));
+        }
         for light in &answer.lights {
             self.light(light, answer);
         }
         self.local(node, answer);
-        let reflected = self.branch("reflected", answer.reflected);
+        let by = match (answer.law, node.incidence) {
+            (ReflectionLaw::Constant, _) | (_, None) => String::new(),
+            (ReflectionLaw::Mirror, _) => " in the mirror's color".to_owned(),
+            (ReflectionLaw::Dielectric, Some(angle)) => format!(" by Fresnel at {}", degrees(angle)),
+            (ReflectionLaw::Conductor, Some(angle)) => {
+                format!(" by Fresnel for metals at {}", degrees(angle))
+            }
+            (ReflectionLaw::Coat, Some(angle)) => format!(" by Fresnel for the coat at {}", degrees(angle)),
+        };
+        let reflected = self.branch(&format!("reflected{by}"), answer.reflected);
         self.line("goes on", &reflected);
         if answer.interface.is_some() {
             let refracted = self.branch("refracted", answer.refracted);
@@ -293,7 +313,11 @@ impl Page<'_> {
         if answer.diffuse_coefficient != 0.0 {
             let (k, c) = (exact(answer.diffuse_coefficient), exact_color(answer.color));
             let cosine = exact(light.cosine);
-            self.line("", &format!("diffuse k_d·C·(n̂·L̂) = {k} × {c} × {cosine} = {diffuse}"));
+            let said = match answer.law {
+                ReflectionLaw::Coat => format!("diffuse through the coat, of {c} × {cosine}: {diffuse}"),
+                _ => format!("diffuse k_d·C·(n̂·L̂) = {k} × {c} × {cosine} = {diffuse}"),
+            };
+            self.line("", &said);
         }
         if answer.specular_coefficient != 0.0 {
             self.line(

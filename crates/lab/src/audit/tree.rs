@@ -40,7 +40,8 @@ pub struct Node {
     pub ray: TracedRay,
     /// What it is to the ray before.
     pub kind: NodeKind,
-    /// The coefficient between the ray before and this one: k_r, 1 or k_t·τ; 1 for the primary ray.
+    /// The coefficient between the ray before and this one: k_r, 1 or k_t·τ, or what Fresnel's formulas give; 1 for the
+    /// primary ray.
     pub coefficient: Vec3,
     /// The rays that go on from its end, the reflected one first.
     pub children: Vec<usize>,
@@ -159,7 +160,7 @@ impl Node {
         let refraction = refraction.map(|(incidence, interface)| {
             (f64::from(interface.ratio) * incidence.sin()).clamp(-1.0, 1.0).asin()
         });
-        let radiance = ray.local.as_dvec3();
+        let radiance = ray.through.as_dvec3() * ray.local.as_dvec3();
         Self {
             ray,
             kind,
@@ -185,7 +186,7 @@ fn sum_up(nodes: &mut [Node]) -> [ExactSum; 3] {
         let passed_on = node.radiance * node.coefficient.as_dvec3();
         let parent = node.ray.parent;
         if let Some(node) = parent.and_then(|parent| nodes.get_mut(parent)) {
-            node.radiance += passed_on;
+            node.radiance += node.ray.through.as_dvec3() * passed_on;
         }
         let above = parent.and_then(|parent| sums.get_mut(parent)).unwrap_or(&mut total);
         above.iter_mut().zip(&sum).for_each(|(above, sum)| above.absorb(sum));

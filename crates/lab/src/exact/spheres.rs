@@ -87,7 +87,7 @@ fn reflection_point(
 fn focus(setting: &Setting<'_>, lens: &Place<'_>, radius: f64) -> Option<ExactAnswer> {
     /// Near enough to the axis for the aberration to vanish, far enough for single precision.
     const PARAXIAL: f64 = 0.01;
-    let ior = setting.scene.material(&lens.body.material)?.ior;
+    let ior = setting.scene.material(&lens.body.material)?.ior();
     let axis = (lens.center - setting.eye()).try_normalize()?;
     let beside = axis.any_orthonormal_vector();
     let probe = Probe::of(setting.scene, [lens.body], None)?;

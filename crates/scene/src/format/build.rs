@@ -98,9 +98,6 @@ impl<'t> Build<'_, 't> {
         let mut fields = self.fields(&keys::MATERIAL, table);
         let default = Material::default();
         let model = fields.choice("model");
-        if model.is_err() {
-            fields.check_dependent("model", &[]);
-        }
         check_company(&mut fields, "write either the one or the other");
         let mut material = Material {
             model: model.ok().flatten().and_then(Model::of_key).unwrap_or_default(),

@@ -164,7 +164,6 @@ pub static MATERIAL: TableSpec = TableSpec {
         KeySpec::new("metal", Kind::Choice(&METAL_NAMES), "a measured metal")
             .or(Default::Text("silver"))
             .only("model", CONDUCTOR)
-            .excluding(&["n", "k"])
             .written(),
         KeySpec::new(
             "n",

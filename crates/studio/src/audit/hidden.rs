@@ -96,6 +96,6 @@ impl Look<'_> {
     fn is_clear(&self, body: usize) -> bool {
         let body = self.scene.bodies.get(body);
         let material = body.and_then(|body| self.scene.material(&body.material));
-        material.is_some_and(|material| material.transmission > 0.0)
+        material.is_some_and(|material| material.lets_through().most > 0.0)
     }
 }

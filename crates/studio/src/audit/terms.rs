@@ -3,7 +3,7 @@
 use catoptric_editor::Item;
 use catoptric_lab::audit::{Audit, Node};
 use catoptric_scene::Scene;
-use catoptric_tracer::{Branch, Fate, LightTerm, Shadow, SurfaceAnswer};
+use catoptric_tracer::{Branch, Fate, LightTerm, ReflectionLaw, Shadow, SurfaceAnswer};
 use glam::{DVec3, Vec3};
 
 use super::numbers::{color, degrees, short, vector};
@@ -100,7 +100,11 @@ impl Writer<'_> {
                 terms.push(meets.value(node.ray.local));
             }
         }
-        let numbers = format!("{} · {}", color(node.ray.weight), color(node.ray.local));
+        let through = match node.ray.through {
+            Vec3::ONE => String::new(),
+            through => format!(" · {}", color(through)),
+        };
+        let numbers = format!("{}{through} · {}", color(node.ray.weight), color(node.ray.local));
         terms.push(
             Term::new(Part::Adds, self.texts.get("audit-adds"))
                 .words(self.texts.get("audit-weight-times-light").to_owned())
@@ -148,15 +152,26 @@ impl Writer<'_> {
             color(answer.color),
             color(answer.ambient_light)
         );
-        let ambient = Term::new(Part::Ambient, texts.get("audit-ambient"));
-        terms.push(ambient.formula("k_a C I_a", numbers).value(answer.ambient));
+        let ambient = Term::new(Part::Ambient, texts.get("audit-ambient")).value(answer.ambient);
+        match answer.law {
+            ReflectionLaw::Constant => terms.push(ambient.formula("k_a C I_a", numbers)),
+            ReflectionLaw::Coat => terms.push(ambient.words(texts.get("audit-through-coat").to_owned())),
+            ReflectionLaw::Mirror | ReflectionLaw::Dielectric | ReflectionLaw::Conductor => {}
+        }
         for light in &answer.lights {
             self.light(terms, light, answer);
         }
         terms.push(self.local(node, answer));
-        terms.push(self.branch(Part::Reflected, "audit-reflected", "k_r", answer.reflected));
+        let [reflected, refracted] = match answer.law {
+            ReflectionLaw::Constant => ["k_r", "k_t τ"],
+            ReflectionLaw::Mirror => ["C k_r", ""],
+            ReflectionLaw::Dielectric | ReflectionLaw::Conductor | ReflectionLaw::Coat => {
+                ["R(θ)", "1 − R(θ)"]
+            }
+        };
+        terms.push(self.branch(Part::Reflected, "audit-reflected", reflected, answer.reflected));
         if answer.interface.is_some() {
-            terms.push(self.branch(Part::Refracted, "audit-refracted", "k_t τ", answer.refracted));
+            terms.push(self.branch(Part::Refracted, "audit-refracted", refracted, answer.refracted));
         }
     }
 
@@ -195,8 +210,12 @@ impl Writer<'_> {
         if answer.diffuse_coefficient != 0.0 {
             let k = short(answer.diffuse_coefficient.into());
             let numbers = format!("{k} · {} · {cosine}", color(answer.color));
-            let diffuse = Term::new(Part::Diffuse(light.light), texts.get("audit-diffuse"));
-            terms.push(diffuse.formula("k_d C (~n·~L)", numbers).value(sent.diffuse));
+            let diffuse =
+                Term::new(Part::Diffuse(light.light), texts.get("audit-diffuse")).value(sent.diffuse);
+            terms.push(match answer.law {
+                ReflectionLaw::Coat => diffuse.words(texts.get("audit-through-coat").to_owned()),
+                _ => diffuse.formula("k_d C (~n·~L)", numbers),
+            });
             sum.push(color(sent.diffuse));
         }
         if answer.specular_coefficient != 0.0 {

@@ -55,6 +55,7 @@ audit-angle = incidence { $incidence }
 audit-angles-both = incidence { $incidence }, refraction { $refraction } (from n = { $from } to { $to })
 audit-angles-total = incidence { $incidence }, total internal reflection (from n = { $from } to { $to })
 audit-ambient = Ambient
+audit-through-coat = through the coat
 audit-light-below = below the surface, adds nothing
 audit-light-words = { $distance } m away, { $between }
 audit-nothing-between = nothing between

@@ -56,6 +56,7 @@ audit-angle = падения { $incidence }
 audit-angles-both = падения { $incidence }, преломления { $refraction } (из n = { $from } в n = { $to })
 audit-angles-total = падения { $incidence }, полное внутреннее отражение (из n = { $from } в n = { $to })
 audit-ambient = Фоновый свет
+audit-through-coat = сквозь покрытие
 audit-light-below = за поверхностью, ничего не добавляет
 audit-light-words = расстояние { $distance } м, { $between }
 audit-nothing-between = путь свободен

@@ -46,6 +46,24 @@ pub struct TracedRay {
     pub answer: Option<SurfaceAnswer>,
 }
 
+impl ReflectionLaw {
+    /// Its name in machine-readable output.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Constant => "constant",
+            Self::Mirror => "mirror",
+            Self::Dielectric => "dielectric",
+            Self::Conductor => "conductor",
+            Self::Coat => "coat",
+        }
+    }
+
+    /// Whether the surface has a ground that scatters light: ambient and diffuse terms.
+    pub const fn has_ground(self) -> bool {
+        matches!(self, Self::Constant | Self::Coat)
+    }
+}
+
 /// By which law a surface reflects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReflectionLaw {
