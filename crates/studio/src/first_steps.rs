@@ -38,6 +38,10 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
         return;
     }
     watch(studio);
+    // It would lie over the window of a picture, and over its buttons.
+    if studio.pictures.has_windows() {
+        return;
+    }
     let Some(view) = studio.viewport_rect() else { return };
     if view.width() < 360.0 || view.height() < 260.0 {
         return;

@@ -60,6 +60,11 @@ pub(crate) struct Order {
 }
 
 impl Pictures {
+    /// Whether finished pictures stand in their windows.
+    pub(crate) fn has_windows(&self) -> bool {
+        !self.finished.is_empty()
+    }
+
     /// Whether a picture is being rendered.
     pub(crate) fn is_rendering(&self) -> bool {
         self.running.is_some()

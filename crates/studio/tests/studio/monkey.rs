@@ -307,7 +307,7 @@ impl Monkey {
     fn close_pictures(&mut self) {
         // The question whether to lose the picture lies over its window.
         const CLOSE: &[&str] = &["Don’t save", "Не сохранять", "Close the picture", "Закрыть изображение"];
-        for attempt in 0..4000 {
+        for attempt in 0..1500 {
             if attempt > 100 {
                 // One that is being saved or copied cannot be closed yet.
                 std::thread::sleep(Duration::from_millis(20));
@@ -331,11 +331,15 @@ impl Monkey {
         let labels: Vec<_> = nodes
             .filter_map(|node| {
                 let access = node.accesskit_node();
-                Some((access.label()?, access.role(), access.is_disabled(), node.rect()))
+                let label = access.label()?;
+                let place = CLOSE.contains(&label.as_str()).then(|| node.rect());
+                Some((label, place))
             })
             .collect();
         let (rect, zoom) = (context.content_rect(), context.zoom_factor());
-        panic!("a picture cannot be closed in {rect}, zoom {zoom}: {labels:?}");
+        let over = |at: egui::Rect| context.layer_id_at(at.center());
+        let covers: Vec<_> = labels.iter().filter_map(|(_, place)| place.map(over)).collect();
+        panic!("a picture cannot be closed in {rect}, zoom {zoom}, under {covers:?}: {labels:?}");
     }
 
     /// Back to a small document without a history, whatever is open.
