@@ -51,6 +51,55 @@ pub fn weight(nanometers: f64) -> [f64; 3] {
     })
 }
 
+/// Light of one wavelength as a part of daylight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wave {
+    /// In vacuum.
+    pub nanometers: f64,
+    /// Linear sRGB, with negative parts where the color is outside of it.
+    pub color: [f64; 3],
+}
+
+/// Some waves that make white together, 1, 1, 1: close where the eye is sharp, wide where it sees little.
+///
+/// `offset`, 0 to 1, shifts all of them by that part of the way to the next: the mean over all offsets is daylight.
+pub fn waves(count: usize, offset: f64) -> Vec<Wave> {
+    let sharpness = SHARPNESS.last().copied().unwrap_or(1.0);
+    let mut waves: Vec<Wave> = (0..count)
+        .map(|index| {
+            let part = (index as f64 + offset.clamp(0.0, 1.0)) / count as f64 * sharpness;
+            let after = SHARPNESS.partition_point(|sum| *sum <= part).clamp(1, COUNT - 1);
+            let [low, high] = [after - 1, after].map(|at| SHARPNESS.get(at).copied().unwrap_or_default());
+            let nanometers = VISIBLE.start() + STEP * ((after - 1) as f64 + (part - low) / (high - low));
+            let density = (high - low) / STEP / sharpness;
+            let range = VISIBLE.end() - VISIBLE.start();
+            let share = 1.0 / (count as f64 * density * range);
+            Wave { nanometers, color: weight(nanometers).map(|part| part * share) }
+        })
+        .collect();
+    // What some points make of an integral is a little off white.
+    for channel in 0..3 {
+        let sum: f64 = waves.iter().filter_map(|wave| wave.color.get(channel)).sum();
+        for part in waves.iter_mut().filter_map(|wave| wave.color.get_mut(channel)) {
+            *part /= sum;
+        }
+    }
+    waves
+}
+
+/// How much is seen of daylight up to each wavelength of the tables.
+static SHARPNESS: LazyLock<[f64; COUNT]> = LazyLock::new(|| {
+    let mut sum = 0.0;
+    let mut before = None;
+    WEIGHTS.map(|weights| {
+        // A little everywhere, so that no part of the range is without waves.
+        let seen = weights.iter().map(|part| part.abs()).sum::<f64>() + 1e-3;
+        sum += before.map_or(0.0, |before| 0.5 * (before + seen));
+        before = Some(seen);
+        sum
+    })
+});
+
 fn wavelengths() -> impl Iterator<Item = f64> {
     (0..COUNT).map(|index| VISIBLE.start() + STEP * index as f64)
 }
@@ -116,6 +165,33 @@ mod tests {
         assert!(red > 0.5 && green < 0.1 && blue < 0.01);
         let [red, green, blue] = seen(|nanometers| if nanometers < 490.0 { 1.0 } else { 0.0 });
         assert!(blue > 0.8 && red < 0.2 && green < 0.2);
+    }
+
+    #[test]
+    fn waves_make_white_and_shift_over_all_colors() {
+        for count in [1, 4, 8] {
+            for offset in [0.0, 0.3, 0.5, 1.0] {
+                let waves = waves(count, offset);
+                assert!(waves.windows(2).all(|pair| pair[0].nanometers < pair[1].nanometers));
+                for channel in 0..3 {
+                    let sum: f64 = waves.iter().map(|wave| wave.color[channel]).sum();
+                    assert!((sum - 1.0).abs() < 1e-12, "{count} {offset} {channel}: {sum}");
+                }
+            }
+        }
+        // The color of a glass that lets through what is redder than 600 nm.
+        let exact = seen(|nanometers| if nanometers > 600.0 { 1.0 } else { 0.0 });
+        let mut mean = [0.0; 3];
+        for sample in 0..1000 {
+            for wave in
+                waves(8, (f64::from(sample) + 0.5) / 1000.0).iter().filter(|wave| wave.nanometers > 600.0)
+            {
+                for (mean, part) in mean.iter_mut().zip(wave.color) {
+                    *mean += part / 1000.0;
+                }
+            }
+        }
+        assert!((mean[0] - exact[0]).abs() < 0.02 && mean[1] < 0.1, "{mean:?} {exact:?}");
     }
 
     #[test]

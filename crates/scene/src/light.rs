@@ -1,10 +1,10 @@
-//! Point lights and their laws of falloff.
+//! Lights and their laws of falloff.
 
 use glam::DVec3;
 
 use crate::color::Color;
 
-/// A point light.
+/// A light: a point, or a ball that shines evenly to all sides. The ball itself is not seen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// Unique name; empty when the file gives none.
@@ -17,6 +17,8 @@ pub struct Light {
     pub intensity: f64,
     /// How the light weakens with distance. Default none.
     pub falloff: Falloff,
+    /// Radius of the ball, meters; 0 (the default) is a point. However large, it gives as much light as the point.
+    pub radius: f64,
     /// Whether the light is out. Default false.
     pub hidden: bool,
     /// Whether the studio leaves the light as it is. No picture depends on it. Default false.
@@ -31,6 +33,7 @@ impl Default for Light {
             color: Color::WHITE,
             intensity: 1.0,
             falloff: Falloff::None,
+            radius: 0.0,
             hidden: false,
             locked: false,
         }

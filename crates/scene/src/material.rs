@@ -1,6 +1,6 @@
 //! Materials: Whitted's and Phong's coefficients, and what surfaces of glass, metal and plastic do.
 
-use catoptric_optics::{CLEAR, Clear, METALS, Metal, fresnel};
+use catoptric_optics::{CLEAR, Clear, Dispersion, METALS, Metal, fresnel};
 use glam::DVec3;
 
 use crate::color::Color;
@@ -140,6 +140,10 @@ pub struct Material {
     pub checker: Option<Checker>,
     /// What a dielectric is made of, in the place of `ior`. Default none.
     pub substance: Option<&'static Clear>,
+    /// Whether a dielectric bends light of different colors differently. Default false.
+    pub dispersion: bool,
+    /// How much it does so, unless it is a `substance`: the Abbe number. Default 58.
+    pub abbe: f64,
     /// Color that white light has after [`attenuation_distance`](Self::attenuation_distance) in a dielectric. Default
     /// white.
     pub attenuation_color: Color,
@@ -147,6 +151,9 @@ pub struct Material {
     pub attenuation_distance: f64,
     /// What a conductor is. Default silver.
     pub conductor: Conductor,
+    /// How rough the surface is that reflects, 0 (the default, smooth) to 1: the square root of the width α of the slopes
+    /// of its facets.
+    pub roughness: f64,
 }
 
 impl Material {
@@ -199,6 +206,15 @@ impl Material {
         self.model == Model::Phong && self.specular > 0.0
     }
 
+    /// The index of refraction by wavelength, if it differs.
+    pub fn dispersion(&self) -> Option<Dispersion> {
+        let differs = self.dispersion && self.model == Model::Dielectric;
+        differs.then(|| match self.substance {
+            Some(substance) => substance.dispersion,
+            None => Dispersion::from_abbe(self.ior, self.abbe),
+        })
+    }
+
     /// The index of refraction of yellow light, relative to air.
     pub fn ior(&self) -> f64 {
         match self.substance {
@@ -241,9 +257,12 @@ impl Default for Material {
             tint: Color::WHITE,
             checker: None,
             substance: None,
+            dispersion: false,
+            abbe: 58.0,
             attenuation_color: Color::WHITE,
             attenuation_distance: 1.0,
             conductor: Conductor::default(),
+            roughness: 0.0,
         }
     }
 }

@@ -4,6 +4,7 @@
 //! sample by sample.
 
 mod counts;
+mod facets;
 mod film;
 mod lanes;
 mod media;

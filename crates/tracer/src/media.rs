@@ -6,6 +6,10 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::stage::{Hierarchy, Stage};
 use crate::surface::exponential;
 use crate::vector::Vector;
+use crate::whitted::Waves;
+
+/// From here on numbers of bodies stand for waves: what a ray that is of one color has at the end of its list.
+const WAVES: u32 = u32::MAX - 0xff;
 
 /// In no body: in air.
 pub(crate) const AIR: u32 = u32::MAX;
@@ -51,8 +55,27 @@ impl MediaTable {
         std::iter::from_fn(move || {
             let &(body, rest) = self.links.get(at as usize)?;
             at = rest;
-            Some(body)
+            (body < WAVES).then_some(body)
         })
+    }
+
+    /// The wave of a ray in these media, if its light is of one color.
+    pub(crate) fn wave(&self, media: u32) -> Option<u32> {
+        let mut at = media;
+        while let Some(&(body, rest)) = self.links.get(at as usize) {
+            if body >= WAVES {
+                return Some(body - WAVES);
+            }
+            at = rest;
+        }
+        None
+    }
+
+    /// The same media for light of one wave, less than 256.
+    pub(crate) fn colored(&mut self, media: u32, wave: u32) -> u32 {
+        let mut bodies: Vec<u32> = self.bodies(media).collect();
+        bodies.push(WAVES + wave.min(u32::MAX - 1 - WAVES));
+        bodies.into_iter().rev().fold(AIR, |list, body| self.entered(list, body))
     }
 
     /// The list after entering `body`.
@@ -78,20 +101,27 @@ impl MediaTable {
     }
 
     /// What a ray in `media` that crosses the surface of `body` comes to.
-    pub(crate) fn crossing(&mut self, stage: &Stage, media: u32, body: u32) -> Crossing {
+    pub(crate) fn crossing(&mut self, stage: &Stage, waves: &Waves, media: u32, body: u32) -> Crossing {
         if let Some(known) = self.crossings.get(&(media, body)) {
             return *known;
         }
         let is_inside = self.bodies(media).any(|other| other == body);
         let beyond = if is_inside { self.left(media, body) } else { self.entered(media, body) };
-        let crossing = Crossing { beyond, ratio: self.ior(stage, media) / self.ior(stage, beyond) };
+        let ratio = self.ior(stage, waves, media) / self.ior(stage, waves, beyond);
+        let crossing = Crossing { beyond, ratio };
         self.crossings.insert((media, body), crossing);
         crossing
     }
 
     /// The index of refraction in these media: that of the body entered last, or of air.
-    pub(crate) fn ior(&self, stage: &Stage, media: u32) -> f32 {
-        self.bodies(media).next().map_or(1.0, |index| stage.material(stage.body(index)).ior)
+    pub(crate) fn ior(&self, stage: &Stage, waves: &Waves, media: u32) -> f32 {
+        let Some(index) = self.bodies(media).next() else { return 1.0 };
+        let material = stage.material(stage.body(index));
+        let wavelength = || waves.nanometers(self.wave(media)?);
+        match material.dispersion.zip(wavelength()) {
+            Some((dispersion, nanometers)) => dispersion.index(nanometers) as f32,
+            None => material.ior,
+        }
     }
 
     /// The share of light that is left after ways of these lengths in the body entered last: for each way 1 if that is
@@ -109,7 +139,7 @@ impl MediaTable {
         media.store(&mut lists);
         let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
         for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
-            if let Some(&(body, _)) = self.links.get(lists[lane] as usize) {
+            if let Some(body) = self.bodies(lists[lane]).next() {
                 [red[lane], green[lane], blue[lane]] = stage.material(stage.body(body)).absorption;
             }
         }

@@ -60,6 +60,8 @@ pub struct Stage {
     pub(crate) has_transparency: bool,
     /// Whether light is lost in some body.
     pub(crate) absorbs: bool,
+    /// Whether some body splits light into its colors.
+    pub(crate) disperses: bool,
     /// The largest [`StageBody::slack`], or more after an edit.
     pub(crate) largest_slack: f32,
     /// Materials and checkers that edits have added.
@@ -163,6 +165,7 @@ impl Stage {
             scene_indices,
             has_transparency: materials.iter().any(StageMaterial::is_transparent),
             absorbs: materials.iter().any(StageMaterial::absorbs),
+            disperses: materials.iter().any(|material| material.dispersion.is_some()),
             materials: materials.into(),
             checkers: checkers.into(),
             lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),

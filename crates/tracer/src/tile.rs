@@ -10,7 +10,7 @@ use crate::render::Control;
 use crate::sampling::sample_offset;
 use crate::stage::{RaysNear, Stage, StageCamera};
 use crate::vector::Vector;
-use crate::whitted::{Beams, Offspring, Origin, Queue, Whitted};
+use crate::whitted::{Beams, Dice, Offspring, Origin, Queue, Whitted};
 
 pub(crate) use light::TileLight;
 
@@ -153,6 +153,8 @@ impl TileTracer<'_> {
         let [width, height] = Block::<W>::SIZE;
         self.light.begin(place, Block::<W>::SIZE);
         let (near, reach, offset) = place.rays(self.whitted.camera, size, sample);
+        let across = place.width.div_ceil(width);
+        self.whitted.begin(sample, Dice::new(sample, [place.x, place.y], [width, height], across));
         self.whitted.aim(&near, reach);
         let mut first = 0;
         for top in (0..place.height).step_by(height) {

@@ -3,11 +3,15 @@
 //! Turner Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980.
 
 mod beams;
+mod dice;
 mod encounter;
+mod gloss;
 mod record;
+mod spawn;
 mod tally;
 mod tree;
 mod views;
+mod waves;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -15,16 +19,18 @@ use catoptric_scene::Tracing;
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
-use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
+use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_START, Ray, Rays};
 use crate::render::Control;
 use crate::search::{Along, Flight, Hits};
 use crate::stage::{PacketPart, RaysNear, Stage, StageCamera};
-use crate::surface::{fresnel, mend_unit, phong_highlight, reflect, refract};
+use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
 pub(crate) use beams::{Beams, Crossed, Offspring, Queue};
+use dice::SomeUse;
+pub(crate) use dice::{Dice, Throw};
 use encounter::Encounter;
 pub use record::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, ReflectionLaw, Shadow, ShadowCrossing,
@@ -32,6 +38,7 @@ pub use record::{
 };
 pub use tally::Tally;
 use views::Views;
+pub(crate) use waves::Waves;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {
@@ -50,6 +57,9 @@ pub struct Whitted<'a> {
     /// The media at the eye, if all rays start there and the table knows them.
     eye_media: Option<u32>,
     counts: RayCounts,
+    dice: Dice,
+    /// The colors of this sample.
+    waves: Waves,
 }
 
 impl<'a> Whitted<'a> {
@@ -75,6 +85,8 @@ impl<'a> Whitted<'a> {
             inside: Inside::default(),
             eye_media: None,
             counts: RayCounts::default(),
+            dice: Dice::default(),
+            waves: if stage.disperses { Waves::of_sample(0) } else { Waves::default() },
         }
     }
 
@@ -126,6 +138,17 @@ impl<'a> Whitted<'a> {
     /// Forgets what was learned of media if it has become much. No rays may be in flight.
     pub(crate) fn tidy(&mut self) {
         if self.media.tidy() {
+            self.eye_media = None;
+        }
+    }
+
+    /// Prepares for a sample; no rays may be in flight.
+    pub(crate) fn begin(&mut self, sample: u32, dice: Dice) {
+        self.dice = dice;
+        if self.stage.disperses {
+            self.waves = Waves::of_sample(sample);
+            // Indices of refraction are others now.
+            self.media = MediaTable::default();
             self.eye_media = None;
         }
     }
@@ -282,8 +305,15 @@ impl<'a> Whitted<'a> {
         }
         for (index, source) in self.stage.lights.iter().enumerate().filter(|(_, light)| light.shines()) {
             let offset = Vector::splat(zero, source.position) - at.position;
-            let distance = offset.length_squared().sqrt();
-            let to_light = offset * (w.real(1.0) / distance);
+            let mut distance = offset.length_squared().sqrt();
+            let mut to_light = offset * (w.real(1.0) / distance);
+            let mut power = None;
+            if source.radius > 0.0 {
+                let throw = self.dice.throw(w, self.stage, beams, at.body, SomeUse::Light(index));
+                let (to_point, before, share) = source.point_of_ball((to_light, distance), &throw);
+                power = Some(source.power_at(distance) * share);
+                (to_light, distance) = (to_point, before);
+            }
             let cos = at.normal.dot(to_light);
             offspring.faces(index, to_light, distance, cos);
             // A light that stands exactly here has no direction.
@@ -307,113 +337,17 @@ impl<'a> Whitted<'a> {
                 offspring.shines(to_viewer, highlight);
                 answer = answer.map(|diffuse| diffuse + highlight);
             }
-            let power = source.power_at(distance);
+            if at.rough.any() {
+                let glints = self.glints(w, beams, at, to_light);
+                offspring.glints(glints);
+                answer = answer + glints;
+            }
+            let power = power.unwrap_or_else(|| source.power_at(distance));
             let more = passed.times(power).times(answer);
             offspring.answers(power, more);
             light = Vector::select(lit, light + more, light);
         }
         light
-    }
-
-    /// Sends the reflected and refracted rays, each if it carries anything.
-    #[inline(always)]
-    fn spawn<W: Width>(
-        &mut self,
-        w: W,
-        beams: &Beams<W>,
-        at: &Encounter<W>,
-        goes_on: W::M,
-        offspring: &mut impl Offspring<W>,
-    ) {
-        let direction = beams.rays.direction;
-        let one = w.real(1.0);
-        let next = beams.generation.plus(w.word(1));
-        let mut reflection = at.reflection;
-        let transparent = goes_on & at.transparent;
-        if transparent.any() {
-            let (ratio, beyond) = self.cross(w, beams, at, transparent);
-            let (bent, passes) = refract(direction, at.normal, ratio);
-            let mut filter = at.filter;
-            let clear = transparent & at.clear;
-            if clear.any() {
-                let cos = (-at.normal.dot(direction)).min(one).max(w.real(0.0));
-                let share = fresnel(cos, ratio);
-                reflection = W::R::select(clear, share, reflection);
-                let rest = one - share;
-                filter = Vector::select(clear, Vector::new(rest, rest, rest), filter);
-            }
-            // Total internal reflection: all of the light, and nothing twice.
-            reflection = W::R::select(transparent & !passes, one, reflection);
-            offspring.crosses(Crossed { ratio, passes, reflection, filter });
-            let weight = beams.weight.times(filter);
-            let lanes = transparent & passes & self.carries(w, weight);
-            if lanes.any() {
-                self.counts.refracted += u64::from(lanes.bits().count_ones());
-                // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner
-                // than rounding it could go on for ever.
-                let same = ratio.eq(one) & at.t.gt(beams.rays.slack());
-                offspring.refracted(Beams {
-                    rays: at.rays_on_far_side(bent),
-                    weight,
-                    generation: W::W::select(same, beams.generation, next),
-                    media: beyond,
-                    pixel: beams.pixel,
-                    lanes,
-                });
-            }
-        }
-        let weight = beams.weight.times(at.reflected(reflection));
-        let lanes = goes_on & self.carries(w, weight);
-        if lanes.any() {
-            self.counts.reflected += u64::from(lanes.bits().count_ones());
-            offspring.reflected(Beams {
-                rays: at.rays_on_this_side(mend_unit(reflect(direction, at.normal))),
-                weight,
-                generation: next,
-                media: beams.media,
-                pixel: beams.pixel,
-                lanes,
-            });
-        }
-    }
-
-    /// Whether rays of this weight are traced.
-    #[inline(always)]
-    fn carries<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
-        let strongest = weight.largest();
-        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.threshold))
-    }
-
-    /// The ratio of indices for rays that cross the surface, and the media beyond it.
-    #[inline(always)]
-    fn cross<W: Width>(&mut self, w: W, beams: &Beams<W>, at: &Encounter<W>, lanes: W::M) -> (W::R, W::W) {
-        let (mut media, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
-        beams.media.store(&mut media);
-        at.body.store(&mut bodies);
-        let mut ratios = [1.0; MOST_LANES];
-        self.cross_each(lanes.bits(), &mut media, &bodies, &mut ratios);
-        (w.load(&ratios), w.load_words(&media))
-    }
-
-    /// Replaces the media by those beyond the surfaces of the bodies.
-    #[inline(never)]
-    fn cross_each(
-        &mut self,
-        lanes: u32,
-        media: &mut [u32; MOST_LANES],
-        bodies: &[u32; MOST_LANES],
-        ratios: &mut [f32; MOST_LANES],
-    ) {
-        let mut last = None;
-        for lane in (0..MOST_LANES).filter(|lane| lanes >> lane & 1 == 1) {
-            let key = (media[lane], bodies[lane]);
-            let crossing = match last {
-                Some((other, crossing)) if other == key => crossing,
-                _ => self.media.crossing(self.stage, key.0, key.1),
-            };
-            last = Some((key, crossing));
-            (media[lane], ratios[lane]) = (crossing.beyond, crossing.ratio);
-        }
     }
 }
 

@@ -139,11 +139,11 @@ fn relation(ray: &TracedRay, parent: &Node) -> (NodeKind, Vec3) {
     let Some(answer) = parent.answer() else { return (NodeKind::Primary, Vec3::ONE) };
     match ray.kind {
         RayKind::Primary => (NodeKind::Primary, Vec3::ONE),
-        RayKind::Refracted => (NodeKind::Refracted, answer.refracted.coefficient),
+        RayKind::Refracted => (NodeKind::Refracted, ray.coefficient),
         RayKind::Reflected if answer.interface.is_some_and(|interface| interface.is_total) => {
-            (NodeKind::TotallyReflected, answer.reflected.coefficient)
+            (NodeKind::TotallyReflected, ray.coefficient)
         }
-        RayKind::Reflected => (NodeKind::Reflected, answer.reflected.coefficient),
+        RayKind::Reflected => (NodeKind::Reflected, ray.coefficient),
     }
 }
 

@@ -112,11 +112,14 @@ impl<'t> Build<'_, 't> {
             tint: fields.color("tint").unwrap_or(default.tint),
             checker: None,
             substance: fields.choice("substance").ok().flatten().and_then(Clear::named),
+            dispersion: fields.flag("dispersion").unwrap_or(default.dispersion),
+            abbe: fields.number("abbe").unwrap_or(default.abbe),
             attenuation_color: fields.color("attenuation_color").unwrap_or(default.attenuation_color),
             attenuation_distance: fields
                 .number("attenuation_distance")
                 .unwrap_or(default.attenuation_distance),
             conductor: conductor(&mut fields).unwrap_or(default.conductor),
+            roughness: fields.number("roughness").unwrap_or(default.roughness),
         };
         if let Some(checker) = fields.child("checker") {
             material.checker = Some(self.checker(checker));
@@ -154,6 +157,7 @@ impl<'t> Build<'_, 't> {
             color: fields.color("color").unwrap_or(default.color),
             intensity: fields.number("intensity").unwrap_or(default.intensity),
             falloff,
+            radius: fields.number("radius").unwrap_or(default.radius),
             hidden: fields.flag("hidden").unwrap_or_default(),
             locked: fields.flag("locked").unwrap_or_default(),
         };

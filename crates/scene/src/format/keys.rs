@@ -33,7 +33,7 @@ pub static ROOT: TableSpec = TableSpec {
             .or(Default::EmptyTable)
             .written(),
         KeySpec::new("materials", Kind::Named(&MATERIAL), "materials that bodies share by name"),
-        KeySpec::new("lights", Kind::List(&LIGHT), "point lights"),
+        KeySpec::new("lights", Kind::List(&LIGHT), "lights"),
         KeySpec::new("bodies", Kind::List(&BODY), "bodies"),
     ],
 };
@@ -146,7 +146,12 @@ pub static MATERIAL: TableSpec = TableSpec {
             .only("model", PHONG),
         KeySpec::new("substance", Kind::Choice(&SUBSTANCE_NAMES), "what a clear body is made of")
             .only("model", DIELECTRIC)
-            .excluding(&["ior"]),
+            .excluding(&["ior", "abbe"]),
+        flag("dispersion", "whether the body bends light of different colors differently")
+            .only("model", DIELECTRIC),
+        KeySpec::new("abbe", Kind::Number(Limits::new(1.0, 1e6)), "the Abbe number, how little it does so")
+            .or(Default::Number(58.0))
+            .only("model", DIELECTRIC),
         KeySpec::new(
             "attenuation_color",
             Kind::Color(Limits::new(0.0, 1.0)),
@@ -180,6 +185,13 @@ pub static MATERIAL: TableSpec = TableSpec {
         .only("model", CONDUCTOR)
         .beside("n", &["metal"]),
         KeySpec::new(
+            "roughness",
+            Kind::Number(Limits::new(0.0, 1.0)),
+            "how rough the surface is that reflects, 0 being smooth",
+        )
+        .or(Default::Number(0.0))
+        .only("model", &["dielectric", "conductor", "mirror", "coated"]),
+        KeySpec::new(
             "checker",
             Kind::Table(&CHECKER),
             "a second color in a checkerboard of the world's axes",
@@ -209,7 +221,7 @@ pub static CHECKER: TableSpec = TableSpec {
 /// `[[lights]]`
 pub static LIGHT: TableSpec = TableSpec {
     name: "a light",
-    doc: "A point light",
+    doc: "A light: a point, or a ball",
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other light has"),
         KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the light, meters")
@@ -231,6 +243,12 @@ pub static LIGHT: TableSpec = TableSpec {
         .or(Default::Number(1.0))
         .only("falloff", &["linear"])
         .written(),
+        KeySpec::new(
+            "radius",
+            Kind::Number(Limits::new(0.0, 1e9)),
+            "the radius of the ball that shines, meters; 0 is a point",
+        )
+        .or(Default::Number(0.0)),
         flag("hidden", "whether the light is out"),
         flag("locked", "whether the studio leaves the light as it is; no picture depends on it"),
     ],

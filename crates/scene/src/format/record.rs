@@ -173,6 +173,9 @@ pub(crate) fn material(material: &Material) -> Record<'static> {
             .number("ambient", material.ambient)
             .number("ior", material.ior),
     };
+    if matches!(material.model, Model::Dielectric | Model::Conductor | Model::Mirror | Model::Coated) {
+        record = record.number("roughness", material.roughness);
+    }
     if let (Some(Checker { color, size }), true) = (material.checker, material.model.has_color()) {
         let checker = Record::new(&keys::CHECKER).color("color", color).number("size", size);
         record = record.with("checker", Datum::Table(checker));
@@ -206,6 +209,8 @@ fn dielectric(record: Record<'static>, material: &Material) -> Record<'static> {
         Some(substance) => record.text("substance", substance.name),
         None => record.number("ior", material.ior),
     };
+    let record = record.flag("dispersion", material.dispersion);
+    let record = if material.substance.is_none() { record.number("abbe", material.abbe) } else { record };
     record
         .color("attenuation_color", material.attenuation_color)
         .number("attenuation_distance", material.attenuation_distance)
@@ -222,7 +227,7 @@ pub(crate) fn light(light: &Light) -> Record<'_> {
         Falloff::Linear { constant } => record.number("falloff_constant", constant),
         Falloff::None | Falloff::InverseSquare => record,
     };
-    record.flag("hidden", light.hidden).flag("locked", light.locked)
+    record.number("radius", light.radius).flag("hidden", light.hidden).flag("locked", light.locked)
 }
 
 pub(crate) fn body(body: &Body) -> Record<'_> {

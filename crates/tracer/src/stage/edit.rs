@@ -120,6 +120,7 @@ impl Stage {
             *body = StageBody { material, checker, ..change.body };
             self.has_transparency |= body.is_transparent();
             self.absorbs |= change.material.absorbs();
+            self.disperses |= change.material.dispersion.is_some();
             self.largest_slack = self.largest_slack.max(body.slack);
         }
     }

@@ -1,11 +1,14 @@
 //! Lights of the stage.
 
 use super::numbers;
-use crate::lanes::Real;
+use crate::facets::frame;
+use crate::lanes::{Real, Width};
+use crate::surface::mend_unit;
 use crate::vector::Vector;
+use crate::whitted::Throw;
 use catoptric_scene::{Falloff, Light};
 
-/// A point light: where it is and what it sends.
+/// A light: where it is and what it sends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StageLight {
     /// World position, meters.
@@ -14,6 +17,8 @@ pub(crate) struct StageLight {
     pub power: [f32; 3],
     /// Law of falloff.
     pub falloff: StageFalloff,
+    /// Radius of the ball that shines, meters; 0 is a point.
+    pub radius: f32,
 }
 
 /// Law of falloff A(d).
@@ -37,12 +42,36 @@ impl StageLight {
                 Falloff::Linear { constant } => StageFalloff::Linear(constant as f32),
                 Falloff::InverseSquare => StageFalloff::InverseSquare,
             },
+            radius: light.radius as f32,
         }
     }
 
     /// Whether it sends anything.
     pub(crate) fn shines(&self) -> bool {
         self.power != [0.0; 3]
+    }
+
+    /// A point of the ball as it is seen from a distance `d` in a direction: the direction to it, its distance, and what
+    /// its light is multiplied with. All directions to the ball are as likely (P. Shirley, C. Wang, K. Zimmerman 1996, Monte
+    /// Carlo techniques for direct lighting calculations).
+    ///
+    /// The mean of these is the light of the point in the middle, on a ground that faces all of the ball. Who stands in the
+    /// ball gets light from the half-space of its middle.
+    #[inline(always)]
+    pub(crate) fn point_of_ball<W: Width>(
+        &self,
+        (to_middle, d): (Vector<W::R>, W::R),
+        throw: &Throw<W>,
+    ) -> (Vector<W::R>, W::R, W::R) {
+        let [zero, one] = [0.0, 1.0].map(|value| d.like(value));
+        let square = d.like(self.radius) * self.radius;
+        let least = (one - square / (d * d)).max(zero).sqrt();
+        let cos = one - throw.second * (one - least);
+        let sin = ((one - cos) * (one + cos)).max(zero).sqrt();
+        let (right, up) = frame(to_middle);
+        let direction = to_middle * cos + right * (sin * throw.cos) + up * (sin * throw.sin);
+        let before = d * cos - (square - d * d * sin * sin).max(zero).sqrt();
+        (mend_unit(direction), before.max(zero), d.like(2.0) / (one + least))
     }
 
     /// A(d)·I_j at the distance `d` > 0.

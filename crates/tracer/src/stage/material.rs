@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use catoptric_optics::{METALS, fresnel};
+use catoptric_optics::{CLEAR, Dispersion, METALS, fresnel};
 use catoptric_scene::{Color, Conductor, Material, MaterialChoice, Model, Scene};
 
 use super::curve::Curve;
@@ -34,6 +34,10 @@ pub(crate) struct StageMaterial {
     pub ior: f32,
     /// How much it reflects under which angle.
     pub law: Law,
+    /// The index of refraction by wavelength, if it differs.
+    pub dispersion: Option<Dispersion>,
+    /// Width of the slopes of its facets, α; 0 is smooth.
+    pub alpha: f32,
     /// What light loses in the body, for each meter: the negative logarithm of what is left of it.
     pub absorption: [f32; 3],
 }
@@ -114,6 +118,12 @@ impl StageMaterial {
             filter: [0.0; 3],
             ior: 1.0,
             law: Law::Constant,
+            dispersion: material.dispersion(),
+            // Evenly stepped for the eye (B. Burley 2012, Physically based shading at Disney).
+            alpha: match material.model {
+                Model::Phong | Model::Matte => 0.0,
+                _ => (material.roughness * material.roughness) as f32,
+            },
             absorption: [0.0; 3],
         };
         let straight = |ior: f64| fresnel::dielectric(1.0, ior).mean();
@@ -278,18 +288,31 @@ fn key(material: &Material) -> Key {
         ]),
         Model::Dielectric => {
             let left = m.attenuation_color;
-            put(&[m.ior(), left.r, left.g, left.b, m.attenuation_distance]);
+            put(&[
+                m.ior(),
+                left.r,
+                left.g,
+                left.b,
+                m.attenuation_distance,
+                m.roughness,
+                f64::from(u8::from(m.dispersion)),
+                m.abbe,
+                place_in(CLEAR, m.substance),
+            ]);
         }
         Model::Conductor => match m.conductor {
-            Conductor::Metal(metal) => {
-                let place = METALS.iter().position(|other| std::ptr::eq(other, metal));
-                put(&[1.0, place.map_or(-1.0, |place| place as f64)]);
-            }
-            Conductor::Index { n, k } => put(&[2.0, n.x, n.y, n.z, k.x, k.y, k.z]),
+            Conductor::Metal(metal) => put(&[1.0, place_in(METALS, Some(metal)), m.roughness]),
+            Conductor::Index { n, k } => put(&[2.0, n.x, n.y, n.z, k.x, k.y, k.z, m.roughness]),
         },
-        Model::Mirror => put(&[r, g, b, m.reflection()]),
+        Model::Mirror => put(&[r, g, b, m.reflection(), m.roughness]),
         Model::Matte => put(&[r, g, b, m.ambient]),
-        Model::Coated => put(&[r, g, b, m.ambient, m.ior]),
+        Model::Coated => put(&[r, g, b, m.ambient, m.ior, m.roughness]),
     }
     (m.model, numbers.map(f64::to_bits))
+}
+
+/// The place of an entry of a table, to be told from others.
+fn place_in<T>(table: &[T], entry: Option<&T>) -> f64 {
+    let place = entry.and_then(|entry| table.iter().position(|other| std::ptr::eq(other, entry)));
+    place.map_or(-1.0, |place| place as f64)
 }

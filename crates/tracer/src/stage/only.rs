@@ -66,6 +66,7 @@ impl Stage {
             threshold: self.threshold,
             has_transparency: order.iter().any(|&index| self.body(index).is_transparent()),
             absorbs: self.absorbs,
+            disperses: self.disperses,
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
             added: 0,
         }

@@ -38,10 +38,6 @@ pub(crate) struct Crossed<W: Width> {
     pub(crate) ratio: W::R,
     /// Those that are not totally reflected.
     pub(crate) passes: W::M,
-    /// The coefficient of what is reflected.
-    pub(crate) reflection: W::R,
-    /// The coefficients of what passes.
-    pub(crate) filter: Vector<W::R>,
 }
 
 /// Where the rays go that grow from others, and who looks on while they grow.
@@ -78,6 +74,18 @@ pub(crate) trait Offspring<W: Width> {
     /// What becomes of rays across a transparent surface.
     #[inline(always)]
     fn crosses(&mut self, _crossed: Crossed<W>) {}
+
+    /// The coefficients of rays that are refracted, before they are, if at all.
+    #[inline(always)]
+    fn lets_through(&mut self, _coefficients: Vector<W::R>) {}
+
+    /// The same of reflected ones.
+    #[inline(always)]
+    fn reflects(&mut self, _coefficients: Vector<W::R>) {}
+
+    /// What facets send on of a light, for each unit of its power.
+    #[inline(always)]
+    fn glints(&mut self, _glints: Vector<W::R>) {}
 
     /// The share of light that the media leave on the way to what was met.
     #[inline(always)]

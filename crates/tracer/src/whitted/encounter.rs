@@ -39,6 +39,12 @@ pub(crate) struct Encounter<W: Width> {
     pub(super) glossy: W::M,
     /// Those that met the boundary of a clear body.
     pub(super) clear: W::M,
+    /// Those that met a body that splits light into its colors.
+    pub(super) disperses: W::M,
+    /// Those that met facets.
+    pub(super) rough: W::M,
+    /// The width of their slopes, α.
+    pub(super) alpha: W::R,
     /// Those that met something that reflects in color.
     pub(super) colored: W::M,
     /// Those that met a coat.
@@ -71,6 +77,9 @@ impl<W: Width> Encounter<W> {
             answers: none,
             glossy: none,
             clear: none,
+            disperses: none,
+            rough: none,
+            alpha: zero,
             colored: none,
             coated: none,
             coat_ratio: w.real(1.0),
@@ -150,10 +159,20 @@ impl<W: Width> Encounter<W> {
             #[inline(always)]
             || {
                 let one = w.real(1.0);
+                if material.alpha > 0.0 {
+                    self.rough = self.rough | lanes;
+                    self.answers = self.answers | lanes;
+                    self.alpha = W::R::select(lanes, w.real(material.alpha), self.alpha);
+                }
                 let cos = (-self.normal.dot(direction)).min(one).max(w.real(0.0));
                 match &material.law {
                     Law::Constant => {}
-                    Law::Dielectric => self.clear = self.clear | lanes,
+                    Law::Dielectric => {
+                        self.clear = self.clear | lanes;
+                        if material.dispersion.is_some() {
+                            self.disperses = self.disperses | lanes;
+                        }
+                    }
                     Law::Mirror => self.color(color * w.real(material.reflection), lanes),
                     Law::Conductor(curve) => self.color(curve_at(w, curve, cos), lanes),
                     Law::Coat(coat) => {
@@ -171,6 +190,31 @@ impl<W: Width> Encounter<W> {
                 }
             },
         );
+    }
+
+    /// What is reflected under another angle: the normals of rough surfaces were turned.
+    #[inline(always)]
+    pub(super) fn tilt(&mut self, w: W, stage: &Stage, direction: Vector<W::R>) {
+        let one = w.real(1.0);
+        let cos = (-self.normal.dot(direction)).min(one).max(w.real(0.0));
+        let coated = self.rough & self.coated;
+        if coated.any() {
+            self.reflection = W::R::select(coated, fresnel(cos, self.coat_ratio), self.reflection);
+        }
+        let colored = self.rough & self.colored;
+        if colored.any() {
+            let mut bodies = [0; MOST_LANES];
+            self.body.store(&mut bodies);
+            let mut left = colored.bits();
+            while left != 0 {
+                let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
+                let same = self.body.is(index) & colored;
+                left &= !same.bits();
+                if let Law::Conductor(curve) = &stage.material(stage.body(index)).law {
+                    self.sheen = Vector::select(same, curve_at(w, curve, cos), self.sheen);
+                }
+            }
+        }
     }
 
     fn color(&mut self, sheen: Vector<W::R>, lanes: W::M) {

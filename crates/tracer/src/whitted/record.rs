@@ -27,6 +27,11 @@ pub struct TracedRay {
     pub parent: Option<usize>,
     /// Its generation; the first ray is generation 1.
     pub generation: u32,
+    /// Its wavelength, nanometers, once a body has split its light; `None` for light of all colors.
+    pub wavelength: Option<f64>,
+    /// The coefficient that its parent gave it: k_r, 1 or k_t·τ, or what a law of reflection made of them; 1 for the
+    /// first ray.
+    pub coefficient: Vec3,
     /// Product of the coefficients on the way from the eye.
     pub weight: Vec3,
     /// The share of light that the media leave on its way; 1 but in bodies that absorb.
@@ -84,6 +89,8 @@ pub enum ReflectionLaw {
 pub struct SurfaceAnswer {
     /// By which law it reflects; the coefficients are those of the [branches](Branch).
     pub law: ReflectionLaw,
+    /// Width of the slopes of its facets, α; 0 is smooth. The coefficients are those of the facet that this ray met.
+    pub alpha: f32,
     /// C: the body's color at this point.
     pub color: Vec3,
     /// Whether the point lies in an odd cell of a checker, so that C is the checker's color.
@@ -189,9 +196,11 @@ pub struct ShadowCrossing {
     pub filter: Option<Vec3>,
 }
 
-/// What a surface sends on of a light: `light` = (V × `power`) × (`diffuse` + `highlight`), in this order.
+/// What a surface sends on of a light: `light` = (V × `power`) × (`diffuse` + `highlight` + `glints`), in this order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightAnswer {
+    /// What the facets of a rough surface send on, for each unit of `power`.
+    pub glints: Vec3,
     /// A(d)·I_j.
     pub power: Vec3,
     /// k_d·C·(n̂·L̂).

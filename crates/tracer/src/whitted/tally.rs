@@ -2,7 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
-use super::{Beams, Origin, Whitted};
+use super::{Beams, Dice, Origin, Whitted};
 use crate::counts::RayCounts;
 use crate::lanes::One;
 use crate::tile::Place;
@@ -58,6 +58,7 @@ impl Whitted<'_> {
             return false;
         }
         self.tidy();
+        self.begin(sample, Dice::of_pixel(sample, pixel));
         let ray = Place::around(pixel, size).ray(self.camera, (pixel, size), sample);
         let mut pending: Vec<Beams<One>> = vec![self.roots(One, ray, 0, true)];
         let mut followed = 0;

@@ -10,7 +10,7 @@ use super::record::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
     TracedRay,
 };
-use super::{Beams, Crossed, Followed, Offspring, Origin, Whitted};
+use super::{Beams, Crossed, Dice, Followed, Offspring, Origin, Whitted};
 use crate::lanes::One;
 use crate::media::Inside;
 use crate::pick::SurfaceHit;
@@ -25,6 +25,7 @@ use crate::vector::Vector;
 struct Waiting {
     beam: Beams<One>,
     kind: RayKind,
+    coefficient: Vec3,
     parent: Option<usize>,
     number: usize,
 }
@@ -66,8 +67,13 @@ struct Scribe<'a> {
     crossing: Option<Crossed<One>>,
     /// What the way there leaves of the light.
     through: Vector<f32>,
-    /// The rays that go on.
-    sent: Vec<(RayKind, Beams<One>)>,
+    /// The coefficients of what was let through last, and of all that was.
+    through_last: Vec3,
+    through_all: Vec3,
+    reflected: Vec3,
+    glints: Vec3,
+    /// The rays that go on, with their coefficients.
+    sent: Vec<(RayKind, Vec3, Beams<One>)>,
 }
 
 impl<'a> Scribe<'a> {
@@ -80,6 +86,10 @@ impl<'a> Scribe<'a> {
             highlight: None,
             crossing: None,
             through: Vector::new(1.0, 1.0, 1.0),
+            through_last: Vec3::ZERO,
+            through_all: Vec3::ZERO,
+            reflected: Vec3::ZERO,
+            glints: Vec3::ZERO,
             sent: Vec::new(),
         }
     }
@@ -87,11 +97,11 @@ impl<'a> Scribe<'a> {
 
 impl Offspring<One> for Scribe<'_> {
     fn reflected(&mut self, beam: Beams<One>) {
-        self.sent.push((RayKind::Reflected, beam));
+        self.sent.push((RayKind::Reflected, self.reflected, beam));
     }
 
     fn refracted(&mut self, beam: Beams<One>) {
-        self.sent.push((RayKind::Refracted, beam));
+        self.sent.push((RayKind::Refracted, self.through_last, beam));
     }
 
     fn meets(&mut self, at: &Encounter<One>) {
@@ -153,6 +163,7 @@ impl Offspring<One> for Scribe<'_> {
             diffuse: at.scattered(term.cosine).into(),
             highlight_cosine,
             highlight,
+            glints: std::mem::take(&mut self.glints),
             light: light.into(),
         });
     }
@@ -165,12 +176,25 @@ impl Offspring<One> for Scribe<'_> {
         self.crossing = Some(crossed);
     }
 
+    fn lets_through(&mut self, coefficients: Vector<f32>) {
+        self.through_last = coefficients.into();
+        self.through_all += self.through_last;
+    }
+
+    fn reflects(&mut self, coefficients: Vector<f32>) {
+        self.reflected = coefficients.into();
+    }
+
+    fn glints(&mut self, glints: Vector<f32>) {
+        self.glints = glints.into();
+    }
+
     fn travels(&mut self, through: Vector<f32>) {
         self.through = through;
     }
 }
 
-impl Whitted<'_> {
+impl<'a> Whitted<'a> {
     /// The tree of rays that grows from `primary`, at most `limit` of them: each ray after its parent, the reflected
     /// branch of a hit before the refracted one. The sum of all [`TracedRay::light`] is what reaches the start.
     ///
@@ -191,6 +215,7 @@ impl Whitted<'_> {
             return Vec::new();
         }
         self.tidy();
+        self.begin(sample, Dice::of_pixel(sample, pixel));
         let ray = Place::around(pixel, size).ray(self.camera, (pixel, size), sample);
         let root = self.roots(One, ray, 0, true);
         self.grow(root, limit)
@@ -198,11 +223,12 @@ impl Whitted<'_> {
 
     fn grow(&mut self, root: Beams<One>, limit: usize) -> Vec<TracedRay> {
         let mut waiting = BinaryHeap::new();
-        waiting.push(Waiting { beam: root, kind: RayKind::Primary, parent: None, number: 0 });
+        let (kind, coefficient) = (RayKind::Primary, Vec3::ONE);
+        waiting.push(Waiting { beam: root, kind, coefficient, parent: None, number: 0 });
         let mut tree: Vec<TracedRay> = Vec::new();
         let mut number = 1;
         while tree.len() < limit
-            && let Some(Waiting { beam, kind, parent, .. }) = waiting.pop()
+            && let Some(Waiting { beam, kind, coefficient, parent, .. }) = waiting.pop()
         {
             if self.is_cancelled_at(tree.len()) {
                 break;
@@ -210,12 +236,12 @@ impl Whitted<'_> {
             let place = tree.len();
             let mut scribe = Scribe::new(self.stage);
             let followed = self.follow(One, &beam, Origin::Anywhere, &mut scribe);
-            for (kind, beam) in scribe.sent.drain(..) {
-                waiting.push(Waiting { beam, kind, parent: Some(place), number });
+            for (kind, coefficient, beam) in scribe.sent.drain(..) {
+                waiting.push(Waiting { beam, kind, coefficient, parent: Some(place), number });
                 number += 1;
             }
-            tree.push(self.write_down(&beam, kind, parent, &followed, scribe));
-            settle(&mut tree, place);
+            let ray = self.write_down(&beam, kind, parent, &followed, scribe);
+            tree.push(TracedRay { coefficient, ..ray });
         }
         in_depth_first_order(tree)
     }
@@ -244,12 +270,14 @@ impl Whitted<'_> {
             kind,
             parent,
             generation: beam.generation,
+            wavelength: self.media.wave(beam.media).and_then(|wave| self.waves.nanometers(wave)),
+            coefficient: Vec3::ONE,
             weight: beam.weight.into(),
             through: scribe.through.into(),
             light: followed.light.into(),
             local: scribe.local.map_or(background, Vec3::from),
             media,
-            ior: self.media.ior(self.stage, beam.media),
+            ior: self.media.ior(self.stage, &self.waves, beam.media),
             hit: found_in(&followed.hits).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit)),
             answer: scribe.at.map(|at| self.answer(beam, &at, scribe)),
         }
@@ -257,18 +285,17 @@ impl Whitted<'_> {
 
     fn answer(&mut self, beam: &Beams<One>, at: &Encounter<One>, scribe: Scribe<'_>) -> SurfaceAnswer {
         let is_last = beam.generation >= self.generations;
-        let crossing = if is_last { self.crossing_beyond(beam, at) } else { scribe.crossing };
-        let interface = crossing.map(|Crossed { ratio, passes, .. }| {
-            let beyond = self.media.crossing(self.stage, beam.media, at.body).beyond;
-            let ior_beyond = self.media.ior(self.stage, beyond);
+        let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
+        let grown = beyond.as_ref().unwrap_or(&scribe);
+        let interface = grown.crossing.map(|Crossed { ratio, passes }| {
+            let beyond = self.media.crossing(self.stage, &self.waves, beam.media, at.body).beyond;
+            let ior_beyond = self.media.ior(self.stage, &self.waves, beyond);
             Interface { ior_beyond, ratio, is_total: !passes }
         });
         let is_total = interface.is_some_and(|interface| interface.is_total);
         let weight = beam.weight.times(scribe.through);
-        let reflection = crossing.map_or(at.reflection, |crossing| crossing.reflection);
-        let reflected = self.branch(weight, Vec3::from(at.reflected(reflection)), is_last);
-        let filter = crossing.map_or(at.filter, |crossing| crossing.filter);
-        let mut refracted = self.branch(weight, Vec3::from(filter), is_last);
+        let reflected = self.branch(weight, grown.reflected, is_last);
+        let mut refracted = self.branch(weight, grown.through_all, is_last);
         if is_total {
             refracted.fate = Fate::TotalReflection;
         }
@@ -281,6 +308,7 @@ impl Whitted<'_> {
             color: odd.map_or(material.color, |checker| checker.color).into(),
             is_odd_cell: odd.is_some(),
             law: material.law.name(),
+            alpha: material.alpha,
             ambient_coefficient: material.ambient,
             ambient_light: self.stage.ambient.into(),
             ambient: at.ambient.into(),
@@ -294,13 +322,13 @@ impl Whitted<'_> {
         }
     }
 
-    /// The crossing of a surface from which no ray goes on any more: what it would have been.
-    fn crossing_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Option<Crossed<One>> {
+    /// What would grow from a surface from which no ray goes on any more.
+    fn growth_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Scribe<'a> {
         let counts = self.counts;
         let mut scribe = Scribe::new(self.stage);
         self.spawn(One, beam, at, true, &mut scribe);
         self.counts = counts;
-        scribe.crossing
+        scribe
     }
 
     /// A branch before it is known which ray it is: one that is followed counts as left out.
@@ -316,14 +344,6 @@ impl Whitted<'_> {
     }
 }
 
-/// Tells the parent of the ray at `place` that it is followed.
-fn settle(tree: &mut [TracedRay], place: usize) {
-    let Some((kind, parent)) = tree.get(place).and_then(|ray| Some((ray.kind, ray.parent?))) else { return };
-    if let Some(answer) = tree.get_mut(parent).and_then(|ray| ray.answer.as_mut()) {
-        *fate_of(answer, kind) = Fate::Followed(place);
-    }
-}
-
 fn fate_of(answer: &mut SurfaceAnswer, kind: RayKind) -> &mut Fate {
     match kind {
         RayKind::Refracted => &mut answer.refracted.fate,
@@ -331,24 +351,42 @@ fn fate_of(answer: &mut SurfaceAnswer, kind: RayKind) -> &mut Fate {
     }
 }
 
-/// Puts a tree in order: each ray after its parent, the whole reflected branch of a hit before the refracted one.
+/// Puts a tree in order: each ray after its parent, the whole reflected branch of a hit before the refracted ones; tells
+/// parents which rays follow them.
 fn in_depth_first_order(tree: Vec<TracedRay>) -> Vec<TracedRay> {
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); tree.len()];
+    for (place, ray) in tree.iter().enumerate() {
+        if let Some(siblings) = ray.parent.and_then(|parent| children.get_mut(parent)) {
+            siblings.push(place);
+        }
+    }
     let mut rays: Vec<Option<TracedRay>> = tree.into_iter().map(Some).collect();
     let mut ordered: Vec<TracedRay> = Vec::with_capacity(rays.len());
-    let mut pending = vec![(0, None)];
+    let mut pending = vec![(0, None::<usize>)];
     while let Some((old, parent)) = pending.pop() {
         let Some(mut ray) = rays.get_mut(old).and_then(Option::take) else { continue };
         let place = ordered.len();
         ray.parent = parent;
-        if let Some(answer) = &ray.answer {
-            for fate in [answer.refracted.fate, answer.reflected.fate] {
-                if let Fate::Followed(child) = fate {
-                    pending.push((child, Some(place)));
-                }
+        if let Some(answer) = parent.and_then(|parent| ordered.get_mut(parent)?.answer.as_mut()) {
+            // Of the waves of split light the first one stands for all.
+            let fate = fate_of(answer, ray.kind);
+            if !matches!(fate, Fate::Followed(_)) {
+                *fate = Fate::Followed(place);
             }
         }
+        let mut own = children.get_mut(old).map(std::mem::take).unwrap_or_default();
+        // The last one is taken first.
+        own.sort_by(|&a, &b| {
+            let key = |place: usize| {
+                let ray = rays.get(place).and_then(Option::as_ref);
+                ray.map_or((false, 0.0), |ray| {
+                    (ray.kind == RayKind::Refracted, ray.wavelength.unwrap_or(0.0))
+                })
+            };
+            key(b).0.cmp(&key(a).0).then(key(b).1.total_cmp(&key(a).1))
+        });
+        pending.extend(own.into_iter().map(|child| (child, Some(place))));
         ordered.push(ray);
-        settle(&mut ordered, place);
     }
     ordered
 }

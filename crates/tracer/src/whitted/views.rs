@@ -9,8 +9,8 @@ pub(super) struct Views {
     from_eye: Option<Vec<Sight>>,
     /// What of it the rays of a tile may meet.
     ahead: Vec<Sight>,
-    /// For each light.
-    from_lights: Vec<Vec<Sight>>,
+    /// For each light that is a point.
+    from_lights: Vec<Option<Vec<Sight>>>,
 }
 
 impl Views {
@@ -19,7 +19,11 @@ impl Views {
         Self {
             from_eye: camera.eye().map(|eye| few.seen_from(eye.into())),
             ahead: Vec::new(),
-            from_lights: stage.lights.iter().map(|light| few.seen_from(light.position)).collect(),
+            from_lights: stage
+                .lights
+                .iter()
+                .map(|light| (light.radius == 0.0).then(|| few.seen_from(light.position)))
+                .collect(),
         }
     }
 
@@ -40,6 +44,9 @@ impl Views {
 
     /// What rays may meet on their way to a light.
     pub(super) fn to_light(&self, light: usize) -> Along<'_> {
-        self.from_lights.get(light).map_or(Along::Anything, |sights| Along::To(sights))
+        match self.from_lights.get(light) {
+            Some(Some(sights)) => Along::To(sights),
+            _ => Along::Anything,
+        }
     }
 }

@@ -1,0 +1,72 @@
+//! Rough surfaces: facets that are too small to be seen, each smooth.
+//!
+//! The slopes are spread by T. S. Trowbridge and K. P. Reitz (1975), "GGX"; facets hide each other by B. G. Smith (1967).
+//! The formulas are those of B. Walter, S. Marschner, H. Li, K. Torrance 2007, Microfacet models for refraction through
+//! rough surfaces. A facet sends light on once: what meets a second one is lost.
+
+use crate::lanes::{Real, Width};
+use crate::vector::Vector;
+use crate::whitted::Throw;
+
+/// A facet that is seen along `-direction`, chosen as often as it is seen (J. Dupuy, A. Benyoub 2023, Sampling visible GGX
+/// normals with spherical caps): its unit normal. `normal` faces the viewer; `alpha` is the width of the slopes.
+#[inline(always)]
+pub(crate) fn seen_facet<W: Width>(
+    direction: Vector<W::R>,
+    normal: Vector<W::R>,
+    alpha: W::R,
+    throw: &Throw<W>,
+) -> Vector<W::R> {
+    let [zero, one] = [0.0, 1.0].map(|value| alpha.like(value));
+    let (right, up) = frame(normal);
+    let to_viewer = -direction;
+    // The facets stretched to a half-sphere.
+    let view = Vector::new(right.dot(to_viewer) * alpha, up.dot(to_viewer) * alpha, normal.dot(to_viewer));
+    let view = view.normalize_or(Vector::new(zero, zero, one));
+    let z = (one - throw.second) * (one + view.z) - view.z;
+    let across = (one - z * z).max(zero).sqrt();
+    let cap = Vector::new(across * throw.cos, across * throw.sin, z) + view;
+    let facet = right * (cap.x * alpha) + up * (cap.y * alpha) + normal * cap.z.max(zero);
+    facet.normalize_or(normal)
+}
+
+/// The share of facets that is seen under an angle to the normal of this cosine, G₁ (Walter et al., eq. 34).
+#[inline(always)]
+pub(crate) fn unhidden<R: Real>(cos: R, alpha: R) -> R {
+    let one = cos.like(1.0);
+    let square = (cos * cos).max(cos.like(f32::MIN_POSITIVE));
+    let slope = (one - square).max(cos.like(0.0)) / square;
+    cos.like(2.0) / (one + (one + alpha * alpha * slope).sqrt())
+}
+
+/// What facets send on to the viewer of light from a direction, but for what each reflects: π·D·G/(4·(n̂·Ŝ)) (Walter et al.,
+/// eq. 20), with `half` the normal of the facets that do.
+#[inline(always)]
+pub(crate) fn sent_on<R: Real>(
+    to_viewer: Vector<R>,
+    to_light: Vector<R>,
+    normal: Vector<R>,
+    half: Vector<R>,
+    alpha: R,
+) -> R {
+    let least = alpha.like(1e-6);
+    let (cos_viewer, cos_light) = (normal.dot(to_viewer).max(least), normal.dot(to_light).max(least));
+    let cos = normal.dot(half);
+    // sin² + α²·cos², without a difference of squares near 1.
+    let across = half - normal * cos;
+    let square = alpha * alpha;
+    let spread = across.length_squared() + square * cos * cos;
+    let density = square / (spread * spread);
+    density * unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha) / (cos_viewer * 4.0)
+}
+
+/// Two unit vectors across a third (T. Duff et al. 2017, Building an orthonormal basis, revisited).
+#[inline(always)]
+pub(crate) fn frame<R: Real>(axis: Vector<R>) -> (Vector<R>, Vector<R>) {
+    let one = axis.x.like(1.0);
+    let sign = one.copysign(axis.z);
+    let a = -(one / (sign + axis.z));
+    let b = axis.x * axis.y * a;
+    let right = Vector::new(one + sign * axis.x * axis.x * a, sign * b, -(sign * axis.x));
+    (right, Vector::new(b, sign + axis.y * axis.y * a, -axis.y))
+}

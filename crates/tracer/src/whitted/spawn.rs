@@ -1,0 +1,268 @@
+//! The rays that grow from the points that others met.
+
+use super::encounter::Encounter;
+use super::gloss::Ground;
+use super::{Beams, Crossed, Offspring, Whitted};
+use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::media::AIR;
+use crate::ray::Rays;
+use crate::surface::{fresnel, mend_unit, reflect, refract};
+use crate::vector::Vector;
+
+/// What is needed to send rays on.
+struct Growth<'e, W: Width> {
+    /// Where they start, rough surfaces turned to the facet that is seen.
+    at: &'e Encounter<W>,
+    /// The surface that the facets make up.
+    ground: Option<Ground<W>>,
+    /// Their generation.
+    next: W::W,
+}
+
+/// What becomes of rays at a clear surface.
+struct Crossing<W: Width> {
+    ratio: W::R,
+    beyond: W::W,
+    bent: Vector<W::R>,
+    /// Those that are not totally reflected.
+    passes: W::M,
+    reflection: W::R,
+    filter: Vector<W::R>,
+}
+
+impl Whitted<'_> {
+    /// Sends the reflected and refracted rays, each if it carries anything.
+    #[inline(always)]
+    pub(super) fn spawn<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        at: &Encounter<W>,
+        goes_on: W::M,
+        offspring: &mut impl Offspring<W>,
+    ) {
+        let next = beams.generation.plus(w.word(1));
+        let facets;
+        let mut growth = Growth { at, ground: None, next };
+        if at.rough.any() {
+            let (on, ground) = self.on_facets(w, beams, at);
+            facets = on;
+            (growth.at, growth.ground) = (&facets, Some(ground));
+        }
+        let mut reflection = growth.at.reflected(growth.at.reflection);
+        let transparent = goes_on & at.transparent;
+        if transparent.any() {
+            reflection = self.refracted(w, beams, &growth, transparent, offspring);
+        }
+        let at = growth.at;
+        let direction = mend_unit(reflect(beams.rays.direction, at.normal));
+        let (reflection, lanes) = growth.let_off(direction, false, reflection, goes_on);
+        offspring.reflects(reflection);
+        let weight = beams.weight.times(reflection);
+        let lanes = lanes & self.carries(w, weight);
+        if lanes.any() {
+            self.counts.reflected += u64::from(lanes.bits().count_ones());
+            let rays = at.rays_on_this_side(direction);
+            offspring.reflected(growth.beams(beams, rays, weight, (beams.media, lanes)));
+        }
+    }
+
+    /// Sends rays through clear surfaces. What is reflected from them and all others.
+    #[inline(always)]
+    fn refracted<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        growth: &Growth<'_, W>,
+        transparent: W::M,
+        offspring: &mut impl Offspring<W>,
+    ) -> Vector<W::R> {
+        let mut white = transparent;
+        let mut split = None;
+        if self.stage.disperses {
+            let lanes = transparent & growth.at.disperses & self.are_white(w, beams.media);
+            if lanes.any() {
+                split = Some((lanes, self.split(w, beams, growth, lanes, offspring)));
+                white = white & !lanes;
+            }
+        }
+        let crossing = self.crossing(w, beams, beams.media, growth.at, transparent);
+        let Crossing { ratio, passes, filter, .. } = crossing;
+        offspring.crosses(Crossed { ratio, passes });
+        if white.any() {
+            self.send_through(w, beams, growth, &crossing, filter, white, offspring);
+        }
+        let reflection = growth.at.reflected(crossing.reflection);
+        match split {
+            Some((lanes, colored)) => Vector::select(lanes, colored, reflection),
+            None => reflection,
+        }
+    }
+
+    /// Sends each wave of white light by itself. What is reflected of all together.
+    #[inline(never)]
+    fn split<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        growth: &Growth<'_, W>,
+        lanes: W::M,
+        offspring: &mut impl Offspring<W>,
+    ) -> Vector<W::R> {
+        let nothing = w.real(0.0);
+        let mut reflection = Vector::new(nothing, nothing, nothing);
+        for number in 0..self.waves.len() {
+            let color = self.waves.color(number);
+            let media = self.colored(w, beams.media, number, lanes);
+            let crossing = self.crossing(w, beams, media, growth.at, lanes);
+            reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
+            let filter = crossing.filter.times_all(color);
+            self.send_through(w, beams, growth, &crossing, filter, lanes, offspring);
+        }
+        reflection
+    }
+
+    /// What becomes of rays in these media across the surfaces that they met.
+    #[inline(always)]
+    fn crossing<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        media: W::W,
+        at: &Encounter<W>,
+        transparent: W::M,
+    ) -> Crossing<W> {
+        let one = w.real(1.0);
+        let direction = beams.rays.direction;
+        let (ratio, beyond) = self.cross(w, media, at.body, transparent);
+        let (bent, passes) = refract(direction, at.normal, ratio);
+        let (mut reflection, mut filter) = (at.reflection, at.filter);
+        let clear = transparent & at.clear;
+        if clear.any() {
+            let cos = (-at.normal.dot(direction)).min(one).max(w.real(0.0));
+            let share = fresnel(cos, ratio);
+            reflection = W::R::select(clear, share, reflection);
+            let rest = one - share;
+            filter = Vector::select(clear, Vector::new(rest, rest, rest), filter);
+        }
+        // Total internal reflection: all of the light, and nothing twice.
+        reflection = W::R::select(transparent & !passes, one, reflection);
+        Crossing { ratio, beyond, bent, passes, reflection, filter }
+    }
+
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "each is a vector of its own")]
+    fn send_through<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        growth: &Growth<'_, W>,
+        crossing: &Crossing<W>,
+        filter: Vector<W::R>,
+        lanes: W::M,
+        offspring: &mut impl Offspring<W>,
+    ) {
+        let Crossing { ratio, beyond, bent, passes, .. } = *crossing;
+        let (filter, lanes) = growth.let_off(bent, true, filter, lanes & passes);
+        offspring.lets_through(filter);
+        let weight = beams.weight.times(filter);
+        let lanes = lanes & self.carries(w, weight);
+        if lanes.any() {
+            self.counts.refracted += u64::from(lanes.bits().count_ones());
+            // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than
+            // rounding it could go on for ever.
+            let same = ratio.eq(w.real(1.0)) & growth.at.t.gt(beams.rays.slack());
+            let mut through = growth.beams(beams, growth.at.rays_on_far_side(bent), weight, (beyond, lanes));
+            through.generation = W::W::select(same, beams.generation, growth.next);
+            offspring.refracted(through);
+        }
+    }
+
+    /// Whether rays of this weight are traced.
+    #[inline(always)]
+    pub(super) fn carries<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
+        let strongest = weight.largest();
+        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.threshold))
+    }
+
+    /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.
+    #[inline(always)]
+    pub(super) fn cross<W: Width>(&mut self, w: W, media: W::W, body: W::W, lanes: W::M) -> (W::R, W::W) {
+        let (mut lists, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
+        media.store(&mut lists);
+        body.store(&mut bodies);
+        let mut ratios = [1.0; MOST_LANES];
+        self.cross_each(lanes.bits(), &mut lists, &bodies, &mut ratios);
+        (w.load(&ratios), w.load_words(&lists))
+    }
+
+    /// Replaces the media by those beyond the surfaces of the bodies.
+    #[inline(never)]
+    fn cross_each(
+        &mut self,
+        lanes: u32,
+        media: &mut [u32; MOST_LANES],
+        bodies: &[u32; MOST_LANES],
+        ratios: &mut [f32; MOST_LANES],
+    ) {
+        let mut last = None;
+        for lane in (0..MOST_LANES).filter(|lane| lanes >> lane & 1 == 1) {
+            let key = (media[lane], bodies[lane]);
+            let crossing = match last {
+                Some((other, crossing)) if other == key => crossing,
+                _ => self.media.crossing(self.stage, &self.waves, key.0, key.1),
+            };
+            last = Some((key, crossing));
+            (media[lane], ratios[lane]) = (crossing.beyond, crossing.ratio);
+        }
+    }
+
+    /// The rays whose light has not been split yet.
+    fn are_white<W: Width>(&self, w: W, media: W::W) -> W::M {
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        let white = |lane: usize| u32::from(self.media.wave(lists[lane]).is_none()) << lane;
+        w.mask((0..W::LANES).map(white).fold(0, |bits, bit| bits | bit))
+    }
+
+    /// The same media for light of one wave.
+    fn colored<W: Width>(&mut self, w: W, media: W::W, wave: usize, lanes: W::M) -> W::W {
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
+            lists[lane] = self.media.colored(lists[lane], wave as u32);
+        }
+        w.load_words(&lists)
+    }
+}
+
+impl<W: Width> Growth<'_, W> {
+    /// The coefficients and rays that are left where facets let them off.
+    #[inline(always)]
+    fn let_off(
+        &self,
+        direction: Vector<W::R>,
+        is_beyond: bool,
+        coefficients: Vector<W::R>,
+        lanes: W::M,
+    ) -> (Vector<W::R>, W::M) {
+        match &self.ground {
+            None => (coefficients, lanes),
+            Some(ground) => {
+                let (coefficients, flies) = ground.let_off(direction, is_beyond, coefficients);
+                (coefficients, lanes & flies)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn beams(
+        &self,
+        of: &Beams<W>,
+        rays: Rays<W>,
+        weight: Vector<W::R>,
+        (media, lanes): (W::W, W::M),
+    ) -> Beams<W> {
+        Beams { rays, weight, generation: self.next, media, pixel: of.pixel, lanes }
+    }
+}
