@@ -23,7 +23,7 @@ pub struct Request {
     pub method: Method,
     /// What of the drawing is seen.
     pub shows: Shows,
-    /// Samples per pixel to refine to.
+    /// Samples per pixel to refine to; [`Request::NOISY`] times as many in scenes that need it.
     pub samples: u32,
     /// How light becomes display codes.
     pub development: Development,
@@ -40,6 +40,9 @@ pub struct Request {
 impl Request {
     /// Samples per pixel unless said otherwise.
     pub const DEFAULT_SAMPLES: u32 = 16;
+
+    /// So many times as many where [chance](catoptric_tracer::Stage::is_noisy) has a part in the light of a pixel.
+    pub const NOISY: u32 = 16;
 
     /// The largest view, pixels: beyond the largest displays.
     pub const MAX_PIXELS: u64 = 1 << 25;

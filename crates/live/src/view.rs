@@ -191,7 +191,8 @@ impl View {
     }
 
     pub(crate) fn samples_wanted(&self) -> u32 {
-        self.request.samples.max(1)
+        let samples = self.request.samples.max(1);
+        if self.stage.is_noisy() { samples.saturating_mul(Request::NOISY) } else { samples }
     }
 
     /// The samples of the picture, if it is of the full size.
@@ -306,9 +307,9 @@ fn traced_body(body: &Body) -> (&Shape, &Placement, &MaterialChoice, bool) {
 }
 
 /// What a picture depends on.
-fn traced_light(light: &Light) -> (DVec3, Color, f64, Falloff, bool) {
-    let Light { name: _, locked: _, position, color, intensity, falloff, hidden } = light;
-    (*position, *color, *intensity, *falloff, *hidden)
+fn traced_light(light: &Light) -> (DVec3, Color, f64, Falloff, f64, bool) {
+    let Light { name: _, locked: _, position, color, intensity, falloff, radius, hidden } = light;
+    (*position, *color, *intensity, *falloff, *radius, *hidden)
 }
 
 /// Refuses what cannot be traced.

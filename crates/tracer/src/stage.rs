@@ -184,6 +184,14 @@ impl Stage {
         self
     }
 
+    /// Whether samples of one pixel differ by chance, so that a picture wants many: rough surfaces, lights that are balls,
+    /// bodies that split light.
+    pub fn is_noisy(&self) -> bool {
+        self.disperses
+            || self.lights.iter().any(|light| light.radius > 0.0)
+            || self.materials.iter().any(|material| material.alpha > 0.0)
+    }
+
     /// Number of bodies.
     pub fn body_count(&self) -> usize {
         self.bodies.len()
