@@ -9,13 +9,14 @@ use crate::root;
 /// Each crate and the crates of this repository that it may use: the table in ARCHITECTURE.md.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("files", &[]),
+    ("optics", &[]),
     ("picture", &["files"]),
-    ("scene", &["files"]),
-    ("tracer", &["scene", "picture"]),
+    ("scene", &["files", "optics"]),
+    ("tracer", &["scene", "picture", "optics"]),
     ("editor", &["scene", "files"]),
     ("live", &["tracer", "scene", "picture"]),
     ("lab", &["tracer", "scene", "picture", "files"]),
-    ("studio", &["lab", "live", "editor", "tracer", "scene", "picture", "files"]),
+    ("studio", &["lab", "live", "editor", "tracer", "scene", "picture", "files", "optics"]),
     ("catoptric", &["studio", "lab", "tracer", "scene", "picture", "files"]),
 ];
 

@@ -312,6 +312,11 @@ impl Monkey {
                 // One that is being saved or copied cannot be closed yet.
                 std::thread::sleep(Duration::from_millis(20));
             }
+            if attempt % 64 == 63 {
+                // What was being saved may end with another question.
+                self.harness.key_press(Key::Escape);
+                self.harness.step();
+            }
             let rank = |node: &egui_kittest::Node<'_>| {
                 let node = node.accesskit_node();
                 let label = node.label().filter(|_| node.role() == accesskit::Role::Button)?;
