@@ -15,7 +15,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("tracer", &["scene", "picture", "optics"]),
     ("editor", &["scene", "files"]),
     ("live", &["tracer", "scene", "picture"]),
-    ("lab", &["tracer", "scene", "picture", "files"]),
+    ("lab", &["tracer", "scene", "picture", "files", "optics"]),
     ("studio", &["lab", "live", "editor", "tracer", "scene", "picture", "files", "optics"]),
     ("catoptric", &["studio", "lab", "tracer", "scene", "picture", "files"]),
 ];

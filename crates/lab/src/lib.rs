@@ -4,6 +4,7 @@
 //! - [`maps`]: a number for each pixel of a picture.
 //! - [`depth`]: how many generations a scene needs.
 //! - [`exact`]: where the laws of optics put an image, beside what the tracer finds.
+//! - [`reflectance`]: how much a material reflects, by angle and color.
 //! - [`compare`]: pictures drawn in several ways, or read from files, held against the first of them.
 //! - [`measure`]: how the time of a picture depends on what it is made of, and the law behind it.
 //! - [`report`]: both as pages, tables and plots, in English or Russian.
@@ -17,6 +18,7 @@ mod machine;
 pub mod maps;
 pub mod measure;
 mod random;
+pub mod reflectance;
 pub mod report;
 mod variant;
 

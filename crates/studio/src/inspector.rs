@@ -8,12 +8,14 @@ use crate::texts::Texts;
 
 mod body;
 mod camera;
+mod curve;
 mod depth;
 mod formula;
 mod header;
 mod kinds;
 mod light;
 mod material;
+mod physical;
 mod place;
 mod reshape;
 mod sheet;

@@ -14,9 +14,11 @@ use crate::widgets::color::screen_color;
 use crate::widgets::number::shown;
 
 mod falloff;
+mod law;
 mod material;
 
 pub(super) use falloff::falloff_ui;
+pub(super) use law::law_ui;
 pub(super) use material::material_ui;
 
 /// The size of letters in formulas.

@@ -43,6 +43,13 @@ static CONSTANT: Number<Light> = Number::<Light>::new(
     |light, value| light.falloff = Falloff::Linear { constant: value },
 );
 
+static RADIUS: Number<Light> = Number::<Light>::new(
+    Quantity::new("light-radius", "edit-light-radius", &keys::LIGHT, "radius").in_unit(Unit::Meters),
+    Rail::Even(0.0, 3.0),
+    |light| Some(light.radius),
+    |light, value| light.radius = value,
+);
+
 /// Draws the values of the selected lights.
 pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     let scene = Arc::clone(cx.editor.scene());
@@ -75,6 +82,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
         sheet.vector(ui, &POSITION);
         sheet.color(ui, &COLOR);
         sheet.number(ui, &INTENSITY, None);
+        sheet.number(ui, &RADIUS, None);
     });
     section(ui, "falloff", texts.get("falloff"), "", sheet.is_free, |ui| {
         falloff_ui(ui, sheet);

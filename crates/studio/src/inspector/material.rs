@@ -6,14 +6,14 @@ use std::sync::Arc;
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
 use catoptric_lab::depth::{ExcessKind, excess_of};
 use catoptric_scene::format::keys;
-use catoptric_scene::{Checker, Material, MaterialChoice, Scene};
+use catoptric_scene::{Checker, Material, MaterialChoice, Model, Scene};
 use egui::{Button, ComboBox, Id, Ui, vec2};
 use egui_material_icons::icons::ICON_WARNING;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
 use super::symbol::Symbol;
-use super::{Memory, formula, header};
+use super::{Memory, curve, formula, header, physical};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::outliner::item_name;
@@ -256,11 +256,36 @@ fn sheet_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, scene: &Arc<Scene
         None => rows_ui(ui, &mut sheet),
     }
     section(ui, "formula", texts.get("section-formula"), "", true, |ui| {
-        formula::material_ui(ui, texts, sheet.memory, primary, scene);
+        if primary.model == Model::Phong {
+            formula::material_ui(ui, texts, sheet.memory, primary, scene);
+        } else {
+            header::hint(ui, physical::told(texts, primary.model));
+            formula::law_ui(ui, texts, sheet.memory, primary);
+            curve::curve_ui(ui, texts, primary);
+        }
     });
 }
 
 fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+    physical::model_ui(ui, sheet);
+    if sheet.primary.model == Model::Phong {
+        phong_ui(ui, sheet);
+    } else {
+        if sheet.primary.model.has_color() {
+            sheet.color(ui, &COLOR);
+        }
+        if matches!(sheet.primary.model, Model::Matte | Model::Coated) {
+            sheet.number(ui, &AMBIENT, None);
+        }
+        physical::rows_ui(ui, sheet);
+        if sheet.primary.model.has_color() {
+            checker_ui(ui, sheet);
+        }
+    }
+    energy_ui(ui, sheet);
+}
+
+fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     kinds_ui(ui, sheet);
     sheet.color(ui, &COLOR);
     sheet.number(ui, &AMBIENT, None);
@@ -272,7 +297,6 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     ior_ui(ui, sheet);
     sheet.color(ui, &TINT);
     checker_ui(ui, sheet);
-    energy_ui(ui, sheet);
 }
 
 fn material_at(scene: &Scene, home: Home) -> Option<&Material> {

@@ -1,0 +1,155 @@
+//! The curve ω(i, λ) of a material: how much it reflects, by angle and color.
+
+use catoptric_optics::fresnel;
+use catoptric_scene::{Conductor, Material, Model};
+
+/// A curve of reflectance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// What it is of.
+    pub kind: CurveKind,
+    law: Law,
+}
+
+/// What a curve is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveKind {
+    /// Red light.
+    Red,
+    /// Green light.
+    Green,
+    /// Blue light.
+    Blue,
+    /// Light of all colors that comes to a clear surface from outside.
+    FromOutside,
+    /// The same from within.
+    FromInside,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Law {
+    Clear(f64),
+    Metal([f64; 2]),
+    /// Half degrees from 0 to 90.
+    Measured(Vec<f64>),
+}
+
+impl Curve {
+    /// The share of unpolarized light that is reflected under an angle of incidence in degrees, 0 to 90.
+    pub fn at(&self, degrees: f64) -> f64 {
+        let cos = degrees.clamp(0.0, 90.0).to_radians().cos();
+        match &self.law {
+            Law::Clear(eta) => fresnel::dielectric(cos, *eta).mean(),
+            Law::Metal([n, k]) => fresnel::conductor(cos, *n, *k).mean(),
+            Law::Measured(points) => {
+                let place = degrees.clamp(0.0, 90.0) * 2.0;
+                let value = |index: usize| points.get(index).copied().unwrap_or(1.0);
+                let before = place.floor() as usize;
+                value(before) + (place - place.floor()) * (value(before + 1) - value(before))
+            }
+        }
+    }
+}
+
+/// An angle at which something happens to the curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// What happens.
+    pub kind: MarkKind,
+    /// The angle of incidence.
+    pub degrees: f64,
+    /// Whether light comes from within.
+    pub is_from_inside: bool,
+}
+
+/// What happens at an angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkKind {
+    /// Light that swings in the plane of incidence is not reflected at all (D. Brewster 1815).
+    Brewster,
+    /// From here on everything is reflected.
+    Critical,
+}
+
+/// The curves of a material; none if it reflects alike under all angles.
+pub fn curves_of(material: &Material) -> Vec<Curve> {
+    let clear = |kind, eta| Curve { kind, law: Law::Clear(eta) };
+    match material.model {
+        Model::Phong | Model::Mirror | Model::Matte => Vec::new(),
+        Model::Dielectric => {
+            let ior = material.ior();
+            vec![clear(CurveKind::FromOutside, ior), clear(CurveKind::FromInside, 1.0 / ior)]
+        }
+        Model::Coated => vec![clear(CurveKind::FromOutside, material.ior())],
+        Model::Conductor => {
+            let kinds = [CurveKind::Red, CurveKind::Green, CurveKind::Blue];
+            let laws: [Law; 3] = match material.conductor {
+                Conductor::Index { n, k } => [[n.x, k.x], [n.y, k.y], [n.z, k.z]].map(Law::Metal),
+                Conductor::Metal(metal) => {
+                    let all: Vec<[f64; 3]> = (0..=180)
+                        .map(|half| metal.reflectance((0.5 * f64::from(half)).to_radians().cos(), 1.0))
+                        .collect();
+                    [0, 1, 2].map(|channel: usize| {
+                        let channel = |rgb: &[f64; 3]| rgb.get(channel).copied().unwrap_or(1.0).min(1.0);
+                        Law::Measured(all.iter().map(channel).collect())
+                    })
+                }
+            };
+            kinds.into_iter().zip(laws).map(|(kind, law)| Curve { kind, law }).collect()
+        }
+    }
+}
+
+/// The angles at which something happens to the curves of a material.
+pub fn marks_of(material: &Material) -> Vec<Mark> {
+    let ior = material.ior();
+    let mut marks = Vec::new();
+    let sides: &[(f64, bool)] = match material.model {
+        Model::Dielectric => &[(ior, false), (1.0 / ior, true)],
+        Model::Coated => &[(ior, false)],
+        _ => &[],
+    };
+    for &(eta, is_from_inside) in sides.iter().filter(|(eta, _)| *eta != 1.0) {
+        let mark = |kind, angle: f64| Mark { kind, degrees: angle.to_degrees(), is_from_inside };
+        marks.push(mark(MarkKind::Brewster, fresnel::brewster_angle(eta)));
+        marks.extend(fresnel::critical_angle(eta).map(|angle| mark(MarkKind::Critical, angle)));
+    }
+    marks
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_optics::Metal;
+
+    use super::*;
+
+    #[test]
+    fn glass_has_its_curves_and_angles() {
+        let glass = Material { model: Model::Dielectric, ior: 1.5, ..Material::default() };
+        let curves = curves_of(&glass);
+        assert!((curves[0].at(0.0) - 0.04).abs() < 1e-12 && (curves[1].at(41.0) - 0.379_751).abs() < 1e-6);
+        assert!((curves[0].at(90.0) - 1.0).abs() < 1e-12 && curves[1].at(60.0) == 1.0);
+        let degrees: Vec<i64> =
+            marks_of(&glass).iter().map(|mark| (mark.degrees * 1e4).round() as i64).collect();
+        assert_eq!(degrees, [563_099, 336_901, 418_103]);
+        let air = Material { ior: 1.0, ..glass };
+        assert!(marks_of(&air).is_empty() && curves_of(&air).iter().all(|curve| curve.at(50.0) == 0.0));
+    }
+
+    #[test]
+    fn gold_is_red_and_white_when_it_grazes() {
+        let conductor = Conductor::Metal(Metal::named("gold").unwrap());
+        let gold = Material { model: Model::Conductor, conductor, ..Material::default() };
+        let [red, _, blue] = &curves_of(&gold)[..] else { panic!() };
+        assert!(red.at(0.0) > 2.0 * blue.at(0.0) && blue.at(89.9) > 0.98);
+        let exact = Metal::named("gold").unwrap().reflectance(33.3_f64.to_radians().cos(), 1.0)[2];
+        assert!((blue.at(33.3) - exact).abs() < 1e-4);
+    }
+
+    #[test]
+    fn flat_laws_have_no_curve() {
+        for model in [Model::Phong, Model::Mirror, Model::Matte] {
+            assert!(curves_of(&Material { model, ..Material::default() }).is_empty());
+        }
+    }
+}

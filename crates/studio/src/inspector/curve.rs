@@ -1,0 +1,144 @@
+//! The curve of reflection: how much a material reflects under which angle.
+
+use catoptric_lab::reflectance::{Curve, CurveKind, Mark, MarkKind, curves_of, marks_of};
+use catoptric_scene::Material;
+use egui::{
+    Align2, Color32, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::header::hint;
+use crate::texts::Texts;
+use crate::theme::{self, Palette};
+use crate::widgets::number::shown;
+
+const HEIGHT: f32 = 132.0;
+/// Points of a curve: two for each degree, so that critical angles are sharp.
+const POINTS: usize = 181;
+
+/// Draws the curve of a material, if it has one that is not flat.
+pub(super) fn curve_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
+    let curves = curves_of(material);
+    if curves.is_empty() {
+        return;
+    }
+    let palette = theme::palette(ui.visuals());
+    let (whole, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
+    let area = Rect::from_min_max(whole.min + vec2(26.0, 8.0), whole.max - vec2(8.0, 18.0));
+    let chart = Chart { area, palette };
+    chart.axes(ui);
+    let marks = marks_of(material);
+    for mark in &marks {
+        chart.mark(ui, texts, mark);
+    }
+    for curve in &curves {
+        chart.curve(ui, curve);
+    }
+    let summary = marks.iter().map(|mark| told(texts, mark)).collect::<Vec<_>>().join("; ");
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Image, true, format!("{}. {summary}", texts.get("reflection-curve")))
+    });
+    let pointed = response.hover_pos().filter(|pos| area.expand(2.0).contains(*pos));
+    let Some(pos) = pointed else {
+        hint(ui, &summary);
+        return;
+    };
+    let degrees = f64::from(((pos.x - area.left()) / area.width()).clamp(0.0, 1.0)) * 90.0;
+    let x = chart.place(degrees, 0.0).x;
+    ui.painter().vline(x, area.y_range(), Stroke::new(1.0, palette.text));
+    let mut words = vec![format!("θ = {}°", shown(degrees, 1))];
+    for curve in &curves {
+        let value = curve.at(degrees);
+        ui.painter().circle_filled(chart.place(degrees, value), 2.5, color_of(curve.kind, palette));
+        words.push(format!("{} {}", name_of(texts, curve.kind), shown(value, 4)));
+    }
+    hint(ui, &words.join(",  "));
+}
+
+struct Chart<'p> {
+    area: Rect,
+    palette: &'p Palette,
+}
+
+impl Chart<'_> {
+    fn place(&self, degrees: f64, share: f64) -> Pos2 {
+        let x = self.area.left() + self.area.width() * (degrees / 90.0) as f32;
+        pos2(x, self.area.bottom() - self.area.height() * share as f32)
+    }
+
+    fn axes(&self, ui: &Ui) {
+        let (painter, palette) = (ui.painter(), self.palette);
+        painter.rect(self.area, 2.0, palette.field, Stroke::new(1.0, palette.line), StrokeKind::Inside);
+        let font = FontId::proportional(10.5);
+        for share in [0.0, 0.5, 1.0] {
+            let at = self.place(0.0, share);
+            painter.hline(self.area.x_range(), at.y, Stroke::new(0.5, palette.line));
+            let text = shown(share, 1);
+            painter.text(at - vec2(4.0, 0.0), Align2::RIGHT_CENTER, text, font.clone(), palette.weak);
+        }
+        for degrees in [0.0, 30.0, 60.0, 90.0] {
+            let at = self.place(degrees, 0.0);
+            painter.vline(at.x, self.area.y_range(), Stroke::new(0.5, palette.line));
+            let text = format!("{degrees}°");
+            painter.text(at + vec2(0.0, 3.0), Align2::CENTER_TOP, text, font.clone(), palette.weak);
+        }
+    }
+
+    fn curve(&self, ui: &Ui, curve: &Curve) {
+        let step = 90.0 / (POINTS - 1) as f64;
+        let points: Vec<Pos2> = (0..POINTS)
+            .map(|index| {
+                let degrees = step * index as f64;
+                self.place(degrees, curve.at(degrees))
+            })
+            .collect();
+        let stroke = Stroke::new(1.6, color_of(curve.kind, self.palette));
+        if curve.kind == CurveKind::FromInside {
+            ui.painter().extend(Shape::dashed_line(&points, stroke, 4.0, 3.0));
+        } else {
+            ui.painter().add(Shape::line(points, stroke));
+        }
+    }
+
+    fn mark(&self, ui: &Ui, texts: &Texts, mark: &Mark) {
+        let at = self.place(mark.degrees, 1.0);
+        let stroke = Stroke::new(1.0, self.palette.accent.gamma_multiply(0.8));
+        let bottom = self.place(mark.degrees, 0.0);
+        ui.painter().extend(Shape::dashed_line(&[at, bottom], stroke, 2.0, 3.0));
+        let sign = texts.get(match mark.kind {
+            MarkKind::Brewster => "brewster-sign",
+            MarkKind::Critical => "critical-sign",
+        });
+        let font = FontId::proportional(10.5);
+        ui.painter().text(at + vec2(3.0, 2.0), Align2::LEFT_TOP, sign, font, self.palette.accent);
+    }
+}
+
+fn told(texts: &Texts, mark: &Mark) -> String {
+    let key = match (mark.kind, mark.is_from_inside) {
+        (MarkKind::Brewster, false) => "brewster-outside",
+        (MarkKind::Brewster, true) => "brewster-inside",
+        (MarkKind::Critical, false) => "critical-outside",
+        (MarkKind::Critical, true) => "critical-inside",
+    };
+    texts.with(key, &[("angle", shown(mark.degrees, 2).into())])
+}
+
+fn name_of(texts: &Texts, kind: CurveKind) -> &str {
+    texts.get(match kind {
+        CurveKind::Red => "curve-red",
+        CurveKind::Green => "curve-green",
+        CurveKind::Blue => "curve-blue",
+        CurveKind::FromOutside => "curve-outside",
+        CurveKind::FromInside => "curve-inside",
+    })
+}
+
+fn color_of(kind: CurveKind, palette: &Palette) -> Color32 {
+    match kind {
+        CurveKind::Red => Color32::from_rgb(226, 84, 72),
+        CurveKind::Green => Color32::from_rgb(84, 176, 92),
+        CurveKind::Blue => Color32::from_rgb(88, 134, 236),
+        CurveKind::FromOutside => palette.text,
+        CurveKind::FromInside => palette.weak,
+    }
+}
