@@ -51,13 +51,43 @@ pub(crate) fn sent_on<R: Real>(
 ) -> R {
     let least = alpha.like(1e-6);
     let (cos_viewer, cos_light) = (normal.dot(to_viewer).max(least), normal.dot(to_light).max(least));
+    let seen = unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha);
+    density(normal, half, alpha) * seen / (cos_viewer * 4.0)
+}
+
+/// What facets send through to a viewer inside of light from outside (Walter et al., eq. 21, times π and the cosine, of
+/// radiance by the square of the index): that share but for the part that is reflected, and the cosine under which the
+/// viewer sees the facet. `ratio` is the index on the viewer's side divided by that on the light's.
+#[inline(always)]
+pub(crate) fn sent_through<R: Real>(
+    to_viewer: Vector<R>,
+    to_light: Vector<R>,
+    normal: Vector<R>,
+    ratio: R,
+    alpha: R,
+) -> (R, R) {
+    let [zero, one, least] = [0.0, 1.0, 1e-6].map(|value| alpha.like(value));
+    let half = (to_viewer * ratio + to_light).normalize_or(normal);
+    let half = half * one.copysign(normal.dot(half));
+    let (viewer, light) = (half.dot(to_viewer), -half.dot(to_light));
+    let (cos_viewer, cos_light) = (normal.dot(to_viewer).max(least), (-normal.dot(to_light)).max(least));
+    let seen = unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha);
+    let width = ratio * viewer - light;
+    let sent =
+        density(normal, half, alpha) * seen * viewer * light / (cos_viewer * (width * width).max(least));
+    let is_met = viewer.gt(zero) & light.gt(zero);
+    (R::select(is_met, sent, zero), viewer.min(one).max(zero))
+}
+
+/// π times the density of facets with this normal (Walter et al., eq. 33).
+#[inline(always)]
+fn density<R: Real>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
     let cos = normal.dot(half);
     // sin² + α²·cos², without a difference of squares near 1.
     let across = half - normal * cos;
     let square = alpha * alpha;
     let spread = across.length_squared() + square * cos * cos;
-    let density = square / (spread * spread);
-    density * unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha) / (cos_viewer * 4.0)
+    square / (spread * spread)
 }
 
 /// Two unit vectors across a third (T. Duff et al. 2017, Building an orthonormal basis, revisited).

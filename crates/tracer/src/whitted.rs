@@ -19,7 +19,7 @@ use catoptric_scene::Tracing;
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
-use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width};
+use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_START, Ray, Rays};
 use crate::render::Control;
@@ -316,13 +316,21 @@ impl<'a> Whitted<'a> {
             }
             let cos = at.normal.dot(to_light);
             offspring.faces(index, to_light, distance, cos);
+            let mut rays = at.rays_on_this_side(to_light);
+            let mut faces = cos.gt(zero);
+            let within = at.frosted_within();
+            if within.any() {
+                // The body's own surface lies between its inner side and a light; what it lets through from there is seen
+                // where the viewer's ray leaves it.
+                faces = (faces & !within) | (within & cos.lt(zero));
+                rays.start = W::W::select(within, at.rays_on_far_side(to_light).start, rays.start);
+            }
             // A light that stands exactly here has no direction.
-            let lit = at.answers & distance.gt(zero) & cos.gt(zero);
+            let lit = at.answers & distance.gt(zero) & faces;
             if !lit.any() {
                 continue;
             }
             self.counts.shadow += u64::from(lit.bits().count_ones());
-            let rays = at.rays_on_this_side(to_light);
             let passed = self.transmittance(w, &rays, lit, (index, distance), inside);
             offspring.asks(&rays, distance, inside, passed);
             let lit = lit & !passed.is_zero();

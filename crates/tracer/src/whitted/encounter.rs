@@ -245,6 +245,12 @@ impl<W: Width> Encounter<W> {
         Vector::select(self.coated, all * passed, all)
     }
 
+    /// Rays that met the surface of a rough clear body from within.
+    #[inline(always)]
+    pub(super) fn frosted_within(&self) -> W::M {
+        self.rough & self.clear & self.leaves()
+    }
+
     /// Rays that met the surface from within.
     #[inline(always)]
     pub(super) fn leaves(&self) -> W::M {

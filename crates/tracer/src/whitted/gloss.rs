@@ -3,7 +3,7 @@
 use super::beams::Beams;
 use super::encounter::Encounter;
 use super::{SomeUse, Whitted};
-use crate::facets::{seen_facet, sent_on, unhidden};
+use crate::facets::{seen_facet, sent_on, sent_through, unhidden};
 use crate::lanes::{Mask as _, Real as _, Width};
 use crate::surface::fresnel;
 use crate::vector::Vector;
@@ -85,7 +85,14 @@ impl Whitted<'_> {
                 }
                 let sent = sent_on(to_viewer, to_light, at.normal, half, at.alpha);
                 let sent = W::R::select(at.rough, sent, zero);
-                facets.reflected(reflection) * sent
+                let mut glints = facets.reflected(reflection) * sent;
+                let within = at.frosted_within();
+                if within.any() {
+                    let (sent, cos) = sent_through(to_viewer, to_light, at.normal, ratio, at.alpha);
+                    let sent = sent * (one - fresnel(cos, ratio));
+                    glints = Vector::select(within, Vector::new(sent, sent, sent), glints);
+                }
+                glints
             },
         )
     }
