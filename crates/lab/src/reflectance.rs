@@ -90,7 +90,7 @@ pub fn curves_of(material: &Material) -> Vec<Curve> {
                         .map(|half| metal.reflectance((0.5 * f64::from(half)).to_radians().cos(), 1.0))
                         .collect();
                     [0, 1, 2].map(|channel: usize| {
-                        let channel = |rgb: &[f64; 3]| rgb.get(channel).copied().unwrap_or(1.0).min(1.0);
+                        let channel = |rgb: &[f64; 3]| rgb.get(channel).copied().unwrap_or(1.0);
                         Law::Measured(all.iter().map(channel).collect())
                     })
                 }

@@ -162,6 +162,19 @@ impl Material {
         self.reflection.unwrap_or(if self.model == Model::Mirror { 1.0 } else { self.specular })
     }
 
+    /// A color that stands for it in a list: that of its ground, of its reflection, or of its depth.
+    pub fn emblem(&self) -> Color {
+        match (self.model, self.conductor) {
+            (Model::Dielectric, _) => self.attenuation_color,
+            (Model::Conductor, Conductor::Metal(metal)) => Color::from(metal.reflectance(1.0, 1.0)),
+            (Model::Conductor, Conductor::Index { n, k }) => {
+                let straight = |n, k| fresnel::conductor(1.0, n, k).mean();
+                Color::new(straight(n.x, k.x), straight(n.y, k.y), straight(n.z, k.z))
+            }
+            _ => self.color,
+        }
+    }
+
     /// What it reflects, in the strongest channel.
     pub fn reflects(&self) -> Share {
         let largest = |color: Color| color.to_array().into_iter().fold(0.0, f64::max);

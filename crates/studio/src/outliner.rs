@@ -284,8 +284,8 @@ fn item_color(scene: &Scene, item: Item) -> Option<egui::Color32> {
     let color = match item {
         Item::Camera | Item::Environment | Item::Tracing => return None,
         Item::Light(place) => scene.lights.get(place)?.color,
-        Item::Material(place) => scene.materials.get(place)?.material.color,
-        Item::Body(place) => scene.material(&scene.bodies.get(place)?.material)?.color,
+        Item::Material(place) => scene.materials.get(place)?.material.emblem(),
+        Item::Body(place) => scene.material(&scene.bodies.get(place)?.material)?.emblem(),
     };
     let [r, g, b] = color.to_srgb8();
     Some(egui::Color32::from_rgb(r, g, b))

@@ -84,7 +84,7 @@ impl Lines<'_> {
         self.symbols("in-formula-sum", sum);
         self.symbols("in-formula-straight", vec![Factor::sign("R(0) = ((n − 1)^2 + k^2)/((n + 1)^2 + k^2)")]);
         let [r, g, b] = match material.conductor {
-            Conductor::Metal(metal) => metal.reflectance(1.0, 1.0).map(|part| part.min(1.0)),
+            Conductor::Metal(metal) => metal.reflectance(1.0, 1.0),
             Conductor::Index { n, k } => {
                 let straight = |n: f64, k: f64| ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k);
                 [straight(n.x, k.x), straight(n.y, k.y), straight(n.z, k.z)]
