@@ -110,15 +110,19 @@ fn material() -> impl Strategy<Value = Material> {
     );
     let share = || (0.0..1.0f64, 0.0..1.0f64, 0.0..1.0f64).prop_map(|(r, g, b)| Color::new(r, g, b));
     let substance = proptest::option::of(proptest::sample::select(CLEAR.iter().collect::<Vec<_>>()));
-    let clear =
-        (substance, 0.01..100.0f64, share(), length()).prop_map(|(substance, ior, color, length)| Material {
+    let spread = (any::<bool>(), 1.0..1e6f64);
+    let clear = (substance, 0.01..100.0f64, spread, share(), length()).prop_map(
+        |(substance, ior, (dispersion, abbe), color, length)| Material {
             model: Model::Dielectric,
             substance,
             ior: if substance.is_some() { Material::default().ior } else { ior },
+            dispersion,
+            abbe: if substance.is_some() { Material::default().abbe } else { abbe },
             attenuation_color: color,
             attenuation_distance: length,
             ..Material::default()
-        });
+        },
+    );
     let metal = proptest::sample::select(METALS.iter().collect::<Vec<_>>()).prop_map(Conductor::Metal);
     let index = (0.001..100.0f64, 0.0..100.0f64)
         .prop_map(|(n, k)| Conductor::Index { n: DVec3::new(n, 1.0, 1.5), k: DVec3::new(0.0, k, 3.0) });
@@ -127,7 +131,11 @@ fn material() -> impl Strategy<Value = Material> {
         conductor,
         ..Material::default()
     });
-    prop_oneof![Just(Material::default()), phong, colored, clear, conductor]
+    let smooth = prop_oneof![Just(Material::default()), phong, colored, clear, conductor];
+    (smooth, 0.0..1.0f64).prop_map(|(material, roughness)| match material.model {
+        Model::Phong | Model::Matte => material,
+        _ => Material { roughness, ..material },
+    })
 }
 
 fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {
@@ -173,13 +181,14 @@ fn light() -> impl Strategy<Value = Light> {
         (0.0..1e9f64).prop_map(|constant| Falloff::Linear { constant })
     ];
     let flags = any::<[bool; 2]>();
-    (name(), place(), color(), amount(), falloff, flags).prop_map(
-        |(name, position, color, intensity, falloff, [hidden, locked])| Light {
+    (name(), place(), color(), amount(), falloff, 0.0..1e9f64, flags).prop_map(
+        |(name, position, color, intensity, falloff, radius, [hidden, locked])| Light {
             name,
             position,
             color,
             intensity,
             falloff,
+            radius,
             hidden,
             locked,
         },
