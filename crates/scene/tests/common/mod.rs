@@ -131,11 +131,15 @@ fn material() -> impl Strategy<Value = Material> {
         conductor,
         ..Material::default()
     });
-    let smooth = prop_oneof![Just(Material::default()), phong, colored, clear, conductor];
-    (smooth, 0.0..1.0f64).prop_map(|(material, roughness)| match material.model {
+    // On the heap: what many of them make is more than a thread's stack holds.
+    let kinds =
+        [Just(Material::default()).boxed(), phong.boxed(), colored.boxed(), clear.boxed(), conductor.boxed()];
+    let smooth = proptest::strategy::Union::new(kinds);
+    let some = (smooth, 0.0..1.0f64).prop_map(|(material, roughness)| match material.model {
         Model::Phong | Model::Matte => material,
         _ => Material { roughness, ..material },
-    })
+    });
+    some.boxed()
 }
 
 fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {

@@ -297,11 +297,14 @@ fn key(material: &Material) -> Key {
                 m.roughness,
                 f64::from(u8::from(m.dispersion)),
                 m.abbe,
-                place_in(CLEAR, m.substance),
+                m.substance.map_or(-1.0, |clear| place_of(CLEAR.iter().map(|other| other.name), clear.name)),
             ]);
         }
         Model::Conductor => match m.conductor {
-            Conductor::Metal(metal) => put(&[1.0, place_in(METALS, Some(metal)), m.roughness]),
+            Conductor::Metal(metal) => {
+                let place = place_of(METALS.iter().map(|other| other.name), metal.name);
+                put(&[1.0, place, m.roughness]);
+            }
             Conductor::Index { n, k } => put(&[2.0, n.x, n.y, n.z, k.x, k.y, k.z, m.roughness]),
         },
         Model::Mirror => put(&[r, g, b, m.reflection(), m.roughness]),
@@ -311,8 +314,7 @@ fn key(material: &Material) -> Key {
     (m.model, numbers.map(f64::to_bits))
 }
 
-/// The place of an entry of a table, to be told from others.
-fn place_in<T>(table: &[T], entry: Option<&T>) -> f64 {
-    let place = entry.and_then(|entry| table.iter().position(|other| std::ptr::eq(other, entry)));
-    place.map_or(-1.0, |place| place as f64)
+/// The place of a name among others, to be told from them.
+fn place_of<'t>(mut names: impl Iterator<Item = &'t str>, name: &str) -> f64 {
+    names.position(|other| other == name).map_or(-1.0, |place| place as f64)
 }

@@ -180,6 +180,7 @@ impl<W: Width> Encounter<W> {
                         self.reflection = W::R::select(lanes, share, self.reflection);
                         self.coated = self.coated | lanes;
                         self.coat_ratio = W::R::select(lanes, w.real(coat.ratio), self.coat_ratio);
+                        let color = color.map(|part| part.min(one));
                         // Between ground and coat light goes to and fro, and leaves a little of itself each time.
                         let again = (color * w.real(coat.inner)).map(|lost| one / (one - lost));
                         let below = color.times(again) * ((one - share) * coat.spread);

@@ -163,7 +163,11 @@ impl Whitted<'_> {
         offspring: &mut impl Offspring<W>,
     ) {
         let Crossing { ratio, beyond, bent, passes, .. } = *crossing;
-        let (filter, lanes) = growth.let_off(bent, true, filter, lanes & passes);
+        let (left, flies) = growth.let_off(bent, true, filter, lanes & passes);
+        // Between equal indices there is no surface, and nothing that could be rough.
+        let straight = ratio.eq(w.real(1.0));
+        let filter = Vector::select(straight, filter, left);
+        let lanes = flies | (lanes & passes & straight);
         offspring.lets_through(filter);
         let weight = beams.weight.times(filter);
         let lanes = lanes & self.carries(w, weight);
@@ -171,7 +175,7 @@ impl Whitted<'_> {
             self.counts.refracted += u64::from(lanes.bits().count_ones());
             // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than
             // rounding it could go on for ever.
-            let same = ratio.eq(w.real(1.0)) & growth.at.t.gt(beams.rays.slack());
+            let same = straight & growth.at.t.gt(beams.rays.slack());
             let mut through = growth.beams(beams, growth.at.rays_on_far_side(bent), weight, (beyond, lanes));
             through.generation = W::W::select(same, beams.generation, growth.next);
             offspring.refracted(through);

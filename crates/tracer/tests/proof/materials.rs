@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_optics::{METALS, Metal, fresnel};
-use catoptric_scene::{Body, Color, Conductor, Environment, Light, Material, Model, Scene, Shape};
+use catoptric_scene::{Body, Checker, Color, Conductor, Environment, Light, Material, Model, Scene, Shape};
 use catoptric_tracer::{Fate, TracedRay, Whitted};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
@@ -93,6 +93,28 @@ fn metals_reflect_their_color() {
             }
         }
     }
+}
+
+#[test]
+fn metals_of_one_scene_are_told_apart() {
+    let of = |x, name| ball(0.4, v(x, 0.0, 0.0), metal(name));
+    let stage = stage_of(vec![of(-1.0, "gold"), of(0.0, "silver"), of(1.0, "copper")]);
+    let straight = |x| {
+        let rays = tree(&stage, ray(v(x, 0.0, 5.0), -DVec3::Z));
+        rays[0].answer.as_ref().unwrap().reflected.coefficient.as_dvec3().to_array()
+    };
+    for (x, name) in [(-1.0, "gold"), (0.0, "silver"), (1.0, "copper")] {
+        let exact = Metal::named(name).unwrap().reflectance(1.0, 1.0);
+        straight(x).into_iter().zip(exact).for_each(|(found, exact)| assert_close(found, exact, 1e-5));
+    }
+}
+
+#[test]
+fn a_checker_brighter_than_white_under_a_coat_gives_no_negative_light() {
+    let checker = Some(Checker { color: Color::gray(50.0), size: 0.1 });
+    let coated = Material { checker, ..of_model(Model::Coated, Color::WHITE) };
+    let picture = picture(&furnace(coated), 60, 15);
+    assert!(picture.pixels().iter().flatten().all(|part| (0.0..1.5).contains(part)));
 }
 
 #[test]
@@ -202,6 +224,7 @@ fn glass_of_equal_index_changes_nothing() {
         ball(1.0, DVec3::ZERO, clear(1.0)),
         turned(Shape::CUBE, v(1.5, 0.0, 0.0), v(20.0, 30.0, 40.0), clear(1.0)),
         turned(Shape::CONE, v(-1.5, 0.0, 0.0), v(20.0, 30.0, 40.0), clear(1.0)),
+        ball(0.4, v(0.0, 0.8, 0.0), Material { roughness: 0.8, ..clear(1.0) }),
     ];
     let look = |bodies: Vec<Body>| {
         let mut scene = scene(bodies);
