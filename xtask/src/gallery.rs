@@ -25,8 +25,8 @@ pub(crate) struct GalleryArguments {
 /// Size of each picture.
 const SIZE: (u32, u32) = (960, 540);
 /// Scenes across in the README's picture, and how many times smaller they are there.
-const COLUMNS: u32 = 4;
-const REDUCED: u32 = 3;
+const COLUMNS: u32 = 5;
+const REDUCED: u32 = 4;
 
 pub(crate) fn run(arguments: &GalleryArguments) -> Result<()> {
     let folder = root().join("docs/gallery");
