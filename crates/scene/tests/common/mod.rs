@@ -60,11 +60,16 @@ fn camera() -> impl Strategy<Value = Camera> {
     })
 }
 
-fn material() -> impl Strategy<Value = Material> {
-    let checker =
-        || proptest::option::of((color(), length()).prop_map(|(color, size)| Checker { color, size }));
-    let reflection = || proptest::option::of(amount());
-    let phong = (
+fn checker() -> impl Strategy<Value = Option<Checker>> {
+    proptest::option::of((color(), length()).prop_map(|(color, size)| Checker { color, size }))
+}
+
+fn reflection() -> impl Strategy<Value = Option<f64>> {
+    proptest::option::of(amount())
+}
+
+fn phong() -> BoxedStrategy<Material> {
+    (
         color(),
         [amount(), amount(), amount(), amount()],
         reflection(),
@@ -97,17 +102,24 @@ fn material() -> impl Strategy<Value = Material> {
                     ..Material::default()
                 }
             },
-        );
-    let colored = (color(), amount(), 0.01..100.0f64, reflection(), checker(), 0..3).prop_map(
-        |(color, ambient, ior, reflection, checker, which)| {
+        )
+        .boxed()
+}
+
+fn colored() -> BoxedStrategy<Material> {
+    (color(), amount(), 0.01..100.0f64, reflection(), checker(), 0..3)
+        .prop_map(|(color, ambient, ior, reflection, checker, which)| {
             let plain = Material { color, checker, ..Material::default() };
             match which {
                 0 => Material { model: Model::Mirror, reflection, ..plain },
                 1 => Material { model: Model::Matte, ambient, ..plain },
                 _ => Material { model: Model::Coated, ambient, ior, ..plain },
             }
-        },
-    );
+        })
+        .boxed()
+}
+
+fn material() -> impl Strategy<Value = Material> {
     let share = || (0.0..1.0f64, 0.0..1.0f64, 0.0..1.0f64).prop_map(|(r, g, b)| Color::new(r, g, b));
     let substance = proptest::option::of(proptest::sample::select(CLEAR.iter().collect::<Vec<_>>()));
     let spread = (any::<bool>(), 1.0..1e6f64);
@@ -132,8 +144,7 @@ fn material() -> impl Strategy<Value = Material> {
         ..Material::default()
     });
     // On the heap: what many of them make is more than a thread's stack holds.
-    let kinds =
-        [Just(Material::default()).boxed(), phong.boxed(), colored.boxed(), clear.boxed(), conductor.boxed()];
+    let kinds = [Just(Material::default()).boxed(), phong(), colored(), clear.boxed(), conductor.boxed()];
     let smooth = proptest::strategy::Union::new(kinds);
     let some = (smooth, 0.0..1.0f64).prop_map(|(material, roughness)| match material.model {
         Model::Phong | Model::Matte => material,

@@ -193,6 +193,8 @@ fn no_message_is_left_over() {
     let unused: Vec<String> = entries(Language::English)
         .into_keys()
         .filter(|key| !key.contains('.') && !used.contains(key))
+        // Those that the tables of optics name.
+        .filter(|key| !key.starts_with("substance-") && !key.starts_with("metal-"))
         .collect();
     assert_eq!(unused, Vec::<String>::new());
 }
