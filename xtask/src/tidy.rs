@@ -12,6 +12,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("picture", &["files"]),
     ("scene", &["files"]),
     ("tracer", &["scene", "picture"]),
+    ("gpu", &["tracer", "picture"]),
     ("editor", &["scene", "files"]),
     ("live", &["tracer", "scene", "picture"]),
     ("lab", &["tracer", "scene", "picture", "files"]),
