@@ -14,10 +14,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("tracer", &["scene", "picture"]),
     ("gpu", &["tracer", "picture"]),
     ("editor", &["scene", "files"]),
-    ("live", &["tracer", "scene", "picture"]),
+    ("live", &["gpu", "tracer", "scene", "picture"]),
     ("lab", &["tracer", "scene", "picture", "files"]),
-    ("studio", &["lab", "live", "editor", "tracer", "scene", "picture", "files"]),
-    ("catoptric", &["studio", "lab", "tracer", "scene", "picture", "files"]),
+    ("studio", &["lab", "live", "editor", "gpu", "tracer", "scene", "picture", "files"]),
+    ("catoptric", &["studio", "lab", "gpu", "tracer", "scene", "picture", "files"]),
 ];
 
 const LONGEST_FILE: usize = 600;

@@ -1,5 +1,7 @@
 //! Which graphics card.
 
+use std::path::Path;
+
 use crate::error::GpuError;
 
 /// Which graphics card to take.
@@ -12,6 +14,13 @@ pub struct GpuChoice {
 }
 
 impl GpuChoice {
+    /// Whether there may be such a card, as far as can be told in no time: a driver takes a while to wake up. Linux shows
+    /// cards as files.
+    pub fn is_likely(&self) -> bool {
+        const FILES: [&str; 4] = ["/dev/dri", "/dev/nvidiactl", "/dev/dxg", "/dev/mali0"];
+        self.software || !cfg!(target_os = "linux") || FILES.iter().any(|file| Path::new(file).exists())
+    }
+
     /// The best card that there is: by itself before one that shares the computer's memory, and a software driver last.
     ///
     /// # Errors

@@ -4,7 +4,9 @@ use std::ops::AddAssign;
 use std::time::{Duration, Instant};
 
 use catoptric_picture::Picture;
-use catoptric_tracer::twin::{FILM_HEAD, FILM_PIXEL, FRAME_PLACES, Frame, TILE_BLOCKS, tile_rays};
+use catoptric_tracer::twin::{
+    FILM_HEAD, FILM_PIXEL, FRAME_PLACES, Frame, TILE_BLOCKS, TileRays, Unsupported, tile_rays,
+};
 use catoptric_tracer::{Control, RayCounts, Stage, StageCamera};
 
 use crate::card::Gpu;
@@ -103,12 +105,12 @@ impl GpuFilm {
         self.aim(gpu, camera)?;
         let bindings = self.bind(gpu, on_card)?;
         let frame = Frame::new(stage, camera, self.size);
-        let tiles = (self.tiles.len() / size_of::<catoptric_tracer::twin::TileRays>() as u64) as u32;
+        let tiles = (self.tiles.len() / size_of::<TileRays>() as u64) as u32;
         let mut pass =
             GpuPass { on_card: self.report.clock.as_ref().map(|_| Duration::ZERO), ..GpuPass::default() };
         let mut left = samples;
         while left > 0 {
-            let (count, mut first) = self.begun.take().unwrap_or((left.min(FRAME_PLACES as u32), 0));
+            let (count, mut first) = self.begun.take().unwrap_or((left.min(self.most_samples(gpu)), 0));
             while first < tiles {
                 if control.is_cancelled() {
                     self.begun = Some((count, first));
@@ -130,6 +132,12 @@ impl GpuFilm {
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
         pass.counts.primary = pixels * u64::from(samples);
         Ok(pass)
+    }
+
+    /// How many samples a dispatch adds at most: one, if that takes long already, or on a software driver, which lets a
+    /// thread do only so much.
+    fn most_samples(&self, gpu: &Gpu) -> u32 {
+        if gpu.info().is_software || self.stride < Self::FIRST_STRIDE { 1 } else { FRAME_PLACES as u32 }
     }
 
     /// About how many pixels tiles have.
@@ -184,6 +192,11 @@ impl GpuFilm {
             self.report.record(&mut encoder, &self.pixels);
             gpu.queue.submit([encoder.finish()]);
         })
+    }
+
+    /// The memory that it lies in.
+    pub(crate) fn buffer(&self) -> &wgpu::Buffer {
+        &self.pixels
     }
 
     /// The mean of the samples so far; black before the first.
@@ -296,8 +309,10 @@ impl Report {
         let words: [u64; 6] =
             gpu.read(&self.buffer, FILM_HEAD + Self::TIMES, bytemuck::pod_read_unaligned)?;
         let [shadow, reflected, refracted, overflow, start, end] = words;
-        if overflow != 0 {
-            return Err(catoptric_tracer::twin::Unsupported::NestedMedia.into());
+        match (overflow as u32, overflow >> 32) {
+            (0, 0) => {}
+            (0, _) => return Err(Unsupported::LongTree.into()),
+            _ => return Err(Unsupported::NestedMedia.into()),
         }
         let counts = RayCounts { primary: 0, shadow, reflected, refracted };
         let on_card = self.clock.as_ref().map(|clock| {

@@ -15,6 +15,7 @@ mod film;
 mod pipelines;
 mod reading;
 mod render;
+mod screen;
 mod stage;
 mod upload;
 
@@ -23,4 +24,5 @@ pub use choice::GpuChoice;
 pub use error::GpuError;
 pub use film::{GpuFilm, GpuPass};
 pub use render::{GpuRendering, render};
+pub use screen::{GpuPicture, GpuScreen};
 pub use stage::StageOnCard;

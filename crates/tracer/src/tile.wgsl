@@ -33,7 +33,8 @@ struct Pixel {
 }
 
 struct Film {
-    // Rays by kind, each in two words: shadow, reflected, refracted. Then whether a list of media had no room.
+    // Rays by kind, each in two words: shadow, reflected, refracted. Then whether a list of media had no room, and
+    // whether a tree had too many rays.
     rays: array<atomic<u32>, 8>,
     pixels: array<Pixel>,
 }
@@ -69,6 +70,9 @@ fn add_samples(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocatio
     if media_overflowed {
         atomicOr(&film.rays[6], 1u);
     }
+    if tree_overflowed {
+        atomicOr(&film.rays[7], 1u);
+    }
     workgroupBarrier();
     if local < 3u {
         add_rays(local, atomicLoad(&group_rays[local]));
@@ -79,7 +83,8 @@ fn sample_pixel(tile: u32, within: vec2<u32>, extent: vec2<u32>, place: u32) {
     let near = tiles[tile];
     var mean = film.pixels[place].light;
     var body = NO_BODY;
-    for (var sample = 0u; sample < frame.samples; sample++) {
+    var sample = 0u;
+    for (; sample < frame.samples; sample++) {
         let offset = frame.places[sample].xy - 0.5 * vec2<f32>(extent);
         let at = vec2<f32>(within) + offset;
         let light = trace(ray_near(near, at.x, at.y), &body);
@@ -91,6 +96,7 @@ fn sample_pixel(tile: u32, within: vec2<u32>, extent: vec2<u32>, place: u32) {
             mean += (light - mean) * (1.0 / f32(done + 1u));
         }
     }
+    tree_overflowed = tree_overflowed || sample < frame.samples;
     film.pixels[place] = Pixel(mean, body);
 }
 

@@ -29,6 +29,9 @@ pub const ENTRY_POINT: &str = "add_samples";
 /// The most bodies that a list of media of the shaders has room for.
 pub(crate) const MOST_MEDIA: usize = 16;
 
+/// The most rays of one tree: what a thread of a slow card can trace before its driver takes it for hung.
+pub(crate) const MOST_RAYS: u32 = 1 << 16;
+
 /// The shaders of every stage, in the order of their Rust twins.
 const ALWAYS: &[&str] = &[
     include_str!("vector.wgsl"),
@@ -81,6 +84,7 @@ fn constants(special: &Specialization) -> String {
         ("FALLOFF_NONE", bytes::FALLOFF_NONE),
         ("FALLOFF_LINEAR", bytes::FALLOFF_LINEAR),
         ("TILE", TILE as u32),
+        ("MOST_RAYS", MOST_RAYS),
         ("MOST_SAMPLES", FRAME_PLACES as u32),
         ("DEPTH", special.depth.max(1)),
         ("MEDIA", special.media.max(1)),

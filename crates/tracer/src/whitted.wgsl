@@ -18,6 +18,10 @@ struct Counts {
 
 var<private> counts: Counts = Counts(0u, 0u, 0u);
 
+// Whether a tree was cut off, so that the picture is not used: it had more than MOST_RAYS rays, since no dispatch may take
+// long; or the driver ended the loop (Mesa's llvmpipe does, silently, after 65,535 turns of all loops of a thread).
+var<private> tree_overflowed: bool = false;
+
 // The points that a ray met, with all that shading needs.
 struct Encounter {
     position: vec3<f32>,
@@ -95,6 +99,8 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
     var waits = 0u;
     var light = vec3(0.0);
     var is_first = true;
+    var is_whole = false;
+    let before = counts.shadow + counts.reflected + counts.refracted;
     loop {
         let hit = nearest(ray, &media);
         if is_first {
@@ -139,8 +145,12 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
                 }
             }
         }
+        if counts.shadow + counts.reflected + counts.refracted - before > MOST_RAYS {
+            break;
+        }
         if !goes_on {
             if !HAS_TRANSPARENCY || waits == 0u {
+                is_whole = true;
                 break;
             }
             waits -= 1u;
@@ -150,5 +160,6 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
             media = waiting[waits].media;
         }
     }
+    tree_overflowed = tree_overflowed || !is_whole;
     return light;
 }

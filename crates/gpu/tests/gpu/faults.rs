@@ -95,6 +95,40 @@ fn a_card_that_is_not_there_is_an_error() {
     assert!(matches!(error, GpuError::NoSuchAdapter { .. } | GpuError::NoAdapter), "{error}");
 }
 
+/// Panes between which rays double at every step.
+fn panes(generations: u32) -> Scene {
+    let pane = Material {
+        diffuse: 0.0,
+        specular: 0.0,
+        reflection: Some(0.5),
+        transmission: 0.5,
+        ior: 1.5,
+        ..Material::default()
+    };
+    let body = |at: u32| Body {
+        shape: catoptric_scene::Shape::Cube { size: glam::DVec3::new(1e3, 1e3, 0.1) },
+        placement: catoptric_scene::Placement::at(glam::DVec3::new(0.0, 0.0, -f64::from(at))),
+        material: MaterialChoice::Inline(Box::new(pane)),
+        ..Body::default()
+    };
+    let mut scene = Scene { bodies: (0..4).map(body).collect(), ..Scene::default() };
+    scene.tracing.generations = generations;
+    scene.tracing.threshold = 0.0;
+    scene
+}
+
+#[test]
+fn trees_without_end_are_refused() {
+    let Some(gpu) = card("trees_without_end_are_refused") else { return };
+    let settings = RenderSettings { width: 2, height: 2, samples: 1 };
+    let draw = |generations| {
+        let stage = stage_of(&panes(generations));
+        render(&gpu, &stage, stage.camera(), settings, &Control::default()).map(|_| ())
+    };
+    assert_eq!(draw(10), Ok(()));
+    assert_eq!(draw(64), Err(GpuError::Unsupported(Unsupported::LongTree)));
+}
+
 /// Glass balls one in the other: `count` of them around the origin.
 fn onion(count: usize) -> Scene {
     let glass = Material {

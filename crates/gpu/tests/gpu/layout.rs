@@ -130,7 +130,10 @@ fn frames_and_rays_are_read_where_they_are_written() {
 fn changes_are_ranges_of_bytes() {
     let stage = Stage::prepare(&scene(100)).unwrap();
     let arrays = StageArrays(&stage);
-    let [bodies, boxes, order] = arrays.parts(&StageChanges { bodies: vec![2..4], nodes: vec![1] });
+    let changes = StageChanges { bodies: [2..4, 7..8].into(), nodes: vec![1, 2] };
+    let [bodies, boxes, order] = arrays.parts(&changes);
     let body = arrays.bodies().len() / 100;
-    assert_eq!((bodies, boxes, order), (vec![2 * body..4 * body], vec![256..512], vec![16..32]));
+    assert_eq!(bodies, [2 * body..4 * body, 7 * body..8 * body]);
+    assert_eq!(boxes, [256..512, 512..768]);
+    assert_eq!(order, [16..32, 56..64]);
 }

@@ -9,4 +9,5 @@ mod faults;
 mod follow;
 mod layout;
 mod parity;
+mod screen;
 mod shaders;

@@ -47,3 +47,9 @@ fn a_broken_shader_is_noticed() {
     let missing = source.replacen("const POINT_ROUNDING", "const POINT", 1);
     assert!(parsed(&missing).unwrap_err().contains("POINT_ROUNDING"));
 }
+
+#[test]
+fn the_shader_that_develops_is_valid() {
+    let module = parsed(catoptric_picture::Development::SHADER);
+    assert!(module.is_ok(), "{module:?}");
+}

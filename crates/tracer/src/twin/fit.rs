@@ -4,7 +4,7 @@ use crate::media::MediaTable;
 use crate::shape::ShapeKind;
 use crate::stage::{Hierarchy, Stage, StageBody, StageCamera, StageChanges};
 
-use super::MOST_MEDIA;
+use super::{MOST_MEDIA, MOST_RAYS};
 
 /// What is found among the bodies of a stage, or was before an edit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,6 +45,9 @@ pub enum Unsupported {
         "a ray is inside of more than {MOST_MEDIA} transparent bodies at once; the GPU has no room for that"
     )]
     NestedMedia,
+    /// The tree of a pixel has very many rays; found out only while drawing.
+    #[error("a pixel needs more rays than the GPU follows at once, {MOST_RAYS} at most")]
+    LongTree,
 }
 
 impl Contents {
