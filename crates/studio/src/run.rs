@@ -69,6 +69,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             experiment(context, studio, &command);
         }
         Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
+        Command::ToggleCard => crate::card::toggle(studio),
         Command::TogglePane(pane) => {
             let is_in_front = layout::is_in_front(&studio.layout, pane);
             layout::set_visible(&mut studio.layout, pane, !is_in_front);
