@@ -117,6 +117,10 @@ impl Gpu {
         let done = act(&self.device);
         let faults = [internal, validation].map(|scope| pollster::block_on(scope.pop()));
         let memory = pollster::block_on(memory.pop());
+        if memory.is_some() || faults.iter().any(Option::is_some) {
+            // That the card is lost may show as another fault first; it is told when the device is looked at.
+            self.look()?;
+        }
         self.check_alive()?;
         if memory.is_some() {
             return Err(GpuError::OutOfMemory(bytes));

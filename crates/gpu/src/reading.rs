@@ -62,7 +62,7 @@ impl Gpu {
     }
 
     /// Lets the device look what is done.
-    fn look(&self) -> Result<(), GpuError> {
+    pub(crate) fn look(&self) -> Result<(), GpuError> {
         // A device that is found lost here makes the library panic.
         match catch_unwind(AssertUnwindSafe(|| self.device.poll(wgpu::PollType::Poll))) {
             Ok(Ok(_)) => Ok(()),

@@ -95,6 +95,7 @@ fn a_card_that_is_lost_is_told_and_the_processor_draws() {
     // A notice fades.
     harness.run_steps(2);
     let told = "The processor draws from now on instead of the graphics card: the card is lost.";
-    assert!(harness.query_by_label_contains(told).is_some());
+    let why = &harness.state().live().status().card_lost;
+    assert!(harness.query_by_label_contains(told).is_some(), "{why:?}");
     wait_for_picture(&mut harness, "CPU");
 }
