@@ -4,6 +4,7 @@
 mod common;
 
 use std::fs::File;
+use std::io::Write as _;
 
 use catoptric_picture::{Comparison, decode};
 use common::{FIVE_ERRORS, FIVE_PLACES, Folder, NOTHING, ONE_BODY, Ran};
@@ -104,7 +105,11 @@ fn a_graphics_card_draws_the_same_picture_and_says_so() {
     let line = "render whitted -o gpu.exr --size 160x90 --backend gpu --software-gpu --stats -";
     let ran = folder.run(line);
     if ran.status == Some(2) && ran.errors.contains("no graphics driver can be used") {
-        eprintln!("skipped: a_graphics_card_draws_the_same_picture_and_says_so: {}", ran.errors);
+        let _ = writeln!(
+            std::io::stderr().lock(),
+            "SKIPPED: a_graphics_card_draws_the_same_picture_and_says_so: {}",
+            ran.errors
+        );
         return;
     }
     assert_eq!(ran.status, Some(0), "{ran:?}");

@@ -10,7 +10,7 @@ use catoptric_tracer::{Control, Film, RayCounts, RenderError, Stage, StageCamera
 /// The light of a picture.
 pub(crate) enum Canvas {
     Processor(Film),
-    Card(GpuFilm),
+    Card(Box<GpuFilm>),
 }
 
 /// A graphics card that draws, and what it has of the scene.
@@ -64,7 +64,7 @@ impl Canvas {
     /// A canvas without light, on `card` if there is one.
     pub(crate) fn new(card: Option<&Card>, [width, height]: [u32; 2]) -> Result<Self, PassError> {
         Ok(match card {
-            Some(card) => Self::Card(GpuFilm::new(&card.gpu, width, height)?),
+            Some(card) => Self::Card(Box::new(GpuFilm::new(&card.gpu, width, height)?)),
             None => Self::Processor(Film::new(width, height)?),
         })
     }

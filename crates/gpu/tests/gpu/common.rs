@@ -1,5 +1,6 @@
 //! Scenes, and the card that the tests share.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
@@ -7,12 +8,12 @@ use catoptric_gpu::{Gpu, GpuChoice};
 use catoptric_scene::{Example, Scene};
 use catoptric_tracer::Stage;
 
-/// A card of the test's own; `None` if there is none, which is told.
+/// A card of the test's own; `None` if there is none, which is told (not captured, as the output of tests is).
 pub(crate) fn own_card(test: &str) -> Option<Arc<Gpu>> {
     match Gpu::open(&GpuChoice { software: true, name: None }) {
         Ok(gpu) => Some(Arc::new(gpu)),
         Err(error) => {
-            eprintln!("skipped: {test}: {error}");
+            let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: {error}");
             None
         }
     }
@@ -23,7 +24,7 @@ pub(crate) fn card(test: &str) -> Option<Arc<Gpu>> {
     static CARD: OnceLock<Option<Arc<Gpu>>> = OnceLock::new();
     let card = CARD.get_or_init(|| own_card("the card that tests share"));
     if card.is_none() {
-        eprintln!("skipped: {test}: no graphics card or software driver");
+        let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: no graphics card or software driver");
     }
     card.clone()
 }

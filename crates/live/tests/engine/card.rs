@@ -1,5 +1,6 @@
 //! A graphics card in place of the processor: by Mesa's lavapipe, where there is no card.
 
+use std::io::Write as _;
 use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuChoice, GpuError};
@@ -13,7 +14,7 @@ fn card(test: &str) -> Option<Arc<Gpu>> {
     match Gpu::open(&GpuChoice { software: true, name: None }) {
         Ok(gpu) => Some(Arc::new(gpu)),
         Err(error) => {
-            eprintln!("skipped: {test}: {error}");
+            let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: {error}");
             None
         }
     }
