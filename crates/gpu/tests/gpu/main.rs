@@ -2,7 +2,7 @@
 //!
 //! What needs a driver runs through whatever there is, Mesa's lavapipe if nothing else, and says so when it is skipped.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 mod common;
 mod faults;
