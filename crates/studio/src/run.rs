@@ -65,9 +65,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         | Command::Map(_)
         | Command::ToggleExact
         | Command::Compare(_)
-        | Command::Measure(_) => {
-            experiment(context, studio, &command);
-        }
+        | Command::Measure(_) => experiment(context, studio, &command),
         Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
         Command::ToggleCard => crate::card::toggle(studio),
         Command::TogglePane(pane) => {
