@@ -1,6 +1,7 @@
 //! Project chores: `cargo xtask ci`, and those that `cargo xtask help` lists.
 
 mod bench;
+mod bench_gpu;
 mod ci;
 mod dist;
 mod gallery;
@@ -38,6 +39,8 @@ enum Chore {
     Cloud(scenes::CloudArguments),
     /// Time the tracer against POV-Ray and other renderers on nine scenes, by turns
     Bench(bench::BenchArguments),
+    /// Time the tracer on a graphics card
+    BenchGpu(bench_gpu::BenchGpuArguments),
     /// Time how quickly the studio answers, in a real window
     BenchStudio,
     /// Draw the documents' pictures of the studio
@@ -53,6 +56,7 @@ fn main() -> anyhow::Result<()> {
         Chore::Methods => methods::run(),
         Chore::Cloud(arguments) => scenes::write_cloud(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
+        Chore::BenchGpu(arguments) => bench_gpu::run(&arguments),
         Chore::BenchStudio => window::bench(),
         Chore::Screenshots(arguments) => window::screenshots(&arguments),
         Chore::Dist => dist::run(),

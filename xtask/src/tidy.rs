@@ -13,11 +13,12 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("picture", &["files"]),
     ("scene", &["files", "optics"]),
     ("tracer", &["scene", "picture", "optics"]),
+    ("gpu", &["tracer", "picture"]),
     ("editor", &["scene", "files"]),
-    ("live", &["tracer", "scene", "picture"]),
+    ("live", &["gpu", "tracer", "scene", "picture"]),
     ("lab", &["tracer", "scene", "picture", "files", "optics"]),
-    ("studio", &["lab", "live", "editor", "tracer", "scene", "picture", "files", "optics"]),
-    ("catoptric", &["studio", "lab", "tracer", "scene", "picture", "files"]),
+    ("studio", &["lab", "live", "editor", "gpu", "tracer", "scene", "picture", "files", "optics"]),
+    ("catoptric", &["studio", "lab", "gpu", "tracer", "scene", "picture", "files"]),
 ];
 
 const LONGEST_FILE: usize = 600;

@@ -91,9 +91,8 @@ pub(crate) struct RenderArguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720")]
     pub size: Size,
-    /// What does the work
-    #[arg(long, value_enum, default_value_t = Backend::Auto)]
-    pub backend: Backend,
+    #[command(flatten)]
+    pub backend: BackendArguments,
     /// Number of threads, 1 to 1024; all cores by default
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -320,14 +319,28 @@ pub(crate) struct ManArguments {
     pub command: Option<String>,
 }
 
+/// What does the work, and by which card.
+#[derive(Debug, Args)]
+pub(crate) struct BackendArguments {
+    /// What does the work
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    pub backend: Backend,
+    /// Part of the name of the graphics card to use
+    #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    pub gpu: Option<String>,
+    /// Let a driver that computes on the processor count as a graphics card
+    #[arg(long)]
+    pub software_gpu: bool,
+}
+
 /// What does the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Backend {
-    /// The fastest there is
+    /// A graphics card if there is one that can draw the scene, else the processor
     Auto,
     /// The processor
     Cpu,
-    /// The graphics card (not in this version)
+    /// A graphics card, or nothing
     Gpu,
 }
 

@@ -1,6 +1,7 @@
 //! The program: arguments → work → output.
 
 mod arguments;
+mod backend;
 mod commands;
 mod console;
 mod input;

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use catoptric_gpu::GpuInfo;
 use catoptric_tracer::RayCounts;
 use catoptric_tracer::method::{CubeMapUse, PassName};
 use serde_json::{Map, Value, json};
@@ -24,6 +25,10 @@ pub(crate) struct Stats<'a> {
     pub samples: u32,
     pub generations: u32,
     pub threads: usize,
+    /// The card that drew, if one did.
+    pub card: Option<&'a GpuInfo>,
+    /// What the card worked, by its own clock.
+    pub on_card: Option<Duration>,
     pub bodies: usize,
     pub lights: usize,
     pub stage_bytes: usize,
@@ -58,7 +63,14 @@ impl Stats<'_> {
             "samples": self.samples,
             "generations": self.generations,
             "method": self.method,
-            "backend": "cpu",
+            "backend": if self.card.is_some() { "gpu" } else { "cpu" },
+            "gpu": self.card.map(|card| json!({
+                "name": card.name,
+                "interface": card.interface,
+                "driver": card.driver,
+                "is_software": card.is_software,
+                "milliseconds": self.on_card.map(milliseconds),
+            })),
             "threads": self.threads,
             "bodies": self.bodies,
             "lights": self.lights,

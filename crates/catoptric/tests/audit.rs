@@ -10,7 +10,7 @@ use serde_json::Value;
 #[test]
 fn the_sum_is_the_pixel_of_the_rendered_picture() {
     let folder = Folder::new();
-    folder.good("render whitted -o w.exr --size 64x36 --samples 3 --quiet");
+    folder.good("render whitted -o w.exr --size 64x36 --samples 3 --backend cpu --quiet");
     let picture = decode(&folder.read("w.exr")).unwrap();
     for (x, y) in [(20, 18), (40, 15), (0, 0), (63, 35)] {
         let text = folder.good(&format!("audit whitted --pixel {x},{y} --size 64x36 --samples 3 --json"));

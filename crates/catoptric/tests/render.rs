@@ -4,6 +4,7 @@
 mod common;
 
 use std::fs::File;
+use std::io::Write as _;
 
 use catoptric_picture::{Comparison, decode};
 use common::{FIVE_ERRORS, FIVE_PLACES, Folder, NOTHING, ONE_BODY, Ran};
@@ -41,7 +42,7 @@ fn the_bytes_do_not_depend_on_the_threads() {
         for kind in ["png", "exr"] {
             for threads in [1, 2, 3, 64] {
                 folder.good(&format!(
-                    "render {name} -o {threads}.{kind} --size 61x47 --samples 3 --threads {threads}"
+                    "render {name} -o {threads}.{kind} --size 61x47 --samples 3 --backend cpu --threads {threads}"
                 ));
             }
             let one = folder.read(format!("1.{kind}"));
@@ -87,21 +88,46 @@ fn sixteen_bits_are_closer_to_the_truth_than_eight() {
 #[test]
 fn options_change_the_picture_as_they_say() {
     let folder = Folder::new();
-    folder.good("render whitted -o plain.exr --size 16x12");
+    folder.good("render whitted -o plain.exr --size 16x12 --backend cpu");
     for option in ["--samples 4", "--generations 1"] {
         folder.good(&format!("render whitted -o other.exr --size 16x12 {option}"));
         assert!(folder.read("other.exr") != folder.read("plain.exr"), "{option}");
     }
-    for option in ["--samples 1", "--generations 8", "--method whitted", "--backend cpu", "--backend auto"] {
-        folder.good(&format!("render whitted -o other.exr --size 16x12 {option}"));
+    for option in ["--samples 1", "--generations 8", "--method whitted", "--threads 2"] {
+        folder.good(&format!("render whitted -o other.exr --size 16x12 --backend cpu {option}"));
         assert!(folder.read("other.exr") == folder.read("plain.exr"), "{option}");
     }
 }
 
 #[test]
+fn a_graphics_card_draws_the_same_picture_and_says_so() {
+    let folder = Folder::new();
+    let line = "render whitted -o gpu.exr --size 160x90 --backend gpu --software-gpu --stats -";
+    let ran = folder.run(line);
+    if ran.status == Some(2) && ran.errors.contains("no graphics driver can be used") {
+        let _ = writeln!(
+            std::io::stderr().lock(),
+            "SKIPPED: a_graphics_card_draws_the_same_picture_and_says_so: {}",
+            ran.errors
+        );
+        return;
+    }
+    assert_eq!(ran.status, Some(0), "{ran:?}");
+    let stats: Value = serde_json::from_str(&ran.output).unwrap();
+    assert_eq!(stats["backend"], "gpu");
+    assert!(stats["gpu"]["name"].as_str().is_some_and(|name| !name.is_empty()), "{}", stats["gpu"]);
+    assert_eq!(stats["rays"]["primary"], 160 * 90);
+    assert!(stats["rays"]["refracted"].as_u64().unwrap() > 1000);
+    folder.good("render whitted -o cpu.exr --size 160x90 --backend cpu");
+    let [gpu, cpu] = ["gpu.exr", "cpu.exr"].map(|name| decode(&folder.read(name)).unwrap());
+    let difference = Comparison::default().compare(&gpu, &cpu).unwrap();
+    assert!(difference.share_above <= 0.001, "{difference:?}");
+}
+
+#[test]
 fn statistics_have_the_documented_keys() {
     let folder = Folder::new();
-    let options = "--size 20x10 --samples 2 --threads 3 --generations 5";
+    let options = "--size 20x10 --samples 2 --threads 3 --generations 5 --backend cpu";
     folder.good(&format!("render whitted -o a.png {options} --stats stats.json"));
     let stats: Value = serde_json::from_slice(&folder.read("stats.json")).unwrap();
     assert_eq!(stats["scene"], "whitted");
@@ -210,7 +236,11 @@ fn wrong_arguments_are_refused_before_anything_is_written() {
         ("render whitted -o a.png --tone-curve wrong", "reinhard"),
         ("render whitted -o a.png --bits 12", "[possible values: 8, 16]"),
         ("render whitted -o a.png --method wrong", "whitted"),
-        ("render whitted -o a.png --backend gpu", "--backend cpu"),
+        ("render whitted -o a.png --backend gpu --method ssr", "--backend cpu"),
+        ("render whitted -o a.png --backend gpu --map rays", "--backend cpu"),
+        ("render whitted -o a.png --backend gpu --gpu nobody's --software-gpu", "--backend cpu"),
+        ("render whitted -o a.png --backend cpu --software-gpu", "leave out"),
+        ("render whitted -o a.png --backend wrong", "[possible values: auto, cpu, gpu]"),
         ("render whitted -o a.png --nonsense", "--nonsense"),
         ("nonsense", "nonsense"),
     ] {

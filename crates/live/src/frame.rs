@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use catoptric_gpu::{GpuError, GpuPicture};
 use catoptric_scene::Camera;
 use catoptric_tracer::RayCounts;
 use glam::Vec2;
@@ -26,8 +27,11 @@ pub struct Frame {
     /// What is seen: [`Request::shows`](crate::Request::shows), or the picture where the method has no such thing. An
     /// unfolded cube has proportions of its own; outlines and grid do not belong to it.
     pub shows: Shows,
-    /// The picture: red, green, blue (sRGB) and 255 for every pixel, row by row from the top.
+    /// The picture: red, green, blue (sRGB) and 255 for every pixel, row by row from the top. Empty if it is on a card;
+    /// see [`Self::codes`].
     pub pixels: Arc<Vec<u8>>,
+    /// The picture in the memory of the graphics card that drew it.
+    pub card: Option<Arc<GpuPicture>>,
     /// Samples per pixel.
     pub samples: u32,
     /// What tracing and developing its last pass took.
@@ -43,6 +47,14 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// The codes of the picture as in [`Self::pixels`], wherever they are. Waits for a card that has them.
+    ///
+    /// # Errors
+    /// When the card is lost.
+    pub fn codes(&self) -> Result<Arc<Vec<u8>>, GpuError> {
+        self.card.as_ref().map_or_else(|| Ok(Arc::clone(&self.pixels)), |card| card.read().map(Arc::new))
+    }
+
     /// Whether the picture has the view's full resolution, or one of its own.
     pub fn is_full(&self) -> bool {
         self.view_size == self.picture_size || matches!(self.shows, Shows::UnfoldedCube(_))

@@ -5,10 +5,14 @@
 //! refined picture equals [`catoptric_tracer::render`] bit by bit. Beside the picture stand the [outlines](Polyline) of
 //! chosen bodies and a [ground grid](GridLine), both found by tracing.
 //!
+//! A graphics card can draw in place of the processor ([`Live::draw_with`]); its pictures stay on it
+//! ([`Frame::card`]). What it cannot draw, the processor draws.
+//!
 //! Whitted's tree is the usual way of drawing; a [`Request`] may name another, or ask for what lies behind its picture.
 //!
 //! [`RenderJob`] renders a final picture in the background.
 
+mod canvas;
 mod drawn;
 mod frame;
 mod grid;

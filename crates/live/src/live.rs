@@ -4,6 +4,7 @@ use std::io;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 
+use catoptric_gpu::Gpu;
 use catoptric_tracer::Stage;
 
 use crate::frame::Frame;
@@ -69,6 +70,12 @@ impl Live {
     /// Asks for another picture; returns at once. What was asked before and not yet begun is forgotten.
     pub fn request(&self, request: Request) {
         self.shared.request(request);
+    }
+
+    /// Lets a graphics card draw Whitted's tree from now on, or the processor. If the card is lost, the processor goes on,
+    /// and [`Status::card_lost`] says why.
+    pub fn draw_with(&self, card: Option<Arc<Gpu>>) {
+        self.shared.draw_with(card);
     }
 
     /// The newest frame.

@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+use catoptric_gpu::Gpu;
 use catoptric_tracer::{Control, Stage};
 
 use crate::frame::Frame;
@@ -24,6 +25,10 @@ pub(crate) struct Shared {
 #[derive(Default)]
 struct Mail {
     request: Option<Request>,
+    /// What is to draw, if that was said.
+    card: Option<Option<Arc<Gpu>>>,
+    /// Whether a shader is ready that was waited for.
+    is_ready: bool,
     stop: bool,
     pass_ended: bool,
 }
@@ -41,6 +46,10 @@ struct Shown {
 /// What the worker finds when it looks.
 pub(crate) enum Call {
     Stop,
+    /// What is to draw from now on.
+    Card(Option<Arc<Gpu>>),
+    /// The card can draw now.
+    Ready,
     Request(Box<Request>),
     Nothing,
 }
@@ -95,6 +104,20 @@ impl Shared {
         // What it replaces may be the last of a large scene: it goes after the locks.
         let _replaced = mail.request.replace(request);
         drop(mail);
+        self.bell.notify_all();
+    }
+
+    pub(crate) fn draw_with(&self, card: Option<Arc<Gpu>>) {
+        let mut mail = lock(&self.mail);
+        lock(&self.shown).status.is_idle = false;
+        mail.card = Some(card);
+        drop(mail);
+        self.bell.notify_all();
+    }
+
+    /// Tells the worker that a shader is ready.
+    pub(crate) fn tell_ready(&self) {
+        lock(&self.mail).is_ready = true;
         self.bell.notify_all();
     }
 
@@ -182,6 +205,12 @@ impl Shared {
             if mail.stop {
                 return Call::Stop;
             }
+            if let Some(card) = mail.card.take() {
+                return Call::Card(card);
+            }
+            if std::mem::take(&mut mail.is_ready) {
+                return Call::Ready;
+            }
             if let Some(request) = mail.request.take() {
                 return Call::Request(Box::new(request));
             }
@@ -232,7 +261,7 @@ impl Shared {
             let left = patience
                 .until
                 .map_or(Duration::ZERO, |until| until.saturating_duration_since(Instant::now()));
-            if mail.stop || (is_newer && left.is_zero()) {
+            if mail.stop || mail.card.is_some() || mail.is_ready || (is_newer && left.is_zero()) {
                 control.cancel();
             }
             if control.is_cancelled() {

@@ -1,5 +1,6 @@
 //! How the worker is doing.
 
+use catoptric_gpu::GpuError;
 use catoptric_picture::SizeError;
 use catoptric_tracer::StageError;
 use catoptric_tracer::method::{CubeMapUse, MethodKind, PassName, SettingError};
@@ -7,8 +8,14 @@ use catoptric_tracer::method::{CubeMapUse, MethodKind, PassName, SettingError};
 /// How the worker is doing, for a status bar.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Status {
-    /// What traces.
+    /// What traced last: `CPU` or `GPU`.
     pub backend: &'static str,
+    /// The name of the graphics card that draws, if one is to.
+    pub card: Option<String>,
+    /// What in the present scene the card cannot draw, so that the processor does.
+    pub card_refuses: Option<GpuError>,
+    /// Why the card that should draw draws no more; the processor does until another is named.
+    pub card_lost: Option<GpuError>,
     /// How many threads trace.
     pub threads: usize,
     /// How far the picture is refined, 0…1.

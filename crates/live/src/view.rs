@@ -3,15 +3,16 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use catoptric_picture::SizeError;
+use catoptric_gpu::GpuPicture;
 use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{Film, RayCounts, Stage, StageCamera, StageEdit};
+use catoptric_tracer::{RayCounts, Stage, StageCamera, StageEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
+use crate::canvas::{Canvas, Card, PassError};
 use crate::drawn::Drawn;
 use crate::frame::{GridLine, Polyline};
 use crate::outline::Outlines;
@@ -28,11 +29,11 @@ pub(crate) struct View {
     pub(crate) stage: Arc<Stage>,
     pub(crate) camera: StageCamera,
     /// The light of the picture that is shown.
-    pub(crate) film: Option<Film>,
+    pub(crate) film: Option<Canvas>,
     /// The light of a sharper picture under way.
-    pub(crate) sharper: Option<Film>,
+    pub(crate) sharper: Option<Canvas>,
     /// A film of the full size that is not in use; a new one takes as long as a coarse picture.
-    spare: Option<Film>,
+    spare: Option<Canvas>,
     /// What a method other than Whitted's has drawn.
     pub(crate) drawn: Option<Drawn>,
     /// Whether the stage has changed since cube maps of the full size were made.
@@ -51,6 +52,7 @@ pub(crate) struct View {
 #[derive(Default)]
 pub(crate) struct Shown {
     pub(crate) pixels: Arc<Vec<u8>>,
+    pub(crate) card: Option<Arc<GpuPicture>>,
     pub(crate) size: [u32; 2],
     pub(crate) shows: Shows,
     pub(crate) outline: Arc<Vec<Polyline>>,
@@ -149,15 +151,18 @@ impl View {
         }
     }
 
-    /// A film of this size for a new picture, which takes the place of the one before.
-    pub(crate) fn blank_film(&mut self, size: [u32; 2]) -> Result<Film, SizeError> {
+    /// A film of this size for a new picture, which takes the place of the one before; on `card` if there is one.
+    pub(crate) fn blank_film(&mut self, card: Option<&Card>, size: [u32; 2]) -> Result<Canvas, PassError> {
         let mut blank = None;
         // While a sharper picture is traced, the present one stays: it may have to be developed again.
         let film = if self.due.picture { self.film.take() } else { None };
         for film in [film, self.sharper.take(), self.spare.take()].into_iter().flatten() {
-            if size_of_film(&film) == size {
+            if film.is_on_card() != card.is_some() {
+                continue;
+            }
+            if film.size() == size {
                 blank = Some(film);
-            } else if size_of_film(&film) == self.request.size {
+            } else if film.size() == self.request.size {
                 self.spare = Some(film);
             }
         }
@@ -166,7 +171,7 @@ impl View {
                 film.clear();
                 Ok(film)
             }
-            None => Film::new(size[0], size[1]),
+            None => Canvas::new(card, size),
         }
     }
 
@@ -199,7 +204,7 @@ impl View {
     pub(crate) fn full_samples(&self) -> u32 {
         let size = self.request.size;
         if self.request.method == Method::Whitted {
-            self.film.as_ref().filter(|film| size_of_film(film) == size).map_or(0, Film::samples)
+            self.film.as_ref().filter(|film| film.size() == size).map_or(0, Canvas::samples)
         } else {
             self.drawn.as_ref().filter(|drawn| drawn.size == size).map_or(0, |drawn| drawn.samples)
         }
@@ -229,10 +234,6 @@ impl View {
         self.shown.grid = Arc::new(lines.unwrap_or_default());
         self.due.overlays = false;
     }
-}
-
-pub(crate) fn size_of_film(film: &Film) -> [u32; 2] {
-    [film.width(), film.height()]
 }
 
 /// The body under the pointer, unless it is outlined anyway.

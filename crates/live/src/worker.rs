@@ -1,17 +1,20 @@
 //! The thread that traces what is asked for.
 
+mod card;
+
 use std::any::Any;
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use catoptric_picture::{Development, Picture, SizeError};
+use catoptric_picture::{Development, Picture};
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{Control, Film, RayCounts, RenderError, Stage, StageCamera};
+use catoptric_tracer::{Control, RayCounts, Stage, StageCamera};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use crate::canvas::{Canvas, Card, PassError};
 use crate::drawn::{Drawn, Maps, has_light};
 use crate::frame::Frame;
 use crate::live::LiveOptions;
@@ -19,7 +22,7 @@ use crate::pace::Pace;
 use crate::request::{Request, Shows};
 use crate::shared::{Call, Patience, Shared, Wait};
 use crate::status::LiveError;
-use crate::view::{Due, Step, View, check, is_new, size_of_film};
+use crate::view::{Due, Step, View, check, is_new};
 
 /// A picture under way while something moves is finished though a newer one is asked for, since otherwise none would
 /// ever be; but not if it takes so many times its budget, and a coarser one would be quicker.
@@ -38,6 +41,8 @@ pub(crate) struct Worker {
     pub(crate) pace: Pace,
     pub(crate) view: Option<View>,
     pub(crate) maps: Maps,
+    /// The graphics card that draws, if one is to.
+    pub(crate) card: Option<Card>,
     serial: u64,
     picture_serial: u64,
 }
@@ -60,6 +65,7 @@ impl Worker {
             pace: Pace::new(budget),
             view: None,
             maps: Maps::default(),
+            card: None,
             serial: 0,
             picture_serial: 0,
         }
@@ -82,8 +88,17 @@ impl Worker {
     }
 
     fn turn(&mut self, call: Call) -> Result<(), LiveError> {
-        if let Call::Request(request) = call {
-            return self.accept(*request);
+        match call {
+            Call::Request(request) => return self.accept(*request),
+            Call::Card(card) => {
+                self.change_card(card);
+                return Ok(());
+            }
+            Call::Ready => {
+                self.draw_anew();
+                return Ok(());
+            }
+            Call::Stop | Call::Nothing => {}
         }
         match &self.view {
             None => Ok(()),
@@ -116,8 +131,12 @@ impl Worker {
             self.pace = Pace::new(1e3 * self.budget.as_secs_f64());
             self.maps.change_to(&request.method);
         }
-        let view = self.pool.install(|| self.view_of(request, old));
-        self.view = Some(view?);
+        let state = old.as_ref().map(|old| old.stage.state());
+        let view = self.pool.install(|| self.view_of(request, old))?;
+        if let Some(card) = &mut self.card {
+            card.look_again(state != Some(view.stage.state()));
+        }
+        self.view = Some(view);
         self.shared.change_status(|status| status.error = None);
         Ok(())
     }
@@ -150,9 +169,14 @@ impl Worker {
 
     /// Traces the first picture after a change, as large as time allows.
     fn first_picture(&mut self) -> Result<(), LiveError> {
+        let is_on_card = self.is_card_ready();
         let Some(view) = &mut self.view else { return Ok(()) };
         let size = self.pace.coarse(view.request.size);
-        let mut film = view.blank_film(size)?;
+        let card = self.card.as_ref().filter(|_| is_on_card);
+        let mut film = match view.blank_film(card, size) {
+            Ok(film) => film,
+            Err(error) => return self.without_film(error),
+        };
         let start = Instant::now();
         let until = start + self.patience(size);
         let passed = self.pass(&mut film, Some(until))?;
@@ -178,11 +202,16 @@ impl Worker {
     fn refine(&mut self) -> Result<(), LiveError> {
         let Some(view) = &mut self.view else { return Ok(()) };
         let full = view.request.size;
-        let size = view.film.as_ref().map_or([1, 1], size_of_film);
+        let size = view.film.as_ref().map_or([1, 1], Canvas::size);
+        let is_on_card = view.film.as_ref().is_some_and(Canvas::is_on_card);
+        let card = self.card.as_ref().filter(|_| is_on_card);
         let mut sharper = match view.sharper.take() {
             Some(film) => Some(film),
             None if size == full => None,
-            None => Some(view.blank_film(self.pace.sharper(full, size))?),
+            None => match view.blank_film(card, self.pace.sharper(full, size)) {
+                Ok(film) => Some(film),
+                Err(error) => return self.without_film(error),
+            },
         };
         let mut film = view.film.take();
         let Some(growing) = sharper.as_mut().or(film.as_mut()) else { return Ok(()) };
@@ -208,21 +237,23 @@ impl Worker {
     }
 
     /// Adds a sample to a film; `None` if something newer came first. Until `until` nothing does.
-    fn pass(&mut self, film: &mut Film, until: Option<Instant>) -> Result<Option<Passed>, LiveError> {
+    fn pass(&mut self, film: &mut Canvas, until: Option<Instant>) -> Result<Option<Passed>, LiveError> {
         let Some(view) = &self.view else { return Ok(None) };
         let control = Control::default();
         let start = Instant::now();
-        let pixels = u64::from(film.width()) * u64::from(film.height());
-        let is_full = size_of_film(film) == view.request.size;
+        let [width, height] = film.size();
+        let pixels = u64::from(width) * u64::from(height);
+        let is_full = film.size() == view.request.size;
         let before = if is_full { film.samples() } else { 0 };
         let (stage, camera): (&Stage, &StageCamera) = (&view.stage, &view.camera);
         let progress = |done: u64| {
             let share = if is_full { done as f32 / pixels as f32 } else { 0.0 };
             (before as f32 + share.min(1.0)) / view.samples_wanted() as f32
         };
-        let work = || film.add_sample(stage, camera, &control);
+        let card = self.card.as_ref();
+        let work = || film.add_sample(card, stage, camera, &control);
         let result = self.watched(view, &control, until, &progress, work);
-        let result = result.unwrap_or(Err(RenderError::Cancelled));
+        let result = result.unwrap_or(Err(PassError::Cancelled));
         let milliseconds = milliseconds_since(start);
         match (&result, until) {
             (Err(_), Some(_)) => self.pace.gave_up(control.pixels_done(), milliseconds),
@@ -230,8 +261,12 @@ impl Worker {
         }
         match result {
             Ok(rays) => Ok(Some(Passed { rays, milliseconds })),
-            Err(RenderError::Cancelled) => Ok(None),
-            Err(RenderError::Size(error)) => Err(error.into()),
+            Err(PassError::Cancelled) => Ok(None),
+            Err(PassError::Size(error)) => Err(error.into()),
+            Err(PassError::Card(error)) => {
+                self.card_fails(error);
+                Ok(None)
+            }
         }
     }
 
@@ -274,7 +309,11 @@ impl Worker {
         };
         if passed.is_some() || view.due.development {
             let start = Instant::now();
-            self.pool.install(|| develop_shown(view))?;
+            let card = &mut self.card;
+            match self.pool.install(|| develop_shown(view, card.as_mut())) {
+                Ok(()) => {}
+                Err(error) => return self.without_film(error),
+            }
             view.due.development = false;
             self.picture_serial += 1;
             if let Some(passed) = passed {
@@ -300,6 +339,7 @@ impl Worker {
             picture_size: shown.size,
             shows: shown.shows,
             pixels: Arc::clone(&shown.pixels),
+            card: shown.card.clone(),
             samples,
             milliseconds: shown.milliseconds,
             rays: shown.rays,
@@ -316,7 +356,9 @@ impl Worker {
     fn report(&self, milliseconds: f64, rays: RayCounts) {
         let Some(view) = &self.view else { return };
         let (done, wanted) = (view.full_samples(), view.samples_wanted());
+        let is_on_card = view.shown.card.is_some();
         self.shared.change_status(|status| {
+            status.backend = if is_on_card { "GPU" } else { "CPU" };
             status.samples_done = done.min(wanted);
             status.samples_wanted = wanted;
             status.progress = (done as f32 / wanted as f32).min(1.0);
@@ -331,16 +373,23 @@ impl Worker {
 }
 
 /// Develops what is to be seen; on the current rayon pool.
-fn develop_shown(view: &mut View) -> Result<(), SizeError> {
+fn develop_shown(view: &mut View, card: Option<&mut Card>) -> Result<(), PassError> {
     let development = view.request.development;
+    if let (None, Some(Canvas::Card(film)), Some(card)) = (&view.drawn, &view.film, card) {
+        view.shown.card = Some(card.screen.develop(&card.gpu, film, &development)?);
+        view.shown.pixels = Arc::default();
+        (view.shown.size, view.shown.shows) = (film.size(), Shows::Picture);
+        return Ok(());
+    }
     let (picture, shows, development) = match (&view.drawn, &view.film) {
         (Some(drawn), _) => {
             let (picture, shows) = drawn.seen(&view.stage, view.request.shows)?;
             (picture, shows, if has_light(shows) { development } else { Development::default() })
         }
-        (None, Some(film)) => (Cow::Owned(film.picture()?), Shows::Picture, development),
-        (None, None) => return Ok(()),
+        (None, Some(Canvas::Processor(film))) => (Cow::Owned(film.picture()?), Shows::Picture, development),
+        (None, Some(Canvas::Card(_)) | None) => return Ok(()),
     };
+    view.shown.card = None;
     view.shown.pixels = Arc::new(develop(&picture, &development));
     view.shown.size = [picture.width(), picture.height()];
     view.shown.shows = shows;

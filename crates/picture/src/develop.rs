@@ -17,6 +17,21 @@ pub struct Development {
 }
 
 impl Development {
+    /// The shader by which a graphics card develops, in WGSL: the twin of [`Self::develop_rgba8`] but for rounding. Its
+    /// uniform is [`Self::words`] and then width and height.
+    pub const SHADER: &str = include_str!("develop.wgsl");
+
+    /// The first two words of the shader's uniform: the factor of the exposure, and the tone curve.
+    pub fn words(&self) -> [u32; 2] {
+        let curve = match self.tone_curve {
+            ToneCurve::None => 0,
+            ToneCurve::Reinhard => 1,
+            ToneCurve::Filmic => 2,
+        };
+        let scale = self.scale();
+        [if scale.is_finite() { scale } else { 0.0 }.to_bits(), curve]
+    }
+
     /// Displayable linear light, 0…1, for one value of linear light: exposure and tone curve.
     pub fn tone(&self, x: f32) -> f32 {
         self.tone_curve.apply(x * self.scale())

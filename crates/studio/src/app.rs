@@ -9,6 +9,7 @@ use glam::DVec2;
 
 use crate::StudioError;
 use crate::audit::{self, Auditing};
+use crate::card::{self, Card};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::dialogs::Dialogs;
@@ -42,6 +43,7 @@ pub struct Studio {
     pub(crate) maps: Maps,
     pub(crate) exact: Exact,
     pub(crate) live: Live,
+    pub(crate) card: Card,
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
     pub(crate) dialogs: Dialogs,
@@ -108,6 +110,7 @@ impl Studio {
             maps: Maps::default(),
             exact: Exact::default(),
             live,
+            card: Card::default(),
             layout,
             documents: Documents::default(),
             dialogs: Dialogs::default(),
@@ -224,6 +227,7 @@ impl Studio {
             // What it did is seen in the next frame, and a text to be pasted comes with it.
             ui.ctx().request_repaint();
         }
+        card::keep_up(self);
         documents::keep(ui.ctx(), self);
         compare::keep_up(ui.ctx(), self);
         compare::poll_opening(ui.ctx(), self);
@@ -244,6 +248,7 @@ impl Studio {
             maps: &mut self.maps,
             exact: &mut self.exact,
             live: &self.live,
+            card: &mut self.card,
             commands: &mut self.commands,
         }
     }

@@ -95,6 +95,8 @@ pub enum Command {
     Measure(MeasureAct),
     /// Ground grid and axes.
     ToggleGrid,
+    /// The graphics card draws the picture, or the processor.
+    ToggleCard,
     /// Lights and gizmo over the picture.
     ToggleHandles,
     /// Show or hide a panel.

@@ -4,6 +4,7 @@ use catoptric_editor::Editor;
 use catoptric_live::Live;
 
 use crate::audit::Auditing;
+use crate::card::Card;
 use crate::command::Command;
 use crate::exact::Exact;
 use crate::maps::Maps;
@@ -29,6 +30,8 @@ pub(crate) struct Cx<'a> {
     pub(crate) exact: &'a mut Exact,
     /// The traced picture.
     pub(crate) live: &'a Live,
+    /// The graphics card that may draw it.
+    pub(crate) card: &'a mut Card,
     /// What is to be done when the frame is drawn.
     pub(crate) commands: &'a mut Vec<Command>,
 }

@@ -5,6 +5,7 @@
 
 mod app;
 mod audit;
+mod card;
 mod command;
 mod compare;
 mod context;

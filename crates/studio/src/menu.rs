@@ -213,6 +213,7 @@ fn view() -> Vec<Entry> {
     entries.push(Entry::Line);
     entries.push(Entry::Sub("menu-method", icons::ICON_FLARE, methods_ui));
     entries.push(Entry::Sub("menu-shown", icons::ICON_LAYERS, shown_ui));
+    entries.push(Entry::Do(Command::ToggleCard));
     entries.push(Entry::Line);
     entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool)));
     entries.extend(commands_of([Command::ToggleGizmoSpace, Command::ToggleGrid, Command::ToggleHandles]));

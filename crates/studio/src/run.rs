@@ -65,10 +65,9 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         | Command::Map(_)
         | Command::ToggleExact
         | Command::Compare(_)
-        | Command::Measure(_) => {
-            experiment(context, studio, &command);
-        }
+        | Command::Measure(_) => experiment(context, studio, &command),
         Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
+        Command::ToggleCard => crate::card::toggle(studio),
         Command::TogglePane(pane) => {
             let is_in_front = layout::is_in_front(&studio.layout, pane);
             layout::set_visible(&mut studio.layout, pane, !is_in_front);

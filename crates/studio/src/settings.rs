@@ -34,6 +34,8 @@ pub struct Settings {
     pub shows_grid: bool,
     /// Whether lights and the axes are drawn over the picture.
     pub shows_handles: bool,
+    /// Whether the graphics card draws the picture; as the studio thinks best until that was chosen.
+    pub uses_card: Option<bool>,
     /// How the picture is drawn.
     pub methods: Methods,
     /// The two ways of drawing that were compared last.
@@ -83,6 +85,7 @@ impl Default for Settings {
             is_hint_dismissed: false,
             shows_grid: true,
             shows_handles: true,
+            uses_card: None,
             methods: Methods::default(),
             compared: [MethodKind::Whitted, MethodKind::Ssr].map(Methods::with),
             viewport_samples: 16,

@@ -6,6 +6,7 @@ use egui::{Align, Label, Layout, ProgressBar, Response, RichText, Sides, TextSty
 
 use egui_material_icons::icons;
 
+use crate::card::why;
 use crate::context::Cx;
 use crate::methods::{method_key, report_language, short_key};
 use crate::pictures::told;
@@ -58,9 +59,22 @@ fn picture_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
 
 fn backend_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
     let backend = if status.backend.is_empty() { dash() } else { status.backend.to_owned() };
-    let threads = texts.with("status-threads", &[("count", status.threads.into())]);
-    let response = ui.label(format!("{backend} · {threads}"));
-    tip(response, texts.tip("status-threads-name"));
+    let card = status.card.as_deref().filter(|_| status.backend == "GPU");
+    let who = card.map_or_else(
+        || texts.with("status-threads", &[("count", status.threads.into())]),
+        |name| shortened(name).to_owned(),
+    );
+    let response = ui.label(format!("{backend} · {who}"));
+    let refused = status
+        .card_refuses
+        .as_ref()
+        .map(|error| texts.with("status-card-refuses", &[("reason", why(texts, error).into())]));
+    tip(response, refused.as_deref().or(card).or(texts.tip("status-threads-name")));
+}
+
+/// The name of a card without what its driver says of itself in brackets.
+fn shortened(name: &str) -> &str {
+    name.split(" (").next().unwrap_or(name)
 }
 
 /// How the picture is drawn, unless it is traced.

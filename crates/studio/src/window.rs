@@ -63,7 +63,10 @@ pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError
         let context = &creation.egui_ctx;
         prepare(creation);
         let _ = interruption.context.set(context.clone());
-        let studio = Studio::interruptible(context, &start, Box::new(Desktop), Some(interruption))?;
+        let mut studio = Studio::interruptible(context, &start, Box::new(Desktop), Some(interruption))?;
+        if let Some(state) = &creation.wgpu_render_state {
+            studio.use_window_card(state);
+        }
         Ok(Box::new(studio) as Box<dyn eframe::App>)
     };
     quiet.during(|| eframe::run_native("Catoptric", options, Box::new(create)))?.map_err(of_eframe)

@@ -18,6 +18,7 @@ pub mod shape;
 mod stage;
 pub mod surface;
 mod tile;
+pub mod twin;
 mod vector;
 mod whitted;
 
@@ -29,7 +30,7 @@ pub use ray::{NO_BODY, Ray, Start};
 pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_pixel, render_through};
 pub use sampling::sample_offset;
 pub use search::Hit;
-pub use stage::{Search, Stage, StageCamera, StageEdit, StageError};
+pub use stage::{Search, Stage, StageCamera, StageChanges, StageEdit, StageError};
 pub use vector::Vector;
 pub use whitted::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, ReflectionLaw, Shadow, ShadowCrossing,

@@ -184,6 +184,12 @@ pub struct Drawing {
 }
 
 impl Drawing {
+    /// Whitted's tree, traced elsewhere in so much time.
+    pub fn traced(picture: Picture, counts: RayCounts, time: Duration) -> Self {
+        let passes = vec![(PassName::Trace, time)];
+        Self { picture, counts, passes, cube_maps: None, evidence: Evidence::None }
+    }
+
     /// A layer of the buffers behind the picture (of `ssr` and `cube-map`; other methods have none), of the first sample.
     /// `stage` is the one that was drawn.
     ///

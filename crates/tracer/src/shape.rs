@@ -155,6 +155,7 @@ impl Canonical {
 }
 
 pub(crate) use plane::span as plane_span;
+pub(crate) use slab::TINY as SLAB_TINY;
 pub(crate) use sphere::world_span as sphere_span;
 
 #[cfg(test)]

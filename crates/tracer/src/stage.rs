@@ -10,6 +10,7 @@ mod curve;
 mod edit;
 mod few;
 mod light;
+mod log;
 mod material;
 mod only;
 mod sight;
@@ -22,7 +23,7 @@ use rayon::prelude::*;
 
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
-pub(crate) use bvh::{Bvh, Entry, PacketPart, Visit};
+pub(crate) use bvh::{Bvh, Entry, Node, PacketPart, TINY as BOX_TINY, Visit, WIDEN as BOX_WIDEN};
 pub use camera::StageCamera;
 use camera::Surroundings;
 pub(crate) use camera::{Homogeneous, RaysNear};
@@ -30,8 +31,11 @@ use cast::Cast;
 pub(crate) use checker::StageChecker;
 pub(crate) use curve::Curve;
 pub use edit::StageEdit;
+pub(crate) use few::BoundingSphere;
 use few::FewBodies;
-pub(crate) use light::StageLight;
+pub(crate) use light::{StageFalloff, StageLight};
+use log::EditLog;
+pub use log::StageChanges;
 pub(crate) use material::{Law, StageMaterial};
 pub(crate) use sight::Sight;
 
@@ -66,6 +70,8 @@ pub struct Stage {
     pub(crate) largest_slack: f32,
     /// Materials and checkers that edits have added.
     added: u32,
+    /// What edits have changed of the bodies and the hierarchy.
+    log: EditLog,
 }
 
 /// How the bodies that a ray may meet are found among the bounded ones.
@@ -175,6 +181,7 @@ impl Stage {
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
             added: 0,
+            log: EditLog::new(),
         })
     }
 
@@ -230,6 +237,16 @@ impl Stage {
     /// Which of two bodies comes first in the scene.
     pub(crate) fn scene_order(&self, a: u32, b: u32) -> std::cmp::Ordering {
         self.scene_indices.get(a as usize).cmp(&self.scene_indices.get(b as usize))
+    }
+
+    /// A number for the bodies and the hierarchy as they are: only copies that were not edited share it.
+    pub fn state(&self) -> u64 {
+        self.log.state()
+    }
+
+    /// What has changed of the bodies and the hierarchy since a [state](Self::state); `None` if that is not known.
+    pub fn changes_since(&self, state: u64) -> Option<StageChanges> {
+        self.log.since(state)
     }
 
     /// Bytes held by the stage's arrays.

@@ -51,6 +51,11 @@ impl Place {
         Self { x, y, width: TILE.min(size.x as usize - x), height: TILE.min(size.y as usize - y) }
     }
 
+    /// The primary rays of the tile as they are for every sample.
+    pub(crate) fn rays_near(self, camera: &StageCamera, size: DVec2) -> RaysNear {
+        self.rays(camera, size, 0).0
+    }
+
     /// The primary rays of the tile, how far they reach, and where the sample of its upper left pixel lies among them.
     fn rays(self, camera: &StageCamera, size: DVec2, sample: u32) -> (RaysNear, DVec2, Vec2) {
         let middle = DVec2::new(self.x as f64, self.y as f64) + 0.5 * self.extent();

@@ -3,15 +3,16 @@
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result, anyhow, bail};
+use anyhow::{Context as _, Result, anyhow};
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Picture, ToneCurve};
-use catoptric_tracer::method::{Drawing, Layer, Method, draw};
+use catoptric_tracer::method::{Drawing, Layer};
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
 use super::Outcome;
-use crate::arguments::{Backend, DevelopmentArguments, RenderArguments};
+use crate::arguments::{DevelopmentArguments, RenderArguments};
+use crate::backend::{Drawer, Drawn};
 use crate::console::{count, print, say};
 use crate::output::{Kind, PictureKind, check_output, is_stdout, milliseconds, write_picture, write_text};
 use crate::progress::Progress;
@@ -21,6 +22,7 @@ use crate::{input, memory, notes};
 pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let method = arguments.method.chosen()?;
     let kind = refuse_early(arguments)?;
+    let drawer = Drawer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
     let progress = Progress::new(arguments.quiet);
     let mut times = Times::default();
 
@@ -53,9 +55,18 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     if let Some(map) = arguments.map {
         return show_map(arguments, kind, map, &stage, settings, &pool, progress);
     }
+    let control = Control::default();
+    let pixels = u64::from(settings.width) * u64::from(settings.height);
     let start = Instant::now();
-    let drawing = trace(&stage, &method, settings, &pool, progress)?;
+    let drawn =
+        progress.of_tracing(&control, pixels, || drawer.draw(&stage, &method, settings, &pool, &control))?;
     times.trace = milliseconds(start);
+    let Drawn { drawing, on_card, fallen_back } = drawn;
+    if let Some(reason) = &fallen_back
+        && !arguments.quiet
+    {
+        say(&format!("warning: the processor draws instead of the graphics card: {reason}"));
+    }
 
     (times.develop, times.write) = progress.of_writing(&arguments.output.to_string_lossy(), || {
         write_picture(&arguments.output, kind, &drawing.picture, &arguments.development)
@@ -70,6 +81,8 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         samples: settings.samples,
         generations: stage.generations(),
         threads: pool.current_num_threads(),
+        card: drawer.card().filter(|_| fallen_back.is_none()),
+        on_card,
         bodies: stage.body_count(),
         lights: stage.light_count(),
         stage_bytes: stage.bytes(),
@@ -141,9 +154,6 @@ fn advise(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
 /// Refuses what can be refused before the work begins; returns the kind of picture to write.
 fn refuse_early(arguments: &RenderArguments) -> Result<PictureKind> {
     let kind = Kind::of_picture(&arguments.output)?;
-    if arguments.backend == Backend::Gpu {
-        bail!("this version has no GPU renderer; use --backend cpu");
-    }
     Picture::check_size(arguments.size.width, arguments.size.height)?;
     check_output(&arguments.output, &[&arguments.scene])?;
     if let Some(path) = &arguments.stats
@@ -156,18 +166,6 @@ fn refuse_early(arguments: &RenderArguments) -> Result<PictureKind> {
             .with_context(|| format!("cannot make the folder {} for the layers", folder.display()))?;
     }
     Ok(kind)
-}
-
-fn trace(
-    stage: &Stage,
-    method: &Method,
-    settings: RenderSettings,
-    pool: &rayon::ThreadPool,
-    progress: Progress,
-) -> Result<Drawing> {
-    let control = Control::default();
-    let pixels = u64::from(settings.width) * u64::from(settings.height);
-    Ok(progress.of_tracing(&control, pixels, || pool.install(|| draw(stage, method, settings, &control)))?)
 }
 
 /// Writes the buffers behind the picture: `depth.png` and the like, and of each cube map `cube-map-3.png`, 3 being the
@@ -206,7 +204,7 @@ fn finish(arguments: &RenderArguments, stats: &Stats<'_>, progress: Progress) ->
             stats.height,
             stats.times.trace / 1e3,
             stats.mrays_per_second(),
-            count(stats.threads, "thread", "threads"),
+            stats.card.map_or_else(|| count(stats.threads, "thread", "threads"), |card| card.name.clone()),
         ));
     }
     Ok(())

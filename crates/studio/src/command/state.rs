@@ -7,6 +7,7 @@ use egui_tiles::Tree;
 use super::{AuditAct, Command, CompareAct, MeasureAct};
 use crate::app::Studio;
 use crate::audit::Auditing;
+use crate::card::Card;
 use crate::context::Cx;
 use crate::exact::Exact;
 use crate::history::step_name;
@@ -30,6 +31,7 @@ pub(crate) struct Situation<'a> {
     maps: &'a Maps,
     exact: &'a Exact,
     live: &'a Live,
+    card: &'a Card,
     /// The panels; `None` while they are being drawn.
     layout: Option<&'a Tree<Pane>>,
 }
@@ -59,6 +61,7 @@ impl Studio {
             maps: &self.maps,
             exact: &self.exact,
             live: &self.live,
+            card: &self.card,
             layout: Some(&self.layout),
         }
     }
@@ -77,6 +80,7 @@ impl Cx<'_> {
             maps: self.maps,
             exact: self.exact,
             live: self.live,
+            card: self.card,
             layout: None,
         }
     }
@@ -95,6 +99,7 @@ impl Situation<'_> {
             Command::Rename => {
                 matches!(selection.primary(), Some(Item::Body(_) | Item::Light(_) | Item::Material(_)))
             }
+            Command::ToggleCard => self.card.is_there(),
             Command::Revert => self.editor.path().is_some(),
             Command::Show(shows) => methods::has(&self.settings.methods.method(), *shows),
             Command::Render => !self.view.is_measuring,
@@ -135,6 +140,7 @@ impl Situation<'_> {
             Command::ToggleFly => self.view.is_flying,
             Command::ToggleGizmoSpace => self.view.is_gizmo_local,
             Command::ToggleGrid => self.settings.shows_grid,
+            Command::ToggleCard => self.card.is_on(),
             Command::ToggleHandles => self.settings.shows_handles,
             Command::ToggleProjection => {
                 let camera = self.view.camera(self.editor.scene());

@@ -148,6 +148,7 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Tool(Tool::Scale) => "command-tool-scale", ICON_ZOOM_OUT_MAP, plain(Key::R);
         Command::ToggleGizmoSpace => "command-toggle-gizmo-space", ICON_PUBLIC, plain(Key::X);
         Command::ToggleGrid => "command-toggle-grid", ICON_GRID_4X4, plain(Key::G);
+        Command::ToggleCard => "command-toggle-card", ICON_MEMORY;
         Command::ToggleHandles => "command-toggle-handles", ICON_TOUCH_APP, shift(Key::G);
     }
     Lab: {

@@ -140,9 +140,9 @@ fn look_at_viewport(context: &Context, studio: &mut Studio) {
     let is_refined = |samples| samples >= studio.settings.viewport_samples || studio.view.is_rendering;
     match frame {
         Some(frame) if waiting.is_hurried || is_refined(frame.samples) => {
-            let pixels = Arc::clone(&frame.pixels);
             let size = frame.picture_size;
             return start(context, studio, Source::Viewport(size), move || {
+                let pixels = frame.codes().map_err(|error| Failure::Clipboard(error.to_string()))?;
                 let mut own = reserved(pixels.len())?;
                 own.extend_from_slice(&pixels);
                 Ok((size, own))

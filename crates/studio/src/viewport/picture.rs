@@ -28,21 +28,25 @@ impl Picture {
         &mut self,
         painter: &Painter,
         rect: Rect,
-        cx: &Cx<'_>,
+        cx: &mut Cx<'_>,
         palette: &Palette,
     ) -> Option<Arc<Frame>> {
         let frame = cx.live.latest();
-        if let Some(frame) = &frame {
-            self.upload(painter, frame);
-        }
-        match self.texture.as_ref().filter(|_| frame.is_some()) {
+        let texture = frame.as_ref().and_then(|frame| match &frame.card {
+            Some(picture) => cx.card.texture(picture, frame.view_size != frame.picture_size),
+            None => {
+                self.upload(painter, frame);
+                self.texture.as_ref().map(TextureHandle::id)
+            }
+        });
+        match texture {
             Some(texture) => {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
                 let place = place_of(rect, frame.as_deref());
                 if place != rect {
                     painter.rect_filled(rect, 0.0, palette.field);
                 }
-                painter.image(texture.id(), place, whole, Color32::WHITE);
+                painter.image(texture, place, whole, Color32::WHITE);
             }
             None => {
                 painter.rect_filled(rect, 0.0, palette.field);

@@ -194,6 +194,8 @@ command-toggle-gizmo-space = Local axes
     .tip = The handles follow the body’s own axes instead of the world’s.
 command-toggle-grid = Ground grid
     .tip = Shows the grid and the axes on the ground, y = 0.
+command-toggle-card = Graphics card
+    .tip = The graphics card traces the picture; otherwise the processor does. Both show the same.
 command-toggle-handles = Handles
     .tip = Shows lights and handles over the picture.
 

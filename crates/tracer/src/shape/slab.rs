@@ -5,7 +5,7 @@ use crate::lanes::{Mask as _, Real};
 
 /// A direction's component below this counts as this: the line lies in the layer everywhere or nowhere, and 0/0 does
 /// not arise.
-const TINY: f32 = 1e-30;
+pub(crate) const TINY: f32 = 1e-30;
 
 /// Where the line `origin + t·direction` (one coordinate) lies between `low` and `high` (Kay, Kajiya 1986, Ray tracing
 /// complex scenes).

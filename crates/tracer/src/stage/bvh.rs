@@ -16,7 +16,7 @@ use glam::{Vec3, Vec3A};
 
 use super::Bounds;
 pub(crate) use entry::Entry;
-pub(crate) use packet::{PacketPart, Visit};
+pub(crate) use packet::{PacketPart, Visit, WIDEN};
 pub(crate) use refit::Path;
 
 /// No path from the root is longer than this.
@@ -48,7 +48,7 @@ pub(crate) struct Bvh {
 
 /// Directions are unit vectors and coordinates at most some 10¹⁸: components below this are as good as 0, and their
 /// inverse times a coordinate stays below 3.4·10³⁸, so that no NaN arises.
-const TINY: f32 = 1e-20;
+pub(crate) const TINY: f32 = 1e-20;
 
 impl Bvh {
     /// Builds the hierarchy and sorts `entries` into the order of its leaves, each leaf by the bodies' shapes.
@@ -61,6 +61,11 @@ impl Bvh {
     /// The box of everything.
     pub(super) fn bounds(&self) -> Bounds {
         self.nodes.first().map_or(Bounds::EMPTY, Node::bounds)
+    }
+
+    /// The nodes, the root first and each before those below it.
+    pub(crate) fn nodes(&self) -> &[Node] {
+        &self.nodes
     }
 
     /// Bytes held.
@@ -110,7 +115,13 @@ impl Node {
         }
     }
 
-    /// The places of the inner nodes below this one. None of them is the root.
+    /// The places of the inner nodes below this one.
+    pub(crate) fn children(&self) -> impl Iterator<Item = u32> {
+        let slots = self.first.iter().zip(&self.count);
+        slots.filter(|(first, count)| **first != 0 && **count == 0).map(|(first, _)| *first)
+    }
+
+    /// The same, to be changed. None of them is the root.
     fn children_mut(&mut self) -> impl Iterator<Item = &mut u32> {
         let slots = self.first.iter_mut().zip(&self.count);
         slots.filter(|(first, count)| **first != 0 && **count == 0).map(|(first, _)| first)

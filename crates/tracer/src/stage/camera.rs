@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use bytemuck::Zeroable as _;
 use catoptric_scene::{Body, Camera, Projection};
 use glam::{DVec2, DVec3, DVec4};
 
 use super::Bounds;
 use crate::lanes::Real;
 use crate::ray::Ray;
+use crate::twin::TileRays;
 use crate::vector::Vector;
 
 /// The camera's frame, in double precision: near the horizon of a plane the smallest error of a primary ray's
@@ -266,6 +268,22 @@ impl Exact {
 }
 
 impl RaysNear {
+    /// As the shaders read them.
+    pub(crate) fn as_tile_rays(&self) -> TileRays {
+        let (Steps::OfDirection([across, down]) | Steps::OfOrigin([across, down])) = self.steps;
+        TileRays {
+            start: self.start.near,
+            way: self.way,
+            start_rest: self.start.rest,
+            is_parallel: u32::from(matches!(self.steps, Steps::OfOrigin(_))),
+            direction: self.direction.near,
+            direction_rest: self.direction.rest,
+            across,
+            down,
+            ..TileRays::zeroed()
+        }
+    }
+
     /// How far the starts lie along the rays from the eye, meters.
     pub(crate) fn way(&self) -> f32 {
         self.way

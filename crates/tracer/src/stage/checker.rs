@@ -39,6 +39,14 @@ impl StageChecker {
         }
     }
 
+    /// As the shaders read it: three rows with their offsets, the color, and the parity of the origin's whole cells.
+    pub(crate) fn rows(&self) -> [[f32; 4]; 4] {
+        let Self { cells_from_body: [x, y, z], offset, odd_origin, color } = *self;
+        let row = |[a, b, c]: [f32; 3], axis: usize| [a, b, c, offset[axis] + Self::BORDER];
+        let [red, green, blue] = color;
+        [row(x, 0), row(y, 1), row(z, 2), [red, green, blue, f32::from(odd_origin)]]
+    }
+
     /// Whether a point of the body's frame lies in an odd cell. Beyond 2²⁴ cells, single precision knows no odd numbers.
     #[inline(always)]
     pub(crate) fn is_odd<R: Real>(&self, in_body: Vector<R>) -> R::Mask {

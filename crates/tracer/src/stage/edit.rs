@@ -8,7 +8,8 @@ use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 use super::bvh::Path;
 use super::camera::Surroundings;
 use super::{
-    Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChecker, StageLight, StageMaterial, numbers,
+    Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageLight, StageMaterial,
+    numbers,
 };
 use crate::ray::NO_BODY;
 
@@ -71,13 +72,17 @@ impl Stage {
     /// Carries out an edit that [`Self::edit`] planned for this stage and the scene `after`.
     pub fn apply(&mut self, edit: StageEdit, after: &Scene) {
         let mut paths = Vec::with_capacity(edit.changes.len());
+        let mut changes = StageChanges::default();
         for change in edit.changes {
             self.replace(&change);
+            changes.bodies.push(change.place..change.place + 1);
             paths.extend(change.path);
         }
         if let Hierarchy::Many(bvh) = &mut self.hierarchy {
             for path in &paths {
                 let leaf = bvh.leaf(path);
+                changes.bodies.push(leaf.clone());
+                changes.nodes.extend(path.iter().map(|(node, _)| node));
                 sort_leaf(&mut self.bodies, &mut self.scene_indices, leaf.clone());
                 let indices = self.scene_indices.get(range(&leaf)).unwrap_or_default();
                 let boxes = indices.iter().filter_map(|&index| bounds_of(after, index));
@@ -87,6 +92,7 @@ impl Stage {
             let planes = planes.iter().filter_map(|&index| after.bodies.get(index as usize));
             self.camera = StageCamera::new(&after.camera, Surroundings::new(bvh.bounds(), planes));
         }
+        self.log.add(changes);
         self.lights = after.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect();
         self.background = numbers(after.environment.background);
         self.ambient = numbers(after.environment.ambient);

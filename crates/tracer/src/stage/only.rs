@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use catoptric_scene::Scene;
 
-use super::{Entry, Hierarchy, Search, Stage};
+use super::{EditLog, Entry, Hierarchy, Search, Stage};
 
 /// Up to this many bodies are looked for one by one.
 const FEW_WANTED: usize = 256;
@@ -69,6 +69,7 @@ impl Stage {
             disperses: self.disperses,
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
             added: 0,
+            log: EditLog::new(),
         }
     }
 }

@@ -185,7 +185,7 @@ impl<W: Width> PacketBoxes<W> {
 }
 
 /// Moves far sides outwards by rounding.
-const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
+pub(crate) const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
 
 impl Beam {
     #[inline(always)]

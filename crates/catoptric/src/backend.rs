@@ -1,0 +1,90 @@
+//! The processor or a graphics card.
+
+use std::time::{Duration, Instant};
+
+use anyhow::{Context as _, Result, bail};
+use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuInfo};
+use catoptric_tracer::method::{Drawing, Method, draw};
+use catoptric_tracer::{Control, RenderSettings, Stage};
+
+use crate::arguments::{Backend, BackendArguments};
+
+/// Who draws.
+pub(crate) struct Drawer {
+    gpu: Option<Gpu>,
+    /// Whether the processor may draw what the card cannot.
+    may_fall_back: bool,
+}
+
+/// A picture, and who drew it.
+pub(crate) struct Drawn {
+    pub drawing: Drawing,
+    /// What the card worked, by its own clock.
+    pub on_card: Option<Duration>,
+    /// Why the processor drew it though there is a card.
+    pub fallen_back: Option<GpuError>,
+}
+
+impl Drawer {
+    /// Opens a card if it is wanted and there is one. Cards draw Whitted's tree, and no maps.
+    pub(crate) fn chosen(arguments: &BackendArguments, method: &Method, is_map: bool) -> Result<Self> {
+        let BackendArguments { backend, gpu, software_gpu } = arguments;
+        let choice = GpuChoice { software: *software_gpu, name: gpu.clone() };
+        let is_whitted = *method == Method::Whitted && !is_map;
+        let gpu = match backend {
+            Backend::Cpu if gpu.is_some() || *software_gpu => {
+                bail!("--backend cpu uses no graphics card; leave out --gpu and --software-gpu")
+            }
+            Backend::Cpu => None,
+            Backend::Auto if is_whitted && choice.is_likely() => Gpu::open(&choice).ok(),
+            Backend::Auto => None,
+            Backend::Gpu if !is_whitted => {
+                bail!("graphics cards draw --method whitted without --map only; use --backend cpu")
+            }
+            Backend::Gpu => Some(Gpu::open(&choice).context(advice(&choice))?),
+        };
+        Ok(Self { gpu, may_fall_back: *backend == Backend::Auto })
+    }
+
+    /// The card, if one is open.
+    pub(crate) fn card(&self) -> Option<&GpuInfo> {
+        self.gpu.as_ref().map(Gpu::info)
+    }
+
+    /// Draws a stage.
+    pub(crate) fn draw(
+        &self,
+        stage: &Stage,
+        method: &Method,
+        settings: RenderSettings,
+        pool: &rayon::ThreadPool,
+        control: &Control,
+    ) -> Result<Drawn> {
+        let on_cpu = || pool.install(|| draw(stage, method, settings, control));
+        let Some(gpu) = &self.gpu else {
+            return Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: None });
+        };
+        let start = Instant::now();
+        match pool.install(|| catoptric_gpu::render(gpu, stage, stage.camera(), settings, control)) {
+            Ok(rendering) => {
+                let pass = rendering.pass;
+                let drawing = Drawing::traced(rendering.picture, pass.counts, start.elapsed());
+                Ok(Drawn { drawing, on_card: pass.on_card, fallen_back: None })
+            }
+            Err(error) if self.may_fall_back && !matches!(error, GpuError::Cancelled | GpuError::Size(_)) => {
+                Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: Some(error) })
+            }
+            Err(error) => Err(error).context("the graphics card cannot draw this; use --backend cpu"),
+        }
+    }
+}
+
+/// What to do when there is no card.
+fn advice(choice: &GpuChoice) -> &'static str {
+    match choice {
+        GpuChoice { software: false, .. } => {
+            "no graphics card can be used; use --backend cpu, or a driver without a card with --software-gpu"
+        }
+        GpuChoice { .. } => "no graphics driver can be used; use --backend cpu",
+    }
+}

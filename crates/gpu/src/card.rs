@@ -1,0 +1,194 @@
+//! An open graphics card.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use crate::choice::{GpuChoice, is_software};
+use crate::error::GpuError;
+use crate::pipelines::{BINDINGS, Pipelines};
+
+/// An open graphics card, with the shaders compiled so far.
+pub struct Gpu {
+    pub(crate) device: wgpu::Device,
+    pub(crate) queue: wgpu::Queue,
+    info: GpuInfo,
+    pub(crate) pipelines: Pipelines,
+    lost: Arc<Mutex<Option<String>>>,
+}
+
+/// What is known of a graphics card.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GpuInfo {
+    /// The name that its maker gives it.
+    pub name: String,
+    /// The interface by which it is driven, such as `Vulkan`.
+    pub interface: String,
+    /// The driver and its version, as far as they are told.
+    pub driver: String,
+    /// Whether it is a driver that computes on the CPU.
+    pub is_software: bool,
+}
+
+impl Gpu {
+    /// Opens a graphics card.
+    ///
+    /// # Errors
+    /// When there is none, none that is wanted, or it lacks something.
+    pub fn open(choice: &GpuChoice) -> Result<Self, GpuError> {
+        let adapter = choice.find()?;
+        let info = adapter.get_info();
+        check_compute(&adapter)?;
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("catoptric"),
+            required_features: adapter.features() & Self::wanted_features(),
+            required_limits: adapter.limits(),
+            ..wgpu::DeviceDescriptor::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| GpuError::NotOpened(error.to_string()))?;
+        // Errors are looked for where they arise; one that arises elsewhere must not end the program.
+        device.on_uncaptured_error(Arc::new(|_| {}));
+        Self::new(device, queue, &info)
+    }
+
+    /// Draws with a device that others, such as a window, use too. From now on its loss is told here.
+    ///
+    /// # Errors
+    /// When it lacks something.
+    pub fn on(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
+        let info = device.adapter_info();
+        Self::new(device, queue, &info)
+    }
+
+    /// Features that are used where a card has them.
+    pub fn wanted_features() -> wgpu::Features {
+        wgpu::Features::TIMESTAMP_QUERY
+    }
+
+    fn new(device: wgpu::Device, queue: wgpu::Queue, info: &wgpu::AdapterInfo) -> Result<Self, GpuError> {
+        check_limits(&device.limits(), &info.name)?;
+        let lost = Arc::new(Mutex::new(None));
+        let told = Arc::clone(&lost);
+        device.set_device_lost_callback(move |_, message| {
+            *told.lock().unwrap_or_else(PoisonError::into_inner) = Some(message);
+        });
+        let driver = format!("{} {}", info.driver, info.driver_info).trim().to_owned();
+        let info = GpuInfo {
+            name: info.name.clone(),
+            interface: info.backend.to_string(),
+            driver,
+            is_software: is_software(info),
+        };
+        let pipelines = Pipelines::new(&device);
+        let gpu = Self { device, queue, info, pipelines, lost };
+        gpu.check_alive()?;
+        Ok(gpu)
+    }
+
+    /// What is known of the card.
+    pub fn info(&self) -> &GpuInfo {
+        &self.info
+    }
+
+    /// Gives the card back, whatever it is doing; all further work fails.
+    pub fn destroy(&self) {
+        self.device.destroy();
+        let mut lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
+        lost.get_or_insert_with(|| "it was given back".to_owned());
+    }
+
+    /// Fails if the card is lost.
+    pub(crate) fn check_alive(&self) -> Result<(), GpuError> {
+        let lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
+        lost.as_ref().map_or(Ok(()), |message| Err(GpuError::Lost(message.clone())))
+    }
+
+    /// Takes note that the card is lost.
+    pub(crate) fn lose(&self, message: &str) -> GpuError {
+        let mut lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
+        GpuError::Lost(lost.get_or_insert_with(|| message.to_owned()).clone())
+    }
+
+    /// What `act` does with the device, or the error that the driver has about it. `bytes` of memory are taken by it.
+    pub(crate) fn guarded<T>(&self, bytes: u64, act: impl FnOnce(&wgpu::Device) -> T) -> Result<T, GpuError> {
+        self.check_alive()?;
+        let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
+        let done = act(&self.device);
+        let faults = [internal, validation].map(|scope| pollster::block_on(scope.pop()));
+        let memory = pollster::block_on(memory.pop());
+        if memory.is_some() || faults.iter().any(Option::is_some) {
+            // That the card is lost may show as another fault first; it is told when the device is looked at.
+            self.look()?;
+        }
+        self.check_alive()?;
+        if memory.is_some() {
+            return Err(GpuError::OutOfMemory(bytes));
+        }
+        match faults.into_iter().flatten().next() {
+            Some(fault) => Err(GpuError::Refused(one_line(&fault.to_string()))),
+            None => Ok(done),
+        }
+    }
+
+    /// Memory on the card.
+    ///
+    /// # Errors
+    /// When it is too large for the card, or there is too little left.
+    pub(crate) fn buffer(
+        &self,
+        what: &'static str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, GpuError> {
+        let limits = self.device.limits();
+        let mut limit = limits.max_buffer_size;
+        if usage.contains(wgpu::BufferUsages::STORAGE) {
+            limit = limit.min(limits.max_storage_buffer_binding_size);
+        }
+        if bytes > limit {
+            return Err(GpuError::TooLarge { card: self.info.name.clone(), what, bytes, limit });
+        }
+        let descriptor =
+            wgpu::BufferDescriptor { label: Some(what), size: bytes, usage, mapped_at_creation: false };
+        self.guarded(bytes, |device| device.create_buffer(&descriptor))
+    }
+}
+
+fn one_line(words: &str) -> String {
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn check_compute(adapter: &wgpu::Adapter) -> Result<(), GpuError> {
+    let flags = adapter.get_downlevel_capabilities().flags;
+    if flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS) {
+        return Ok(());
+    }
+    Err(GpuError::Missing { card: adapter.get_info().name, what: "compute shaders" })
+}
+
+fn check_limits(limits: &wgpu::Limits, card: &str) -> Result<(), GpuError> {
+    let lacks = |what| Err(GpuError::Missing { card: card.to_owned(), what });
+    if limits.max_compute_invocations_per_workgroup < 64 || limits.max_compute_workgroup_size_x < 64 {
+        return lacks("compute shaders of 64 threads to a group");
+    }
+    if limits.max_storage_buffers_per_shader_stage < BINDINGS - 1 {
+        return lacks("eight storage buffers to a shader");
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_card_without_room_for_the_shader_is_refused() {
+        let limits = wgpu::Limits::downlevel_webgl2_defaults();
+        let error = check_limits(&limits, "an old card").unwrap_err().to_string();
+        assert!(error.contains("an old card") && error.contains("compute shaders"), "{error}");
+        assert_eq!(check_limits(&wgpu::Limits::default(), "a card"), Ok(()));
+        let few = wgpu::Limits { max_storage_buffers_per_shader_stage: 4, ..wgpu::Limits::default() };
+        assert!(check_limits(&few, "a card").is_err());
+    }
+}

@@ -1,0 +1,346 @@
+//! A picture in the memory of a card that is refined sample by sample.
+
+use std::ops::AddAssign;
+use std::time::{Duration, Instant};
+
+use catoptric_picture::Picture;
+use catoptric_tracer::twin::{
+    FILM_HEAD, FILM_PIXEL, FRAME_PLACES, Frame, TILE_BLOCKS, TileRays, Unsupported, tile_rays,
+};
+use catoptric_tracer::{Control, RayCounts, Stage, StageCamera};
+
+use crate::card::Gpu;
+use crate::error::GpuError;
+use crate::stage::StageOnCard;
+use crate::upload::Array;
+
+/// The light gathered so far in every pixel of a picture, in the memory of a card; the twin of
+/// [`Film`](catoptric_tracer::Film).
+pub struct GpuFilm {
+    size: [u32; 2],
+    pixels: wgpu::Buffer,
+    frame: wgpu::Buffer,
+    tiles: Array,
+    /// The camera that the tiles' rays are of.
+    camera: Option<StageCamera>,
+    report: Report,
+    samples: u32,
+    /// Of samples that were begun: how many, and the first tile without them.
+    begun: Option<(u32, u32)>,
+    /// As many tiles are dispatched at once.
+    stride: u32,
+}
+
+/// What some samples took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GpuPass {
+    /// Rays traced.
+    pub counts: RayCounts,
+    /// What the card worked, by its own clock; `None` if it has none.
+    pub on_card: Option<Duration>,
+    /// How many dispatches it was cut into.
+    pub dispatches: u32,
+}
+
+impl GpuFilm {
+    /// What a dispatch may take: as long as a few frames of the desktop, which the same card draws.
+    const BUDGET: Duration = Duration::from_millis(40);
+    /// The first dispatch has so many tiles, of 1024 pixels.
+    const FIRST_STRIDE: u32 = 32;
+    /// The most that a dispatch can have.
+    const MOST_STRIDE: u32 = 65535;
+
+    /// A film without light.
+    ///
+    /// # Errors
+    /// When the size is 0 or too large, for a picture or for the card, or the card has too little memory.
+    pub fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, GpuError> {
+        let pixels = Picture::check_size(width, height)? as u64;
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
+        let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        Ok(Self {
+            size: [width, height],
+            pixels: gpu.buffer("pixels", FILM_HEAD + pixels * FILM_PIXEL, usage)?,
+            frame: gpu.buffer("a frame", size_of::<Frame>() as u64, uniform)?,
+            tiles: Array::empty(gpu, "tiles")?,
+            camera: None,
+            report: Report::new(gpu)?,
+            samples: 0,
+            begun: None,
+            stride: Self::FIRST_STRIDE,
+        })
+    }
+
+    /// Width and height, pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// Samples that every pixel has.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// Forgets all light; the memory is kept for the next picture of this size.
+    pub fn clear(&mut self) {
+        (self.samples, self.begun) = (0, None);
+    }
+
+    /// Adds samples to every pixel. Stage and camera must be those of the earlier samples, and `on_card` has to have
+    /// [followed](StageOnCard::follow) the stage.
+    ///
+    /// # Errors
+    /// When the stage cannot be drawn, the card is lost, or `control` is cancelled. After the last the film is valid,
+    /// some tiles being ahead, and the next call does what is missing.
+    pub fn add_samples(
+        &mut self,
+        gpu: &Gpu,
+        (stage, on_card): (&Stage, &StageOnCard),
+        camera: &StageCamera,
+        samples: u32,
+        control: &Control,
+    ) -> Result<GpuPass, GpuError> {
+        let special = on_card.specialization(stage, camera)?;
+        let pipeline = gpu.pipeline(special)?;
+        self.aim(gpu, camera)?;
+        let bindings = self.bind(gpu, on_card)?;
+        let frame = Frame::new(stage, camera, self.size);
+        let tiles = (self.tiles.len() / size_of::<TileRays>() as u64) as u32;
+        let mut pass =
+            GpuPass { on_card: self.report.clock.as_ref().map(|_| Duration::ZERO), ..GpuPass::default() };
+        let mut left = samples;
+        while left > 0 {
+            let (count, mut first) = self.begun.take().unwrap_or((left.min(self.most_samples(gpu)), 0));
+            while first < tiles {
+                if control.is_cancelled() {
+                    self.begun = Some((count, first));
+                    return Err(GpuError::Cancelled);
+                }
+                let stride = self.stride.min(tiles - first);
+                let dispatch = frame.dispatch(first, self.samples, count);
+                gpu.write(&self.frame, 0, bytemuck::bytes_of(&dispatch))?;
+                let start = Instant::now();
+                self.submit(gpu, &pipeline, &bindings, stride)?;
+                pass += self.report.read(gpu)?;
+                self.stride = stride_after(stride, start.elapsed());
+                first += stride;
+                control.add_pixels(self.pixels_of(stride) * u64::from(count));
+            }
+            self.samples += count;
+            left = left.saturating_sub(count);
+        }
+        let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
+        pass.counts.primary = pixels * u64::from(samples);
+        Ok(pass)
+    }
+
+    /// How many samples a dispatch adds at most: one, if that takes long already, or on a software driver, which lets a
+    /// thread do only so much.
+    fn most_samples(&self, gpu: &Gpu) -> u32 {
+        if gpu.info().is_software || self.stride < Self::FIRST_STRIDE { 1 } else { FRAME_PLACES as u32 }
+    }
+
+    /// About how many pixels tiles have.
+    fn pixels_of(&self, tiles: u32) -> u64 {
+        let all = self.size.map(|side| u64::from(side.div_ceil(32)));
+        u64::from(self.size[0]) * u64::from(self.size[1]) * u64::from(tiles) / (all[0] * all[1])
+    }
+
+    /// Sends the rays of a camera that is new.
+    fn aim(&mut self, gpu: &Gpu, camera: &StageCamera) -> Result<(), GpuError> {
+        if self.camera.as_ref() != Some(camera) {
+            self.camera = None;
+            self.tiles.write(gpu, bytemuck::cast_slice(&tile_rays(camera, self.size)))?;
+            self.camera = Some(camera.clone());
+        }
+        Ok(())
+    }
+
+    fn bind(&self, gpu: &Gpu, on_card: &StageOnCard) -> Result<wgpu::BindGroup, GpuError> {
+        let arrays = on_card.bindings().into_iter();
+        let all = [self.frame.as_entire_binding()].into_iter().chain(arrays);
+        let all = all.chain([self.tiles.binding(), self.pixels.as_entire_binding()]);
+        let entries: Vec<wgpu::BindGroupEntry<'_>> =
+            (0..).zip(all).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+        gpu.guarded(0, |device| {
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("stage and film"),
+                layout: &gpu.pipelines.layout,
+                entries: &entries,
+            })
+        })
+    }
+
+    fn submit(
+        &self,
+        gpu: &Gpu,
+        pipeline: &wgpu::ComputePipeline,
+        bindings: &wgpu::BindGroup,
+        tiles: u32,
+    ) -> Result<(), GpuError> {
+        gpu.guarded(0, |device| {
+            let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            encoder.clear_buffer(&self.pixels, 0, Some(FILM_HEAD));
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: Some("samples"),
+                timestamp_writes: self.report.clock.as_ref().map(Clock::writes),
+            });
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, bindings, &[]);
+            pass.dispatch_workgroups(TILE_BLOCKS, tiles, 1);
+            drop(pass);
+            self.report.record(&mut encoder, &self.pixels);
+            gpu.queue.submit([encoder.finish()]);
+        })
+    }
+
+    /// The memory that it lies in.
+    pub(crate) fn buffer(&self) -> &wgpu::Buffer {
+        &self.pixels
+    }
+
+    /// The mean of the samples so far; black before the first.
+    ///
+    /// # Errors
+    /// When there is too little memory, or the card is lost.
+    pub fn picture(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
+        let mut picture = Picture::new(self.size[0], self.size[1])?;
+        if self.samples > 0 {
+            self.each_pixel(gpu, picture.pixels_mut(), |pixel, [x, y, z, _]| {
+                *pixel = [x, y, z].map(f32::from_bits);
+            })?;
+        }
+        Ok(picture)
+    }
+
+    /// The body that the last sample met in each pixel, by its place in the stage; [`NO_BODY`](catoptric_tracer::NO_BODY)
+    /// where it met none.
+    ///
+    /// # Errors
+    /// When there is too little memory, or the card is lost.
+    pub fn bodies(&self, gpu: &Gpu) -> Result<Vec<u32>, GpuError> {
+        let mut bodies = vec![catoptric_tracer::NO_BODY; Picture::check_size(self.size[0], self.size[1])?];
+        if self.samples > 0 {
+            self.each_pixel(gpu, &mut bodies, |body, [_, _, _, found]| *body = found)?;
+        }
+        Ok(bodies)
+    }
+
+    /// Shows `take` the words of every pixel with one of `to`. They come in pieces, so that little memory is needed.
+    fn each_pixel<T>(
+        &self,
+        gpu: &Gpu,
+        to: &mut [T],
+        take: impl Fn(&mut T, [u32; 4]),
+    ) -> Result<(), GpuError> {
+        const PIECE: u64 = 1 << 20;
+        let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+        let most = PIECE.min(to.len() as u64) * FILM_PIXEL;
+        let staging = gpu.buffer("pixels on their way", most, usage)?;
+        let mut start = FILM_HEAD;
+        for piece in to.chunks_mut(PIECE as usize) {
+            let bytes = piece.len() as u64 * FILM_PIXEL;
+            gpu.guarded(0, |device| {
+                let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+                encoder.copy_buffer_to_buffer(&self.pixels, start, &staging, 0, bytes);
+                gpu.queue.submit([encoder.finish()]);
+            })?;
+            gpu.read(&staging, bytes, |bytes| {
+                for (to, words) in piece.iter_mut().zip(bytes.chunks_exact(FILM_PIXEL as usize)) {
+                    take(to, bytemuck::pod_read_unaligned(words));
+                }
+            })?;
+            start += bytes;
+        }
+        Ok(())
+    }
+}
+
+/// How many tiles to dispatch after so many took so long.
+fn stride_after(stride: u32, took: Duration) -> u32 {
+    let wanted = f64::from(stride) * GpuFilm::BUDGET.as_secs_f64() / took.as_secs_f64().max(1e-6);
+    // A short look may deceive: what is tried next is not much more.
+    (wanted as u32).clamp(1, stride.saturating_mul(8).min(GpuFilm::MOST_STRIDE))
+}
+
+impl AddAssign for GpuPass {
+    fn add_assign(&mut self, other: Self) {
+        self.counts += other.counts;
+        self.on_card = self.on_card.zip(other.on_card).map(|(one, other)| one + other);
+        self.dispatches += other.dispatches;
+    }
+}
+
+/// What a dispatch tells of itself.
+struct Report {
+    /// The head of the film and two times.
+    buffer: wgpu::Buffer,
+    clock: Option<Clock>,
+}
+
+/// The card's own clock.
+struct Clock {
+    queries: wgpu::QuerySet,
+    times: wgpu::Buffer,
+    /// Nanoseconds to a tick.
+    period: f32,
+}
+
+impl Report {
+    const TIMES: u64 = 16;
+
+    fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+        let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+        let buffer = gpu.buffer("a report", FILM_HEAD + Self::TIMES, usage)?;
+        let has_clock = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        Ok(Self { buffer, clock: if has_clock { Some(Clock::new(gpu)?) } else { None } })
+    }
+
+    fn record(&self, encoder: &mut wgpu::CommandEncoder, pixels: &wgpu::Buffer) {
+        encoder.copy_buffer_to_buffer(pixels, 0, &self.buffer, 0, FILM_HEAD);
+        if let Some(Clock { queries, times, .. }) = &self.clock {
+            encoder.resolve_query_set(queries, 0..2, times, 0);
+            encoder.copy_buffer_to_buffer(times, 0, &self.buffer, FILM_HEAD, Self::TIMES);
+        }
+    }
+
+    /// Waits for the dispatch.
+    fn read(&self, gpu: &Gpu) -> Result<GpuPass, GpuError> {
+        let words: [u64; 6] =
+            gpu.read(&self.buffer, FILM_HEAD + Self::TIMES, bytemuck::pod_read_unaligned)?;
+        let [shadow, reflected, refracted, overflow, start, end] = words;
+        match (overflow as u32, overflow >> 32) {
+            (0, 0) => {}
+            (0, _) => return Err(Unsupported::LongTree.into()),
+            _ => return Err(Unsupported::NestedMedia.into()),
+        }
+        let counts = RayCounts { primary: 0, shadow, reflected, refracted };
+        let on_card = self.clock.as_ref().map(|clock| {
+            Duration::from_secs_f64(1e-9 * end.saturating_sub(start) as f64 * f64::from(clock.period))
+        });
+        Ok(GpuPass { counts, on_card, dispatches: 1 })
+    }
+}
+
+impl Clock {
+    fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+        let usage = wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC;
+        let queries = gpu.guarded(0, |device| {
+            device.create_query_set(&wgpu::QuerySetDescriptor {
+                label: Some("times"),
+                ty: wgpu::QueryType::Timestamp,
+                count: 2,
+            })
+        })?;
+        let times = gpu.buffer("times", Report::TIMES, usage)?;
+        Ok(Self { queries, times, period: gpu.queue.get_timestamp_period() })
+    }
+
+    fn writes(&self) -> wgpu::ComputePassTimestampWrites<'_> {
+        wgpu::ComputePassTimestampWrites {
+            query_set: &self.queries,
+            beginning_of_pass_write_index: Some(0),
+            end_of_pass_write_index: Some(1),
+        }
+    }
+}

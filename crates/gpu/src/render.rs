@@ -1,0 +1,36 @@
+//! A picture from beginning to end.
+
+use catoptric_picture::Picture;
+use catoptric_tracer::{Control, RenderSettings, Stage, StageCamera};
+
+use crate::card::Gpu;
+use crate::error::GpuError;
+use crate::film::{GpuFilm, GpuPass};
+use crate::stage::StageOnCard;
+
+/// A finished render.
+#[derive(Clone, Debug)]
+pub struct GpuRendering {
+    /// Linear light.
+    pub picture: Picture,
+    /// The rays traced, and what they took.
+    pub pass: GpuPass,
+}
+
+/// Traces `stage` into a picture on a card; the twin of [`render`](catoptric_tracer::render).
+///
+/// # Errors
+/// When the size is 0 or too large, the stage cannot be drawn, the card is lost, or the render is cancelled.
+pub fn render(
+    gpu: &Gpu,
+    stage: &Stage,
+    camera: &StageCamera,
+    settings: RenderSettings,
+    control: &Control,
+) -> Result<GpuRendering, GpuError> {
+    let mut film = GpuFilm::new(gpu, settings.width, settings.height)?;
+    let mut on_card = StageOnCard::new(gpu)?;
+    on_card.follow(gpu, stage, camera)?;
+    let pass = film.add_samples(gpu, (stage, &on_card), camera, settings.samples.max(1), control)?;
+    Ok(GpuRendering { picture: film.picture(gpu)?, pass })
+}

@@ -1,0 +1,101 @@
+//! A stage in the memory of a card.
+
+use catoptric_tracer::twin::{Contents, Specialization, StageArrays};
+use catoptric_tracer::{Stage, StageCamera};
+
+use crate::card::Gpu;
+use crate::error::GpuError;
+use crate::upload::Array;
+
+/// A stage in the memory of a card. It follows edits and sends only what they changed.
+pub struct StageOnCard {
+    bodies: Array,
+    scene_order: Array,
+    boxes: Array,
+    materials: Array,
+    checkers: Array,
+    lights: Array,
+    /// What bodies and boxes are up to date with, and whether the order of volumes is known.
+    state: Option<(u64, bool)>,
+    contents: Contents,
+}
+
+impl StageOnCard {
+    /// Makes room for a stage.
+    ///
+    /// # Errors
+    /// When the card is lost or has no memory at all.
+    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+        Ok(Self {
+            bodies: Array::empty(gpu, "bodies")?,
+            scene_order: Array::empty(gpu, "places of bodies")?,
+            boxes: Array::empty(gpu, "boxes")?,
+            materials: Array::compared(gpu, "materials")?,
+            checkers: Array::compared(gpu, "checkers")?,
+            lights: Array::compared(gpu, "lights")?,
+            state: None,
+            contents: Contents::default(),
+        })
+    }
+
+    /// Sends what is different from the last time, and returns how many bytes that were.
+    ///
+    /// # Errors
+    /// When the stage is too large for the card, or the card is lost; the next call sends everything.
+    pub fn follow(&mut self, gpu: &Gpu, stage: &Stage, camera: &StageCamera) -> Result<u64, GpuError> {
+        let last = self.state.take();
+        let arrays = StageArrays(stage);
+        let changes = last.and_then(|(state, ranked)| Some((stage.changes_since(state)?, ranked)));
+        let mut sum = 0;
+        let mut is_ranked = false;
+        match changes {
+            Some((changes, was_ranked)) => {
+                self.contents.follow(stage, &changes);
+                let [bodies, boxes, order] = arrays.parts(&changes);
+                sum += self.bodies.write_parts(gpu, arrays.bodies(), &bodies)?;
+                sum += self.boxes.write_parts(gpu, arrays.boxes(), &boxes)?;
+                let ranked = self.wants_ranks(stage, camera);
+                let is_same = changes.bodies.is_empty() && (was_ranked || !ranked);
+                if !is_same {
+                    let all = arrays.scene_order(ranked);
+                    sum += if ranked {
+                        self.scene_order.write(gpu, &all)?
+                    } else {
+                        self.scene_order.write_parts(gpu, &all, &order)?
+                    };
+                }
+                is_ranked = ranked || (was_ranked && is_same);
+            }
+            None => {
+                self.contents = Contents::of(stage);
+                is_ranked = self.wants_ranks(stage, camera) || is_ranked;
+                sum += self.bodies.write(gpu, arrays.bodies())?;
+                sum += self.boxes.write(gpu, arrays.boxes())?;
+                sum += self.scene_order.write(gpu, &arrays.scene_order(is_ranked))?;
+            }
+        }
+        sum += self.materials.write(gpu, &arrays.materials())?;
+        sum += self.checkers.write(gpu, &arrays.checkers())?;
+        sum += self.lights.write(gpu, &arrays.lights())?;
+        self.state = Some((stage.state(), is_ranked));
+        Ok(sum)
+    }
+
+    fn wants_ranks(&self, stage: &Stage, camera: &StageCamera) -> bool {
+        Specialization::of(&self.contents, stage, camera).is_ok_and(|special| special.asks_each_start)
+    }
+
+    /// The shader that it needs.
+    ///
+    /// # Errors
+    /// What in the stage the shaders cannot draw.
+    pub fn specialization(&self, stage: &Stage, camera: &StageCamera) -> Result<Specialization, GpuError> {
+        Ok(Specialization::of(&self.contents, stage, camera)?)
+    }
+
+    /// The arrays, in the order of the shader's bindings.
+    pub(crate) fn bindings(&self) -> [wgpu::BindingResource<'_>; 6] {
+        [&self.bodies, &self.scene_order, &self.boxes, &self.materials, &self.checkers, &self.lights]
+            .map(Array::binding)
+    }
+}

@@ -1,0 +1,132 @@
+//! Arrays in the memory of a card.
+
+use std::ops::Range;
+
+use crate::card::Gpu;
+use crate::error::GpuError;
+
+/// An array in the memory of a card, and room to grow.
+pub(crate) struct Array {
+    what: &'static str,
+    buffer: wgpu::Buffer,
+    /// The bytes that are in use.
+    len: u64,
+    /// What it holds, if it is compared before it is written.
+    copy: Option<Vec<u8>>,
+}
+
+/// So much is written at once where bytes differ.
+const BLOCK: usize = 256;
+
+impl Array {
+    /// No array is smaller: the shader's arrays have one element at least.
+    const LEAST: u64 = 256;
+
+    /// An array whose bytes are known here too, so that only what differs is written.
+    pub(crate) fn compared(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
+        Ok(Self { copy: Some(Vec::new()), ..Self::empty(gpu, what)? })
+    }
+
+    /// An array that is written as it is told.
+    pub(crate) fn empty(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
+        Ok(Self { what, buffer: Self::allocate(gpu, what, Self::LEAST)?, len: 0, copy: None })
+    }
+
+    fn allocate(gpu: &Gpu, what: &'static str, bytes: u64) -> Result<wgpu::Buffer, GpuError> {
+        gpu.buffer(what, bytes, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST)
+    }
+
+    /// Writes all bytes, or those that differ; returns how many.
+    pub(crate) fn write(&mut self, gpu: &Gpu, bytes: &[u8]) -> Result<u64, GpuError> {
+        let len = bytes.len() as u64;
+        if len > self.buffer.size() {
+            // The old memory is let go of first: both might not fit.
+            self.buffer.destroy();
+            (self.len, self.copy) = (0, self.copy.as_ref().map(|_| Vec::new()));
+            self.buffer = Self::allocate(gpu, self.what, len.max(Self::LEAST))?;
+        }
+        let written = differences(self.copy.as_deref().unwrap_or_default(), bytes);
+        let sum = self.write_parts(gpu, bytes, &written)?;
+        self.len = len;
+        if let Some(copy) = &mut self.copy {
+            copy.clear();
+            copy.extend_from_slice(bytes);
+        }
+        Ok(sum)
+    }
+
+    /// Writes parts of what is to be all the bytes; returns how many.
+    pub(crate) fn write_parts(
+        &self,
+        gpu: &Gpu,
+        bytes: &[u8],
+        parts: &[Range<usize>],
+    ) -> Result<u64, GpuError> {
+        let mut sum = 0;
+        for part in parts {
+            let Some(bytes) = bytes.get(part.clone()).filter(|bytes| !bytes.is_empty()) else { continue };
+            gpu.write(&self.buffer, part.start as u64, bytes)?;
+            sum += bytes.len() as u64;
+        }
+        Ok(sum)
+    }
+
+    pub(crate) fn binding(&self) -> wgpu::BindingResource<'_> {
+        self.buffer.as_entire_binding()
+    }
+
+    /// The bytes in use.
+    pub(crate) fn len(&self) -> u64 {
+        self.len
+    }
+}
+
+impl Gpu {
+    /// Writes into memory of the card, in pieces: the driver keeps a copy of each until it is there.
+    pub(crate) fn write(&self, buffer: &wgpu::Buffer, start: u64, bytes: &[u8]) -> Result<(), GpuError> {
+        const PIECE: usize = 16 << 20;
+        let mut at = start;
+        for piece in bytes.chunks(PIECE) {
+            self.guarded(piece.len() as u64, |_| self.queue.write_buffer(buffer, at, piece))?;
+            at += piece.len() as u64;
+            if bytes.len() > PIECE {
+                self.guarded(0, |_| self.queue.submit([]))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The parts of `new` that are not in `old`, in blocks.
+fn differences(old: &[u8], new: &[u8]) -> Vec<Range<usize>> {
+    let mut parts: Vec<Range<usize>> = Vec::new();
+    for (index, block) in new.chunks(BLOCK).enumerate() {
+        let part = index * BLOCK..index * BLOCK + block.len();
+        if old.get(part.clone()) == Some(block) {
+            continue;
+        }
+        match parts.last_mut() {
+            Some(last) if last.end == part.start => last.end = part.end,
+            _ => parts.push(part),
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_blocks_that_differ_are_found() {
+        let old = vec![7; 5 * BLOCK + 8];
+        assert!(differences(&old, &old).is_empty());
+        let mut new = old.clone();
+        new[BLOCK + 3] = 1;
+        new[2 * BLOCK] = 1;
+        *new.last_mut().unwrap() = 1;
+        assert_eq!(differences(&old, &new), [BLOCK..3 * BLOCK, 5 * BLOCK..5 * BLOCK + 8]);
+        assert_eq!(differences(&[], &old).first(), Some(&(0..old.len())));
+        assert!(differences(&old, &old[..BLOCK]).is_empty());
+    }
+}

@@ -1,0 +1,74 @@
+//! Scenes, and the card that the tests share.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use catoptric_gpu::{Gpu, GpuChoice};
+use catoptric_scene::{Example, Scene};
+use catoptric_tracer::Stage;
+
+/// A card of the test's own; `None` if there is none, which is told (not captured, as the output of tests is).
+pub(crate) fn own_card(test: &str) -> Option<Arc<Gpu>> {
+    match Gpu::open(&GpuChoice { software: true, name: None }) {
+        Ok(gpu) => Some(Arc::new(gpu)),
+        Err(error) => {
+            let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: {error}");
+            None
+        }
+    }
+}
+
+/// The card that tests share.
+pub(crate) fn card(test: &str) -> Option<Arc<Gpu>> {
+    static CARD: OnceLock<Option<Arc<Gpu>>> = OnceLock::new();
+    let card = CARD.get_or_init(|| own_card("the card that tests share"));
+    if card.is_none() {
+        let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: no graphics card or software driver");
+    }
+    card.clone()
+}
+
+pub(crate) fn stage_of(scene: &Scene) -> Stage {
+    Stage::prepare(scene).unwrap()
+}
+
+pub(crate) fn reference(name: &str) -> Scene {
+    load(&references_folder().join(format!("{name}.toml")))
+}
+
+fn references_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference")
+}
+
+fn load(path: &Path) -> Scene {
+    catoptric_scene::load(path).unwrap().scene
+}
+
+/// Every reference scene and every example, by name.
+pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(references_folder())
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .collect();
+    files.sort();
+    let mut scenes: Vec<(String, Scene)> = files
+        .iter()
+        .map(|path| (format!("reference {}", path.file_stem().unwrap().display()), load(path)))
+        .collect();
+    scenes.extend(
+        Example::ALL
+            .iter()
+            .map(|example| (format!("example {}", example.name), example.load().unwrap().scene)),
+    );
+    scenes
+}
+
+/// A device as a window has it.
+pub(crate) fn shared_device() -> Option<(wgpu::Device, wgpu::Queue)> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let adapter =
+        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).ok()?;
+    pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default())).ok()
+}

@@ -1,0 +1,168 @@
+//! A card that is lost, too small, or not there.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, StageOnCard, render};
+use catoptric_scene::{Body, Color, Material, MaterialChoice, Scene};
+use catoptric_tracer::twin::Unsupported;
+use catoptric_tracer::{Control, RenderSettings};
+
+use crate::common::{card, own_card, reference, stage_of};
+
+const SMALL: RenderSettings = RenderSettings { width: 64, height: 36, samples: 1 };
+
+/// Work for seconds, so that something can happen meanwhile.
+const LONG: RenderSettings = RenderSettings { width: 512, height: 288, samples: 1000 };
+
+/// Runs a long render and does `act` once it has begun.
+fn disturbed(gpu: &Arc<Gpu>, act: impl FnOnce(&Gpu, &Control) + Send + 'static) -> GpuError {
+    let stage = stage_of(&reference("whitted"));
+    let control = Arc::new(Control::default());
+    let (other, watched) = (Arc::clone(gpu), Arc::clone(&control));
+    let disturber = std::thread::spawn(move || {
+        while watched.pixels_done() == 0 {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        act(&other, &watched);
+    });
+    let error = render(gpu, &stage, stage.camera(), LONG, &control).unwrap_err();
+    disturber.join().unwrap();
+    error
+}
+
+#[test]
+fn a_card_that_is_lost_in_the_middle_is_an_error() {
+    let Some(gpu) = own_card("a_card_that_is_lost_in_the_middle_is_an_error") else { return };
+    let error = disturbed(&gpu, |gpu, _| gpu.destroy());
+    assert!(matches!(error, GpuError::Lost(_)), "{error}");
+    // Whatever is asked of it from now on fails in the same way.
+    let stage = stage_of(&reference("whitted"));
+    let again = render(&gpu, &stage, stage.camera(), SMALL, &Control::default());
+    assert!(matches!(again, Err(GpuError::Lost(_))), "{again:?}");
+    assert!(GpuFilm::new(&gpu, 8, 8).is_err() && StageOnCard::new(&gpu).is_err());
+}
+
+#[test]
+fn a_device_that_a_window_loses_is_an_error() {
+    let Some(gpu) = own_card("a_device_that_a_window_loses_is_an_error") else { return };
+    let Some(device) = crate::common::shared_device() else { return };
+    drop(gpu);
+    let (device, queue) = device;
+    let gpu = Arc::new(Gpu::on(device.clone(), queue).unwrap());
+    let stage = stage_of(&reference("whitted"));
+    assert!(render(&gpu, &stage, stage.camera(), SMALL, &Control::default()).is_ok());
+    let error = disturbed(&gpu, move |_, _| device.destroy());
+    assert!(matches!(error, GpuError::Lost(_)), "{error}");
+}
+
+#[test]
+fn a_render_can_be_cancelled_and_gone_on_with() {
+    let Some(gpu) = card("a_render_can_be_cancelled_and_gone_on_with") else { return };
+    assert_eq!(disturbed(&gpu, |_, control| control.cancel()), GpuError::Cancelled);
+    let stage = stage_of(&reference("mirrors"));
+    let camera = stage.camera();
+    let mut on_card = StageOnCard::new(&gpu).unwrap();
+    on_card.follow(&gpu, &stage, camera).unwrap();
+    let mut film = GpuFilm::new(&gpu, 200, 100).unwrap();
+    let cancelled = Control::default();
+    cancelled.cancel();
+    let stopped = film.add_samples(&gpu, (&stage, &on_card), camera, 3, &cancelled);
+    assert_eq!(stopped, Err(GpuError::Cancelled));
+    film.add_samples(&gpu, (&stage, &on_card), camera, 3, &Control::default()).unwrap();
+    assert_eq!(film.samples(), 3);
+    let settings = RenderSettings { width: 200, height: 100, samples: 3 };
+    let whole = render(&gpu, &stage, camera, settings, &Control::default()).unwrap();
+    assert_eq!(film.picture(&gpu).unwrap(), whole.picture);
+}
+
+#[test]
+fn absurd_sizes_are_errors() {
+    let Some(gpu) = card("absurd_sizes_are_errors") else { return };
+    assert!(matches!(GpuFilm::new(&gpu, 0, 5), Err(GpuError::Size(_))));
+    assert!(matches!(GpuFilm::new(&gpu, u32::MAX, u32::MAX), Err(GpuError::Size(_))));
+    let error = GpuFilm::new(&gpu, 1 << 14, 1 << 14).err().unwrap();
+    assert!(matches!(error, GpuError::TooLarge { .. } | GpuError::OutOfMemory(_)), "{error}");
+    // The card is none the worse for it.
+    let stage = stage_of(&reference("whitted"));
+    assert!(render(&gpu, &stage, stage.camera(), SMALL, &Control::default()).is_ok());
+}
+
+#[test]
+fn a_card_that_is_not_there_is_an_error() {
+    let choice = GpuChoice { software: true, name: Some("no card has this name".to_owned()) };
+    let error = Gpu::open(&choice).err().unwrap();
+    assert!(matches!(error, GpuError::NoSuchAdapter { .. } | GpuError::NoAdapter), "{error}");
+}
+
+/// Panes between which rays double at every step.
+fn panes(generations: u32) -> Scene {
+    let pane = Material {
+        diffuse: 0.0,
+        specular: 0.0,
+        reflection: Some(0.5),
+        transmission: 0.5,
+        ior: 1.5,
+        ..Material::default()
+    };
+    let body = |at: u32| Body {
+        shape: catoptric_scene::Shape::Cube { size: glam::DVec3::new(1e3, 1e3, 0.1) },
+        placement: catoptric_scene::Placement::at(glam::DVec3::new(0.0, 0.0, -f64::from(at))),
+        material: MaterialChoice::Inline(Box::new(pane)),
+        ..Body::default()
+    };
+    let mut scene = Scene { bodies: (0..4).map(body).collect(), ..Scene::default() };
+    scene.tracing.generations = generations;
+    scene.tracing.threshold = 0.0;
+    scene
+}
+
+#[test]
+fn trees_without_end_are_refused() {
+    let Some(gpu) = card("trees_without_end_are_refused") else { return };
+    let settings = RenderSettings { width: 2, height: 2, samples: 1 };
+    let draw = |generations| {
+        let stage = stage_of(&panes(generations));
+        render(&gpu, &stage, stage.camera(), settings, &Control::default()).map(|_| ())
+    };
+    assert_eq!(draw(10), Ok(()));
+    assert_eq!(draw(64), Err(GpuError::Unsupported(Unsupported::LongTree)));
+}
+
+/// Glass balls one in the other: `count` of them around the origin.
+fn onion(count: usize) -> Scene {
+    let glass = Material {
+        color: Color { r: 0.0, g: 0.0, b: 0.0 },
+        specular: 0.0,
+        reflection: Some(0.0),
+        transmission: 1.0,
+        ior: 1.1,
+        ..Material::default()
+    };
+    let skin = |index: usize| Body {
+        shape: catoptric_scene::Shape::Sphere { radius: 1.0 + 0.1 * index as f64 },
+        material: MaterialChoice::Inline(Box::new(glass)),
+        ..Body::default()
+    };
+    Scene { bodies: (0..count).map(skin).collect(), ..Scene::default() }
+}
+
+#[test]
+fn more_media_than_there_is_room_for_are_refused() {
+    let Some(gpu) = card("more_media_than_there_is_room_for_are_refused") else { return };
+    let draw = |scene: &Scene| {
+        let mut scene = scene.clone();
+        scene.tracing.generations = 64;
+        let stage = stage_of(&scene);
+        render(&gpu, &stage, stage.camera(), SMALL, &Control::default()).map(|_| ())
+    };
+    let mut scene = onion(20);
+    scene.camera.position = glam::DVec3::new(0.0, 0.0, 9.0);
+    scene.camera.target = glam::DVec3::ZERO;
+    assert_eq!(draw(&scene), Err(GpuError::Unsupported(Unsupported::NestedMedia)));
+    scene.camera.position = glam::DVec3::new(0.0, 0.0, 0.5);
+    assert_eq!(draw(&scene), Err(GpuError::Unsupported(Unsupported::EyeMedia(20))));
+    let mut fewer = onion(16);
+    fewer.camera = scene.camera;
+    assert_eq!(draw(&fewer), Ok(()));
+}

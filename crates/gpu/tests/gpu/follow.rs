@@ -1,0 +1,130 @@
+//! A stage on the card follows edits, and sends only what they change.
+
+use std::sync::Arc;
+
+use catoptric_gpu::{Gpu, GpuFilm, StageOnCard, render};
+use catoptric_scene::{Body, Light, Material, MaterialChoice, Projection, Scene, Shape};
+use catoptric_tracer::{Control, RenderSettings, Stage};
+use glam::DVec3;
+
+use crate::common::{card, stage_of};
+
+/// A lattice of balls and cubes, some of glass.
+fn lattice(count: usize) -> Scene {
+    let side = (count as f64).cbrt().ceil() as usize;
+    let glass = Material { transmission: 0.9, ior: 1.3, ..Material::default() };
+    let body = |index: usize| {
+        let [x, y, z] = [index % side, index / side % side, index / side / side].map(|at| at as f64 - 2.0);
+        let mut body = Body::default();
+        if index.is_multiple_of(3) {
+            body.shape = Shape::Cube { size: DVec3::splat(0.7) };
+        } else {
+            body.shape = Shape::Sphere { radius: 0.4 };
+        }
+        if index.is_multiple_of(5) {
+            body.material = MaterialChoice::Inline(Box::new(glass));
+        }
+        body.placement = body.placement.moved_by(DVec3::new(x, y, z));
+        body
+    };
+    let mut scene = Scene {
+        bodies: (0..count).map(body).collect(),
+        lights: vec![Light { position: DVec3::new(4.0, 9.0, 9.0), ..Light::default() }],
+        ..Scene::default()
+    };
+    scene.camera.position = DVec3::new(3.0, 4.0, 12.0);
+    scene
+}
+
+struct Follower {
+    gpu: Arc<Gpu>,
+    scene: Scene,
+    stage: Stage,
+    on_card: StageOnCard,
+}
+
+impl Follower {
+    fn new(gpu: Arc<Gpu>, scene: Scene) -> (Self, u64) {
+        let stage = stage_of(&scene);
+        let mut on_card = StageOnCard::new(&gpu).unwrap();
+        let sent = on_card.follow(&gpu, &stage, stage.camera()).unwrap();
+        (Self { gpu, scene, stage, on_card }, sent)
+    }
+
+    /// Edits a body and returns the bytes that were sent.
+    fn edit(&mut self, index: usize, edit: impl FnOnce(&mut Body)) -> u64 {
+        let mut after = self.scene.clone();
+        edit(&mut after.bodies[index]);
+        let planned = self.stage.edit(&self.scene, &after, &[index]).unwrap();
+        self.stage.apply(planned, &after);
+        self.scene = after;
+        self.on_card.follow(&self.gpu, &self.stage, self.stage.camera()).unwrap()
+    }
+
+    /// Whether the picture is that of a stage sent anew.
+    fn check(&self) {
+        let settings = RenderSettings { width: 96, height: 64, samples: 1 };
+        let mut film = GpuFilm::new(&self.gpu, settings.width, settings.height).unwrap();
+        let control = Control::default();
+        film.add_samples(&self.gpu, (&self.stage, &self.on_card), self.stage.camera(), 1, &control).unwrap();
+        let anew = render(&self.gpu, &self.stage, self.stage.camera(), settings, &control).unwrap();
+        assert_eq!(film.picture(&self.gpu).unwrap(), anew.picture);
+    }
+}
+
+#[test]
+fn an_edit_sends_only_what_it_changed() {
+    let Some(gpu) = card("an_edit_sends_only_what_it_changed") else { return };
+    let (mut follower, all) = Follower::new(gpu, lattice(1000));
+    assert!(all > 1000 * 100, "{all}");
+    let again = follower.on_card.follow(&follower.gpu, &follower.stage, follower.stage.camera()).unwrap();
+    assert_eq!(again, 0);
+    // The body, its leaf of up to four, the nodes on the way to it.
+    let moved = follower.edit(17, |body| body.placement = body.placement.moved_by(DVec3::splat(0.05)));
+    assert!((104..=5 * 104 + 5 * 8 + 6 * 256).contains(&moved), "{moved}");
+    follower.check();
+    let reshaped = follower.edit(500, |body| body.shape = Shape::Cylinder { radius: 0.3, height: 0.6 });
+    assert!(reshaped < 4096, "{reshaped}");
+    follower.check();
+    let recolored = follower.edit(501, |body| {
+        let material = Material { reflection: Some(0.7), ..Material::default() };
+        body.material = MaterialChoice::Inline(Box::new(material));
+    });
+    assert!((104..4096).contains(&recolored), "{recolored}");
+    follower.check();
+}
+
+#[test]
+fn a_light_that_moves_sends_a_light() {
+    let Some(gpu) = card("a_light_that_moves_sends_a_light") else { return };
+    let (mut follower, _) = Follower::new(gpu, lattice(100));
+    let mut after = follower.scene.clone();
+    after.lights[0].position.x += 1.0;
+    let planned = follower.stage.edit(&follower.scene, &after, &[]).unwrap();
+    follower.stage.apply(planned, &after);
+    let sent = follower.on_card.follow(&follower.gpu, &follower.stage, follower.stage.camera()).unwrap();
+    assert_eq!(sent, 32);
+    follower.check();
+}
+
+#[test]
+fn bodies_around_parallel_rays_are_put_in_order() {
+    let Some(gpu) = card("bodies_around_parallel_rays_are_put_in_order") else { return };
+    for count in [8, 60] {
+        let mut scene = lattice(count);
+        scene.camera.projection = Projection::Parallel { height: 3.0 };
+        // The rays start in the middle of the bodies, some in two at once.
+        scene.camera.position = DVec3::new(-2.1, -1.9, -1.9);
+        scene.camera.target = DVec3::new(-1.0, -1.0, -3.0);
+        let mut big = scene.bodies[0].clone();
+        big.shape = Shape::Sphere { radius: 1.1 };
+        scene.bodies.push(big);
+        let stage = stage_of(&scene);
+        let settings = RenderSettings { width: 96, height: 64, samples: 2 };
+        let on_gpu = render(&gpu, &stage, stage.camera(), settings, &Control::default()).unwrap();
+        let on_cpu = catoptric_tracer::render(&stage, settings, &Control::default()).unwrap();
+        let difference = catoptric_picture::Difference::between(&on_gpu.picture, &on_cpu.picture).unwrap();
+        assert!(difference.share_above < 0.001, "{count}: {difference:?}");
+        assert!(on_cpu.counts.refracted > 1000, "{:?}", on_cpu.counts);
+    }
+}

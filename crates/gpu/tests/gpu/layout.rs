@@ -1,0 +1,139 @@
+//! The bytes that Rust writes are where the shaders read them.
+
+use catoptric_scene::{Body, Camera, Checker, Light, Material, MaterialChoice, Projection, Scene};
+use catoptric_tracer::twin::{
+    FILM_HEAD, FILM_PIXEL, Frame, Specialization, StageArrays, TileRays, shader, tile_rays,
+};
+use catoptric_tracer::{Stage, StageChanges};
+use glam::DVec3;
+use naga::{Module, TypeInner};
+
+use crate::shaders::parsed;
+
+fn module(depth: u32) -> Module {
+    parsed(&shader(&Specialization { depth, shapes: 63, ..Specialization::default() })).unwrap()
+}
+
+/// The offset of each member of a struct, and the size of all.
+fn layout(module: &Module, name: &str) -> (Vec<(String, u32)>, u32) {
+    let named = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
+    let TypeInner::Struct { members, span } = &named.unwrap().1.inner else { panic!("{name} is no struct") };
+    let members = members.iter().map(|member| (member.name.clone().unwrap(), member.offset));
+    (members.collect(), *span)
+}
+
+fn offset(module: &Module, name: &str, member: &str) -> usize {
+    let (members, _) = layout(module, name);
+    members.iter().find(|(found, _)| found == member).unwrap().1 as usize
+}
+
+fn number(bytes: &[u8], at: usize) -> f32 {
+    f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap())
+}
+
+fn word(bytes: &[u8], at: usize) -> u32 {
+    number(bytes, at).to_bits()
+}
+
+/// A scene in which every number is another one.
+fn scene(bodies: usize) -> Scene {
+    let material = Material {
+        color: catoptric_scene::Color { r: 0.11, g: 0.12, b: 0.13 },
+        ambient: 0.14,
+        diffuse: 0.15,
+        specular: 0.16,
+        shininess: 17.0,
+        reflection: Some(0.18),
+        transmission: 0.5,
+        ior: 1.9,
+        checker: Some(Checker { size: 0.5, ..Checker::default() }),
+        ..Material::default()
+    };
+    let body = |index: usize| {
+        let mut body = Body { material: MaterialChoice::Inline(Box::new(material)), ..Body::default() };
+        body.placement = body.placement.moved_by(DVec3::new(3.0 * index as f64, 2.0, 1.0));
+        body
+    };
+    let light = Light { position: DVec3::new(21.0, 22.0, 23.0), intensity: 0.5, ..Light::default() };
+    Scene { bodies: (0..bodies).map(body).collect(), lights: vec![light], ..Scene::default() }
+}
+
+#[test]
+fn records_have_the_size_of_the_shaders() {
+    let (few, many) = (module(0), module(4));
+    let (two, hundred) = (Stage::prepare(&scene(2)).unwrap(), Stage::prepare(&scene(100)).unwrap());
+    let arrays = StageArrays(&two);
+    assert_eq!(layout(&few, "Body").1 as usize * 2, arrays.bodies().len());
+    assert_eq!(layout(&few, "Material").1 as usize, arrays.materials().len());
+    assert_eq!(layout(&few, "Checker").1 as usize * 2, arrays.checkers().len());
+    assert_eq!(layout(&few, "Light").1 as usize, arrays.lights().len());
+    assert_eq!(arrays.boxes().len(), 2 * 16);
+    assert_eq!(arrays.scene_order(true).len(), 2 * 8);
+    assert_eq!(StageArrays(&hundred).boxes().len() % layout(&many, "Box").1 as usize, 0);
+    assert_eq!(layout(&few, "Frame").1 as usize, size_of::<Frame>());
+    assert_eq!(layout(&few, "RaysNear").1 as usize, size_of::<TileRays>());
+    assert_eq!(u64::from(layout(&few, "Pixel").1), FILM_PIXEL);
+    assert_eq!(offset(&few, "Film", "pixels") as u64, FILM_HEAD);
+}
+
+#[test]
+fn bodies_and_materials_are_read_where_they_are_written() {
+    let few = module(0);
+    let scene = scene(2);
+    let stage = Stage::prepare(&scene).unwrap();
+    let arrays = StageArrays(&stage);
+    let at = |member| offset(&few, "Body", member);
+    let first = stage.scene_index(0).unwrap();
+    assert_eq!(number(arrays.bodies(), at("origin")), 3.0 * first as f32);
+    assert_eq!(number(arrays.bodies(), at("origin") + 4), 2.0);
+    assert_eq!(number(arrays.bodies(), at("parameter")), 1.0);
+    assert_eq!(word(arrays.bodies(), at("kind_and_transparent")), 1 << 16);
+    let materials = arrays.materials();
+    let of_material = |member| number(&materials, offset(&few, "Material", member));
+    let members =
+        ["color", "ambient", "filter_color", "ior", "diffuse", "specular", "shininess", "reflection"];
+    assert_eq!(members.map(of_material), [0.11, 0.14, 0.5, 1.9, 0.15, 0.16, 17.0, 0.18]);
+    let lights = arrays.lights();
+    let of_light = |member| number(&lights, offset(&few, "Light", member));
+    assert_eq!(["position", "power"].map(of_light), [21.0, 0.5]);
+    let order = arrays.scene_order(true);
+    assert_eq!(word(&order, 0) as usize, first);
+    assert_eq!(word(&order, 4) as usize, first, "equal volumes keep the order of the scene");
+}
+
+#[test]
+fn frames_and_rays_are_read_where_they_are_written() {
+    let few = module(0);
+    let mut scene = scene(2);
+    scene.camera = Camera { projection: Projection::Parallel { height: 4.0 }, ..scene.camera };
+    let stage = Stage::prepare(&scene).unwrap();
+    let frame = Frame::new(&stage, stage.camera(), [70, 40]).dispatch(5, 1, 2);
+    let bytes = bytemuck::bytes_of(&frame);
+    let word_of = |member| word(bytes, offset(&few, "Frame", member));
+    let members = ["tiles_across", "first_tile", "bounded", "bodies", "lights", "samples_done", "samples"];
+    assert_eq!(members.map(word_of), [3, 5, 2, 2, 1, 1, 2]);
+    assert_eq!(
+        number(bytes, offset(&few, "Frame", "places")),
+        (0.5_f64 + 0.754_877_666_246_692_8).fract() as f32
+    );
+    let rays = tile_rays(stage.camera(), [70, 40]);
+    assert_eq!(rays.len(), 6);
+    let bytes = bytemuck::bytes_of(&rays[0]);
+    assert_eq!(word(bytes, offset(&few, "RaysNear", "is_parallel")), 1);
+    let across: Vec<f32> =
+        (0..3).map(|axis| number(bytes, offset(&few, "RaysNear", "across") + 4 * axis)).collect();
+    let length = across.iter().map(|part| part * part).sum::<f32>().sqrt();
+    assert!((length - 4.0 / 40.0).abs() < 1e-6, "{across:?}");
+}
+
+#[test]
+fn changes_are_ranges_of_bytes() {
+    let stage = Stage::prepare(&scene(100)).unwrap();
+    let arrays = StageArrays(&stage);
+    let changes = StageChanges { bodies: [2..4, 7..8].into(), nodes: vec![1, 2] };
+    let [bodies, boxes, order] = arrays.parts(&changes);
+    let body = arrays.bodies().len() / 100;
+    assert_eq!(bodies, [2 * body..4 * body, 7 * body..8 * body]);
+    assert_eq!(boxes, [256..512, 512..768]);
+    assert_eq!(order, [16..32, 56..64]);
+}

@@ -1,0 +1,13 @@
+//! The GPU's twin against the CPU, and what becomes of faults.
+//!
+//! What needs a driver runs through whatever there is, Mesa's lavapipe if nothing else, and says so when it is skipped.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
+
+mod common;
+mod faults;
+mod follow;
+mod layout;
+mod parity;
+mod screen;
+mod shaders;

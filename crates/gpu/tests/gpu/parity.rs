@@ -1,0 +1,140 @@
+//! Every reference scene and every example: the same picture as the CPU's, and the same bodies in it.
+
+use catoptric_gpu::{Gpu, GpuError, GpuFilm, StageOnCard};
+use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
+use catoptric_tracer::twin::Unsupported;
+use catoptric_tracer::{Control, NO_BODY, RayCounts, RenderSettings, Stage, render};
+use glam::DVec2;
+
+use crate::common::{all_scenes, card, stage_of};
+
+/// Width and height of the pictures: each is traced by a software driver on a few cores.
+const SIZE: [u32; 2] = [256, 144];
+/// The share of pixels in which another body may be seen: those at edges, which rounding gives to either side.
+const OTHER_BODIES: f64 = 0.0005;
+/// The share of pixels that may be off by more than 1/255.
+const OFF: f64 = 0.001;
+
+struct Compared {
+    other_bodies: usize,
+    difference: Difference,
+    cpu: (Picture, RayCounts),
+    gpu: (Picture, RayCounts),
+}
+
+fn compare(card: &Gpu, stage: &Stage, samples: u32) -> Compared {
+    let [width, height] = SIZE;
+    let settings = RenderSettings { width, height, samples };
+    let cpu = render(stage, settings, &Control::default()).unwrap();
+    let mut film = GpuFilm::new(card, width, height).unwrap();
+    let mut on_card = StageOnCard::new(card).unwrap();
+    on_card.follow(card, stage, stage.camera()).unwrap();
+    let control = Control::default();
+    let pass = film.add_samples(card, (stage, &on_card), stage.camera(), samples, &control).unwrap();
+    let picture = film.picture(card).unwrap();
+    let bodies = film.bodies(card).unwrap();
+    let other_bodies = if samples == 1 { count_other_bodies(stage, &bodies) } else { 0 };
+    let difference = Difference::between(&picture, &cpu.picture).unwrap();
+    Compared { other_bodies, difference, cpu: (cpu.picture, cpu.counts), gpu: (picture, pass.counts) }
+}
+
+fn count_other_bodies(stage: &Stage, bodies: &[u32]) -> usize {
+    let size = DVec2::new(f64::from(SIZE[0]), f64::from(SIZE[1]));
+    let places = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
+    let is_other = |&((x, y), &found): &((u32, u32), &u32)| {
+        let ray = stage.camera().ray(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5), size);
+        stage.nearest(&ray).map_or(NO_BODY, |met| met.hit.body) != found
+    };
+    places.zip(bodies).filter(is_other).count()
+}
+
+/// What is wrong with a picture, if anything.
+fn fault(name: &str, compared: &Compared) -> Option<String> {
+    let pixels = f64::from(SIZE[0] * SIZE[1]);
+    let others = compared.other_bodies as f64 / pixels;
+    let Difference { share_above, not_a_number, max, .. } = compared.difference;
+    println!(
+        "{name}: {:.3} % other bodies, {:.3} % off, the worst by {max:.3}; {:?}",
+        100.0 * others,
+        100.0 * share_above,
+        compared.gpu.1
+    );
+    if others <= OTHER_BODIES && share_above <= OFF && not_a_number == 0 {
+        return None;
+    }
+    let evidence = leave_evidence(name, compared);
+    Some(format!(
+        "{name}: {others:.5} other bodies, {share_above:.5} off, {not_a_number} NaN; see {evidence}"
+    ))
+}
+
+fn leave_evidence(name: &str, compared: &Compared) -> String {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("gpu");
+    std::fs::create_dir_all(&folder).unwrap();
+    for (ending, picture) in [("cpu", &compared.cpu.0), ("gpu", &compared.gpu.0)] {
+        let developed = Development::default().develop(picture, BitDepth::Eight).unwrap();
+        write_png(&folder.join(format!("{name} {ending}.png")), &developed).unwrap();
+    }
+    folder.display().to_string()
+}
+
+/// How far two counts of rays are apart, as a share.
+fn apart(one: u64, other: u64) -> f64 {
+    one.abs_diff(other) as f64 / one.max(other).max(1) as f64
+}
+
+#[test]
+fn pictures_are_those_of_the_cpu() {
+    let Some(card) = card("pictures_are_those_of_the_cpu") else { return };
+    let mut faults = Vec::new();
+    for (name, scene) in all_scenes() {
+        let stage = stage_of(&scene);
+        if is_physical(&card, &stage) {
+            println!("{name}: skipped, no shader knows its materials yet");
+            continue;
+        }
+        let compared = compare(&card, &stage, 1);
+        faults.extend(fault(&name, &compared));
+        let (cpu, gpu) = (compared.cpu.1, compared.gpu.1);
+        assert_eq!(cpu.primary, gpu.primary);
+        for (one, other) in
+            [(cpu.shadow, gpu.shadow), (cpu.reflected, gpu.reflected), (cpu.refracted, gpu.refracted)]
+        {
+            if apart(one, other) > 0.002 {
+                faults.push(format!("{name}: rays {cpu:?} on the CPU, {gpu:?} on the GPU"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Whether a stage is refused for its materials or lights.
+fn is_physical(card: &Gpu, stage: &Stage) -> bool {
+    let on_card = StageOnCard::new(card).unwrap();
+    let special = on_card.specialization(stage, stage.camera());
+    matches!(special, Err(GpuError::Unsupported(Unsupported::Physical)))
+}
+
+/// The mean of many samples is gathered in single precision on a card.
+#[test]
+fn many_samples_have_the_mean_of_the_cpu() {
+    let Some(card) = card("many_samples_have_the_mean_of_the_cpu") else { return };
+    let compared = compare(&card, &stage_of(&crate::common::reference("phong-sphere")), 20);
+    assert!(compared.difference.share_above <= 0.0001, "{:?}", compared.difference);
+    assert_eq!(compared.gpu.1.primary, 20 * u64::from(SIZE[0] * SIZE[1]));
+    assert_eq!(fault("twenty samples", &compared), None);
+}
+
+/// The test itself can fail: a picture of something else is told apart.
+#[test]
+fn another_picture_is_noticed() {
+    let Some(card) = card("another_picture_is_noticed") else { return };
+    let scene = crate::common::reference("whitted");
+    let mut compared = compare(&card, &stage_of(&scene), 1);
+    assert_eq!(fault("whitted", &compared), None);
+    for pixel in compared.gpu.0.pixels_mut().iter_mut().take(50) {
+        pixel[1] += 0.1;
+    }
+    compared.difference = Difference::between(&compared.gpu.0, &compared.cpu.0).unwrap();
+    assert!(fault("a wrong picture", &compared).is_some());
+}

@@ -1,0 +1,142 @@
+//! The light of a picture, in the memory of the processor or of a graphics card.
+
+use std::sync::Arc;
+
+use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScreen, StageOnCard};
+use catoptric_picture::SizeError;
+use catoptric_tracer::twin::Unsupported;
+use catoptric_tracer::{Control, Film, RayCounts, RenderError, Stage, StageCamera};
+
+/// The light of a picture.
+pub(crate) enum Canvas {
+    Processor(Film),
+    Card(Box<GpuFilm>),
+}
+
+/// A graphics card that draws, and what it has of the scene.
+pub(crate) struct Card {
+    pub(crate) gpu: Arc<Gpu>,
+    pub(crate) stage: StageOnCard,
+    pub(crate) screen: GpuScreen,
+    /// What in the present scene it cannot draw.
+    pub(crate) refused: Option<GpuError>,
+}
+
+/// Why a pass was not finished.
+pub(crate) enum PassError {
+    Cancelled,
+    Size(SizeError),
+    Card(GpuError),
+}
+
+impl Card {
+    pub(crate) fn new(gpu: Arc<Gpu>) -> Result<Self, GpuError> {
+        let (stage, screen) = (StageOnCard::new(&gpu)?, GpuScreen::new(&gpu)?);
+        Ok(Self { gpu, stage, screen, refused: None })
+    }
+
+    /// Forgets what it could not draw, if it may be able to now: another scene, or from elsewhere.
+    pub(crate) fn look_again(&mut self, is_other_scene: bool) {
+        let is_of_eye = matches!(self.refused, Some(GpuError::Unsupported(Unsupported::EyeMedia(_))));
+        if is_other_scene || is_of_eye {
+            self.refused = None;
+        }
+    }
+
+    /// Sends what is new of a stage. False while its shader is compiled; then `ready` is called later.
+    pub(crate) fn prepare(
+        &mut self,
+        stage: &Stage,
+        camera: &StageCamera,
+        ready: impl FnOnce() + Send + 'static,
+    ) -> Result<bool, GpuError> {
+        self.stage.follow(&self.gpu, stage, camera)?;
+        let special = self.stage.specialization(stage, camera)?;
+        if self.gpu.is_ready_for(special) {
+            return Ok(true);
+        }
+        self.gpu.compile_in_background(special, ready);
+        Ok(false)
+    }
+}
+
+impl Canvas {
+    /// A canvas without light, on `card` if there is one.
+    pub(crate) fn new(card: Option<&Card>, [width, height]: [u32; 2]) -> Result<Self, PassError> {
+        Ok(match card {
+            Some(card) => Self::Card(Box::new(GpuFilm::new(&card.gpu, width, height)?)),
+            None => Self::Processor(Film::new(width, height)?),
+        })
+    }
+
+    pub(crate) fn is_on_card(&self) -> bool {
+        matches!(self, Self::Card(_))
+    }
+
+    /// Width and height, pixels.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        match self {
+            Self::Processor(film) => [film.width(), film.height()],
+            Self::Card(film) => film.size(),
+        }
+    }
+
+    /// Samples that every pixel has.
+    pub(crate) fn samples(&self) -> u32 {
+        match self {
+            Self::Processor(film) => film.samples(),
+            Self::Card(film) => film.samples(),
+        }
+    }
+
+    /// Forgets all light.
+    pub(crate) fn clear(&mut self) {
+        match self {
+            Self::Processor(film) => film.clear(),
+            Self::Card(film) => film.clear(),
+        }
+    }
+
+    /// Adds a sample to every pixel.
+    pub(crate) fn add_sample(
+        &mut self,
+        card: Option<&Card>,
+        stage: &Stage,
+        camera: &StageCamera,
+        control: &Control,
+    ) -> Result<RayCounts, PassError> {
+        match (self, card) {
+            (Self::Processor(film), _) => Ok(film.add_sample(stage, camera, control)?),
+            (Self::Card(film), Some(card)) => {
+                Ok(film.add_samples(&card.gpu, (stage, &card.stage), camera, 1, control)?.counts)
+            }
+            // The card was taken away: what was drawn on it is of no use.
+            (Self::Card(_), None) => Err(PassError::Cancelled),
+        }
+    }
+}
+
+impl From<RenderError> for PassError {
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::Cancelled => Self::Cancelled,
+            RenderError::Size(error) => Self::Size(error),
+        }
+    }
+}
+
+impl From<SizeError> for PassError {
+    fn from(error: SizeError) -> Self {
+        Self::Size(error)
+    }
+}
+
+impl From<GpuError> for PassError {
+    fn from(error: GpuError) -> Self {
+        match error {
+            GpuError::Cancelled => Self::Cancelled,
+            GpuError::Size(error) => Self::Size(error),
+            error => Self::Card(error),
+        }
+    }
+}

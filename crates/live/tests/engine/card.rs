@@ -1,0 +1,99 @@
+//! A graphics card in place of the processor: by Mesa's lavapipe, where there is no card.
+
+use std::io::Write as _;
+use std::sync::Arc;
+
+use catoptric_gpu::{Gpu, GpuChoice, GpuError};
+use catoptric_live::Request;
+use catoptric_picture::Development;
+use catoptric_scene::Color;
+
+use crate::{Window, expected, panes, request};
+
+fn card(test: &str) -> Option<Arc<Gpu>> {
+    match Gpu::open(&GpuChoice { software: true, name: None }) {
+        Ok(gpu) => Some(Arc::new(gpu)),
+        Err(error) => {
+            let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: {error}");
+            None
+        }
+    }
+}
+
+/// The share of codes that differ by more than the rounding of a code.
+fn off(found: &[u8], expected: &[u8]) -> f64 {
+    assert_eq!(found.len(), expected.len());
+    let off = found.iter().zip(expected).filter(|(one, other)| one.abs_diff(**other) > 1).count();
+    off as f64 / expected.len() as f64
+}
+
+#[test]
+fn a_card_draws_and_hands_over_to_the_processor_and_back() {
+    let Some(gpu) = card("a_card_draws_and_hands_over_to_the_processor_and_back") else { return };
+    let window = Window::open();
+    let asked = request(1);
+    let exact = window.shown(asked.clone());
+    assert!(exact.card.is_none() && *exact.pixels == expected(&asked, 3));
+    window.live.draw_with(Some(gpu));
+    window.until(|live| {
+        live.status().is_idle && live.latest().is_some_and(|frame| frame.card.is_some() && frame.samples == 3)
+    });
+    let status = window.live.status();
+    assert_eq!((status.backend, status.card.is_some(), status.card_lost), ("GPU", true, None));
+    let frame = window.live.latest().unwrap();
+    assert!(frame.pixels.is_empty() && frame.is_full());
+    assert!(off(&frame.codes().unwrap(), &expected(&asked, 3)) < 0.001);
+    assert_eq!(frame.rays.primary, 160 * 90);
+    // Another development needs no new light, another scene does.
+    let development = Development { exposure_stops: 1.0, ..Development::default() };
+    let brighter = Request { development, ..request(2) };
+    let frame = window.shown(brighter.clone());
+    assert!(off(&frame.codes().unwrap(), &expected(&brighter, 3)) < 0.001);
+    let mut scene = (*asked.scene).clone();
+    scene.environment.background = Color::new(1.0, 0.0, 0.0);
+    let other = Request { scene: Arc::new(scene), ..request(3) };
+    let frame = window.shown(other.clone());
+    assert!(frame.card.is_some() && off(&frame.codes().unwrap(), &expected(&other, 3)) < 0.001);
+    window.live.draw_with(None);
+    window.until(|live| live.status().is_idle && live.latest().is_some_and(|frame| frame.card.is_none()));
+    assert!(*window.live.latest().unwrap().pixels == expected(&other, 3));
+    assert_eq!(window.live.status().backend, "CPU");
+}
+
+#[test]
+fn the_processor_takes_over_from_a_card_that_is_lost() {
+    let Some(gpu) = card("the_processor_takes_over_from_a_card_that_is_lost") else { return };
+    let window = Window::open();
+    window.live.draw_with(Some(Arc::clone(&gpu)));
+    window.live.request(Request { samples: 100_000, ..request(1) });
+    window.until(|live| live.latest().is_some_and(|frame| frame.card.is_some()));
+    gpu.destroy();
+    window.until(|live| live.status().card_lost.is_some());
+    assert!(matches!(window.live.status().card_lost, Some(GpuError::Lost(_))));
+    let asked = request(2);
+    let frame = window.shown(asked.clone());
+    assert!(frame.card.is_none() && *frame.pixels == expected(&asked, 3));
+    // The same card cannot be had back.
+    window.live.draw_with(Some(gpu));
+    window.until(|live| live.status().is_idle);
+    assert!(window.live.status().card_lost.is_some());
+    assert_eq!(window.live.status().backend, "CPU");
+}
+
+#[test]
+fn the_processor_draws_what_a_card_cannot() {
+    let Some(gpu) = card("the_processor_draws_what_a_card_cannot") else { return };
+    let window = Window::open();
+    window.live.draw_with(Some(gpu));
+    let mut scene = (*panes(40)).clone();
+    scene.tracing.threshold = 0.0;
+    window.live.request(Request::new(Arc::new(scene), 1, [2, 2]));
+    window.until(|live| live.status().card_refuses.is_some());
+    let asked = request(2);
+    window.live.request(asked.clone());
+    window.until(|live| {
+        let is_drawn = |frame: Arc<catoptric_live::Frame>| frame.revision == 2 && frame.card.is_some();
+        live.status().is_idle && live.latest().is_some_and(is_drawn)
+    });
+    assert_eq!((window.live.status().card_refuses, window.live.status().card_lost), (None, None));
+}

@@ -1,0 +1,104 @@
+// Twin of media.rs: the transparent bodies that a ray is inside of, in the order entered. A list has room for MEDIA
+// bodies; one that needed more is told of, and the picture is not used.
+
+struct Media {
+    count: u32,
+    bodies: array<u32, MEDIA>,
+}
+
+// Whether a list had no room.
+var<private> media_overflowed: bool = false;
+
+fn media_contains(media: ptr<function, Media>, body: u32) -> bool {
+    for (var at = 0u; at < (*media).count; at++) {
+        if (*media).bodies[at] == body {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The index of refraction in these media: that of the body entered last, or of air.
+fn media_ior(media: ptr<function, Media>) -> f32 {
+    if (*media).count == 0u {
+        return 1.0;
+    }
+    return materials[bodies[(*media).bodies[(*media).count - 1u]].material].ior;
+}
+
+fn media_enter(media: ptr<function, Media>, body: u32) {
+    if (*media).count == MEDIA {
+        media_overflowed = true;
+        return;
+    }
+    (*media).bodies[(*media).count] = body;
+    (*media).count += 1u;
+}
+
+// Crosses the surface of a body; returns the index of refraction before it divided by that beyond.
+fn media_cross(media: ptr<function, Media>, body: u32) -> f32 {
+    let before = media_ior(media);
+    var kept = 0u;
+    for (var at = 0u; at < (*media).count; at++) {
+        let other = (*media).bodies[at];
+        if other != body {
+            (*media).bodies[kept] = other;
+            kept += 1u;
+        }
+    }
+    if kept == (*media).count {
+        media_enter(media, body);
+    } else {
+        (*media).count = kept;
+    }
+    let beyond = media_ior(media);
+    // A quotient of equal numbers need not be 1 on every card.
+    return select(before / beyond, 1.0, before == beyond);
+}
+
+// The media where a primary ray starts.
+fn media_at_start(ray: Ray, media: ptr<function, Media>) {
+    (*media).count = 0u;
+    if ASKS_EACH_START {
+        media_at_point(ray, media);
+    } else if HAS_TRANSPARENCY {
+        for (var at = 0u; at < frame.eye_media_count; at++) {
+            media_enter(media, frame.eye_media[at / 4u][at % 4u]);
+        }
+    }
+}
+
+// Every transparent body that contains the ray's start, the largest outermost.
+fn media_at_point(ray: Ray, media: ptr<function, Media>) {
+    var walk = walk_from(ray);
+    loop {
+        // What a ray meets at once is what contains its start.
+        let leaf = walk_next(&walk, ray, 0.0);
+        if leaf.count == 0u {
+            break;
+        }
+        for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
+            media_enter_if_inside(ray, index, media);
+        }
+    }
+    for (var index = frame.bounded; index < frame.bodies; index++) {
+        media_enter_if_inside(ray, index, media);
+    }
+}
+
+fn media_enter_if_inside(ray: Ray, index: u32, media: ptr<function, Media>) {
+    if !body_is_transparent(index) || !body_contains(index, ray.origin) {
+        return;
+    }
+    media_enter(media, index);
+    // The list is kept in the order of the bodies' volumes.
+    for (var at = (*media).count - 1u; at > 0u; at--) {
+        let outer = (*media).bodies[at - 1u];
+        let inner = (*media).bodies[at];
+        if scene_order[outer].y < scene_order[inner].y {
+            break;
+        }
+        (*media).bodies[at - 1u] = inner;
+        (*media).bodies[at] = outer;
+    }
+}

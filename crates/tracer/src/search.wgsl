@@ -1,0 +1,172 @@
+// Twin of search.rs: what a ray meets.
+
+struct Hit {
+    t: f32,
+    body: u32,
+    leaving: bool,
+    hit: bool,
+}
+
+struct Meeting {
+    entering: bool,
+    enter: f32,
+    leaving: bool,
+    exit: f32,
+}
+
+struct Nearest {
+    t: f32,
+    body: u32,
+    slack: f32,
+}
+
+struct Best {
+    leaving: Nearest,
+    entering: Nearest,
+    // No body beyond this parameter can change the outcome any more.
+    reach: f32,
+}
+
+const NO_MEETING: Meeting = Meeting(false, 0.0, false, 0.0);
+
+// Where a ray meets a body first, if it does.
+fn meeting(index: u32, ray: Ray, media: ptr<function, Media>) -> Meeting {
+    let own = (ray.start & NO_START) == index;
+    let heads_in = (ray.start & INWARDS) != 0u;
+    if own && !heads_in {
+        return NO_MEETING;
+    }
+    var inside = own;
+    if body_is_transparent(index) && !own {
+        inside = media_contains(media, index);
+    }
+    let span = body_span(index, ray.origin, ray.direction);
+    if inside {
+        return Meeting(false, 0.0, true, max(span.exit, 0.0));
+    }
+    if !span.hit || !(span.exit > 0.0) {
+        return NO_MEETING;
+    }
+    if span.enter > 0.0 {
+        return Meeting(true, span.enter, false, span.exit);
+    }
+    return start_within(index, ray, span);
+}
+
+// What is true of a ray that starts within a body by the numbers, but perhaps only by their rounding.
+fn start_within(index: u32, ray: Ray, span: Span) -> Meeting {
+    let slack = ray.slack + bodies[index].slack;
+    let enter_cosine = body_cosine(index, ray.origin, ray.direction, span.enter, span.enter_face);
+    let exit_cosine = body_cosine(index, ray.origin, ray.direction, span.exit, span.exit_face);
+    let behind_entry = -span.enter * enter_cosine;
+    let before_exit = span.exit * exit_cosine;
+    let at_entry = behind_entry <= slack && behind_entry <= before_exit;
+    let inside = !at_entry && !(before_exit <= slack);
+    return Meeting(at_entry, 0.0, inside, max(span.exit, 0.0));
+}
+
+// How far apart by rounding two hits at about `t` can lie that should coincide.
+fn slack_at(ray: Ray, t: f32, larger: f32) -> f32 {
+    return ray.slack + larger + t * POINT_ROUNDING;
+}
+
+fn is_closer(t: f32, index: u32, than: Nearest) -> bool {
+    if t == than.t && t < INFINITY {
+        return scene_order[index].x < scene_order[than.body].x;
+    }
+    return t < than.t;
+}
+
+fn offer(index: u32, ray: Ray, media: ptr<function, Media>, best: ptr<function, Best>) {
+    let met = meeting(index, ray, media);
+    if met.entering {
+        if is_closer(met.enter, index, (*best).entering) {
+            (*best).entering = Nearest(met.enter, index, bodies[index].slack);
+        }
+        let t = (*best).entering.t;
+        (*best).reach = min((*best).reach, t + slack_at(ray, t, frame.largest_slack));
+    }
+    if met.leaving {
+        if is_closer(met.exit, index, (*best).leaving) {
+            (*best).leaving = Nearest(met.exit, index, bodies[index].slack);
+        }
+        (*best).reach = min((*best).reach, (*best).leaving.t);
+    }
+}
+
+// Of hits that coincide within rounding, the one that leads out comes before the one that leads in.
+fn first_of(best: Best, ray: Ray) -> Hit {
+    let entering = best.entering;
+    let leaving = best.leaving;
+    if leaving.t < INFINITY {
+        let larger = max(entering.slack, leaving.slack);
+        if leaving.t <= entering.t + slack_at(ray, entering.t, larger) {
+            return Hit(leaving.t, leaving.body, true, true);
+        }
+    }
+    return Hit(entering.t, entering.body, false, entering.t < INFINITY);
+}
+
+// The nearest body that a ray meets.
+fn nearest(ray: Ray, media: ptr<function, Media>) -> Hit {
+    let none = Nearest(INFINITY, 0u, 0.0);
+    var best = Best(none, none, INFINITY);
+    var walk = walk_from(ray);
+    loop {
+        let leaf = walk_next(&walk, ray, best.reach);
+        if leaf.count == 0u {
+            break;
+        }
+        for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
+            offer(index, ray, media, &best);
+        }
+    }
+    if HAS_PLANES {
+        for (var index = frame.bounded; index < frame.bodies; index++) {
+            offer(index, ray, media, &best);
+        }
+    }
+    return first_of(best, ray);
+}
+
+// What one body lets through on the way to a light at `distance`.
+fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f32) -> vec3<f32> {
+    let met = meeting(index, ray, media);
+    let in_front = met.entering && met.enter < distance;
+    let behind = met.leaving && met.exit < distance;
+    if !in_front && !behind {
+        return vec3(1.0);
+    }
+    if !body_is_transparent(index) {
+        return vec3(0.0);
+    }
+    let once = materials[bodies[index].material].filter_color;
+    return select(once, once * once, in_front && met.exit < distance);
+}
+
+// What reaches the ray's start from a light at `to_light` along it: the product of the filters of all surfaces
+// crossed, 0 if any body between is opaque.
+fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f32> {
+    // A body that touches the light does not hide it.
+    let distance = to_light * (1.0 - POINT_ROUNDING);
+    var share = vec3(1.0);
+    var walk = walk_from(ray);
+    loop {
+        let leaf = walk_next(&walk, ray, distance);
+        if leaf.count == 0u {
+            break;
+        }
+        for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
+            share *= filter_through(index, ray, media, distance);
+        }
+        if all(share == vec3(0.0)) {
+            return share;
+        }
+    }
+    if HAS_PLANES {
+        for (var index = frame.bounded; index < frame.bodies; index++) {
+            share *= filter_through(index, ray, media, distance);
+        }
+    }
+    return share;
+}

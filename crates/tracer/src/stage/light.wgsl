@@ -1,0 +1,18 @@
+// Twin of light.rs.
+
+struct Light {
+    position: vec3<f32>,
+    falloff: u32,
+    power: vec3<f32>,
+    // K of the linear falloff, meters.
+    constant: f32,
+}
+
+// A(d)·I_j at the distance `d` > 0.
+fn power_at(light: Light, d: f32) -> vec3<f32> {
+    if light.falloff == FALLOFF_NONE {
+        return light.power;
+    }
+    let divisor = select(d * d, d + light.constant, light.falloff == FALLOFF_LINEAR);
+    return min(light.power / divisor, vec3(INFINITY));
+}

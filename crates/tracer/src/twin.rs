@@ -1,0 +1,123 @@
+//! What a graphics card needs to trace as this crate does: the shaders and the stage as bytes.
+//!
+//! The shaders stand beside the Rust files whose twins they are, step for step and name for name (`search.wgsl` beside
+//! `search.rs`); [`shader`] puts them together for what a stage contains. Constants that both need come from the Rust
+//! side. Nothing here talks to a card.
+
+mod bytes;
+mod fit;
+
+use std::fmt::Write as _;
+
+use crate::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
+use crate::shape::{SLAB_TINY, ShapeKind};
+use crate::stage::{BOX_TINY, BOX_WIDEN, BoundingSphere};
+use crate::tile::TILE;
+
+pub use bytes::{FRAME_PLACES, Frame, StageArrays, TileRays, tile_rays};
+pub use fit::{Contents, Specialization, Unsupported};
+
+/// Bytes before the first pixel of a film: the counts of rays and the words behind them.
+pub const FILM_HEAD: u64 = 32;
+/// Bytes to a pixel of a film: its light and the number of the body in it.
+pub const FILM_PIXEL: u64 = 16;
+/// Blocks of 64 pixels to a tile, the first number of a dispatch.
+pub const TILE_BLOCKS: u32 = 16;
+/// The function to dispatch.
+pub const ENTRY_POINT: &str = "add_samples";
+
+/// The most bodies that a list of media of the shaders has room for.
+pub(crate) const MOST_MEDIA: usize = 16;
+
+/// The most rays of one tree: what a thread of a slow card can trace before its driver takes it for hung.
+pub(crate) const MOST_RAYS: u32 = 1 << 16;
+
+/// The shaders of every stage, in the order of their Rust twins.
+const ALWAYS: &[&str] = &[
+    include_str!("vector.wgsl"),
+    include_str!("ray.wgsl"),
+    include_str!("shape.wgsl"),
+    include_str!("shape/sphere.wgsl"),
+    include_str!("shape/slab.wgsl"),
+    include_str!("shape/cube.wgsl"),
+    include_str!("shape/cylinder.wgsl"),
+    include_str!("shape/cone.wgsl"),
+    include_str!("shape/plane.wgsl"),
+    include_str!("stage/body.wgsl"),
+    include_str!("stage/material.wgsl"),
+    include_str!("stage/light.wgsl"),
+    include_str!("stage/checker.wgsl"),
+    include_str!("stage/camera.wgsl"),
+    include_str!("media.wgsl"),
+    include_str!("search.wgsl"),
+    include_str!("surface.wgsl"),
+    include_str!("whitted.wgsl"),
+    include_str!("tile.wgsl"),
+];
+
+/// The source of the shader for stages of this kind, in WGSL.
+pub fn shader(special: &Specialization) -> String {
+    let walk = match special.depth {
+        0 => include_str!("stage/few.wgsl"),
+        _ => include_str!("stage/bvh.wgsl"),
+    };
+    let mut source = constants(special);
+    source.push_str(walk);
+    ALWAYS.iter().for_each(|part| source.push_str(part));
+    source
+}
+
+/// The constants of the Rust side, and those that the shader is specialized by.
+fn constants(special: &Specialization) -> String {
+    let words = [
+        ("NO_BODY", NO_BODY),
+        ("NO_START", NO_START),
+        ("INWARDS", INWARDS),
+        ("SPHERE", ShapeKind::Sphere as u32),
+        ("CUBE", ShapeKind::Cube as u32),
+        ("CYLINDER", ShapeKind::Cylinder as u32),
+        ("CONE", ShapeKind::Cone as u32),
+        ("PLANE", ShapeKind::Plane as u32),
+        ("SIDE", crate::shape::SIDE as u32),
+        ("LOWER_CAP", crate::shape::LOWER_CAP as u32),
+        ("UPPER_CAP", crate::shape::UPPER_CAP as u32),
+        ("FALLOFF_NONE", bytes::FALLOFF_NONE),
+        ("FALLOFF_LINEAR", bytes::FALLOFF_LINEAR),
+        ("TILE", TILE as u32),
+        ("MOST_RAYS", MOST_RAYS),
+        ("MOST_SAMPLES", FRAME_PLACES as u32),
+        ("DEPTH", special.depth.max(1)),
+        ("MEDIA", special.media.max(1)),
+        ("STACK", special.stack.max(1)),
+    ];
+    let numbers = [
+        ("POINT_ROUNDING", POINT_ROUNDING),
+        ("SPHERE_ROUNDING", BoundingSphere::ROUNDING),
+        ("SLAB_TINY", SLAB_TINY),
+        ("BOX_TINY", BOX_TINY),
+        ("BOX_WIDEN", BOX_WIDEN),
+        ("LEAST_NORMAL", f32::MIN_POSITIVE),
+    ];
+    let flags = [
+        ("HAS_SPHERES", special.has(ShapeKind::Sphere)),
+        ("HAS_CUBES", special.has(ShapeKind::Cube)),
+        ("HAS_CYLINDERS", special.has(ShapeKind::Cylinder)),
+        ("HAS_CONES", special.has(ShapeKind::Cone)),
+        ("HAS_PLANES", special.has(ShapeKind::Plane)),
+        ("HAS_TRANSPARENCY", special.media > 0),
+        ("HAS_CHECKERS", special.checkers),
+        ("ASKS_EACH_START", special.asks_each_start),
+    ];
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    for (name, value) in words {
+        let _ = writeln!(text, "const {name}: u32 = {value}u;");
+    }
+    for (name, value) in numbers {
+        let _ = writeln!(text, "const {name}: f32 = {value:e}f;");
+    }
+    for (name, value) in flags {
+        let _ = writeln!(text, "const {name}: bool = {value};");
+    }
+    text
+}

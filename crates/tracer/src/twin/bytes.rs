@@ -1,0 +1,244 @@
+//! The stage as the shaders read it.
+
+use std::ops::Range;
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec2;
+use rayon::prelude::*;
+
+use crate::sampling::sample_offset;
+use crate::stage::{
+    Hierarchy, Node, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageFalloff, StageLight,
+    StageMaterial,
+};
+use crate::tile::Place;
+
+use super::MOST_MEDIA;
+use super::fit::eye_media;
+
+/// The most samples of one [`Frame`].
+pub const FRAME_PLACES: usize = 16;
+
+/// Bytes to a body of [`StageArrays::scene_order`].
+const ORDER_BYTES: usize = size_of::<[u32; 2]>();
+
+pub(super) const FALLOFF_NONE: u32 = 0;
+pub(super) const FALLOFF_LINEAR: u32 = 1;
+const FALLOFF_INVERSE_SQUARE: u32 = 2;
+
+/// The arrays of a stage, each as the bytes of the shader's array of the same name.
+#[derive(Clone, Copy)]
+pub struct StageArrays<'a>(pub &'a Stage);
+
+impl<'a> StageArrays<'a> {
+    /// The bodies, as they stand in the stage.
+    pub fn bodies(self) -> &'a [u8] {
+        bytemuck::cast_slice(&self.0.bodies)
+    }
+
+    /// Nodes of the hierarchy, or bounding spheres, as they stand in the stage.
+    pub fn boxes(self) -> &'a [u8] {
+        match &self.0.hierarchy {
+            Hierarchy::Few(few) => bytemuck::cast_slice(&few.spheres),
+            Hierarchy::Many(bvh) => bytemuck::cast_slice(bvh.nodes()),
+        }
+    }
+
+    /// Which bytes of the bodies, of the boxes and of their order in the scene changes concern.
+    pub fn parts(self, changes: &StageChanges) -> [Vec<Range<usize>>; 3] {
+        let bodies = |bytes: usize| {
+            let range = |range: &Range<u32>| range.start as usize * bytes..range.end as usize * bytes;
+            changes.bodies.iter().map(range).collect()
+        };
+        let node = |&node: &u32| node as usize * size_of::<Node>()..(node as usize + 1) * size_of::<Node>();
+        [bodies(size_of::<StageBody>()), changes.nodes.iter().map(node).collect(), bodies(ORDER_BYTES)]
+    }
+
+    /// Of each body its place in the scene and, if `ranked`, its place among all bodies in the order of their volumes
+    /// (see [`Specialization::asks_each_start`](super::Specialization::asks_each_start)).
+    pub fn scene_order(self, ranked: bool) -> Vec<u8> {
+        let stage = self.0;
+        let mut order: Vec<[u32; 2]> = stage.scene_indices.iter().map(|&index| [index, 0]).collect();
+        if ranked {
+            let places =
+                stage.bodies.par_iter().zip(&stage.scene_indices).zip(0_u32..stage.bodies.len() as u32);
+            let mut volumes: Vec<(f64, u32, u32)> =
+                places.map(|((body, &index), place)| (body.volume(), index, place)).collect();
+            volumes.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            for (rank, (_, _, place)) in (0..).zip(volumes) {
+                if let Some(entry) = order.get_mut(place as usize) {
+                    entry[1] = rank;
+                }
+            }
+        }
+        bytemuck::cast_slice(&order).to_vec()
+    }
+
+    /// The materials.
+    pub fn materials(self) -> Vec<u8> {
+        bytes(self.0.materials.iter().map(MaterialBytes::of))
+    }
+
+    /// The checkers.
+    pub fn checkers(self) -> Vec<u8> {
+        bytes(self.0.checkers.iter().map(StageChecker::rows))
+    }
+
+    /// The lights.
+    pub fn lights(self) -> Vec<u8> {
+        bytes(self.0.lights.iter().map(LightBytes::of))
+    }
+}
+
+fn bytes<T: Pod>(records: impl Iterator<Item = T>) -> Vec<u8> {
+    let records: Vec<T> = records.collect();
+    bytemuck::cast_slice(&records).to_vec()
+}
+
+/// Twin of the shader's `Material`.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct MaterialBytes {
+    color: [f32; 3],
+    ambient: f32,
+    filter: [f32; 3],
+    ior: f32,
+    diffuse: f32,
+    specular: f32,
+    shininess: f32,
+    reflection: f32,
+}
+
+impl MaterialBytes {
+    fn of(material: &StageMaterial) -> Self {
+        // All fields by name: what the shaders do not know must not be left out unnoticed.
+        // Stages with the last ones are refused beforehand (`fit.rs`).
+        let StageMaterial {
+            color,
+            ambient,
+            diffuse,
+            specular,
+            shininess,
+            reflection,
+            filter,
+            ior,
+            law: _,
+            dispersion: _,
+            alpha: _,
+            absorption: _,
+        } = *material;
+        Self { color, ambient, filter, ior, diffuse, specular, shininess, reflection }
+    }
+}
+
+/// Twin of the shader's `Light`.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct LightBytes {
+    position: [f32; 3],
+    falloff: u32,
+    power: [f32; 3],
+    constant: f32,
+}
+
+impl LightBytes {
+    fn of(light: &StageLight) -> Self {
+        let StageLight { position, power, falloff, radius: _ } = *light;
+        let (falloff, constant) = match falloff {
+            StageFalloff::None => (FALLOFF_NONE, 0.0),
+            StageFalloff::Linear(constant) => (FALLOFF_LINEAR, constant),
+            StageFalloff::InverseSquare => (FALLOFF_INVERSE_SQUARE, 0.0),
+        };
+        Self { position, falloff, power, constant }
+    }
+}
+
+/// What changes from picture to picture and from dispatch to dispatch: twin of the shader's `Frame`.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Frame {
+    background: [f32; 3],
+    generations: u32,
+    ambient: [f32; 3],
+    threshold: f32,
+    size: [u32; 2],
+    tiles_across: u32,
+    first_tile: u32,
+    bounded: u32,
+    bodies: u32,
+    lights: u32,
+    largest_slack: f32,
+    samples_done: u32,
+    samples: u32,
+    eye_media_count: u32,
+    unused: u32,
+    eye_media: [u32; MOST_MEDIA],
+    places: [[f32; 4]; FRAME_PLACES],
+}
+
+impl Frame {
+    /// For a picture of `size` pixels.
+    pub fn new(stage: &Stage, camera: &StageCamera, size: [u32; 2]) -> Self {
+        let media = eye_media(stage, camera);
+        let mut frame = Self {
+            background: stage.background,
+            generations: stage.generations(),
+            ambient: stage.ambient,
+            threshold: stage.threshold(),
+            size,
+            tiles_across: tiles_across(size[0]),
+            bounded: stage.bounded,
+            bodies: stage.bodies.len() as u32,
+            lights: stage.lights.len() as u32,
+            largest_slack: stage.largest_slack,
+            eye_media_count: media.len().min(MOST_MEDIA) as u32,
+            ..Self::zeroed()
+        };
+        for (place, body) in frame.eye_media.iter_mut().zip(media) {
+            *place = body;
+        }
+        frame
+    }
+
+    /// The same for the tiles from `first_tile` on and `samples` further samples (at most [`FRAME_PLACES`]) of pixels
+    /// that have `samples_done`.
+    pub fn dispatch(&self, first_tile: u32, samples_done: u32, samples: u32) -> Self {
+        let mut frame = Self { first_tile, samples_done, samples: samples.min(FRAME_PLACES as u32), ..*self };
+        for (place, sample) in frame.places.iter_mut().zip(samples_done..) {
+            let DVec2 { x, y } = sample_offset(sample);
+            *place = [x as f32, y as f32, 0.0, 0.0];
+        }
+        frame
+    }
+}
+
+fn tiles_across(width: u32) -> u32 {
+    width.div_ceil(crate::tile::TILE as u32)
+}
+
+/// The primary rays of a tile: twin of the shader's `RaysNear`.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct TileRays {
+    pub(crate) start: [f32; 3],
+    pub(crate) way: f32,
+    pub(crate) start_rest: [f32; 3],
+    pub(crate) is_parallel: u32,
+    pub(crate) direction: [f32; 3],
+    pub(crate) unused_1: u32,
+    pub(crate) direction_rest: [f32; 3],
+    pub(crate) unused_2: u32,
+    pub(crate) across: [f32; 3],
+    pub(crate) unused_3: u32,
+    pub(crate) down: [f32; 3],
+    pub(crate) unused_4: u32,
+}
+
+/// The rays of all tiles of a picture of `size` pixels, row by row, computed in double precision by the threads of the
+/// current rayon pool. All samples share them.
+pub fn tile_rays(camera: &StageCamera, size: [u32; 2]) -> Vec<TileRays> {
+    let [width, height] = size.map(|side| side as usize);
+    let places: Vec<Place> = Place::all(width, height).collect();
+    let size = DVec2::new(f64::from(size[0]), f64::from(size[1]));
+    places.par_iter().map(|place| place.rays_near(camera, size).as_tile_rays()).collect()
+}

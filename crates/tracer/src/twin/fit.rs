@@ -1,0 +1,141 @@
+//! Which shader fits a stage, and which stages none does.
+
+use crate::media::MediaTable;
+use crate::shape::ShapeKind;
+use crate::stage::{Hierarchy, Law, Stage, StageBody, StageCamera, StageChanges, StageMaterial};
+
+use super::{MOST_MEDIA, MOST_RAYS};
+
+/// What is found among the bodies of a stage, or was before an edit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Contents {
+    /// A bit for each kind of shape.
+    shapes: u32,
+    /// How many are transparent, or more.
+    transparent: usize,
+    /// The longest way through the hierarchy of boxes, nodes; 0 without one.
+    depth: u32,
+}
+
+/// What a shader is made for: stages and cameras of one kind share it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Specialization {
+    /// A bit for each [`ShapeKind`] that occurs.
+    pub shapes: u32,
+    /// The longest way through the hierarchy of boxes, nodes; 0 where a few bounding spheres are tested instead.
+    pub depth: u32,
+    /// How many transparent bodies a ray may be inside of at once; 0 if there are none.
+    pub media: u32,
+    /// How many rays of one tree may wait.
+    pub stack: u32,
+    /// Whether bodies have checkers.
+    pub checkers: bool,
+    /// Whether primary rays start in different media: those of a parallel projection, among transparent bodies.
+    pub asks_each_start: bool,
+}
+
+/// What a graphics card cannot draw; the CPU can.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unsupported {
+    /// Surfaces with a law of their own, or lights that are balls.
+    #[error("the GPU knows Phong's and matte materials and point lights, so far")]
+    Physical,
+    /// The eye stands inside of very many transparent bodies at once.
+    #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
+    EyeMedia(usize),
+    /// A ray came to be inside of very many transparent bodies at once; found out only while drawing.
+    #[error(
+        "a ray is inside of more than {MOST_MEDIA} transparent bodies at once; the GPU has no room for that"
+    )]
+    NestedMedia,
+    /// The tree of a pixel has very many rays; found out only while drawing.
+    #[error("a pixel needs more rays than the GPU follows at once, {MOST_RAYS} at most")]
+    LongTree,
+}
+
+impl Contents {
+    /// Looks at all bodies of a stage.
+    pub fn of(stage: &Stage) -> Self {
+        let mut contents = Self { depth: depth(stage), ..Self::default() };
+        contents.add(&stage.bodies);
+        contents
+    }
+
+    /// Takes up what bodies that have changed are now.
+    pub fn follow(&mut self, stage: &Stage, changes: &StageChanges) {
+        for range in &changes.bodies {
+            let range = range.start as usize..range.end as usize;
+            self.add(stage.bodies.get(range).unwrap_or_default());
+        }
+    }
+
+    fn add(&mut self, bodies: &[StageBody]) {
+        for body in bodies {
+            self.shapes |= 1 << u32::from(body.kind);
+            self.transparent += usize::from(body.is_transparent());
+        }
+    }
+}
+
+impl Specialization {
+    /// The specialization for a stage seen through a camera, or what in them the shaders cannot draw.
+    ///
+    /// # Errors
+    /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
+    pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
+        let is_own = |material: &StageMaterial| !matches!(material.law, Law::Constant);
+        if stage.materials.iter().any(is_own) || stage.lights.iter().any(|light| light.radius > 0.0) {
+            return Err(Unsupported::Physical);
+        }
+        let around_eye = eye_media(stage, camera).len();
+        if around_eye > MOST_MEDIA {
+            return Err(Unsupported::EyeMedia(around_eye));
+        }
+        let Contents { shapes, transparent, depth } = *contents;
+        let is_clear = transparent > 0;
+        let media = transparent.min(MOST_MEDIA).next_power_of_two() as u32;
+        Ok(Self {
+            shapes,
+            depth,
+            media: if is_clear { media } else { 0 },
+            // One ray may wait for each generation but the last; in steps, so that fewer shaders are needed.
+            stack: if is_clear { (stage.generations() - 1).next_multiple_of(4) } else { 0 },
+            checkers: !stage.checkers.is_empty(),
+            asks_each_start: is_clear && camera.parallel_height().is_some(),
+        })
+    }
+
+    /// Whether shapes of this kind occur.
+    pub fn has(&self, kind: ShapeKind) -> bool {
+        self.shapes & (1 << kind as u32) != 0
+    }
+}
+
+/// The transparent bodies around the eye, the outermost first; none for a parallel projection.
+pub(super) fn eye_media(stage: &Stage, camera: &StageCamera) -> Vec<u32> {
+    let Some(eye) = camera.eye() else { return Vec::new() };
+    let mut table = MediaTable::default();
+    let media = table.at_point(stage, eye);
+    let mut bodies: Vec<u32> = table.bodies(media).collect();
+    bodies.reverse();
+    bodies
+}
+
+/// The longest way from the root through the nodes of the hierarchy; 0 without one.
+fn depth(stage: &Stage) -> u32 {
+    let Hierarchy::Many(bvh) = &stage.hierarchy else { return 0 };
+    let nodes = bvh.nodes();
+    let mut depths = vec![1_u32; nodes.len()];
+    let mut deepest = 1;
+    // A node comes before those below it.
+    for (index, node) in nodes.iter().enumerate() {
+        let below = depths.get(index).map_or(1, |depth| depth + 1);
+        for child in node.children() {
+            if let Some(depth) = depths.get_mut(child as usize) {
+                *depth = below;
+                deepest = deepest.max(below);
+            }
+        }
+    }
+    deepest
+}

@@ -1,0 +1,15 @@
+// Twin of vector.rs. Infinity is the largest finite number here: shaders may be compiled as if there were no others.
+
+const INFINITY: f32 = 3.4028235e38f;
+
+fn normalize_or(vector: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    let length = sqrt(dot(vector, vector));
+    if length > 0.0 && length < INFINITY {
+        return vector * (1.0 / length);
+    }
+    return otherwise;
+}
+
+fn largest(vector: vec3<f32>) -> f32 {
+    return max(max(vector.x, vector.y), vector.z);
+}
