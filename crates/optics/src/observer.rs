@@ -179,19 +179,20 @@ mod tests {
                 }
             }
         }
-        // The color of a glass that lets through what is redder than 600 nm.
-        let exact = seen(|nanometers| if nanometers > 600.0 { 1.0 } else { 0.0 });
+        // A glass that lets through the more, the redder light is.
+        let glass = |nanometers: f64| 0.2 + 0.8 * ((nanometers - 450.0) / 200.0).clamp(0.0, 1.0);
+        let exact = seen(glass);
         let mut mean = [0.0; 3];
         for sample in 0..1000 {
-            for wave in
-                waves(8, (f64::from(sample) + 0.5) / 1000.0).iter().filter(|wave| wave.nanometers > 600.0)
-            {
+            for wave in waves(8, (f64::from(sample) + 0.5) / 1000.0) {
                 for (mean, part) in mean.iter_mut().zip(wave.color) {
-                    *mean += part / 1000.0;
+                    *mean += part * glass(wave.nanometers) / 1000.0;
                 }
             }
         }
-        assert!((mean[0] - exact[0]).abs() < 0.02 && mean[1] < 0.1, "{mean:?} {exact:?}");
+        for (mean, exact) in mean.into_iter().zip(exact) {
+            assert!((mean - exact).abs() < 0.005, "{mean} instead of {exact}");
+        }
     }
 
     #[test]
