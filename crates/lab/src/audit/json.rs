@@ -50,6 +50,7 @@ impl Audit {
             "parent": ray.parent,
             "children": node.children,
             "generation": ray.generation,
+            "wavelength_nanometers": ray.wavelength,
             "coefficient": node.coefficient.to_array(),
             "weight": ray.weight.to_array(),
             "through": ray.through.to_array(),
@@ -78,6 +79,7 @@ impl Audit {
         let lights: Vec<Value> = answer.lights.iter().map(|light| self.light(light)).collect();
         json!({
             "law": answer.law.key(),
+            "alpha": answer.alpha,
             "color": answer.color.to_array(),
             "odd_cell": answer.is_odd_cell,
             "k_a": answer.ambient_coefficient,
@@ -110,6 +112,7 @@ impl Audit {
                 "diffuse": answer.diffuse.to_array(),
                 "highlight_cosine": answer.highlight_cosine,
                 "highlight": answer.highlight,
+                "glints": answer.glints.to_array(),
                 "light": answer.light.to_array(),
             })),
         })

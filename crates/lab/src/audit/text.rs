@@ -200,7 +200,11 @@ impl Page<'_> {
             Some(&body) => format!("in {}, index {}", self.audit.names.body(body), exact(node.ray.ior)),
             None => "in air".to_owned(),
         };
-        self.line("way", &format!("from {origin} along {direction}, {through}"));
+        let color = match node.ray.wavelength {
+            Some(nanometers) => format!(", light of {nanometers:.1} nm"),
+            None => String::new(),
+        };
+        self.line("way", &format!("from {origin} along {direction}, {through}{color}"));
         match node.answer() {
             Some(answer) => self.surface(node, answer),
             None => self.line("meets", &format!("nothing: the background {}", exact_color(node.ray.local))),
@@ -266,7 +270,15 @@ impl Page<'_> {
         let reflected = self.branch(&format!("reflected{by}"), answer.reflected);
         self.line("goes on", &reflected);
         if answer.interface.is_some() {
-            let refracted = self.branch("refracted", answer.refracted);
+            let refracted = match node.waves(self.tree) {
+                Some(waves) => format!(
+                    "refracted: split by color into {} rays, the first {}; together weight × {}",
+                    waves.len(),
+                    waves.first().map_or(0, |first| first + 1),
+                    exact_color(answer.refracted.coefficient)
+                ),
+                None => self.branch("refracted", answer.refracted),
+            };
             self.line("", &refracted);
         }
     }
@@ -309,6 +321,7 @@ impl Page<'_> {
             return;
         };
         self.line(&name, &format!("{facing}, V = {}: {way}", exact_color(shadow.passed)));
+        let mut terms = Vec::new();
         let diffuse = exact_color(sent.diffuse);
         if answer.diffuse_coefficient != 0.0 {
             let (k, c) = (exact(answer.diffuse_coefficient), exact_color(answer.color));
@@ -318,6 +331,7 @@ impl Page<'_> {
                 _ => format!("diffuse k_d·C·(n̂·L̂) = {k} × {c} × {cosine} = {diffuse}"),
             };
             self.line("", &said);
+            terms.push(diffuse);
         }
         if answer.specular_coefficient != 0.0 {
             self.line(
@@ -330,11 +344,16 @@ impl Page<'_> {
                     exact(sent.highlight)
                 ),
             );
+            terms.push(exact(sent.highlight));
         }
-        let terms = match (answer.diffuse_coefficient != 0.0, answer.specular_coefficient != 0.0) {
-            (true, true) => format!("({diffuse} + {})", exact(sent.highlight)),
-            (true, false) => diffuse,
-            _ => exact(sent.highlight),
+        if answer.alpha > 0.0 {
+            let (alpha, glints) = (exact(answer.alpha), exact_color(sent.glints));
+            self.line("", &format!("facets (α = {alpha}) send on {glints}"));
+            terms.push(glints);
+        }
+        let terms = match terms.as_slice() {
+            [only] => only.clone(),
+            several => format!("({})", several.join(" + ")),
         };
         let (passed, power) = (exact_color(shadow.passed), exact_color(sent.power));
         let light = exact_color(sent.light);

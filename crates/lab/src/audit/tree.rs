@@ -62,6 +62,16 @@ impl Node {
         self.ray.answer.as_ref()
     }
 
+    /// The rays that white light was split into at its end, by rising wavelength, if it was.
+    pub fn waves(&self, tree: &RayTree) -> Option<Vec<usize>> {
+        let is_wave = |child: &usize| {
+            let child = tree.nodes.get(*child);
+            child.is_some_and(|child| child.kind == NodeKind::Refracted && child.ray.wavelength.is_some())
+        };
+        let waves: Vec<usize> = self.children.iter().copied().filter(is_wave).collect();
+        (self.ray.wavelength.is_none() && !waves.is_empty()).then_some(waves)
+    }
+
     /// Every body that has to do with it: met, flown in, or in the way of its lights.
     pub(super) fn bodies(&self) -> impl Iterator<Item = usize> {
         let lights = self.answer().into_iter().flat_map(|answer| &answer.lights);

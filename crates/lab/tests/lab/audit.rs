@@ -5,13 +5,13 @@ use std::panic::AssertUnwindSafe;
 use catoptric_lab::audit::{Audit, AuditError, AuditSettings, NodeKind, Proof, audit};
 use catoptric_picture::Picture;
 use catoptric_scene::{Color, Example, Material, Scene};
-use catoptric_tracer::{Control, Fate, RenderSettings, Stage, render};
+use catoptric_tracer::{Control, Fate, ReflectionLaw, RenderSettings, Stage, render};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use proptest::test_runner::TestRunner;
 
-use crate::scenes::{any_scene, ball, cases};
+use crate::scenes::{any_physical_scene, any_scene, ball, cases};
 
 fn look(scene: &Scene, picture: RenderSettings, pixel: UVec2) -> Audit {
     let stage = Stage::prepare(scene).unwrap();
@@ -32,12 +32,13 @@ fn assert_sound(audit: &Audit) {
     for tree in &audit.trees {
         for (place, node) in tree.nodes.iter().enumerate() {
             let ray = &node.ray;
-            assert_eq!(ray.light, ray.weight * ray.local, "ray {place}: what it adds");
+            assert_eq!(ray.light, ray.weight * ray.through * ray.local, "ray {place}: what it adds");
             match ray.parent {
                 Some(parent) => {
                     let parent = &tree.nodes[parent];
                     assert!(ray.parent.unwrap() < place && parent.children.contains(&place));
-                    assert_eq!(ray.weight, parent.ray.weight * node.coefficient, "ray {place}: its weight");
+                    let weight = parent.ray.weight * parent.ray.through * node.coefficient;
+                    assert_eq!(ray.weight, weight, "ray {place}: its weight");
                     assert_eq!(Vec3::from(ray.ray.origin), parent.ray.hit.unwrap().position);
                 }
                 None => assert_eq!((place, ray.weight, node.kind), (0, Vec3::ONE, NodeKind::Primary)),
@@ -51,9 +52,12 @@ fn assert_sound(audit: &Audit) {
             let mut local = answer.ambient;
             for light in &answer.lights {
                 let (Some(shadow), Some(sent)) = (&light.shadow, light.answer) else { continue };
-                let diffuse = answer.color * answer.diffuse_coefficient * light.cosine;
-                assert_eq!(sent.diffuse, diffuse);
-                assert_eq!(sent.light, shadow.passed * sent.power * (sent.diffuse + sent.highlight));
+                if answer.law == ReflectionLaw::Constant {
+                    let diffuse = answer.color * answer.diffuse_coefficient * light.cosine;
+                    assert_eq!(sent.diffuse, diffuse);
+                }
+                let sum = sent.diffuse + sent.highlight + sent.glints;
+                assert_eq!(sent.light, shadow.passed * sent.power * sum);
                 let filters = shadow.crossings.iter().map(|crossing| crossing.filter.unwrap());
                 let passed: Vec3 = filters.product();
                 assert!((shadow.passed - passed).abs().max_element() < 1e-6, "ray {place}: its shadow");
@@ -63,7 +67,10 @@ fn assert_sound(audit: &Audit) {
             for light in &answer.lights {
                 let is_dark = light.shadow.as_ref().is_some_and(|shadow| shadow.passed == Vec3::ZERO);
                 assert_eq!(light.answer.is_some(), light.shadow.is_some() && !is_dark);
-                assert_eq!(light.shadow.is_some(), light.cosine > 0.0);
+                let is_frosted = answer.law == ReflectionLaw::Dielectric && answer.alpha > 0.0;
+                let from_behind = is_frosted && ray.hit.unwrap().hit.leaving;
+                let is_faced = if from_behind { light.cosine < 0.0 } else { light.cosine > 0.0 };
+                assert_eq!(light.shadow.is_some(), is_faced);
             }
         }
     }
@@ -98,6 +105,34 @@ fn audits_of_random_scenes_have_the_bits_of_the_picture() {
     }
     println!("{rays} rays, {totals} of them totally reflected, {certain} of {all} pixels certain");
     assert!(rays > 1000 && totals > 20 && certain * 20 > all * 19, "{rays} {totals} {certain}");
+}
+
+#[test]
+fn audits_of_physical_materials_have_the_bits_of_the_picture() {
+    let strategy = (any_physical_scene(), prop_oneof![3 => Just(1_u32), 1 => 2..6_u32]);
+    let mut runner = TestRunner::new(cases(40));
+    let (mut waves, mut glints, mut absorbed) = (0, 0, 0);
+    for _ in 0..40 {
+        let (scene, samples) = strategy.new_tree(&mut runner).unwrap().current();
+        let settings = RenderSettings { width: 41, height: 33, samples };
+        let picture = rendered(&scene, settings);
+        for step in 0..6 {
+            let pixel = UVec2::new(12 + 3 * step, 14 + 2 * step);
+            let audit = look(&scene, settings, pixel);
+            let truth = picture.pixels()[(pixel.y * 41 + pixel.x) as usize];
+            assert_eq!(bits(audit.light), bits(truth), "pixel {pixel} of {scene:#?}");
+            assert_sound(&audit);
+            for node in audit.trees.iter().flat_map(|tree| &tree.nodes) {
+                waves += usize::from(node.ray.wavelength.is_some());
+                absorbed += usize::from(node.ray.through != Vec3::ONE);
+                let lights = node.answer().into_iter().flat_map(|answer| &answer.lights);
+                glints +=
+                    lights.filter_map(|light| light.answer).filter(|sent| sent.glints != Vec3::ZERO).count();
+            }
+        }
+    }
+    println!("{waves} rays of one color, {glints} glints, {absorbed} rays that lost light on their way");
+    assert!(waves > 50 && glints > 50 && absorbed > 50, "{waves} {glints} {absorbed}");
 }
 
 #[test]

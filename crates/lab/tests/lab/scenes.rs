@@ -1,8 +1,9 @@
 //! Random scenes of everything, and short ways to build scenes.
 
+use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, Color, Falloff, Light, Material, MaterialChoice, Placement, Projection,
-    Scene, Shape, Tracing,
+    Anchor, Body, Camera, Checker, Color, Conductor, Falloff, Light, Material, MaterialChoice, Model,
+    Placement, Projection, Scene, Shape, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -122,4 +123,42 @@ pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
             scene
         },
     )
+}
+
+/// A material of any model but Phong's, smooth or rough.
+fn physical() -> impl Strategy<Value = Material> {
+    let roughness = prop_oneof![Just(0.0), 0.05..1.0_f64];
+    let model = prop::sample::select(&Model::ALL[1..]);
+    let substance = prop::option::of(prop::sample::select(CLEAR.iter().collect::<Vec<_>>()));
+    let metal = prop::sample::select(METALS.iter().collect::<Vec<_>>());
+    (model, color(), 0.7..2.0_f64, roughness, substance, any::<bool>(), metal).prop_map(
+        |(model, color, ior, roughness, substance, dispersion, metal)| Material {
+            model,
+            color,
+            ior,
+            roughness,
+            substance,
+            dispersion,
+            attenuation_color: color,
+            conductor: Conductor::Metal(metal),
+            ..Material::default()
+        },
+    )
+}
+
+/// The same bodies of physical materials, under lights of which some are balls.
+pub(crate) fn any_physical_scene() -> impl Strategy<Value = Scene> {
+    let materials = prop::collection::vec(physical(), 20);
+    let radii = prop::collection::vec(prop_oneof![Just(0.0), 0.1..1.5_f64], 4);
+    (any_scene(), materials, radii).prop_map(|(mut scene, materials, radii)| {
+        for (body, material) in scene.bodies.iter_mut().zip(materials) {
+            body.material = MaterialChoice::Inline(Box::new(material));
+        }
+        for (light, radius) in scene.lights.iter_mut().zip(radii) {
+            light.radius = radius;
+        }
+        // Eight waves at every surface of glass that splits light grow quickly.
+        scene.tracing.generations = scene.tracing.generations.min(5);
+        scene
+    })
 }

@@ -24,6 +24,8 @@ pub(super) enum Part {
     Light(usize),
     Diffuse(usize),
     Highlight(usize),
+    /// What the facets of a rough surface send on.
+    Facets(usize),
     /// What comes from a light altogether.
     Arrives(usize),
     Local,
@@ -69,7 +71,7 @@ impl Term {
 
     /// Whether it is a part of the term above it.
     pub(super) fn is_inner(&self) -> bool {
-        matches!(self.part, Part::Diffuse(_) | Part::Highlight(_) | Part::Arrives(_))
+        matches!(self.part, Part::Diffuse(_) | Part::Highlight(_) | Part::Facets(_) | Part::Arrives(_))
     }
 }
 
@@ -129,8 +131,12 @@ impl Writer<'_> {
             ("medium", medium.into()),
             ("index", short(node.ray.ior.into()).into()),
         ];
-        Term::new(Part::Way, self.texts.get("audit-way"))
-            .words(self.texts.with("audit-way-words", &arguments))
+        let mut words = self.texts.with("audit-way-words", &arguments);
+        if let Some(nanometers) = node.ray.wavelength {
+            words.push_str(", ");
+            words.push_str(&self.texts.with("audit-wave", &[("nanometers", short(nanometers).into())]));
+        }
+        Term::new(Part::Way, self.texts.get("audit-way")).words(words)
     }
 
     fn surface(&self, terms: &mut Vec<Term>, node: &Node, answer: &SurfaceAnswer) {
@@ -171,7 +177,16 @@ impl Writer<'_> {
         };
         terms.push(self.branch(Part::Reflected, "audit-reflected", reflected, answer.reflected));
         if answer.interface.is_some() {
-            terms.push(self.branch(Part::Refracted, "audit-refracted", refracted, answer.refracted));
+            let branch = self.branch(Part::Refracted, "audit-refracted", refracted, answer.refracted);
+            let waves = self.audit.trees.first().and_then(|tree| node.waves(tree));
+            terms.push(match waves {
+                Some(waves) => {
+                    let first = waves.first().map_or(0, |first| first + 1);
+                    let arguments = [("count", waves.len().into()), ("ray", first.into())];
+                    branch.words(texts.with("audit-split", &arguments))
+                }
+                None => branch,
+            });
         }
     }
 
@@ -225,6 +240,12 @@ impl Writer<'_> {
             let numbers = format!("{k} · {base}^{{{power}}}");
             terms.push(highlight.formula("k_s (~S·~R)^n", numbers).value(Vec3::splat(sent.highlight)));
             sum.push(short(sent.highlight.into()));
+        }
+        if answer.alpha > 0.0 {
+            let facets = Term::new(Part::Facets(light.light), texts.get("audit-facets"));
+            let numbers = format!("α = {}", short(answer.alpha.into()));
+            terms.push(facets.formula("π F D G/(4 ~n·~S)", numbers).value(sent.glints));
+            sum.push(color(sent.glints));
         }
         let sum = if sum.len() > 1 { format!("({})", sum.join(" + ")) } else { sum.concat() };
         let numbers = format!("{} · {} · {sum}", color(shadow.passed), color(sent.power));

@@ -67,10 +67,13 @@ audit-more-surfaces = { $count ->
 }
 audit-diffuse = Diffuse
 audit-highlight = Highlight
+audit-facets = Facets
 audit-arrives = From this light
 audit-local = Local light
 audit-reflected = Reflected
 audit-refracted = Refracted
+audit-split = is split by color into { $count } rays, the first { $ray }
+audit-wave = light of { $nanometers } nm
 audit-goes-on = goes on as ray { $ray }
 audit-ends-nothing = nothing, the coefficient is 0
 audit-ends-total = nothing, all light is reflected

@@ -69,10 +69,13 @@ audit-more-surfaces = { $count ->
 }
 audit-diffuse = Рассеянный
 audit-highlight = Блик
+audit-facets = Микрограни
 audit-arrives = От источника
 audit-local = Локальный свет
 audit-reflected = Отражённый
 audit-refracted = Преломлённый
+audit-split = разлагается по цветам, лучей: { $count }, первый из них — { $ray }
+audit-wave = свет { $nanometers } нм
 audit-goes-on = продолжается лучом { $ray }
 audit-ends-nothing = луча нет: коэффициент равен 0
 audit-ends-total = луча нет: весь свет отражается
