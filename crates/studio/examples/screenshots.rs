@@ -99,6 +99,8 @@ fn shots() -> Vec<Shot> {
             body: Some(5),
             ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
         },
+        Shot { body: Some(12), ..shot("studio-material-en", "english", "dark", "metals") },
+        Shot { body: Some(14), ..shot("studio-material-ru", "russian", "light", "rising-index") },
         Shot {
             commands: vec![Command::TogglePane(Pane::Compare)],
             ..shot("studio-compare", "english", "dark", "four-bodies")
