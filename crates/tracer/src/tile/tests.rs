@@ -30,9 +30,11 @@ fn trace(stage: &Stage, mut trace: impl FnMut(Sample<'_, '_>) -> bool) -> (Vec<[
 fn all_widths_trace_the_same_picture() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference");
     let plain = ["whitted", "corridor", "transforms", "coloured-glass", "inside", "parallel", "cloud"];
-    let physical = ["bubble", "gold", "lacquer", "rough-glass", "rough-metal-03", "soft-shadow"];
+    let physical =
+        ["bubble", "gold", "lacquer", "rough-glass", "rough-metal-03", "soft-shadow", "surroundings"];
     let physical = physical.map(|name| format!("../mitsuba/{name}"));
-    for name in plain.map(str::to_owned).into_iter().chain(physical) {
+    let patterned = ["../../crates/scene/examples/textures".to_owned()];
+    for name in plain.map(str::to_owned).into_iter().chain(physical).chain(patterned) {
         let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
         let stage = Stage::prepare(&scene).unwrap();
         let (alone, rays) = trace(&stage, |sample| sample.run(One));

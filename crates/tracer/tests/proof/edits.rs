@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use catoptric_scene::{Body, Falloff, Scene, Shape};
+use catoptric_scene::{Body, Falloff, Image, Scene, Shape, Sky, Surroundings};
 use catoptric_tracer::{Control, Ray, RenderSettings, Stage, SurfaceHit, render};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -69,6 +69,12 @@ impl Edit {
             }
             Self::Surroundings(share) => {
                 scene.environment.background = [share, 0.5, 1.0 - share].into();
+                scene.environment.surroundings = match (4.0 * share) as u32 {
+                    0 => Surroundings::Even,
+                    1 => Surroundings::Sky(Sky::default()),
+                    _ => Surroundings::Picture(Image::open("builtin:grid", None).unwrap()),
+                };
+                scene.environment.rotation_degrees = 300.0 * share;
                 scene.lights[0].intensity = share;
                 scene.tracing.generations = 2 + (6.0 * share) as u32;
                 return Vec::new();

@@ -19,4 +19,5 @@ mod robustness;
 mod samples;
 mod shapes;
 mod spd;
+mod surroundings;
 mod trees;
