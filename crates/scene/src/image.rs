@@ -12,6 +12,7 @@ use catoptric_picture::{Picture, ReadError};
 
 use crate::Scene;
 use crate::body::Body;
+use crate::color::Color;
 use crate::environment::{Environment, Surroundings};
 use crate::material::{Material, MaterialChoice, NamedMaterial};
 
@@ -23,6 +24,8 @@ use crate::material::{Material, MaterialChoice, NamedMaterial};
 pub struct Image {
     path: Arc<str>,
     pixels: Option<Arc<Picture>>,
+    mean: Color,
+    brightest: Color,
 }
 
 impl Image {
@@ -37,12 +40,30 @@ impl Image {
 
     /// A picture that is not opened yet.
     pub fn new(path: impl Into<Arc<str>>) -> Self {
-        Self { path: path.into(), pixels: None }
+        Self { path: path.into(), pixels: None, mean: Color::BLACK, brightest: Color::BLACK }
     }
 
     /// A picture whose pixels are known.
     pub fn with_pixels(path: impl Into<Arc<str>>, pixels: Arc<Picture>) -> Self {
-        Self { path: path.into(), pixels: Some(pixels) }
+        let (mut sum, mut most) = ([0.0; 3], [0.0_f64; 3]);
+        for pixel in pixels.pixels() {
+            for ((sum, most), part) in sum.iter_mut().zip(&mut most).zip(pixel) {
+                *sum += f64::from(*part);
+                *most = most.max(f64::from(*part));
+            }
+        }
+        let mean = sum.map(|part: f64| part / pixels.pixels().len() as f64);
+        Self { path: path.into(), pixels: Some(pixels), mean: mean.into(), brightest: most.into() }
+    }
+
+    /// The mean of its pixels; black while they are not known.
+    pub fn mean(&self) -> Color {
+        self.mean
+    }
+
+    /// The most that any pixel has, of each channel; black while they are not known.
+    pub fn brightest(&self) -> Color {
+        self.brightest
     }
 
     /// The picture at `path`, a PNG or EXR file. A relative path begins at `folder`, that of the scene file, or where the
@@ -82,7 +103,7 @@ impl Image {
             return self.clone();
         }
         let path = Self::path_from(to, &file_of(&self.path, from));
-        Self { path: path.into(), pixels: self.pixels.clone() }
+        Self { path: path.into(), ..self.clone() }
     }
 
     /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else by
@@ -199,20 +220,16 @@ impl Scene {
     /// # Errors
     /// What is wrong with those that could not be opened, each path once, in the order of the scene.
     pub fn open_images(&mut self, folder: Option<&Path>) -> Result<(), Vec<ImageError>> {
-        let mut opened: HashMap<Arc<str>, Option<Arc<Picture>>> = HashMap::new();
+        let mut opened: HashMap<Arc<str>, Option<Image>> = HashMap::new();
         let mut errors = Vec::new();
         self.edit_images(&mut |image| {
             if image.pixels.is_some() {
                 return;
             }
-            let open = || match Image::open(&image.path, folder) {
-                Ok(found) => found.pixels,
-                Err(error) => {
-                    errors.push(error);
-                    None
-                }
-            };
-            image.pixels = opened.entry(Arc::clone(&image.path)).or_insert_with(open).clone();
+            let open = || Image::open(&image.path, folder).map_err(|error| errors.push(error)).ok();
+            if let Some(found) = opened.entry(Arc::clone(&image.path)).or_insert_with(open) {
+                image.clone_from(found);
+            }
         });
         if errors.is_empty() { Ok(()) } else { Err(errors) }
     }

@@ -168,6 +168,14 @@ impl Material {
         self.reflection.unwrap_or(if self.model == Model::Mirror { 1.0 } else { self.specular })
     }
 
+    /// The most that its color can be, of each channel, but for a checker's: of a texture, that of its pixels.
+    pub fn brightest(&self) -> Color {
+        match &self.texture {
+            Some(image) if image.pixels().is_some() && self.model.has_color() => image.brightest(),
+            _ => self.color,
+        }
+    }
+
     /// A color that stands for it in a list: that of its ground, of its reflection, or of its depth.
     pub fn emblem(&self) -> Color {
         match (self.model, self.conductor) {
@@ -177,7 +185,10 @@ impl Material {
                 let straight = |n, k| fresnel::conductor(1.0, n, k).mean();
                 Color::new(straight(n.x, k.x), straight(n.y, k.y), straight(n.z, k.z))
             }
-            _ => self.color,
+            _ => match &self.texture {
+                Some(image) if image.pixels().is_some() => image.mean(),
+                _ => self.color,
+            },
         }
     }
 
@@ -190,7 +201,7 @@ impl Material {
             Model::Matte => Share::always(0.0),
             Model::Mirror => {
                 let checker = self.checker.map_or(0.0, |checker| largest(checker.color));
-                Share::always(self.reflection() * largest(self.color).max(checker))
+                Share::always(self.reflection() * largest(self.brightest()).max(checker))
             }
             Model::Dielectric if self.ior() == 1.0 => Share::always(0.0),
             Model::Dielectric | Model::Coated => fresnel(fresnel::dielectric(1.0, self.ior()).mean()),

@@ -110,7 +110,7 @@ impl Lines<'_> {
                 Factor::sign("I = "),
                 Factor::number(Symbol::Reflection, material.reflection()),
                 Factor::sign("·"),
-                Factor::color(Symbol::Color, material.color),
+                Factor::color(Symbol::Color, material.emblem()),
                 Factor::sign("·"),
                 self.reflected(),
             ],

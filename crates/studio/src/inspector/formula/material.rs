@@ -59,7 +59,7 @@ fn ambient<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material, s
     let numbers = vec![
         Factor::number(Symbol::Ambient, material.ambient),
         Factor::sign("·"),
-        Factor::color(Symbol::Color, material.color),
+        Factor::color(Symbol::Color, material.emblem()),
         Factor::sign("·"),
         Factor::color(Symbol::AmbientLight, scene.environment.ambient),
     ];
@@ -83,7 +83,7 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
     let numbers = vec![
         Factor::number(Symbol::Diffuse, material.diffuse),
         Factor::sign("·"),
-        Factor::color(Symbol::Color, material.color),
+        Factor::color(Symbol::Color, material.emblem()),
         Factor::sign("·"),
         Factor::symbol(Symbol::Lambert),
     ];
