@@ -2,9 +2,9 @@
 
 use crate::media::MediaTable;
 use crate::shape::ShapeKind;
-use crate::stage::{Hierarchy, Law, Stage, StageBody, StageCamera, StageChanges, StageMaterial};
+use crate::stage::{Hierarchy, Stage, StageBody, StageCamera, StageChanges};
 
-use super::{MOST_MEDIA, MOST_RAYS};
+use super::{MOST_MEDIA, MOST_RAYS, Physical};
 
 /// What is found among the bodies of a stage, or was before an edit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,13 +32,15 @@ pub struct Specialization {
     pub checkers: bool,
     /// Whether primary rays start in different media: those of a parallel projection, among transparent bodies.
     pub asks_each_start: bool,
+    /// What there is of physical materials and lights.
+    pub physical: Physical,
 }
 
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
-    /// Surfaces with a law of their own, or lights that are balls.
-    #[error("the GPU knows Phong's and matte materials and point lights, so far")]
+    /// Rough surfaces, bodies that split light, or lights that are balls.
+    #[error("the GPU knows smooth bodies that do not split light and point lights, so far")]
     Physical,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
@@ -83,8 +85,9 @@ impl Specialization {
     /// # Errors
     /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
     pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
-        let is_own = |material: &StageMaterial| !matches!(material.law, Law::Constant);
-        if stage.materials.iter().any(is_own) || stage.lights.iter().any(|light| light.radius > 0.0) {
+        let physical = Physical::of(stage);
+        let unknown = [Physical::FACETS, Physical::DISPERSES, Physical::BALLS];
+        if unknown.into_iter().any(|one| physical.has(one)) {
             return Err(Unsupported::Physical);
         }
         let around_eye = eye_media(stage, camera).len();
@@ -102,6 +105,7 @@ impl Specialization {
             stack: if is_clear { (stage.generations() - 1).next_multiple_of(4) } else { 0 },
             checkers: !stage.checkers.is_empty(),
             asks_each_start: is_clear && camera.parallel_height().is_some(),
+            physical,
         })
     }
 
