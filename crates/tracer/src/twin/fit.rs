@@ -39,8 +39,8 @@ pub struct Specialization {
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
-    /// Rough surfaces, or bodies that split light.
-    #[error("the GPU knows smooth bodies that do not split light, so far")]
+    /// Bodies that split light.
+    #[error("the GPU knows no bodies that split light, so far")]
     Physical,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
@@ -86,7 +86,7 @@ impl Specialization {
     /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
     pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
         let physical = Physical::of(stage);
-        let unknown = [Physical::FACETS, Physical::DISPERSES];
+        let unknown = [Physical::DISPERSES];
         if unknown.into_iter().any(|one| physical.has(one)) {
             return Err(Unsupported::Physical);
         }
