@@ -39,9 +39,6 @@ pub struct Specialization {
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
-    /// Bodies that split light.
-    #[error("the GPU knows no bodies that split light, so far")]
-    Physical,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
     EyeMedia(usize),
@@ -86,23 +83,21 @@ impl Specialization {
     /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
     pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
         let physical = Physical::of(stage);
-        let unknown = [Physical::DISPERSES];
-        if unknown.into_iter().any(|one| physical.has(one)) {
-            return Err(Unsupported::Physical);
-        }
         let around_eye = eye_media(stage, camera).len();
         if around_eye > MOST_MEDIA {
             return Err(Unsupported::EyeMedia(around_eye));
         }
         let Contents { shapes, transparent, depth } = *contents;
         let is_clear = transparent > 0;
+        // One ray may wait for each generation but the last, and one more among waves; in steps, so that fewer shaders are
+        // needed.
+        let waiting = stage.generations() - 1 + u32::from(physical.has(Physical::DISPERSES));
         let media = transparent.min(MOST_MEDIA).next_power_of_two() as u32;
         Ok(Self {
             shapes,
             depth,
             media: if is_clear { media } else { 0 },
-            // One ray may wait for each generation but the last; in steps, so that fewer shaders are needed.
-            stack: if is_clear { (stage.generations() - 1).next_multiple_of(4) } else { 0 },
+            stack: if is_clear { waiting.next_multiple_of(4) } else { 0 },
             checkers: !stage.checkers.is_empty(),
             asks_each_start: is_clear && camera.parallel_height().is_some(),
             physical,

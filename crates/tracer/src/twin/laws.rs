@@ -71,6 +71,7 @@ pub(super) fn constants(special: &Specialization) -> Constants {
             ("WAVES", WAVES),
             ("WAVE_COUNT", Waves::COUNT as u32),
             ("SAMPLE_WAVES", SAMPLE_WAVES as u32),
+            ("SPLITS", if has(Physical::DISPERSES) { special.stack.max(1) } else { 1 }),
             ("INDEX_STEPS", INDEX_STEPS),
             ("CURVE_STEPS", CURVE_STEPS as u32),
             ("MATERIAL_ROWS", ROWS),

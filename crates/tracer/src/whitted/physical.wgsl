@@ -9,13 +9,30 @@ struct Beam {
     media: Media,
 }
 
+// A ray that waits as it came to a body that splits light: it is kept once, and sends a wave through whenever it is its
+// turn.
+struct Split {
+    // Of the surface, or of the facet of it that is seen.
+    normal: vec3<f32>,
+    // The next wave; WAVE_COUNT of a ray that goes on as it is.
+    wave: u32,
+    // Of the surface that facets make up.
+    ground: vec3<f32>,
+    // Whether the way to the surface was no mere rounding.
+    moves: bool,
+}
+
 // Rays that wait while a reflected one is followed. That one always is a generation further on, so that no more than one
-// waits for each generation.
+// waits for each generation; or one more among the waves of a split ray, the first of which may be as old as that.
 var<private> waiting: array<Beam, STACK>;
+var<private> splits: array<Split, SPLITS>;
 var<private> waits: u32 = 0u;
 
 fn wait(beam: Beam) {
     waiting[waits] = beam;
+    if DISPERSES {
+        splits[waits].wave = WAVE_COUNT;
+    }
     waits += 1u;
 }
 
@@ -23,6 +40,7 @@ fn wait(beam: Beam) {
 fn begin(place: u32, sample: u32) {
     dice_pixel = vec2(place % frame.size.x, place / frame.size.x);
     dice_sample = frame.samples_done + sample;
+    first_wave = sample * WAVE_COUNT;
 }
 
 // What a light gives to a point, and from where.
@@ -112,7 +130,7 @@ struct Follower {
     generation: u32,
 }
 
-// Makes `follower` the ray that is reflected at a point, while a refracted one waits. Whether there is one.
+// Makes `follower` the ray that is reflected at a point, while refracted ones wait. Whether there is one.
 fn spawn(
     follower: ptr<function, Follower>,
     at: ptr<function, Encounter>,
@@ -127,7 +145,11 @@ fn spawn(
     }
     var reflected = (*at).reflected;
     if HAS_TRANSPARENCY && body_is_transparent((*at).body) {
-        reflected = send_through(ray, weight, generation, *at, ground, *media);
+        if DISPERSES && (*at).material.indices != NO_ROWS && is_white(media) {
+            reflected = split(ray, weight, generation, *at, ground, *media);
+        } else {
+            reflected = send_through(ray, weight, generation, *at, ground, *media);
+        }
     }
     let direction = mend_unit(reflect_about(ray.direction, (*at).normal));
     let off = let_off(ground, direction, false, reflected);
@@ -138,6 +160,28 @@ fn spawn(
     counts.reflected += 1u;
     *follower = Follower(ray_from((*at).position, direction, (*at).start), mirrored, generation + 1u);
     return true;
+}
+
+// Makes `follower` a ray that waited. Whether there is one.
+fn take_waiting(follower: ptr<function, Follower>, media: ptr<function, Media>) -> bool {
+    while waits > 0u {
+        let last = waits - 1u;
+        *media = waiting[last].media;
+        if !DISPERSES || splits[last].wave == WAVE_COUNT {
+            waits = last;
+            *follower = Follower(waiting[last].ray, waiting[last].weight, waiting[last].generation);
+            return true;
+        }
+        let wave = splits[last].wave;
+        splits[last].wave = wave + 1u;
+        if wave + 1u == WAVE_COUNT {
+            waits = last;
+        }
+        if send_wave(last, wave, follower, media) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // The light that a primary ray brings. `first_body` becomes the body that it meets.
@@ -173,13 +217,10 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
             break;
         }
         if !goes_on {
-            if waits == 0u {
+            if !take_waiting(&follower, &media) {
                 is_whole = true;
                 break;
             }
-            waits -= 1u;
-            follower = Follower(waiting[waits].ray, waiting[waits].weight, waiting[waits].generation);
-            media = waiting[waits].media;
         }
     }
     tree_overflowed = tree_overflowed || !is_whole;

@@ -57,3 +57,46 @@ fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, gro
     }
     return vec3(across.reflection);
 }
+
+// Lets each wave of a white ray wait for its turn. What is reflected of all together.
+fn split(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, ground: Ground, media: Media) -> vec3<f32> {
+    let here = Ray(at.position, ray.slack, ray.direction, at.start);
+    splits[waits] = Split(at.normal, 0u, ground.normal, at.t > ray.slack);
+    waiting[waits] = Beam(here, weight, generation, media);
+    waits += 1u;
+    var reflection = vec3(0.0);
+    for (var wave = 0u; wave < WAVE_COUNT; wave++) {
+        var beyond = media;
+        media_color(&beyond, wave);
+        let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
+        reflection += wave_color(wave) * across.reflection;
+    }
+    return reflection;
+}
+
+// Makes `follower` a wave of the split ray at a place of those that wait, and `media`, which are around that, what is
+// beyond. Whether it carries anything.
+fn send_wave(
+    place: u32,
+    wave: u32,
+    follower: ptr<function, Follower>,
+    media: ptr<function, Media>,
+) -> bool {
+    let ray = waiting[place].ray;
+    let waits_there = splits[place];
+    let body = ray.start & NO_START;
+    let material = material_of(body);
+    media_color(media, wave);
+    let across = crossing(ray.direction, waits_there.normal, body, material, media);
+    let ground = Ground(waits_there.ground, material.alpha);
+    let through = let_through(across, ground, across.filter_color * wave_color(wave));
+    let passing = waiting[place].weight * through.weight;
+    if !through.flies || !carries(passing) {
+        return false;
+    }
+    counts.refracted += 1u;
+    let same = across.ratio == 1.0 && waits_there.moves;
+    let generation = waiting[place].generation + select(1u, 0u, same);
+    *follower = Follower(ray_from(ray.origin, across.bent, ray.start ^ INWARDS), passing, generation);
+    return true;
+}
