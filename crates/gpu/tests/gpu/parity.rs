@@ -14,14 +14,14 @@ const OTHER_BODIES: f64 = 0.0005;
 /// The share of pixels that may be off by more than 1/255.
 const OFF: f64 = 0.001;
 
-struct Compared {
+pub(crate) struct Compared {
     other_bodies: usize,
     difference: Difference,
-    cpu: (Picture, RayCounts),
-    gpu: (Picture, RayCounts),
+    pub(crate) cpu: (Picture, RayCounts),
+    pub(crate) gpu: (Picture, RayCounts),
 }
 
-fn compare(card: &Gpu, stage: &Stage, samples: u32) -> Compared {
+pub(crate) fn compare(card: &Gpu, stage: &Stage, samples: u32) -> Compared {
     let [width, height] = SIZE;
     let settings = RenderSettings { width, height, samples };
     let cpu = render(stage, settings, &Control::default()).unwrap();
@@ -48,7 +48,7 @@ fn count_other_bodies(stage: &Stage, bodies: &[u32]) -> usize {
 }
 
 /// What is wrong with a picture, if anything.
-fn fault(name: &str, compared: &Compared) -> Option<String> {
+pub(crate) fn fault(name: &str, compared: &Compared) -> Option<String> {
     let pixels = f64::from(SIZE[0] * SIZE[1]);
     let others = compared.other_bodies as f64 / pixels;
     let Difference { share_above, not_a_number, max, .. } = compared.difference;
@@ -78,7 +78,7 @@ fn leave_evidence(name: &str, compared: &Compared) -> String {
 }
 
 /// How far two counts of rays are apart, as a share.
-fn apart(one: u64, other: u64) -> f64 {
+pub(crate) fn apart(one: u64, other: u64) -> f64 {
     one.abs_diff(other) as f64 / one.max(other).max(1) as f64
 }
 

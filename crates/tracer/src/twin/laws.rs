@@ -233,3 +233,104 @@ impl SampleWaves {
         Self(places)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Body, Conductor, Example, Light, Material, MaterialChoice, Model, Scene};
+
+    use super::*;
+    use crate::twin::shader;
+
+    fn stage_of(materials: &[Material], radius: f64) -> Stage {
+        let body = |material: &Material| Body {
+            material: MaterialChoice::Inline(Box::new(*material)),
+            ..Body::default()
+        };
+        let lights = vec![Light { radius, ..Light::default() }];
+        let scene = Scene { bodies: materials.iter().map(body).collect(), lights, ..Scene::default() };
+        Stage::prepare(&scene).unwrap()
+    }
+
+    fn made_of(model: Model) -> Material {
+        Material { model, ..Material::default() }
+    }
+
+    fn special(stage: &Stage) -> Specialization {
+        Specialization::of(&super::super::Contents::of(stage), stage, stage.camera()).unwrap()
+    }
+
+    #[test]
+    fn only_what_is_there_is_asked_for() {
+        let plain = [Model::Phong, Model::Matte].map(made_of);
+        assert_eq!(Physical::of(&stage_of(&plain, 0.0)), Physical::NOTHING);
+        assert_eq!(Physical::of(&stage_of(&plain, 0.5)), Physical::BALLS);
+        let rough = Material { roughness: 0.5, ..made_of(Model::Conductor) };
+        let metal = Physical::LAWS | Physical::METALS;
+        assert_eq!(Physical::of(&stage_of(&[rough], 0.0)), metal | Physical::FACETS);
+        let glass = Material { attenuation_distance: 0.1, ..made_of(Model::Dielectric) };
+        assert_eq!(Physical::of(&stage_of(&[glass], 0.0)), Physical::LAWS);
+        let tinted = Material { attenuation_color: catoptric_scene::Color::gray(0.5), ..glass };
+        assert_eq!(Physical::of(&stage_of(&[tinted], 0.0)), Physical::LAWS | Physical::ABSORBS);
+        let torn = Material { dispersion: true, ..glass };
+        assert_eq!(Physical::of(&stage_of(&[torn], 0.0)), Physical::LAWS | Physical::DISPERSES);
+    }
+
+    /// Scenes of Phong's model pay nothing for what they do not have.
+    #[test]
+    fn plain_shaders_know_nothing_of_physical_materials() {
+        let own = ["facet", "throw", "wave", "absorption", "curve", "radius: f32,\n"];
+        let source = |name: &str| {
+            let scene = Example::find(name).unwrap().load().unwrap().scene;
+            shader(&special(&Stage::prepare(&scene).unwrap()))
+        };
+        let (plain, physical) = (source("whitted"), source("prism"));
+        assert_eq!(own.into_iter().find(|word| plain.contains(word)), None);
+        assert!(own.iter().filter(|word| physical.contains(*word)).count() > 3);
+    }
+
+    #[test]
+    fn tables_stand_where_materials_point() {
+        let gold = Material {
+            conductor: Conductor::Metal(catoptric_optics::Metal::named("gold").unwrap()),
+            ..made_of(Model::Conductor)
+        };
+        let glass = Material { dispersion: true, ..made_of(Model::Dielectric) };
+        let stage =
+            stage_of(&[gold, glass, Material { roughness: 0.3, ..gold }, made_of(Model::Mirror)], 0.0);
+        let rows = rows(&stage);
+        let laws: Vec<Row> = rows.chunks(ROWS as usize).take(4).map(|material| material[3]).collect();
+        assert_eq!(
+            laws.iter().map(|law| law[0]).collect::<Vec<_>>(),
+            [CONDUCTOR, DIELECTRIC, CONDUCTOR, MIRROR]
+        );
+        // One curve for both.
+        assert_eq!((laws[0][2], laws[3][2]), (laws[2][2], NO_ROWS));
+        let Law::Conductor(curve) = &stage.materials[0].law else { panic!("gold is a conductor") };
+        let first = laws[0][2] as usize;
+        assert_eq!(rows[first + CURVE_STEPS + 1][..3], curve.at(1.0).map(f32::to_bits));
+        let indices: Vec<f32> =
+            rows[laws[1][3] as usize..].as_flattened().iter().map(|bits| f32::from_bits(*bits)).collect();
+        let dispersion = stage.materials[1].dispersion.unwrap();
+        for tenth in 3800_u16..7800 {
+            let nanometers = f64::from(tenth) / 10.0;
+            let place = (nanometers - 380.0) * INDEX_RATE;
+            let (low, high) = (indices[place as usize], indices[place as usize + 1]);
+            let between = f64::from(low) + f64::from(high - low) * place.fract();
+            assert!((between - dispersion.index(nanometers)).abs() < 1e-6, "{nanometers}");
+        }
+        assert_eq!(indices.len(), 804);
+    }
+
+    #[test]
+    fn samples_have_their_own_waves() {
+        let SampleWaves(waves) = SampleWaves::new(5, 3);
+        for (place, sample) in (5..8).enumerate() {
+            let own = Waves::of_sample(sample);
+            for (number, wave) in waves[place * Waves::COUNT..].iter().take(Waves::COUNT).enumerate() {
+                assert_eq!(wave[..3], own.color(number));
+                assert_eq!(wave[3], own.nanometers(number as u32).unwrap() as f32);
+            }
+        }
+        assert_eq!(waves[3 * Waves::COUNT], [0.0; 4]);
+    }
+}
