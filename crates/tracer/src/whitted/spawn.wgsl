@@ -67,7 +67,7 @@ fn split(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, ground: Gr
     var reflection = vec3(0.0);
     for (var wave = 0u; wave < WAVE_COUNT; wave++) {
         var beyond = media;
-        media_color(&beyond, wave);
+        media_colored(&beyond, wave);
         let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
         reflection += wave_color(wave) * across.reflection;
     }
@@ -86,7 +86,7 @@ fn send_wave(
     let waits_there = splits[place];
     let body = ray.start & NO_START;
     let material = material_of(body);
-    media_color(media, wave);
+    media_colored(media, wave);
     let across = crossing(ray.direction, waits_there.normal, body, material, media);
     let ground = Ground(waits_there.ground, material.alpha);
     let through = let_through(across, ground, across.filter_color * wave_color(wave));

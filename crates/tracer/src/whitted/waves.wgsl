@@ -26,7 +26,7 @@ fn is_white(media: ptr<function, Media>) -> bool {
 }
 
 // Makes the media those of light of one wave, which stands before the outermost body.
-fn media_color(media: ptr<function, Media>, wave: u32) {
+fn media_colored(media: ptr<function, Media>, wave: u32) {
     if (*media).count == MEDIA {
         media_overflowed = true;
         return;

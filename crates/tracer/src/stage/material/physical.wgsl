@@ -60,12 +60,12 @@ fn filter_of(body: u32) -> vec3<f32> {
 
 // The index of refraction within a body for the light of a ray whose outermost medium this is.
 fn ior_of(body: u32, outermost: u32) -> f32 {
+    // A wave that stands alone is in air.
+    if DISPERSES && body >= WAVES {
+        return 1.0;
+    }
     let first = first_row(body);
     if DISPERSES && outermost >= WAVES {
-        // The wave stands alone: around it is air.
-        if body >= WAVES {
-            return 1.0;
-        }
         let indices = materials[first + 3u].w;
         if indices != NO_ROWS {
             return index_at(indices, outermost - WAVES);
