@@ -12,9 +12,11 @@ mod curve;
 mod depth;
 mod formula;
 mod header;
+mod image;
 mod kinds;
 mod light;
 mod material;
+mod pattern;
 mod physical;
 mod place;
 mod reshape;
@@ -22,6 +24,7 @@ mod sheet;
 mod surroundings;
 mod symbol;
 
+pub(crate) use material::give_texture;
 use symbol::Symbol;
 
 /// Below this width, points, the panel scrolls sideways.

@@ -17,6 +17,7 @@ mod first_steps;
 mod help;
 mod history;
 pub mod host;
+mod images;
 mod inspector;
 mod latest;
 mod layout;
@@ -45,6 +46,7 @@ mod window;
 
 pub use app::{Start, Studio};
 pub use command::{AuditAct, Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
+pub use images::ImageUse;
 pub use layout::Pane;
 pub use methods::Methods;
 pub use pictures::{PictureKind, RenderChoices};

@@ -46,7 +46,8 @@ impl Numbers {
     }
 
     fn material(&mut self) -> Material {
-        let checker = (self.below(2) == 0).then(|| Checker { color: self.color(), size: 0.3 });
+        let checker =
+            (self.below(2) == 0).then(|| Checker { color: self.color(), size: 0.3, ..Checker::default() });
         let own =
             Material { color: self.color(), roughness: self.roughness(), checker, ..Material::default() };
         match self.below(8) {
@@ -168,7 +169,7 @@ fn close_by(material: Material) -> Scene {
     let floor = Material { model: Model::Matte, ..Material::default() };
     let mut scene = Scene {
         bodies: [
-            body(Shape::Sphere { radius: 1.0 }, DVec3::new(-1.1, 0.0, 0.0), material),
+            body(Shape::Sphere { radius: 1.0 }, DVec3::new(-1.1, 0.0, 0.0), material.clone()),
             body(Shape::Cube { size: DVec3::splat(1.6) }, DVec3::new(1.1, -0.2, 0.0), material),
             body(Shape::Plane, DVec3::new(0.0, -1.0, 0.0), floor),
         ]
@@ -189,7 +190,7 @@ fn materials_close_by_are_those_of_the_cpu() {
     let Some(card) = card("materials_close_by_are_those_of_the_cpu") else { return };
     let of = |model, roughness| Material { model, roughness, ..Material::default() };
     let amber = Color { r: 0.9, g: 0.5, b: 0.1 };
-    let checker = Some(Checker { color: amber, size: 0.3 });
+    let checker = Some(Checker { color: amber, size: 0.3, ..Checker::default() });
     let tinted = |roughness| Material {
         attenuation_color: amber,
         attenuation_distance: 0.5,
@@ -245,7 +246,7 @@ fn waves_that_go_straight_on_are_those_of_the_cpu() {
         material: MaterialChoice::Inline(Box::new(material)),
         ..Body::default()
     };
-    let materials = [pane, glass(1.0), glass(1.6), pane];
+    let materials = [pane.clone(), glass(1.0), glass(1.6), pane];
     let mut scene = Scene {
         bodies: (0..).zip(materials).map(|(at, material)| slab(f64::from(at), material)).collect(),
         lights: vec![Light::default()],

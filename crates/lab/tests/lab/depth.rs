@@ -135,8 +135,8 @@ fn materials_that_give_more_than_they_get_are_named_with_the_number() {
     // As much as it gets is no excess, and a checker's second color counts.
     let fair = Material { color: Color::WHITE, diffuse: 0.9, reflection: Some(0.1), ..Material::default() };
     assert_eq!(excess_of(&fair).count(), 0);
-    let checker = Some(Checker { color: Color::gray(1.2), size: 1.0 });
-    assert_eq!(excess_of(&Material { checker, ..fair }).count(), 1);
+    let checker = Some(Checker { color: Color::gray(1.2), size: 1.0, ..Checker::default() });
+    assert_eq!(excess_of(&Material { checker, ..fair.clone() }).count(), 1);
 
     let materials = vec![NamedMaterial { name: "lamp".to_owned(), material }];
     let mut scene = Scene { materials, ..Scene::default() };

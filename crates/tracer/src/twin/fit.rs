@@ -2,7 +2,7 @@
 
 use crate::media::MediaTable;
 use crate::shape::ShapeKind;
-use crate::stage::{Hierarchy, Stage, StageBody, StageCamera, StageChanges};
+use crate::stage::{Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageMaterial, StageSky};
 
 use super::{MOST_MEDIA, MOST_RAYS, Physical};
 
@@ -39,6 +39,9 @@ pub struct Specialization {
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
+    /// Pictures or skies around the bodies, or pictures on them.
+    #[error("the GPU knows even surroundings and bodies without textures, so far")]
+    Pictures,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
     EyeMedia(usize),
@@ -83,6 +86,10 @@ impl Specialization {
     /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
     pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
         let physical = Physical::of(stage);
+        let is_textured = |material: &StageMaterial| material.texture.is_some();
+        if !matches!(stage.sky, StageSky::Even(_)) || stage.materials.iter().any(is_textured) {
+            return Err(Unsupported::Pictures);
+        }
         let around_eye = eye_media(stage, camera).len();
         if around_eye > MOST_MEDIA {
             return Err(Unsupported::EyeMedia(around_eye));

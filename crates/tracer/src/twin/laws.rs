@@ -164,6 +164,8 @@ fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize
     // All fields by name: what the shaders do not know must not be left out unnoticed.
     let StageMaterial {
         color: [red, green, blue],
+        // Stages with one are refused beforehand (`fit.rs`).
+        texture: _,
         ambient,
         diffuse,
         specular,
@@ -243,7 +245,7 @@ mod tests {
 
     fn stage_of(materials: &[Material], radius: f64) -> Stage {
         let body = |material: &Material| Body {
-            material: MaterialChoice::Inline(Box::new(*material)),
+            material: MaterialChoice::Inline(Box::new(material.clone())),
             ..Body::default()
         };
         let lights = vec![Light { radius, ..Light::default() }];
@@ -268,8 +270,8 @@ mod tests {
         let metal = Physical::LAWS | Physical::METALS;
         assert_eq!(Physical::of(&stage_of(&[rough], 0.0)), metal | Physical::FACETS);
         let glass = Material { attenuation_distance: 0.1, ..made_of(Model::Dielectric) };
-        assert_eq!(Physical::of(&stage_of(&[glass], 0.0)), Physical::LAWS);
-        let tinted = Material { attenuation_color: catoptric_scene::Color::gray(0.5), ..glass };
+        assert_eq!(Physical::of(&stage_of(std::slice::from_ref(&glass), 0.0)), Physical::LAWS);
+        let tinted = Material { attenuation_color: catoptric_scene::Color::gray(0.5), ..glass.clone() };
         assert_eq!(Physical::of(&stage_of(&[tinted], 0.0)), Physical::LAWS | Physical::ABSORBS);
         let torn = Material { dispersion: true, ..glass };
         assert_eq!(Physical::of(&stage_of(&[torn], 0.0)), Physical::LAWS | Physical::DISPERSES);
@@ -295,8 +297,10 @@ mod tests {
             ..made_of(Model::Conductor)
         };
         let glass = Material { dispersion: true, ..made_of(Model::Dielectric) };
-        let stage =
-            stage_of(&[gold, glass, Material { roughness: 0.3, ..gold }, made_of(Model::Mirror)], 0.0);
+        let stage = stage_of(
+            &[gold.clone(), glass, Material { roughness: 0.3, ..gold }, made_of(Model::Mirror)],
+            0.0,
+        );
         let rows = rows(&stage);
         let laws: Vec<Row> = rows.chunks(ROWS as usize).take(4).map(|material| material[3]).collect();
         assert_eq!(
