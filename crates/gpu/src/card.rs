@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::choice::{GpuChoice, is_software};
 use crate::error::GpuError;
-use crate::pipelines::{BINDINGS, Pipelines};
+use crate::pipelines::{Pipelines, STORED};
 
 /// An open graphics card, with the shaders compiled so far.
 pub struct Gpu {
@@ -172,7 +172,7 @@ fn check_limits(limits: &wgpu::Limits, card: &str) -> Result<(), GpuError> {
     if limits.max_compute_invocations_per_workgroup < 64 || limits.max_compute_workgroup_size_x < 64 {
         return lacks("compute shaders of 64 threads to a group");
     }
-    if limits.max_storage_buffers_per_shader_stage < BINDINGS - 1 {
+    if limits.max_storage_buffers_per_shader_stage < *STORED.end() {
         return lacks("eight storage buffers to a shader");
     }
     Ok(())

@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::Picture;
 use catoptric_tracer::twin::{
-    FILM_HEAD, FILM_PIXEL, FRAME_PLACES, Frame, TILE_BLOCKS, TileRays, Unsupported, tile_rays,
+    FILM_HEAD, FILM_PIXEL, FRAME_PLACES, Frame, Physical, SampleWaves, TILE_BLOCKS, TileRays, Unsupported,
+    tile_rays,
 };
 use catoptric_tracer::{Control, RayCounts, Stage, StageCamera};
 
@@ -20,6 +21,7 @@ pub struct GpuFilm {
     size: [u32; 2],
     pixels: wgpu::Buffer,
     frame: wgpu::Buffer,
+    waves: wgpu::Buffer,
     tiles: Array,
     /// The camera that the tiles' rays are of.
     camera: Option<StageCamera>,
@@ -62,6 +64,7 @@ impl GpuFilm {
             size: [width, height],
             pixels: gpu.buffer("pixels", FILM_HEAD + pixels * FILM_PIXEL, usage)?,
             frame: gpu.buffer("a frame", size_of::<Frame>() as u64, uniform)?,
+            waves: gpu.buffer("waves", size_of::<SampleWaves>() as u64, uniform)?,
             tiles: Array::empty(gpu, "tiles")?,
             camera: None,
             report: Report::new(gpu)?,
@@ -111,6 +114,9 @@ impl GpuFilm {
         let mut left = samples;
         while left > 0 {
             let (count, mut first) = self.begun.take().unwrap_or((left.min(self.most_samples(gpu)), 0));
+            if special.physical.has(Physical::DISPERSES) {
+                gpu.write(&self.waves, 0, bytemuck::bytes_of(&SampleWaves::new(self.samples, count)))?;
+            }
             while first < tiles {
                 if control.is_cancelled() {
                     self.begun = Some((count, first));
@@ -159,7 +165,8 @@ impl GpuFilm {
     fn bind(&self, gpu: &Gpu, on_card: &StageOnCard) -> Result<wgpu::BindGroup, GpuError> {
         let arrays = on_card.bindings().into_iter();
         let all = [self.frame.as_entire_binding()].into_iter().chain(arrays);
-        let all = all.chain([self.tiles.binding(), self.pixels.as_entire_binding()]);
+        let rest = [self.tiles.binding(), self.pixels.as_entire_binding(), self.waves.as_entire_binding()];
+        let all = all.chain(rest);
         let entries: Vec<wgpu::BindGroupEntry<'_>> =
             (0..).zip(all).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
         gpu.guarded(0, |device| {

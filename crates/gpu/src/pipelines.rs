@@ -8,8 +8,10 @@ use catoptric_tracer::twin::{ENTRY_POINT, Specialization, shader};
 use crate::card::Gpu;
 use crate::error::GpuError;
 
-/// What the shader is bound to: the frame, seven arrays, and the film.
-pub(crate) const BINDINGS: u32 = 9;
+/// What the shader is bound to: the frame, seven arrays, the film, and the waves of samples.
+const BINDINGS: u32 = 10;
+/// Those of them that are storage: the arrays, the film last.
+pub(crate) const STORED: std::ops::RangeInclusive<u32> = 1..=8;
 
 /// The shaders compiled so far. A program meets few kinds of stages, and a shader is small: none is let go of.
 pub(crate) struct Pipelines {
@@ -56,9 +58,9 @@ impl Pipelines {
 }
 
 fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    let ty = match binding {
-        0 => wgpu::BufferBindingType::Uniform,
-        _ => wgpu::BufferBindingType::Storage { read_only: binding + 1 < BINDINGS },
+    let ty = match STORED.contains(&binding) {
+        false => wgpu::BufferBindingType::Uniform,
+        true => wgpu::BufferBindingType::Storage { read_only: binding != *STORED.end() },
     };
     wgpu::BindGroupLayoutEntry {
         binding,

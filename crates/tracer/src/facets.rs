@@ -94,7 +94,8 @@ fn density<R: Real>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
 #[inline(always)]
 pub(crate) fn frame<R: Real>(axis: Vector<R>) -> (Vector<R>, Vector<R>) {
     let one = axis.x.like(1.0);
-    let sign = one.copysign(axis.z);
+    // Not by the sign of a zero, which graphics cards need not keep.
+    let sign = R::select(axis.z.lt(axis.z.like(0.0)), -one, one);
     let a = -(one / (sign + axis.z));
     let b = axis.x * axis.y * a;
     let right = Vector::new(one + sign * axis.x * axis.x * a, sign * b, -(sign * axis.x));

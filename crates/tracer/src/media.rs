@@ -9,7 +9,7 @@ use crate::vector::Vector;
 use crate::whitted::Waves;
 
 /// From here on numbers of bodies stand for waves: what a ray that is of one color has at the end of its list.
-const WAVES: u32 = u32::MAX - 0xff;
+pub(crate) const WAVES: u32 = u32::MAX - 0xff;
 
 /// In no body: in air.
 pub(crate) const AIR: u32 = u32::MAX;

@@ -23,7 +23,7 @@ fn media_ior(media: ptr<function, Media>) -> f32 {
     if (*media).count == 0u {
         return 1.0;
     }
-    return materials[bodies[(*media).bodies[(*media).count - 1u]].material].ior;
+    return ior_of((*media).bodies[(*media).count - 1u], (*media).bodies[0]);
 }
 
 fn media_enter(media: ptr<function, Media>, body: u32) {

@@ -140,8 +140,13 @@ fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f
     if !body_is_transparent(index) {
         return vec3(0.0);
     }
-    let once = materials[bodies[index].material].filter_color;
-    return select(once, once * once, in_front && met.exit < distance);
+    let once = filter_of(index);
+    var passed = select(once, once * once, in_front && met.exit < distance);
+    if ABSORBS {
+        let way = min(met.exit, distance) - select(0.0, met.enter, in_front);
+        passed *= left_after(index, max(way, 0.0));
+    }
+    return passed;
 }
 
 // What reaches the ray's start from a light at `to_light` along it: the product of the filters of all surfaces

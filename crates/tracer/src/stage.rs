@@ -32,7 +32,7 @@ use camera::Surroundings;
 pub(crate) use camera::{Homogeneous, RaysNear};
 use cast::Cast;
 pub(crate) use checker::StageChecker;
-pub(crate) use curve::Curve;
+pub(crate) use curve::{Curve, STEPS as CURVE_STEPS};
 pub use edit::StageEdit;
 pub(crate) use few::BoundingSphere;
 use few::FewBodies;

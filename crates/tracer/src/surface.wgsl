@@ -24,6 +24,23 @@ fn refract_through(direction: vec3<f32>, normal: vec3<f32>, ratio: f32) -> Refra
     return Refracted(bent, !(cos_out_squared < 0.0));
 }
 
+// The share of unpolarized light that the smooth boundary of a clear body reflects (A. Fresnel 1823; Born, Wolf 1999,
+// eq. 1.5.32).
+fn fresnel(cos: f32, ratio: f32) -> f32 {
+    if ratio == 1.0 {
+        return 0.0;
+    }
+    // 1 - ratio²·sin², without a difference of near numbers where the indices are nearly equal.
+    let cos_out_squared = (1.0 - ratio) * (1.0 + ratio) + ratio * ratio * cos * cos;
+    if cos_out_squared < 0.0 || cos <= 0.0 {
+        return 1.0;
+    }
+    let cos_out = sqrt(cos_out_squared);
+    let across = (ratio * cos - cos_out) / max(ratio * cos + cos_out, LEAST_NORMAL);
+    let along = (cos - ratio * cos_out) / max(cos + ratio * cos_out, LEAST_NORMAL);
+    return min((across * across + along * along) * 0.5, 1.0);
+}
+
 // e⁻³⁰ of the brightest light that a scene may have is nothing in single precision.
 const INVISIBLE: f32 = 30.0;
 // The bits of √½.

@@ -44,7 +44,7 @@ struct Film {
 // For each body its place in the scene, and in the order of volumes.
 @group(0) @binding(2) var<storage, read> scene_order: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read> boxes: array<Box>;
-@group(0) @binding(4) var<storage, read> materials: array<Material>;
+// The fourth, `materials`, is declared where their form is.
 @group(0) @binding(5) var<storage, read> checkers: array<Checker>;
 @group(0) @binding(6) var<storage, read> lights: array<Light>;
 @group(0) @binding(7) var<storage, read> tiles: array<RaysNear>;
@@ -87,6 +87,7 @@ fn sample_pixel(tile: u32, within: vec2<u32>, extent: vec2<u32>, place: u32) {
     for (; sample < frame.samples; sample++) {
         let offset = frame.places[sample].xy - 0.5 * vec2<f32>(extent);
         let at = vec2<f32>(within) + offset;
+        begin(place, sample);
         let light = trace(ray_near(near, at.x, at.y), &body);
         let done = frame.samples_done + sample;
         // What the first sample finds in the buffer means nothing.

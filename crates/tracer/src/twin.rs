@@ -6,6 +6,7 @@
 
 mod bytes;
 mod fit;
+mod laws;
 
 use std::fmt::Write as _;
 
@@ -16,6 +17,7 @@ use crate::tile::TILE;
 
 pub use bytes::{FRAME_PLACES, Frame, StageArrays, TileRays, tile_rays};
 pub use fit::{Contents, Specialization, Unsupported};
+pub use laws::{Physical, SampleWaves};
 
 /// Bytes before the first pixel of a film: the counts of rays and the words behind them.
 pub const FILM_HEAD: u64 = 32;
@@ -44,7 +46,6 @@ const ALWAYS: &[&str] = &[
     include_str!("shape/cone.wgsl"),
     include_str!("shape/plane.wgsl"),
     include_str!("stage/body.wgsl"),
-    include_str!("stage/material.wgsl"),
     include_str!("stage/light.wgsl"),
     include_str!("stage/checker.wgsl"),
     include_str!("stage/camera.wgsl"),
@@ -55,21 +56,70 @@ const ALWAYS: &[&str] = &[
     include_str!("tile.wgsl"),
 ];
 
+/// Those of stages without physical materials.
+const PLAIN: &[&str] = &[
+    include_str!("stage/material/plain.wgsl"),
+    include_str!("stage/light/point.wgsl"),
+    include_str!("whitted/plain.wgsl"),
+];
+
+/// Those of stages with physical materials, or lights that are balls.
+const PHYSICAL: &[&str] = &[
+    include_str!("stage/material/physical.wgsl"),
+    include_str!("stage/curve.wgsl"),
+    include_str!("stage/light/ball.wgsl"),
+    include_str!("facets.wgsl"),
+    include_str!("whitted/dice.wgsl"),
+    include_str!("whitted/encounter.wgsl"),
+    include_str!("whitted/gloss.wgsl"),
+    include_str!("whitted/waves.wgsl"),
+    include_str!("whitted/spawn.wgsl"),
+    include_str!("whitted/physical.wgsl"),
+];
+
 /// The source of the shader for stages of this kind, in WGSL.
 pub fn shader(special: &Specialization) -> String {
     let walk = match special.depth {
         0 => include_str!("stage/few.wgsl"),
         _ => include_str!("stage/bvh.wgsl"),
     };
-    let mut source = constants(special);
+    let mut source = constants(special).text();
+    let is_plain = special.physical == Physical::NOTHING;
+    if !is_plain {
+        source.push_str(&laws::constants(special).text());
+    }
     source.push_str(walk);
-    ALWAYS.iter().for_each(|part| source.push_str(part));
+    ALWAYS.iter().chain(if is_plain { PLAIN } else { PHYSICAL }).for_each(|part| source.push_str(part));
     source
 }
 
-/// The constants of the Rust side, and those that the shader is specialized by.
-fn constants(special: &Specialization) -> String {
-    let words = [
+/// Constants of the Rust side, and those that a shader is specialized by.
+struct Constants {
+    words: Vec<(&'static str, u32)>,
+    numbers: Vec<(&'static str, f32)>,
+    flags: Vec<(&'static str, bool)>,
+}
+
+impl Constants {
+    fn text(&self) -> String {
+        let mut text = String::new();
+        // Writing to a string does not fail.
+        for (name, value) in &self.words {
+            let _ = writeln!(text, "const {name}: u32 = {value}u;");
+        }
+        for (name, value) in &self.numbers {
+            let _ = writeln!(text, "const {name}: f32 = {value:e}f;");
+        }
+        for (name, value) in &self.flags {
+            let _ = writeln!(text, "const {name}: bool = {value};");
+        }
+        text
+    }
+}
+
+/// The constants of every shader.
+fn constants(special: &Specialization) -> Constants {
+    let words = vec![
         ("NO_BODY", NO_BODY),
         ("NO_START", NO_START),
         ("INWARDS", INWARDS),
@@ -87,10 +137,10 @@ fn constants(special: &Specialization) -> String {
         ("MOST_RAYS", MOST_RAYS),
         ("MOST_SAMPLES", FRAME_PLACES as u32),
         ("DEPTH", special.depth.max(1)),
-        ("MEDIA", special.media.max(1)),
+        ("MEDIA", special.media.max(1) + u32::from(special.physical.has(Physical::DISPERSES))),
         ("STACK", special.stack.max(1)),
     ];
-    let numbers = [
+    let numbers = vec![
         ("POINT_ROUNDING", POINT_ROUNDING),
         ("SPHERE_ROUNDING", BoundingSphere::ROUNDING),
         ("SLAB_TINY", SLAB_TINY),
@@ -98,7 +148,7 @@ fn constants(special: &Specialization) -> String {
         ("BOX_WIDEN", BOX_WIDEN),
         ("LEAST_NORMAL", f32::MIN_POSITIVE),
     ];
-    let flags = [
+    let flags = vec![
         ("HAS_SPHERES", special.has(ShapeKind::Sphere)),
         ("HAS_CUBES", special.has(ShapeKind::Cube)),
         ("HAS_CYLINDERS", special.has(ShapeKind::Cylinder)),
@@ -107,17 +157,7 @@ fn constants(special: &Specialization) -> String {
         ("HAS_TRANSPARENCY", special.media > 0),
         ("HAS_CHECKERS", special.checkers),
         ("ASKS_EACH_START", special.asks_each_start),
+        ("ABSORBS", special.physical.has(Physical::ABSORBS)),
     ];
-    let mut text = String::new();
-    // Writing to a string does not fail.
-    for (name, value) in words {
-        let _ = writeln!(text, "const {name}: u32 = {value}u;");
-    }
-    for (name, value) in numbers {
-        let _ = writeln!(text, "const {name}: f32 = {value:e}f;");
-    }
-    for (name, value) in flags {
-        let _ = writeln!(text, "const {name}: bool = {value};");
-    }
-    text
+    Constants { words, numbers, flags }
 }

@@ -38,31 +38,41 @@ pub(crate) fn reference(name: &str) -> Scene {
 }
 
 fn references_folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference")
+    tests_folder().join("reference")
+}
+
+fn tests_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests")
 }
 
 fn load(path: &Path) -> Scene {
     catoptric_scene::load(path).unwrap().scene
 }
 
-/// Every reference scene and every example, by name.
+/// Every reference scene, every scene that is held against Mitsuba's pictures, and every example, by name.
 pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
-    let mut files: Vec<PathBuf> = std::fs::read_dir(references_folder())
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
-        .collect();
-    files.sort();
-    let mut scenes: Vec<(String, Scene)> = files
-        .iter()
-        .map(|path| (format!("reference {}", path.file_stem().unwrap().display()), load(path)))
-        .collect();
+    let mut scenes = scenes_in(&references_folder(), "reference");
+    for (name, mut scene) in scenes_in(&tests_folder().join("mitsuba"), "mitsuba") {
+        // They ask for trees that no driver on the processor grows in one go.
+        scene.tracing.generations = scene.tracing.generations.min(8);
+        scenes.push((name, scene));
+    }
     scenes.extend(
         Example::ALL
             .iter()
             .map(|example| (format!("example {}", example.name), example.load().unwrap().scene)),
     );
     scenes
+}
+
+fn scenes_in(folder: &Path, kind: &str) -> Vec<(String, Scene)> {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .collect();
+    files.sort();
+    files.iter().map(|path| (format!("{kind} {}", path.file_stem().unwrap().display()), load(path))).collect()
 }
 
 /// A device as a window has it.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuFilm, StageOnCard, render};
-use catoptric_scene::{Body, Light, Material, MaterialChoice, Projection, Scene, Shape};
+use catoptric_scene::{Body, Light, Material, MaterialChoice, Model, Projection, Scene, Shape};
 use catoptric_tracer::{Control, RenderSettings, Stage};
 use glam::DVec3;
 
@@ -92,6 +92,20 @@ fn an_edit_sends_only_what_it_changed() {
     });
     assert!((104..4096).contains(&recolored), "{recolored}");
     follower.check();
+}
+
+#[test]
+fn a_material_that_becomes_physical_changes_the_form_of_all() {
+    let Some(gpu) = card("a_material_that_becomes_physical_changes_the_form_of_all") else { return };
+    let (mut follower, _) = Follower::new(gpu, lattice(100));
+    for model in [Model::Coated, Model::Conductor, Model::Dielectric] {
+        let sent = follower.edit(7, |body| {
+            let material = Material { model, roughness: 0.4, ..Material::default() };
+            body.material = MaterialChoice::Inline(Box::new(material));
+        });
+        assert!(sent > 0);
+        follower.check();
+    }
 }
 
 #[test]

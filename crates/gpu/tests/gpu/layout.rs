@@ -2,11 +2,12 @@
 
 use catoptric_scene::{Body, Camera, Checker, Light, Material, MaterialChoice, Projection, Scene};
 use catoptric_tracer::twin::{
-    FILM_HEAD, FILM_PIXEL, Frame, Specialization, StageArrays, TileRays, shader, tile_rays,
+    FILM_HEAD, FILM_PIXEL, Frame, Physical, SampleWaves, Specialization, StageArrays, TileRays, shader,
+    tile_rays,
 };
 use catoptric_tracer::{Stage, StageChanges};
 use glam::DVec3;
-use naga::{Module, TypeInner};
+use naga::{ArraySize, Module, TypeInner};
 
 use crate::shaders::parsed;
 
@@ -75,6 +76,33 @@ fn records_have_the_size_of_the_shaders() {
     assert_eq!(layout(&few, "RaysNear").1 as usize, size_of::<TileRays>());
     assert_eq!(u64::from(layout(&few, "Pixel").1), FILM_PIXEL);
     assert_eq!(offset(&few, "Film", "pixels") as u64, FILM_HEAD);
+}
+
+#[test]
+fn physical_records_are_read_where_they_are_written() {
+    let special =
+        Specialization { shapes: 63, physical: Physical::ALL, media: 1, ..Specialization::default() };
+    let physical = parsed(&shader(&special)).unwrap();
+    let mut scene = scene(2);
+    scene.lights[0].radius = 0.7;
+    let stage = Stage::prepare(&scene).unwrap();
+    let lights = StageArrays(&stage).lights();
+    assert_eq!(layout(&physical, "Light").1 as usize, lights.len());
+    let of_light = |member| number(&lights, offset(&physical, "Light", member));
+    assert_eq!(["position", "power", "radius"].map(of_light), [21.0, 0.5, 0.7]);
+    // Rows of four words; the order of the first three is that of plain materials.
+    let materials = StageArrays(&stage).materials();
+    assert_eq!(materials.len(), 6 * 16);
+    let places = [0, 12, 16, 28, 32, 36, 40, 44];
+    let numbers = places.map(|place| number(&materials, place));
+    assert_eq!(numbers, [0.11, 0.14, 0.5, 1.9, 0.15, 0.16, 17.0, 0.18]);
+    let waves = physical.global_variables.iter().find(|(_, of)| of.name.as_deref() == Some("sample_waves"));
+    let TypeInner::Array { size: ArraySize::Constant(count), stride, .. } =
+        physical.types[waves.unwrap().1.ty].inner
+    else {
+        panic!("waves are an array of one length");
+    };
+    assert_eq!((count.get() * stride) as usize, size_of::<SampleWaves>());
 }
 
 #[test]

@@ -9,5 +9,6 @@ mod faults;
 mod follow;
 mod layout;
 mod parity;
+mod physical;
 mod screen;
 mod shaders;

@@ -1,6 +1,6 @@
 //! Every shader that a stage may need is sound, which naga tells without a card.
 
-use catoptric_tracer::twin::{ENTRY_POINT, Specialization, shader};
+use catoptric_tracer::twin::{ENTRY_POINT, Physical, Specialization, shader};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// The shader as naga has it, or why it is none.
@@ -12,6 +12,17 @@ pub(crate) fn parsed(source: &str) -> Result<naga::Module, String> {
     Ok(module)
 }
 
+/// What stages may have of physical materials.
+const PHYSICAL: [Physical; 7] = [
+    Physical::LAWS,
+    Physical::METALS,
+    Physical::FACETS,
+    Physical::ABSORBS,
+    Physical::DISPERSES,
+    Physical::BALLS,
+    Physical::ALL,
+];
+
 /// Few bodies and many, without transparency and with it, and each shape alone.
 pub(crate) fn kinds() -> Vec<Specialization> {
     let mut kinds = Vec::new();
@@ -20,7 +31,19 @@ pub(crate) fn kinds() -> Vec<Specialization> {
             for shapes in [0, 1, 2, 4, 8, 16, 32, 63] {
                 let asks_each_start = media > 0 && shapes == 63;
                 let checkers = shapes % 2 == 1;
-                kinds.push(Specialization { shapes, depth, media, stack, checkers, asks_each_start });
+                let plain = Specialization {
+                    shapes,
+                    depth,
+                    media,
+                    stack,
+                    checkers,
+                    asks_each_start,
+                    physical: Physical::NOTHING,
+                };
+                kinds.push(plain);
+                if [0, 63].contains(&shapes) {
+                    kinds.extend(PHYSICAL.map(|physical| Specialization { physical, ..plain }));
+                }
             }
         }
     }

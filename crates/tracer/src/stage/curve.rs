@@ -14,7 +14,7 @@ pub(crate) struct Curve {
     points: Box<[[f32; 3]; POINTS]>,
 }
 
-const STEPS: usize = 512;
+pub(crate) const STEPS: usize = 512;
 /// One more at each end, for the cubics there.
 const POINTS: usize = STEPS + 3;
 
@@ -50,6 +50,11 @@ impl Curve {
             .map(|part| part as f32);
         }
         Self { points }
+    }
+
+    /// The points, the second at the cosine 0.
+    pub(crate) fn points(&self) -> &[[f32; 3]] {
+        self.points.as_slice()
     }
 
     /// The reflectances at a cosine from 0 to 1. The red of gold is a little above 1.

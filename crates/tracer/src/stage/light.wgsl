@@ -1,12 +1,4 @@
-// Twin of light.rs.
-
-struct Light {
-    position: vec3<f32>,
-    falloff: u32,
-    power: vec3<f32>,
-    // K of the linear falloff, meters.
-    constant: f32,
-}
+// Twin of light.rs: what all lights have in common.
 
 // A(d)·I_j at the distance `d` > 0.
 fn power_at(light: Light, d: f32) -> vec3<f32> {

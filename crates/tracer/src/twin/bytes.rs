@@ -15,6 +15,7 @@ use crate::tile::Place;
 
 use super::MOST_MEDIA;
 use super::fit::eye_media;
+use super::laws::{self, BallBytes, Physical};
 
 /// The most samples of one [`Frame`].
 pub const FRAME_PLACES: usize = 16;
@@ -74,9 +75,12 @@ impl<'a> StageArrays<'a> {
         bytemuck::cast_slice(&order).to_vec()
     }
 
-    /// The materials.
+    /// The materials, in the form that the shader of the stage's [`Specialization`](super::Specialization) reads.
     pub fn materials(self) -> Vec<u8> {
-        bytes(self.0.materials.iter().map(MaterialBytes::of))
+        match Physical::of(self.0) {
+            Physical::NOTHING => bytes(self.0.materials.iter().map(MaterialBytes::of)),
+            _ => bytes(laws::rows(self.0).into_iter()),
+        }
     }
 
     /// The checkers.
@@ -84,9 +88,12 @@ impl<'a> StageArrays<'a> {
         bytes(self.0.checkers.iter().map(StageChecker::rows))
     }
 
-    /// The lights.
+    /// The lights, in the form that the same shader reads.
     pub fn lights(self) -> Vec<u8> {
-        bytes(self.0.lights.iter().map(LightBytes::of))
+        match Physical::of(self.0) {
+            Physical::NOTHING => bytes(self.0.lights.iter().map(LightBytes::of)),
+            _ => bytes(self.0.lights.iter().map(BallBytes::of)),
+        }
     }
 }
 
@@ -95,7 +102,7 @@ fn bytes<T: Pod>(records: impl Iterator<Item = T>) -> Vec<u8> {
     bytemuck::cast_slice(&records).to_vec()
 }
 
-/// Twin of the shader's `Material`.
+/// Twin of the shader's `Material` for stages without physical materials.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 struct MaterialBytes {
@@ -112,7 +119,7 @@ struct MaterialBytes {
 impl MaterialBytes {
     fn of(material: &StageMaterial) -> Self {
         // All fields by name: what the shaders do not know must not be left out unnoticed.
-        // Stages with the last ones are refused beforehand (`fit.rs`).
+        // Where the last ones mean anything, `laws.rs` packs them.
         let StageMaterial {
             color,
             ambient,
@@ -132,10 +139,10 @@ impl MaterialBytes {
     }
 }
 
-/// Twin of the shader's `Light`.
+/// Twin of the shader's `Light`, and its beginning where lights may be balls.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct LightBytes {
+pub(super) struct LightBytes {
     position: [f32; 3],
     falloff: u32,
     power: [f32; 3],
@@ -143,7 +150,7 @@ struct LightBytes {
 }
 
 impl LightBytes {
-    fn of(light: &StageLight) -> Self {
+    pub(super) fn of(light: &StageLight) -> Self {
         let StageLight { position, power, falloff, radius: _ } = *light;
         let (falloff, constant) = match falloff {
             StageFalloff::None => (FALLOFF_NONE, 0.0),

@@ -2,9 +2,9 @@
 
 use crate::media::MediaTable;
 use crate::shape::ShapeKind;
-use crate::stage::{Hierarchy, Law, Stage, StageBody, StageCamera, StageChanges, StageMaterial, StageSky};
+use crate::stage::{Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageMaterial, StageSky};
 
-use super::{MOST_MEDIA, MOST_RAYS};
+use super::{MOST_MEDIA, MOST_RAYS, Physical};
 
 /// What is found among the bodies of a stage, or was before an edit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,14 +32,13 @@ pub struct Specialization {
     pub checkers: bool,
     /// Whether primary rays start in different media: those of a parallel projection, among transparent bodies.
     pub asks_each_start: bool,
+    /// What there is of physical materials and lights.
+    pub physical: Physical,
 }
 
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
-    /// Surfaces with a law of their own, or lights that are balls.
-    #[error("the GPU knows Phong's and matte materials and point lights, so far")]
-    Physical,
     /// Pictures or skies around the bodies, or pictures on them.
     #[error("the GPU knows even surroundings and bodies without textures, so far")]
     Pictures,
@@ -86,10 +85,7 @@ impl Specialization {
     /// # Errors
     /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
     pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
-        let is_own = |material: &StageMaterial| !matches!(material.law, Law::Constant);
-        if stage.materials.iter().any(is_own) || stage.lights.iter().any(|light| light.radius > 0.0) {
-            return Err(Unsupported::Physical);
-        }
+        let physical = Physical::of(stage);
         let is_textured = |material: &StageMaterial| material.texture.is_some();
         if !matches!(stage.sky, StageSky::Even(_)) || stage.materials.iter().any(is_textured) {
             return Err(Unsupported::Pictures);
@@ -100,15 +96,18 @@ impl Specialization {
         }
         let Contents { shapes, transparent, depth } = *contents;
         let is_clear = transparent > 0;
+        // One ray may wait for each generation but the last, and one more among waves; in steps, so that fewer shaders are
+        // needed.
+        let waiting = stage.generations() - 1 + u32::from(physical.has(Physical::DISPERSES));
         let media = transparent.min(MOST_MEDIA).next_power_of_two() as u32;
         Ok(Self {
             shapes,
             depth,
             media: if is_clear { media } else { 0 },
-            // One ray may wait for each generation but the last; in steps, so that fewer shaders are needed.
-            stack: if is_clear { (stage.generations() - 1).next_multiple_of(4) } else { 0 },
+            stack: if is_clear { waiting.next_multiple_of(4) } else { 0 },
             checkers: !stage.checkers.is_empty(),
             asks_each_start: is_clear && camera.parallel_height().is_some(),
+            physical,
         })
     }
 

@@ -8,7 +8,7 @@ pub(crate) struct Waves(Vec<observer::Wave>);
 
 impl Waves {
     /// So many that one sample of a prism shows its colors.
-    const COUNT: usize = 8;
+    pub(crate) const COUNT: usize = 8;
 
     /// Those of a sample.
     pub(crate) fn of_sample(sample: u32) -> Self {

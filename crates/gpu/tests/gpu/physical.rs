@@ -1,0 +1,264 @@
+//! Physical materials where the examples do not go: all of them side by side and in one another, an eye within, waves that
+//! go straight on, many samples.
+
+use catoptric_picture::{Difference, Picture};
+use catoptric_scene::{
+    Body, Checker, Color, Conductor, Example, Falloff, Light, Material, MaterialChoice, Model, Placement,
+    Projection, Scene, Shape,
+};
+use glam::DVec3;
+
+use crate::common::{card, stage_of};
+use crate::parity::{apart, compare, fault};
+
+/// A sequence of numbers that look random (G. Marsaglia 2003, Xorshift RNGs).
+struct Numbers(u32);
+
+impl Numbers {
+    fn next(&mut self) -> u32 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 17;
+        self.0 ^= self.0 << 5;
+        self.0
+    }
+
+    fn below(&mut self, end: u32) -> u32 {
+        self.next() % end
+    }
+
+    /// From `low` to `high`.
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * f64::from(self.next() >> 8) / f64::from(1 << 24)
+    }
+
+    fn point(&mut self, reach: f64) -> DVec3 {
+        DVec3::from([0; 3].map(|_| self.between(-reach, reach)))
+    }
+
+    fn color(&mut self) -> Color {
+        let [r, g, b] = [0; 3].map(|_| self.between(0.2, 1.0));
+        Color { r, g, b }
+    }
+
+    /// Smooth, or not.
+    fn roughness(&mut self) -> f64 {
+        if self.below(2) == 0 { 0.0 } else { self.between(0.05, 0.9) }
+    }
+
+    fn material(&mut self) -> Material {
+        let checker =
+            (self.below(2) == 0).then(|| Checker { color: self.color(), size: 0.3, ..Checker::default() });
+        let own =
+            Material { color: self.color(), roughness: self.roughness(), checker, ..Material::default() };
+        match self.below(8) {
+            0 => Material { model: Model::Conductor, ..own },
+            1 => {
+                let [n, k] = [0.2, 3.0].map(|most| DVec3::from([0; 3].map(|_| self.between(0.1, most))));
+                Material { model: Model::Conductor, conductor: Conductor::Index { n, k }, ..own }
+            }
+            2 => Material { model: Model::Mirror, reflection: Some(0.9), ..own },
+            3 => Material { model: Model::Coated, ior: self.between(1.0, 2.5), ..own },
+            4 => Material { model: Model::Matte, ..own },
+            5 => Material { specular: 0.4, transmission: 0.5, ior: 1.4, roughness: 0.0, ..own },
+            _ => self.glass(own),
+        }
+    }
+
+    fn glass(&mut self, own: Material) -> Material {
+        Material {
+            model: Model::Dielectric,
+            // An index of 1 is no surface at all.
+            ior: [1.0, 1.2, 1.5, 2.4][self.below(4) as usize],
+            dispersion: self.below(2) == 0,
+            abbe: self.between(5.0, 60.0),
+            attenuation_color: self.color(),
+            attenuation_distance: self.between(0.2, 3.0),
+            checker: None,
+            ..own
+        }
+    }
+
+    fn body(&mut self) -> Body {
+        let size = self.between(0.3, 0.9);
+        let shape = match self.below(3) {
+            0 => Shape::Cube { size: DVec3::splat(1.6 * size) },
+            1 => Shape::Cylinder { radius: size, height: 1.5 * size },
+            _ => Shape::Sphere { radius: size },
+        };
+        Body {
+            shape,
+            placement: Placement::at(self.point(1.6)),
+            material: MaterialChoice::Inline(Box::new(self.material())),
+            ..Body::default()
+        }
+    }
+
+    fn light(&mut self) -> Light {
+        let falloffs = [Falloff::None, Falloff::Linear { constant: 2.0 }, Falloff::InverseSquare];
+        Light {
+            position: self.point(2.0) + DVec3::new(0.0, 3.0, 2.0),
+            color: self.color(),
+            falloff: falloffs[self.below(3) as usize],
+            radius: [0.0, 0.6][self.below(2) as usize],
+            ..Light::default()
+        }
+    }
+
+    fn scene(&mut self, bodies: usize) -> Scene {
+        let floor = Body {
+            shape: Shape::Plane,
+            placement: Placement::at(DVec3::new(0.0, -1.8, 0.0)),
+            material: MaterialChoice::Inline(Box::new(self.material())),
+            ..Body::default()
+        };
+        let mut scene = Scene {
+            bodies: (0..bodies).map(|_| self.body()).chain([floor]).collect(),
+            lights: (0..2).map(|_| self.light()).collect(),
+            ..Scene::default()
+        };
+        scene.camera.position = DVec3::new(0.5, 1.0, 6.0);
+        scene.camera.target = DVec3::ZERO;
+        scene.environment.background = self.color();
+        scene.environment.ambient = self.color();
+        (scene.tracing.generations, scene.tracing.threshold) = (5, 0.01);
+        scene
+    }
+}
+
+/// Bodies that overlap, of any material, seen from anywhere.
+#[test]
+fn any_materials_in_one_another_are_those_of_the_cpu() {
+    let Some(card) = card("any_materials_in_one_another_are_those_of_the_cpu") else { return };
+    let mut numbers = Numbers(0x2545_f491);
+    let mut faults = Vec::new();
+    for number in 0..4 {
+        // Few have spheres around them, many a hierarchy of boxes.
+        let mut scene = numbers.scene(if number % 3 == 0 { 20 } else { 6 });
+        match number % 4 {
+            1 => {
+                let glass = numbers.glass(Material::default());
+                scene.bodies[0].material = MaterialChoice::Inline(Box::new(glass));
+                scene.bodies[0].placement = Placement::at(scene.camera.position);
+            }
+            3 => scene.camera.projection = Projection::Parallel { height: 4.0 },
+            _ => {}
+        }
+        let compared = compare(&card, &stage_of(&scene), 1);
+        faults.extend(fault(&format!("any materials {number}"), &compared));
+        let (cpu, gpu) = (compared.cpu.1, compared.gpu.1);
+        for (one, other) in
+            [(cpu.shadow, gpu.shadow), (cpu.reflected, gpu.reflected), (cpu.refracted, gpu.refracted)]
+        {
+            if apart(one, other) > 0.002 {
+                faults.push(format!("any materials {number}: {cpu:?} on the CPU, {gpu:?} on the GPU"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// A ball and a cube that fill the picture, with a light before them and one behind.
+fn close_by(material: Material) -> Scene {
+    let body = |shape, at: DVec3, material| Body {
+        shape,
+        placement: Placement::at(at),
+        material: MaterialChoice::Inline(Box::new(material)),
+        ..Body::default()
+    };
+    let light = |position, radius| Light { position, radius, intensity: 1.5, ..Light::default() };
+    let floor = Material { model: Model::Matte, ..Material::default() };
+    let mut scene = Scene {
+        bodies: [
+            body(Shape::Sphere { radius: 1.0 }, DVec3::new(-1.1, 0.0, 0.0), material.clone()),
+            body(Shape::Cube { size: DVec3::splat(1.6) }, DVec3::new(1.1, -0.2, 0.0), material),
+            body(Shape::Plane, DVec3::new(0.0, -1.0, 0.0), floor),
+        ]
+        .into(),
+        lights: vec![light(DVec3::new(0.3, 1.5, -4.0), 0.0), light(DVec3::new(2.0, 5.0, 5.0), 1.0)],
+        ..Scene::default()
+    };
+    scene.camera.position = DVec3::new(0.4, 1.0, 4.2);
+    scene.camera.target = DVec3::ZERO;
+    scene.environment.background = Color { r: 0.1, g: 0.15, b: 0.2 };
+    (scene.tracing.generations, scene.tracing.threshold) = (5, 0.01);
+    scene
+}
+
+/// What a law does shows in much of the picture, so that a card that does otherwise is noticed.
+#[test]
+fn materials_close_by_are_those_of_the_cpu() {
+    let Some(card) = card("materials_close_by_are_those_of_the_cpu") else { return };
+    let of = |model, roughness| Material { model, roughness, ..Material::default() };
+    let amber = Color { r: 0.9, g: 0.5, b: 0.1 };
+    let checker = Some(Checker { color: amber, size: 0.3, ..Checker::default() });
+    let tinted = |roughness| Material {
+        attenuation_color: amber,
+        attenuation_distance: 0.5,
+        ..of(Model::Dielectric, roughness)
+    };
+    let materials = [
+        ("frosted glass", tinted(0.4)),
+        ("tinted glass", tinted(0.0)),
+        ("frosted glass that splits light", Material { dispersion: true, abbe: 20.0, ..tinted(0.2) }),
+        ("brushed metal", of(Model::Conductor, 0.3)),
+        ("a rough mirror", Material { checker, ..of(Model::Mirror, 0.5) }),
+        ("lacquer", Material { checker, ..of(Model::Coated, 0.0) }),
+        ("rough lacquer", Material { checker, ..of(Model::Coated, 0.6) }),
+    ];
+    let mut pictures: Vec<Picture> = Vec::new();
+    for (name, material) in materials {
+        let compared = compare(&card, &stage_of(&close_by(material)), 1);
+        assert_eq!(fault(name, &compared), None);
+        for other in &pictures {
+            let difference = Difference::between(other, &compared.gpu.0).unwrap();
+            assert!(difference.share_above > 0.1, "{name} looks like another material: {difference:?}");
+        }
+        pictures.push(compared.gpu.0);
+    }
+}
+
+/// Every sample has waves, facets and points of lights of its own, and a card counts samples as the processor does.
+#[test]
+fn several_samples_are_those_of_the_cpu() {
+    let Some(card) = card("several_samples_are_those_of_the_cpu") else { return };
+    for name in ["prism", "roughness-row", "soft-shadow"] {
+        let scene = Example::find(name).unwrap().load().unwrap().scene;
+        let compared = compare(&card, &stage_of(&scene), 3);
+        assert_eq!(fault(&format!("three samples of {name}"), &compared), None);
+        // One sample is another picture: the test can fail.
+        let one = compare(&card, &stage_of(&scene), 1);
+        let difference = Difference::between(&one.gpu.0, &compared.cpu.0).unwrap();
+        assert!(difference.share_above > 0.01, "{name}: {difference:?}");
+    }
+}
+
+/// Waves that go straight on stay in their generation; behind them as many rays may wait as there can be.
+#[test]
+fn waves_that_go_straight_on_are_those_of_the_cpu() {
+    let Some(card) = card("waves_that_go_straight_on_are_those_of_the_cpu") else { return };
+    let glass =
+        |ior| Material { model: Model::Dielectric, ior, dispersion: true, abbe: 20.0, ..Material::default() };
+    // Phong's bodies reflect even where nothing is bent, so that something waits in every generation.
+    let pane = Material { reflection: Some(0.5), transmission: 0.5, ior: 1.0, ..Material::default() };
+    let slab = |at: f64, material| Body {
+        shape: Shape::Cube { size: DVec3::new(8.0, 8.0, 0.1) },
+        placement: Placement::at(DVec3::new(0.0, 0.0, -at)),
+        material: MaterialChoice::Inline(Box::new(material)),
+        ..Body::default()
+    };
+    let materials = [pane.clone(), glass(1.0), glass(1.6), pane];
+    let mut scene = Scene {
+        bodies: (0..).zip(materials).map(|(at, material)| slab(f64::from(at), material)).collect(),
+        lights: vec![Light::default()],
+        ..Scene::default()
+    };
+    scene.camera.position = DVec3::new(1.0, 1.5, 6.0);
+    scene.camera.target = DVec3::ZERO;
+    scene.environment.background = Color { r: 0.9, g: 0.5, b: 0.3 };
+    for generations in [2, 5] {
+        (scene.tracing.generations, scene.tracing.threshold) = (generations, 0.02);
+        let compared = compare(&card, &stage_of(&scene), 1);
+        assert_eq!(fault(&format!("{generations} generations of waves"), &compared), None);
+        assert_eq!(compared.gpu.1.refracted, compared.cpu.1.refracted);
+    }
+}

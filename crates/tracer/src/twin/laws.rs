@@ -1,0 +1,340 @@
+//! Physical materials, and lights that are balls, as the shaders read them.
+
+use std::collections::HashMap;
+use std::ops::BitOr;
+use std::sync::Arc;
+
+use bytemuck::{Pod, Zeroable};
+use catoptric_optics::{Dispersion, observer};
+
+use crate::media::WAVES;
+use crate::stage::{CURVE_STEPS, Curve, Law, Stage, StageLight, StageMaterial};
+use crate::whitted::Waves;
+
+use super::bytes::{FRAME_PLACES, LightBytes};
+use super::{Constants, Specialization};
+
+/// What a stage has of physical materials and lights, a bit for each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Physical(u32);
+
+impl Physical {
+    /// Neither physical materials nor lights that are balls.
+    pub const NOTHING: Self = Self(0);
+    /// Surfaces that reflect by a law of their own.
+    pub const LAWS: Self = Self(1);
+    /// Metals, which have curves.
+    pub const METALS: Self = Self(1 << 1);
+    /// Rough surfaces.
+    pub const FACETS: Self = Self(1 << 2);
+    /// Bodies in which light is lost.
+    pub const ABSORBS: Self = Self(1 << 3);
+    /// Bodies that split light.
+    pub const DISPERSES: Self = Self(1 << 4);
+    /// Lights that are balls.
+    pub const BALLS: Self = Self(1 << 5);
+    /// Everything that there is.
+    pub const ALL: Self = Self((1 << 6) - 1);
+
+    /// Whether all of `other` is there.
+    pub const fn has(self, other: Self) -> bool {
+        self.0 & other.0 == other.0
+    }
+
+    pub(super) fn of(stage: &Stage) -> Self {
+        let any = |test: fn(&StageMaterial) -> bool| stage.materials.iter().any(test);
+        let found = [
+            (Self::LAWS, any(|material| !matches!(material.law, Law::Constant))),
+            (Self::METALS, any(|material| matches!(material.law, Law::Conductor(_)))),
+            (Self::FACETS, any(|material| material.alpha > 0.0)),
+            (Self::ABSORBS, any(StageMaterial::absorbs)),
+            (Self::DISPERSES, any(|material| material.dispersion.is_some())),
+            (Self::BALLS, stage.lights.iter().any(|light| light.radius > 0.0)),
+        ];
+        found.into_iter().filter(|(_, is_there)| *is_there).fold(Self::NOTHING, |all, (one, _)| all | one)
+    }
+}
+
+impl BitOr for Physical {
+    type Output = Self;
+
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+/// The constants of shaders for such stages.
+pub(super) fn constants(special: &Specialization) -> Constants {
+    let has = |physical| special.physical.has(physical);
+    Constants {
+        words: vec![
+            ("WAVES", WAVES),
+            ("WAVE_COUNT", Waves::COUNT as u32),
+            ("SAMPLE_WAVES", SAMPLE_WAVES as u32),
+            ("SPLITS", if has(Physical::DISPERSES) { special.stack.max(1) } else { 1 }),
+            ("INDEX_STEPS", INDEX_STEPS),
+            ("CURVE_STEPS", CURVE_STEPS as u32),
+            ("MATERIAL_ROWS", ROWS),
+            ("NO_ROWS", NO_ROWS),
+            ("LAW_MIRROR", MIRROR),
+            ("LAW_DIELECTRIC", DIELECTRIC),
+            ("LAW_CONDUCTOR", CONDUCTOR),
+            ("LAW_COAT", COAT),
+        ],
+        numbers: vec![("INDEX_START", *observer::VISIBLE.start() as f32), ("INDEX_RATE", INDEX_RATE as f32)],
+        flags: vec![
+            ("HAS_METALS", has(Physical::METALS)),
+            ("HAS_FACETS", has(Physical::FACETS)),
+            ("DISPERSES", has(Physical::DISPERSES)),
+            ("HAS_BALLS", has(Physical::BALLS)),
+        ],
+    }
+}
+
+/// Rows of a material.
+const ROWS: u32 = 6;
+/// Stands for "no rows" where the place of a table is kept.
+const NO_ROWS: u32 = u32::MAX;
+
+const CONSTANT: u32 = 0;
+const MIRROR: u32 = 1;
+const DIELECTRIC: u32 = 2;
+const CONDUCTOR: u32 = 3;
+const COAT: u32 = 4;
+
+/// Indices of refraction to a nanometer. Between them straight lines are off by less than 10⁻⁶ for glass.
+const INDEX_RATE: f64 = 2.0;
+/// From the first index to the last.
+const INDEX_STEPS: u32 = 800;
+
+/// Four words.
+type Row = [u32; 4];
+
+/// The materials, then the tables that they point to.
+pub(super) fn rows(stage: &Stage) -> Vec<Row> {
+    let mut tables = Tables { first: stage.materials.len() as u32 * ROWS, ..Tables::default() };
+    let mut rows: Vec<Row> = Vec::new();
+    for material in stage.materials.iter() {
+        rows.extend(rows_of(material, &mut tables));
+    }
+    rows.extend(tables.rows);
+    rows
+}
+
+/// Tables behind the materials.
+#[derive(Default)]
+struct Tables {
+    /// The row where they begin.
+    first: u32,
+    rows: Vec<Row>,
+    /// Where the curves are that stand there already.
+    curves: HashMap<*const Curve, u32>,
+}
+
+impl Tables {
+    fn next(&self) -> u32 {
+        self.first + self.rows.len() as u32
+    }
+
+    fn curve(&mut self, curve: &Arc<Curve>) -> u32 {
+        let next = self.next();
+        let place = *self.curves.entry(Arc::as_ptr(curve)).or_insert(next);
+        if place == next {
+            self.rows.extend(curve.points().iter().map(|&[red, green, blue]| row([red, green, blue, 0.0])));
+        }
+        place
+    }
+
+    /// The indices of refraction at even steps through visible light.
+    fn indices(&mut self, dispersion: Dispersion) -> u32 {
+        let place = self.next();
+        let index =
+            |step: u32| dispersion.index(observer::VISIBLE.start() + f64::from(step) / INDEX_RATE) as f32;
+        let fours = (0..=INDEX_STEPS).step_by(4);
+        self.rows.extend(fours.map(|step| row([0, 1, 2, 3].map(|more| index(step + more)))));
+        place
+    }
+}
+
+fn row(numbers: [f32; 4]) -> Row {
+    numbers.map(f32::to_bits)
+}
+
+fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize] {
+    // All fields by name: what the shaders do not know must not be left out unnoticed.
+    let StageMaterial {
+        color: [red, green, blue],
+        // Stages with one are refused beforehand (`fit.rs`).
+        texture: _,
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+        reflection,
+        filter,
+        ior,
+        ref law,
+        dispersion,
+        alpha,
+        absorption,
+    } = *material;
+    let (law, curve, coat) = match law {
+        Law::Constant => (CONSTANT, NO_ROWS, [0.0; 4]),
+        Law::Mirror => (MIRROR, NO_ROWS, [0.0; 4]),
+        Law::Dielectric => (DIELECTRIC, NO_ROWS, [0.0; 4]),
+        Law::Conductor(curve) => (CONDUCTOR, tables.curve(curve), [0.0; 4]),
+        Law::Coat(coat) => (COAT, NO_ROWS, [coat.ratio, coat.spread, coat.inner, coat.lets_in]),
+    };
+    let indices = dispersion.map_or(NO_ROWS, |dispersion| tables.indices(dispersion));
+    let with = |[red, green, blue]: [f32; 3], last| row([red, green, blue, last]);
+    [
+        with([red, green, blue], ambient),
+        with(filter, ior),
+        row([diffuse, specular, shininess, reflection]),
+        [law, alpha.to_bits(), curve, indices],
+        with(absorption, 0.0),
+        row(coat),
+    ]
+}
+
+/// Twin of the shader's `Light` for stages with physical materials.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct BallBytes {
+    light: LightBytes,
+    radius: f32,
+    unused: [f32; 3],
+}
+
+impl BallBytes {
+    pub(super) fn of(light: &StageLight) -> Self {
+        Self { light: LightBytes::of(light), radius: light.radius, unused: [0.0; 3] }
+    }
+}
+
+const SAMPLE_WAVES: usize = FRAME_PLACES * Waves::COUNT;
+
+/// The waves of the samples of a dispatch: for each its linear light, and nanometers in vacuum.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SampleWaves([[f32; 4]; SAMPLE_WAVES]);
+
+impl SampleWaves {
+    /// Those of so many samples (at most [`FRAME_PLACES`]) of pixels that have `samples_done`.
+    pub fn new(samples_done: u32, samples: u32) -> Self {
+        let mut places = [[0.0; 4]; SAMPLE_WAVES];
+        let all = (samples_done..).take(samples as usize).zip(places.chunks_exact_mut(Waves::COUNT));
+        for (sample, places) in all {
+            let waves = Waves::of_sample(sample);
+            for (number, place) in places.iter_mut().enumerate() {
+                let [red, green, blue] = waves.color(number);
+                let nanometers = waves.nanometers(number as u32).unwrap_or_default();
+                *place = [red, green, blue, nanometers as f32];
+            }
+        }
+        Self(places)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Body, Conductor, Example, Light, Material, MaterialChoice, Model, Scene};
+
+    use super::*;
+    use crate::twin::shader;
+
+    fn stage_of(materials: &[Material], radius: f64) -> Stage {
+        let body = |material: &Material| Body {
+            material: MaterialChoice::Inline(Box::new(material.clone())),
+            ..Body::default()
+        };
+        let lights = vec![Light { radius, ..Light::default() }];
+        let scene = Scene { bodies: materials.iter().map(body).collect(), lights, ..Scene::default() };
+        Stage::prepare(&scene).unwrap()
+    }
+
+    fn made_of(model: Model) -> Material {
+        Material { model, ..Material::default() }
+    }
+
+    fn special(stage: &Stage) -> Specialization {
+        Specialization::of(&super::super::Contents::of(stage), stage, stage.camera()).unwrap()
+    }
+
+    #[test]
+    fn only_what_is_there_is_asked_for() {
+        let plain = [Model::Phong, Model::Matte].map(made_of);
+        assert_eq!(Physical::of(&stage_of(&plain, 0.0)), Physical::NOTHING);
+        assert_eq!(Physical::of(&stage_of(&plain, 0.5)), Physical::BALLS);
+        let rough = Material { roughness: 0.5, ..made_of(Model::Conductor) };
+        let metal = Physical::LAWS | Physical::METALS;
+        assert_eq!(Physical::of(&stage_of(&[rough], 0.0)), metal | Physical::FACETS);
+        let glass = Material { attenuation_distance: 0.1, ..made_of(Model::Dielectric) };
+        assert_eq!(Physical::of(&stage_of(std::slice::from_ref(&glass), 0.0)), Physical::LAWS);
+        let tinted = Material { attenuation_color: catoptric_scene::Color::gray(0.5), ..glass.clone() };
+        assert_eq!(Physical::of(&stage_of(&[tinted], 0.0)), Physical::LAWS | Physical::ABSORBS);
+        let torn = Material { dispersion: true, ..glass };
+        assert_eq!(Physical::of(&stage_of(&[torn], 0.0)), Physical::LAWS | Physical::DISPERSES);
+    }
+
+    /// Scenes of Phong's model pay nothing for what they do not have.
+    #[test]
+    fn plain_shaders_know_nothing_of_physical_materials() {
+        let own = ["facet", "throw", "wave", "absorption", "curve", "radius: f32,\n"];
+        let source = |name: &str| {
+            let scene = Example::find(name).unwrap().load().unwrap().scene;
+            shader(&special(&Stage::prepare(&scene).unwrap()))
+        };
+        let (plain, physical) = (source("whitted"), source("prism"));
+        assert_eq!(own.into_iter().find(|word| plain.contains(word)), None);
+        assert!(own.iter().filter(|word| physical.contains(*word)).count() > 3);
+    }
+
+    #[test]
+    fn tables_stand_where_materials_point() {
+        let gold = Material {
+            conductor: Conductor::Metal(catoptric_optics::Metal::named("gold").unwrap()),
+            ..made_of(Model::Conductor)
+        };
+        let glass = Material { dispersion: true, ..made_of(Model::Dielectric) };
+        let stage = stage_of(
+            &[gold.clone(), glass, Material { roughness: 0.3, ..gold }, made_of(Model::Mirror)],
+            0.0,
+        );
+        let rows = rows(&stage);
+        let laws: Vec<Row> = rows.chunks(ROWS as usize).take(4).map(|material| material[3]).collect();
+        assert_eq!(
+            laws.iter().map(|law| law[0]).collect::<Vec<_>>(),
+            [CONDUCTOR, DIELECTRIC, CONDUCTOR, MIRROR]
+        );
+        // One curve for both.
+        assert_eq!((laws[0][2], laws[3][2]), (laws[2][2], NO_ROWS));
+        let Law::Conductor(curve) = &stage.materials[0].law else { panic!("gold is a conductor") };
+        let first = laws[0][2] as usize;
+        assert_eq!(rows[first + CURVE_STEPS + 1][..3], curve.at(1.0).map(f32::to_bits));
+        let indices: Vec<f32> =
+            rows[laws[1][3] as usize..].as_flattened().iter().map(|bits| f32::from_bits(*bits)).collect();
+        let dispersion = stage.materials[1].dispersion.unwrap();
+        for tenth in 3800_u16..7800 {
+            let nanometers = f64::from(tenth) / 10.0;
+            let place = (nanometers - 380.0) * INDEX_RATE;
+            let (low, high) = (indices[place as usize], indices[place as usize + 1]);
+            let between = f64::from(low) + f64::from(high - low) * place.fract();
+            assert!((between - dispersion.index(nanometers)).abs() < 1e-6, "{nanometers}");
+        }
+        assert_eq!(indices.len(), 804);
+    }
+
+    #[test]
+    fn samples_have_their_own_waves() {
+        let SampleWaves(waves) = SampleWaves::new(5, 3);
+        for (place, sample) in (5..8).enumerate() {
+            let own = Waves::of_sample(sample);
+            for (number, wave) in waves[place * Waves::COUNT..].iter().take(Waves::COUNT).enumerate() {
+                assert_eq!(wave[..3], own.color(number));
+                assert_eq!(wave[3], own.nanometers(number as u32).unwrap() as f32);
+            }
+        }
+        assert_eq!(waves[3 * Waves::COUNT], [0.0; 4]);
+    }
+}

@@ -1,0 +1,228 @@
+// Twin of whitted.rs for stages with physical materials or lights that are balls.
+
+// A ray that waits.
+struct Beam {
+    ray: Ray,
+    // Product of the coefficients on the way from the eye.
+    weight: vec3<f32>,
+    generation: u32,
+    media: Media,
+}
+
+// A ray that waits as it came to a body that splits light: it is kept once, and sends a wave through whenever it is its
+// turn.
+struct Split {
+    // Of the surface, or of the facet of it that is seen.
+    normal: vec3<f32>,
+    // The next wave; WAVE_COUNT of a ray that goes on as it is.
+    wave: u32,
+    // Of the surface that facets make up.
+    ground: vec3<f32>,
+    // Whether the way to the surface was no mere rounding.
+    moves: bool,
+}
+
+// Rays that wait while a reflected one is followed. That one always is a generation further on, so that no more than one
+// waits for each generation; or one more among the waves of a split ray, the first of which may be as old as that.
+var<private> waiting: array<Beam, STACK>;
+var<private> splits: array<Split, SPLITS>;
+var<private> waits: u32 = 0u;
+
+fn wait(beam: Beam) {
+    waiting[waits] = beam;
+    if DISPERSES {
+        splits[waits].wave = WAVE_COUNT;
+    }
+    waits += 1u;
+}
+
+// Prepares for a sample of a pixel.
+fn begin(place: u32, sample: u32) {
+    dice_pixel = vec2(place % frame.size.x, place / frame.size.x);
+    dice_sample = frame.samples_done + sample;
+    first_wave = sample * WAVE_COUNT;
+}
+
+// What a light gives to a point, and from where.
+struct Lit {
+    to_light: vec3<f32>,
+    distance: f32,
+    power: vec3<f32>,
+}
+
+// The light of the stage with this number at a point; none at the distance 0.
+fn light_at(index: u32, at: ptr<function, Encounter>, generation: u32) -> Lit {
+    let light = lights[index];
+    let offset = light.position - (*at).position;
+    let distance = sqrt(dot(offset, offset));
+    // A light that stands exactly here has no direction.
+    if !(distance > 0.0) {
+        return Lit(vec3(0.0), 0.0, vec3(0.0));
+    }
+    let to_light = offset * (1.0 / distance);
+    let power = power_at(light, distance);
+    if HAS_BALLS && light.radius > 0.0 {
+        let thrown = throw_dice(generation, (*at).body, FOR_LIGHT + index);
+        let point = point_of_ball(light, to_light, distance, thrown);
+        return Lit(point.direction, point.distance, power * point.share);
+    }
+    return Lit(to_light, distance, power);
+}
+
+// The ambient, diffuse and highlight terms.
+fn local_light(
+    ray: Ray,
+    at: ptr<function, Encounter>,
+    generation: u32,
+    media: ptr<function, Media>,
+) -> vec3<f32> {
+    var sum = (*at).ambient;
+    if !answers(at) {
+        return sum;
+    }
+    // The body's own surface lies between its inner side and a light; what it lets through from there is seen where the
+    // viewer's ray leaves it.
+    let within = frosted_within(at);
+    let start = (*at).start ^ select(0u, INWARDS, within);
+    for (var index = 0u; index < frame.lights; index++) {
+        if all(lights[index].power == vec3(0.0)) {
+            continue;
+        }
+        let lit = light_at(index, at, generation);
+        let cos = dot((*at).normal, lit.to_light);
+        if !(lit.distance > 0.0 && select(cos, -cos, within) > 0.0) {
+            continue;
+        }
+        counts.shadow += 1u;
+        let passed = transmittance(ray_from((*at).position, lit.to_light, start), media, lit.distance);
+        if all(passed == vec3(0.0)) {
+            continue;
+        }
+        var answer = scattered(at, cos);
+        let material = (*at).material;
+        if material.specular != 0.0 {
+            answer += material.specular * phong_highlight(-ray.direction, lit.to_light, (*at).normal, material.shininess);
+        }
+        if is_rough(at) {
+            answer += glints(at, ray.direction, lit.to_light, media);
+        }
+        sum += passed * lit.power * answer;
+    }
+    return sum;
+}
+
+// The share of light that is left after a way in the body entered last.
+fn left_in_media(media: ptr<function, Media>, way: f32) -> vec3<f32> {
+    if (*media).count == 0u {
+        return vec3(1.0);
+    }
+    let last = (*media).bodies[(*media).count - 1u];
+    if last >= WAVES {
+        return vec3(1.0);
+    }
+    return left_after(last, way);
+}
+
+// A ray that is followed.
+struct Follower {
+    ray: Ray,
+    weight: vec3<f32>,
+    generation: u32,
+}
+
+// Makes `follower` the ray that is reflected at a point, while refracted ones wait. Whether there is one.
+fn spawn(
+    follower: ptr<function, Follower>,
+    at: ptr<function, Encounter>,
+    media: ptr<function, Media>,
+) -> bool {
+    let ray = (*follower).ray;
+    let weight = (*follower).weight;
+    let generation = (*follower).generation;
+    var ground = Ground((*at).normal, 0.0);
+    if is_rough(at) {
+        ground = on_facets(at, ray.direction, generation);
+    }
+    var reflected = (*at).reflected;
+    if HAS_TRANSPARENCY && body_is_transparent((*at).body) {
+        if DISPERSES && (*at).material.indices != NO_ROWS && is_white(media) {
+            reflected = split(ray, weight, generation, *at, ground, *media);
+        } else {
+            reflected = send_through(ray, weight, generation, *at, ground, *media);
+        }
+    }
+    let direction = mend_unit(reflect_about(ray.direction, (*at).normal));
+    let off = let_off(ground, direction, false, reflected);
+    let mirrored = weight * off.weight;
+    if !off.flies || !carries(mirrored) {
+        return false;
+    }
+    counts.reflected += 1u;
+    *follower = Follower(ray_from((*at).position, direction, (*at).start), mirrored, generation + 1u);
+    return true;
+}
+
+// Makes `follower` a ray that waited. Whether there is one.
+fn take_waiting(follower: ptr<function, Follower>, media: ptr<function, Media>) -> bool {
+    while waits > 0u {
+        let last = waits - 1u;
+        *media = waiting[last].media;
+        if !DISPERSES || splits[last].wave == WAVE_COUNT {
+            waits = last;
+            *follower = Follower(waiting[last].ray, waiting[last].weight, waiting[last].generation);
+            return true;
+        }
+        let wave = splits[last].wave;
+        splits[last].wave = wave + 1u;
+        if wave + 1u == WAVE_COUNT {
+            waits = last;
+        }
+        if send_wave(last, wave, follower, media) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The light that a primary ray brings. `first_body` becomes the body that it meets.
+fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
+    var follower = Follower(primary, vec3(1.0), 1u);
+    var media: Media;
+    media_at_start(primary, &media);
+    var light = vec3(0.0);
+    var is_first = true;
+    var is_whole = false;
+    waits = 0u;
+    let before = counts.shadow + counts.reflected + counts.refracted;
+    loop {
+        let hit = nearest(follower.ray, &media);
+        if is_first {
+            *first_body = select(NO_BODY, hit.body, hit.hit);
+            is_first = false;
+        }
+        if ABSORBS {
+            follower.weight *= left_in_media(&media, hit.t);
+        }
+        var goes_on = false;
+        if !hit.hit {
+            light += follower.weight * frame.background;
+        } else {
+            var at = encounter(follower.ray, hit);
+            light += follower.weight * local_light(follower.ray, &at, follower.generation, &media);
+            if follower.generation < frame.generations {
+                goes_on = spawn(&follower, &at, &media);
+            }
+        }
+        if counts.shadow + counts.reflected + counts.refracted - before > MOST_RAYS {
+            break;
+        }
+        if !goes_on {
+            if !take_waiting(&follower, &media) {
+                is_whole = true;
+                break;
+            }
+        }
+    }
+    tree_overflowed = tree_overflowed || !is_whole;
+    return light;
+}

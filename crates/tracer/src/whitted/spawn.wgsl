@@ -1,0 +1,102 @@
+// Twin of spawn.rs: the rays that grow from the point that another met.
+
+// What becomes of a ray at a transparent surface.
+struct Crossing {
+    ratio: f32,
+    bent: vec3<f32>,
+    // Whether it is not totally reflected.
+    passes: bool,
+    reflection: f32,
+    filter_color: vec3<f32>,
+}
+
+// A ray in media, which become those beyond, across the surface of a body.
+fn crossing(
+    direction: vec3<f32>,
+    normal: vec3<f32>,
+    body: u32,
+    material: Material,
+    media: ptr<function, Media>,
+) -> Crossing {
+    let ratio = media_cross(media, body);
+    let bent = refract_through(direction, normal, ratio);
+    var reflection = material.reflection;
+    var filter_color: vec3<f32>;
+    if material.law == LAW_DIELECTRIC {
+        reflection = fresnel(clamp(-dot(normal, direction), 0.0, 1.0), ratio);
+        filter_color = vec3(1.0 - reflection);
+    } else {
+        filter_color = filter_of(body);
+    }
+    // Total internal reflection: all of the light, and nothing twice.
+    return Crossing(ratio, bent.direction, bent.passes, select(1.0, reflection, bent.passes), filter_color);
+}
+
+// The coefficients of a ray that crosses a surface, and whether there is one.
+fn let_through(across: Crossing, ground: Ground, filter_color: vec3<f32>) -> LetOff {
+    // Between equal indices there is no surface, and nothing that could be rough.
+    if across.ratio == 1.0 {
+        return LetOff(filter_color, across.passes);
+    }
+    let left = let_off(ground, across.bent, true, filter_color);
+    return LetOff(left.weight, left.flies && across.passes);
+}
+
+// Sends a ray through a surface, if it carries anything: it waits.
+fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, ground: Ground, media: Media) -> vec3<f32> {
+    var beyond = media;
+    let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
+    let through = let_through(across, ground, across.filter_color);
+    let passing = weight * through.weight;
+    if through.flies && carries(passing) {
+        counts.refracted += 1u;
+        // A ray that goes straight on is the same ray still, unless it stands still.
+        let same = across.ratio == 1.0 && at.t > ray.slack;
+        let on = ray_from(at.position, across.bent, at.start ^ INWARDS);
+        wait(Beam(on, passing, generation + select(1u, 0u, same), beyond));
+    }
+    return vec3(across.reflection);
+}
+
+// Lets each wave of a white ray wait for its turn. What is reflected of all together.
+fn split(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, ground: Ground, media: Media) -> vec3<f32> {
+    let here = Ray(at.position, ray.slack, ray.direction, at.start);
+    splits[waits] = Split(at.normal, 0u, ground.normal, at.t > ray.slack);
+    waiting[waits] = Beam(here, weight, generation, media);
+    waits += 1u;
+    var reflection = vec3(0.0);
+    for (var wave = 0u; wave < WAVE_COUNT; wave++) {
+        var beyond = media;
+        media_colored(&beyond, wave);
+        let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
+        reflection += wave_color(wave) * across.reflection;
+    }
+    return reflection;
+}
+
+// Makes `follower` a wave of the split ray at a place of those that wait, and `media`, which are around that, what is
+// beyond. Whether it carries anything.
+fn send_wave(
+    place: u32,
+    wave: u32,
+    follower: ptr<function, Follower>,
+    media: ptr<function, Media>,
+) -> bool {
+    let ray = waiting[place].ray;
+    let waits_there = splits[place];
+    let body = ray.start & NO_START;
+    let material = material_of(body);
+    media_colored(media, wave);
+    let across = crossing(ray.direction, waits_there.normal, body, material, media);
+    let ground = Ground(waits_there.ground, material.alpha);
+    let through = let_through(across, ground, across.filter_color * wave_color(wave));
+    let passing = waiting[place].weight * through.weight;
+    if !through.flies || !carries(passing) {
+        return false;
+    }
+    counts.refracted += 1u;
+    let same = across.ratio == 1.0 && waits_there.moves;
+    let generation = waiting[place].generation + select(1u, 0u, same);
+    *follower = Follower(ray_from(ray.origin, across.bent, ray.start ^ INWARDS), passing, generation);
+    return true;
+}
