@@ -102,6 +102,16 @@ fn shots() -> Vec<Shot> {
         Shot { body: Some(12), ..shot("studio-material-en", "english", "dark", "metals") },
         Shot { body: Some(14), ..shot("studio-material-ru", "russian", "light", "rising-index") },
         Shot {
+            body: Some(1),
+            commands: vec![Command::TogglePane(Pane::Materials)],
+            ..shot("studio-materials-en", "english", "dark", "four-bodies")
+        },
+        Shot {
+            body: Some(1),
+            commands: vec![Command::TogglePane(Pane::Materials)],
+            ..shot("studio-materials-ru", "russian", "light", "four-bodies")
+        },
+        Shot {
             commands: vec![Command::TogglePane(Pane::Compare)],
             ..shot("studio-compare", "english", "dark", "four-bodies")
         },
@@ -155,7 +165,8 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         harness.step();
         harness.step();
     }
-    let has_thumbnails = shot.commands.contains(&Command::Examples);
+    let pictured = [Command::Examples, Command::TogglePane(Pane::Materials)];
+    let has_thumbnails = shot.commands.iter().any(|command| pictured.contains(command));
     wait(&mut harness, Duration::from_secs(if has_thumbnails { 40 } else { 2 }));
     if let Some(look) = &shot.audit {
         audit(&mut harness, look);

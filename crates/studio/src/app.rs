@@ -256,9 +256,9 @@ impl Studio {
     /// Ends the open gesture when nothing is being dragged or typed any more: it becomes one step of the history.
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
-        // The outliner's list has the focus while it is used, and nothing is typed into it.
-        let focused = ui.memory(egui::Memory::focused);
-        let is_used = focused.is_some_and(|id| id != crate::outliner::list_id());
+        // Lists have the focus while they are used, and nothing is typed into them.
+        let lists = [crate::outliner::list_id(), crate::materials::list_id()];
+        let is_used = ui.memory(egui::Memory::focused).is_some_and(|id| !lists.contains(&id));
         if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();
         }

@@ -22,6 +22,8 @@ mod sheet;
 mod surroundings;
 mod symbol;
 
+pub(crate) use kinds::{PRESETS as KINDS, Preset as KindPreset};
+pub(crate) use physical::told as model_told;
 use symbol::Symbol;
 
 /// Below this width, points, the panel scrolls sideways.

@@ -71,6 +71,9 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::TogglePane(pane) => {
             let is_in_front = layout::is_in_front(&studio.layout, pane);
             layout::set_visible(&mut studio.layout, pane, !is_in_front);
+            if pane == Pane::Materials && !is_in_front {
+                studio.panes.materials.take_focus();
+            }
         }
         Command::ResetLayout => studio.layout = layout::default_layout(),
         Command::Zoom(step) => zoom(context, studio, step),
@@ -88,7 +91,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::Terms => Help::open(context, studio, Page::Terms),
         Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
-        Command::Examples | Command::Render => crate::dialogs::run(context, studio, &command),
+        Command::Examples | Command::Render => crate::dialogs::run(studio, &command),
         Command::RenderShown => crate::pictures::start_shown(studio),
         Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
     }
@@ -151,8 +154,10 @@ fn rename(studio: &mut Studio) {
 
 /// Does an action; tells in the corner why, if it cannot be done.
 fn apply(studio: &mut Studio, action: Action) {
+    let is_of_material = matches!(action, Action::AssignMaterial(_));
     let Err(error) = studio.editor.apply(action) else { return };
     let key = match &error {
+        ActionError::NothingSelected if is_of_material => "refused-no-body-selected",
         ActionError::NothingSelected => "refused-nothing-selected",
         ActionError::Locked => "refused-locked",
         ActionError::NothingToDo => return,

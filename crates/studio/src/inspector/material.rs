@@ -8,7 +8,7 @@ use catoptric_lab::depth::{ExcessKind, excess_of};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Checker, Material, MaterialChoice, Model, Scene};
 use egui::{Button, ComboBox, Id, Ui, vec2};
-use egui_material_icons::icons::ICON_WARNING;
+use egui_material_icons::icons::{ICON_GRID_VIEW, ICON_WARNING};
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
@@ -16,13 +16,14 @@ use super::symbol::Symbol;
 use super::{Memory, curve, formula, header, physical};
 use crate::command::Command;
 use crate::context::Cx;
+use crate::layout::Pane;
 use crate::outliner::item_name;
 use crate::theme;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::number::{HEIGHT, shown};
-use crate::widgets::paint_icon;
 use crate::widgets::row::control_width;
 use crate::widgets::section::section;
+use crate::widgets::{explained_icon_button, paint_icon};
 
 const UNIT_RAIL: Rail = Rail::Even(0.0, 1.0);
 
@@ -137,7 +138,10 @@ pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, index:
     let scene = Arc::clone(cx.editor.scene());
     header::header_ui(ui, cx, Item::Material(index));
     let name = Item::Material(index).name(&scene);
-    header::hint(ui, &used_by(cx, &scene, name));
+    ui.horizontal(|ui| {
+        browse_ui(ui, cx);
+        header::hint(ui, &used_by(cx, &scene, name));
+    });
     sheet_ui(ui, cx, memory, &scene, &Made { homes: &[Home::Named(index)], bodies: &[], subject: name });
 }
 
@@ -176,6 +180,16 @@ fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
     cx.texts.with("material-used-by", &[("count", count.into())])
 }
 
+/// The button that opens the panel of materials.
+fn browse_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
+    let command = Command::TogglePane(Pane::Materials);
+    let (name, tip) =
+        (cx.situation().name(&command), cx.situation().tip(&command).unwrap_or_default().to_owned());
+    if explained_icon_button(ui, ICON_GRID_VIEW, &name, &format!("{name}\n{tip}"), false).clicked() {
+        cx.run(command);
+    }
+}
+
 /// Whose material it is: a list of the shared ones, and buttons that share it or make it the body's own.
 fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choice: &MaterialChoice) {
     let texts = cx.texts;
@@ -194,6 +208,7 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
     let mut action = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
+        browse_ui(ui, cx);
         let text = texts.get(if is_own { "material-share" } else { "material-make-own" });
         let tip = texts.tip(if is_own { "material-share" } else { "material-make-own" });
         let button_width = ui.available_width() * 0.42;
