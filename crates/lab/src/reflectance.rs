@@ -34,6 +34,13 @@ enum Law {
     Measured(Vec<f64>),
 }
 
+impl CurveKind {
+    /// Whether it is of light that comes from within.
+    pub fn is_from_inside(self) -> bool {
+        self == Self::FromInside
+    }
+}
+
 impl Curve {
     /// The share of unpolarized light that is reflected under an angle of incidence in degrees, 0 to 90.
     pub fn at(&self, degrees: f64) -> f64 {
@@ -100,6 +107,23 @@ pub fn curves_of(material: &Material) -> Vec<Curve> {
     }
 }
 
+/// The shares of red, green and blue light that are reflected under an angle of incidence in degrees, by the curves of a
+/// material for that side; `None` if there is none for it.
+pub fn reflected_at(curves: &[Curve], degrees: f64, is_from_inside: bool) -> Option<[f64; 3]> {
+    let mut shares = None;
+    for curve in curves.iter().filter(|curve| curve.kind.is_from_inside() == is_from_inside) {
+        let share = curve.at(degrees);
+        let [red, green, blue] = shares.get_or_insert([share; 3]);
+        match curve.kind {
+            CurveKind::Red => *red = share,
+            CurveKind::Green => *green = share,
+            CurveKind::Blue => *blue = share,
+            CurveKind::FromOutside | CurveKind::FromInside => {}
+        }
+    }
+    shares
+}
+
 /// The angles at which something happens to the curves of a material.
 pub fn marks_of(material: &Material) -> Vec<Mark> {
     let ior = material.ior();
@@ -144,6 +168,20 @@ mod tests {
         assert!(red.at(0.0) > 2.0 * blue.at(0.0) && blue.at(89.9) > 0.98);
         let exact = Metal::named("gold").unwrap().reflectance(33.3_f64.to_radians().cos(), 1.0)[2];
         assert!((blue.at(33.3) - exact).abs() < 1e-4);
+    }
+
+    #[test]
+    fn each_side_has_its_shares() {
+        let glass = Material { model: Model::Dielectric, ior: 1.5, ..Material::default() };
+        let curves = curves_of(&glass);
+        let [outside, inside] = [false, true].map(|side| reflected_at(&curves, 45.0, side));
+        assert_eq!((outside, inside), (Some([curves[0].at(45.0); 3]), Some([1.0; 3])));
+        let conductor = Conductor::Metal(Metal::named("copper").unwrap());
+        let copper = curves_of(&Material { model: Model::Conductor, conductor, ..Material::default() });
+        let known = [0, 1, 2].map(|channel: usize| copper[channel].at(20.0));
+        assert_eq!(reflected_at(&copper, 20.0, false), Some(known));
+        assert_eq!(reflected_at(&copper, 20.0, true), None);
+        assert_eq!(reflected_at(&[], 20.0, false), None);
     }
 
     #[test]

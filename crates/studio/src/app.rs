@@ -180,6 +180,11 @@ impl Studio {
         self.panes.compare.is_found() && !self.panes.compare.is_running()
     }
 
+    /// How many materials of the browser have been pictured so far.
+    pub fn pictured_materials(&self) -> usize {
+        self.panes.materials.pictured()
+    }
+
     /// Where the picture is in the window, points, once it has been drawn.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()
@@ -307,6 +312,9 @@ impl Studio {
         layout.ui(&mut Docked { cx: self.cx(), panes: &mut panes, viewport }, ui);
         self.layout = layout;
         self.panes = panes;
+        if !layout::is_in_front(&self.layout, Pane::Viewport) {
+            self.view.seen = None;
+        }
     }
 }
 

@@ -10,6 +10,7 @@ mod body;
 mod camera;
 mod curve;
 mod depth;
+mod energy;
 mod formula;
 mod header;
 mod kinds;
@@ -59,6 +60,8 @@ pub(crate) struct Memory {
     pub(crate) starts: sheet::Starts,
     /// How many generations the scene needs.
     pub(crate) adviser: depth::Adviser,
+    /// The curves of the material that was shown last.
+    pub(crate) curves: curve::Curves,
 }
 
 impl Default for Memory {
@@ -76,6 +79,7 @@ impl Default for Memory {
             size_link: false,
             starts: sheet::Starts::default(),
             adviser: depth::Adviser::default(),
+            curves: curve::Curves::default(),
         }
     }
 }

@@ -5,6 +5,7 @@ mod grid;
 mod presets;
 mod preview;
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Item, Label};
@@ -102,8 +103,9 @@ pub(crate) struct Browser {
     /// Whether the list is to have the keys.
     wants_focus: bool,
     thumbnails: Thumbnails<Preview>,
-    /// What the scene's materials were when they were last seen, as long as there is no picture of what they are now.
-    seen: Vec<Option<Preview>>,
+    /// What materials of the scene were by name when there last was a picture: it stays until there is one of what they are
+    /// now.
+    seen: HashMap<String, Preview>,
 }
 
 /// What was found, for which document and filter.
@@ -116,6 +118,11 @@ impl Browser {
     /// The panel was asked for: arrows choose at once.
     pub(crate) fn take_focus(&mut self) {
         (self.wants_focus, self.scrolls) = (true, true);
+    }
+
+    /// How many materials there is a picture of.
+    pub(crate) fn pictured(&self) -> usize {
+        self.thumbnails.count()
     }
 
     /// Looks for what fits the filter, if that or the document has changed.

@@ -58,6 +58,11 @@ impl<K: Clone + PartialEq + Send + 'static> Thumbnails<K> {
         self.pictures.push((key, texture));
     }
 
+    /// How many pictures there are.
+    pub(crate) fn count(&self) -> usize {
+        self.pictures.iter().filter(|(_, picture)| picture.is_some()).count()
+    }
+
     /// The picture, if it is there.
     pub(crate) fn get(&self, key: &K) -> Option<&TextureHandle> {
         self.pictures.iter().find(|(other, _)| other == key)?.1.as_ref()

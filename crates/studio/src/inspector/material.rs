@@ -4,26 +4,24 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
-use catoptric_lab::depth::{ExcessKind, excess_of};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Checker, Material, MaterialChoice, Model, Scene};
 use egui::{Button, ComboBox, Id, Ui, vec2};
-use egui_material_icons::icons::{ICON_GRID_VIEW, ICON_WARNING};
+use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
 use super::symbol::Symbol;
-use super::{Memory, curve, formula, header, physical};
+use super::{Memory, curve, energy, formula, header, physical};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::layout::Pane;
 use crate::outliner::item_name;
-use crate::theme;
 use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::explained_icon_button;
 use crate::widgets::number::{HEIGHT, shown};
 use crate::widgets::row::control_width;
 use crate::widgets::section::section;
-use crate::widgets::{explained_icon_button, paint_icon};
 
 const UNIT_RAIL: Rail = Rail::Even(0.0, 1.0);
 
@@ -276,7 +274,8 @@ fn sheet_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, scene: &Arc<Scene
         } else {
             header::hint(ui, physical::told(texts, primary.model));
             formula::law_ui(ui, texts, sheet.memory, primary);
-            curve::curve_ui(ui, texts, primary);
+            let seen = sheet.cx.view.seen.filter(|seen| homes.first() == home_of(scene, seen.body).as_ref());
+            curve::curve_ui(ui, texts, primary, &mut sheet.memory.curves, seen);
         }
     });
 }
@@ -297,7 +296,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
             checker_ui(ui, sheet);
         }
     }
-    energy_ui(ui, sheet);
+    energy::energy_ui(ui, sheet.texts(), sheet.primary);
 }
 
 fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
@@ -312,6 +311,16 @@ fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     ior_ui(ui, sheet);
     sheet.color(ui, &TINT);
     checker_ui(ui, sheet);
+}
+
+/// Where the material of a body is kept.
+fn home_of(scene: &Scene, body: usize) -> Option<Home> {
+    match &scene.bodies.get(body)?.material {
+        MaterialChoice::Inline(_) => Some(Home::Body(body)),
+        MaterialChoice::Named(name) => {
+            scene.materials.iter().position(|named| named.name == *name).map(Home::Named)
+        }
+    }
 }
 
 fn material_at(scene: &Scene, home: Home) -> Option<&Material> {
@@ -449,27 +458,4 @@ fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     }
     sheet.color(ui, &CHECKER_COLOR);
     sheet.number(ui, &CHECKER_SIZE, None);
-}
-
-/// A quiet word when a surface or its highlight would send out more light than it receives.
-fn energy_ui(ui: &mut Ui, sheet: &Sheet<'_, '_, Material>) {
-    let texts = sheet.texts();
-    let palette = theme::palette(ui.visuals());
-    for (kind, amount) in excess_of(sheet.primary) {
-        let amount = shown(amount, 3);
-        let (key, sum) = match kind {
-            ExcessKind::Surface { diffuse, reflection, transmission, .. } => {
-                let parts = [diffuse, reflection, transmission].map(|part| shown(part, 3));
-                ("energy-warning", format!("{} = {amount}", parts.join(" + ")).replace(' ', "\u{a0}"))
-            }
-            ExcessKind::Highlight => ("energy-highlight", amount),
-        };
-        let response = ui.horizontal_wrapped(|ui| {
-            let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), egui::Sense::hover());
-            paint_icon(ui, ICON_WARNING, rect.center(), 14.0, palette.warning);
-            let text = texts.with(key, &[("sum", sum.into())]);
-            ui.label(egui::RichText::new(text).color(palette.warning).size(12.0))
-        });
-        response.inner.on_hover_text(texts.tip(key).unwrap_or_default());
-    }
 }

@@ -24,6 +24,8 @@ use crate::widgets::paint_icon;
 pub(super) const PICTURE: f32 = 96.0;
 /// The picture with two lines of text.
 pub(super) const CARD: Vec2 = vec2(PICTURE, PICTURE + 33.0);
+/// So many materials of scenes are remembered as they were.
+const MOST_SEEN: usize = 400;
 /// Between cards, points.
 pub(super) const GAP: f32 = 8.0;
 
@@ -83,21 +85,21 @@ pub(super) fn card_ui(
 /// The picture, or what it was before; an hourglass until there is one.
 fn picture_ui(ui: &Ui, browser: &mut Browser, scene: &Scene, thing: Thing, rect: Rect) {
     let Some(preview) = preview(ui, scene, thing) else { return };
-    if let Thing::Scene(place) = thing {
-        if browser.seen.len() <= place {
-            browser.seen.resize(place + 1, None);
-        }
-        if browser.thumbnails.get(&preview).is_some()
-            && let Some(seen) = browser.seen.get_mut(place)
-        {
-            *seen = Some(preview.clone());
-        }
-    }
-    let before = match thing {
-        Thing::Scene(place) => browser.seen.get(place).and_then(Option::as_ref),
+    let named = match thing {
+        Thing::Scene(place) => scene.materials.get(place),
         Thing::Preset(_) => None,
     };
-    let texture = browser.thumbnails.get(&preview).or_else(|| browser.thumbnails.get(before?));
+    let mut texture = browser.thumbnails.get(&preview);
+    if let Some(named) = named {
+        if texture.is_none() {
+            texture = browser.seen.get(&named.name).and_then(|before| browser.thumbnails.get(before));
+        } else if browser.seen.get(&named.name) != Some(&preview) {
+            if browser.seen.len() >= MOST_SEEN {
+                browser.seen.clear();
+            }
+            browser.seen.insert(named.name.clone(), preview);
+        }
+    }
     match texture {
         Some(texture) => {
             egui::Image::new(texture)
