@@ -45,7 +45,7 @@ struct Shot {
     hint: bool,
     /// How far down the keys walk in the materials.
     rows_down: usize,
-    /// Where the pointer rests in the picture.
+    /// Where the pointer rests in the picture, or below it.
     pointer: Option<[f32; 2]>,
     /// What is looked into: a pixel, and how the view is turned then.
     audit: Option<Look>,
@@ -116,7 +116,7 @@ fn shots() -> Vec<Shot> {
         },
         Shot {
             body: Some(12),
-            pointer: Some([0.62, 0.58]),
+            pointer: Some([0.66, 0.5]),
             ..shot("studio-material-en", "english", "dark", "metals")
         },
         Shot {
@@ -128,6 +128,7 @@ fn shots() -> Vec<Shot> {
             body: Some(12),
             commands: vec![Command::TogglePane(Pane::Materials)],
             rows_down: 3,
+            pointer: Some([0.568, 1.5]),
             ..shot("studio-materials-en", "english", "dark", "metals")
         },
         Shot {

@@ -68,13 +68,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         | Command::Measure(_) => experiment(context, studio, &command),
         Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
         Command::ToggleCard => crate::card::toggle(studio),
-        Command::TogglePane(pane) => {
-            let is_in_front = layout::is_in_front(&studio.layout, pane);
-            layout::set_visible(&mut studio.layout, pane, !is_in_front);
-            if pane == Pane::Materials && !is_in_front {
-                studio.panes.materials.take_focus();
-            }
-        }
+        Command::TogglePane(pane) => toggle(studio, pane),
         Command::ResetLayout => studio.layout = layout::default_layout(),
         Command::Zoom(step) => zoom(context, studio, step),
         Command::Theme(theme) => {
@@ -143,6 +137,15 @@ fn switch(studio: &mut Studio, command: &Command) {
         _ => return,
     };
     *is_on = !*is_on;
+}
+
+/// Shows or hides a panel.
+fn toggle(studio: &mut Studio, pane: Pane) {
+    let is_in_front = layout::is_in_front(&studio.layout, pane);
+    layout::set_visible(&mut studio.layout, pane, !is_in_front);
+    if pane == Pane::Materials && !is_in_front {
+        studio.panes.materials.take_focus();
+    }
 }
 
 /// Begins to type another name for the primary thing, in the outliner.

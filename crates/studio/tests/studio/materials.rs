@@ -14,7 +14,7 @@ type Kit = Harness<'static, Studio>;
 /// The bodies of the example, and the button that opens the panel.
 const SPHERE: usize = 1;
 const CUBE: usize = 2;
-const BROWSE: &str = "Browse materials";
+const BROWSE: &str = "Material browser";
 
 /// The panel over the example of four bodies, with these selected.
 fn open(selected: &[Item]) -> Kit {
