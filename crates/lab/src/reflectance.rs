@@ -107,9 +107,23 @@ pub fn curves_of(material: &Material) -> Vec<Curve> {
     }
 }
 
-/// The shares of red, green and blue light that are reflected under an angle of incidence in degrees, by the curves of a
-/// material for that side; `None` if there is none for it.
-pub fn reflected_at(curves: &[Curve], degrees: f64, is_from_inside: bool) -> Option<[f64; 3]> {
+/// Wavelengths at which screens are red, green and blue, nanometers.
+const PRIMARIES: [f64; 3] = [630.0, 532.0, 465.0];
+
+/// The shares of red, green and blue light that a material reflects under an angle of incidence in degrees, by its
+/// `curves` or, where colors are bent differently, by the index of each; `None` if it has no curve for that side.
+pub fn reflected_at(
+    material: &Material,
+    curves: &[Curve],
+    degrees: f64,
+    is_from_inside: bool,
+) -> Option<[f64; 3]> {
+    if let Some(dispersion) = material.dispersion() {
+        let indices = PRIMARIES.map(|nanometers| dispersion.index(nanometers));
+        let law = |index: f64| Law::Clear(if is_from_inside { 1.0 / index } else { index });
+        let curve = |index| Curve { kind: CurveKind::FromOutside, law: law(index) };
+        return Some(indices.map(|index| curve(index).at(degrees)));
+    }
     let mut shares = None;
     for curve in curves.iter().filter(|curve| curve.kind.is_from_inside() == is_from_inside) {
         let share = curve.at(degrees);
@@ -171,17 +185,25 @@ mod tests {
     }
 
     #[test]
-    fn each_side_has_its_shares() {
+    fn each_side_and_each_color_has_its_share() {
+        let at = |material: &Material, degrees, is_from_inside| {
+            reflected_at(material, &curves_of(material), degrees, is_from_inside)
+        };
         let glass = Material { model: Model::Dielectric, ior: 1.5, ..Material::default() };
-        let curves = curves_of(&glass);
-        let [outside, inside] = [false, true].map(|side| reflected_at(&curves, 45.0, side));
-        assert_eq!((outside, inside), (Some([curves[0].at(45.0); 3]), Some([1.0; 3])));
+        let outside = curves_of(&glass)[0].at(45.0);
+        assert_eq!((at(&glass, 45.0, false), at(&glass, 45.0, true)), (Some([outside; 3]), Some([1.0; 3])));
         let conductor = Conductor::Metal(Metal::named("copper").unwrap());
-        let copper = curves_of(&Material { model: Model::Conductor, conductor, ..Material::default() });
-        let known = [0, 1, 2].map(|channel: usize| copper[channel].at(20.0));
-        assert_eq!(reflected_at(&copper, 20.0, false), Some(known));
-        assert_eq!(reflected_at(&copper, 20.0, true), None);
-        assert_eq!(reflected_at(&[], 20.0, false), None);
+        let copper = Material { model: Model::Conductor, conductor, ..Material::default() };
+        let known = [0, 1, 2].map(|channel: usize| curves_of(&copper)[channel].at(20.0));
+        assert_eq!((at(&copper, 20.0, false), at(&copper, 20.0, true)), (Some(known), None));
+        assert_eq!(at(&Material::default(), 20.0, false), None);
+        // Diamond's index is 2.412 for red and 2.441 for blue light.
+        let diamond =
+            Material { substance: catoptric_optics::Clear::named("diamond"), dispersion: true, ..glass };
+        let [red, green, blue] = at(&diamond, 0.0, false).unwrap();
+        assert!((red - 0.171).abs() < 1e-3 && (blue - 0.1754).abs() < 1e-3 && red < green && green < blue);
+        let [red, _, blue] = at(&diamond, 24.3, true).unwrap();
+        assert!(red < 1.0 && blue == 1.0);
     }
 
     #[test]

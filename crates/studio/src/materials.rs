@@ -132,7 +132,8 @@ impl Browser {
             return;
         }
         let materials = cx.editor.scene().materials.iter().enumerate();
-        let of_scene = materials.filter(|(_, named)| presets::has(&named.name.to_lowercase(), &key.1));
+        let of_scene = materials
+            .filter(|(_, named)| key.1.is_empty() || presets::has(&named.name.to_lowercase(), &key.1));
         let mut things: Vec<Thing> = of_scene.map(|(place, _)| Thing::Scene(place)).collect();
         things.extend(presets::found(&key.1).map(Thing::Preset));
         if self.found.as_ref().is_some_and(|found| found.key.1 != key.1) {

@@ -7,8 +7,8 @@ use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use crate::latest::Latest;
 
-/// So many pictures are kept; the oldest go first.
-const MOST: usize = 400;
+/// So many pictures are kept; the oldest that are not wanted go first.
+const MOST: usize = 250;
 
 /// The pictures so far, each of what its key stands for.
 pub(crate) struct Thumbnails<K> {
@@ -35,7 +35,7 @@ impl<K: Clone + PartialEq + Send + 'static> Thumbnails<K> {
         wanted: &[K],
         scene: fn(&K) -> Option<(Scene, RenderSettings)>,
     ) {
-        self.poll(context);
+        self.poll(context, wanted);
         let is_missing = |key: &&K| !self.pictures.iter().any(|(other, _)| other == *key);
         // What is under way is finished if it is wanted at all.
         let under_way = self.work.key().filter(|key| wanted.contains(key));
@@ -47,13 +47,14 @@ impl<K: Clone + PartialEq + Send + 'static> Thumbnails<K> {
         });
     }
 
-    fn poll(&mut self, context: &Context) {
+    fn poll(&mut self, context: &Context, wanted: &[K]) {
         let Some((key, traced)) = self.work.poll() else { return };
         // What broke down would do so again.
         let Some(picture) = traced.unwrap_or(Some(None)) else { return };
         let texture = picture.map(|image| context.load_texture("thumbnail", image, TextureOptions::LINEAR));
         if self.pictures.len() >= MOST {
-            self.pictures.remove(0);
+            let oldest = self.pictures.iter().position(|(other, _)| !wanted.contains(other));
+            self.pictures.remove(oldest.unwrap_or(0));
         }
         self.pictures.push((key, texture));
     }

@@ -77,7 +77,7 @@ pub(super) fn curve_ui(
         hint(ui, &summary);
     }
     if let Some(seen) = seen
-        && let Some(shares) = reflected_at(curves, seen.degrees, seen.is_from_inside)
+        && let Some(shares) = reflected_at(material, curves, seen.degrees, seen.is_from_inside)
     {
         let own = curves.iter().filter(|curve| curve.kind.is_from_inside() == seen.is_from_inside);
         chart.pointer(ui, seen.degrees, own);
@@ -89,13 +89,13 @@ pub(super) fn curve_ui(
 fn seen_text(texts: &Texts, seen: Seen, [red, green, blue]: [f64; 3]) -> String {
     let angle = format!("{:.1}", seen.degrees);
     if red == green && green == blue {
-        let key = if seen.is_from_inside { "curve-seen-inside" } else { "curve-seen-alike" };
+        let key = if seen.is_from_inside { "curve-seen-inside-alike" } else { "curve-seen-alike" };
         return texts.with(key, &[("angle", angle.into()), ("share", shown(red, 4).into())]);
     }
     let [red, green, blue] = [red, green, blue].map(|share| shown(share, 4));
     let shares =
         [("angle", angle.into()), ("red", red.into()), ("green", green.into()), ("blue", blue.into())];
-    texts.with("curve-seen", &shares)
+    texts.with(if seen.is_from_inside { "curve-seen-inside" } else { "curve-seen" }, &shares)
 }
 
 struct Chart<'p> {

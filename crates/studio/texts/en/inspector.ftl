@@ -181,7 +181,8 @@ curve-outside = from outside
 curve-inside = from within
 curve-seen = Under the pointer θ = { $angle }°: reflects { $red } of red, { $green } of green, { $blue } of blue.
 curve-seen-alike = Under the pointer θ = { $angle }°: reflects { $share } of red, green and blue alike.
-curve-seen-inside = Under the pointer, from within, θ = { $angle }°: reflects { $share } of red, green and blue alike.
+curve-seen-inside = Under the pointer, from within, θ = { $angle }°: reflects { $red } of red, { $green } of green, { $blue } of blue.
+curve-seen-inside-alike = Under the pointer, from within, θ = { $angle }°: reflects { $share } of red, green and blue alike.
 in-formula-straight = Straight incidence
 in-formula-loss = Loss on the way
 in-formula-coat = Through the coat

@@ -181,7 +181,8 @@ curve-outside = снаружи
 curve-inside = изнутри
 curve-seen = Под указателем θ = { $angle }°: отражается { $red } красного, { $green } зелёного, { $blue } синего.
 curve-seen-alike = Под указателем θ = { $angle }°: красного, зелёного и синего отражается поровну, { $share }.
-curve-seen-inside = Под указателем, изнутри, θ = { $angle }°: красного, зелёного и синего отражается поровну, { $share }.
+curve-seen-inside = Под указателем, изнутри, θ = { $angle }°: отражается { $red } красного, { $green } зелёного, { $blue } синего.
+curve-seen-inside-alike = Под указателем, изнутри, θ = { $angle }°: красного, зелёного и синего отражается поровну, { $share }.
 in-formula-straight = Прямое падение
 in-formula-loss = Потери в пути
 in-formula-coat = Сквозь слой лака

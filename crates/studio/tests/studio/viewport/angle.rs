@@ -71,6 +71,16 @@ fn metals_have_a_share_for_each_color_and_no_inside() {
 }
 
 #[test]
+fn colors_that_are_bent_differently_have_shares_of_their_own() {
+    let mut hand = Hand::over(Material { dispersion: true, abbe: 20.0, ..glass() });
+    hand.go(hand.place(position(hand.scene(), SPHERE)));
+    let told = hand.told().unwrap();
+    let shares: Vec<f64> = told.split(' ').filter_map(|word| word.parse().ok()).collect();
+    let [red, green, blue] = shares[..] else { panic!("{told}") };
+    assert!(red < 0.04 && 0.04 < green && green < blue && blue < 0.05, "{told}");
+}
+
+#[test]
 fn within_a_glass_the_side_towards_the_eye_counts() {
     let mut hand = Hand::over(glass());
     let center = position(hand.scene(), SPHERE);
