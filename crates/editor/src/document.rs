@@ -1,6 +1,7 @@
 //! The document and its gestures.
 
 mod change;
+mod images;
 mod saving;
 
 use std::path::PathBuf;

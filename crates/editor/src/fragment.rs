@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use catoptric_scene::{List, MaterialChoice, Scene, Shape, read, write_fragment};
+use catoptric_scene::{HasImages as _, List, MaterialChoice, Scene, Shape, read, write_fragment};
 use glam::DVec3;
 
 use crate::action::{ActionError, Outcome};
@@ -51,6 +51,12 @@ pub(crate) fn paste(scene: &Scene, text: &str) -> Result<Outcome, ActionError> {
         return Err(ActionError::NothingToPaste);
     }
     let mut pasted = read(text).into_result().map_err(ActionError::BadText)?.value;
+    pasted.edit_images(&mut |image| {
+        // Else materials with the same picture would not be found to be the same.
+        if let Some(known) = scene.images().find(|known| known.path() == image.path()) {
+            image.clone_from(known);
+        }
+    });
     let mut names = Names::of_materials(scene);
     let mut renamed: HashMap<String, String> = HashMap::new();
     let mut added = Vec::new();

@@ -5,7 +5,7 @@ mod sequence;
 
 use std::sync::Arc;
 
-use catoptric_scene::Scene;
+use catoptric_scene::{Image, Scene};
 
 use crate::document::Label;
 use crate::selection::Selection;
@@ -51,6 +51,11 @@ impl History {
     /// The step that would be done again next.
     pub(crate) fn first_undone(&self) -> Option<&Step> {
         self.steps.get(self.done)
+    }
+
+    /// Changes the pictures of all steps.
+    pub(crate) fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
+        self.steps.iter_mut().for_each(|step| step.difference.edit_images(edit));
     }
 
     /// Takes the scene one step back, and tells what was selected then.

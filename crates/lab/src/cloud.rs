@@ -26,7 +26,11 @@ pub fn cloud(bodies: usize) -> Scene {
             ..Camera::default()
         },
         tracing: Tracing { generations: 4, threshold: 0.0 },
-        environment: Environment { background: Color::new(0.2, 0.35, 0.6), ambient: Color::WHITE },
+        environment: Environment {
+            background: Color::new(0.2, 0.35, 0.6),
+            ambient: Color::WHITE,
+            ..Environment::default()
+        },
         lights: vec![
             Light { position: DVec3::new(8.0, 14.0, 10.0), ..Light::default() },
             Light {

@@ -253,7 +253,10 @@ const MOST_EXCESSES: usize = 64;
 pub fn excess_of(material: &Material) -> impl Iterator<Item = (ExcessKind, f64)> {
     const ALL: f64 = 1.0 + 1e-9;
     let other = material.checker.as_ref().map_or(Color::BLACK, |checker: &Checker| checker.color).to_array();
-    let (color, tint) = (material.color.to_array(), material.tint.to_array());
+    // A picture in the place of the color may be white somewhere.
+    let has_picture = material.texture.as_ref().is_some_and(|image| image.pixels().is_some());
+    let color = if has_picture { Color::WHITE } else { material.color };
+    let (color, tint) = (color.to_array(), material.tint.to_array());
     let channels = color.iter().zip(other).zip(tint).enumerate().map(|(channel, ((color, other), tint))| {
         let color = color.max(other);
         let (diffuse, reflection, transmission) = match material.model {

@@ -79,7 +79,9 @@ impl Example {
     /// # Errors
     /// None; a test reads every example.
     pub fn load(&self) -> Result<Loaded, LoadError> {
-        match read(self.text).into_result() {
+        let mut reading = read(self.text);
+        reading.open_images(None, self.text);
+        match reading.into_result() {
             Ok(warned) => {
                 Ok(Loaded { scene: warned.value, text: self.text.to_owned(), warnings: warned.warnings })
             }

@@ -45,7 +45,7 @@ pub enum LoadError {
     },
 }
 
-/// Reads a scene file.
+/// Reads a scene file, and the pictures that it names.
 pub fn load(path: impl AsRef<Path>) -> Result<Loaded, LoadError> {
     let path = path.as_ref();
     let (reading, text) = load_partly(path)?;
@@ -55,13 +55,16 @@ pub fn load(path: impl AsRef<Path>) -> Result<Loaded, LoadError> {
     }
 }
 
-/// Reads a scene file as far as it can be understood, whatever is wrong in it. With the reading comes the text that its
+/// Reads a scene file, and the pictures that it names, as far as it can be understood, whatever is wrong in it. With the reading comes the text that its
 /// places refer to.
 ///
 /// # Errors
 /// When the file cannot be read at all.
 pub fn load_partly(path: impl AsRef<Path>) -> Result<(Reading, String), LoadError> {
-    read_file(path.as_ref()).map(read_bytes)
+    let path = path.as_ref();
+    let (mut reading, text) = read_bytes(read_file(path)?);
+    reading.open_images(path.parent(), &text);
+    Ok((reading, text))
 }
 
 fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {

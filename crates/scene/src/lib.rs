@@ -7,9 +7,11 @@
 mod body;
 mod camera;
 mod color;
+mod environment;
 mod examples;
 mod file;
 pub mod format;
+mod image;
 mod light;
 mod list;
 mod material;
@@ -17,15 +19,17 @@ mod material;
 pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
 pub use camera::{Camera, Projection};
 pub use color::Color;
+pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use file::{LoadError, Loaded, load, load_partly, save};
 pub use format::{
     Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
     read, read_bytes, update, write, write_fragment,
 };
+pub use image::{HasImages, Image, ImageError, ImageFault};
 pub use light::{Falloff, Light};
 pub use list::{Counted, List, ListIter, ListIterMut, Slices};
-pub use material::{Checker, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};
+pub use material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};
 
 /// A whole scene: everything that decides what a picture shows, except its size.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -53,21 +57,6 @@ impl Scene {
                 self.materials.iter().find(|named| named.name == *name).map(|named| &named.material)
             }
         }
-    }
-}
-
-/// What surrounds the bodies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Environment {
-    /// Light brought by a ray that hits nothing. Default (0.2, 0.35, 0.6).
-    pub background: Color,
-    /// Ambient light I_a. Default white.
-    pub ambient: Color,
-}
-
-impl Default for Environment {
-    fn default() -> Self {
-        Self { background: Color::new(0.2, 0.35, 0.6), ambient: Color::WHITE }
     }
 }
 

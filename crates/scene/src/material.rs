@@ -4,6 +4,7 @@ use catoptric_optics::{CLEAR, Clear, Dispersion, METALS, Metal, fresnel};
 use glam::DVec3;
 
 use crate::color::Color;
+use crate::image::Image;
 
 /// What a surface does with light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -42,7 +43,7 @@ impl Model {
         }
     }
 
-    /// Whether the body's color and a checker of it are seen.
+    /// Whether the body's color, texture and checker are seen.
     pub const fn has_color(self) -> bool {
         !matches!(self, Self::Dielectric | Self::Conductor)
     }
@@ -114,7 +115,7 @@ const fn is_same(one: &str, other: &str) -> bool {
 }
 
 /// How a surface answers light. Which numbers count depends on the model; a scene file has no others. None is negative.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// What the surface does with light. Default [`Model::Phong`].
     pub model: Model,
@@ -136,7 +137,12 @@ pub struct Material {
     pub ior: f64,
     /// Tint τ of transmitted light. Default white.
     pub tint: Color,
-    /// A second color in a checkerboard of the world's axes. Default none.
+    /// A picture on the body, in the place of its color. Default none.
+    ///
+    /// It is wrapped once around spheres, cylinders and cones, seen upright from outside, its middle towards z; it covers
+    /// each face of a cube and, as far as a circle goes, each cap; on a plane it is repeated every meter.
+    pub texture: Option<Image>,
+    /// A second color in a checkerboard. Default none.
     pub checker: Option<Checker>,
     /// What a dielectric is made of, in the place of `ior`. Default none.
     pub substance: Option<&'static Clear>,
@@ -268,6 +274,7 @@ impl Default for Material {
             transmission: 0.0,
             ior: 1.5,
             tint: Color::WHITE,
+            texture: None,
             checker: None,
             substance: None,
             dispersion: false,
@@ -280,18 +287,44 @@ impl Default for Material {
     }
 }
 
-/// Checkerboard: the cell (⌊x/s⌋ + ⌊y/s⌋ + ⌊z/s⌋) of a world point takes the material's color when even, this one when odd.
+/// Checkerboard: the cell (⌊x/s⌋ + ⌊y/s⌋ + ⌊z/s⌋) of a point takes the material's color when even, this one when odd.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checker {
     /// Color of odd cells. Default gray 0.2.
     pub color: Color,
     /// Edge length s of a cell, meters. Default 1.
     pub size: f64,
+    /// Whose x, y and z these are. Default the world's.
+    pub space: CheckerSpace,
 }
 
 impl Default for Checker {
     fn default() -> Self {
-        Self { color: Color::gray(0.2), size: 1.0 }
+        Self { color: Color::gray(0.2), size: 1.0, space: CheckerSpace::World }
+    }
+}
+
+/// What a checkerboard is laid out in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum CheckerSpace {
+    /// The world: bodies move through it.
+    #[default]
+    World,
+    /// The body, from its own origin, along its own axes: it moves and turns with the body. Cells keep their size when
+    /// the body is scaled.
+    Body,
+}
+
+impl CheckerSpace {
+    /// Both, in the order of the format.
+    pub const ALL: [Self; 2] = [Self::World, Self::Body];
+
+    /// Its word in scene files.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::World => "world",
+            Self::Body => "body",
+        }
     }
 }
 

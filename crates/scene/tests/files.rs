@@ -2,8 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
 use std::fs;
+use std::sync::Arc;
 
-use catoptric_scene::{LoadError, Scene, load, load_partly, save, write};
+use catoptric_picture::{Picture, write_exr};
+use catoptric_scene::{Image, LoadError, Scene, load, load_partly, save, write};
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
@@ -73,4 +75,61 @@ fn what_cannot_be_written_leaves_the_old_file() {
     let error = save(&path, "new").unwrap_err();
     assert!(error.to_string().starts_with(&format!("cannot write {}: ", path.display())));
     assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+}
+
+#[test]
+fn pictures_are_found_beside_the_scene_and_shared() {
+    let folder = folder();
+    let grays = [0.25, f32::INFINITY, -1.0, f32::NAN];
+    let picture = Picture::from_fn(4, 2, |x, y| [grays[x as usize], y as f32, 2.0]).unwrap();
+    write_exr(&folder.path().join("around.exr"), &picture).unwrap();
+    let path = folder.path().join("a.toml");
+    let text = "format = 'catoptric/1'\nenvironment.picture = 'around.exr'\n\
+        [materials.m]\ntexture = './around.exr'\n\
+        [[bodies]]\nmaterial = { model = 'matte', texture = 'builtin:grid' }\n[[bodies]]\nmaterial = 'm'\n";
+    fs::write(&path, text).unwrap();
+    let loaded = load(&path).unwrap();
+    assert!(loaded.warnings.is_empty(), "{}", loaded.warnings);
+    let images: Vec<&Image> = loaded.scene.images().collect();
+    let paths: Vec<&str> = images.iter().map(|image| image.path()).collect();
+    assert_eq!(paths, ["around.exr", "./around.exr", "builtin:grid"]);
+    let pixels: Vec<_> = images.iter().map(|image| image.pixels().unwrap()).collect();
+    assert!(Arc::ptr_eq(pixels[0], pixels[1]), "one file is read once");
+    let first: Vec<f32> = pixels[0].pixels()[..4].iter().map(|pixel| pixel[0]).collect();
+    assert_eq!(first, [0.25, 1e6, 0.0, 0.0], "what no light can be is mended");
+    assert_eq!(load(&path).unwrap().scene, loaded.scene);
+    // Another picture in the same place is another scene.
+    let other = Picture::from_fn(4, 2, |x, _| [x as f32; 3]).unwrap();
+    write_exr(&folder.path().join("around.exr"), &other).unwrap();
+    let file = fs::File::options().write(true).open(folder.path().join("around.exr")).unwrap();
+    file.set_modified(std::time::SystemTime::UNIX_EPOCH).unwrap();
+    assert_ne!(load(&path).unwrap().scene, loaded.scene);
+}
+
+#[test]
+fn pictures_that_cannot_be_opened_are_told_where_they_are_named() {
+    let folder = folder();
+    fs::write(folder.path().join("no.png"), "no picture").unwrap();
+    let path = folder.path().join("a.toml");
+    let text = "format = 'catoptric/1'\n# picture = 'none.exr'\n[environment]\npicture = 'none.exr'\n\
+        [materials]\na = { texture = 'no.png' }\nb = { texture = 'builtin:gird' }\nc = { texture = 'none.exr' }\n\
+        [[bodies]]\nmaterial = 'a'\n[[bodies]]\nmaterial = 'b'\n[[bodies]]\nmaterial = 'c'\n";
+    fs::write(&path, text).unwrap();
+    let LoadError::Diagnostics { diagnostics, .. } = load(&path).unwrap_err() else { panic!() };
+    let shown = folder.path().display();
+    let none = format!(
+        "error: cannot open the picture `none.exr`: there is no file {shown}/none.exr; \
+         check the path, which begins at the scene's folder"
+    );
+    let expected = format!(
+        "4:11: {none}\n\
+         6:17: error: cannot open the picture `no.png`: this is neither a PNG nor an EXR picture; \
+         convert it to one of these\n\
+         7:17: error: cannot open the picture `builtin:gird`: there is no built-in picture of this name; \
+         there are evening, studio, planet, grid\n8:17: {none}"
+    );
+    assert_eq!(diagnostics.to_string(), expected);
+    let (reading, _) = load_partly(&path).unwrap();
+    assert_eq!((reading.scene.bodies.len(), reading.scene.materials.len()), (3, 3));
+    assert!(reading.scene.images().all(|image| image.pixels().is_none()));
 }

@@ -174,7 +174,7 @@ fn order_and_names_may_change() {
     );
     assert_changes(
         |scene| {
-            let mut material = scene.materials[0].material;
+            let mut material = scene.materials[0].material.clone();
             material.color = Color::BLACK;
             scene.materials.push(NamedMaterial { name: "black".to_owned(), material });
         },

@@ -19,6 +19,7 @@ use crate::exports::Exports;
 use crate::first_steps::FirstSteps;
 use crate::help::Help;
 use crate::host::Host;
+use crate::images::Images;
 use crate::layout::{self, Pane};
 use crate::maps::Maps;
 use crate::notices::Toasts;
@@ -31,7 +32,7 @@ use crate::theme;
 use crate::view::View;
 use crate::viewport::Lens;
 use crate::window::Interruption;
-use crate::{compare, documents, exports, measure, menu, picture_frame, shortcuts, status_bar};
+use crate::{compare, documents, exports, images, measure, menu, picture_frame, shortcuts, status_bar};
 
 /// The whole window.
 pub struct Studio {
@@ -57,6 +58,7 @@ pub struct Studio {
     pub(crate) panes: Panes,
     pub(crate) pictures: Pictures,
     pub(crate) exports: Exports,
+    pub(crate) images: Images,
 }
 
 /// What to open at the start.
@@ -124,6 +126,7 @@ impl Studio {
             panes: Panes::default(),
             pictures: Pictures::default(),
             exports: Exports::default(),
+            images: Images::default(),
         };
         studio.panes.compare.choose(&studio.settings.compared);
         documents::start(context, &mut studio, start, interruption);
@@ -163,6 +166,11 @@ impl Studio {
     /// Whether a scene file is being read.
     pub fn is_opening(&self) -> bool {
         self.documents.is_opening()
+    }
+
+    /// Whether a picture that the scene names is being read.
+    pub fn is_opening_images(&self) -> bool {
+        self.images.is_opening()
     }
 
     /// Whether a final picture is being rendered.
@@ -234,6 +242,7 @@ impl Studio {
         }
         card::keep_up(self);
         documents::keep(ui.ctx(), self);
+        images::keep(ui.ctx(), self);
         compare::keep_up(ui.ctx(), self);
         compare::poll_opening(ui.ctx(), self);
         exports::poll(ui.ctx(), self);

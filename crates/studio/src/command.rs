@@ -14,6 +14,7 @@ use catoptric_tracer::method::MethodKind;
 use egui::KeyboardShortcut;
 use egui_material_icons::MaterialIcon;
 
+use crate::images::ImageUse;
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
@@ -51,6 +52,8 @@ pub enum Command {
     AddLight,
     /// Add a material that bodies can share.
     AddMaterial,
+    /// Ask for a picture that the scene uses.
+    ChooseImage(ImageUse),
     /// Change the document.
     Edit(Action),
     /// Put the selected bodies and lights into the clipboard as text.

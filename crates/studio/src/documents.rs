@@ -77,6 +77,11 @@ impl Documents {
         self.saving.is_some()
     }
 
+    /// Which document of this window it is.
+    pub(crate) fn number(&self) -> u64 {
+        self.number
+    }
+
     /// Whether a file is being read.
     pub(crate) fn is_opening(&self) -> bool {
         self.reading.is_some()

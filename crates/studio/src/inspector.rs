@@ -13,9 +13,11 @@ mod depth;
 mod energy;
 mod formula;
 mod header;
+mod image;
 mod kinds;
 mod light;
 mod material;
+mod pattern;
 mod physical;
 mod place;
 mod reshape;
@@ -24,6 +26,7 @@ mod surroundings;
 mod symbol;
 
 pub(crate) use kinds::{PRESETS as KINDS, Preset as KindPreset};
+pub(crate) use material::give_texture;
 pub(crate) use physical::told as model_told;
 use symbol::Symbol;
 

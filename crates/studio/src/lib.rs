@@ -17,6 +17,7 @@ mod first_steps;
 mod help;
 mod history;
 pub mod host;
+mod images;
 mod inspector;
 mod latest;
 mod layout;

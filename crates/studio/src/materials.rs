@@ -84,9 +84,7 @@ impl Thing {
     fn choice(self, scene: &Scene) -> Option<MaterialChoice> {
         match self {
             Self::Scene(place) => Some(MaterialChoice::Named(scene.materials.get(place)?.name.clone())),
-            Self::Preset(_) => {
-                self.material(scene).map(|&material| MaterialChoice::Inline(Box::new(material)))
-            }
+            Self::Preset(_) => self.material(scene).map(|own| MaterialChoice::Inline(Box::new(own.clone()))),
         }
     }
 }
@@ -254,7 +252,7 @@ fn give(cx: &mut Cx<'_>, thing: Thing) {
         .collect();
     let is_for_bodies = selection.bodies().next().is_some();
     match (thing, thing.material(&scene)) {
-        (Thing::Preset(_), Some(&preset)) if !is_for_bodies && !materials.is_empty() => {
+        (Thing::Preset(_), Some(preset)) if !is_for_bodies && !materials.is_empty() => {
             cx.editor.settle();
             let subject = match materials.as_slice() {
                 [only] => Item::Material(*only).name(&scene).to_owned(),
@@ -264,7 +262,7 @@ fn give(cx: &mut Cx<'_>, thing: Thing) {
             let _ = cx.editor.change(Label::new("edit-assign-material", subject), |scene| {
                 for place in &materials {
                     if let Some(named) = scene.materials.get_mut(*place) {
-                        named.material = preset;
+                        named.material = preset.clone();
                     }
                 }
             });

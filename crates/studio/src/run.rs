@@ -11,7 +11,7 @@ use crate::layout::Pane;
 use crate::outliner::shape_name;
 use crate::palette::Palette;
 use crate::texts::Texts;
-use crate::{documents, inspector, layout, methods, theme, viewport};
+use crate::{documents, images, inspector, layout, methods, theme, viewport};
 
 /// Does `command`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
@@ -36,6 +36,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             let name = studio.texts.get("name-material").to_owned();
             apply(studio, Action::AddMaterial { name });
         }
+        Command::ChooseImage(usage) => images::ask(studio, usage),
         Command::Edit(action) => apply(studio, action),
         Command::Copy => copy(context, studio),
         Command::Cut => {

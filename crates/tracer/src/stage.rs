@@ -9,11 +9,14 @@ mod checker;
 mod curve;
 mod edit;
 mod few;
+mod image;
 mod light;
 mod log;
 mod material;
 mod only;
 mod sight;
+mod sky;
+mod texture;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -38,6 +41,7 @@ use log::EditLog;
 pub use log::StageChanges;
 pub(crate) use material::{Law, StageMaterial};
 pub(crate) use sight::Sight;
+pub(crate) use sky::StageSky;
 
 /// A scene prepared for tracing, shared by reference between threads.
 ///
@@ -56,7 +60,7 @@ pub struct Stage {
     pub(crate) checkers: Arc<Vec<StageChecker>>,
     pub(crate) lights: Arc<[StageLight]>,
     pub(crate) camera: StageCamera,
-    pub(crate) background: [f32; 3],
+    pub(crate) sky: StageSky,
     pub(crate) ambient: [f32; 3],
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
@@ -176,7 +180,7 @@ impl Stage {
             checkers: checkers.into(),
             lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),
             camera: StageCamera::new(&scene.camera, surroundings),
-            background: numbers(scene.environment.background),
+            sky: StageSky::new(&scene.environment),
             ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,

@@ -241,7 +241,7 @@ impl<'a> Whitted<'a> {
             absorbed = Beams { weight: beams.weight.times(through), ..*beams };
             beams = &absorbed;
         }
-        let background = Vector::splat(w.real(0.0), self.stage.background);
+        let background = self.stage.sky.light(w, beams.rays.direction, beams.lanes & !hit);
         if !hit.any() {
             return Followed { light: beams.weight.times(background), hits };
         }

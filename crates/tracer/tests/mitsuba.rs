@@ -125,7 +125,8 @@ fn frosted_glass_shines_as_in_mitsuba() {
     let is_glass = |body: &&Body| body.material.name() == Some("glass");
     let glass: Vec<Body> = scene.bodies.iter().filter(is_glass).cloned().collect();
     scene.bodies = glass.into();
-    scene.environment = Environment { background: Color::BLACK, ambient: Color::BLACK };
+    scene.environment =
+        Environment { background: Color::BLACK, ambient: Color::BLACK, ..Environment::default() };
     let position = DVec3::new(2.5, 3.0, 4.0);
     let falloff = Falloff::InverseSquare;
     scene.lights = vec![Light { position, intensity: 12.0, falloff, ..Light::default() }];

@@ -6,7 +6,10 @@
 use std::fmt::Write as _;
 
 use anyhow::{Context as _, Result, bail, ensure};
-use catoptric_scene::{Body, Camera, Color, Falloff, Light, Material, Model, Projection, Scene, Shape};
+use catoptric_scene::{
+    Body, Camera, Checker, CheckerSpace, Color, Falloff, Light, Material, Model, Projection, Scene, Shape,
+    Surroundings,
+};
 use glam::DVec3;
 
 /// Where POV-Ray's laws of falloff begin; far nearer to a light than anything that it shows.
@@ -22,6 +25,8 @@ const MIRROR: DVec3 = DVec3::new(1.0, 1.0, -1.0);
 pub(crate) fn source(scene: &Scene) -> Result<String> {
     let problems = scene.check();
     ensure!(problems.is_empty(), "the scene is not valid: {problems:?}");
+    let is_even = scene.environment.surroundings == Surroundings::Even;
+    ensure!(is_even, "POV-Ray is asked for even surroundings only");
     let mut text = String::new();
     writeln!(text, "#version 3.7;")?;
     writeln!(
@@ -107,6 +112,7 @@ fn matrix(body: &Body) -> String {
 fn surface(material: &Material) -> Result<String> {
     let Material { model, ambient, diffuse, specular, shininess, transmission, ior, .. } = *material;
     ensure!(model == Model::Phong, "POV-Ray is asked for Phong's model only, not for {}", model.key());
+    ensure!(material.texture.is_none(), "POV-Ray is asked for bodies without textures only");
     let opacity = 1.0 - transmission;
     ensure!(
         opacity > 0.0 || (ambient == 0.0 && diffuse == 0.0),
@@ -115,6 +121,9 @@ fn surface(material: &Material) -> Result<String> {
     let [ambient, diffuse] = [ambient, diffuse].map(|part| if part == 0.0 { 0.0 } else { part / opacity });
     let main = pigment(material.color, material)?;
     let pigment = match material.checker {
+        Some(Checker { space: CheckerSpace::Body, .. }) => {
+            bail!("POV-Ray is asked for the world's checkers only")
+        }
         // The pattern is that of our axes.
         Some(checker) => format!(
             "checker {main} {} scale {} scale <1,1,-1>",
@@ -240,10 +249,10 @@ mod tests {
         let glass = Material { transmission: 0.75, diffuse: 0.2, ambient: 0.0, ..Material::default() };
         let said = surface(&glass).unwrap();
         assert!(said.contains("rgbt <0.8,0.8,0.8,0.75>") && said.contains("diffuse 0.8 "), "{said}");
-        let said = surface(&Material { color: red, tint: red, ..glass }).unwrap();
+        let said = surface(&Material { color: red, tint: red, ..glass.clone() }).unwrap();
         assert!(said.contains("rgbf <1,0,0,0.75>") && said.ends_with("interior { ior 1.5 }"), "{said}");
-        assert!(surface(&Material { tint: red, ..glass }).is_err());
-        assert!(surface(&Material { transmission: 1.0, ..glass }).is_err());
+        assert!(surface(&Material { tint: red, ..glass.clone() }).is_err());
+        assert!(surface(&Material { transmission: 1.0, ..glass.clone() }).is_err());
         let clear = Material { transmission: 1.0, diffuse: 0.0, ..glass };
         assert!(surface(&clear).is_ok());
         let scene = Scene {

@@ -59,8 +59,8 @@ mod tests {
         let reference = load(root().join("tests/reference/cloud.toml")).unwrap().scene;
         let ours = cloud(reference.bodies.len());
         assert_eq!(
-            (ours.camera, ours.environment, ours.tracing),
-            (reference.camera, reference.environment, reference.tracing)
+            (ours.camera, ours.environment.clone(), ours.tracing),
+            (reference.camera, reference.environment.clone(), reference.tracing)
         );
         assert_eq!(ours.lights, reference.lights);
         for (ours, theirs) in ours.bodies.iter().zip(&reference.bodies) {

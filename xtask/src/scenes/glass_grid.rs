@@ -16,7 +16,7 @@ pub(crate) fn glass_grid() -> Scene {
     let floor = Material {
         color: Color::gray(0.85),
         diffuse: 0.7,
-        checker: Some(Checker { color: Color::gray(0.2), size: 1.0 }),
+        checker: Some(Checker { color: Color::gray(0.2), size: 1.0, ..Checker::default() }),
         ..Material::default()
     };
     let glass = Material {
@@ -93,11 +93,11 @@ mod tests {
         let scene = glass_grid();
         let material = |name: &str| {
             let body = whitted.bodies.iter().find(|body| body.name == name).unwrap();
-            *whitted.material(&body.material).unwrap()
+            whitted.material(&body.material).unwrap().clone()
         };
         assert_eq!(scene.materials[0].material, material("glass"));
         assert_eq!(scene.lights, whitted.lights);
         let floor = scene.material(&scene.bodies[0].material).unwrap();
-        assert_eq!(Material { reflection: Some(0.15), ..*floor }, material("floor"));
+        assert_eq!(Material { reflection: Some(0.15), ..floor.clone() }, material("floor"));
     }
 }

@@ -40,7 +40,11 @@ pub(crate) fn sphereflake(levels: u32) -> Scene {
             projection: Projection::Perspective { fov_degrees: 38.0 },
             ..Camera::default()
         },
-        environment: Environment { background: Color::new(0.08, 0.36, 0.6), ambient: Color::gray(0.2) },
+        environment: Environment {
+            background: Color::new(0.08, 0.36, 0.6),
+            ambient: Color::gray(0.2),
+            ..Environment::default()
+        },
         tracing: Tracing { generations: 5, threshold: 0.0 },
         materials: vec![NamedMaterial { name: BALL.to_owned(), material: ball }],
         lights: vec![light(DVec3::new(4.0, 3.0, 2.0), 0.6), light(DVec3::new(1.0, 4.0, 4.0), 0.5)],

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use catoptric_scene::{Material, MaterialChoice, Scene};
+use catoptric_scene::{MaterialChoice, Scene};
 
 use super::ActionError;
 use super::outcome::{Outcome, Result, subject};
@@ -94,7 +94,7 @@ pub(super) fn delete_items(scene: &Scene, selection: &Selection, items: &[Item])
 
 /// A material as a body's own.
 pub(super) fn own(scene: &Scene, choice: &MaterialChoice) -> MaterialChoice {
-    MaterialChoice::Inline(Box::new(scene.material(choice).copied().unwrap_or(Material::default())))
+    MaterialChoice::Inline(Box::new(scene.material(choice).cloned().unwrap_or_default()))
 }
 
 /// Whether the next element of a list is not gone.

@@ -45,7 +45,7 @@ pub(super) fn share(scene: &Scene, selection: &Selection) -> Result {
     let name = names.take(if primary.name.is_empty() { "material" } else { &primary.name });
     let choice = MaterialChoice::Named(name.clone());
     let mut with = scene.clone();
-    with.materials.push(NamedMaterial { name, material: **material });
+    with.materials.push(NamedMaterial { name, material: (**material).clone() });
     assign(&with, selection, &choice)
 }
 

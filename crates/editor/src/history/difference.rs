@@ -1,6 +1,8 @@
 //! The difference of two scenes, as small as the edit between them.
 
-use catoptric_scene::{Body, Camera, Environment, Light, NamedMaterial, Scene, Tracing};
+use catoptric_scene::{
+    Body, Camera, Environment, HasImages as _, Image, Light, NamedMaterial, Scene, Tracing,
+};
 
 use super::sequence::Sequence;
 
@@ -60,12 +62,19 @@ impl Difference {
         self.take::<AFTER>(scene);
     }
 
+    /// Changes the pictures of both sides.
+    pub(crate) fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
+        self.environment.iter_mut().flatten().for_each(|environment| environment.edit_images(edit));
+        self.materials.each(|named| named.edit_images(edit));
+        self.bodies.each(|body| body.edit_images(edit));
+    }
+
     fn take<const SIDE: usize>(&self, scene: &mut Scene) {
         if let Some(camera) = self.camera {
             scene.camera = camera[SIDE];
         }
-        if let Some(environment) = self.environment {
-            scene.environment = environment[SIDE];
+        if let Some(environment) = &self.environment {
+            scene.environment = environment[SIDE].clone();
         }
         if let Some(tracing) = self.tracing {
             scene.tracing = tracing[SIDE];
@@ -76,8 +85,8 @@ impl Difference {
     }
 }
 
-fn values<T: Copy + PartialEq>(before: &T, after: &T) -> Option<[T; 2]> {
-    (before != after).then_some([*before, *after])
+fn values<T: Clone + PartialEq>(before: &T, after: &T) -> Option<[T; 2]> {
+    (before != after).then(|| [before.clone(), after.clone()])
 }
 
 impl<T: Clone + PartialEq> ListDifference<T> {
@@ -99,6 +108,14 @@ impl<T: Clone + PartialEq> ListDifference<T> {
 
     fn is_empty(&self) -> bool {
         matches!(self, Self::Elements(elements) if elements.is_empty())
+    }
+
+    /// Changes all elements of both sides.
+    fn each(&mut self, edit: impl FnMut(&mut T)) {
+        match self {
+            Self::Elements(elements) => elements.iter_mut().flat_map(|(_, sides)| sides).for_each(edit),
+            Self::Part(_, sides) => sides.iter_mut().flatten().for_each(edit),
+        }
     }
 
     /// Brings a list from one side to the other. A list that is on neither side is a fault of the caller; it is left

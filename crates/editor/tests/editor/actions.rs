@@ -70,8 +70,8 @@ fn duplicates_are_named_moved_and_selected() {
     assert_eq!(names(&editor), ["a", "b", "c", "d", "a 2", "b 2"]);
     assert_eq!(scene.lights[2].name, "left 2");
     assert_eq!(
-        (scene.materials[3].name.as_str(), scene.materials[3].material),
-        ("red 2", scene.materials[0].material)
+        (scene.materials[3].name.as_str(), scene.materials[3].material.clone()),
+        ("red 2", scene.materials[0].material.clone())
     );
     assert_eq!(selected(&editor), [Item::Light(2), Item::Body(4), Item::Body(5)]);
     assert!(scene.bodies[0].locked && !scene.bodies[4].locked);

@@ -108,7 +108,7 @@ fn panes(generations: u32) -> Scene {
     let body = |at: u32| Body {
         shape: catoptric_scene::Shape::Cube { size: glam::DVec3::new(1e3, 1e3, 0.1) },
         placement: catoptric_scene::Placement::at(glam::DVec3::new(0.0, 0.0, -f64::from(at))),
-        material: MaterialChoice::Inline(Box::new(pane)),
+        material: MaterialChoice::Inline(Box::new(pane.clone())),
         ..Body::default()
     };
     let mut scene = Scene { bodies: (0..4).map(body).collect(), ..Scene::default() };
@@ -141,7 +141,7 @@ fn onion(count: usize) -> Scene {
     };
     let skin = |index: usize| Body {
         shape: catoptric_scene::Shape::Sphere { radius: 1.0 + 0.1 * index as f64 },
-        material: MaterialChoice::Inline(Box::new(glass)),
+        material: MaterialChoice::Inline(Box::new(glass.clone())),
         ..Body::default()
     };
     Scene { bodies: (0..count).map(skin).collect(), ..Scene::default() }

@@ -22,7 +22,7 @@ fn lattice(count: usize) -> Scene {
             body.shape = Shape::Sphere { radius: 0.4 };
         }
         if index.is_multiple_of(5) {
-            body.material = MaterialChoice::Inline(Box::new(glass));
+            body.material = MaterialChoice::Inline(Box::new(glass.clone()));
         }
         body.placement = body.placement.moved_by(DVec3::new(x, y, z));
         body

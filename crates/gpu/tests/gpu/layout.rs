@@ -50,7 +50,8 @@ fn scene(bodies: usize) -> Scene {
         ..Material::default()
     };
     let body = |index: usize| {
-        let mut body = Body { material: MaterialChoice::Inline(Box::new(material)), ..Body::default() };
+        let mut body =
+            Body { material: MaterialChoice::Inline(Box::new(material.clone())), ..Body::default() };
         body.placement = body.placement.moved_by(DVec3::new(3.0 * index as f64, 2.0, 1.0));
         body
     };

@@ -45,7 +45,7 @@ impl Probe {
         light: Option<&Light>,
     ) -> Option<Self> {
         let own = |body: &Body| {
-            let material: Material = *scene.material(&body.material)?;
+            let material: Material = scene.material(&body.material)?.clone();
             Some(Body { material: MaterialChoice::Inline(Box::new(material)), ..body.clone() })
         };
         let bodies: List<Body> = bodies.into_iter().filter_map(own).collect();

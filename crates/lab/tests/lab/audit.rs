@@ -162,7 +162,7 @@ fn glass_heap() -> Scene {
     };
     let balls = (0..27).map(|number| {
         let at = [number % 3, number / 3 % 3, number / 9].map(|step| 0.7 * f64::from(step) - 0.7);
-        ball(0.4, DVec3::from(at) + DVec3::Y, glass)
+        ball(0.4, DVec3::from(at) + DVec3::Y, glass.clone())
     });
     let mut scene = Scene { bodies: balls.collect(), ..Scene::default() };
     scene.tracing.generations = 40;

@@ -27,7 +27,7 @@ fn corridor(rho: f64, generations: u32) -> Scene {
         reflection: Some(rho),
         ..Material::default()
     };
-    let wall = |x: f64| body(Shape::Cube { size: DVec3::new(1.0, 100.0, 100.0) }, DVec3::X * x, glow);
+    let wall = |x: f64| body(Shape::Cube { size: DVec3::new(1.0, 100.0, 100.0) }, DVec3::X * x, glow.clone());
     let mut scene = Scene { bodies: [wall(-2.0), wall(2.0)].into_iter().collect(), ..Scene::default() };
     scene.camera.position = DVec3::ZERO;
     scene.camera.target = DVec3::X;

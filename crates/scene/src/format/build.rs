@@ -13,8 +13,8 @@ use crate::format::toml::{Span, Value, ValueKind};
 use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
-use crate::material::{Checker, Conductor, Material, MaterialChoice, Model};
-use crate::{Environment, Tracing};
+use crate::material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model};
+use crate::{Environment, Sky, Surroundings, Tracing};
 
 /// What tables are built with.
 pub(crate) struct Build<'a, 't> {
@@ -78,10 +78,28 @@ impl<'t> Build<'_, 't> {
 
     pub(crate) fn environment(&mut self, table: &Table<'t>) -> Environment {
         let mut fields = self.fields(&keys::ENVIRONMENT, table);
+        check_company(&mut fields, "write either the one or the other");
         let default = Environment::default();
-        Environment {
+        let mut environment = Environment {
             background: fields.color("background").unwrap_or(default.background),
             ambient: fields.color("ambient").unwrap_or(default.ambient),
+            surroundings: fields.image("picture").map_or(Surroundings::Even, Surroundings::Picture),
+            rotation_degrees: fields.number("rotation").unwrap_or(default.rotation_degrees),
+            strength: fields.number("strength").unwrap_or(default.strength),
+        };
+        if let Some(sky) = fields.child("sky") {
+            environment.surroundings = Surroundings::Sky(self.sky(sky));
+        }
+        environment
+    }
+
+    fn sky(&mut self, table: &Table<'t>) -> Sky {
+        let mut fields = self.fields(&keys::SKY, table);
+        let default = Sky::default();
+        Sky {
+            zenith: fields.color("zenith").unwrap_or(default.zenith),
+            horizon: fields.color("horizon").unwrap_or(default.horizon),
+            nadir: fields.color("nadir").unwrap_or(default.nadir),
         }
     }
 
@@ -110,6 +128,7 @@ impl<'t> Build<'_, 't> {
             transmission: fields.number("transmission").unwrap_or(default.transmission),
             ior: fields.number("ior").unwrap_or(default.ior),
             tint: fields.color("tint").unwrap_or(default.tint),
+            texture: fields.image("texture"),
             checker: None,
             substance: fields.choice("substance").ok().flatten().and_then(Clear::named),
             dispersion: fields.flag("dispersion").unwrap_or(default.dispersion),
@@ -133,6 +152,10 @@ impl<'t> Build<'_, 't> {
         Checker {
             color: fields.color("color").unwrap_or(default.color),
             size: fields.number("size").unwrap_or(default.size),
+            space: match fields.choice("space") {
+                Ok(Some("body")) => CheckerSpace::Body,
+                _ => default.space,
+            },
         }
     }
 

@@ -10,7 +10,7 @@ use crate::format::number::short_number;
 use crate::format::quote::quoted;
 use crate::format::record::{self, Datum, Record};
 use crate::format::rules;
-use crate::format::spec::{KeySpec, Limits};
+use crate::format::spec::{KeySpec, Kind, Limits};
 use crate::light::Light;
 use crate::material::NamedMaterial;
 
@@ -185,6 +185,11 @@ impl Check {
             let Some((_, key)) = record.table.0.find(name) else { continue };
             match datum {
                 Datum::Table(inner) => self.record(part, title, inner),
+                Datum::Text(path) if matches!(key.kind, Kind::File) && path.is_empty() => {
+                    let message =
+                        format!("{title}: `{}` is empty, but must be the path of a picture", key.name);
+                    self.add(part.clone(), key.name, message);
+                }
                 Datum::Text(_) | Datum::Flag(_) => {}
                 Datum::Number(value) => self.number(part, title, key, *value, ""),
                 Datum::Integer(value) => self.number(part, title, key, f64::from(*value), ""),

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::ops::Range;
 
+use crate::image::ImageError;
+
 /// How much a finding matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
@@ -109,6 +111,8 @@ impl std::error::Error for Diagnostic {}
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
     omitted: usize,
+    /// Paths of pictures and where they stand. Whether they can be opened is found out when all is read.
+    images: Vec<(String, Range<usize>)>,
 }
 
 impl Diagnostics {
@@ -127,6 +131,23 @@ impl Diagnostics {
         } else {
             self.omitted += 1;
         }
+    }
+
+    /// Remembers where the path of a picture stands.
+    pub(crate) fn names_image(&mut self, path: &str, span: Range<usize>) {
+        if self.images.len() < Self::MOST {
+            self.images.push((path.to_owned(), span));
+        }
+    }
+
+    /// Reports pictures that could not be opened, wherever the text names them.
+    pub(crate) fn report_images(&mut self, errors: &[ImageError], text: &str) {
+        for (path, span) in std::mem::take(&mut self.images) {
+            if let Some(error) = errors.iter().find(|error| error.path == path) {
+                self.push(Diagnostic::error(span, error.to_string()));
+            }
+        }
+        self.locate(text);
     }
 
     /// Moves the findings of `other` here.

@@ -14,8 +14,8 @@ const CYLINDER_AND_CONE: &[&str] = &["cylinder", "cone"];
 const WHITE: Default = Default::Vector([1.0; 3]);
 
 /// All tables of the format.
-pub static TABLES: [&TableSpec; 8] =
-    [&ROOT, &CAMERA, &ENVIRONMENT, &TRACING, &MATERIAL, &CHECKER, &LIGHT, &BODY];
+pub static TABLES: [&TableSpec; 9] =
+    [&ROOT, &CAMERA, &ENVIRONMENT, &SKY, &TRACING, &MATERIAL, &CHECKER, &LIGHT, &BODY];
 
 /// The file itself.
 pub static ROOT: TableSpec = TableSpec {
@@ -81,6 +81,33 @@ pub static ENVIRONMENT: TableSpec = TableSpec {
         .or(Default::Vector([0.2, 0.35, 0.6]))
         .written(),
         KeySpec::new("ambient", Kind::Color(Limits::AMOUNT), "the ambient light").or(WHITE).written(),
+        KeySpec::new("sky", Kind::Table(&SKY), "a sky in the place of the background"),
+        KeySpec::new("picture", Kind::File, "a picture of everything around in the place of the background")
+            .excluding(&["sky"]),
+        KeySpec::new(
+            "rotation",
+            Kind::Number(Limits::new(-1e6, 1e6)),
+            "how far the picture is turned about the y axis, degrees",
+        )
+        .or(Default::Number(0.0)),
+        amount("strength", "a factor of the light of the sky or the picture").or(Default::Number(1.0)),
+    ],
+};
+
+/// `sky` of the environment.
+pub static SKY: TableSpec = TableSpec {
+    name: "a sky",
+    doc: "A sky, and a ground below it",
+    keys: &[
+        KeySpec::new("zenith", Kind::Color(Limits::AMOUNT), "the light from straight above")
+            .or(Default::Vector([0.12, 0.28, 0.65]))
+            .written(),
+        KeySpec::new("horizon", Kind::Color(Limits::AMOUNT), "the light from the horizon")
+            .or(Default::Vector([0.8, 0.88, 1.0]))
+            .written(),
+        KeySpec::new("nadir", Kind::Color(Limits::AMOUNT), "the light from straight below")
+            .or(Default::Vector([0.16, 0.14, 0.12]))
+            .written(),
     ],
 };
 
@@ -191,12 +218,10 @@ pub static MATERIAL: TableSpec = TableSpec {
         )
         .or(Default::Number(0.0))
         .only("model", &["dielectric", "conductor", "mirror", "coated"]),
-        KeySpec::new(
-            "checker",
-            Kind::Table(&CHECKER),
-            "a second color in a checkerboard of the world's axes",
-        )
-        .only("model", &["phong", "mirror", "matte", "coated"]),
+        KeySpec::new("texture", Kind::File, "a picture on the body in the place of its color")
+            .only("model", &["phong", "mirror", "matte", "coated"]),
+        KeySpec::new("checker", Kind::Table(&CHECKER), "a second color in a checkerboard")
+            .only("model", &["phong", "mirror", "matte", "coated"]),
     ],
 };
 
@@ -207,7 +232,7 @@ const CONDUCTOR: &[&str] = &["conductor"];
 /// `checker` of a material.
 pub static CHECKER: TableSpec = TableSpec {
     name: "a checker",
-    doc: "A checkerboard of the world's axes",
+    doc: "A checkerboard",
     keys: &[
         KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the odd cells")
             .or(Default::Vector([0.2; 3]))
@@ -215,6 +240,12 @@ pub static CHECKER: TableSpec = TableSpec {
         KeySpec::new("size", Kind::Number(Limits::LENGTH), "the edge length of a cell, meters")
             .or(Default::Number(1.0))
             .written(),
+        KeySpec::new(
+            "space",
+            Kind::Choice(&["world", "body"]),
+            "what the cells are at rest in; those of a body move and turn with it",
+        )
+        .or(Default::Text("world")),
     ],
 };
 

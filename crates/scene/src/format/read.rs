@@ -3,6 +3,8 @@
 mod list;
 mod names;
 
+use std::path::Path;
+
 use crate::Scene;
 use crate::format::build::Build;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
@@ -30,6 +32,14 @@ pub struct Reading {
 }
 
 impl Reading {
+    /// Opens the pictures that the scene names, whose paths begin at `folder`, and adds what is wrong with them to the
+    /// findings; `text` is what was read.
+    pub fn open_images(&mut self, folder: Option<&Path>, text: &str) {
+        if let Err(errors) = self.scene.open_images(folder) {
+            self.diagnostics.report_images(&errors, text);
+        }
+    }
+
     /// The scene, or the findings when any of them is an error.
     pub fn into_result(self) -> Result<Warned<Scene>, Diagnostics> {
         if self.diagnostics.has_errors() {

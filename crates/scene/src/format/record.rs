@@ -11,7 +11,7 @@ use crate::format::keys;
 use crate::format::spec::{Default, KeySpec, TableSpec, When};
 use crate::light::{Falloff, Light};
 use crate::material::{Checker, Conductor, Material, MaterialChoice, Model};
-use crate::{Environment, Tracing};
+use crate::{Environment, Sky, Surroundings, Tracing};
 
 /// A value of the document.
 #[derive(Clone, Debug, PartialEq)]
@@ -145,10 +145,20 @@ pub(crate) fn camera(camera: &Camera) -> Record<'static> {
     }
 }
 
-pub(crate) fn environment(environment: &Environment) -> Record<'static> {
-    Record::new(&keys::ENVIRONMENT)
+pub(crate) fn environment(environment: &Environment) -> Record<'_> {
+    let record = Record::new(&keys::ENVIRONMENT)
         .color("background", environment.background)
-        .color("ambient", environment.ambient)
+        .color("ambient", environment.ambient);
+    let record = match &environment.surroundings {
+        Surroundings::Even => record,
+        Surroundings::Sky(Sky { zenith, horizon, nadir }) => {
+            let sky = Record::new(&keys::SKY);
+            let sky = sky.color("zenith", *zenith).color("horizon", *horizon).color("nadir", *nadir);
+            record.with("sky", Datum::Table(sky))
+        }
+        Surroundings::Picture(image) => record.text("picture", image.path()),
+    };
+    record.number("rotation", environment.rotation_degrees).number("strength", environment.strength)
 }
 
 pub(crate) fn tracing(tracing: &Tracing) -> Record<'static> {
@@ -157,7 +167,7 @@ pub(crate) fn tracing(tracing: &Tracing) -> Record<'static> {
         .number("threshold", tracing.threshold)
 }
 
-pub(crate) fn material(material: &Material) -> Record<'static> {
+pub(crate) fn material(material: &Material) -> Record<'_> {
     let mut record = Record::new(&keys::MATERIAL).text("model", material.model.key());
     record = match material.model {
         Model::Phong => phong(record, material),
@@ -176,14 +186,20 @@ pub(crate) fn material(material: &Material) -> Record<'static> {
     if matches!(material.model, Model::Dielectric | Model::Conductor | Model::Mirror | Model::Coated) {
         record = record.number("roughness", material.roughness);
     }
-    if let (Some(Checker { color, size }), true) = (material.checker, material.model.has_color()) {
+    if !material.model.has_color() {
+        return record;
+    }
+    if let Some(texture) = &material.texture {
+        record = record.text("texture", texture.path());
+    }
+    if let Some(Checker { color, size, space }) = material.checker {
         let checker = Record::new(&keys::CHECKER).color("color", color).number("size", size);
-        record = record.with("checker", Datum::Table(checker));
+        record = record.with("checker", Datum::Table(checker.text("space", space.key())));
     }
     record
 }
 
-fn phong(record: Record<'static>, material: &Material) -> Record<'static> {
+fn phong<'a>(record: Record<'a>, material: &Material) -> Record<'a> {
     let record = record
         .color("color", material.color)
         .number("ambient", material.ambient)
@@ -197,14 +213,14 @@ fn phong(record: Record<'static>, material: &Material) -> Record<'static> {
 }
 
 /// A coefficient that is absent has a default of its own.
-fn reflection(record: Record<'static>, material: &Material) -> Record<'static> {
+fn reflection<'a>(record: Record<'a>, material: &Material) -> Record<'a> {
     match material.reflection {
         Some(reflection) => record.number("reflection", reflection),
         None => record,
     }
 }
 
-fn dielectric(record: Record<'static>, material: &Material) -> Record<'static> {
+fn dielectric<'a>(record: Record<'a>, material: &Material) -> Record<'a> {
     let record = match material.substance {
         Some(substance) => record.text("substance", substance.name),
         None => record.number("ior", material.ior),
@@ -282,7 +298,8 @@ mod tests {
         let Kind::Choice(words) = keys::MATERIAL.key("model").unwrap().kind else { panic!() };
         assert_eq!(words, Model::ALL.map(Model::key));
         for model in Model::ALL {
-            let record = material(&Material { model, ..Material::default() });
+            let of_model = Material { model, ..Material::default() };
+            let record = material(&of_model);
             let chosen = |name: &str| (name == "model").then_some(model.key());
             for (name, datum) in &record.values {
                 let key = keys::MATERIAL.key(name).unwrap();
@@ -314,6 +331,10 @@ mod tests {
     fn the_table_and_the_types_have_the_same_defaults() {
         assert!(camera(&Camera::default()).is_all_default());
         assert!(environment(&Environment::default()).is_all_default());
+        let surroundings = Surroundings::Sky(Sky::default());
+        let under_sky = Environment { surroundings, ..Environment::default() };
+        let Some(Datum::Table(sky)) = environment(&under_sky).get("sky").cloned() else { panic!() };
+        assert!(sky.is_all_default());
         assert!(tracing(&Tracing::default()).is_all_default());
         assert!(material(&Material::default()).is_all_default());
         assert!(light(&Light::default()).is_all_default());
@@ -332,7 +353,8 @@ mod tests {
         let key = keys::LIGHT.find("falloff_constant").unwrap().1;
         assert!(light(&linear).is_default(key, &Datum::Number(1.0)));
         let checker = Checker::default();
-        let material = material(&Material { checker: Some(checker), ..Material::default() });
+        let checkered = Material { checker: Some(checker), ..Material::default() };
+        let material = material(&checkered);
         let Some(Datum::Table(checker)) = material.get("checker") else { panic!() };
         assert!(checker.is_all_default());
     }

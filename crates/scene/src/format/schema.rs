@@ -68,6 +68,7 @@ fn kind(kind: Kind) -> Map<String, Value> {
     let value = match kind {
         Kind::Version(words) | Kind::Choice(words) => json!({ "type": "string", "enum": words }),
         Kind::Text => json!({ "type": "string" }),
+        Kind::File => json!({ "type": "string", "minLength": 1 }),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Number(limits) => number("number", limits),
         Kind::Integer(limits) => number("integer", limits),

@@ -139,6 +139,8 @@ pub enum Kind {
     Version(&'static [&'static str]),
     /// A name.
     Text,
+    /// The path of a picture.
+    File,
     /// `true` or `false`.
     Flag,
     /// One of some words.

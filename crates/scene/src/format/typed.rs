@@ -12,6 +12,7 @@ use crate::format::quote::{listed, quoted};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec, When};
 use crate::format::toml::{Value, ValueKind};
 use crate::format::tree::Table;
+use crate::image::Image;
 
 /// The keys of one table, ready to be asked for their values. What is absent or wrong is `None`; what is wrong is
 /// reported besides.
@@ -94,6 +95,19 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
     }
 
+    /// A picture, which is still to be opened.
+    pub(crate) fn image(&mut self, name: &str) -> Option<Image> {
+        let (key, value) = self.given(name)?;
+        match &value.kind {
+            ValueKind::Text(path) if path.is_empty() => self.wrong(key, value, &format!("`{name}` is empty")),
+            ValueKind::Text(path) => {
+                self.found.names_image(path, value.span.range());
+                Some(Image::new(path.as_ref()))
+            }
+            _ => self.wrong_type(key, value),
+        }
+    }
+
     /// A truth value.
     pub(crate) fn flag(&mut self, name: &str) -> Option<bool> {
         let (key, value) = self.given(name)?;
@@ -166,6 +180,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     fn check_value(&mut self, key: &KeySpec) {
         match key.kind {
             Kind::Text => _ = self.text(key.name),
+            Kind::File => _ = self.image(key.name),
             Kind::Flag => _ = self.flag(key.name),
             Kind::Choice(_) => _ = self.choice(key.name),
             Kind::Number(_) | Kind::Integer(_) => _ = self.number(key.name),
@@ -302,6 +317,7 @@ impl Kind {
                 listed(&words, " or ")
             }
             Self::Text => "a text in quotes".to_owned(),
+            Self::File => "the path of a picture in quotes".to_owned(),
             Self::Flag => "`true` or `false`".to_owned(),
             Self::Number(_) => "a number".to_owned(),
             Self::Integer(_) => "a whole number".to_owned(),

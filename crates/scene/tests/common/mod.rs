@@ -2,8 +2,9 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, Color, Conductor, Environment, Falloff, Light, Material, MaterialChoice,
-    Model, NamedMaterial, Placement, Projection, Scene, Shape, Tracing,
+    Anchor, Body, Camera, Checker, CheckerSpace, Color, Conductor, Environment, Falloff, Image, Light,
+    Material, MaterialChoice, Model, NamedMaterial, Placement, Projection, Scene, Shape, Sky, Surroundings,
+    Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -61,7 +62,9 @@ fn camera() -> impl Strategy<Value = Camera> {
 }
 
 fn checker() -> impl Strategy<Value = Option<Checker>> {
-    proptest::option::of((color(), length()).prop_map(|(color, size)| Checker { color, size }))
+    let space = proptest::sample::select(CheckerSpace::ALL.to_vec());
+    let some = (color(), length(), space).prop_map(|(color, size, space)| Checker { color, size, space });
+    proptest::option::of(some)
 }
 
 fn reflection() -> impl Strategy<Value = Option<f64>> {
@@ -150,6 +153,10 @@ fn material() -> impl Strategy<Value = Material> {
         Model::Phong | Model::Matte => material,
         _ => Material { roughness, ..material },
     });
+    let some = (some, proptest::option::of(image())).prop_map(|(material, texture)| Material {
+        texture: texture.filter(|_| material.model.has_color()),
+        ..material
+    });
     some.boxed()
 }
 
@@ -210,6 +217,17 @@ fn light() -> impl Strategy<Value = Light> {
     )
 }
 
+fn around() -> impl Strategy<Value = Surroundings> {
+    let sky = (color(), color(), color())
+        .prop_map(|(zenith, horizon, nadir)| Surroundings::Sky(Sky { zenith, horizon, nadir }));
+    let picture = image().prop_map(Surroundings::Picture);
+    prop_oneof![Just(Surroundings::Even), sky, picture]
+}
+
+fn image() -> impl Strategy<Value = Image> {
+    prop_oneof![Just("builtin:grid".to_owned()), "[a-c \"'\\\\/.ж]{1,6}"].prop_map(Image::new)
+}
+
 fn name() -> impl Strategy<Value = String> {
     prop_oneof![Just(String::new()), "[a-d]", "[a-c \"'\\\\#=.\\]ж\u{7f}\n\t\u{1}]{1,4}"]
 }
@@ -243,9 +261,11 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
     let materials = proptest::collection::vec((name(), material()), 0..4);
     let lights = proptest::collection::vec(light(), 0..4);
     let bodies = proptest::collection::vec(body(), 0..5);
-    let surroundings = (camera(), color(), color(), 1..=64u32, 0.0..=1.0f64);
+    let around = (around(), -1e6..=1e6f64, amount());
+    let surroundings = (camera(), color(), color(), around, 1..=64u32, 0.0..=1.0f64);
     (surroundings, materials, lights, bodies).prop_map(|(surroundings, materials, lights, bodies)| {
-        let (camera, background, ambient, generations, threshold) = surroundings;
+        let (camera, background, ambient, around, generations, threshold) = surroundings;
+        let (surroundings, rotation_degrees, strength) = around;
         let materials =
             materials.into_iter().map(|(name, material)| NamedMaterial { name, material }).collect();
         let mut materials = unique(materials, |named| &mut named.name);
@@ -263,7 +283,7 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
         }
         Scene {
             camera,
-            environment: Environment { background, ambient },
+            environment: Environment { background, ambient, surroundings, rotation_degrees, strength },
             tracing: Tracing { generations, threshold },
             materials,
             lights: unique(lights, |light| &mut light.name),

@@ -95,7 +95,7 @@ mod tests {
         let pane = |place: usize| Body {
             shape: Shape::Cube { size: DVec3::new(4.0, 4.0, 0.1) },
             placement: Placement::at(-0.3 * place as f64 * DVec3::Z),
-            material: MaterialChoice::Inline(Box::new(glass)),
+            material: MaterialChoice::Inline(Box::new(glass.clone())),
             ..Body::default()
         };
         let mut scene = Scene { bodies: (0..panes).map(pane).collect(), ..Scene::default() };

@@ -15,7 +15,7 @@ pub(crate) fn fresh_scene(texts: &Texts) -> Scene {
         ambient: 0.15,
         diffuse: 0.75,
         reflection: Some(0.12),
-        checker: Some(Checker { color: Color::new(0.30, 0.31, 0.33), size: 1.0 }),
+        checker: Some(Checker { color: Color::new(0.30, 0.31, 0.33), size: 1.0, ..Checker::default() }),
         ..Material::default()
     };
     let ball = Material {

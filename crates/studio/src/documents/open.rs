@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use catoptric_editor::Refused;
+use catoptric_scene::Image;
 use egui::Context;
 
 use super::disk::{self, May, Opened, ReadFailure};
@@ -12,6 +13,7 @@ use super::{Next, ask, leave, notice};
 use crate::app::Studio;
 use crate::dialogs::Message;
 use crate::host::FileKind;
+use crate::images::{self, ImageUse};
 
 /// A file that is being read.
 pub(super) struct Reading {
@@ -138,9 +140,16 @@ pub(super) fn take_dropped(context: &Context, studio: &mut Studio) {
             }
             begin(context, studio, path);
         }
-        None => {
-            let text = studio.texts.get("dropped-other").to_owned();
-            studio.toasts.warning(text);
-        }
+        None => match dropped.iter().find(|path| ask::fits(path, FileKind::Picture)) {
+            Some(path) if !studio.dialogs.is_any_open() => {
+                let folder = studio.editor.path().and_then(Path::parent).unwrap_or(Path::new(""));
+                let path = Image::path_from(folder, path);
+                images::give(studio, ImageUse::Surroundings, &path);
+            }
+            _ => {
+                let text = studio.texts.get("dropped-other").to_owned();
+                studio.toasts.warning(text);
+            }
+        },
     }
 }

@@ -1,6 +1,6 @@
 //! What an earlier studio left behind when it crashed.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 use std::time::SystemTime;
@@ -59,7 +59,8 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
     let orphan = Arc::clone(&found.orphan);
     let work = move || {
         let snapshot = orphan.read().map_err(|error| error.to_string())?;
-        let reading = read(&snapshot.text);
+        let mut reading = read(&snapshot.text);
+        reading.open_images(snapshot.original_path.as_deref().and_then(Path::parent), &snapshot.text);
         // What was kept reads well even where the file did not; saving would replace the unread parts all the same.
         let has_errors = |path| load_partly(path).is_ok_and(|(reading, _)| reading.diagnostics.has_errors());
         let is_partial =

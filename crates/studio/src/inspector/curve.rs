@@ -30,7 +30,7 @@ impl Curves {
         if self.of.as_deref() != Some(material) {
             self.curves = curves_of(material);
             self.marks = marks_of(material);
-            self.of = Some(Box::new(*material));
+            self.of = Some(Box::new(material.clone()));
         }
     }
 }

@@ -44,7 +44,9 @@ fn told(material: &Material, kind: ExcessKind, amount: &str) -> (&'static str, S
 }
 
 fn is_brighter_than_white(material: &Material) -> bool {
-    let colors = [Some(material.color), material.checker.map(|checker| checker.color)];
+    let has_picture = material.texture.as_ref().is_some_and(|image| image.pixels().is_some());
+    let own = (!has_picture).then_some(material.color);
+    let colors = [own, material.checker.map(|checker| checker.color)];
     colors.into_iter().flatten().flat_map(Color::to_array).any(|part| part > 1.0)
 }
 

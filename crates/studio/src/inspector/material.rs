@@ -5,18 +5,19 @@ use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
 use catoptric_scene::format::keys;
-use catoptric_scene::{Checker, Material, MaterialChoice, Model, Scene};
+use catoptric_scene::{Image, Material, MaterialChoice, Model, Scene};
 use egui::{Button, ComboBox, Id, Ui, vec2};
 use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
-use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
+use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet};
 use super::symbol::Symbol;
-use super::{Memory, curve, energy, formula, header, physical};
+use super::{Memory, curve, energy, formula, header, pattern, physical};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::layout::Pane;
 use crate::outliner::item_name;
+use crate::texts::Texts;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::explained_icon_button;
 use crate::widgets::number::{HEIGHT, shown};
@@ -31,7 +32,7 @@ const fn coefficient(key: &'static str, edit: &'static str, name: &'static str, 
 
 static COLOR: ColorRow<Material> = ColorRow {
     what: coefficient("material-color", "edit-color", "color", Symbol::Color),
-    get: |material| Some(material.color),
+    get: |material| material.texture.is_none().then_some(material.color),
     set: |material, color| material.color = color,
 };
 
@@ -91,29 +92,6 @@ static TINT: ColorRow<Material> = ColorRow {
     set: |material, color| material.tint = color,
 };
 
-static CHECKER_COLOR: ColorRow<Material> = ColorRow {
-    what: Quantity::new("checker-color", "edit-checker-color", &keys::CHECKER, "color"),
-    get: |material| material.checker.map(|checker| checker.color),
-    set: |material, color| {
-        if let Some(checker) = &mut material.checker {
-            checker.color = color;
-        }
-    },
-};
-
-static CHECKER_SIZE: Number<Material> = Number::<Material>::new(
-    Quantity::new("checker-size", "edit-checker-size", &keys::CHECKER, "size")
-        .in_unit(Unit::Meters)
-        .with_symbol(Symbol::CheckerSize),
-    Rail::None,
-    |material| material.checker.map(|checker| checker.size),
-    |material, value| {
-        if let Some(checker) = &mut material.checker {
-            checker.size = value;
-        }
-    },
-);
-
 /// Where a material of a sheet is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Home {
@@ -152,24 +130,25 @@ pub(super) fn of_bodies_ui(
     bodies: &[usize],
     subject: &str,
 ) {
-    let named: HashMap<&str, usize> =
-        scene.materials.iter().enumerate().map(|(index, named)| (named.name.as_str(), index)).collect();
-    let mut seen = HashSet::new();
-    let mut homes: Vec<Home> = Vec::new();
-    for &index in bodies {
-        let Some(body) = scene.bodies.get(index) else { continue };
-        let home = match &body.material {
-            MaterialChoice::Inline(_) => Some(Home::Body(index)),
-            MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| Home::Named(index)),
-        };
-        homes.extend(home.filter(|&home| seen.insert(home)));
-    }
+    let homes = homes_of(scene, bodies);
     let own = match homes.as_slice() {
         [Home::Named(index)] => Some(item_name(cx.texts, scene, Item::Material(*index))),
         _ => None,
     };
     let subject = own.as_deref().unwrap_or(subject);
     sheet_ui(ui, cx, memory, scene, &Made { homes: &homes, bodies, subject });
+}
+
+/// Where the materials of some bodies are kept, each once.
+fn homes_of(scene: &Scene, bodies: &[usize]) -> Vec<Home> {
+    let named: HashMap<&str, usize> =
+        scene.materials.iter().enumerate().map(|(index, named)| (named.name.as_str(), index)).collect();
+    let mut seen = HashSet::new();
+    let home = |&index: &usize| match &scene.bodies.get(index)?.material {
+        MaterialChoice::Inline(_) => Some(Home::Body(index)),
+        MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| Home::Named(index)),
+    };
+    bodies.iter().filter_map(home).filter(|&home| seen.insert(home)).collect()
 }
 
 fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
@@ -287,13 +266,14 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     } else {
         if sheet.primary.model.has_color() {
             sheet.color(ui, &COLOR);
+            pattern::texture_ui(ui, sheet);
         }
         if matches!(sheet.primary.model, Model::Matte | Model::Coated) {
             sheet.number(ui, &AMBIENT, None);
         }
         physical::rows_ui(ui, sheet);
         if sheet.primary.model.has_color() {
-            checker_ui(ui, sheet);
+            pattern::checker_ui(ui, sheet);
         }
     }
     energy::energy_ui(ui, sheet.texts(), sheet.primary);
@@ -302,6 +282,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     kinds_ui(ui, sheet);
     sheet.color(ui, &COLOR);
+    pattern::texture_ui(ui, sheet);
     sheet.number(ui, &AMBIENT, None);
     sheet.number(ui, &DIFFUSE, None);
     sheet.number(ui, &SPECULAR, None);
@@ -310,7 +291,7 @@ fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     sheet.number(ui, &TRANSMISSION, None);
     ior_ui(ui, sheet);
     sheet.color(ui, &TINT);
-    checker_ui(ui, sheet);
+    pattern::checker_ui(ui, sheet);
 }
 
 /// Where the material of a body is kept.
@@ -443,19 +424,19 @@ fn shown_ior(ior: f64) -> String {
     shown(ior, 3)
 }
 
-fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
-    let mut is_on = sheet.primary.checker.is_some();
-    let mut is_clicked = false;
-    let texts = sheet.texts();
-    sheet.plain_row(ui, "checker", |_, ui| {
-        let response = ui.checkbox(&mut is_on, texts.get("checker-words"));
-        is_clicked = response.on_hover_text(texts.tip("checker").unwrap_or_default()).clicked();
-    });
-    if is_clicked {
-        sheet.change("checker", "edit-checker", |_, material| {
-            material.checker = is_on.then(|| material.checker.unwrap_or(Checker::default()));
-        });
-    }
-    sheet.color(ui, &CHECKER_COLOR);
-    sheet.number(ui, &CHECKER_SIZE, None);
+/// Puts a picture on what is selected.
+///
+/// # Errors
+/// When a scene cannot have it.
+pub(crate) fn give_texture(editor: &mut Editor, texts: &Texts, image: &Image) -> Result<bool, Refused> {
+    let scene = Arc::clone(editor.scene());
+    let bodies: Vec<usize> = editor.selection().bodies().collect();
+    let homes = match editor.selection().primary() {
+        Some(Item::Material(index)) => vec![Home::Named(index)],
+        _ => homes_of(&scene, &bodies),
+    };
+    let subject = editor.selection().primary().map(|item| item_name(texts, &scene, item)).unwrap_or_default();
+    apply(editor, &homes, Label::new("edit-texture", subject), &mut |_, material| {
+        material.texture = Some(image.clone());
+    })
 }

@@ -3,18 +3,20 @@
 use std::sync::Arc;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Environment, Tracing};
+use catoptric_scene::{Color, Environment, Sky, Surroundings, Tracing};
 use egui::{Id, Ui};
 
-use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet};
+use super::image::{Other, Picked};
+use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
 use super::symbol::Symbol;
-use super::{Memory, depth};
+use super::{Memory, depth, image};
 use crate::context::Cx;
+use crate::images::ImageUse;
 use crate::widgets::section::section;
 
 static BACKGROUND: ColorRow<Environment> = ColorRow {
     what: Quantity::new("background", "edit-background", &keys::ENVIRONMENT, "background"),
-    get: |environment| Some(environment.background),
+    get: |environment| (environment.surroundings == Surroundings::Even).then_some(environment.background),
     set: |environment, color| environment.background = color,
 };
 
@@ -24,6 +26,68 @@ static AMBIENT: ColorRow<Environment> = ColorRow {
     get: |environment| Some(environment.ambient),
     set: |environment, color| environment.ambient = color,
 };
+
+/// A color of the sky.
+const fn of_sky(
+    key: &'static str,
+    edit: &'static str,
+    name: &'static str,
+    get: fn(&Environment) -> Option<Color>,
+    set: fn(&mut Environment, Color),
+) -> ColorRow<Environment> {
+    ColorRow { what: Quantity::new(key, edit, &keys::SKY, name), get, set }
+}
+
+fn sky(environment: &Environment) -> Option<&Sky> {
+    environment.surroundings.sky()
+}
+
+fn sky_mut(environment: &mut Environment) -> Option<&mut Sky> {
+    match &mut environment.surroundings {
+        Surroundings::Sky(sky) => Some(sky),
+        Surroundings::Even | Surroundings::Picture(_) => None,
+    }
+}
+
+static SKY: [ColorRow<Environment>; 3] = [
+    of_sky(
+        "sky-zenith",
+        "edit-sky-zenith",
+        "zenith",
+        |around| sky(around).map(|sky| sky.zenith),
+        |around, color| sky_mut(around).into_iter().for_each(|sky| sky.zenith = color),
+    ),
+    of_sky(
+        "sky-horizon",
+        "edit-sky-horizon",
+        "horizon",
+        |around| sky(around).map(|sky| sky.horizon),
+        |around, color| sky_mut(around).into_iter().for_each(|sky| sky.horizon = color),
+    ),
+    of_sky(
+        "sky-nadir",
+        "edit-sky-nadir",
+        "nadir",
+        |around| sky(around).map(|sky| sky.nadir),
+        |around, color| sky_mut(around).into_iter().for_each(|sky| sky.nadir = color),
+    ),
+];
+
+static ROTATION: Number<Environment> = Number::<Environment>::new(
+    Quantity::new("picture-rotation", "edit-picture-rotation", &keys::ENVIRONMENT, "rotation")
+        .in_unit(Unit::Degrees),
+    Rail::Even(-180.0, 180.0),
+    |around| around.surroundings.picture().map(|_| around.rotation_degrees),
+    |around, value| around.rotation_degrees = value,
+)
+.tuned(0.5, 1);
+
+static STRENGTH: Number<Environment> = Number::<Environment>::new(
+    Quantity::new("sky-strength", "edit-sky-strength", &keys::ENVIRONMENT, "strength"),
+    Rail::Even(0.0, 4.0),
+    |around| (around.surroundings != Surroundings::Even).then_some(around.strength),
+    |around, value| around.strength = value,
+);
 
 static GENERATIONS: Number<Tracing> = Number::<Tracing>::new(
     Quantity::new("generations", "edit-generations", &keys::TRACING, "generations"),
@@ -42,7 +106,7 @@ static THRESHOLD: Number<Tracing> = Number::<Tracing>::new(
 )
 .tuned(0.001, 4);
 
-/// Draws background and ambient light.
+/// Draws what surrounds the bodies, and ambient light.
 pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     let scene = Arc::clone(cx.editor.scene());
     let mut sheet = Sheet {
@@ -57,9 +121,34 @@ pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) 
     };
     let texts = sheet.texts();
     section(ui, "environment", texts.get("thing-environment"), "", true, |ui| {
+        around_ui(ui, &mut sheet);
         sheet.color(ui, &BACKGROUND);
+        for row in &SKY {
+            sheet.color(ui, row);
+        }
+        sheet.number(ui, &ROTATION, None);
+        sheet.number(ui, &STRENGTH, None);
         sheet.color(ui, &AMBIENT);
     });
+}
+
+/// Draws the choice of what surrounds the bodies.
+fn around_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Environment>) {
+    let now = &sheet.primary.surroundings;
+    let is_even = *now == Surroundings::Even;
+    let others = [
+        Other { key: "around-even", is_chosen: is_even, value: false },
+        Other { key: "around-sky", is_chosen: now.sky().is_some(), value: true },
+    ];
+    let picture = now.picture();
+    let picked = image::choice_ui(ui, sheet, "surroundings", ImageUse::Surroundings, &others, picture);
+    let Some(picked) = picked else { return };
+    let chosen = match picked {
+        Picked::Other(false) => Surroundings::Even,
+        Picked::Other(true) => Surroundings::Sky(Sky::default()),
+        Picked::Picture(image) => Surroundings::Picture(image),
+    };
+    sheet.change("surroundings", "edit-surroundings", |_, around| around.surroundings = chosen.clone());
 }
 
 /// Draws the limits of tracing.

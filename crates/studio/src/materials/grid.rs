@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use catoptric_scene::{MaterialChoice, Scene};
+use catoptric_scene::Scene;
 use egui::{
     Align2, EventFilter, FontId, Key, Modifiers, Pos2, Rangef, Rect, Role, ScrollArea, Sense, Ui, WidgetInfo,
     pos2, vec2,
@@ -218,12 +218,7 @@ fn want(ui: &Ui, cx: &Cx<'_>, browser: &mut Browser, drawn: &[Thing]) {
 
 /// A thing as it is to be seen on this screen.
 pub(super) fn preview(ui: &Ui, scene: &Scene, thing: Thing) -> Option<Preview> {
-    let MaterialChoice::Inline(material) = (match thing {
-        Thing::Preset(_) => thing.choice(scene)?,
-        Thing::Scene(place) => MaterialChoice::Inline(Box::new(scene.materials.get(place)?.material)),
-    }) else {
-        return None;
-    };
+    let material = Box::new(thing.material(scene)?.clone());
     let side = (super::card::PICTURE * ui.ctx().pixels_per_point()).round();
     Some(Preview { material, side: side.clamp(48.0, 256.0) as u32 })
 }

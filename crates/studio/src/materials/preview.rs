@@ -51,7 +51,8 @@ mod tests {
         assert_eq!(scene.bodies.iter().filter(|body| is_shown(&body.material)).count(), 1);
         assert!(catoptric_tracer::Stage::prepare(&scene).is_ok());
         assert_eq!(preview.settings().samples, 16);
-        let rough = Preview { material: Box::new(Material { roughness: 0.2, ..*material }), side: 96 };
+        let rough =
+            Preview { material: Box::new(Material { roughness: 0.2, ..(*material).clone() }), side: 96 };
         assert_eq!(rough.settings().samples, 64);
     }
 }

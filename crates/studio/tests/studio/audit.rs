@@ -306,7 +306,7 @@ fn panes(count: usize) -> catoptric_scene::Scene {
     let pane = |place: usize| Body {
         shape: Shape::Cube { size: DVec3::new(40.0, 40.0, 0.1) },
         placement: Placement::at(-0.3 * place as f64 * DVec3::Z),
-        material: MaterialChoice::Inline(Box::new(glass)),
+        material: MaterialChoice::Inline(Box::new(glass.clone())),
         ..Body::default()
     };
     let mut scene = Scene { bodies: (0..count).map(pane).collect(), ..Scene::default() };

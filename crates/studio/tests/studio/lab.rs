@@ -124,7 +124,7 @@ fn every_model_is_warned_of_in_its_own_words() {
             let action = catoptric_editor::Action::AssignMaterial(choice);
             let _ = harness.state_mut().editor_mut().apply(action);
         };
-        give(&mut harness, material);
+        give(&mut harness, material.clone());
         harness.state_mut().run(Command::Language(Language::English));
         harness.run_steps(4);
         let seen = words(&harness);

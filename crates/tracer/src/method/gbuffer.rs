@@ -24,7 +24,7 @@ pub(super) struct Texel {
     pub(super) depth: f32,
     /// World space, meters.
     pub(super) position: Vector<f32>,
-    /// Unit normal facing the viewer.
+    /// Unit normal facing the viewer; of background, the direction of view.
     pub(super) normal: Vector<f32>,
     /// Color C.
     pub(super) color: Vector<f32>,
@@ -194,8 +194,8 @@ pub(super) fn seen(
     size: DVec2,
 ) -> Texel {
     let ray = camera.ray(at, size);
-    let Some(hit) = probe.primary(&ray) else { return Texel::EMPTY };
     let rays = ray.alone();
+    let Some(hit) = probe.primary(&ray) else { return Texel { normal: rays.direction, ..Texel::EMPTY } };
     let point = stage.body(hit.body).surface_point(rays.origin, rays.direction, hit.t, hit.leaving);
     Texel {
         start: Start { body: hit.body, inwards: hit.leaving },
@@ -214,7 +214,7 @@ pub(super) fn light_of(
     texel: &Texel,
 ) -> Vector<f32> {
     if texel.is_empty() {
-        return Vector::splat(0.0, stage.background);
+        return stage.sky.along(texel.normal);
     }
     let Texel { start, position, normal, .. } = *texel;
     let to_viewer = vector(camera.toward_viewer(exact(position)));

@@ -158,14 +158,13 @@ fn reflect(
     let mut reflected = std::mem::take(&mut buffer.reflected);
     let shown = &*buffer;
     let screen = mirrors.screen.map(|settings| Screen { buffer: shown, camera, settings });
-    let background = Vector::splat(0.0, stage.background);
     let find = |texel: &Texel| {
         let direction = texel.reflected(camera);
         let met = screen.as_ref().and_then(|screen| match screen.march(texel, exact(direction)) {
             Fate::Met(at) => Some(screen.light(at)),
             Fate::LeftScreen | Fate::OutOfRange => None,
         });
-        met.or_else(|| maps.light(texel, direction)).unwrap_or(background)
+        met.or_else(|| maps.light(texel, direction)).unwrap_or_else(|| stage.sky.along(direction))
     };
     let done = frame.each_row(
         &mut reflected,

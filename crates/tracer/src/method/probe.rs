@@ -134,8 +134,10 @@ impl<'a> Probe<'a> {
 pub(super) fn color_of(stage: &Stage, body: u32, in_body: Vector<f32>) -> Vector<f32> {
     let body = stage.body(body);
     let checker = stage.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(in_body));
-    let color = checker.map_or(stage.material(body).color, |checker| checker.color);
-    Vector::splat(0.0, color)
+    match checker {
+        Some(checker) => Vector::splat(0.0, checker.color),
+        None => stage.material(body).color_at(One, body, in_body, true),
+    }
 }
 
 /// Coefficient k_r, if a ray that carries it is traced at all.

@@ -6,7 +6,7 @@
 mod batch;
 mod faces;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::canvas::{Canvas, Clock, Frame};
 use super::probe::{LocalLight, Point, Probe, color_of, exact, vector};
@@ -77,7 +77,7 @@ pub(super) fn draw(
             let both = bodies.iter_mut().zip(&fragments);
             both.for_each(|(body, fragment)| *body = Start::of_word(fragment.start).body);
         }
-        counts += clock.time(PassName::Light, || job.shade(&fragments, &mut canvas))?;
+        counts += clock.time(PassName::Light, || job.shade(&fragments, offset, &mut canvas))?;
     }
     let picture = canvas.picture(samples)?;
     Ok(Drawing { picture, counts, passes: clock.passes, cube_maps: None, evidence: Evidence::Bodies(bodies) })
@@ -85,22 +85,30 @@ pub(super) fn draw(
 
 impl Job<'_> {
     /// Gives the fragments their colors and adds them to the picture.
-    fn shade(&self, fragments: &[Fragment], canvas: &mut Canvas) -> Result<RayCounts, MethodError> {
+    fn shade(
+        &self,
+        fragments: &[Fragment],
+        offset: DVec2,
+        canvas: &mut Canvas,
+    ) -> Result<RayCounts, MethodError> {
         let width = self.frame.width;
         let make = || Probe::new(self.stage, self.camera);
         self.frame.each_row(canvas.sums(), self.control, make, |probe, y, sums| {
             let before = probe.counts;
             let row = fragments.iter().skip(y * width);
-            for (sum, fragment) in sums.iter_mut().zip(row) {
-                *sum += exact(self.color(probe, fragment));
+            for (x, (sum, fragment)) in sums.iter_mut().zip(row).enumerate() {
+                let at = || DVec2::new(x as f64, y as f64) + offset;
+                *sum += exact(self.color(probe, fragment, at));
             }
             probe.counts - before
         })
     }
 
-    fn color(&self, probe: &mut Probe<'_>, fragment: &Fragment) -> Vector<f32> {
+    /// `at` is the place of the picture.
+    fn color(&self, probe: &mut Probe<'_>, fragment: &Fragment, at: impl Fn() -> DVec2) -> Vector<f32> {
         if fragment.is_empty() {
-            return Vector::splat(0.0, self.stage.background);
+            let ray = self.camera.ray(at(), self.frame.size());
+            return self.stage.sky.along(ray.alone().direction);
         }
         let start = Start::of_word(fragment.start);
         let [first, second] = fragment.values;

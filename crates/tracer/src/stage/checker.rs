@@ -1,6 +1,7 @@
-//! The checkerboard of the world's axes, seen from a body.
+//! Checkerboards, seen from a body.
 
-use catoptric_scene::{Body, Checker};
+use catoptric_scene::{Body, Checker, CheckerSpace};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::body::{mul, rows, world_from_canonical};
 use super::numbers;
@@ -28,7 +29,10 @@ impl StageChecker {
     const BORDER: f32 = 1e-6;
 
     pub(super) fn new(checker: &Checker, body: &Body) -> Self {
-        let transform = world_from_canonical(body);
+        let transform = match checker.space {
+            CheckerSpace::World => world_from_canonical(body),
+            CheckerSpace::Body => meters_from_canonical(&world_from_canonical(body)),
+        };
         let origin = transform.translation / checker.size;
         let whole = origin.floor();
         Self {
@@ -57,4 +61,11 @@ impl StageChecker {
         let sum = rest(cells.x) + rest(cells.y) + rest(cells.z) + f32::from(self.odd_origin);
         rest(sum).eq(sum.like(1.0))
     }
+}
+
+/// From a body's frame to one in its place, along its axes, but in meters: what is left of its transform without rotation.
+fn meters_from_canonical(world_from_canonical: &DAffine3) -> DAffine3 {
+    let linear = world_from_canonical.matrix3;
+    let sizes = DVec3::new(linear.x_axis.length(), linear.y_axis.length(), linear.z_axis.length());
+    DAffine3::from_mat3(DMat3::from_diagonal(sizes))
 }

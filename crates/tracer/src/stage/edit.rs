@@ -9,7 +9,7 @@ use super::bvh::Path;
 use super::camera::Surroundings;
 use super::{
     Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageLight, StageMaterial,
-    numbers,
+    StageSky, numbers,
 };
 use crate::ray::NO_BODY;
 
@@ -94,7 +94,7 @@ impl Stage {
         }
         self.log.add(changes);
         self.lights = after.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect();
-        self.background = numbers(after.environment.background);
+        self.sky = StageSky::new(&after.environment);
         self.ambient = numbers(after.environment.ambient);
         self.generations = after.tracing.generations.clamp(1, Tracing::MAX_GENERATIONS);
         self.threshold = after.tracing.threshold as f32;

@@ -7,8 +7,9 @@ use catoptric_optics::{CLEAR, Dispersion, METALS, fresnel};
 use catoptric_scene::{Color, Conductor, Material, MaterialChoice, Model, Scene};
 
 use super::curve::Curve;
-use super::numbers;
-use crate::lanes::Real;
+use super::texture::Texture;
+use super::{StageBody, numbers};
+use crate::lanes::{Real, Width};
 use crate::surface::exponential;
 use crate::vector::Vector;
 use crate::whitted::ReflectionLaw;
@@ -18,6 +19,8 @@ use crate::whitted::ReflectionLaw;
 pub(crate) struct StageMaterial {
     /// Color C.
     pub color: [f32; 3],
+    /// A picture in its place.
+    pub texture: Option<Texture>,
     /// k_a.
     pub ambient: f32,
     /// k_d.
@@ -110,6 +113,7 @@ impl StageMaterial {
     pub(super) fn new(material: &Material) -> Self {
         let plain = Self {
             color: numbers(material.color),
+            texture: Texture::new(material),
             ambient: material.ambient as f32,
             diffuse: 0.0,
             specular: 0.0,
@@ -166,6 +170,21 @@ impl StageMaterial {
                 law: Law::Coat(Coat::new(material.ior)),
                 ..plain
             },
+        }
+    }
+
+    /// The color of a body, but for its checker, where rays `lanes` met it, at these points of its own frame.
+    #[inline(always)]
+    pub(crate) fn color_at<W: Width>(
+        &self,
+        w: W,
+        body: &StageBody,
+        in_body: Vector<W::R>,
+        lanes: W::M,
+    ) -> Vector<W::R> {
+        match &self.texture {
+            None => Vector::splat(w.real(0.0), self.color),
+            Some(texture) => texture.colors(w, body.canonical(), in_body, lanes),
         }
     }
 
@@ -258,8 +277,8 @@ impl<'a> MaterialTable<'a> {
     }
 }
 
-/// The model and all numbers that reach a [`StageMaterial`], for comparing exactly.
-type Key = (Model, [u64; 13]);
+/// The model, the picture, and all numbers that reach a [`StageMaterial`], for comparing exactly.
+type Key = (Model, Option<u64>, [u64; 13]);
 
 fn key(material: &Material) -> Key {
     let m = material;
@@ -311,7 +330,7 @@ fn key(material: &Material) -> Key {
         Model::Matte => put(&[r, g, b, m.ambient]),
         Model::Coated => put(&[r, g, b, m.ambient, m.ior, m.roughness]),
     }
-    (m.model, numbers.map(f64::to_bits))
+    (m.model, Texture::new(m).map(|texture| texture.number()), numbers.map(f64::to_bits))
 }
 
 /// The place of a name among others, to be told from them.

@@ -60,7 +60,7 @@ impl Stage {
             checkers: Arc::clone(&self.checkers),
             lights: Arc::clone(&self.lights),
             camera: self.camera.clone(),
-            background: self.background,
+            sky: self.sky.clone(),
             ambient: self.ambient,
             generations: self.generations,
             threshold: self.threshold,

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::sampling::sample_offset;
 use crate::stage::{
     Hierarchy, Node, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageFalloff, StageLight,
-    StageMaterial,
+    StageMaterial, StageSky,
 };
 use crate::tile::Place;
 
@@ -122,6 +122,7 @@ impl MaterialBytes {
             reflection,
             filter,
             ior,
+            texture: _,
             law: _,
             dispersion: _,
             alpha: _,
@@ -181,7 +182,10 @@ impl Frame {
     pub fn new(stage: &Stage, camera: &StageCamera, size: [u32; 2]) -> Self {
         let media = eye_media(stage, camera);
         let mut frame = Self {
-            background: stage.background,
+            background: match stage.sky {
+                StageSky::Even(color) => color,
+                _ => [0.0; 3],
+            },
             generations: stage.generations(),
             ambient: stage.ambient,
             threshold: stage.threshold(),

@@ -2,7 +2,7 @@
 
 use crate::media::MediaTable;
 use crate::shape::ShapeKind;
-use crate::stage::{Hierarchy, Law, Stage, StageBody, StageCamera, StageChanges, StageMaterial};
+use crate::stage::{Hierarchy, Law, Stage, StageBody, StageCamera, StageChanges, StageMaterial, StageSky};
 
 use super::{MOST_MEDIA, MOST_RAYS};
 
@@ -40,6 +40,9 @@ pub enum Unsupported {
     /// Surfaces with a law of their own, or lights that are balls.
     #[error("the GPU knows Phong's and matte materials and point lights, so far")]
     Physical,
+    /// Pictures or skies around the bodies, or pictures on them.
+    #[error("the GPU knows even surroundings and bodies without textures, so far")]
+    Pictures,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
     EyeMedia(usize),
@@ -86,6 +89,10 @@ impl Specialization {
         let is_own = |material: &StageMaterial| !matches!(material.law, Law::Constant);
         if stage.materials.iter().any(is_own) || stage.lights.iter().any(|light| light.radius > 0.0) {
             return Err(Unsupported::Physical);
+        }
+        let is_textured = |material: &StageMaterial| material.texture.is_some();
+        if !matches!(stage.sky, StageSky::Even(_)) || stage.materials.iter().any(is_textured) {
+            return Err(Unsupported::Pictures);
         }
         let around_eye = eye_media(stage, camera).len();
         if around_eye > MOST_MEDIA {

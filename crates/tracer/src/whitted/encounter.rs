@@ -110,7 +110,7 @@ impl<W: Width> Encounter<W> {
         let material = stage.material(body);
         let zero = w.real(0.0);
         let point = body.surface_point(rays.origin, rays.direction, hits.t, hits.leaving);
-        let mut color = Vector::splat(zero, material.color);
+        let mut color = material.color_at(w, body, point.in_body, lanes);
         if let Some(checker) = stage.checkers.get(body.checker as usize) {
             color = Vector::select(checker.is_odd(point.in_body), Vector::splat(zero, checker.color), color);
         }

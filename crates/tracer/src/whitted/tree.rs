@@ -264,7 +264,6 @@ impl<'a> Whitted<'a> {
         let ray = beam.rays.ray();
         let bodies = self.media.bodies(beam.media);
         let media = bodies.filter_map(|body| self.stage.scene_index(body)).collect();
-        let background = Vec3::from(self.stage.background);
         TracedRay {
             ray,
             kind,
@@ -275,7 +274,7 @@ impl<'a> Whitted<'a> {
             weight: beam.weight.into(),
             through: scribe.through.into(),
             light: followed.light.into(),
-            local: scribe.local.map_or(background, Vec3::from),
+            local: scribe.local.unwrap_or_else(|| self.stage.sky.along(beam.rays.direction)).into(),
             media,
             ior: self.media.ior(self.stage, &self.waves, beam.media),
             hit: found_in(&followed.hits).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit)),
@@ -304,8 +303,9 @@ impl<'a> Whitted<'a> {
         let point = body.surface_point(beam.rays.origin, beam.rays.direction, at.t, at.leaves());
         let checker = self.stage.checkers.get(body.checker as usize);
         let odd = checker.filter(|checker| checker.is_odd(point.in_body));
+        let own = material.color_at(One, body, point.in_body, true);
         SurfaceAnswer {
-            color: odd.map_or(material.color, |checker| checker.color).into(),
+            color: odd.map_or(own, |checker| Vector::splat(0.0, checker.color)).into(),
             is_odd_cell: odd.is_some(),
             law: material.law.name(),
             alpha: material.alpha,

@@ -68,7 +68,11 @@ pub(crate) fn light(position: DVec3, intensity: f64) -> Light {
 
 pub(crate) fn scene(bodies: Vec<Body>, camera: Camera, lights: Vec<Light>) -> Scene {
     Scene {
-        environment: Environment { background: Color::new(0.2, 0.3, 0.5), ambient: Color::WHITE },
+        environment: Environment {
+            background: Color::new(0.2, 0.3, 0.5),
+            ambient: Color::WHITE,
+            ..Environment::default()
+        },
         tracing: Tracing { generations: 4, threshold: 0.0 },
         bodies: bodies.into(),
         camera,

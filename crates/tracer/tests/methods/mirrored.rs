@@ -127,7 +127,7 @@ fn room_of_planes() -> Scene {
 /// The same room as one cube with a pattern on its walls.
 fn room_of_one_cube() -> Scene {
     let pattern = Material {
-        checker: Some(Checker { color: Color::new(0.9, 0.3, 0.1), size: 2.5 }),
+        checker: Some(Checker { color: Color::new(0.9, 0.3, 0.1), size: 2.5, ..Checker::default() }),
         ..glow(0.1, 0.4, 0.8)
     };
     let bodies =

@@ -28,10 +28,10 @@ fn close_ball() -> Stage {
 fn five_shapes(projection: Projection) -> Scene {
     let material = glossy();
     let bodies = vec![
-        ball(0.8, v(-3.0, 0.9, 0.0), material),
-        turned(Shape::CUBE, v(-1.0, 0.8, 0.0), v(20.0, 30.0, 0.0), material),
-        turned(Shape::CYLINDER, v(0.8, 0.3, 0.0), v(15.0, 0.0, 20.0), material),
-        turned(Shape::CONE, v(2.4, 0.3, 0.0), v(0.0, 0.0, -20.0), material),
+        ball(0.8, v(-3.0, 0.9, 0.0), material.clone()),
+        turned(Shape::CUBE, v(-1.0, 0.8, 0.0), v(20.0, 30.0, 0.0), material.clone()),
+        turned(Shape::CYLINDER, v(0.8, 0.3, 0.0), v(15.0, 0.0, 20.0), material.clone()),
+        turned(Shape::CONE, v(2.4, 0.3, 0.0), v(0.0, 0.0, -20.0), material.clone()),
         turned(
             Shape::Cone { radius: 0.3, top_radius: 0.6, height: 1.0 },
             v(3.6, 0.3, 0.0),
@@ -92,7 +92,7 @@ fn where_faces_are_the_bodies_phong_is_the_traced_picture_however_coarse() {
             Shape::Plane,
             DVec3::ZERO,
             Material {
-                checker: Some(Checker { color: Color::gray(0.1), size: 0.7 }),
+                checker: Some(Checker { color: Color::gray(0.1), size: 0.7, ..Checker::default() }),
                 ..chalk(0.7, 0.7, 0.6)
             },
         ),
@@ -130,7 +130,7 @@ fn flat_faces_have_one_value_each() {
 #[test]
 fn a_checkered_flat_face_has_one_intensity_on_two_colors() {
     let checkered = Material {
-        checker: Some(Checker { color: Color::gray(0.25), size: 0.25 }),
+        checker: Some(Checker { color: Color::gray(0.25), size: 0.25, ..Checker::default() }),
         ambient: 0.0,
         diffuse: 1.0,
         color: Color::gray(0.75),

@@ -90,7 +90,7 @@ fn a_frustum_that_widens_enormously_is_a_cone_upside_down() {
 #[test]
 fn light_at_the_limits_is_a_number_and_highlights_stay_within_their_coefficient() {
     let red = Material { color: Color::new(1.0, 0.0, 0.0), ambient: 0.0, ..chalk() };
-    let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, red)]);
+    let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, red.clone())]);
     scene.camera = camera(v(0.0, 5.0, 0.001), DVec3::ZERO, 10.0);
     scene.lights = vec![light(v(0.0, 1e-17, 0.0), 1e6, Falloff::InverseSquare)];
     assert!(picture(&scene, 9, 9).pixels().as_flattened().iter().all(|value| !value.is_nan()));

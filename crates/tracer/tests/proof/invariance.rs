@@ -22,7 +22,7 @@ fn taken(scene: &Scene) -> Picture {
 fn checkered() -> Scene {
     let mut scene = gallery();
     let MaterialChoice::Inline(floor) = &mut scene.bodies[0].material else { unreachable!() };
-    floor.checker = Some(Checker { color: Color::gray(0.2), size: 0.7 });
+    floor.checker = Some(Checker { color: Color::gray(0.2), size: 0.7, ..Checker::default() });
     scene
 }
 

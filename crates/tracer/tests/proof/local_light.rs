@@ -29,7 +29,7 @@ fn lambert_and_the_three_laws_of_falloff() {
             (Falloff::InverseSquare, 1.0 / (d * d)),
         ];
         for (falloff, at_d) in laws {
-            let mut scene = floor_seen_at(x, material);
+            let mut scene = floor_seen_at(x, material.clone());
             let mut lamp = light(v(0.0, height, 0.0), 2.5, falloff);
             lamp.color = Color::new(1.0, 0.8, 0.6);
             scene.lights = vec![lamp];
@@ -55,7 +55,7 @@ fn lights_add_and_ambient_light_needs_none() {
 fn a_light_at_the_horizon_or_below_adds_nothing() {
     let shiny = Material { specular: 1.0, reflection: Some(0.0), ..chalk() };
     for y in [0.0, -1.0] {
-        let mut scene = floor_seen_at(0.0, shiny);
+        let mut scene = floor_seen_at(0.0, shiny.clone());
         scene.lights = vec![light(v(4.0, y, 0.0), 1.0, Falloff::None)];
         assert_eq!(center(&scene), Vec3::ZERO);
     }
@@ -125,14 +125,14 @@ fn opaque_bodies_shade_and_glass_filters_once_per_surface() {
     assert_light(under(vec![ball(1.0, v(0.0, 4.0, 0.0), chalk())]), [0.0; 3]);
     let tinted = filter_of(0.8, [1.0, 0.5, 0.25]);
     let twice = [0.64, 0.16, 0.04];
-    assert_light(under(vec![ball(1.0, v(0.0, 4.0, 0.0), tinted)]), twice);
-    assert_light(under(vec![block(v(2.0, 0.01, 2.0), v(0.0, 4.0, 0.0), tinted)]), twice);
+    assert_light(under(vec![ball(1.0, v(0.0, 4.0, 0.0), tinted.clone())]), twice);
+    assert_light(under(vec![block(v(2.0, 0.01, 2.0), v(0.0, 4.0, 0.0), tinted.clone())]), twice);
     // A half-space of glass above has one surface.
-    assert_light(under(vec![plane(v(0.0, 4.0, 0.0), 180.0, tinted)]), [0.8, 0.4, 0.2]);
+    assert_light(under(vec![plane(v(0.0, 4.0, 0.0), 180.0, tinted.clone())]), [0.8, 0.4, 0.2]);
     // One ball inside another, and two in a row.
     let both = twice.map(|filter| filter * filter);
-    assert_light(under([1.0, 0.5].map(|r| ball(r, v(0.0, 4.0, 0.0), tinted)).to_vec()), both);
-    assert_light(under([3.0, 6.0].map(|y| ball(1.0, v(0.0, y, 0.0), tinted)).to_vec()), both);
+    assert_light(under([1.0, 0.5].map(|r| ball(r, v(0.0, 4.0, 0.0), tinted.clone())).to_vec()), both);
+    assert_light(under([3.0, 6.0].map(|y| ball(1.0, v(0.0, y, 0.0), tinted.clone())).to_vec()), both);
     // Glass and then an opaque body, in either order of the scene.
     let pair = [ball(1.0, v(0.0, 3.0, 0.0), tinted), ball(1.0, v(0.0, 6.0, 0.0), chalk())];
     assert_light(under(pair.to_vec()), [0.0; 3]);
@@ -166,7 +166,8 @@ fn only_what_lies_between_shades() {
 fn many_bodies_shade_as_few_do() {
     // Past the number at which the search changes its method: a column of glass and a field of bystanders.
     let tinted = filter_of(0.9, [1.0, 0.5, 0.8]);
-    let mut bodies: Vec<Body> = (0..6).map(|k| ball(0.3, v(0.0, 2.0 + f64::from(k), 0.0), tinted)).collect();
+    let mut bodies: Vec<Body> =
+        (0..6).map(|k| ball(0.3, v(0.0, 2.0 + f64::from(k), 0.0), tinted.clone())).collect();
     bodies.extend((0..200).map(|k| ball(0.2, v(-3.0 - f64::from(k % 20), 1.0, f64::from(k / 20)), chalk())));
     let crossings = 12;
     let filter = [0.9_f64, 0.45, 0.72].map(|filter| filter.powi(crossings));
@@ -224,11 +225,11 @@ fn seen_from_within_an_opaque_body_is_lit_from_within() {
 
 #[test]
 fn checkers_count_cells_of_the_world() {
-    let checker = Some(Checker { color: Color::BLACK, size: 0.5 });
+    let checker = Some(Checker { color: Color::BLACK, size: 0.5, ..Checker::default() });
     let material =
         Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
     for x in -12_i32..12 {
-        let mut scene = floor_seen_at(0.25 + 0.5 * f64::from(x), material);
+        let mut scene = floor_seen_at(0.25 + 0.5 * f64::from(x), material.clone());
         scene.camera.position.z = 0.1;
         scene.camera.target.z = 0.1;
         // The floor at y = 0 belongs to the cells above it, and z = 0.1 to cell 0.
@@ -242,14 +243,14 @@ fn a_face_on_a_border_of_cells_belongs_to_the_cell_above_it() {
     // The top of a box, on the border, below it by rounding, and really below it.
     let tops =
         [(0.5, 0.0), (1.0, 1.0), (-0.5, 0.0), (37.5, 0.0), (0.499_999_8, 0.0), (0.499_995, 1.0), (-0.2, 0.0)];
-    let checker = Some(Checker { color: Color::BLACK, size: 0.5 });
+    let checker = Some(Checker { color: Color::BLACK, size: 0.5, ..Checker::default() });
     let material =
         Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
     for step in 0..200 {
         let height = 0.1 + 0.013 * f64::from(step);
         for (top, expected) in tops {
             let mut scene =
-                scene(vec![block(v(0.4, height, 0.4), v(0.25, top - 0.5 * height, 0.25), material)]);
+                scene(vec![block(v(0.4, height, 0.4), v(0.25, top - 0.5 * height, 0.25), material.clone())]);
             scene.camera = camera(v(0.25, 50.0, 0.25), v(0.25, 0.0, 0.25), 1.0);
             scene.camera.up = DVec3::NEG_Z;
             assert_eq!(center(&scene), Vec3::splat(expected), "height {height}, top {top}");

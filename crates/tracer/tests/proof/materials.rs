@@ -111,9 +111,9 @@ fn metals_of_one_scene_are_told_apart() {
 
 #[test]
 fn a_checker_brighter_than_white_under_a_coat_gives_no_negative_light() {
-    let checker = Some(Checker { color: Color::gray(50.0), size: 0.1 });
+    let checker = Some(Checker { color: Color::gray(50.0), size: 0.1, ..Checker::default() });
     let coated = Material { checker, ..of_model(Model::Coated, Color::WHITE) };
-    let picture = picture(&furnace(coated), 60, 15);
+    let picture = picture(&furnace(&coated), 60, 15);
     assert!(picture.pixels().iter().flatten().all(|part| (0.0..1.5).contains(part)));
 }
 
@@ -164,16 +164,18 @@ fn matte_and_coated_grounds_scatter_the_light_of_a_lamp() {
 }
 
 /// Bodies of all shapes in light that comes evenly from all sides.
-fn furnace(material: Material) -> Scene {
+fn furnace(material: &Material) -> Scene {
     let shapes = [
         (Shape::SPHERE, -3.0),
         (Shape::CUBE, -0.9),
         (Shape::Cylinder { radius: 0.5, height: 1.4 }, 0.9),
         (Shape::Cone { radius: 0.7, top_radius: 0.2, height: 1.3 }, 2.6),
     ];
-    let bodies = shapes.map(|(shape, x)| turned(shape, v(x, 0.0, 0.0), v(20.0, 30.0, 10.0), material));
+    let bodies =
+        shapes.map(|(shape, x)| turned(shape, v(x, 0.0, 0.0), v(20.0, 30.0, 10.0), material.clone()));
     let mut scene = scene(bodies.to_vec());
-    scene.environment = Environment { background: Color::WHITE, ambient: Color::WHITE };
+    scene.environment =
+        Environment { background: Color::WHITE, ambient: Color::WHITE, ..Environment::default() };
     scene.camera = camera(v(0.0, 0.5, 12.0), DVec3::ZERO, 22.0);
     scene
 }
@@ -192,7 +194,7 @@ fn bodies_that_lose_nothing_are_invisible_in_a_furnace() {
     ];
     for material in materials {
         let size = UVec2::new(120, 30);
-        let scene = furnace(material);
+        let scene = furnace(&material);
         let picture = picture(&scene, size.x, size.y);
         for (place, pixel) in (0..).zip(picture.pixels()) {
             // Between a cylinder's caps some light goes to and fro more often than rays are followed.

@@ -121,7 +121,7 @@ fn a_corner_of_solid_boxes_returns_rays() {
 fn corridor(gap: f64, rho: f64, glow: f64) -> Vec<Body> {
     let mut wall = mirror();
     (wall.color, wall.ambient, wall.reflection) = (Color::WHITE, glow, Some(rho));
-    vec![plane(DVec3::ZERO, -90.0, wall), plane(v(gap, 0.0, 0.0), 90.0, wall)]
+    vec![plane(DVec3::ZERO, -90.0, wall.clone()), plane(v(gap, 0.0, 0.0), 90.0, wall)]
 }
 
 /// The light of the corridor's walls, each of emission 1, cut after `generations`.

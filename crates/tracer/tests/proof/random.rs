@@ -27,7 +27,7 @@ pub(crate) fn material() -> impl Strategy<Value = Material> {
     );
     let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| Material {
         color,
-        checker: Some(Checker { color: other, size }),
+        checker: Some(Checker { color: other, size, ..Checker::default() }),
         ..Material::default()
     });
     let clear = (color(), 0.4..1.0_f64, 0.0..0.3_f64, 0.7..2.0_f64).prop_map(

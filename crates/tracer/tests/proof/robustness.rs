@@ -274,11 +274,11 @@ fn a_closed_mirror_room_does_not_leak() {
 fn a_room_of_six_blocks_does_not_leak() {
     let wall = glow(Color::WHITE);
     let stage = stage_of(vec![
-        block(v(6.0, 1.0, 6.0), v(0.0, -1.5, 0.0), wall),
-        block(v(6.0, 1.0, 6.0), v(0.0, 1.5, 0.0), wall),
-        block(v(1.0, 2.0, 6.0), v(-2.5, 0.0, 0.0), wall),
-        block(v(1.0, 2.0, 6.0), v(2.5, 0.0, 0.0), wall),
-        block(v(4.0, 2.0, 1.0), v(0.0, 0.0, -2.5), wall),
+        block(v(6.0, 1.0, 6.0), v(0.0, -1.5, 0.0), wall.clone()),
+        block(v(6.0, 1.0, 6.0), v(0.0, 1.5, 0.0), wall.clone()),
+        block(v(1.0, 2.0, 6.0), v(-2.5, 0.0, 0.0), wall.clone()),
+        block(v(1.0, 2.0, 6.0), v(2.5, 0.0, 0.0), wall.clone()),
+        block(v(4.0, 2.0, 1.0), v(0.0, 0.0, -2.5), wall.clone()),
         block(v(4.0, 2.0, 1.0), v(0.0, 0.0, 2.5), wall),
     ]);
     for step in 0..20_000 {

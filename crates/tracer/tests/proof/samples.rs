@@ -28,8 +28,8 @@ pub(crate) fn gallery() -> Scene {
         turned(Shape::CUBE, v(0.1, 0.8, -1.6), v(10.0, 30.0, 5.0), shiny(0.2, 0.8, 0.3)),
         turned(Shape::CYLINDER, v(1.9, 0.1, -0.6), v(0.0, 0.0, 12.0), shiny(0.2, 0.4, 0.9)),
         turned(Shape::CONE, v(1.0, 0.05, 0.9), v(5.0, 0.0, -8.0), shiny(0.9, 0.8, 0.2)),
-        ball(0.6, v(-0.4, 0.7, 0.9), clear),
-        turned(frustum, v(-2.2, 0.03, 1.4), v(3.0, 0.0, 2.0), clear),
+        ball(0.6, v(-0.4, 0.7, 0.9), clear.clone()),
+        turned(frustum, v(-2.2, 0.03, 1.4), v(3.0, 0.0, 2.0), clear.clone()),
         turned(Shape::CUBE, v(2.2, 0.55, 1.3), v(0.0, 25.0, 0.0), clear),
     ]);
     scene.camera = camera(v(0.4, 2.4, 7.5), v(0.0, 0.8, 0.0), 34.0);

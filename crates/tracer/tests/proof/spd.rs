@@ -30,10 +30,10 @@ fn sphereflake(
     radius: f64,
     axis: DVec3,
     depth: u32,
-    material: Material,
+    material: &Material,
     bodies: &mut Vec<Body>,
 ) {
-    bodies.push(ball(radius, center, material));
+    bodies.push(ball(radius, center, material.clone()));
     if depth == 0 {
         return;
     }
@@ -57,7 +57,7 @@ fn balls() -> Scene {
     let floor = Material { color: Color::new(1.0, 0.75, 0.33), diffuse: 0.8, ..Material::default() };
     // The floor is one polygon; a sheet below it has the same upper side.
     let mut bodies = [block(v(24.0, 24.0, 1e-3), v(0.0, 0.0, -0.5005), floor)].into();
-    sphereflake(DVec3::ZERO, 0.5, DVec3::Z, 4, shiny, &mut bodies);
+    sphereflake(DVec3::ZERO, 0.5, DVec3::Z, 4, &shiny, &mut bodies);
     let mut scene = scene(bodies);
     scene.camera = Camera {
         position: v(2.1, 1.3, 1.7),

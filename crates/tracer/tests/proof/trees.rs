@@ -94,7 +94,7 @@ fn another_generation_never_darkens() {
 fn without_coefficients(scene: &Scene) -> Scene {
     let mut local = scene.clone();
     for body in &mut local.bodies {
-        let mut material = *scene.material(&body.material).unwrap();
+        let mut material = scene.material(&body.material).unwrap().clone();
         (material.reflection, material.transmission) = (Some(0.0), 0.0);
         body.material = catoptric_scene::MaterialChoice::Inline(Box::new(material));
     }
@@ -113,7 +113,8 @@ fn without_reflection_and_transmission_only_the_local_model_is_left() {
 fn rays_below_the_threshold_are_not_traced() {
     let mut wall = mirror();
     wall.reflection = Some(0.5);
-    let mut scene = crate::common::scene(vec![plane(DVec3::ZERO, -90.0, wall), plane(DVec3::X, 90.0, wall)]);
+    let mut scene =
+        crate::common::scene(vec![plane(DVec3::ZERO, -90.0, wall.clone()), plane(DVec3::X, 90.0, wall)]);
     let start = ray(v(0.5, 0.0, 0.0), DVec3::X);
     for (threshold, rays) in [(0.6, 1), (0.5, 2), (0.3, 2), (0.25, 3), (0.2, 3), (1e-3, 10), (0.0, 64)] {
         scene.tracing.threshold = threshold;
@@ -145,7 +146,8 @@ fn a_tiny_threshold_changes_nothing_visible() {
 fn coefficients_above_one_and_bright_lights_are_not_clamped_on_the_way() {
     let mut wall = mirror();
     (wall.color, wall.ambient, wall.reflection) = (Color::WHITE, 2.0, Some(1.5));
-    let mut scene = crate::common::scene(vec![plane(DVec3::ZERO, -90.0, wall), plane(DVec3::X, 90.0, wall)]);
+    let mut scene =
+        crate::common::scene(vec![plane(DVec3::ZERO, -90.0, wall.clone()), plane(DVec3::X, 90.0, wall)]);
     scene.tracing.generations = 10;
     let sum: f64 = (0..10).map(|k| 2.0 * 1.5_f64.powi(k)).sum();
     let light: Vec3 = tree(&stage(&scene), ray(v(0.5, 0.0, 0.0), DVec3::X)).iter().map(|ray| ray.light).sum();
@@ -177,7 +179,7 @@ fn rays_are_counted_by_kind() {
 
 #[test]
 fn a_checker_of_two_colors_is_reflected_as_it_is() {
-    let checker = Some(Checker { color: Color::BLACK, size: 1.0 });
+    let checker = Some(Checker { color: Color::BLACK, size: 1.0, ..Checker::default() });
     let floor = Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
     let stage = crate::common::stage_of(vec![
         plane(DVec3::ZERO, 0.0, floor),

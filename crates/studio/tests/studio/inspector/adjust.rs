@@ -152,7 +152,8 @@ fn the_same_coefficients_of_a_shared_material() {
     let mut window = window("four-bodies", None);
     let sphere = body(&window, "sphere");
     select(&mut window, [sphere]);
-    let red = |scene: &Scene| scene.materials.iter().find(|named| named.name == "red").unwrap().material;
+    let red =
+        |scene: &Scene| scene.materials.iter().find(|named| named.name == "red").unwrap().material.clone();
     adjusts(&mut window, "k_d diffuse", 0.3, "edit-diffuse", |scene| red(scene).diffuse);
     let index = scene(&window).materials.iter().position(|named| named.name == "red").unwrap();
     select(&mut window, [Item::Material(index)]);

@@ -36,7 +36,7 @@ fn every_kind_of_reflection_keeps_the_color() {
         let before = scene(&window);
         let label = format!("Kind of reflection: {name}");
         click(&mut window, Role::RadioButton, &label);
-        let material = *own_material(sphere_of(&scene(&window)));
+        let material = own_material(sphere_of(&scene(&window))).clone();
         assert!(is_it(&material), "{name}: {material:?}");
         assert_eq!(material.color, color);
         assert!(is_chosen(&window, &label), "{name}");
@@ -124,7 +124,7 @@ fn a_material_is_shared_made_own_and_chosen() {
     let item = body(&window, "sphere");
     select(&mut window, [item]);
     click(&mut window, Role::Button, "Make unique");
-    let red = *own_material(sphere_of(&scene(&window)));
+    let red = own_material(sphere_of(&scene(&window))).clone();
     click(&mut window, Role::Button, "Share");
     let choice = sphere_of(&scene(&window)).material.clone();
     assert!(matches!(choice, MaterialChoice::Named(_)));

@@ -8,7 +8,7 @@ use super::{CubeMap, center_of};
 use crate::counts::RayCounts;
 use crate::method::MethodError;
 use crate::render::Control;
-use crate::stage::{Stage, StageBody, StageChecker, StageLight, StageMaterial};
+use crate::stage::{Stage, StageBody, StageChecker, StageLight, StageMaterial, StageSky};
 
 /// The cube maps of reflecting bodies, kept from picture to picture as long as nothing that they show has changed.
 ///
@@ -136,7 +136,7 @@ struct Shown {
     bodies: BTreeMap<u32, (StageBody, StageMaterial, Option<StageChecker>)>,
     lights: Arc<[StageLight]>,
     /// Background and ambient light, then the limits of tracing.
-    surroundings: ([f32; 3], [f32; 3], u32, f32),
+    surroundings: (StageSky, [f32; 3], u32, f32),
 }
 
 /// What changed from one stage to another.
@@ -157,7 +157,7 @@ impl Shown {
         Self {
             bodies: stage.bodies.iter().zip(&stage.scene_indices).map(body).collect(),
             lights: Arc::clone(&stage.lights),
-            surroundings: (stage.background, stage.ambient, stage.generations, stage.threshold),
+            surroundings: (stage.sky.clone(), stage.ambient, stage.generations, stage.threshold),
         }
     }
 

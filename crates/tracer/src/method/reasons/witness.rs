@@ -94,7 +94,7 @@ impl<'a> Witness<'a> {
         model: LightModel,
         shadows: bool,
     ) -> Vec3 {
-        let Some(hit) = ray.hit else { return Vec3::from(stage.background) };
+        let Some(hit) = ray.hit else { return stage.sky.along(ray.ray.alone().direction).into() };
         let rays = ray.ray.alone();
         let body = stage.body(hit.hit.body);
         let found = body.surface_point(rays.origin, rays.direction, hit.hit.t, hit.hit.leaving);

@@ -98,7 +98,11 @@ pub(crate) fn plane(point: DVec3, degrees: f64, material: Material) -> Body {
 /// A scene without lights, in black surroundings with white ambient light, followed to 64 generations.
 pub(crate) fn scene(bodies: Vec<Body>) -> Scene {
     Scene {
-        environment: Environment { background: Color::BLACK, ambient: Color::WHITE },
+        environment: Environment {
+            background: Color::BLACK,
+            ambient: Color::WHITE,
+            ..Environment::default()
+        },
         tracing: Tracing { generations: 64, threshold: 0.0 },
         bodies: bodies.into(),
         ..Scene::default()
@@ -126,7 +130,7 @@ pub(crate) fn endless() -> Stage {
     let mut pane = glass(1.5);
     (pane.reflection, pane.transmission) = (Some(0.5), 0.5);
     let panes: Vec<Body> =
-        (0..4).map(|k| block(v(1e4, 1e4, 0.1), v(0.0, 0.0, -f64::from(k)), pane)).collect();
+        (0..4).map(|k| block(v(1e4, 1e4, 0.1), v(0.0, 0.0, -f64::from(k)), pane.clone())).collect();
     stage(&scene(panes))
 }
 

@@ -1,0 +1,283 @@
+//! Pictures that a scene takes from files.
+
+pub(crate) mod built_in;
+
+use std::collections::HashMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError, Weak};
+use std::time::SystemTime;
+
+use catoptric_picture::{Picture, ReadError};
+
+use crate::Scene;
+use crate::body::Body;
+use crate::environment::{Environment, Surroundings};
+use crate::material::{Material, MaterialChoice, NamedMaterial};
+
+/// A picture that a scene takes from a file: surroundings, or the texture of a body.
+///
+/// The scene file has its path; the pixels are there once it is [opened](Image::open). Without them, surroundings are
+/// the background and a body has its color.
+#[derive(Clone)]
+pub struct Image {
+    path: Arc<str>,
+    pixels: Option<Arc<Picture>>,
+}
+
+impl Image {
+    /// What paths of pictures begin with that come with the program.
+    pub const BUILT_IN: &'static str = "builtin:";
+
+    /// Names of the pictures that come with the program, after [`Self::BUILT_IN`].
+    pub const BUILT_IN_NAMES: [&'static str; built_in::ALL.len()] = built_in::NAMES;
+
+    /// The most pixels of an image: 2²⁵, 8192×4096.
+    pub const MAX_PIXELS: usize = 1 << 25;
+
+    /// A picture that is not opened yet.
+    pub fn new(path: impl Into<Arc<str>>) -> Self {
+        Self { path: path.into(), pixels: None }
+    }
+
+    /// A picture whose pixels are known.
+    pub fn with_pixels(path: impl Into<Arc<str>>, pixels: Arc<Picture>) -> Self {
+        Self { path: path.into(), pixels: Some(pixels) }
+    }
+
+    /// The picture at `path`, a PNG or EXR file. A relative path begins at `folder`, that of the scene file, or where the
+    /// program was started. The same file, unchanged, gives the same pixels while any scene has them.
+    ///
+    /// # Errors
+    /// What is wrong with the file.
+    pub fn open(path: &str, folder: Option<&Path>) -> Result<Self, ImageError> {
+        let found = match path.strip_prefix(Self::BUILT_IN) {
+            Some(name) => built_in::picture(name).ok_or(ImageFault::NotBuiltIn),
+            None => read_or_share(&file_of(path, folder)),
+        };
+        let refused = |fault| ImageError { path: path.to_owned(), fault };
+        found.map(|pixels| Self::with_pixels(path, pixels)).map_err(refused)
+    }
+
+    /// Its path, as scene files have it.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// Its pixels, in linear light, if they are known.
+    pub fn pixels(&self) -> Option<&Arc<Picture>> {
+        self.pixels.as_ref()
+    }
+
+    /// Whether it comes with the program.
+    pub fn is_built_in(&self) -> bool {
+        self.path.starts_with(Self::BUILT_IN)
+    }
+
+    /// The same picture, named by a scene file in the folder `to` instead of `from`. `None` is where the program was
+    /// started.
+    #[must_use]
+    pub fn moved(&self, from: Option<&Path>, to: &Path) -> Self {
+        if self.is_built_in() {
+            return self.clone();
+        }
+        let path = Self::path_from(to, &file_of(&self.path, from));
+        Self { path: path.into(), pixels: self.pixels.clone() }
+    }
+
+    /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else by
+    /// the whole path.
+    pub fn path_from(folder: &Path, file: &Path) -> String {
+        let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let (folder, file) = (whole(folder), whole(file));
+        let path = file.strip_prefix(&folder).unwrap_or(&file).to_string_lossy().into_owned();
+        // Scene files are the same on all systems.
+        if cfg!(windows) { path.replace('\\', "/") } else { path }
+    }
+}
+
+/// Equal paths, and equal pixels.
+impl PartialEq for Image {
+    fn eq(&self, other: &Self) -> bool {
+        let same_pixels = match (&self.pixels, &other.pixels) {
+            (Some(own), Some(others)) => Arc::ptr_eq(own, others) || own == others,
+            (None, None) => true,
+            _ => false,
+        };
+        self.path == other.path && same_pixels
+    }
+}
+
+impl fmt::Debug for Image {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.pixels.as_ref().map(|picture| (picture.width(), picture.height()));
+        out.debug_struct("Image").field("path", &self.path).field("size", &size).finish()
+    }
+}
+
+/// Why a picture of a scene could not be opened.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("cannot open the picture `{path}`: {fault}")]
+pub struct ImageError {
+    /// Its path, as scene files have it.
+    pub path: String,
+    /// What is wrong with it.
+    pub fault: ImageFault,
+}
+
+/// What is wrong with a picture, and what to do.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ImageFault {
+    /// It should come with the program, but does not.
+    #[error("there is no built-in picture of this name; there are {}", Image::BUILT_IN_NAMES.join(", "))]
+    NotBuiltIn,
+    /// There is no such file.
+    #[error("there is no file {}; check the path, which begins at the scene's folder", .0.display())]
+    Missing(PathBuf),
+    /// It has too many pixels.
+    #[error("it has {width}x{height} pixels, but may have as many as 8192x4096; make it smaller")]
+    TooLarge {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+    },
+    /// The file cannot be read as a picture.
+    #[error("{0}")]
+    Unreadable(String),
+}
+
+/// Something with pictures in it.
+pub trait HasImages {
+    /// Changes its pictures.
+    fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image));
+}
+
+impl HasImages for Environment {
+    fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
+        if let Surroundings::Picture(image) = &mut self.surroundings {
+            edit(image);
+        }
+    }
+}
+
+impl HasImages for NamedMaterial {
+    fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
+        self.material.texture.iter_mut().for_each(edit);
+    }
+}
+
+impl HasImages for Body {
+    fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
+        if let MaterialChoice::Inline(material) = &mut self.material {
+            material.texture.iter_mut().for_each(edit);
+        }
+    }
+}
+
+/// All pictures of the scene; bodies without are not touched.
+impl HasImages for Scene {
+    fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
+        self.environment.edit_images(edit);
+        self.materials.iter_mut().for_each(|named| named.edit_images(edit));
+        let choices = self.bodies.iter().map(|body| &body.material).enumerate();
+        let places: Vec<usize> = choices
+            .filter(|(_, choice)| inline(choice).and_then(texture).is_some())
+            .map(|(place, _)| place)
+            .collect();
+        for place in places {
+            if let Some(body) = self.bodies.get_mut(place) {
+                body.edit_images(edit);
+            }
+        }
+    }
+}
+
+impl Scene {
+    /// Opens all pictures of the scene that are not opened yet; see [`Image::open`].
+    ///
+    /// # Errors
+    /// What is wrong with those that could not be opened, each path once, in the order of the scene.
+    pub fn open_images(&mut self, folder: Option<&Path>) -> Result<(), Vec<ImageError>> {
+        let mut opened: HashMap<Arc<str>, Option<Arc<Picture>>> = HashMap::new();
+        let mut errors = Vec::new();
+        self.edit_images(&mut |image| {
+            if image.pixels.is_some() {
+                return;
+            }
+            let open = || match Image::open(&image.path, folder) {
+                Ok(found) => found.pixels,
+                Err(error) => {
+                    errors.push(error);
+                    None
+                }
+            };
+            image.pixels = opened.entry(Arc::clone(&image.path)).or_insert_with(open).clone();
+        });
+        if errors.is_empty() { Ok(()) } else { Err(errors) }
+    }
+
+    /// All pictures of the scene: the surroundings', those of shared materials, those of bodies.
+    pub fn images(&self) -> impl Iterator<Item = &Image> {
+        let shared = self.materials.iter().map(|named| &named.material);
+        let own = self.bodies.iter().filter_map(|body| inline(&body.material));
+        self.environment.surroundings.picture().into_iter().chain(shared.chain(own).filter_map(texture))
+    }
+}
+
+fn inline(choice: &MaterialChoice) -> Option<&Material> {
+    match choice {
+        MaterialChoice::Inline(material) => Some(material),
+        MaterialChoice::Named(_) => None,
+    }
+}
+
+fn texture(material: &Material) -> Option<&Image> {
+    material.texture.as_ref()
+}
+
+/// The file that a path of a scene leads to.
+fn file_of(path: &str, folder: Option<&Path>) -> PathBuf {
+    folder.map_or_else(|| PathBuf::from(path), |folder| folder.join(path))
+}
+
+/// An amount of light as scenes have them: a file may say anything.
+fn sane(part: f32) -> f32 {
+    const MOST: f32 = 1e6;
+    if part.is_nan() { 0.0 } else { part.clamp(0.0, MOST) }
+}
+
+/// What a file was when it was read, and what it had in it, as long as anyone has that.
+type Kept = (Option<SystemTime>, u64, Weak<Picture>);
+
+static KEPT: LazyLock<Mutex<HashMap<PathBuf, Kept>>> = LazyLock::new(Mutex::default);
+
+fn read_or_share(file: &Path) -> Result<Arc<Picture>, ImageFault> {
+    let metadata = std::fs::metadata(file).map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => ImageFault::Missing(file.to_owned()),
+        _ => ImageFault::Unreadable(error.to_string()),
+    })?;
+    let state = (metadata.modified().ok(), metadata.len());
+    let name = file.canonicalize().unwrap_or_else(|_| file.to_owned());
+    let shared = {
+        let kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.get(&name).filter(|kept| (kept.0, kept.1) == state).and_then(|kept| kept.2.upgrade())
+    };
+    if let Some(shared) = shared {
+        return Ok(shared);
+    }
+    let mut picture = catoptric_picture::read(file).map_err(|error| match error {
+        ReadError::Decode { source, .. } => ImageFault::Unreadable(source.to_string()),
+        other => ImageFault::Unreadable(other.to_string()),
+    })?;
+    let (width, height) = (picture.width(), picture.height());
+    if picture.pixels().len() > Image::MAX_PIXELS {
+        return Err(ImageFault::TooLarge { width, height });
+    }
+    picture.pixels_mut().iter_mut().flatten().for_each(|part| *part = sane(*part));
+    let picture = Arc::new(picture);
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    kept.retain(|_, (_, _, picture)| picture.strong_count() > 0);
+    kept.insert(name, (state.0, state.1, Arc::downgrade(&picture)));
+    Ok(picture)
+}
