@@ -15,6 +15,7 @@ import re
 import tomllib
 
 import mitsuba as mi
+import numpy as np
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 SIZE = (128, 96)
@@ -69,8 +70,8 @@ def bsdf(material, outside):
             {"type": "rgb", "value": material[part]} for part in "nk")
         return {"type": kind + "conductor", "eta": n, "k": k, **rough}
     if model == "coated":
-        return {"type": "plastic", "diffuse_reflectance": color(material["color"]), "int_ior": material.get("ior", 1.5),
-                "ext_ior": 1.0, "nonlinear": True}
+        return {"type": kind + "plastic", "diffuse_reflectance": color(material["color"]),
+                "int_ior": material.get("ior", 1.5), "ext_ior": 1.0, "nonlinear": True, **rough}
     raise ValueError(model)
 
 
@@ -116,6 +117,36 @@ def lamp(light):
             "emitter": {"type": "area", "radiance": color([1.0] * 3, intensity / radius**2)}}
 
 
+def sky(surroundings):
+    """What surrounds the bodies. The middle of the program's pictures is at -z, that of Mitsuba's at z."""
+    if "picture" in surroundings:
+        turn = surroundings.get("rotation", 0.0) + 180.0
+        return {"type": "envmap", "filename": str(FOLDER / surroundings["picture"]),
+                "scale": surroundings.get("strength", 1.0),
+                "to_world": mi.ScalarTransform4f().rotate([0, 1, 0], turn)}
+    if any(surroundings["background"]):
+        return {"type": "constant", "radiance": emission(surroundings["background"])}
+    return None
+
+
+def picture():
+    """Everything around for `surroundings.toml`: hues and two lamps, other in every direction.
+
+    All is smooth: Mitsuba's outermost rows lie at the poles, the program's half a pixel away from them."""
+    width, height = 160, 80
+    pixels = []
+    for row in range(height):
+        for column in range(width):
+            u, v = (column + 0.5) / width, (row + 0.5) / height
+            hue = [0.5 + 0.4 * math.cos(math.tau * (u * turns + shift)) for turns, shift in ((1, 0), (2, 0.3), (3, 0.6))]
+            light = [part * (1.2 - v) for part in hue]
+            for lamp_u, lamp_v, size, strength in ((0.2, 0.3, 0.05, 6.0), (0.7, 0.2, 0.09, 3.0)):
+                near = math.exp(-(math.hypot(2 * (u - lamp_u), v - lamp_v) / size) ** 2)
+                light = [part + strength * near for part in light]
+            pixels.append(light)
+    return np.array(pixels, dtype="float32").reshape(height, width, 3)
+
+
 def scene_of(document, samples):
     camera, surroundings = document["camera"], document["environment"]
     look = mi.ScalarTransform4f().look_at(camera["position"], camera["target"], [0, 1, 0])
@@ -129,9 +160,9 @@ def scene_of(document, samples):
                      "pixel_format": "rgb", "component_format": "float32"},
             "sampler": {"type": "independent", "sample_count": samples},
         },
-        "sky": {"type": "constant", "radiance": emission(surroundings["background"])},
+        "sky": sky(surroundings),
     }
-    if not any(surroundings["background"]):
+    if scene["sky"] is None:
         del scene["sky"]
     for number, light in enumerate(document.get("lights", [])):
         scene[f"light-{number}"] = lamp(light)
@@ -181,6 +212,9 @@ def main():
     parser.add_argument("--samples", type=int, default=4096, help="per pixel")
     parser.add_argument("--out", type=pathlib.Path, default=FOLDER, help="where the pictures go")
     options = parser.parse_args()
+    mi.set_variant("scalar_rgb")
+    mi.Bitmap(picture()).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float16).write(
+        str(FOLDER / "surroundings-picture.exr"))
     for path in sorted(FOLDER.glob("*.toml")):
         if not options.names or path.stem in options.names:
             render(path, options.samples, options.out)

@@ -42,6 +42,8 @@ impl Example {
         "metals",
         "roughness-row",
         "soft-shadow",
+        "sky-room",
+        "textures",
         "anamorphosis",
         "anamorphic-cone",
         "concave-mirror",

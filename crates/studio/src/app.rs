@@ -262,6 +262,7 @@ impl Studio {
             maps: &mut self.maps,
             exact: &mut self.exact,
             live: &self.live,
+            images: &self.images,
             card: &mut self.card,
             commands: &mut self.commands,
         }

@@ -105,6 +105,7 @@ pub(crate) fn why(texts: &Texts, error: &GpuError) -> String {
         GpuError::OutOfMemory(_) | GpuError::TooLarge { .. } => "card-has-no-memory",
         GpuError::Unsupported(Unsupported::LongTree) => "card-has-too-many-rays",
         GpuError::Unsupported(Unsupported::Physical) => "card-knows-no-such-material",
+        GpuError::Unsupported(Unsupported::Pictures) => "card-knows-no-pictures",
         GpuError::Unsupported(_) => "card-has-too-many-media",
         other => return other.to_string(),
     };

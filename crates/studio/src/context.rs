@@ -7,6 +7,7 @@ use crate::audit::Auditing;
 use crate::card::Card;
 use crate::command::Command;
 use crate::exact::Exact;
+use crate::images::Images;
 use crate::maps::Maps;
 use crate::settings::Settings;
 use crate::texts::Texts;
@@ -30,6 +31,8 @@ pub(crate) struct Cx<'a> {
     pub(crate) exact: &'a mut Exact,
     /// The traced picture.
     pub(crate) live: &'a Live,
+    /// The pictures that the scene names.
+    pub(crate) images: &'a Images,
     /// The graphics card that may draw it.
     pub(crate) card: &'a mut Card,
     /// What is to be done when the frame is drawn.

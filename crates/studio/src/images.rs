@@ -39,6 +39,11 @@ pub(crate) struct Images {
 type Opened = (String, Result<Image, ImageError>);
 
 impl Images {
+    /// Whether the picture at `path` could not be opened.
+    pub(crate) fn is_missing(&self, path: &str) -> bool {
+        matches!(self.opened.get(path), Some(None))
+    }
+
     /// Whether any picture is being opened.
     pub(crate) fn is_opening(&self) -> bool {
         self.job.is_some()

@@ -48,6 +48,7 @@ mod window;
 
 pub use app::{Start, Studio};
 pub use command::{AuditAct, Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
+pub use images::ImageUse;
 pub use layout::Pane;
 pub use methods::Methods;
 pub use pictures::{PictureKind, RenderChoices};

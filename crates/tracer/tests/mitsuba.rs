@@ -12,7 +12,7 @@ use catoptric_tracer::{Control, RenderSettings, Stage, render};
 use glam::DVec3;
 
 /// Fewer scenes than this mean that the folder was not found whole.
-const LEAST_SCENES: usize = 11;
+const LEAST_SCENES: usize = 12;
 const SAMPLES: u32 = 64;
 /// Both pictures are noisy: they are compared by the means over squares of so many pixels a side.
 const SQUARE: u32 = 8;

@@ -7,5 +7,6 @@ mod clipboard;
 mod common;
 mod document;
 mod history;
+mod images;
 mod materials;
 mod monkey;

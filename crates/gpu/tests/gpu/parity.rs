@@ -112,7 +112,7 @@ fn pictures_are_those_of_the_cpu() {
 fn is_physical(card: &Gpu, stage: &Stage) -> bool {
     let on_card = StageOnCard::new(card).unwrap();
     let special = on_card.specialization(stage, stage.camera());
-    matches!(special, Err(GpuError::Unsupported(Unsupported::Physical)))
+    matches!(special, Err(GpuError::Unsupported(Unsupported::Physical | Unsupported::Pictures)))
 }
 
 /// The mean of many samples is gathered in single precision on a card.

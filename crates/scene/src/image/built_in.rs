@@ -73,7 +73,7 @@ fn evening(at: DVec3) -> DVec3 {
     let sky = DVec3::new(0.10, 0.20, 0.46).lerp(DVec3::new(0.62, 0.55, 0.62), (-height * 3.5).exp());
     let sky = sky.lerp(warm, 0.85 * (-height * 7.0).exp() * (0.25 + 0.75 * near_sun.powi(3)));
     let glow = warm * (0.5 * near_sun.powi(24) + 1.6 * near_sun.powi(300));
-    let disc = DVec3::new(38.0, 27.0, 15.0) * step(0.9990, 0.9994, near_sun);
+    let disc = DVec3::new(10.0, 7.0, 4.0) * step(0.9990, 0.9994, near_sun);
     // Clouds lie on a level far above: they draw together towards the horizon.
     let level = DVec3::new(at.x, 0.0, at.z) / (at.y.max(0.0) + 0.09);
     let clouds = if at.y > 0.0 { fractal(level * 0.75 + DVec3::new(3.1, 0.4, 7.7), 6) } else { 0.0 };

@@ -16,6 +16,7 @@ mod adjust;
 mod choose;
 mod colors;
 mod formulas;
+mod pictures;
 mod refuse;
 mod several;
 

@@ -88,7 +88,7 @@ write-other = { $path } cannot be written: { $reason }
 
 # Dropping files on the window
 drop-here = Drop a scene file to open it
-dropped-other = Only scene files (.toml) can be opened.
+dropped-other = Only scene files (.toml) can be opened, and pictures (.png, .exr) put around the scene.
 dropped-several = Of the files that were dropped, { $name } is opened.
 dropped-later = Answer the dialog first, then drop { $name } again.
 

@@ -8,7 +8,7 @@ use crate::format::nearest::nearest;
 use crate::format::quote::{listed, quoted};
 use crate::format::toml::Span;
 use crate::material::MaterialChoice;
-use crate::{Color, Light, Scene};
+use crate::{Color, Light, Scene, Surroundings};
 
 /// So many defined materials are listed.
 const MOST_LISTED: usize = 8;
@@ -140,7 +140,10 @@ fn second_uses<'a>(
 /// Warnings about a scene without errors.
 pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], is_used: &[bool], found: &mut Diagnostics) {
     let is_lit = |light: &Light| !light.hidden;
-    let has_light = scene.lights.iter().any(is_lit) || scene.environment.ambient != Color::BLACK;
+    let environment = &scene.environment;
+    let has_light = scene.lights.iter().any(is_lit)
+        || environment.ambient != Color::BLACK
+        || environment.surroundings != Surroundings::Even;
     if !has_light && !scene.bodies.is_empty() {
         found.push(
             Diagnostic::new(Severity::Warning, 0..0, "the scene has no lights and no ambient light")

@@ -125,7 +125,7 @@ fn a_dropped_scene_opens_after_the_question_about_changes() {
     let (mut harness, _) = with_file(&host, SCENE);
     let other = host.path("b.toml");
     std::fs::write(&other, SCENE).unwrap();
-    drop_files(&mut harness, &[host.path("picture.png")]);
+    drop_files(&mut harness, &[host.path("letter.txt")]);
     assert!(tells(&harness, "Only scene files"));
     drop_files(&mut harness, &[host.path("picture.png"), other.clone(), host.path("c.toml")]);
     wait_until(&mut harness, "b is open", |studio| title(studio) == "b.toml");
@@ -134,6 +134,21 @@ fn a_dropped_scene_opens_after_the_question_about_changes() {
     wait_for(&mut harness, "Save the changes to “b.toml”?");
     press(&mut harness, "Don’t save");
     assert_eq!((title(harness.state()).as_str(), read(&other).as_str()), ("a.toml", SCENE));
+}
+
+#[test]
+fn a_dropped_picture_becomes_the_surroundings() {
+    let host = TestHost::new();
+    let (mut harness, _) = with_file(&host, SCENE);
+    let picture = catoptric_picture::Picture::from_fn(2, 1, |x, _| [x as f32; 3]).unwrap();
+    catoptric_picture::write_exr(&host.path("sky.exr"), &picture).unwrap();
+    drop_files(&mut harness, &[host.path("sky.exr")]);
+    let surroundings = |studio: &Studio| studio.editor().scene().environment.surroundings.clone();
+    wait_until(&mut harness, "it is there", |studio| {
+        surroundings(studio).picture().is_some_and(|image| image.pixels().is_some())
+    });
+    assert_eq!(surroundings(harness.state()).picture().unwrap().path(), "sky.exr");
+    assert!(harness.state().editor().is_changed());
 }
 
 #[test]

@@ -1,0 +1,122 @@
+//! Pictures around the bodies and on them, and patterns.
+
+use catoptric_picture::{Picture, write_exr};
+use catoptric_scene::{CheckerSpace, Image, Surroundings};
+
+use super::*;
+use crate::kit::wait_until;
+
+fn choose(window: &mut Window, list: &str, entry: &str) {
+    click(window, Role::ComboBox, list);
+    window.get_all_by_label(entry).last().unwrap().click();
+    window.run_steps(3);
+}
+
+fn opened(window: &mut Window) {
+    window.run_steps(2);
+    wait_until(window, "the pictures", |studio| {
+        !studio.is_opening_images() && studio.editor().scene().images().all(|image| image.pixels().is_some())
+    });
+    window.run_steps(2);
+}
+
+fn picture(window: &Window) -> Image {
+    scene(window).environment.surroundings.picture().unwrap().clone()
+}
+
+#[test]
+fn surroundings_are_a_color_a_sky_or_a_picture() {
+    let mut window = window("four-bodies", Item::Environment);
+    let at_first = scene(&window);
+    choose(&mut window, "Surroundings", "Gradient sky");
+    assert!(scene(&window).environment.surroundings.sky().is_some());
+    holds_as_step(&mut window, &at_first, "edit-surroundings");
+    assert!(window.query_by_label_contains("Background").is_none(), "there is none under a sky");
+    let before = scene(&window);
+    enter(&mut window, "strength", "0.5");
+    assert_eq!(scene(&window).environment.strength, 0.5);
+    holds_as_step(&mut window, &before, "edit-sky-strength");
+    let before = scene(&window);
+    choose(&mut window, "Surroundings", "Evening");
+    holds_as_step(&mut window, &before, "edit-surroundings");
+    opened(&mut window);
+    assert_eq!(picture(&window).path(), "builtin:evening");
+    let before = scene(&window);
+    enter(&mut window, "rotation", "90");
+    assert_eq!(scene(&window).environment.rotation_degrees, 90.0);
+    holds_as_step(&mut window, &before, "edit-picture-rotation");
+    let editor = window.state_mut().editor_mut();
+    while editor.undo() {}
+    assert_eq!(*editor.scene(), at_first);
+    assert!(!editor.is_changed());
+    while editor.redo() {}
+    assert!(
+        editor.scene().environment.surroundings.picture().unwrap().pixels().is_some(),
+        "kept by the steps"
+    );
+    window.run_steps(3);
+}
+
+#[test]
+fn a_texture_takes_the_place_of_the_color() {
+    let mut window = with_body(Shape::SPHERE);
+    let before = scene(&window);
+    choose(&mut window, "Texture", "Planet");
+    holds_as_step(&mut window, &before, "edit-texture");
+    opened(&mut window);
+    let texture = own_material(sphere_of(&scene(&window))).texture.clone().unwrap();
+    assert_eq!(texture.path(), "builtin:planet");
+    assert!(window.query_by_label_contains("C color").is_none());
+    let before = scene(&window);
+    choose(&mut window, "Texture", "none");
+    assert_eq!(own_material(sphere_of(&scene(&window))).texture, None);
+    holds_as_step(&mut window, &before, "edit-texture");
+}
+
+#[test]
+fn a_checker_lies_along_the_axes_of_the_world_or_the_body() {
+    let mut window = with_body(Shape::CUBE);
+    click(&mut window, Role::CheckBox, "second color");
+    let before = scene(&window);
+    click(&mut window, Role::RadioButton, "Along axes of: Body");
+    assert_eq!(own_material(sphere_of(&scene(&window))).checker.unwrap().space, CheckerSpace::Body);
+    holds_as_step(&mut window, &before, "edit-checker-space");
+}
+
+#[test]
+fn pictures_of_files_are_named_from_the_folder_of_the_scene_and_move_with_it() {
+    let host = TestHost::new();
+    let (image, away) = (host.path("around.exr"), host.path("away"));
+    write_exr(&image, &Picture::from_fn(2, 1, |x, _| [x as f32; 3]).unwrap()).unwrap();
+    std::fs::create_dir(&away).unwrap();
+    host.answer(Some(image.clone()));
+    host.answer(Some(host.path("a.toml")));
+    host.answer(Some(away.join("b.toml")));
+    host.answer(Some(host.path("none.png")));
+    let mut window = studio_with(host, Start::Example("four-bodies".to_owned()));
+    window.set_size(vec2(1280.0, 1700.0));
+    select(&mut window, [Item::Environment]);
+    choose(&mut window, "Surroundings", "From a file…");
+    opened(&mut window);
+    assert_eq!(Some(picture(&window).path()), image.to_str(), "no file has the scene yet");
+    for (name, path) in [("a.toml", "around.exr"), ("b.toml", image.to_str().unwrap())] {
+        window.state_mut().run(catoptric_studio::Command::SaveAs);
+        window.run_steps(4);
+        wait_until(&mut window, "the file", |studio| !studio.is_saving() && studio.editor().title() == name);
+        assert_eq!(picture(&window).path(), path, "{name}");
+        let saved = catoptric_scene::load(window.state().editor().path().unwrap()).unwrap();
+        assert_eq!(saved.scene, *scene(&window), "{name}");
+    }
+    let before = scene(&window);
+    choose(&mut window, "Surroundings", "From a file…");
+    window.run_steps(2);
+    wait_until(&mut window, "the answer of the disk", |studio| !studio.is_opening_images());
+    window.run_steps(2);
+    assert!(picture(&window).path().ends_with("none.png") && picture(&window).pixels().is_none());
+    window.get_by_label_contains("cannot be opened: there is no file");
+    window.get_by_label_contains("The picture is not there yet.");
+    let editor = window.state_mut().editor_mut();
+    editor.undo();
+    assert_eq!(*editor.scene(), before);
+    assert!(matches!(before.environment.surroundings, Surroundings::Picture(_)));
+}
