@@ -34,6 +34,13 @@ enum Law {
     Measured(Vec<f64>),
 }
 
+impl CurveKind {
+    /// Whether it is of light that comes from within.
+    pub fn is_from_inside(self) -> bool {
+        self == Self::FromInside
+    }
+}
+
 impl Curve {
     /// The share of unpolarized light that is reflected under an angle of incidence in degrees, 0 to 90.
     pub fn at(&self, degrees: f64) -> f64 {
@@ -100,6 +107,37 @@ pub fn curves_of(material: &Material) -> Vec<Curve> {
     }
 }
 
+/// Wavelengths at which screens are red, green and blue, nanometers.
+const PRIMARIES: [f64; 3] = [630.0, 532.0, 465.0];
+
+/// The shares of red, green and blue light that a material reflects under an angle of incidence in degrees, by its
+/// `curves` or, where colors are bent differently, by the index of each; `None` if it has no curve for that side.
+pub fn reflected_at(
+    material: &Material,
+    curves: &[Curve],
+    degrees: f64,
+    is_from_inside: bool,
+) -> Option<[f64; 3]> {
+    if let Some(dispersion) = material.dispersion() {
+        let indices = PRIMARIES.map(|nanometers| dispersion.index(nanometers));
+        let law = |index: f64| Law::Clear(if is_from_inside { 1.0 / index } else { index });
+        let curve = |index| Curve { kind: CurveKind::FromOutside, law: law(index) };
+        return Some(indices.map(|index| curve(index).at(degrees)));
+    }
+    let mut shares = None;
+    for curve in curves.iter().filter(|curve| curve.kind.is_from_inside() == is_from_inside) {
+        let share = curve.at(degrees);
+        let [red, green, blue] = shares.get_or_insert([share; 3]);
+        match curve.kind {
+            CurveKind::Red => *red = share,
+            CurveKind::Green => *green = share,
+            CurveKind::Blue => *blue = share,
+            CurveKind::FromOutside | CurveKind::FromInside => {}
+        }
+    }
+    shares
+}
+
 /// The angles at which something happens to the curves of a material.
 pub fn marks_of(material: &Material) -> Vec<Mark> {
     let ior = material.ior();
@@ -144,6 +182,28 @@ mod tests {
         assert!(red.at(0.0) > 2.0 * blue.at(0.0) && blue.at(89.9) > 0.98);
         let exact = Metal::named("gold").unwrap().reflectance(33.3_f64.to_radians().cos(), 1.0)[2];
         assert!((blue.at(33.3) - exact).abs() < 1e-4);
+    }
+
+    #[test]
+    fn each_side_and_each_color_has_its_share() {
+        let at = |material: &Material, degrees, is_from_inside| {
+            reflected_at(material, &curves_of(material), degrees, is_from_inside)
+        };
+        let glass = Material { model: Model::Dielectric, ior: 1.5, ..Material::default() };
+        let outside = curves_of(&glass)[0].at(45.0);
+        assert_eq!((at(&glass, 45.0, false), at(&glass, 45.0, true)), (Some([outside; 3]), Some([1.0; 3])));
+        let conductor = Conductor::Metal(Metal::named("copper").unwrap());
+        let copper = Material { model: Model::Conductor, conductor, ..Material::default() };
+        let known = [0, 1, 2].map(|channel: usize| curves_of(&copper)[channel].at(20.0));
+        assert_eq!((at(&copper, 20.0, false), at(&copper, 20.0, true)), (Some(known), None));
+        assert_eq!(at(&Material::default(), 20.0, false), None);
+        // Diamond's index is 2.412 for red and 2.441 for blue light.
+        let diamond =
+            Material { substance: catoptric_optics::Clear::named("diamond"), dispersion: true, ..glass };
+        let [red, green, blue] = at(&diamond, 0.0, false).unwrap();
+        assert!((red - 0.171).abs() < 1e-3 && (blue - 0.1754).abs() < 1e-3 && red < green && green < blue);
+        let [red, _, blue] = at(&diamond, 24.3, true).unwrap();
+        assert!(red < 1.0 && blue == 1.0);
     }
 
     #[test]

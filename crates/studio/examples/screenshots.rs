@@ -43,6 +43,10 @@ struct Shot {
     /// What is done one after the other.
     commands: Vec<Command>,
     hint: bool,
+    /// How far down the keys walk in the materials.
+    rows_down: usize,
+    /// Where the pointer rests in the picture, or below it.
+    pointer: Option<[f32; 2]>,
     /// What is looked into: a pixel, and how the view is turned then.
     audit: Option<Look>,
 }
@@ -60,7 +64,18 @@ struct Look {
 }
 
 const fn shot(name: &'static str, language: &'static str, theme: &'static str, scene: &'static str) -> Shot {
-    Shot { name, language, theme, scene, body: None, commands: Vec::new(), hint: false, audit: None }
+    Shot {
+        name,
+        language,
+        theme,
+        scene,
+        body: None,
+        commands: Vec::new(),
+        hint: false,
+        rows_down: 0,
+        pointer: None,
+        audit: None,
+    }
 }
 
 fn shots() -> Vec<Shot> {
@@ -99,8 +114,29 @@ fn shots() -> Vec<Shot> {
             body: Some(5),
             ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
         },
-        Shot { body: Some(12), ..shot("studio-material-en", "english", "dark", "metals") },
-        Shot { body: Some(14), ..shot("studio-material-ru", "russian", "light", "rising-index") },
+        Shot {
+            body: Some(12),
+            pointer: Some([0.66, 0.5]),
+            ..shot("studio-material-en", "english", "dark", "metals")
+        },
+        Shot {
+            body: Some(14),
+            pointer: Some([0.48, 0.5]),
+            ..shot("studio-material-ru", "russian", "light", "rising-index")
+        },
+        Shot {
+            body: Some(12),
+            commands: vec![Command::TogglePane(Pane::Materials)],
+            rows_down: 3,
+            pointer: Some([0.568, 1.5]),
+            ..shot("studio-materials-en", "english", "dark", "metals")
+        },
+        Shot {
+            body: Some(14),
+            commands: vec![Command::TogglePane(Pane::Materials)],
+            rows_down: 5,
+            ..shot("studio-materials-ru", "russian", "light", "rising-index")
+        },
         Shot {
             commands: vec![Command::TogglePane(Pane::Compare)],
             ..shot("studio-compare", "english", "dark", "four-bodies")
@@ -155,10 +191,20 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         harness.step();
         harness.step();
     }
-    let has_thumbnails = shot.commands.contains(&Command::Examples);
+    for _ in 0..shot.rows_down {
+        harness.key_press(egui::Key::ArrowDown);
+        harness.step();
+    }
+    let pictured = [Command::Examples, Command::TogglePane(Pane::Materials)];
+    let has_thumbnails = shot.commands.iter().any(|command| pictured.contains(command));
     wait(&mut harness, Duration::from_secs(if has_thumbnails { 40 } else { 2 }));
     if let Some(look) = &shot.audit {
         audit(&mut harness, look);
+    }
+    if let Some([x, y]) = shot.pointer {
+        let rect = harness.state().viewport_rect().unwrap();
+        harness.event(Event::PointerMoved(rect.min + egui::vec2(x, y) * rect.size()));
+        harness.run_steps(4);
     }
     let image = harness.render().unwrap();
     write_jpeg(&folder.join(format!("{}.jpg", shot.name)), image.width(), image.height(), image.as_raw());

@@ -188,6 +188,11 @@ impl Studio {
         self.panes.compare.is_found() && !self.panes.compare.is_running()
     }
 
+    /// How many materials of the browser have been pictured so far.
+    pub fn pictured_materials(&self) -> usize {
+        self.panes.materials.pictured()
+    }
+
     /// Where the picture is in the window, points, once it has been drawn.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()
@@ -266,9 +271,9 @@ impl Studio {
     /// Ends the open gesture when nothing is being dragged or typed any more: it becomes one step of the history.
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
-        // The outliner's list has the focus while it is used, and nothing is typed into it.
-        let focused = ui.memory(egui::Memory::focused);
-        let is_used = focused.is_some_and(|id| id != crate::outliner::list_id());
+        // Lists have the focus while they are used, and nothing is typed into them.
+        let lists = [crate::outliner::list_id(), crate::materials::list_id()];
+        let is_used = ui.memory(egui::Memory::focused).is_some_and(|id| !lists.contains(&id));
         if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();
         }
@@ -317,6 +322,9 @@ impl Studio {
         layout.ui(&mut Docked { cx: self.cx(), panes: &mut panes, viewport }, ui);
         self.layout = layout;
         self.panes = panes;
+        if !layout::is_in_front(&self.layout, Pane::Viewport) {
+            self.view.seen = None;
+        }
     }
 }
 

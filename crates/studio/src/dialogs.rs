@@ -18,6 +18,7 @@ use crate::app::Studio;
 use crate::command::Command;
 use crate::texts::Texts;
 use crate::theme;
+use crate::thumbnails::Thumbnails;
 pub(crate) use message::Message;
 
 /// What becomes of a dialog after a frame.
@@ -49,7 +50,7 @@ pub(crate) struct Dialogs {
     /// The last one is on top and has the keyboard.
     open: Vec<Opened>,
     /// Pictures of the examples.
-    thumbnails: examples::thumbnails::Thumbnails,
+    thumbnails: Thumbnails<usize>,
 }
 
 struct Opened {
@@ -171,9 +172,9 @@ pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option
 }
 
 /// Opens the dialog that `command` asks for.
-pub(crate) fn run(context: &Context, studio: &mut Studio, command: &Command) {
+pub(crate) fn run(studio: &mut Studio, command: &Command) {
     match command {
-        Command::Examples => examples::open(context, studio),
+        Command::Examples => examples::open(studio),
         Command::Render => render::open(studio),
         _ => {}
     }

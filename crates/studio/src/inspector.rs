@@ -10,6 +10,7 @@ mod body;
 mod camera;
 mod curve;
 mod depth;
+mod energy;
 mod formula;
 mod header;
 mod image;
@@ -24,7 +25,9 @@ mod sheet;
 mod surroundings;
 mod symbol;
 
+pub(crate) use kinds::{PRESETS as KINDS, Preset as KindPreset};
 pub(crate) use material::give_texture;
+pub(crate) use physical::told as model_told;
 use symbol::Symbol;
 
 /// Below this width, points, the panel scrolls sideways.
@@ -60,6 +63,8 @@ pub(crate) struct Memory {
     pub(crate) starts: sheet::Starts,
     /// How many generations the scene needs.
     pub(crate) adviser: depth::Adviser,
+    /// The curves of the material that was shown last.
+    pub(crate) curves: curve::Curves,
 }
 
 impl Default for Memory {
@@ -77,6 +82,7 @@ impl Default for Memory {
             size_link: false,
             starts: sheet::Starts::default(),
             adviser: depth::Adviser::default(),
+            curves: curve::Curves::default(),
         }
     }
 }

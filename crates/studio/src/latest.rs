@@ -81,6 +81,11 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
         self.running.take().map(|running| (running.key, found))
     }
 
+    /// What is under way.
+    pub(crate) fn key(&self) -> Option<&K> {
+        self.running.as_ref().map(|running| &running.key)
+    }
+
     /// How many pixels are done of what is under way.
     pub(crate) fn pixels_done(&self) -> Option<u64> {
         self.running.as_ref().map(|running| running.control.pixels_done())

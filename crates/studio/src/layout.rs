@@ -23,11 +23,13 @@ pub enum Pane {
     Compare,
     /// How long pictures take.
     Measure,
+    /// Materials to choose from.
+    Materials,
 }
 
 impl Pane {
     /// All panels.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Viewport,
         Self::Outliner,
         Self::Inspector,
@@ -36,10 +38,11 @@ impl Pane {
         Self::Audit,
         Self::Compare,
         Self::Measure,
+        Self::Materials,
     ];
 
-    /// The panels of the lab, which older layouts lack; they are put into the drawer when they are asked for.
-    const LAB: [Self; 3] = [Self::Audit, Self::Compare, Self::Measure];
+    /// The panels of the drawer that older layouts lack; they are put there when they are asked for, and want room.
+    const DRAWER: [Self; 4] = [Self::Audit, Self::Compare, Self::Measure, Self::Materials];
 
     /// The message that names the panel.
     pub const fn key(self) -> &'static str {
@@ -52,12 +55,13 @@ impl Pane {
             Self::Audit => "pane-audit",
             Self::Compare => "pane-compare",
             Self::Measure => "pane-measure",
+            Self::Materials => "pane-materials",
         }
     }
 }
 
-/// Outliner and history at the left, the picture in the middle, the inspector at the right, the drawer with problems
-/// and the lab below (hidden until there is something in it).
+/// Outliner and history at the left, the picture in the middle, the inspector at the right, the drawer with problems,
+/// the lab and the materials below (hidden until there is something in it).
 pub(crate) fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
@@ -67,12 +71,13 @@ pub(crate) fn default_layout() -> Tree<Pane> {
     let viewport = tabs(&mut tiles, &[Pane::Viewport]);
     let outliner = tabs(&mut tiles, &[Pane::Outliner, Pane::History]);
     let inspector = tabs(&mut tiles, &[Pane::Inspector]);
-    let drawer = tabs(&mut tiles, &[Pane::Problems, Pane::Audit, Pane::Compare, Pane::Measure]);
+    let drawer =
+        tabs(&mut tiles, &[Pane::Problems, Pane::Audit, Pane::Compare, Pane::Measure, Pane::Materials]);
     let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.68), (drawer, 0.32)]);
     let root =
         divided(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)]);
     let mut tree = Tree::new(egui::Id::unique("studio-layout"), root, tiles);
-    for pane in [Pane::Problems].into_iter().chain(Pane::LAB) {
+    for pane in [Pane::Problems].into_iter().chain(Pane::DRAWER) {
         set_visible(&mut tree, pane, false);
     }
     tree
@@ -98,7 +103,7 @@ pub(crate) fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
         .is_some_and(|tile| tree.is_visible(tile) && tree.active_tiles().contains(&tile))
 }
 
-/// Shows or hides `pane`; a shown one comes to the front, and one of the lab gets room. A panel that the layout has lost
+/// Shows or hides `pane`; a shown one comes to the front, and one of the drawer gets room. A panel that the layout has lost
 /// is put back.
 pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     let Some(tile) = tree.tiles.find_pane(&pane) else {
@@ -115,16 +120,16 @@ pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
 
 fn bring_forward(tree: &mut Tree<Pane>, pane: Pane) {
     tree.make_active(|_, other| *other == Tile::Pane(pane));
-    if Pane::LAB.contains(&pane) {
+    if Pane::DRAWER.contains(&pane) {
         make_room(tree, pane);
     }
 }
 
-/// Puts a panel where it belongs: the lab into the drawer, others beside all others.
+/// Puts a panel where it belongs: into the drawer, or beside all others.
 fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
     let tile = tree.tiles.insert_pane(pane);
     let drawer = tree.tiles.find_pane(&Pane::Problems).and_then(|problems| tree.tiles.parent_of(problems));
-    match drawer.filter(|_| Pane::LAB.contains(&pane)).or(tree.root) {
+    match drawer.filter(|_| Pane::DRAWER.contains(&pane)).or(tree.root) {
         Some(place) => tree.move_tile_to_container(tile, place, usize::MAX, true),
         None => tree.root = Some(tile),
     }
@@ -132,7 +137,7 @@ fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
     bring_forward(tree, pane);
 }
 
-/// Makes the drawer with `pane` as high as the picture above it, if it is lower: the lab needs room.
+/// Makes the drawer with `pane` as high as the picture above it, if it is lower.
 fn make_room(tree: &mut Tree<Pane>, pane: Pane) {
     /// The drawer's height over that of what it shares the window with.
     const SHARE: f32 = 1.05;
@@ -158,7 +163,7 @@ pub(crate) fn is_whole(tree: &Tree<Pane>) -> bool {
     Pane::ALL.iter().all(|pane| {
         let count =
             tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(other) if other == pane)).count();
-        count == 1 || (count == 0 && Pane::LAB.contains(pane))
+        count == 1 || (count == 0 && Pane::DRAWER.contains(pane))
     }) && tree.root.is_some()
 }
 
@@ -177,7 +182,7 @@ mod tests {
 
     #[test]
     fn the_lab_comes_into_the_drawer_of_an_older_layout() {
-        for pane in Pane::LAB {
+        for pane in Pane::DRAWER {
             let mut tree = default_layout();
             let tile = tree.tiles.find_pane(&pane).unwrap();
             tree.remove_recursively(tile);

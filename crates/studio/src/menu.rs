@@ -264,6 +264,8 @@ fn select_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 
 fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     use Action::{MakeMaterialUnique, RemoveUnusedMaterials, ShareMaterial};
+    do_ui(ui, studio, commands, [Command::TogglePane(Pane::Materials)]);
+    ui.separator();
     do_ui(
         ui,
         studio,
@@ -299,6 +301,7 @@ fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         Pane::Audit,
         Pane::Compare,
         Pane::Measure,
+        Pane::Materials,
         Pane::Viewport,
     ];
     do_ui(ui, studio, commands, panes.map(Command::TogglePane));

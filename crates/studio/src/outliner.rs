@@ -18,8 +18,7 @@ use egui_material_icons::{MaterialIcon, icons};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::texts::Texts;
-use crate::theme;
-use crate::widgets::icon_button;
+use crate::widgets::filter::filter_field;
 use rows::{Row, Rows};
 
 /// Height of a row, points.
@@ -127,24 +126,9 @@ pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner)
 
 /// The field that shows only what bears a name.
 fn filter_ui(ui: &mut Ui, texts: &Texts, filter: &mut String) {
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 26.0), Sense::hover());
-    let field = TextEdit::singleline(filter).hint_text(texts.get("outliner-filter"));
-    let field = field.margin(egui::Margin { left: 26, right: 24, top: 4, bottom: 4 });
-    let response = ui.put(rect, field.desired_width(f32::INFINITY));
-    response
-        .accessible_name(texts.get("outliner-filter"))
-        .on_hover_text(texts.tip("outliner-filter").unwrap_or_default());
-    let color = theme::palette(ui.visuals()).weak;
-    let center = pos2(rect.left() + 14.0, rect.center().y);
-    crate::widgets::paint_icon(ui, icons::ICON_SEARCH, center, 15.0, color);
-    if !filter.is_empty() {
-        let right = Rect::from_center_size(pos2(rect.right() - 13.0, rect.center().y), vec2(22.0, 22.0));
-        let clear =
-            |ui: &mut Ui| icon_button(ui, icons::ICON_CLOSE, texts.get("outliner-filter-clear"), false);
-        if ui.scope_builder(egui::UiBuilder::new().max_rect(right), clear).inner.clicked() {
-            filter.clear();
-        }
-    }
+    let tip = texts.tip("outliner-filter").unwrap_or_default();
+    let clear = texts.get("outliner-filter-clear");
+    filter_field(ui, filter, ui.available_width(), [texts.get("outliner-filter"), tip, clear]);
     ui.add_space(2.0);
 }
 

@@ -9,6 +9,7 @@ use crate::context::Cx;
 use crate::history::history_ui;
 use crate::inspector::{Inspector, inspector_ui};
 use crate::layout::Pane;
+use crate::materials::{Browser, materials_ui};
 use crate::measure::{Measuring, measure_ui};
 use crate::outliner::{Outliner, outliner_ui};
 use crate::problems::{Problems, problems_ui};
@@ -24,6 +25,7 @@ pub(crate) struct Panes {
     pub(crate) problems: Problems,
     pub(crate) compare: Comparing,
     pub(crate) measure: Measuring,
+    pub(crate) materials: Browser,
 }
 
 /// The panels while the layout is drawn.
@@ -53,6 +55,7 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
                 Pane::Problems => problems_ui(ui, cx, &mut panes.problems),
                 Pane::Compare => compare_ui(ui, cx, &mut panes.compare),
                 Pane::Measure => measure_ui(ui, cx, &mut panes.measure),
+                Pane::Materials => materials_ui(ui, cx, &mut panes.materials),
             }
             ui.allocate_space(ui.available_size());
         });

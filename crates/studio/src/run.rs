@@ -69,10 +69,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         | Command::Measure(_) => experiment(context, studio, &command),
         Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
         Command::ToggleCard => crate::card::toggle(studio),
-        Command::TogglePane(pane) => {
-            let is_in_front = layout::is_in_front(&studio.layout, pane);
-            layout::set_visible(&mut studio.layout, pane, !is_in_front);
-        }
+        Command::TogglePane(pane) => toggle(studio, pane),
         Command::ResetLayout => studio.layout = layout::default_layout(),
         Command::Zoom(step) => zoom(context, studio, step),
         Command::Theme(theme) => {
@@ -89,7 +86,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         Command::Terms => Help::open(context, studio, Page::Terms),
         Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
-        Command::Examples | Command::Render => crate::dialogs::run(context, studio, &command),
+        Command::Examples | Command::Render => crate::dialogs::run(studio, &command),
         Command::RenderShown => crate::pictures::start_shown(studio),
         Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
     }
@@ -143,6 +140,15 @@ fn switch(studio: &mut Studio, command: &Command) {
     *is_on = !*is_on;
 }
 
+/// Shows or hides a panel.
+fn toggle(studio: &mut Studio, pane: Pane) {
+    let is_in_front = layout::is_in_front(&studio.layout, pane);
+    layout::set_visible(&mut studio.layout, pane, !is_in_front);
+    if pane == Pane::Materials && !is_in_front {
+        studio.panes.materials.take_focus();
+    }
+}
+
 /// Begins to type another name for the primary thing, in the outliner.
 fn rename(studio: &mut Studio) {
     let Some(item) = studio.editor.selection().primary() else { return };
@@ -152,8 +158,10 @@ fn rename(studio: &mut Studio) {
 
 /// Does an action; tells in the corner why, if it cannot be done.
 fn apply(studio: &mut Studio, action: Action) {
+    let is_of_material = matches!(action, Action::AssignMaterial(_));
     let Err(error) = studio.editor.apply(action) else { return };
     let key = match &error {
+        ActionError::NothingSelected if is_of_material => "refused-no-body-selected",
         ActionError::NothingSelected => "refused-nothing-selected",
         ActionError::Locked => "refused-locked",
         ActionError::NothingToDo => return,

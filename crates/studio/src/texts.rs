@@ -25,6 +25,7 @@ macro_rules! catalogues {
             ("general", include_str!(concat!("../texts/", $folder, "/general.ftl"))),
             ("commands", include_str!(concat!("../texts/", $folder, "/commands.ftl"))),
             ("inspector", include_str!(concat!("../texts/", $folder, "/inspector.ftl"))),
+            ("materials", include_str!(concat!("../texts/", $folder, "/materials.ftl"))),
             ("viewport", include_str!(concat!("../texts/", $folder, "/viewport.ftl"))),
             ("outliner", include_str!(concat!("../texts/", $folder, "/outliner.ftl"))),
             ("document", include_str!(concat!("../texts/", $folder, "/document.ftl"))),

@@ -27,6 +27,8 @@ pub(crate) struct View {
     pub(crate) development: Development,
     /// The body under the pointer, in the picture or in the outliner.
     pub(crate) hovered_body: Option<usize>,
+    /// The point of a body under the pointer in the picture.
+    pub(crate) seen: Option<Seen>,
     /// Set by whatever is being dragged, flown or turned in this frame: the picture is then traced coarsely, and the
     /// gesture stays open. Cleared at the start of each frame.
     pub(crate) is_moving: bool,
@@ -34,6 +36,17 @@ pub(crate) struct View {
     pub(crate) is_rendering: bool,
     /// Whether times are being measured; the viewport then waits.
     pub(crate) is_measuring: bool,
+}
+
+/// A point of a body as it is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Seen {
+    /// The place of the body in the scene.
+    pub(crate) body: usize,
+    /// The angle between the ray and the normal, degrees.
+    pub(crate) degrees: f64,
+    /// Whether the eye is within the body.
+    pub(crate) is_from_inside: bool,
 }
 
 impl View {

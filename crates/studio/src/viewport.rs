@@ -101,6 +101,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let rect = rect.round_to_pixels(ui.ctx().pixels_per_point());
     viewport.measure(ui, rect);
     viewport.ease(ui, cx);
+    let seen_before = cx.view.seen.take();
     let painter = ui.painter_at(rect);
     let frame = viewport.picture.show(&painter, rect, cx, theme::palette(ui.visuals()));
     // What is drawn over the picture has the same colors in every theme, as the picture has.
@@ -117,6 +118,10 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
         return;
     }
     act(ui, cx, viewport, (&sight, &response));
+    if cx.view.seen != seen_before {
+        // A panel drawn before this one tells of it as well.
+        ui.ctx().request_repaint();
+    }
     if cx.view.free_camera.is_none() {
         picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
     }

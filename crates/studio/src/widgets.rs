@@ -2,6 +2,7 @@
 
 pub(crate) mod choice;
 pub(crate) mod color;
+pub(crate) mod filter;
 pub(crate) mod number;
 pub(crate) mod picker;
 pub(crate) mod row;

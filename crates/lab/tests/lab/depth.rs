@@ -1,7 +1,9 @@
 //! How deep scenes need to be traced, against their series.
 
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, ExcessKind, excess_of, excesses};
-use catoptric_scene::{Checker, Color, Example, Material, MaterialChoice, NamedMaterial, Scene, Shape};
+use catoptric_scene::{
+    Checker, Color, Example, Image, Material, MaterialChoice, Model, NamedMaterial, Scene, Shape,
+};
 use catoptric_tracer::{Control, RenderError, RenderSettings, Stage, render};
 use glam::{DVec3, UVec2};
 
@@ -137,6 +139,13 @@ fn materials_that_give_more_than_they_get_are_named_with_the_number() {
     assert_eq!(excess_of(&fair).count(), 0);
     let checker = Some(Checker { color: Color::gray(1.2), size: 1.0, ..Checker::default() });
     assert_eq!(excess_of(&Material { checker, ..fair.clone() }).count(), 1);
+    // A color under a picture is not seen.
+    let under = Material { model: Model::Matte, color: Color::gray(2.0), ..fair.clone() };
+    let texture = Image::open(&format!("{}{}", Image::BUILT_IN, Image::BUILT_IN_NAMES[0]), None).ok();
+    assert_eq!(
+        [&under, &Material { texture, ..under.clone() }].map(|under| excess_of(under).count()),
+        [1, 0]
+    );
 
     let materials = vec![NamedMaterial { name: "lamp".to_owned(), material }];
     let mut scene = Scene { materials, ..Scene::default() };

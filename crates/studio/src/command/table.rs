@@ -184,6 +184,8 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::TogglePane(Pane::Audit) => "command-pane-audit", ICON_FUNCTIONS;
         Command::TogglePane(Pane::Compare) => "command-pane-compare", ICON_COMPARE, plain(Key::F6);
         Command::TogglePane(Pane::Measure) => "command-pane-measure", ICON_TIMER, plain(Key::F7);
+        Command::TogglePane(Pane::Materials) => "command-pane-materials", ICON_GRID_VIEW,
+            plain(Key::M), plain(Key::F8);
         Command::TogglePane(Pane::Viewport) => "command-pane-viewport", ICON_IMAGE;
         Command::ResetLayout => "command-reset-layout", ICON_DASHBOARD;
         Command::Theme(Theme::Dark) => "command-theme-dark", ICON_DARK_MODE;

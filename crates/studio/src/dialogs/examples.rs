@@ -1,10 +1,9 @@
 //! The gallery of built-in scenes.
 
-pub(crate) mod thumbnails;
-
-use catoptric_scene::Example;
+use catoptric_scene::{Example, Scene};
+use catoptric_tracer::RenderSettings;
 use egui::{
-    Align2, Context, FontId, Key, Rect, Response, ScrollArea, Sense, Stroke, StrokeKind, TextEdit, Ui, Vec2,
+    Align2, FontId, Key, Rect, Response, ScrollArea, Sense, Stroke, StrokeKind, TextEdit, Ui, Vec2,
     WidgetInfo, pos2, vec2,
 };
 use egui_material_icons::icons;
@@ -16,12 +15,13 @@ use crate::documents::example_title;
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::paint_line_in;
-use thumbnails::Work;
 
 /// A card: its picture and the text below.
 const PICTURE: Vec2 = vec2(192.0, 108.0);
 const TEXT: f32 = 40.0;
 const GAP: f32 = 12.0;
+/// How the pictures are traced.
+const TRACED: RenderSettings = RenderSettings { width: 288, height: 162, samples: 4 };
 
 /// Shows the built-in scenes; one that is chosen is opened.
 struct Gallery {
@@ -29,14 +29,11 @@ struct Gallery {
     selected: usize,
     is_new: bool,
     scrolls: bool,
-    /// Traces the pictures that are missing, as long as the gallery is open.
-    work: Option<Work>,
 }
 
 /// Opens the gallery.
-pub(super) fn open(context: &Context, studio: &mut Studio) {
-    let work = studio.dialogs.thumbnails.begin(context);
-    let gallery = Gallery { search: String::new(), selected: 0, is_new: true, scrolls: false, work };
+pub(super) fn open(studio: &mut Studio) {
+    let gallery = Gallery { search: String::new(), selected: 0, is_new: true, scrolls: false };
     studio.dialogs.open(gallery);
 }
 
@@ -52,6 +49,10 @@ fn found(search: &str) -> Vec<(usize, &'static Example)> {
     Example::ALL.iter().enumerate().filter(|(_, example)| fits(example)).collect()
 }
 
+fn scene_of(index: &usize) -> Option<(Scene, RenderSettings)> {
+    Example::ALL.get(*index)?.load().ok().map(|loaded| (loaded.scene, TRACED))
+}
+
 impl Dialog for Gallery {
     fn title(&self, texts: &Texts) -> String {
         texts.get("examples-title").to_owned()
@@ -62,9 +63,8 @@ impl Dialog for Gallery {
     }
 
     fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
-        if let Some(work) = &self.work {
-            studio.dialogs.thumbnails.poll(ui.ctx(), work);
-        }
+        let all: Vec<usize> = (0..Example::ALL.len()).collect();
+        studio.dialogs.thumbnails.want(ui.ctx(), &all, scene_of);
         self.search_ui(ui, &studio.texts);
         let found = found(&self.search);
         let columns = (((ui.available_width() + GAP) / (PICTURE.x + GAP)).floor() as usize).max(1);
@@ -184,7 +184,7 @@ fn card_ui(ui: &mut Ui, studio: &Studio, index: usize, example: &Example, is_sel
     };
     painter.rect_filled(rect, 6.0, fill);
     let picture = Rect::from_min_size(rect.min, PICTURE);
-    match studio.dialogs.thumbnails.get(index) {
+    match studio.dialogs.thumbnails.get(&index) {
         Some(texture) => {
             let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
             egui::Image::new(texture)

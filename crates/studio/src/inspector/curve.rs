@@ -1,23 +1,50 @@
 //! The curve of reflection: how much a material reflects under which angle.
 
-use catoptric_lab::reflectance::{Curve, CurveKind, Mark, MarkKind, curves_of, marks_of};
+use catoptric_lab::reflectance::{Curve, CurveKind, Mark, MarkKind, curves_of, marks_of, reflected_at};
 use catoptric_scene::Material;
 use egui::{
-    Align2, Color32, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Pos2, Rect, RichText, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
+    pos2, vec2,
 };
 
 use super::header::hint;
 use crate::texts::Texts;
 use crate::theme::{self, Palette};
+use crate::view::Seen;
 use crate::widgets::number::shown;
 
 const HEIGHT: f32 = 132.0;
 /// Points of a curve: two for each degree, so that critical angles are sharp.
 const POINTS: usize = 181;
 
-/// Draws the curve of a material, if it has one that is not flat.
-pub(super) fn curve_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
-    let curves = curves_of(material);
+/// The curves of a material and what is marked in them, kept as long as it stays the same: those of metals take work.
+#[derive(Default)]
+pub(crate) struct Curves {
+    of: Option<Box<Material>>,
+    curves: Vec<Curve>,
+    marks: Vec<Mark>,
+}
+
+impl Curves {
+    fn follow(&mut self, material: &Material) {
+        if self.of.as_deref() != Some(material) {
+            self.curves = curves_of(material);
+            self.marks = marks_of(material);
+            self.of = Some(Box::new(material.clone()));
+        }
+    }
+}
+
+/// Draws the curve of a material, if it has one that is not flat; `seen` is a point of a body made of it.
+pub(super) fn curve_ui(
+    ui: &mut Ui,
+    texts: &Texts,
+    material: &Material,
+    kept: &mut Curves,
+    seen: Option<Seen>,
+) {
+    kept.follow(material);
+    let Curves { curves, marks, .. } = kept;
     if curves.is_empty() {
         return;
     }
@@ -26,11 +53,10 @@ pub(super) fn curve_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
     let area = Rect::from_min_max(whole.min + vec2(26.0, 8.0), whole.max - vec2(8.0, 18.0));
     let chart = Chart { area, palette };
     chart.axes(ui);
-    let marks = marks_of(material);
-    for mark in &marks {
+    for mark in marks.iter() {
         chart.mark(ui, texts, mark);
     }
-    for curve in &curves {
+    for curve in curves.iter() {
         chart.curve(ui, curve);
     }
     let summary = marks.iter().map(|mark| told(texts, mark)).collect::<Vec<_>>().join("; ");
@@ -38,20 +64,38 @@ pub(super) fn curve_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
         WidgetInfo::labeled(Role::Image, true, format!("{}. {summary}", texts.get("reflection-curve")))
     });
     let pointed = response.hover_pos().filter(|pos| area.expand(2.0).contains(*pos));
-    let Some(pos) = pointed else {
-        hint(ui, &summary);
+    if let Some(pos) = pointed {
+        let degrees = f64::from(((pos.x - area.left()) / area.width()).clamp(0.0, 1.0)) * 90.0;
+        chart.pointer(ui, degrees, curves.iter());
+        let mut words = vec![format!("θ = {degrees:.1}°")];
+        let values = curves.iter().map(|curve| (name_of(texts, curve.kind), curve.at(degrees)));
+        words.extend(values.map(|(name, value)| format!("{name} {}", shown(value, 4))));
+        hint(ui, &words.join(",  "));
         return;
-    };
-    let degrees = f64::from(((pos.x - area.left()) / area.width()).clamp(0.0, 1.0)) * 90.0;
-    let x = chart.place(degrees, 0.0).x;
-    ui.painter().vline(x, area.y_range(), Stroke::new(1.0, palette.text));
-    let mut words = vec![format!("θ = {}°", shown(degrees, 1))];
-    for curve in &curves {
-        let value = curve.at(degrees);
-        ui.painter().circle_filled(chart.place(degrees, value), 2.5, color_of(curve.kind, palette));
-        words.push(format!("{} {}", name_of(texts, curve.kind), shown(value, 4)));
     }
-    hint(ui, &words.join(",  "));
+    if !summary.is_empty() {
+        hint(ui, &summary);
+    }
+    if let Some(seen) = seen
+        && let Some(shares) = reflected_at(material, curves, seen.degrees, seen.is_from_inside)
+    {
+        let own = curves.iter().filter(|curve| curve.kind.is_from_inside() == seen.is_from_inside);
+        chart.pointer(ui, seen.degrees, own);
+        ui.add(egui::Label::new(RichText::new(seen_text(texts, seen, shares)).size(12.0)).wrap());
+    }
+}
+
+/// The angle under which a point is seen, and what is reflected there.
+fn seen_text(texts: &Texts, seen: Seen, [red, green, blue]: [f64; 3]) -> String {
+    let angle = format!("{:.1}", seen.degrees);
+    if red == green && green == blue {
+        let key = if seen.is_from_inside { "curve-seen-inside-alike" } else { "curve-seen-alike" };
+        return texts.with(key, &[("angle", angle.into()), ("share", shown(red, 4).into())]);
+    }
+    let [red, green, blue] = [red, green, blue].map(|share| shown(share, 4));
+    let shares =
+        [("angle", angle.into()), ("red", red.into()), ("green", green.into()), ("blue", blue.into())];
+    texts.with(if seen.is_from_inside { "curve-seen-inside" } else { "curve-seen" }, &shares)
 }
 
 struct Chart<'p> {
@@ -96,6 +140,21 @@ impl Chart<'_> {
             ui.painter().extend(Shape::dashed_line(&points, stroke, 4.0, 3.0));
         } else {
             ui.painter().add(Shape::line(points, stroke));
+        }
+    }
+
+    /// Marks an angle, and where the curves are there.
+    fn pointer<'c>(&self, ui: &Ui, degrees: f64, curves: impl Iterator<Item = &'c Curve>) {
+        let x = self.place(degrees, 0.0).x;
+        ui.painter().vline(x, self.area.y_range(), Stroke::new(1.0, self.palette.text));
+        for curve in curves {
+            let at = self.place(degrees, curve.at(degrees));
+            ui.painter().circle(
+                at,
+                3.0,
+                color_of(curve.kind, self.palette),
+                Stroke::new(1.0, self.palette.field),
+            );
         }
     }
 

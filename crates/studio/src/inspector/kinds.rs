@@ -4,7 +4,7 @@ use catoptric_scene::Material;
 
 /// A kind of reflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     /// Diffuse light only.
     Matte,
     /// Diffuse light with a highlight (Phong 1975), and at most a weak mirror image.
@@ -16,10 +16,10 @@ pub(super) enum Kind {
 }
 
 /// A kind with the coefficients that make it, and what it is recognized by.
-pub(super) struct Preset {
-    pub(super) kind: Kind,
+pub(crate) struct Preset {
+    pub(crate) kind: Kind,
     /// The message that names it.
-    pub(super) key: &'static str,
+    pub(crate) key: &'static str,
     ambient: f64,
     diffuse: f64,
     specular: f64,
@@ -31,7 +31,7 @@ pub(super) struct Preset {
 }
 
 /// The kinds in the order in which to offer them. No material fits two.
-pub(super) static PRESETS: [Preset; 4] = [
+pub(crate) static PRESETS: [Preset; 4] = [
     Preset {
         kind: Kind::Matte,
         key: "kind-matte",
@@ -92,7 +92,7 @@ pub(super) fn kind_of(material: &Material) -> Option<&'static Preset> {
 
 impl Preset {
     /// Makes a material of this kind. Colors, tint, checker and index of refraction stay.
-    pub(super) fn give(&self, material: &mut Material) {
+    pub(crate) fn give(&self, material: &mut Material) {
         material.ambient = self.ambient;
         material.diffuse = self.diffuse;
         material.specular = self.specular;

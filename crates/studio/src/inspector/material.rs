@@ -4,24 +4,23 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
-use catoptric_lab::depth::{ExcessKind, excess_of};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Image, Material, MaterialChoice, Model, Scene};
 use egui::{Button, ComboBox, Id, Ui, vec2};
-use egui_material_icons::icons::ICON_WARNING;
+use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
 use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet};
 use super::symbol::Symbol;
-use super::{Memory, curve, formula, header, pattern, physical};
+use super::{Memory, curve, energy, formula, header, pattern, physical};
 use crate::command::Command;
 use crate::context::Cx;
+use crate::layout::Pane;
 use crate::outliner::item_name;
 use crate::texts::Texts;
-use crate::theme;
 use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::explained_icon_button;
 use crate::widgets::number::{HEIGHT, shown};
-use crate::widgets::paint_icon;
 use crate::widgets::row::control_width;
 use crate::widgets::section::section;
 
@@ -115,7 +114,10 @@ pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, index:
     let scene = Arc::clone(cx.editor.scene());
     header::header_ui(ui, cx, Item::Material(index));
     let name = Item::Material(index).name(&scene);
-    header::hint(ui, &used_by(cx, &scene, name));
+    ui.horizontal(|ui| {
+        browse_ui(ui, cx);
+        header::hint(ui, &used_by(cx, &scene, name));
+    });
     sheet_ui(ui, cx, memory, &scene, &Made { homes: &[Home::Named(index)], bodies: &[], subject: name });
 }
 
@@ -155,6 +157,16 @@ fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
     cx.texts.with("material-used-by", &[("count", count.into())])
 }
 
+/// The button that opens the panel of materials.
+fn browse_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
+    let command = Command::TogglePane(Pane::Materials);
+    let (name, tip) =
+        (cx.situation().name(&command), cx.situation().tip(&command).unwrap_or_default().to_owned());
+    if explained_icon_button(ui, ICON_GRID_VIEW, &name, &format!("{name}\n{tip}"), false).clicked() {
+        cx.run(command);
+    }
+}
+
 /// Whose material it is: a list of the shared ones, and buttons that share it or make it the body's own.
 fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choice: &MaterialChoice) {
     let texts = cx.texts;
@@ -173,6 +185,7 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
     let mut action = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
+        browse_ui(ui, cx);
         let text = texts.get(if is_own { "material-share" } else { "material-make-own" });
         let tip = texts.tip(if is_own { "material-share" } else { "material-make-own" });
         let button_width = ui.available_width() * 0.42;
@@ -240,7 +253,8 @@ fn sheet_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, scene: &Arc<Scene
         } else {
             header::hint(ui, physical::told(texts, primary.model));
             formula::law_ui(ui, texts, sheet.memory, primary);
-            curve::curve_ui(ui, texts, primary);
+            let seen = sheet.cx.view.seen.filter(|seen| homes.first() == home_of(scene, seen.body).as_ref());
+            curve::curve_ui(ui, texts, primary, &mut sheet.memory.curves, seen);
         }
     });
 }
@@ -262,7 +276,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
             pattern::checker_ui(ui, sheet);
         }
     }
-    energy_ui(ui, sheet);
+    energy::energy_ui(ui, sheet.texts(), sheet.primary);
 }
 
 fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
@@ -278,6 +292,16 @@ fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     ior_ui(ui, sheet);
     sheet.color(ui, &TINT);
     pattern::checker_ui(ui, sheet);
+}
+
+/// Where the material of a body is kept.
+fn home_of(scene: &Scene, body: usize) -> Option<Home> {
+    match &scene.bodies.get(body)?.material {
+        MaterialChoice::Inline(_) => Some(Home::Body(body)),
+        MaterialChoice::Named(name) => {
+            scene.materials.iter().position(|named| named.name == *name).map(Home::Named)
+        }
+    }
 }
 
 fn material_at(scene: &Scene, home: Home) -> Option<&Material> {
@@ -415,27 +439,4 @@ pub(crate) fn give_texture(editor: &mut Editor, texts: &Texts, image: &Image) ->
     apply(editor, &homes, Label::new("edit-texture", subject), &mut |_, material| {
         material.texture = Some(image.clone());
     })
-}
-
-/// A quiet word when a surface or its highlight would send out more light than it receives.
-fn energy_ui(ui: &mut Ui, sheet: &Sheet<'_, '_, Material>) {
-    let texts = sheet.texts();
-    let palette = theme::palette(ui.visuals());
-    for (kind, amount) in excess_of(sheet.primary) {
-        let amount = shown(amount, 3);
-        let (key, sum) = match kind {
-            ExcessKind::Surface { diffuse, reflection, transmission, .. } => {
-                let parts = [diffuse, reflection, transmission].map(|part| shown(part, 3));
-                ("energy-warning", format!("{} = {amount}", parts.join(" + ")).replace(' ', "\u{a0}"))
-            }
-            ExcessKind::Highlight => ("energy-highlight", amount),
-        };
-        let response = ui.horizontal_wrapped(|ui| {
-            let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), egui::Sense::hover());
-            paint_icon(ui, ICON_WARNING, rect.center(), 14.0, palette.warning);
-            let text = texts.with(key, &[("sum", sum.into())]);
-            ui.label(egui::RichText::new(text).color(palette.warning).size(12.0))
-        });
-        response.inner.on_hover_text(texts.tip(key).unwrap_or_default());
-    }
 }

@@ -254,7 +254,7 @@ fn named(what: &str, name: &str) -> String {
 }
 
 /// What a material of such a model does, in a sentence.
-pub(super) fn told(texts: &Texts, model: Model) -> &str {
+pub(crate) fn told(texts: &Texts, model: Model) -> &str {
     texts.tip(model_key(model)).unwrap_or_default()
 }
 

@@ -242,9 +242,10 @@ impl Hands {
         let before = self.over;
         let pointer = ui.input(|input| input.pointer.hover_pos());
         let is_open = matches!(self.hand, Hand::Open);
-        self.over = pointer
-            .filter(|_| is_open && response.hovered())
-            .map(|pos| sight.target(cx, gizmo, sight.at(pos)));
+        let at = pointer.filter(|_| is_open && response.hovered()).map(|pos| sight.at(pos));
+        self.over = at.map(|at| sight.target(cx, gizmo, at));
+        // Also behind handles: those of a selected body stand in its middle.
+        cx.view.seen = at.and_then(|at| sight.seen_at(at));
         let body = |over| if let Some(Target::Body { index, .. }) = over { Some(index) } else { None };
         if self.over.is_some() {
             cx.view.hovered_body = body(self.over);

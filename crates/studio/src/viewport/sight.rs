@@ -12,6 +12,7 @@ use super::gizmo::{Gizmo, Handle};
 use super::lens::Lens;
 use super::load::place_of;
 use crate::context::Cx;
+use crate::view::Seen;
 
 /// How near to a light's or the camera's handle the pointer takes it, points.
 const REACH: f64 = 12.0;
@@ -73,6 +74,16 @@ impl Sight {
     pub(crate) fn body_at(&self, at: DVec2) -> Option<SurfaceHit> {
         let (stage, camera) = self.stage.as_ref()?;
         stage.nearest(&camera.ray(at, self.lens.size()))
+    }
+
+    /// Under which angle the nearest body is seen at a place.
+    pub(crate) fn seen_at(&self, at: DVec2) -> Option<Seen> {
+        let (stage, camera) = self.stage.as_ref()?;
+        let ray = camera.ray(at, self.lens.size());
+        let hit = stage.nearest(&ray)?;
+        let (direction, normal) = (ray.direction.as_dvec3(), hit.normal.as_dvec3());
+        let degrees = direction.cross(normal).length().atan2(-direction.dot(normal)).to_degrees();
+        Some(Seen { body: hit.body, degrees: degrees.clamp(0.0, 90.0), is_from_inside: hit.hit.leaving })
     }
 
     /// All bodies under a place, the nearest first.

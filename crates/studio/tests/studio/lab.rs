@@ -98,6 +98,49 @@ fn materials_that_give_more_than_they_get_are_told() {
 }
 
 #[test]
+fn every_model_is_warned_of_in_its_own_words() {
+    use catoptric_scene::{Color, Material, MaterialChoice, Model};
+    let bright = |model| Material { model, color: Color::new(0.5, 1.25, 0.2), ..Material::default() };
+    let phong = Material { diffuse: 0.4, reflection: Some(0.3), transmission: 0.5, ..bright(Model::Phong) };
+    let cases = [
+        (
+            phong,
+            "Sends out more light than it receives: 0.5 + 0.3 + 0.5 = 1.3",
+            "Отдаёт больше света, чем получает:",
+        ),
+        (
+            bright(Model::Mirror),
+            "Reflects more light than it receives: 1 · 1.25 = 1.25",
+            "Отражает больше света,",
+        ),
+        (bright(Model::Matte), "Scatters more light than it receives: 1.25", "Рассеивает больше света,"),
+        (bright(Model::Coated), "Under a coat, a color above 1 counts as 1.", "Под лаком цвет больше 1"),
+    ];
+    let mut harness = example("four-bodies");
+    harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(1));
+    for (material, english, russian) in cases {
+        let give = |harness: &mut Harness<'static, Studio>, material| {
+            let choice = MaterialChoice::Inline(Box::new(material));
+            let action = catoptric_editor::Action::AssignMaterial(choice);
+            let _ = harness.state_mut().editor_mut().apply(action);
+        };
+        give(&mut harness, material.clone());
+        harness.state_mut().run(Command::Language(Language::English));
+        harness.run_steps(4);
+        let seen = words(&harness);
+        assert!(seen.iter().any(|words| words.replace('\u{a0}', " ") == english), "{english}: {seen:#?}");
+        harness.state_mut().run(Command::Language(Language::Russian));
+        harness.run_steps(4);
+        assert!(words(&harness).iter().any(|words| words.starts_with(russian)), "{russian}");
+        let fair = Material { color: Color::gray(0.5), transmission: 0.0, diffuse: 0.5, ..material };
+        give(&mut harness, Material { reflection: None, ..fair });
+        harness.run_steps(4);
+        assert!(!words(&harness).iter().any(|words| words.starts_with(russian)), "{russian}");
+    }
+    assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
+}
+
+#[test]
 fn exact_answers_stand_over_the_picture() {
     let mut harness = example("ring-of-images");
     let scene = harness.state().editor().scene().clone();

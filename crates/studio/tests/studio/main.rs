@@ -9,6 +9,7 @@ mod experiments;
 mod inspector;
 mod kit;
 mod lab;
+mod materials;
 mod monkey;
 mod outliner;
 mod render;

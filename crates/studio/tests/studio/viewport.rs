@@ -1,5 +1,6 @@
 //! Hands and keys in the picture. Bodies are found where the tracer shows them.
 
+mod angle;
 mod handles;
 mod hands;
 mod looking;

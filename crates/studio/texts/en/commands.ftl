@@ -248,6 +248,8 @@ command-pane-compare = Compare
     .tip = The panel of two pictures, how they differ, and why.
 command-pane-measure = Measure
     .tip = The panel that measures how the time of a picture grows.
+command-pane-materials = Material browser
+    .tip = The panel of materials with their pictures: those of the scene, metals, glasses, lacquers and others, given by a click.
 command-pane-viewport = Picture
     .tip = The panel of the traced picture.
 command-reset-layout = Reset panels
@@ -289,6 +291,7 @@ palette-recent = recent file
 palette-thing = in the scene
 
 # Why something was not done.
+refused-no-body-selected = Select a body first: the material is given to what is selected.
 refused-nothing-selected = Nothing is selected that this could be done to.
 refused-locked = Everything selected is locked.
 refused-no-such-item = It is no longer in the scene.

@@ -8,6 +8,7 @@ pane-problems = Problems
 pane-audit = Audit
 pane-compare = Compare
 pane-measure = Measure
+pane-materials = Materials
 ok = OK
 cancel = Cancel
 close = Close

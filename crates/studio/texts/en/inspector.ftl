@@ -179,6 +179,10 @@ curve-green = green
 curve-blue = blue
 curve-outside = from outside
 curve-inside = from within
+curve-seen = Under the pointer θ = { $angle }°: reflects { $red } of red, { $green } of green, { $blue } of blue.
+curve-seen-alike = Under the pointer θ = { $angle }°: reflects { $share } of red, green and blue alike.
+curve-seen-inside = Under the pointer, from within, θ = { $angle }°: reflects { $red } of red, { $green } of green, { $blue } of blue.
+curve-seen-inside-alike = Under the pointer, from within, θ = { $angle }°: reflects { $share } of red, green and blue alike.
 in-formula-straight = Straight incidence
 in-formula-loss = Loss on the way
 in-formula-coat = Through the coat
@@ -253,6 +257,12 @@ picture-too-large = it has { $size } pixels, but may have as many as 8192×4096.
 choose-picture = Choose a picture
 energy-warning = Sends out more light than it receives: { $sum }
     .tip = k_d C + k_r + k_t τ in the strongest channel is above 1. The model allows it, nature does not.
+energy-mirror = Reflects more light than it receives: { $sum }
+    .tip = k_r C in the strongest channel is above 1. The model allows it, nature does not.
+energy-matte = Scatters more light than it receives: { $sum }
+    .tip = The color C is above 1 in the strongest channel. The model allows it, nature does not.
+energy-coat = Under a coat, a color above 1 counts as 1.
+    .tip = The ground scatters at most what comes through the coat: nothing is brighter than white.
 energy-highlight = The highlight sends out more light than it receives: { $sum }
     .tip = 2 k_s / (n + 2) is above 1: what the highlight sends into all directions, against a white matte surface. The model allows it, nature does not.
 

@@ -8,6 +8,7 @@ pane-problems = Замечания
 pane-audit = Разбор
 pane-compare = Сравнение
 pane-measure = Измерение
+pane-materials = Материалы
 ok = ОК
 cancel = Отмена
 close = Закрыть

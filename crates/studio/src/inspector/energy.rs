@@ -1,0 +1,60 @@
+//! Quiet words when a surface or its highlight would send out more light than it receives.
+
+use catoptric_lab::depth::{ExcessKind, excess_of};
+use catoptric_scene::{Color, Material, Model};
+use egui::{RichText, Sense, Ui, vec2};
+use egui_material_icons::MaterialIcon;
+use egui_material_icons::icons::{ICON_INFO, ICON_WARNING};
+
+use crate::texts::Texts;
+use crate::theme;
+use crate::widgets::number::shown;
+use crate::widgets::paint_icon;
+
+/// Draws what is to be said of a material.
+pub(super) fn energy_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
+    let palette = theme::palette(ui.visuals());
+    for (kind, amount) in excess_of(material) {
+        let (key, sum) = told(material, kind, &shown(amount, 3));
+        let text = texts.with(key, &[("sum", sum.replace(' ', "\u{a0}").into())]);
+        line_ui(ui, ICON_WARNING, palette.warning, text, texts.tip(key));
+    }
+    if material.model == Model::Coated && is_brighter_than_white(material) {
+        line_ui(ui, ICON_INFO, palette.weak, texts.get("energy-coat").to_owned(), texts.tip("energy-coat"));
+    }
+}
+
+/// The message, and how the amount comes about.
+fn told(material: &Material, kind: ExcessKind, amount: &str) -> (&'static str, String) {
+    let ExcessKind::Surface { diffuse, reflection, transmission, .. } = kind else {
+        return ("energy-highlight", amount.to_owned());
+    };
+    match material.model {
+        Model::Mirror => {
+            let share = material.reflection();
+            let color = if share > 0.0 { reflection / share } else { 0.0 };
+            ("energy-mirror", format!("{} · {} = {amount}", shown(share, 3), shown(color, 3)))
+        }
+        Model::Matte => ("energy-matte", amount.to_owned()),
+        _ => {
+            let parts = [diffuse, reflection, transmission].map(|part| shown(part, 3));
+            ("energy-warning", format!("{} = {amount}", parts.join(" + ")))
+        }
+    }
+}
+
+fn is_brighter_than_white(material: &Material) -> bool {
+    let has_picture = material.texture.as_ref().is_some_and(|image| image.pixels().is_some());
+    let own = (!has_picture).then_some(material.color);
+    let colors = [own, material.checker.map(|checker| checker.color)];
+    colors.into_iter().flatten().flat_map(Color::to_array).any(|part| part > 1.0)
+}
+
+fn line_ui(ui: &mut Ui, icon: MaterialIcon, color: egui::Color32, text: String, tip: Option<&str>) {
+    let response = ui.horizontal_wrapped(|ui| {
+        let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
+        paint_icon(ui, icon, rect.center(), 14.0, color);
+        ui.label(RichText::new(text).color(color).size(12.0))
+    });
+    response.inner.on_hover_text(tip.unwrap_or_default());
+}

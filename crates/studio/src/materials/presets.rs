@@ -1,0 +1,185 @@
+//! Materials to be taken as they are, and how they are found by their names.
+
+use std::sync::LazyLock;
+
+use catoptric_optics::{CLEAR, Clear, METALS, Metal};
+use catoptric_scene::{Color, Conductor, Material, Model};
+
+use super::Section;
+use crate::inspector::{KINDS, KindPreset as Kind};
+use crate::texts::{Language, Texts};
+
+/// A material with a name.
+pub(super) struct Preset {
+    pub(super) section: Section,
+    /// The message that names it.
+    pub(super) key: String,
+    pub(super) material: Material,
+    pub(super) about: About,
+}
+
+/// What there is to be told.
+#[derive(Clone, Copy)]
+pub(super) enum About {
+    /// What the message's attribute says.
+    Tip,
+    /// A measured metal.
+    Metal(&'static Metal),
+    /// A measured clear substance.
+    Clear(&'static Clear),
+}
+
+/// All presets, in the order in which to show them.
+pub(super) static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| {
+    let mut all: Vec<Preset> = KINDS.iter().map(kind).collect();
+    all.extend(METALS.iter().map(|metal| Preset {
+        section: Section::Metals,
+        key: format!("metal-{}", metal.name),
+        material: of_metal(metal, 0.0),
+        about: About::Metal(metal),
+    }));
+    let satin = [
+        ("preset-satin-aluminum", "aluminum", 0.36),
+        ("preset-satin-titanium", "titanium", 0.42),
+        ("preset-satin-copper", "copper", 0.34),
+        ("preset-satin-gold", "gold", 0.34),
+    ];
+    all.extend(satin.into_iter().filter_map(|(key, name, roughness)| {
+        let metal = Metal::named(name)?;
+        Some(tipped(Section::Metals, key, of_metal(metal, roughness)))
+    }));
+    all.extend(CLEAR.iter().map(|clear| Preset {
+        section: Section::Clear,
+        key: format!("substance-{}", clear.name),
+        material: Material { model: Model::Dielectric, substance: Some(clear), ..Material::default() },
+        about: About::Clear(clear),
+    }));
+    all.extend(clear_colored());
+    all.extend(coats());
+    all.extend(rough());
+    all
+});
+
+/// The four kinds of Phong's and Whitted's models, in a color that suits them.
+fn kind(kind: &'static Kind) -> Preset {
+    let color = if kind.key == "kind-glossy" { Color::new(0.75, 0.06, 0.05) } else { Color::gray(0.8) };
+    let mut material = Material { color, ..Material::default() };
+    kind.give(&mut material);
+    tipped(Section::Constant, kind.key, material)
+}
+
+fn tipped(section: Section, key: &str, material: Material) -> Preset {
+    Preset { section, key: key.to_owned(), material, about: About::Tip }
+}
+
+fn of_metal(metal: &'static Metal, roughness: f64) -> Material {
+    let conductor = Conductor::Metal(metal);
+    Material { model: Model::Conductor, conductor, roughness, ..Material::default() }
+}
+
+/// Glass that absorbs light, in colors that a body of a meter shows well.
+fn clear_colored() -> impl Iterator<Item = Preset> {
+    let all = [
+        ("preset-bottle-glass", [0.25, 0.62, 0.30]),
+        ("preset-cobalt-glass", [0.12, 0.25, 0.80]),
+        ("preset-ruby-glass", [0.72, 0.04, 0.07]),
+    ];
+    all.into_iter().map(|(key, [r, g, b])| {
+        let attenuation_color = Color::new(r, g, b);
+        let glass =
+            Material { model: Model::Dielectric, ior: 1.52, attenuation_color, ..Material::default() };
+        tipped(Section::Clear, key, glass)
+    })
+}
+
+fn coats() -> impl Iterator<Item = Preset> {
+    let mirror = Material { model: Model::Mirror, color: Color::WHITE, ..Material::default() };
+    let all = [
+        ("preset-red-lacquer", [0.50, 0.015, 0.02], 1.52),
+        ("preset-black-lacquer", [0.012, 0.012, 0.014], 1.52),
+        ("preset-white-ceramic", [0.86, 0.85, 0.81], 1.5),
+        ("preset-blue-ceramic", [0.03, 0.12, 0.42], 1.5),
+        ("preset-green-plastic", [0.04, 0.36, 0.11], 1.46),
+        ("preset-yellow-plastic", [0.86, 0.56, 0.04], 1.46),
+    ];
+    let coated = all.into_iter().map(|(key, [r, g, b], ior)| {
+        let color = Color::new(r, g, b);
+        tipped(Section::Coats, key, Material { model: Model::Coated, color, ior, ..Material::default() })
+    });
+    std::iter::once(tipped(Section::Coats, "preset-ideal-mirror", mirror)).chain(coated)
+}
+
+fn rough() -> [Preset; 5] {
+    let of = |model, color: [f64; 3], roughness| {
+        let [r, g, b] = color;
+        Material { model, color: Color::new(r, g, b), roughness, ..Material::default() }
+    };
+    let frosted = Material {
+        model: Model::Dielectric,
+        substance: Clear::named("crown-glass"),
+        roughness: 0.35,
+        ..Material::default()
+    };
+    let rough = |key, material| tipped(Section::Rough, key, material);
+    [
+        rough("preset-frosted-glass", frosted),
+        rough("preset-dull-mirror", of(Model::Mirror, [0.9; 3], 0.3)),
+        rough("preset-satin-plastic", of(Model::Coated, [0.10, 0.20, 0.50], 0.45)),
+        rough("preset-plaster", of(Model::Matte, [0.85, 0.84, 0.80], 0.0)),
+        rough("preset-terracotta", of(Model::Matte, [0.55, 0.20, 0.10], 0.0)),
+    ]
+}
+
+/// For each preset what it can be found by: its name and its section in all languages.
+static FOUND_BY: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let all = Language::ALL.map(Texts::new);
+    let words = PRESETS.iter().map(|preset| {
+        let of = |texts: &Texts| format!("{} {}", texts.get(&preset.key), texts.get(preset.section.key()));
+        all.iter().map(of).collect::<Vec<_>>().join(" ").to_lowercase()
+    });
+    words.collect()
+});
+
+/// The places of the presets that have all words of `filter`, in lower case, in their name or section.
+pub(super) fn found(filter: &str) -> impl Iterator<Item = usize> {
+    let all = 0..PRESETS.len();
+    all.filter(move |&place| filter.is_empty() || FOUND_BY.get(place).is_some_and(|text| has(text, filter)))
+}
+
+/// Whether a text has all words of `filter`, both in lower case.
+pub(super) fn has(text: &str, filter: &str) -> bool {
+    filter.split_whitespace().all(|word| text.contains(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use catoptric_lab::depth::excess_of;
+
+    #[test]
+    fn every_preset_has_a_name_and_gives_no_more_light_than_it_gets() {
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            for preset in PRESETS.iter() {
+                assert_ne!(texts.get(&preset.key), preset.key, "{language:?}");
+                let is_told = !matches!(preset.about, About::Tip) || texts.tip(&preset.key).is_some();
+                assert!(is_told, "{}", preset.key);
+            }
+        }
+        assert!(PRESETS.iter().all(|preset| excess_of(&preset.material).next().is_none()));
+        let metals = PRESETS.iter().filter(|preset| matches!(preset.about, About::Metal(_))).count();
+        let clear = PRESETS.iter().filter(|preset| matches!(preset.about, About::Clear(_))).count();
+        assert_eq!((metals, clear), (METALS.len(), CLEAR.len()));
+    }
+
+    #[test]
+    fn presets_are_found_in_both_languages_and_by_their_section() {
+        let keys = |filter: &str| found(filter).map(|place| PRESETS[place].key.as_str()).collect::<Vec<_>>();
+        assert_eq!(keys("").len(), PRESETS.len());
+        assert_eq!(keys("diamond"), ["substance-diamond"]);
+        assert_eq!(keys("алмаз"), ["substance-diamond"]);
+        assert_eq!(keys("gold"), ["metal-gold", "preset-satin-gold"]);
+        assert_eq!(keys("металл").len(), METALS.len() + 4);
+        assert!(keys("unobtainium").is_empty());
+    }
+}

@@ -1,0 +1,61 @@
+# The panel of materials to choose from.
+materials-filter = Find by name
+    .tip = Shows only the materials whose names or headings have these words, in either language. Enter gives the first one.
+materials-list = Materials to choose from
+materials-none = No material has this name.
+materials-scene = In this scene
+materials-scene-none = No shared material yet: the link button at the top makes one of the selected body’s own.
+materials-constant = Phong, Whitted
+materials-metals = Metals
+materials-clear = Clear substances
+materials-coats = Mirrors and coats
+materials-rough = Frosted, satin and matte
+materials-for-body = A click gives it to “{ $name }”.
+materials-for-bodies = { $count ->
+    [one] A click gives it to { $count } selected body.
+   *[other] A click gives it to { $count } selected bodies.
+}
+materials-for-material = A click makes “{ $name }” like it, on all bodies of this material.
+materials-for-none = Select a body: a click on a material then gives it.
+materials-excess = Sends out more light than it receives.
+materials-metal = A polished metal. Straight on it reflects { $red } % of red light, { $green } % of green, { $blue } % of blue; its color comes of the measured indices.
+materials-index = Refractive index { $index } for yellow light, Abbe number { $abbe }. The edges are reflected more than the middle, by Fresnel’s formulas.
+
+preset-satin-aluminum = Satin aluminum
+    .tip = Aluminum with a finely roughened, brushed-looking surface: blurred reflections. Rough surfaces need many samples.
+preset-satin-titanium = Satin titanium
+    .tip = Titanium with a roughened surface, as sandblasted parts have it. Rough surfaces need many samples.
+preset-satin-copper = Satin copper
+    .tip = Copper with a finely roughened surface. Rough surfaces need many samples.
+preset-satin-gold = Satin gold
+    .tip = Gold with a finely roughened surface, as of matte jewelry. Rough surfaces need many samples.
+preset-bottle-glass = Bottle glass
+    .tip = Green glass, index 1.52: thick parts are darker than thin ones. The color is that after one meter.
+preset-cobalt-glass = Cobalt glass
+    .tip = Blue glass, index 1.52: thick parts are darker than thin ones. The color is that after one meter.
+preset-ruby-glass = Ruby glass
+    .tip = Red glass, index 1.52: thick parts are darker than thin ones. The color is that after one meter.
+preset-ideal-mirror = Ideal mirror
+    .tip = Reflects all light under every angle. Real mirrors are metals.
+preset-red-lacquer = Red lacquer
+    .tip = A red ground under clear lacquer, index 1.52: 4 % is reflected straight on, everything at the rim.
+preset-black-lacquer = Black lacquer
+    .tip = A nearly black ground under clear lacquer, as of a grand piano: what is seen is the reflection.
+preset-white-ceramic = White ceramic
+    .tip = A white ground under a clear glaze, index 1.5.
+preset-blue-ceramic = Blue ceramic
+    .tip = A blue ground under a clear glaze, index 1.5.
+preset-green-plastic = Green plastic
+    .tip = Colored plastic with a smooth surface, index 1.46.
+preset-yellow-plastic = Yellow plastic
+    .tip = Colored plastic with a smooth surface, index 1.46.
+preset-frosted-glass = Frosted glass
+    .tip = Crown glass with a rough surface: what is behind it is blurred. It needs many samples.
+preset-dull-mirror = Dull mirror
+    .tip = A rough mirror of 90 %: the nearer a thing, the sharper its reflection. It needs many samples.
+preset-satin-plastic = Satin plastic
+    .tip = Plastic with a rough surface: wide, soft highlights. It needs many samples.
+preset-plaster = Plaster
+    .tip = White and matte: scatters light to all sides after Lambert’s law.
+preset-terracotta = Terracotta
+    .tip = Fired clay without a glaze: matte, after Lambert’s law.
