@@ -11,7 +11,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("files", &[]),
     ("optics", &[]),
     ("picture", &["files"]),
-    ("scene", &["files", "optics"]),
+    ("scene", &["files", "optics", "picture"]),
     ("tracer", &["scene", "picture", "optics"]),
     ("gpu", &["tracer", "picture"]),
     ("editor", &["scene", "files"]),

@@ -66,6 +66,8 @@ pub struct Stage {
     pub(crate) threshold: f32,
     /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
+    /// Whether some surface has a law of its own, or some light is a ball, or did before an edit.
+    pub(crate) is_physical: bool,
     /// Whether light is lost in some body.
     pub(crate) absorbs: bool,
     /// Whether some body splits light into its colors.
@@ -174,6 +176,8 @@ impl Stage {
             bodies,
             scene_indices,
             has_transparency: materials.iter().any(StageMaterial::is_transparent),
+            is_physical: materials.iter().any(StageMaterial::is_physical)
+                || scene.lights.iter().any(|light| light.radius > 0.0),
             absorbs: materials.iter().any(StageMaterial::absorbs),
             disperses: materials.iter().any(|material| material.dispersion.is_some()),
             materials: materials.into(),

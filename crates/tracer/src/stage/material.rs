@@ -193,6 +193,11 @@ impl StageMaterial {
         self.filter != [0.0; 3]
     }
 
+    /// Whether it reflects by a law of its own.
+    pub(crate) fn is_physical(&self) -> bool {
+        !matches!(self.law, Law::Constant)
+    }
+
     /// Whether light is lost in the body.
     pub(crate) fn absorbs(&self) -> bool {
         self.absorption != [0.0; 3]

@@ -33,7 +33,7 @@ struct Crossing<W: Width> {
 impl Whitted<'_> {
     /// Sends the reflected and refracted rays, each if it carries anything.
     #[inline(always)]
-    pub(super) fn spawn<W: Width>(
+    pub(super) fn spawn<W: Width, const PHYSICAL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -44,15 +44,15 @@ impl Whitted<'_> {
         let next = beams.generation.plus(w.word(1));
         let facets;
         let mut growth = Growth { at, ground: None, next };
-        if at.rough.any() {
+        if PHYSICAL && at.rough.any() {
             let (on, ground) = self.on_facets(w, beams, at);
             facets = on;
             (growth.at, growth.ground) = (&facets, Some(ground));
         }
-        let mut reflection = growth.at.reflected(growth.at.reflection);
+        let mut reflection = growth.reflected::<PHYSICAL>(growth.at.reflection);
         let transparent = goes_on & at.transparent;
         if transparent.any() {
-            reflection = self.refracted(w, beams, &growth, transparent, offspring);
+            reflection = self.refracted::<W, PHYSICAL>(w, beams, &growth, transparent, offspring);
         }
         let at = growth.at;
         let direction = mend_unit(reflect(beams.rays.direction, at.normal));
@@ -69,7 +69,7 @@ impl Whitted<'_> {
 
     /// Sends rays through clear surfaces. What is reflected from them and all others.
     #[inline(always)]
-    fn refracted<W: Width>(
+    fn refracted<W: Width, const PHYSICAL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -79,20 +79,20 @@ impl Whitted<'_> {
     ) -> Vector<W::R> {
         let mut white = transparent;
         let mut split = None;
-        if self.stage.disperses {
+        if PHYSICAL && self.stage.disperses {
             let lanes = transparent & growth.at.disperses & self.are_white(w, beams.media);
             if lanes.any() {
                 split = Some((lanes, self.split(w, beams, growth, lanes, offspring)));
                 white = white & !lanes;
             }
         }
-        let crossing = self.crossing(w, beams, beams.media, growth.at, transparent);
+        let crossing = self.crossing::<W, PHYSICAL>(w, beams, beams.media, growth.at, transparent);
         let Crossing { ratio, passes, filter, .. } = crossing;
         offspring.crosses(Crossed { ratio, passes });
         if white.any() {
-            self.send_through(w, beams, growth, &crossing, filter, white, offspring);
+            self.send_through::<W, PHYSICAL>(w, beams, growth, &crossing, filter, white, offspring);
         }
-        let reflection = growth.at.reflected(crossing.reflection);
+        let reflection = growth.reflected::<PHYSICAL>(crossing.reflection);
         match split {
             Some((lanes, colored)) => Vector::select(lanes, colored, reflection),
             None => reflection,
@@ -114,17 +114,17 @@ impl Whitted<'_> {
         for number in 0..self.waves.len() {
             let color = self.waves.color(number);
             let media = self.colored(w, beams.media, number, lanes);
-            let crossing = self.crossing(w, beams, media, growth.at, lanes);
+            let crossing = self.crossing::<W, true>(w, beams, media, growth.at, lanes);
             reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
             let filter = crossing.filter.times_all(color);
-            self.send_through(w, beams, growth, &crossing, filter, lanes, offspring);
+            self.send_through::<W, true>(w, beams, growth, &crossing, filter, lanes, offspring);
         }
         reflection
     }
 
     /// What becomes of rays in these media across the surfaces that they met.
     #[inline(always)]
-    fn crossing<W: Width>(
+    fn crossing<W: Width, const PHYSICAL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -138,7 +138,7 @@ impl Whitted<'_> {
         let (bent, passes) = refract(direction, at.normal, ratio);
         let (mut reflection, mut filter) = (at.reflection, at.filter);
         let clear = transparent & at.clear;
-        if clear.any() {
+        if PHYSICAL && clear.any() {
             let cos = (-at.normal.dot(direction)).min(one).max(w.real(0.0));
             let share = fresnel(cos, ratio);
             reflection = W::R::select(clear, share, reflection);
@@ -152,7 +152,7 @@ impl Whitted<'_> {
 
     #[inline(always)]
     #[allow(clippy::too_many_arguments, reason = "each is a vector of its own")]
-    fn send_through<W: Width>(
+    fn send_through<W: Width, const PHYSICAL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -163,11 +163,14 @@ impl Whitted<'_> {
         offspring: &mut impl Offspring<W>,
     ) {
         let Crossing { ratio, beyond, bent, passes, .. } = *crossing;
-        let (left, flies) = growth.let_off(bent, true, filter, lanes & passes);
-        // Between equal indices there is no surface, and nothing that could be rough.
         let straight = ratio.eq(w.real(1.0));
-        let filter = Vector::select(straight, filter, left);
-        let lanes = flies | (lanes & passes & straight);
+        let (mut filter, mut lanes) = (filter, lanes & passes);
+        if PHYSICAL {
+            let (left, flies) = growth.let_off(bent, true, filter, lanes);
+            // Between equal indices there is no surface, and nothing that could be rough.
+            filter = Vector::select(straight, filter, left);
+            lanes = flies | (lanes & straight);
+        }
         offspring.lets_through(filter);
         let weight = beams.weight.times(filter);
         let lanes = lanes & self.carries(w, weight);
@@ -241,6 +244,12 @@ impl Whitted<'_> {
 }
 
 impl<W: Width> Growth<'_, W> {
+    /// What is reflected, of each channel.
+    #[inline(always)]
+    fn reflected<const PHYSICAL: bool>(&self, reflection: W::R) -> Vector<W::R> {
+        if PHYSICAL { self.at.reflected(reflection) } else { Vector::new(reflection, reflection, reflection) }
+    }
+
     /// The coefficients and rays that are left where facets let them off.
     #[inline(always)]
     fn let_off(

@@ -326,7 +326,7 @@ impl<'a> Whitted<'a> {
     fn growth_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Scribe<'a> {
         let counts = self.counts;
         let mut scribe = Scribe::new(self.stage);
-        self.spawn(One, beam, at, true, &mut scribe);
+        self.spawn::<One, true>(One, beam, at, true, &mut scribe);
         self.counts = counts;
         scribe
     }
