@@ -38,8 +38,8 @@ struct Shot {
     language: &'static str,
     theme: &'static str,
     scene: &'static str,
-    /// The body to select.
-    body: Option<usize>,
+    /// What to select.
+    selected: Option<Item>,
     /// What is done one after the other.
     commands: Vec<Command>,
     hint: bool,
@@ -69,7 +69,7 @@ const fn shot(name: &'static str, language: &'static str, theme: &'static str, s
         language,
         theme,
         scene,
-        body: None,
+        selected: None,
         commands: Vec::new(),
         hint: false,
         rows_down: 0,
@@ -80,10 +80,10 @@ const fn shot(name: &'static str, language: &'static str, theme: &'static str, s
 
 fn shots() -> Vec<Shot> {
     vec![
-        Shot { body: Some(1), ..shot("studio-en-dark", "english", "dark", "four-bodies") },
-        Shot { body: Some(1), ..shot("studio-en-light", "english", "light", "four-bodies") },
-        Shot { body: Some(1), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
-        Shot { body: Some(1), ..shot("studio-ru-light", "russian", "light", "whitted") },
+        Shot { selected: Some(Item::Body(1)), ..shot("studio-en-dark", "english", "dark", "four-bodies") },
+        Shot { selected: Some(Item::Body(1)), ..shot("studio-en-light", "english", "light", "four-bodies") },
+        Shot { selected: Some(Item::Body(1)), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
+        Shot { selected: Some(Item::Body(1)), ..shot("studio-ru-light", "russian", "light", "whitted") },
         Shot {
             commands: vec![Command::Examples],
             ..shot("studio-examples", "english", "dark", "four-bodies")
@@ -106,36 +106,44 @@ fn shots() -> Vec<Shot> {
         },
         Shot {
             commands: vec![Command::ToggleExact],
-            body: Some(5),
+            selected: Some(Item::Body(5)),
             ..shot("studio-exact-en", "english", "dark", "ring-of-images")
         },
         Shot {
             commands: vec![Command::ToggleExact],
-            body: Some(5),
+            selected: Some(Item::Body(5)),
             ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
         },
         Shot {
-            body: Some(12),
+            selected: Some(Item::Body(12)),
             pointer: Some([0.66, 0.5]),
             ..shot("studio-material-en", "english", "dark", "metals")
         },
         Shot {
-            body: Some(14),
+            selected: Some(Item::Body(14)),
             pointer: Some([0.48, 0.5]),
             ..shot("studio-material-ru", "russian", "light", "rising-index")
         },
         Shot {
-            body: Some(12),
+            selected: Some(Item::Body(12)),
             commands: vec![Command::TogglePane(Pane::Materials)],
             rows_down: 3,
             pointer: Some([0.568, 1.5]),
             ..shot("studio-materials-en", "english", "dark", "metals")
         },
         Shot {
-            body: Some(14),
+            selected: Some(Item::Body(14)),
             commands: vec![Command::TogglePane(Pane::Materials)],
             rows_down: 5,
             ..shot("studio-materials-ru", "russian", "light", "rising-index")
+        },
+        Shot {
+            selected: Some(Item::Environment),
+            ..shot("studio-surroundings-en", "english", "dark", "sky-room")
+        },
+        Shot {
+            selected: Some(Item::Body(4)),
+            ..shot("studio-surroundings-ru", "russian", "light", "textures")
         },
         Shot {
             commands: vec![Command::TogglePane(Pane::Compare)],
@@ -183,8 +191,8 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         Studio::new(&creation.egui_ctx, &start, Box::new(Nowhere { settings })).unwrap()
     });
     harness.step();
-    if let Some(body) = shot.body {
-        harness.state_mut().editor_mut().select(Item::Body(body));
+    if let Some(item) = shot.selected {
+        harness.state_mut().editor_mut().select(item);
     }
     for command in &shot.commands {
         harness.state_mut().run(command.clone());
