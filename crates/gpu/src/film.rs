@@ -165,7 +165,13 @@ impl GpuFilm {
     fn bind(&self, gpu: &Gpu, on_card: &StageOnCard) -> Result<wgpu::BindGroup, GpuError> {
         let arrays = on_card.bindings().into_iter();
         let all = [self.frame.as_entire_binding()].into_iter().chain(arrays);
-        let rest = [self.tiles.binding(), self.pixels.as_entire_binding(), self.waves.as_entire_binding()];
+        let pictures = on_card.pictures.view(gpu)?;
+        let rest = [
+            self.tiles.binding(),
+            self.pixels.as_entire_binding(),
+            self.waves.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&pictures),
+        ];
         let all = all.chain(rest);
         let entries: Vec<wgpu::BindGroupEntry<'_>> =
             (0..).zip(all).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();

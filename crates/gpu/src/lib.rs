@@ -12,6 +12,7 @@ mod card;
 mod choice;
 mod error;
 mod film;
+mod pictures;
 mod pipelines;
 mod reading;
 mod render;

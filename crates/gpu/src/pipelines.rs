@@ -8,8 +8,10 @@ use catoptric_tracer::twin::{ENTRY_POINT, Specialization, shader};
 use crate::card::Gpu;
 use crate::error::GpuError;
 
-/// What the shader is bound to: the frame, seven arrays, the film, and the waves of samples.
-const BINDINGS: u32 = 10;
+/// What the shader is bound to: the frame, seven arrays, the film, the waves of samples, and pictures.
+const BINDINGS: u32 = 11;
+/// Pictures are a texture.
+const PICTURES: u32 = 10;
 /// Those of them that are storage: the arrays, the film last.
 pub(crate) const STORED: std::ops::RangeInclusive<u32> = 1..=8;
 
@@ -58,16 +60,19 @@ impl Pipelines {
 }
 
 fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    let ty = match STORED.contains(&binding) {
-        false => wgpu::BufferBindingType::Uniform,
-        true => wgpu::BufferBindingType::Storage { read_only: binding != *STORED.end() },
+    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let ty = match binding {
+        PICTURES => wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Uint,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        _ if STORED.contains(&binding) => {
+            buffer(wgpu::BufferBindingType::Storage { read_only: binding != *STORED.end() })
+        }
+        _ => buffer(wgpu::BufferBindingType::Uniform),
     };
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
-        count: None,
-    }
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
 }
 
 impl Gpu {

@@ -5,6 +5,7 @@ use catoptric_tracer::{Stage, StageCamera};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
+use crate::pictures::PicturesOnCard;
 use crate::upload::Array;
 
 /// A stage in the memory of a card. It follows edits and sends only what they changed.
@@ -15,6 +16,7 @@ pub struct StageOnCard {
     materials: Array,
     checkers: Array,
     lights: Array,
+    pub(crate) pictures: PicturesOnCard,
     /// What bodies and boxes are up to date with, and whether the order of volumes is known.
     state: Option<(u64, bool)>,
     contents: Contents,
@@ -33,6 +35,7 @@ impl StageOnCard {
             materials: Array::compared(gpu, "materials")?,
             checkers: Array::compared(gpu, "checkers")?,
             lights: Array::compared(gpu, "lights")?,
+            pictures: PicturesOnCard::empty(gpu)?,
             state: None,
             contents: Contents::default(),
         })
@@ -77,6 +80,7 @@ impl StageOnCard {
         sum += self.materials.write(gpu, &arrays.materials())?;
         sum += self.checkers.write(gpu, &arrays.checkers())?;
         sum += self.lights.write(gpu, &arrays.lights())?;
+        sum += self.pictures.follow(gpu, arrays.pictures())?;
         self.state = Some((stage.state(), is_ranked));
         Ok(sum)
     }
@@ -93,7 +97,7 @@ impl StageOnCard {
         Ok(Specialization::of(&self.contents, stage, camera)?)
     }
 
-    /// The arrays, in the order of the shader's bindings.
+    /// The arrays but the pictures, in the order of the shader's bindings.
     pub(crate) fn bindings(&self) -> [wgpu::BindingResource<'_>; 6] {
         [&self.bodies, &self.scene_order, &self.boxes, &self.materials, &self.checkers, &self.lights]
             .map(Array::binding)

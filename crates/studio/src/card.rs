@@ -104,7 +104,6 @@ pub(crate) fn why(texts: &Texts, error: &GpuError) -> String {
         GpuError::Lost(_) | GpuError::NoAnswer(_) => "card-is-lost",
         GpuError::OutOfMemory(_) | GpuError::TooLarge { .. } => "card-has-no-memory",
         GpuError::Unsupported(Unsupported::LongTree) => "card-has-too-many-rays",
-        GpuError::Unsupported(Unsupported::Pictures) => "card-knows-no-pictures",
         GpuError::Unsupported(_) => "card-has-too-many-media",
         other => return other.to_string(),
     };

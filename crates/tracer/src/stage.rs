@@ -36,12 +36,14 @@ pub(crate) use curve::{Curve, STEPS as CURVE_STEPS};
 pub use edit::StageEdit;
 pub(crate) use few::BoundingSphere;
 use few::FewBodies;
+pub(crate) use image::StageImage;
 pub(crate) use light::{StageFalloff, StageLight};
 use log::EditLog;
 pub use log::StageChanges;
 pub(crate) use material::{Law, StageMaterial};
 pub(crate) use sight::Sight;
 pub(crate) use sky::StageSky;
+pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, Texture};
 
 /// A scene prepared for tracing, shared by reference between threads.
 ///

@@ -1,10 +1,17 @@
 // Twin of tile.rs: the samples of the pixels of some tiles.
 
 struct Frame {
+    // What comes from everywhere; of a gradient, what comes from above; what a picture is multiplied with.
     background: vec3<f32>,
     generations: u32,
     ambient: vec3<f32>,
     threshold: f32,
+    // Of a gradient.
+    horizon: vec3<f32>,
+    // The part of a full turn by which the picture around is turned.
+    turn: f32,
+    nadir: vec3<f32>,
+    unused_sky: u32,
     // Of the picture, pixels.
     size: vec2<u32>,
     tiles_across: u32,

@@ -7,17 +7,19 @@
 mod bytes;
 mod fit;
 mod laws;
+mod pictures;
 
 use std::fmt::Write as _;
 
 use crate::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
 use crate::shape::{SLAB_TINY, ShapeKind};
-use crate::stage::{BOX_TINY, BOX_WIDEN, BoundingSphere};
+use crate::stage::{BOX_TINY, BOX_WIDEN, BoundingSphere, TEXTURE_LEVEL};
 use crate::tile::TILE;
 
 pub use bytes::{FRAME_PLACES, Frame, StageArrays, TileRays, tile_rays};
-pub use fit::{Contents, Specialization, Unsupported};
+pub use fit::{Contents, Sky, Specialization, Unsupported};
 pub use laws::{Physical, SampleWaves};
+pub use pictures::{PICTURES_ACROSS, Pictures, Texel};
 
 /// Bytes before the first pixel of a film: the counts of rays and the words behind them.
 pub const FILM_HEAD: u64 = 32;
@@ -88,6 +90,19 @@ pub fn shader(special: &Specialization) -> String {
     if !is_plain {
         source.push_str(&laws::constants(special).text());
     }
+    if special.sky == Sky::Picture || special.textures {
+        source.push_str(&picture_constants().text());
+        source.push_str(include_str!("stage/image.wgsl"));
+    }
+    source.push_str(match special.sky {
+        Sky::Even => include_str!("stage/sky/even.wgsl"),
+        Sky::Gradient => include_str!("stage/sky/gradient.wgsl"),
+        Sky::Picture => include_str!("stage/sky/picture.wgsl"),
+    });
+    source.push_str(match special.textures {
+        false => include_str!("stage/texture/none.wgsl"),
+        true => include_str!("stage/texture.wgsl"),
+    });
     source.push_str(walk);
     ALWAYS.iter().chain(if is_plain { PLAIN } else { PHYSICAL }).for_each(|part| source.push_str(part));
     source
@@ -114,6 +129,15 @@ impl Constants {
             let _ = writeln!(text, "const {name}: bool = {value};");
         }
         text
+    }
+}
+
+/// The constants of shaders for stages with pictures.
+fn picture_constants() -> Constants {
+    Constants {
+        words: vec![("PICTURES_ACROSS", PICTURES_ACROSS)],
+        numbers: vec![("PI", std::f32::consts::PI), ("TEXTURE_LEVEL", TEXTURE_LEVEL)],
+        flags: Vec::new(),
     }
 }
 

@@ -1,9 +1,15 @@
 //! The bytes that Rust writes are where the shaders read them.
 
-use catoptric_scene::{Body, Camera, Checker, Light, Material, MaterialChoice, Projection, Scene};
+use std::sync::Arc;
+
+use catoptric_picture::Picture;
+use catoptric_scene::{
+    Body, Camera, Checker, Color, Environment, Image, Light, Material, MaterialChoice, Projection, Scene,
+    Sky, Surroundings,
+};
 use catoptric_tracer::twin::{
-    FILM_HEAD, FILM_PIXEL, Frame, Physical, SampleWaves, Specialization, StageArrays, TileRays, shader,
-    tile_rays,
+    FILM_HEAD, FILM_PIXEL, Frame, Physical, SampleWaves, Specialization, StageArrays, Texel, TileRays,
+    shader, tile_rays,
 };
 use catoptric_tracer::{Stage, StageChanges};
 use glam::DVec3;
@@ -39,7 +45,7 @@ fn word(bytes: &[u8], at: usize) -> u32 {
 /// A scene in which every number is another one.
 fn scene(bodies: usize) -> Scene {
     let material = Material {
-        color: catoptric_scene::Color { r: 0.11, g: 0.12, b: 0.13 },
+        color: Color { r: 0.11, g: 0.12, b: 0.13 },
         ambient: 0.14,
         diffuse: 0.15,
         specular: 0.16,
@@ -153,6 +159,72 @@ fn frames_and_rays_are_read_where_they_are_written() {
         (0..3).map(|axis| number(bytes, offset(&few, "RaysNear", "across") + 4 * axis)).collect();
     let length = across.iter().map(|part| part * part).sum::<f32>().sqrt();
     assert!((length - 4.0 / 40.0).abs() < 1e-6, "{across:?}");
+}
+
+#[test]
+fn skies_are_read_where_they_are_written() {
+    let few = module(0);
+    let mut scene = scene(2);
+    let at = |frame: &Frame, member| number(bytemuck::bytes_of(frame), offset(&few, "Frame", member));
+    let members = ["background", "horizon", "nadir", "turn"];
+    let frame_of = |scene: &Scene| {
+        let stage = Stage::prepare(scene).unwrap();
+        Frame::new(&stage, stage.camera(), [70, 40])
+    };
+    scene.environment.background = Color::gray(0.31);
+    assert_eq!(members.map(|member| at(&frame_of(&scene), member)), [0.31, 0.0, 0.0, 0.0]);
+    let sky = Sky { zenith: Color::gray(0.25), horizon: Color::gray(0.5), nadir: Color::gray(0.75) };
+    scene.environment =
+        Environment { surroundings: Surroundings::Sky(sky), strength: 2.0, ..scene.environment };
+    assert_eq!(members.map(|member| at(&frame_of(&scene), member)), [0.5, 1.0, 1.5, 0.0]);
+    scene.environment.surroundings = Surroundings::Picture(picture(2, 1));
+    scene.environment.rotation_degrees = -90.0;
+    assert_eq!(members.map(|member| at(&frame_of(&scene), member)), [2.0, 0.0, 0.0, 0.75]);
+    let ambient = at(&frame_of(&scene), "ambient");
+    assert_eq!(f64::from(ambient), scene.environment.ambient.r);
+}
+
+/// A picture whose pixels are numbered from 1.
+fn picture(width: u32, height: u32) -> Image {
+    let numbered = |x: u32, y: u32| [(1 + y * width + x) as f32, 0.5, -0.0];
+    Image::with_pixels("numbered", Arc::new(Picture::from_fn(width, height, numbered).unwrap()))
+}
+
+#[test]
+fn pictures_lie_where_their_records_point() {
+    let mut scene = scene(3);
+    let [around, first, second] = [picture(3, 2), picture(100, 90), picture(1, 5)];
+    scene.environment.surroundings = Surroundings::Picture(around.clone());
+    let textures = [Some(first.clone()), Some(second.clone()), Some(around), Some(first), None];
+    let of = |texture| Body {
+        material: MaterialChoice::Inline(Box::new(Material { texture, ..Material::default() })),
+        ..Body::default()
+    };
+    scene.bodies = textures.map(of).into();
+    let stage = Stage::prepare(&scene).unwrap();
+    let pictures = StageArrays(&stage).pictures();
+    assert_eq!(pictures.rows(), 2, "3 records and 9011 pixels");
+    let texels: Vec<Texel> =
+        pictures.pieces(1).inspect(|piece| assert_eq!(piece.len(), 8192)).flatten().collect();
+    assert_eq!(texels, pictures.pieces(7).flatten().collect::<Vec<_>>());
+    assert_eq!(texels[0], [3, 3, 2, 0]);
+    let mut sizes = Vec::new();
+    for &[start, width, height, _] in &texels[..3] {
+        sizes.push([width, height]);
+        let last = texels[(start + width * height - 1) as usize];
+        assert_eq!(texels[start as usize], [1.0, 0.5, -0.0, 0.0].map(f32::to_bits));
+        assert_eq!(last, [(width * height) as f32, 0.5, -0.0, 0.0].map(f32::to_bits));
+    }
+    // In the place of the colors stand the numbers of the records.
+    let few = module(0);
+    let materials = StageArrays(&stage).materials();
+    let size = layout(&few, "Material").1 as usize;
+    let place = |material: &[u8]| number(material, offset(&few, "Material", "color"));
+    let found: Vec<f32> = materials.chunks(size).map(place).collect();
+    let widths: Vec<u32> =
+        found.iter().filter(|color| **color < 0.0).map(|color| sizes[(-1.0 - color) as usize][0]).collect();
+    assert_eq!(widths, [100, 1, 3]);
+    assert_eq!(found[3], Material::default().color.r as f32);
 }
 
 #[test]

@@ -10,5 +10,6 @@ mod follow;
 mod layout;
 mod parity;
 mod physical;
+mod pictures;
 mod screen;
 mod shaders;

@@ -1,8 +1,7 @@
 //! Every reference scene and every example: the same picture as the CPU's, and the same bodies in it.
 
-use catoptric_gpu::{Gpu, GpuError, GpuFilm, StageOnCard};
+use catoptric_gpu::{Gpu, GpuFilm, StageOnCard};
 use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
-use catoptric_tracer::twin::Unsupported;
 use catoptric_tracer::{Control, NO_BODY, RayCounts, RenderSettings, Stage, render};
 use glam::DVec2;
 
@@ -91,10 +90,6 @@ fn pictures_are_those_of_the_cpu() {
     let mut faults = Vec::new();
     for (name, scene) in all_scenes() {
         let stage = stage_of(&scene);
-        if has_pictures(&card, &stage) {
-            println!("{name}: skipped, no shader knows pictures and skies yet");
-            continue;
-        }
         let compared = compare(&card, &stage, 1);
         faults.extend(fault(&name, &compared));
         let (cpu, gpu) = (compared.cpu.1, compared.gpu.1);
@@ -108,13 +103,6 @@ fn pictures_are_those_of_the_cpu() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-}
-
-/// Whether a stage is refused for its pictures or its sky.
-fn has_pictures(card: &Gpu, stage: &Stage) -> bool {
-    let on_card = StageOnCard::new(card).unwrap();
-    let special = on_card.specialization(stage, stage.camera());
-    matches!(special, Err(GpuError::Unsupported(Unsupported::Pictures)))
 }
 
 /// The mean of many samples is gathered in single precision on a card.

@@ -1,6 +1,6 @@
 //! Every shader that a stage may need is sound, which naga tells without a card.
 
-use catoptric_tracer::twin::{ENTRY_POINT, Physical, Specialization, shader};
+use catoptric_tracer::twin::{ENTRY_POINT, Physical, Sky, Specialization, shader};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// The shader as naga has it, or why it is none.
@@ -39,15 +39,25 @@ pub(crate) fn kinds() -> Vec<Specialization> {
                     checkers,
                     asks_each_start,
                     physical: Physical::NOTHING,
+                    sky: Sky::Even,
+                    textures: false,
                 };
                 kinds.push(plain);
+                kinds.extend(with_pictures(plain));
                 if [0, 63].contains(&shapes) {
                     kinds.extend(PHYSICAL.map(|physical| Specialization { physical, ..plain }));
+                    kinds.extend(with_pictures(Specialization { physical: Physical::ALL, ..plain }));
                 }
             }
         }
     }
     kinds
+}
+
+/// The same with skies and textures.
+fn with_pictures(kind: Specialization) -> [Specialization; 4] {
+    let all = [(Sky::Gradient, false), (Sky::Picture, false), (Sky::Even, true), (Sky::Picture, true)];
+    all.map(|(sky, textures)| Specialization { sky, textures, ..kind })
 }
 
 #[test]
@@ -56,6 +66,19 @@ fn every_kind_of_shader_is_valid() {
         match parsed(&shader(&kind)) {
             Ok(module) => assert!(module.entry_points.iter().any(|entry| entry.name == ENTRY_POINT)),
             Err(error) => panic!("{kind:?}: {error}"),
+        }
+    }
+}
+
+/// Scenes without pictures pay nothing for them.
+#[test]
+fn shaders_without_pictures_know_nothing_of_them() {
+    for physical in [Physical::NOTHING, Physical::ALL] {
+        let even = Specialization { physical, ..Specialization::default() };
+        for own in ["pictures: texture", "fn image_at", "fn texture_place", "fn angle_of"] {
+            assert!(!shader(&even).contains(own), "{own}");
+            assert!(shader(&Specialization { textures: true, ..even }).contains(own), "{own}");
+            assert!(!shader(&Specialization { sky: Sky::Gradient, ..even }).contains(own), "{own}");
         }
     }
 }

@@ -27,7 +27,6 @@ card-lost-notice = The processor draws from now on instead of the graphics card:
 card-is-lost = the card is lost.
 card-has-no-memory = the card has too little memory for this.
 card-has-too-many-rays = some pixels need too many rays.
-card-knows-no-pictures = skies, pictures around the scene and textures are drawn by the processor, so far.
 card-has-too-many-media = a ray is inside of too many transparent bodies at once.
 status-size-name = Size
     .tip = Width and height of the picture traced last, in pixels; smaller while something moves.

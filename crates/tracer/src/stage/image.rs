@@ -30,8 +30,21 @@ impl StageImage {
         image.pixels().map(|pixels| Self(Arc::clone(pixels)))
     }
 
+    pub(crate) fn width(&self) -> u32 {
+        self.0.width()
+    }
+
+    pub(crate) fn height(&self) -> u32 {
+        self.0.height()
+    }
+
+    /// Row by row from the top.
+    pub(crate) fn pixels(&self) -> &[[f32; 3]] {
+        self.0.pixels()
+    }
+
     /// A number that no other picture has while this one is kept.
-    pub(super) fn number(&self) -> u64 {
+    pub(crate) fn number(&self) -> u64 {
         Arc::as_ptr(&self.0) as usize as u64
     }
 

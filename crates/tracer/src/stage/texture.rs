@@ -20,6 +20,10 @@ impl Texture {
         StageImage::new(image).map(Self)
     }
 
+    pub(crate) fn image(&self) -> &StageImage {
+        &self.0
+    }
+
     /// A number that no other picture has while this one is kept.
     pub(super) fn number(&self) -> u64 {
         self.0.number()
@@ -53,10 +57,11 @@ impl Texture {
     }
 }
 
+/// Points of a cap may be this far from its level by rounding.
+pub(crate) const LEVEL: f32 = 1e-6;
+
 /// Where a point of a body's surface lies in the picture: its middle is where z is largest, seen upright from outside.
 fn place(shape: Canonical, [x, y, z]: [f32; 3]) -> (f32, f32, Beyond) {
-    /// Points of a cap may be this far from its level by rounding.
-    const LEVEL: f32 = 1e-6;
     let around = || 0.5 + x.atan2(z) / TAU;
     // A square as wide as 2, seen from its front.
     let flat = |right: f32, down: f32| (0.5 + 0.5 * right, 0.5 + 0.5 * down, Beyond::Ends);

@@ -16,6 +16,7 @@ use crate::tile::Place;
 use super::MOST_MEDIA;
 use super::fit::eye_media;
 use super::laws::{self, BallBytes, Physical};
+use super::pictures::Pictures;
 
 /// The most samples of one [`Frame`].
 pub const FRAME_PLACES: usize = 16;
@@ -78,9 +79,17 @@ impl<'a> StageArrays<'a> {
     /// The materials, in the form that the shader of the stage's [`Specialization`](super::Specialization) reads.
     pub fn materials(self) -> Vec<u8> {
         match Physical::of(self.0) {
-            Physical::NOTHING => bytes(self.0.materials.iter().map(MaterialBytes::of)),
+            Physical::NOTHING => {
+                let pictures = self.pictures();
+                bytes(self.0.materials.iter().map(|material| MaterialBytes::of(material, &pictures)))
+            }
             _ => bytes(laws::rows(self.0).into_iter()),
         }
+    }
+
+    /// The pictures around the bodies and on them.
+    pub fn pictures(self) -> Pictures {
+        Pictures::of(self.0)
     }
 
     /// The checkers.
@@ -117,7 +126,7 @@ struct MaterialBytes {
 }
 
 impl MaterialBytes {
-    fn of(material: &StageMaterial) -> Self {
+    fn of(material: &StageMaterial, pictures: &Pictures) -> Self {
         // All fields by name: what the shaders do not know must not be left out unnoticed.
         // Where the last ones mean anything, `laws.rs` packs them.
         let StageMaterial {
@@ -129,12 +138,13 @@ impl MaterialBytes {
             reflection,
             filter,
             ior,
-            texture: _,
+            ref texture,
             law: _,
             dispersion: _,
             alpha: _,
             absorption: _,
         } = *material;
+        let color = texture.as_ref().map_or(color, |texture| pictures.in_place_of_color(texture));
         Self { color, ambient, filter, ior, diffuse, specular, shininess, reflection }
     }
 }
@@ -169,6 +179,10 @@ pub struct Frame {
     generations: u32,
     ambient: [f32; 3],
     threshold: f32,
+    horizon: [f32; 3],
+    turn: f32,
+    nadir: [f32; 3],
+    unused_sky: u32,
     size: [u32; 2],
     tiles_across: u32,
     first_tile: u32,
@@ -188,11 +202,17 @@ impl Frame {
     /// For a picture of `size` pixels.
     pub fn new(stage: &Stage, camera: &StageCamera, size: [u32; 2]) -> Self {
         let media = eye_media(stage, camera);
+        let nothing = [0.0; 3];
+        let (background, horizon, nadir, turn) = match stage.sky {
+            StageSky::Even(color) => (color, nothing, nothing, 0.0),
+            StageSky::Gradient { zenith, horizon, nadir } => (zenith, horizon, nadir, 0.0),
+            StageSky::Picture { image: _, turn, strength } => ([strength; 3], nothing, nothing, turn),
+        };
         let mut frame = Self {
-            background: match stage.sky {
-                StageSky::Even(color) => color,
-                _ => [0.0; 3],
-            },
+            background,
+            horizon,
+            nadir,
+            turn,
             generations: stage.generations(),
             ambient: stage.ambient,
             threshold: stage.threshold(),

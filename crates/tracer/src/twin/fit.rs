@@ -34,14 +34,37 @@ pub struct Specialization {
     pub asks_each_start: bool,
     /// What there is of physical materials and lights.
     pub physical: Physical,
+    /// What surrounds the bodies.
+    pub sky: Sky,
+    /// Whether there are pictures on bodies.
+    pub textures: bool,
+}
+
+/// What surrounds the bodies of a stage.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Sky {
+    /// The same light from everywhere.
+    #[default]
+    Even,
+    /// Light that changes with the height.
+    Gradient,
+    /// A picture.
+    Picture,
+}
+
+impl Sky {
+    fn of(stage: &Stage) -> Self {
+        match stage.sky {
+            StageSky::Even(_) => Self::Even,
+            StageSky::Gradient { .. } => Self::Gradient,
+            StageSky::Picture { .. } => Self::Picture,
+        }
+    }
 }
 
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
-    /// Pictures or skies around the bodies, or pictures on them.
-    #[error("the GPU knows even surroundings and bodies without textures, so far")]
-    Pictures,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
     EyeMedia(usize),
@@ -87,9 +110,6 @@ impl Specialization {
     pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
         let physical = Physical::of(stage);
         let is_textured = |material: &StageMaterial| material.texture.is_some();
-        if !matches!(stage.sky, StageSky::Even(_)) || stage.materials.iter().any(is_textured) {
-            return Err(Unsupported::Pictures);
-        }
         let around_eye = eye_media(stage, camera).len();
         if around_eye > MOST_MEDIA {
             return Err(Unsupported::EyeMedia(around_eye));
@@ -108,6 +128,8 @@ impl Specialization {
             checkers: !stage.checkers.is_empty(),
             asks_each_start: is_clear && camera.parallel_height().is_some(),
             physical,
+            sky: Sky::of(stage),
+            textures: stage.materials.iter().any(is_textured),
         })
     }
 

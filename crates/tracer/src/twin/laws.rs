@@ -12,6 +12,7 @@ use crate::stage::{CURVE_STEPS, Curve, Law, Stage, StageLight, StageMaterial};
 use crate::whitted::Waves;
 
 use super::bytes::{FRAME_PLACES, LightBytes};
+use super::pictures::Pictures;
 use super::{Constants, Specialization};
 
 /// What a stage has of physical materials and lights, a bit for each.
@@ -112,7 +113,8 @@ type Row = [u32; 4];
 
 /// The materials, then the tables that they point to.
 pub(super) fn rows(stage: &Stage) -> Vec<Row> {
-    let mut tables = Tables { first: stage.materials.len() as u32 * ROWS, ..Tables::default() };
+    let first = stage.materials.len() as u32 * ROWS;
+    let mut tables = Tables { first, pictures: Pictures::of(stage), ..Tables::default() };
     let mut rows: Vec<Row> = Vec::new();
     for material in stage.materials.iter() {
         rows.extend(rows_of(material, &mut tables));
@@ -129,6 +131,7 @@ struct Tables {
     rows: Vec<Row>,
     /// Where the curves are that stand there already.
     curves: HashMap<*const Curve, u32>,
+    pictures: Pictures,
 }
 
 impl Tables {
@@ -163,9 +166,8 @@ fn row(numbers: [f32; 4]) -> Row {
 fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize] {
     // All fields by name: what the shaders do not know must not be left out unnoticed.
     let StageMaterial {
-        color: [red, green, blue],
-        // Stages with one are refused beforehand (`fit.rs`).
-        texture: _,
+        color,
+        ref texture,
         ambient,
         diffuse,
         specular,
@@ -186,9 +188,10 @@ fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize
         Law::Coat(coat) => (COAT, NO_ROWS, [coat.ratio, coat.spread, coat.inner, coat.lets_in]),
     };
     let indices = dispersion.map_or(NO_ROWS, |dispersion| tables.indices(dispersion));
+    let color = texture.as_ref().map_or(color, |texture| tables.pictures.in_place_of_color(texture));
     let with = |[red, green, blue]: [f32; 3], last| row([red, green, blue, last]);
     [
-        with([red, green, blue], ambient),
+        with(color, ambient),
         with(filter, ior),
         row([diffuse, specular, shininess, reflection]),
         [law, alpha.to_bits(), curve, indices],

@@ -20,7 +20,7 @@ struct Encounter {
 fn encounter(ray: Ray, hit: Hit) -> Encounter {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
     let material = material_of(hit.body);
-    var color = material.color;
+    var color = color_at(material.color, hit.body, point.in_body);
     if HAS_CHECKERS && bodies[hit.body].checker != NO_BODY {
         let checker = checkers[bodies[hit.body].checker];
         if checker_is_odd(checker, point.in_body) {

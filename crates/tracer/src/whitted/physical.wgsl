@@ -205,7 +205,7 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
         }
         var goes_on = false;
         if !hit.hit {
-            light += follower.weight * frame.background;
+            light += follower.weight * sky_light(follower.ray.direction);
         } else {
             var at = encounter(follower.ray, hit);
             light += follower.weight * local_light(follower.ray, &at, follower.generation, &media);

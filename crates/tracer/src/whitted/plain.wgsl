@@ -18,7 +18,7 @@ struct Encounter {
 
 fn encounter(ray: Ray, hit: Hit) -> Encounter {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
-    var color = materials[bodies[hit.body].material].color;
+    var color = color_at(materials[bodies[hit.body].material].color, hit.body, point.in_body);
     if HAS_CHECKERS && bodies[hit.body].checker != NO_BODY {
         let checker = checkers[bodies[hit.body].checker];
         if checker_is_odd(checker, point.in_body) {
@@ -93,7 +93,7 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
         }
         var goes_on = false;
         if !hit.hit {
-            light += weight * frame.background;
+            light += weight * sky_light(ray.direction);
         } else {
             let at = encounter(ray, hit);
             let material = materials[bodies[hit.body].material];
