@@ -68,8 +68,8 @@ pub struct Stage {
     pub(crate) threshold: f32,
     /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
-    /// Whether some surface has a law of its own, or some light is a ball, or did before an edit.
-    pub(crate) is_physical: bool,
+    /// Whether there is more than Phong's model in plain colors, point lights and even surroundings, or was before an edit.
+    pub(crate) is_full: bool,
     /// Whether light is lost in some body.
     pub(crate) absorbs: bool,
     /// Whether some body splits light into its colors.
@@ -171,6 +171,7 @@ impl Stage {
         drop(entries);
         let bodies: Vec<StageBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
         let Tracing { generations, threshold } = scene.tracing;
+        let sky = StageSky::new(&scene.environment);
         Ok(Self {
             bounded,
             hierarchy,
@@ -178,15 +179,16 @@ impl Stage {
             bodies,
             scene_indices,
             has_transparency: materials.iter().any(StageMaterial::is_transparent),
-            is_physical: materials.iter().any(StageMaterial::is_physical)
-                || scene.lights.iter().any(|light| light.radius > 0.0),
+            is_full: materials.iter().any(StageMaterial::is_full)
+                || scene.lights.iter().any(|light| light.radius > 0.0)
+                || sky.is_full(),
             absorbs: materials.iter().any(StageMaterial::absorbs),
             disperses: materials.iter().any(|material| material.dispersion.is_some()),
             materials: materials.into(),
             checkers: checkers.into(),
             lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),
             camera: StageCamera::new(&scene.camera, surroundings),
-            sky: StageSky::new(&scene.environment),
+            sky,
             ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,

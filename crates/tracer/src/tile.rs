@@ -117,7 +117,12 @@ impl<'a> TileTracer<'a> {
     /// The light of one sample of each pixel; `None` if it was cancelled midway.
     pub(crate) fn trace(&mut self, place: Place, size: DVec2, sample: u32) -> Option<&TileLight> {
         self.whitted.tidy();
-        let is_finished = self.lanes.run(Sample { tracer: self, place, size, sample });
+        let (lanes, is_full) = (self.lanes, self.whitted.is_full());
+        let is_finished = if is_full {
+            lanes.run(Sample::<true> { tracer: self, place, size, sample })
+        } else {
+            lanes.run(Sample::<false> { tracer: self, place, size, sample })
+        };
         if !is_finished {
             self.levels.iter_mut().for_each(Level::clear);
         }
@@ -125,21 +130,21 @@ impl<'a> TileTracer<'a> {
     }
 }
 
-/// One sample of the pixels of a tile.
-struct Sample<'t, 'a> {
+/// One sample of the pixels of a tile. `FULL` stands where [`Stage::is_full`] may be true.
+struct Sample<'t, 'a, const FULL: bool> {
     tracer: &'t mut TileTracer<'a>,
     place: Place,
     size: DVec2,
     sample: u32,
 }
 
-impl Work for Sample<'_, '_> {
+impl<const FULL: bool> Work for Sample<'_, '_, FULL> {
     type Output = bool;
 
     #[inline(always)]
     fn run<W: Width>(self, w: W) -> bool {
         let Self { tracer, place, size, sample } = self;
-        tracer.primary(w, place, size, sample) && tracer.drain(w)
+        tracer.primary::<W, FULL>(w, place, size, sample) && tracer.drain::<W, FULL>(w)
     }
 }
 
@@ -153,7 +158,7 @@ impl TileTracer<'_> {
 
     /// Traces the rays from the eye, in blocks of neighboring pixels. False if it was cancelled.
     #[inline(always)]
-    fn primary<W: Width>(&mut self, w: W, place: Place, size: DVec2, sample: u32) -> bool {
+    fn primary<W: Width, const FULL: bool>(&mut self, w: W, place: Place, size: DVec2, sample: u32) -> bool {
         let block = Block::new(w);
         let [width, height] = Block::<W>::SIZE;
         self.light.begin(place, Block::<W>::SIZE);
@@ -174,7 +179,7 @@ impl TileTracer<'_> {
                 let lanes = w.mask(Block::<W>::lanes(place, left, top));
                 let pixels = block.pixel.plus(w.word(first as u32));
                 let beams = self.whitted.roots(w, rays, pixels, lanes);
-                let light = self.follow(w, &beams, Origin::Eye, 0);
+                let light = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0);
                 self.light.set(first, light);
                 first += W::LANES;
             }
@@ -184,7 +189,7 @@ impl TileTracer<'_> {
 
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
-    fn drain<W: Width>(&mut self, w: W) -> bool {
+    fn drain<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
         if self.waiting(0) == 0 {
             return true;
         }
@@ -196,7 +201,7 @@ impl TileTracer<'_> {
             }
             if self.waiting(at) > 0 {
                 let beams = self.levels[at].take(w);
-                let light = self.follow(w, &beams, Origin::Anywhere, at + 1);
+                let light = self.follow::<W, FULL>(w, &beams, Origin::Anywhere, at + 1);
                 self.light.add(&beams, light);
                 if self.waiting(at + 1) >= Self::MOST_WAITING {
                     at += 1;
@@ -218,11 +223,17 @@ impl TileTracer<'_> {
 
     /// Traces rays: the light that each brings. Those that grow from them wait at `level`.
     #[inline(always)]
-    fn follow<W: Width>(&mut self, w: W, beams: &Beams<W>, from: Origin, level: usize) -> Vector<W::R> {
+    fn follow<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        from: Origin,
+        level: usize,
+    ) -> Vector<W::R> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
-        self.whitted.follow(w, beams, from, &mut self.levels[level]).light
+        self.whitted.follow::<W, FULL>(w, beams, from, &mut self.levels[level]).light
     }
 }
 

@@ -114,7 +114,7 @@ impl<'a> Whitted<'a> {
         let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
-            light += Vec3A::from(self.follow(One, &beam, Origin::Anywhere, &mut pending).light);
+            light += Vec3A::from(self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut pending).light);
             until_look -= 1;
             if until_look == 0 {
                 if self.cancel.load(Ordering::Relaxed) {
@@ -140,6 +140,11 @@ impl<'a> Whitted<'a> {
         if self.media.tidy() {
             self.eye_media = None;
         }
+    }
+
+    /// Whether there may be more than Phong's model in plain colors, point lights and even surroundings.
+    pub(crate) fn is_full(&self) -> bool {
+        self.stage.is_full
     }
 
     /// Prepares for a sample; no rays may be in flight.
@@ -202,44 +207,26 @@ impl<'a> Whitted<'a> {
 
     /// Traces rays side by side: what each adds to its pixel, and what it meets. The rays that grow from them go to
     /// `offspring`.
-    pub(crate) fn follow<W: Width>(
+    ///
+    /// `FULL` stands where [`Stage::is_full`] may be true: what other surfaces, lights and surroundings need would cost
+    /// plain scenes a tenth of their time.
+    #[inline(always)]
+    pub(crate) fn follow<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
         from: Origin,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
-        if self.stage.is_physical {
-            self.follow_among::<W, true>(w, beams, from, offspring)
-        } else {
-            self.follow_among::<W, false>(w, beams, from, offspring)
-        }
-    }
-
-    /// Traces rays where there are surfaces with laws of their own or lights that are balls, or none of them: what those
-    /// need would cost the others a tenth of their time.
-    #[inline(always)]
-    fn follow_among<W: Width, const PHYSICAL: bool>(
-        &mut self,
-        w: W,
-        beams: &Beams<W>,
-        from: Origin,
-        offspring: &mut impl Offspring<W>,
-    ) -> Followed<W> {
-        w.run(
-            #[inline(always)]
-            || {
-                let mut inside = std::mem::take(&mut self.inside);
-                inside.fill::<W>(&self.media, beams.media, beams.lanes);
-                let followed = self.follow_inside::<W, PHYSICAL>(w, beams, from, &inside, offspring);
-                self.inside = inside;
-                followed
-            },
-        )
+        let mut inside = std::mem::take(&mut self.inside);
+        inside.fill::<W>(&self.media, beams.media, beams.lanes);
+        let followed = self.follow_inside::<W, FULL>(w, beams, from, &inside, offspring);
+        self.inside = inside;
+        followed
     }
 
     #[inline(always)]
-    fn follow_inside<W: Width, const PHYSICAL: bool>(
+    fn follow_inside<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -252,24 +239,28 @@ impl<'a> Whitted<'a> {
         let hits = Hits { hit, ..hits };
         let mut beams = beams;
         let absorbed;
-        if PHYSICAL && self.stage.absorbs && !inside.is_empty() {
+        if FULL && self.stage.absorbs && !inside.is_empty() {
             let through = self.media.left_after(w, self.stage, beams.media, hits.t, beams.lanes);
             offspring.travels(through);
             absorbed = Beams { weight: beams.weight.times(through), ..*beams };
             beams = &absorbed;
         }
-        let background = self.stage.sky.light(w, beams.rays.direction, beams.lanes & !hit);
+        let background = if FULL {
+            self.stage.sky.light(w, beams.rays.direction, beams.lanes & !hit)
+        } else {
+            Vector::splat(w.real(0.0), self.stage.sky.even())
+        };
         if !hit.any() {
             return Followed { light: beams.weight.times(background), hits };
         }
-        let at = Encounter::new::<PHYSICAL>(w, self.stage, &beams.rays, &hits);
+        let at = Encounter::new::<FULL>(w, self.stage, &beams.rays, &hits);
         offspring.meets(&at);
-        let light = self.local_light::<W, PHYSICAL>(w, beams, inside, &at, offspring);
+        let light = self.local_light::<W, FULL>(w, beams, inside, &at, offspring);
         offspring.shades(light);
         let light = beams.weight.times(Vector::select(hit, light, background));
         let goes_on = hit & beams.below(w, self.generations);
         if goes_on.any() {
-            self.spawn::<W, PHYSICAL>(w, beams, &at, goes_on, offspring);
+            self.spawn::<W, FULL>(w, beams, &at, goes_on, offspring);
         }
         Followed { light, hits }
     }
@@ -307,7 +298,7 @@ impl<'a> Whitted<'a> {
 
     /// The ambient, diffuse and highlight terms.
     #[inline(always)]
-    fn local_light<W: Width, const PHYSICAL: bool>(
+    fn local_light<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -325,7 +316,7 @@ impl<'a> Whitted<'a> {
             let mut distance = offset.length_squared().sqrt();
             let mut to_light = offset * (w.real(1.0) / distance);
             let mut power = None;
-            if PHYSICAL && source.radius > 0.0 {
+            if FULL && source.radius > 0.0 {
                 let throw = self.dice.throw(w, self.stage, beams, at.body, SomeUse::Light(index));
                 let (to_point, before, share) = source.point_of_ball((to_light, distance), &throw);
                 power = Some(source.power_at(distance) * share);
@@ -335,8 +326,8 @@ impl<'a> Whitted<'a> {
             offspring.faces(index, to_light, distance, cos);
             let mut rays = at.rays_on_this_side(to_light);
             let mut faces = cos.gt(zero);
-            let within = if PHYSICAL { at.frosted_within() } else { w.mask(0) };
-            if PHYSICAL && within.any() {
+            let within = if FULL { at.frosted_within() } else { w.mask(0) };
+            if FULL && within.any() {
                 // The body's own surface lies between its inner side and a light; what it lets through from there is seen
                 // where the viewer's ray leaves it.
                 faces = (faces & !within) | (within & cos.lt(zero));
@@ -355,14 +346,14 @@ impl<'a> Whitted<'a> {
                 continue;
             }
             let to_viewer = -beams.rays.direction;
-            let mut answer = if PHYSICAL { at.scattered(cos) } else { at.diffuse * cos };
+            let mut answer = if FULL { at.scattered(cos) } else { at.diffuse * cos };
             if at.glossy.any() {
                 let highlight = phong_highlight(to_viewer, to_light, at.normal, at.shininess);
                 let highlight = at.specular * highlight;
                 offspring.shines(to_viewer, highlight);
                 answer = answer.map(|diffuse| diffuse + highlight);
             }
-            if PHYSICAL && at.rough.any() {
+            if FULL && at.rough.any() {
                 let glints = self.glints(w, beams, at, to_light);
                 offspring.glints(glints);
                 answer = answer + glints;

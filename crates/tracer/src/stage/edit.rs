@@ -94,8 +94,8 @@ impl Stage {
         }
         self.log.add(changes);
         self.lights = after.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect();
-        self.is_physical |= self.lights.iter().any(|light| light.radius > 0.0);
         self.sky = StageSky::new(&after.environment);
+        self.is_full |= self.lights.iter().any(|light| light.radius > 0.0) || self.sky.is_full();
         self.ambient = numbers(after.environment.ambient);
         self.generations = after.tracing.generations.clamp(1, Tracing::MAX_GENERATIONS);
         self.threshold = after.tracing.threshold as f32;
@@ -126,7 +126,7 @@ impl Stage {
         if let Some(body) = self.bodies.get_mut(change.place as usize) {
             *body = StageBody { material, checker, ..change.body };
             self.has_transparency |= body.is_transparent();
-            self.is_physical |= change.material.is_physical();
+            self.is_full |= change.material.is_full();
             self.absorbs |= change.material.absorbs();
             self.disperses |= change.material.dispersion.is_some();
             self.largest_slack = self.largest_slack.max(body.slack);

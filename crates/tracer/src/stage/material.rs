@@ -193,9 +193,9 @@ impl StageMaterial {
         self.filter != [0.0; 3]
     }
 
-    /// Whether it reflects by a law of its own.
-    pub(crate) fn is_physical(&self) -> bool {
-        !matches!(self.law, Law::Constant)
+    /// Whether it is more than Phong's model with plain colors: a law of its own, a texture.
+    pub(crate) fn is_full(&self) -> bool {
+        !matches!(self.law, Law::Constant) || self.texture.is_some()
     }
 
     /// Whether light is lost in the body.

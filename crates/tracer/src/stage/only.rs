@@ -65,7 +65,7 @@ impl Stage {
             generations: self.generations,
             threshold: self.threshold,
             has_transparency: order.iter().any(|&index| self.body(index).is_transparent()),
-            is_physical: self.is_physical,
+            is_full: self.is_full,
             absorbs: self.absorbs,
             disperses: self.disperses,
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),

@@ -43,6 +43,20 @@ impl StageSky {
         }
     }
 
+    /// Whether it is more than an even light.
+    pub(super) fn is_full(&self) -> bool {
+        !matches!(self, Self::Even(_))
+    }
+
+    /// The light that comes from everywhere, where it is the same; else none.
+    #[inline(always)]
+    pub(crate) fn even(&self) -> [f32; 3] {
+        match self {
+            Self::Even(color) => *color,
+            _ => [0.0; 3],
+        }
+    }
+
     /// The light that comes to rays `lanes` from where they go to; `direction` is of length 1.
     #[inline(always)]
     pub(crate) fn light<W: Width>(&self, w: W, direction: Vector<W::R>, lanes: W::M) -> Vector<W::R> {

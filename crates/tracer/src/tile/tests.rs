@@ -8,7 +8,10 @@ use crate::lanes::One;
 const SIZE: (usize, usize) = (90, 50);
 
 /// The light of a picture's pixels, traced in one width, and the rays that it took.
-fn trace(stage: &Stage, mut trace: impl FnMut(Sample<'_, '_>) -> bool) -> (Vec<[f32; 3]>, RayCounts) {
+fn trace<const FULL: bool>(
+    stage: &Stage,
+    mut trace: impl FnMut(Sample<'_, '_, FULL>) -> bool,
+) -> (Vec<[f32; 3]>, RayCounts) {
     let control = Control::default();
     let mut tracer = TileTracer::new(stage, stage.camera(), &control);
     let size = DVec2::new(SIZE.0 as f64, SIZE.1 as f64);
@@ -37,9 +40,13 @@ fn all_widths_trace_the_same_picture() {
     for name in plain.map(str::to_owned).into_iter().chain(physical).chain(patterned) {
         let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
         let stage = Stage::prepare(&scene).unwrap();
-        let (alone, rays) = trace(&stage, |sample| sample.run(One));
+        let (alone, rays) = trace::<true>(&stage, |sample| sample.run(One));
         for (lanes_name, lanes) in Lanes::all() {
-            let (wide, wide_rays) = trace(&stage, |sample| lanes.run(sample));
+            let (wide, wide_rays) = if stage.is_full {
+                trace::<true>(&stage, |sample| lanes.run(sample))
+            } else {
+                trace::<false>(&stage, |sample| lanes.run(sample))
+            };
             assert_eq!(wide_rays, rays, "{name}, {lanes_name}");
             let differ = |(a, b): (&f32, &f32)| (a - b).abs() > f32::EPSILON * a.abs();
             let off = wide.iter().flatten().zip(alone.iter().flatten()).filter(|&pair| differ(pair)).count();

@@ -56,7 +56,7 @@ pub(crate) struct Encounter<W: Width> {
 impl<W: Width> Encounter<W> {
     /// Looks at the bodies one after the other: rays side by side mostly meet the same.
     #[inline(always)]
-    pub(super) fn new<const PHYSICAL: bool>(w: W, stage: &Stage, rays: &Rays<W>, hits: &Hits<W>) -> Self {
+    pub(super) fn new<const FULL: bool>(w: W, stage: &Stage, rays: &Rays<W>, hits: &Hits<W>) -> Self {
         let (zero, none) = (w.real(0.0), w.mask(0));
         let nowhere = Vector::new(zero, zero, zero);
         let leaving = W::W::select(hits.leaving, w.word(INWARDS), w.word(0));
@@ -91,14 +91,14 @@ impl<W: Width> Encounter<W> {
             let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
             let same = hits.body.is(index) & hits.hit;
             left &= !same.bits();
-            all.look_at::<PHYSICAL>(w, stage, stage.body(index), rays, hits, same);
+            all.look_at::<FULL>(w, stage, stage.body(index), rays, hits, same);
         }
         all
     }
 
     /// Takes up what rays `lanes` find on a body.
     #[inline(always)]
-    fn look_at<const PHYSICAL: bool>(
+    fn look_at<const FULL: bool>(
         &mut self,
         w: W,
         stage: &Stage,
@@ -110,7 +110,10 @@ impl<W: Width> Encounter<W> {
         let material = stage.material(body);
         let zero = w.real(0.0);
         let point = body.surface_point(rays.origin, rays.direction, hits.t, hits.leaving);
-        let mut color = material.color_at(w, body, point.in_body, lanes);
+        let mut color = Vector::splat(zero, material.color);
+        if FULL {
+            color = material.color_at(w, body, point.in_body, lanes);
+        }
         if let Some(checker) = stage.checkers.get(body.checker as usize) {
             color = Vector::select(checker.is_odd(point.in_body), Vector::splat(zero, checker.color), color);
         }
@@ -135,7 +138,7 @@ impl<W: Width> Encounter<W> {
             self.answers = self.answers | lanes;
         }
         self.reflection = real(material.reflection, self.reflection);
-        if PHYSICAL && material.is_physical() {
+        if FULL && !matches!(material.law, Law::Constant) {
             self.obey(w, material, (color, stage.ambient), rays.direction, lanes);
         }
         if body.is_transparent() {

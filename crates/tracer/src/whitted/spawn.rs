@@ -33,7 +33,7 @@ struct Crossing<W: Width> {
 impl Whitted<'_> {
     /// Sends the reflected and refracted rays, each if it carries anything.
     #[inline(always)]
-    pub(super) fn spawn<W: Width, const PHYSICAL: bool>(
+    pub(super) fn spawn<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -44,32 +44,35 @@ impl Whitted<'_> {
         let next = beams.generation.plus(w.word(1));
         let facets;
         let mut growth = Growth { at, ground: None, next };
-        if PHYSICAL && at.rough.any() {
+        if FULL && at.rough.any() {
             let (on, ground) = self.on_facets(w, beams, at);
             facets = on;
             (growth.at, growth.ground) = (&facets, Some(ground));
         }
-        let mut reflection = growth.reflected::<PHYSICAL>(growth.at.reflection);
+        let mut reflection = growth.reflected::<FULL>(growth.at.reflection);
         let transparent = goes_on & at.transparent;
         if transparent.any() {
-            reflection = self.refracted::<W, PHYSICAL>(w, beams, &growth, transparent, offspring);
+            reflection = self.refracted::<W, FULL>(w, beams, &growth, transparent, offspring);
         }
         let at = growth.at;
-        let direction = mend_unit(reflect(beams.rays.direction, at.normal));
-        let (reflection, lanes) = growth.let_off(direction, false, reflection, goes_on);
+        let direction = || mend_unit(reflect(beams.rays.direction, at.normal));
+        let mut lanes = goes_on;
+        if FULL {
+            (reflection, lanes) = growth.let_off(direction(), false, reflection, goes_on);
+        }
         offspring.reflects(reflection);
         let weight = beams.weight.times(reflection);
         let lanes = lanes & self.carries(w, weight);
         if lanes.any() {
             self.counts.reflected += u64::from(lanes.bits().count_ones());
-            let rays = at.rays_on_this_side(direction);
+            let rays = at.rays_on_this_side(direction());
             offspring.reflected(growth.beams(beams, rays, weight, (beams.media, lanes)));
         }
     }
 
     /// Sends rays through clear surfaces. What is reflected from them and all others.
     #[inline(always)]
-    fn refracted<W: Width, const PHYSICAL: bool>(
+    fn refracted<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -79,20 +82,20 @@ impl Whitted<'_> {
     ) -> Vector<W::R> {
         let mut white = transparent;
         let mut split = None;
-        if PHYSICAL && self.stage.disperses {
+        if FULL && self.stage.disperses {
             let lanes = transparent & growth.at.disperses & self.are_white(w, beams.media);
             if lanes.any() {
                 split = Some((lanes, self.split(w, beams, growth, lanes, offspring)));
                 white = white & !lanes;
             }
         }
-        let crossing = self.crossing::<W, PHYSICAL>(w, beams, beams.media, growth.at, transparent);
+        let crossing = self.crossing::<W, FULL>(w, beams, beams.media, growth.at, transparent);
         let Crossing { ratio, passes, filter, .. } = crossing;
         offspring.crosses(Crossed { ratio, passes });
         if white.any() {
-            self.send_through::<W, PHYSICAL>(w, beams, growth, &crossing, filter, white, offspring);
+            self.send_through::<W, FULL>(w, beams, growth, &crossing, filter, white, offspring);
         }
-        let reflection = growth.reflected::<PHYSICAL>(crossing.reflection);
+        let reflection = growth.reflected::<FULL>(crossing.reflection);
         match split {
             Some((lanes, colored)) => Vector::select(lanes, colored, reflection),
             None => reflection,
@@ -124,7 +127,7 @@ impl Whitted<'_> {
 
     /// What becomes of rays in these media across the surfaces that they met.
     #[inline(always)]
-    fn crossing<W: Width, const PHYSICAL: bool>(
+    fn crossing<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -138,7 +141,7 @@ impl Whitted<'_> {
         let (bent, passes) = refract(direction, at.normal, ratio);
         let (mut reflection, mut filter) = (at.reflection, at.filter);
         let clear = transparent & at.clear;
-        if PHYSICAL && clear.any() {
+        if FULL && clear.any() {
             let cos = (-at.normal.dot(direction)).min(one).max(w.real(0.0));
             let share = fresnel(cos, ratio);
             reflection = W::R::select(clear, share, reflection);
@@ -152,7 +155,7 @@ impl Whitted<'_> {
 
     #[inline(always)]
     #[allow(clippy::too_many_arguments, reason = "each is a vector of its own")]
-    fn send_through<W: Width, const PHYSICAL: bool>(
+    fn send_through<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         beams: &Beams<W>,
@@ -165,7 +168,7 @@ impl Whitted<'_> {
         let Crossing { ratio, beyond, bent, passes, .. } = *crossing;
         let straight = ratio.eq(w.real(1.0));
         let (mut filter, mut lanes) = (filter, lanes & passes);
-        if PHYSICAL {
+        if FULL {
             let (left, flies) = growth.let_off(bent, true, filter, lanes);
             // Between equal indices there is no surface, and nothing that could be rough.
             filter = Vector::select(straight, filter, left);
@@ -246,8 +249,8 @@ impl Whitted<'_> {
 impl<W: Width> Growth<'_, W> {
     /// What is reflected, of each channel.
     #[inline(always)]
-    fn reflected<const PHYSICAL: bool>(&self, reflection: W::R) -> Vector<W::R> {
-        if PHYSICAL { self.at.reflected(reflection) } else { Vector::new(reflection, reflection, reflection) }
+    fn reflected<const FULL: bool>(&self, reflection: W::R) -> Vector<W::R> {
+        if FULL { self.at.reflected(reflection) } else { Vector::new(reflection, reflection, reflection) }
     }
 
     /// The coefficients and rays that are left where facets let them off.

@@ -66,7 +66,10 @@ impl Whitted<'_> {
             && !self.is_cancelled_at(followed)
             && let Some(beam) = pending.pop()
         {
-            take(beam.generation, self.follow(One, &beam, Origin::Anywhere, &mut pending).light.into());
+            take(
+                beam.generation,
+                self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut pending).light.into(),
+            );
             followed += 1;
         }
         pending.is_empty()

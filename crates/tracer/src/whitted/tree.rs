@@ -235,7 +235,7 @@ impl<'a> Whitted<'a> {
             }
             let place = tree.len();
             let mut scribe = Scribe::new(self.stage);
-            let followed = self.follow(One, &beam, Origin::Anywhere, &mut scribe);
+            let followed = self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
                 waiting.push(Waiting { beam, kind, coefficient, parent: Some(place), number });
                 number += 1;

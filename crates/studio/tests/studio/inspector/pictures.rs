@@ -33,7 +33,7 @@ fn surroundings_are_a_color_a_sky_or_a_picture() {
     holds_as_step(&mut window, &at_first, "edit-surroundings");
     assert!(window.query_by_label_contains("Background").is_none(), "there is none under a sky");
     let before = scene(&window);
-    enter(&mut window, "strength", "0.5");
+    enter(&mut window, "Strength", "0.5");
     assert_eq!(scene(&window).environment.strength, 0.5);
     holds_as_step(&mut window, &before, "edit-sky-strength");
     let before = scene(&window);
@@ -42,7 +42,7 @@ fn surroundings_are_a_color_a_sky_or_a_picture() {
     opened(&mut window);
     assert_eq!(picture(&window).path(), "builtin:evening");
     let before = scene(&window);
-    enter(&mut window, "rotation", "90");
+    enter(&mut window, "Rotation", "90");
     assert_eq!(scene(&window).environment.rotation_degrees, 90.0);
     holds_as_step(&mut window, &before, "edit-picture-rotation");
     let editor = window.state_mut().editor_mut();
