@@ -6,7 +6,7 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{Hierarchy, PacketPart, Sight, Stage, StageBody, Visit};
+use crate::stage::{Hierarchy, PacketPart, Sight, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
 
 /// Where a ray meets a body: the cheap record kept during the search.
@@ -271,11 +271,20 @@ impl<'a, W: Width> Flight<'a, W> {
         share = Vector::select(both, once.times_all(material.filter), share);
         if material.absorbs() {
             let from = W::R::select(in_front, enter, self.w.real(0.0));
-            let way = exit.min(distance) - from;
-            let left = material.left_after(way.max(self.w.real(0.0)));
+            let left = self.left_after(material, (exit.min(distance) - from).max(self.w.real(0.0)));
             share = Vector::select(crossed, share.times(left), share);
         }
         passed.share = share;
+    }
+
+    /// What a body leaves of light after these ways. Few bodies absorb: the loop over all has no room for it.
+    #[cold]
+    #[inline(never)]
+    fn left_after(&self, material: &StageMaterial, ways: W::R) -> Vector<W::R> {
+        self.w.run(
+            #[inline(always)]
+            || material.left_after(ways),
+        )
     }
 
     /// Where rays meet a body first.
