@@ -19,22 +19,22 @@ impl Editor {
             }
         };
         let is_found = |image: &Image| image.pixels().is_none() && open(image.path()).is_some();
-        if !self.scene.images().any(is_found) {
-            return false;
-        }
+        let has_any = self.scene.images().any(is_found);
         let is_saved = self.saved.as_ref().is_some_and(|saved| Arc::ptr_eq(saved, &self.scene));
-        edit_images(&mut self.scene, fill);
+        if has_any {
+            edit_images(&mut self.scene, fill);
+            self.revision += 1;
+        }
         match &mut self.saved {
             Some(saved) if is_saved => *saved = Arc::clone(&self.scene),
-            Some(saved) => edit_images(saved, fill),
-            None => {}
+            Some(saved) if saved.images().any(is_found) => edit_images(saved, fill),
+            _ => {}
         }
         if let Some(gesture) = &mut self.gesture {
             edit_images(&mut gesture.start, fill);
         }
         self.history.edit_images(fill);
-        self.revision += 1;
-        true
+        has_any
     }
 
     /// Has the paths of pictures begin at `folder`, when the document is to be saved there: one undo step, if there is

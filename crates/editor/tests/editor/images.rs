@@ -48,6 +48,18 @@ fn opening_is_no_edit_and_reaches_every_step() {
 }
 
 #[test]
+fn what_is_opened_reaches_steps_that_were_taken_back() {
+    let mut editor = Editor::new(Scene { bodies: [Body::default()].into(), ..Scene::default() });
+    editor.change_body(0, Label::new("a", ""), |body| body.material = textured("planet.png")).unwrap();
+    editor.undo();
+    let revision = editor.revision();
+    assert!(!editor.open_images(open), "the scene has none now");
+    assert_eq!(editor.revision(), revision);
+    editor.redo();
+    assert_eq!((editor.scene().images().count(), unopened(&editor)), (1, 0));
+}
+
+#[test]
 fn an_open_gesture_stays_open() {
     let mut editor = Editor::new(scene());
     editor.change_body(0, Label::new("a", ""), |body| body.material = textured("planet.png")).unwrap();
