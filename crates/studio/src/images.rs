@@ -2,7 +2,7 @@
 //!
 //! The document has their paths; whatever is not opened yet, by an edit, a paste or an undo, is opened here.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use catoptric_editor::Label;
@@ -28,10 +28,13 @@ pub enum ImageUse {
 /// What is known of the document's pictures.
 #[derive(Default)]
 pub(crate) struct Images {
-    /// Document and revision that were looked through last.
-    looked_at: Option<(u64, u64)>,
-    /// What was opened for this document, by path; those that could not be opened are `None`.
-    opened: HashMap<String, Option<Image>>,
+    /// The document, and the folder at which its paths begin, for which the rest holds.
+    home: Option<(u64, Option<PathBuf>)>,
+    /// The revision that was looked through last.
+    looked_at: Option<u64>,
+    /// Paths of those that could not be opened. Those that could are in the document alone: what its paths name may be
+    /// another picture by now.
+    missing: HashSet<String>,
     job: Option<Job<Vec<Opened>>>,
     asking: Option<(Asking, ImageUse)>,
 }
@@ -41,12 +44,29 @@ type Opened = (String, Result<Image, ImageError>);
 impl Images {
     /// Whether the picture at `path` could not be opened.
     pub(crate) fn is_missing(&self, path: &str) -> bool {
-        matches!(self.opened.get(path), Some(None))
+        self.missing.contains(path)
     }
 
     /// Whether any picture is being opened.
     pub(crate) fn is_opening(&self) -> bool {
         self.job.is_some()
+    }
+
+    /// Forgets what paths have led to, when they mean other files from now on.
+    fn mind_home(&mut self, document: u64, folder: Option<&Path>) {
+        let is_home =
+            |(number, home): &(u64, Option<PathBuf>)| *number == document && home.as_deref() == folder;
+        if !self.home.as_ref().is_some_and(is_home) {
+            self.home = Some((document, folder.map(Path::to_owned)));
+            self.missing.clear();
+            self.look_anew();
+        }
+    }
+
+    /// Has all pictures of the document looked at again, and what is being opened opened again.
+    fn look_anew(&mut self) {
+        self.looked_at = None;
+        self.job = None;
     }
 }
 
@@ -60,27 +80,23 @@ pub(crate) fn ask(studio: &mut Studio, usage: ImageUse) {
         folder: path.as_deref().and_then(Path::parent).map(Path::to_owned),
         name: String::new(),
     };
-    studio.images.asking = Some((Asking::start(studio, question), usage));
+    let asking = Asking::start(studio, question);
+    studio.images.asking = Some((asking, usage));
 }
 
 /// Takes up answers and pictures, and has those opened that are not: once a frame.
 pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     take_answer(context, studio);
+    let folder = studio.editor.path().and_then(Path::parent);
+    studio.images.mind_home(studio.documents.number(), folder);
     take_opened(studio);
-    let document = studio.documents.number();
-    let now = (document, studio.editor.revision());
-    if studio.images.looked_at == Some(now) || studio.images.is_opening() {
+    let now = Some(studio.editor.revision());
+    if studio.images.is_opening() || studio.images.looked_at == now {
         return;
     }
-    if studio.images.looked_at.is_some_and(|(before, _)| before != document) {
-        studio.images.opened.clear();
-    }
-    studio.images.looked_at = Some(now);
-    let opened = &studio.images.opened;
-    if studio.editor.open_images(|path| opened.get(path).cloned().flatten()) {
-        studio.images.looked_at = Some((document, studio.editor.revision()));
-    }
-    let unknown = |image: &&Image| image.pixels().is_none() && !opened.contains_key(image.path());
+    studio.images.looked_at = now;
+    let missing = &studio.images.missing;
+    let unknown = |image: &&Image| image.pixels().is_none() && !missing.contains(image.path());
     let mut paths: Vec<String> =
         studio.editor.scene().images().filter(unknown).map(|image| image.path().to_owned()).collect();
     paths.sort_unstable();
@@ -115,15 +131,25 @@ fn take_opened(studio: &mut Studio) {
             return;
         }
         Progress::Done(found) => found,
-        Progress::Lost => Vec::new(),
-    };
-    for (path, image) in found {
-        if let Err(error) = &image {
-            studio.toasts.warning(in_words(&studio.texts, error));
+        Progress::Lost => {
+            let text = studio.texts.get("fault").to_owned();
+            studio.toasts.error(text);
+            return;
         }
-        studio.images.opened.insert(path, image.ok());
+    };
+    let mut opened: HashMap<String, Image> = HashMap::new();
+    for (path, image) in found {
+        match image {
+            Ok(image) => _ = opened.insert(path, image),
+            Err(error) => {
+                studio.toasts.warning(in_words(&studio.texts, &error));
+                studio.images.missing.insert(path);
+            }
+        }
     }
-    studio.images.looked_at = None;
+    if !opened.is_empty() {
+        studio.editor.open_images(|path| opened.get(path).cloned());
+    }
 }
 
 fn take_answer(context: &Context, studio: &mut Studio) {
@@ -141,9 +167,9 @@ fn take_answer(context: &Context, studio: &mut Studio) {
 
 /// Has the picture at `path` used.
 pub(crate) fn give(studio: &mut Studio, usage: ImageUse, path: &str) {
-    // What could not be opened before may have been mended.
-    studio.images.opened.retain(|known, image| known != path || image.is_some());
-    studio.images.looked_at = None;
+    // What could not be opened before may have been mended, and what is being opened may have been replaced.
+    studio.images.missing.remove(path);
+    studio.images.look_anew();
     studio.editor.settle();
     let image = Image::new(path);
     let result = match usage {
@@ -187,4 +213,25 @@ fn in_words(texts: &Texts, error: &ImageError) -> String {
     };
     let name = name(texts, &error.path).into_owned();
     texts.with("picture-not-opened", &[("name", name.into()), ("reason", reason.into())])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_paths_have_led_to_holds_for_one_document_in_one_folder() {
+        let (here, away) = (Some(Path::new("/here")), Some(Path::new("/away")));
+        let mut images = Images::default();
+        images.mind_home(0, here);
+        let homes = [(0, here, true), (0, away, false), (0, None, false), (1, None, false), (1, None, true)];
+        for (document, folder, is_same) in homes {
+            images.looked_at = Some(7);
+            images.missing.insert("a.png".to_owned());
+            images.job = Job::start(&Context::default(), "pictures", Vec::new).ok();
+            images.mind_home(document, folder);
+            let kept = (images.looked_at.is_some(), images.is_missing("a.png"), images.is_opening());
+            assert_eq!(kept, (is_same, is_same, is_same), "{document} {folder:?}");
+        }
+    }
 }

@@ -1,5 +1,7 @@
 //! Pictures around the bodies and on them, and patterns.
 
+use std::path::Path;
+
 use catoptric_picture::{Picture, write_exr};
 use catoptric_scene::{CheckerSpace, Image, Surroundings};
 
@@ -83,6 +85,45 @@ fn a_checker_lies_along_the_axes_of_the_world_or_the_body() {
     holds_as_step(&mut window, &before, "edit-checker-space");
 }
 
+fn write_gray(path: &Path, gray: f32, width: u32) {
+    write_exr(path, &Picture::from_fn(width, 1, |_, _| [gray; 3]).unwrap()).unwrap();
+}
+
+/// Chooses the next answer of the host as surroundings; what its first pixel is.
+fn chosen_gray(window: &mut Window) -> f32 {
+    choose(window, "Surroundings", "From a file…");
+    opened(window);
+    picture(window).pixels().unwrap().pixels()[0][0]
+}
+
+fn save_as(window: &mut Window, name: &str) {
+    window.state_mut().run(catoptric_studio::Command::SaveAs);
+    window.run_steps(4);
+    wait_until(window, "the file", |studio| !studio.is_saving() && studio.editor().title() == name);
+}
+
+#[test]
+fn a_picture_that_is_picked_is_the_one_that_is_there_now() {
+    let host = TestHost::new();
+    let (here, away) = (host.path("a.exr"), host.path("away"));
+    std::fs::create_dir(&away).unwrap();
+    write_gray(&here, 0.25, 2);
+    write_gray(&away.join("a.exr"), 0.5, 2);
+    for answer in [host.path("a.toml"), here.clone(), here.clone(), away.join("b.toml"), away.join("a.exr")] {
+        host.answer(Some(answer));
+    }
+    let mut window = studio_with(host, Start::Example("four-bodies".to_owned()));
+    window.set_size(vec2(1280.0, 1700.0));
+    select(&mut window, [Item::Environment]);
+    save_as(&mut window, "a.toml");
+    assert_eq!(chosen_gray(&mut window), 0.25);
+    write_gray(&here, 0.75, 3);
+    assert_eq!(chosen_gray(&mut window), 0.75, "changed since");
+    save_as(&mut window, "b.toml");
+    assert_eq!(chosen_gray(&mut window), 0.5, "another file by the same path");
+    assert_eq!(picture(&window).path(), "a.exr");
+}
+
 #[test]
 fn pictures_of_files_are_named_from_the_folder_of_the_scene_and_move_with_it() {
     let host = TestHost::new();
@@ -100,9 +141,7 @@ fn pictures_of_files_are_named_from_the_folder_of_the_scene_and_move_with_it() {
     opened(&mut window);
     assert_eq!(Some(picture(&window).path()), image.to_str(), "no file has the scene yet");
     for (name, path) in [("a.toml", "around.exr"), ("b.toml", image.to_str().unwrap())] {
-        window.state_mut().run(catoptric_studio::Command::SaveAs);
-        window.run_steps(4);
-        wait_until(&mut window, "the file", |studio| !studio.is_saving() && studio.editor().title() == name);
+        save_as(&mut window, name);
         assert_eq!(picture(&window).path(), path, "{name}");
         let saved = catoptric_scene::load(window.state().editor().path().unwrap()).unwrap();
         assert_eq!(saved.scene, *scene(&window), "{name}");
