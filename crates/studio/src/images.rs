@@ -36,7 +36,8 @@ pub(crate) struct Images {
     /// another picture by now.
     missing: HashSet<String>,
     job: Option<Job<Vec<Opened>>>,
-    asking: Option<(Asking, ImageUse)>,
+    /// What is being asked for, with the document that is to have it.
+    asking: Option<(Asking, ImageUse, u64)>,
 }
 
 type Opened = (String, Result<Image, ImageError>);
@@ -81,7 +82,7 @@ pub(crate) fn ask(studio: &mut Studio, usage: ImageUse) {
         name: String::new(),
     };
     let asking = Asking::start(studio, question);
-    studio.images.asking = Some((asking, usage));
+    studio.images.asking = Some((asking, usage, studio.documents.number()));
 }
 
 /// Takes up answers and pictures, and has those opened that are not: once a frame.
@@ -153,10 +154,12 @@ fn take_opened(studio: &mut Studio) {
 }
 
 fn take_answer(context: &Context, studio: &mut Studio) {
-    let Some((mut asking, usage)) = studio.images.asking.take() else { return };
+    let Some((mut asking, usage, document)) = studio.images.asking.take() else { return };
     match asking.poll(context, studio) {
-        Answer::Waiting => studio.images.asking = Some((asking, usage)),
+        Answer::Waiting => studio.images.asking = Some((asking, usage, document)),
         Answer::Cancelled => {}
+        // Another document has come while the system's dialog was open.
+        Answer::Chosen(_) if document != studio.documents.number() => {}
         Answer::Chosen(chosen) => {
             let folder =
                 studio.editor.path().and_then(Path::parent).map_or_else(PathBuf::new, Path::to_owned);

@@ -125,6 +125,20 @@ fn a_picture_that_is_picked_is_the_one_that_is_there_now() {
 }
 
 #[test]
+fn a_picture_is_not_given_to_another_document_than_it_was_asked_for() {
+    let host = TestHost::new();
+    write_gray(&host.path("a.exr"), 0.25, 2);
+    host.answer(Some(host.path("a.exr")));
+    let mut window = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let usage = catoptric_studio::ImageUse::Surroundings;
+    window.state_mut().run(catoptric_studio::Command::ChooseImage(usage));
+    window.state_mut().run(catoptric_studio::Command::New);
+    window.run_steps(4);
+    assert_eq!(host.questions.lock().unwrap().len(), 1);
+    assert!(scene(&window).images().next().is_none() && !window.state().editor().is_changed());
+}
+
+#[test]
 fn pictures_of_files_are_named_from_the_folder_of_the_scene_and_move_with_it() {
     let host = TestHost::new();
     let (image, away) = (host.path("around.exr"), host.path("away"));
