@@ -236,8 +236,19 @@ impl Scene {
 
     /// All pictures of the scene: the surroundings', those of shared materials, those of bodies.
     pub fn images(&self) -> impl Iterator<Item = &Image> {
+        self.images_with(self.bodies.iter())
+    }
+
+    /// The same without those of bodies that it shares with `other`, such as the scene before an edit: however many
+    /// bodies there are, only the neighbors of those that were edited are looked at.
+    pub fn images_besides<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = &'a Image> {
+        let places = self.bodies.unshared(&other.bodies);
+        self.images_with(places.filter_map(|place| self.bodies.get(place)))
+    }
+
+    fn images_with<'a>(&'a self, bodies: impl Iterator<Item = &'a Body>) -> impl Iterator<Item = &'a Image> {
         let shared = self.materials.iter().map(|named| &named.material);
-        let own = self.bodies.iter().filter_map(|body| inline(&body.material));
+        let own = bodies.filter_map(|body| inline(&body.material));
         self.environment.surroundings.picture().into_iter().chain(shared.chain(own).filter_map(texture))
     }
 }

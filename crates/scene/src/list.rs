@@ -75,11 +75,12 @@ impl<T> List<T> {
         Slices(self.chunks.iter())
     }
 
-    /// The places where this list and another of the same length may differ: those whose elements they do not share.
+    /// The places of this list where another may have other elements or none: those whose elements they do not share.
     pub fn unshared<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = usize> + 'a {
-        let pairs = self.chunks.iter().zip(&other.chunks).enumerate();
-        let apart = pairs.filter(|(_, (one, other))| !Arc::ptr_eq(one, other));
-        apart.flat_map(|(chunk, (one, _))| CHUNK * chunk..CHUNK * chunk + one.len())
+        let is_shared =
+            |at: usize, chunk| other.chunks.get(at).is_some_and(|other| Arc::ptr_eq(chunk, other));
+        let apart = self.chunks.iter().enumerate().filter(move |(at, chunk)| !is_shared(*at, chunk));
+        apart.flat_map(|(at, chunk)| CHUNK * at..CHUNK * at + chunk.len())
     }
 }
 
@@ -402,5 +403,9 @@ mod tests {
         edited.swap(0, 10 * CHUNK);
         edited[3 * CHUNK + 5] = 3 * CHUNK + 5;
         assert_eq!(list, edited, "alike, if not shared");
+        let mut longer = list.clone();
+        longer.extend(0..CHUNK);
+        assert!(longer.unshared(&list).eq(10 * CHUNK..11 * CHUNK + 3), "the last slice has grown");
+        assert!(list.unshared(&longer).eq(10 * CHUNK..10 * CHUNK + 3));
     }
 }

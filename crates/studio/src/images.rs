@@ -2,16 +2,17 @@
 //!
 //! The document has their paths; whatever is not opened yet, by an edit, a paste or an undo, is opened here.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use catoptric_editor::Label;
-use catoptric_scene::{Image, ImageError, ImageFault, Surroundings};
+use catoptric_scene::{Image, ImageError, ImageFault, Scene, Surroundings};
 use egui::Context;
 
 use crate::app::Studio;
 use crate::documents::ask::{Answer, Asking, name_of};
-use crate::documents::job::{Job, Progress};
+use crate::documents::job::{Job, Progress, let_go};
 use crate::host::{FileKind, FileQuestion};
 use crate::inspector;
 use crate::texts::Texts;
@@ -30,8 +31,8 @@ pub enum ImageUse {
 pub(crate) struct Images {
     /// The document, and the folder at which its paths begin, for which the rest holds.
     home: Option<(u64, Option<PathBuf>)>,
-    /// The revision that was looked through last.
-    looked_at: Option<u64>,
+    /// The scene that was looked through last: all its pictures are opened, being opened, or missing.
+    looked_at: Option<Arc<Scene>>,
     /// Paths of those that could not be opened. Those that could are in the document alone: what its paths name may be
     /// another picture by now.
     missing: HashSet<String>,
@@ -66,7 +67,10 @@ impl Images {
 
     /// Has all pictures of the document looked at again, and what is being opened opened again.
     fn look_anew(&mut self) {
-        self.looked_at = None;
+        if let Some(scene) = self.looked_at.take() {
+            // Freeing the last of a large document takes longer than a frame.
+            let_go(scene);
+        }
         self.job = None;
     }
 }
@@ -91,20 +95,27 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     let folder = studio.editor.path().and_then(Path::parent);
     studio.images.mind_home(studio.documents.number(), folder);
     take_opened(studio);
-    let now = Some(studio.editor.revision());
-    if studio.images.is_opening() || studio.images.looked_at == now {
+    let scene = studio.editor.scene();
+    let images = &mut studio.images;
+    if images.is_opening() || images.looked_at.as_ref().is_some_and(|before| Arc::ptr_eq(before, scene)) {
         return;
     }
-    studio.images.looked_at = now;
-    let missing = &studio.images.missing;
-    let unknown = |image: &&Image| image.pixels().is_none() && !missing.contains(image.path());
-    let mut paths: Vec<String> =
-        studio.editor.scene().images().filter(unknown).map(|image| image.path().to_owned()).collect();
-    paths.sort_unstable();
-    paths.dedup();
+    let paths = unopened(images.looked_at.as_deref(), scene, |path| images.missing.contains(path));
+    images.looked_at = Some(Arc::clone(scene));
     if !paths.is_empty() {
         open(context, studio, paths);
     }
+}
+
+/// Paths of the pictures that are to be opened, each once. Of `before` they are already, and of bodies that are shared
+/// with it: a hand that drags one of a million bodies must not wait for a walk through all.
+fn unopened(before: Option<&Scene>, scene: &Scene, is_missing: impl Fn(&str) -> bool) -> Vec<String> {
+    let unknown = |image: &&Image| image.pixels().is_none() && !is_missing(image.path());
+    let paths: BTreeSet<&str> = match before {
+        Some(before) => scene.images_besides(before).filter(unknown).map(Image::path).collect(),
+        None => scene.images().filter(unknown).map(Image::path).collect(),
+    };
+    paths.into_iter().map(str::to_owned).collect()
 }
 
 fn open(context: &Context, studio: &mut Studio, paths: Vec<String>) {
@@ -220,7 +231,35 @@ fn in_words(texts: &Texts, error: &ImageError) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
+    use catoptric_scene::{Body, List, Material, MaterialChoice};
+
     use super::*;
+
+    fn textured(path: &str) -> Body {
+        let material = Material { texture: Some(Image::new(path)), ..Material::default() };
+        Body { material: MaterialChoice::Inline(Box::new(material)), ..Body::default() }
+    }
+
+    #[test]
+    fn after_an_edit_its_neighbors_alone_are_looked_at() {
+        let before =
+            Scene { bodies: (0..100_000).map(|_| textured("old.png")).collect(), ..Scene::default() };
+        let mut scene = before.clone();
+        scene.bodies[70_000] = textured("new.png");
+        scene.environment.surroundings = Surroundings::Picture(Image::new("around.png"));
+        let looked_at = Cell::new(0);
+        let is_missing = |path: &str| {
+            looked_at.set(looked_at.get() + 1);
+            path == "old.png"
+        };
+        let expected = ["around.png", "new.png"];
+        assert_eq!(unopened(Some(&before), &scene, is_missing), expected);
+        assert_eq!(looked_at.replace(0), List::<Body>::SLICE + 1);
+        assert_eq!(unopened(None, &scene, is_missing), expected);
+        assert_eq!(looked_at.get(), 100_001);
+    }
 
     #[test]
     fn what_paths_have_led_to_holds_for_one_document_in_one_folder() {
@@ -229,7 +268,7 @@ mod tests {
         images.mind_home(0, here);
         let homes = [(0, here, true), (0, away, false), (0, None, false), (1, None, false), (1, None, true)];
         for (document, folder, is_same) in homes {
-            images.looked_at = Some(7);
+            images.looked_at = Some(Arc::default());
             images.missing.insert("a.png".to_owned());
             images.job = Job::start(&Context::default(), "pictures", Vec::new).ok();
             images.mind_home(document, folder);

@@ -1,10 +1,12 @@
 //! Pictures that are opened apart from the document, and named from where it is saved.
 
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_editor::{Editor, Label};
-use catoptric_scene::{Body, Image, Material, MaterialChoice, Scene, Surroundings};
+use catoptric_scene::{Body, Image, Material, MaterialChoice, NamedMaterial, Scene, Surroundings};
+use proptest::prelude::*;
 
 fn textured(path: &str) -> MaterialChoice {
     MaterialChoice::Inline(Box::new(Material { texture: Some(Image::new(path)), ..Material::default() }))
@@ -67,6 +69,97 @@ fn an_open_gesture_stays_open() {
     assert!(editor.settle() && editor.undo());
     assert_eq!(unopened(&editor), 0);
     assert!(!editor.is_changed());
+}
+
+#[derive(Clone, Debug)]
+enum Edit {
+    Texture(usize),
+    SharedTexture,
+    Surroundings,
+    Insert(usize),
+    Append,
+    Delete(usize),
+    Undo,
+    Redo,
+    Revert,
+    Replace,
+}
+
+fn edits() -> impl Strategy<Value = Vec<Edit>> {
+    let place = 0_usize..700;
+    let edit = prop_oneof![
+        4 => place.clone().prop_map(Edit::Texture),
+        1 => Just(Edit::SharedTexture),
+        1 => Just(Edit::Surroundings),
+        1 => place.clone().prop_map(Edit::Insert),
+        2 => Just(Edit::Append),
+        2 => place.prop_map(Edit::Delete),
+        4 => Just(Edit::Undo),
+        2 => Just(Edit::Redo),
+        1 => Just(Edit::Revert),
+        1 => Just(Edit::Replace),
+    ];
+    proptest::collection::vec(edit, 1..40)
+}
+
+/// A scene of three slices of bodies, with pictures of its own.
+fn large(number: usize) -> Scene {
+    let body = |index: usize| {
+        let material = textured(&format!("{number}-{index}.png"));
+        Body { material, ..Body::default() }
+    };
+    let materials = vec![NamedMaterial { name: "shared".to_owned(), material: Material::default() }];
+    Scene { bodies: (0..600).map(body).collect(), materials, ..Scene::default() }
+}
+
+fn edit(editor: &mut Editor, edit: &Edit, number: usize) {
+    let path = format!("{number}.png");
+    let label = Label::new("edit", path.clone());
+    let new = Body { material: textured(&path), ..Body::default() };
+    let count = editor.scene().bodies.len();
+    let changed = match *edit {
+        Edit::Texture(place) => editor.change_body(place, label, |body| body.material = new.material),
+        Edit::SharedTexture => {
+            editor.change_material(0, label, |material| material.texture = Some(Image::new(path)))
+        }
+        Edit::Surroundings => editor.change_environment(label, |environment| {
+            environment.surroundings = Surroundings::Picture(Image::new(path));
+        }),
+        Edit::Insert(place) => editor.change(label, |scene| scene.bodies.insert(place.min(count), new)),
+        Edit::Append => editor.change(label, |scene| scene.bodies.push(new)),
+        Edit::Delete(place) if place < count => {
+            editor.change(label, |scene| drop(scene.bodies.remove(place)))
+        }
+        Edit::Delete(_) => Ok(false),
+        Edit::Undo => Ok(editor.undo()),
+        Edit::Redo => Ok(editor.redo()),
+        Edit::Revert => editor.revert("", large(number)).map(|()| true),
+        Edit::Replace => {
+            *editor = Editor::new(large(number)).succeeding(editor);
+            Ok(true)
+        }
+    };
+    changed.unwrap();
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn whoever_has_seen_a_scene_needs_to_see_only_what_it_does_not_share(edits in edits()) {
+        let mut editor = Editor::new(large(1000));
+        let mut before = Arc::clone(editor.scene());
+        let mut seen: HashSet<String> = before.images().map(|image| image.path().to_owned()).collect();
+        for (number, next) in edits.iter().enumerate() {
+            edit(&mut editor, next, number);
+            let scene = Arc::clone(editor.scene());
+            seen.extend(scene.images_besides(&before).map(|image| image.path().to_owned()));
+            for image in scene.images() {
+                prop_assert!(seen.contains(image.path()), "{} after {:?}", image.path(), next);
+            }
+            before = scene;
+        }
+    }
 }
 
 #[test]
