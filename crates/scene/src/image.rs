@@ -95,19 +95,31 @@ impl Image {
         self.path.starts_with(Self::BUILT_IN)
     }
 
-    /// The same picture, named by a scene file in the folder `to` instead of `from`. `None` is where the program was
-    /// started.
+    /// The same picture by another path.
     #[must_use]
-    pub fn moved(&self, from: Option<&Path>, to: &Path) -> Self {
-        if self.is_built_in() {
-            return self.clone();
-        }
-        let path = Self::path_from(to, &file_of(&self.path, from));
+    pub fn with_path(&self, path: impl Into<Arc<str>>) -> Self {
         Self { path: path.into(), ..self.clone() }
     }
 
+    /// What a path of a scene file in the folder `from` has to be in one in `to`, so that it leads to the same file;
+    /// `None` if it may stay as it is. Without a folder `from` it begins where the program was started; without `to`
+    /// it becomes a whole path.
+    pub fn moved_path(path: &str, from: Option<&Path>, to: Option<&Path>) -> Option<String> {
+        if path.starts_with(Self::BUILT_IN) {
+            return None;
+        }
+        let file = file_of(path, from);
+        let moved = match to {
+            // A way that both folders have in common, such as one up and down again, stays as it was written.
+            Some(to) if Path::new(path).is_relative() && is_same_file(&file, &to.join(path)) => return None,
+            Some(to) => Self::path_from(to, &file),
+            None => Self::path_from(Path::new(""), &file),
+        };
+        (moved != path).then_some(moved)
+    }
+
     /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else by
-    /// the whole path.
+    /// the whole path. An empty folder is none.
     pub fn path_from(folder: &Path, file: &Path) -> String {
         let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let (folder, file) = (whole(folder), whole(file));
@@ -267,6 +279,11 @@ fn texture(material: &Material) -> Option<&Image> {
 /// The file that a path of a scene leads to.
 fn file_of(path: &str, folder: Option<&Path>) -> PathBuf {
     folder.map_or_else(|| PathBuf::from(path), |folder| folder.join(path))
+}
+
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    let canonical = |path: &Path| path.canonicalize().ok();
+    one == other || canonical(one).is_some_and(|one| canonical(other) == Some(one))
 }
 
 /// An amount of light as scenes have them: a file may say anything.

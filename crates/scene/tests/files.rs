@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
 use std::fs;
+use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_picture::{Picture, write_exr};
@@ -104,6 +105,29 @@ fn pictures_are_found_beside_the_scene_and_shared() {
     let file = fs::File::options().write(true).open(folder.path().join("around.exr")).unwrap();
     file.set_modified(std::time::SystemTime::UNIX_EPOCH).unwrap();
     assert_ne!(load(&path).unwrap().scene, loaded.scene);
+}
+
+#[test]
+fn a_path_that_moves_to_another_folder_leads_to_the_same_file() {
+    let (from, to) = (Some(Path::new("/scenes/a")), Some(Path::new("/scenes")));
+    let moved = |path: &str| Image::moved_path(path, from, to);
+    assert_eq!(moved("wood.png").as_deref(), Some("a/wood.png"));
+    assert_eq!(moved("/scenes/t/wood.png").as_deref(), Some("t/wood.png"));
+    assert_eq!((moved("/wood.png"), moved("builtin:grid")), (None, None));
+    assert_eq!(Image::moved_path("wood.png", from, None).as_deref(), Some("/scenes/a/wood.png"));
+    assert_eq!(Image::moved_path("./wood.png", from, from), None, "as it was written");
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    for name in ["a", "b", "t", "b/c", "b/t"] {
+        fs::create_dir(at(name)).unwrap();
+    }
+    fs::write(at("t/wood.png"), "").unwrap();
+    let moved = |to: &str| Image::moved_path("../t/wood.png", Some(&at("a")), Some(&at(to)));
+    assert_eq!(moved("b"), None, "both folders have the way in common");
+    let whole = at("a/../t/wood.png").to_str().map(str::to_owned);
+    assert_eq!(moved("b/c"), whole);
+    fs::write(at("b/t/wood.png"), "another").unwrap();
+    assert_eq!(moved("b/c"), whole);
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! The pictures of a document, which are opened apart from it.
 
+use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_scene::{HasImages as _, Image, Scene};
 
-use super::{Editor, Label, Refused};
+use super::Editor;
 
 impl Editor {
     /// Gives the pictures that are not opened yet those that `open` finds for them: in the scene, in what is saved, and
@@ -19,45 +20,68 @@ impl Editor {
             }
         };
         let is_found = |image: &Image| image.pixels().is_none() && open(image.path()).is_some();
-        let has_any = self.scene.images().any(is_found);
         let is_saved = self.saved.as_ref().is_some_and(|saved| Arc::ptr_eq(saved, &self.scene));
-        if has_any {
-            edit_images(&mut self.scene, fill);
-            self.revision += 1;
-        }
+        let has_any = self.edit_all_images(is_found, fill);
         match &mut self.saved {
             Some(saved) if is_saved => *saved = Arc::clone(&self.scene),
-            Some(saved) if saved.images().any(is_found) => edit_images(saved, fill),
-            _ => {}
+            Some(saved) => _ = edit_images(saved, is_found, fill),
+            None => {}
         }
-        if let Some(gesture) = &mut self.gesture {
-            edit_images(&mut gesture.start, fill);
-        }
-        self.history.edit_images(fill);
         has_any
     }
 
-    /// Has the paths of pictures begin at `folder`, when the document is to be saved there: one undo step, if there is
-    /// anything to change. Pictures in the folder get relative paths.
-    ///
-    /// # Errors
-    /// As for [`Self::change`].
-    pub fn move_images(&mut self, label: Label, folder: &Path) -> Result<bool, Refused> {
-        let from = self.path.as_deref().and_then(Path::parent).map(Path::to_owned);
-        if from.as_deref() == Some(folder) || !self.scene.images().any(|image| !image.is_built_in()) {
-            return Ok(false);
+    /// Has all paths of pictures begin at the folder `to`, in all steps of the history as well: wherever undo leads,
+    /// they mean the files that they meant before the document went there.
+    pub(super) fn move_images(&mut self, from: Option<&Path>, to: Option<&Path>) {
+        self.edit_all_images(|image| !image.is_built_in(), &mut mover(from, to));
+    }
+
+    /// Changes the pictures of the scene, of the start of a gesture, and of all steps. Scenes without any `concerned`
+    /// picture are left alone. Returns whether the present one is not.
+    fn edit_all_images(
+        &mut self,
+        concerned: impl Fn(&Image) -> bool,
+        edit: &mut dyn FnMut(&mut Image),
+    ) -> bool {
+        let is_edited = edit_images(&mut self.scene, &concerned, edit);
+        if is_edited {
+            self.revision += 1;
         }
-        self.settle();
-        let changed = self.change(label, |scene| {
-            scene.edit_images(&mut |image| *image = image.moved(from.as_deref(), folder));
-        });
-        self.settle();
-        changed
+        if let Some(gesture) = &mut self.gesture {
+            edit_images(&mut gesture.start, &concerned, edit);
+        }
+        self.history.edit_images(edit);
+        is_edited
     }
 }
 
-fn edit_images(scene: &mut Arc<Scene>, edit: &mut dyn FnMut(&mut Image)) {
-    if scene.images().next().is_some() {
+/// Has the paths of the scene's pictures begin at the folder `to`; see [`Image::moved_path`].
+pub(super) fn move_images(scene: &mut Arc<Scene>, from: Option<&Path>, to: Option<&Path>) {
+    edit_images(scene, |image| !image.is_built_in(), &mut mover(from, to));
+}
+
+/// Changes paths of pictures, each distinct one worked out once: a million bodies may have the same.
+fn mover(from: Option<&Path>, to: Option<&Path>) -> impl FnMut(&mut Image) {
+    let mut moved: HashMap<String, Option<Arc<str>>> = HashMap::new();
+    move |image| {
+        if !moved.contains_key(image.path()) {
+            let path = Image::moved_path(image.path(), from, to).map(Arc::from);
+            moved.insert(image.path().to_owned(), path);
+        }
+        if let Some(Some(path)) = moved.get(image.path()) {
+            *image = image.with_path(Arc::clone(path));
+        }
+    }
+}
+
+fn edit_images(
+    scene: &mut Arc<Scene>,
+    concerned: impl Fn(&Image) -> bool,
+    edit: &mut dyn FnMut(&mut Image),
+) -> bool {
+    let is_concerned = scene.images().any(concerned);
+    if is_concerned {
         Arc::make_mut(scene).edit_images(edit);
     }
+    is_concerned
 }

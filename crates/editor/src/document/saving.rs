@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use catoptric_scene::{Scene, update, write};
 
+use super::images::move_images;
 use super::{Editor, Label, Refused};
 
 /// A scene to be written, apart from the editor, so that another thread can make its text.
@@ -36,11 +37,36 @@ impl Editor {
         Writing { scene: Arc::clone(&self.scene), original_text: Arc::clone(&self.text) }
     }
 
-    /// Tells that `writing` was saved as `text` in the file at `path`. The scene may have changed since.
+    /// The same to be written into the file at `path`, from whose folder it finds its pictures. The document itself is
+    /// as before until [`Self::mark_written`]: nothing may come of it.
+    pub fn writing_to(&self, path: &Path) -> Writing {
+        let mut writing = self.writing();
+        if self.folder() != path.parent() {
+            move_images(&mut writing.scene, self.folder(), path.parent());
+        }
+        writing
+    }
+
+    /// Tells that `writing` was saved as `text` in the file at `path`. The scene may have changed since. In another
+    /// folder than before, the document finds its pictures from there; this is no edit.
     pub fn mark_written(&mut self, writing: &Writing, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
-        self.set_path(path.into());
+        let path = path.into();
+        if self.folder() != path.parent() {
+            let from = self.folder().map(Path::to_owned);
+            self.move_images(from.as_deref(), path.parent());
+            if self.scene == writing.scene {
+                // Lists that are shared are compared at once.
+                self.scene = Arc::clone(&writing.scene);
+            }
+        }
+        self.set_path(path);
         self.text = text.into();
         self.saved = Some(Arc::clone(&writing.scene));
+    }
+
+    /// Where the paths of its pictures begin.
+    fn folder(&self) -> Option<&Path> {
+        self.path.as_deref().and_then(Path::parent)
     }
 
     /// Whether the scene is another than the saved one. Undoing back to that makes this false again.

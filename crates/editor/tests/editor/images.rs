@@ -162,21 +162,66 @@ proptest! {
     }
 }
 
+fn paths(scene: &Scene) -> Vec<String> {
+    scene.images().map(|image| image.path().to_owned()).collect()
+}
+
+fn save_to(editor: &mut Editor, path: &str) -> Vec<String> {
+    let writing = editor.writing_to(Path::new(path));
+    editor.mark_written(&writing, path, writing.text());
+    assert!(!editor.is_changed() && Arc::ptr_eq(editor.scene(), writing.scene()));
+    paths(editor.scene())
+}
+
 #[test]
 fn paths_follow_the_document() {
     let mut editor = Editor::open("/scenes/a/room.toml", "", scene());
-    let paths = |editor: &Editor| -> Vec<String> {
-        editor.scene().images().map(|image| image.path().to_owned()).collect()
-    };
-    let moved =
-        |editor: &mut Editor, to: &str| editor.move_images(Label::new("m", ""), Path::new(to)).unwrap();
-    assert!(!moved(&mut editor, "/scenes/a"));
-    assert!(moved(&mut editor, "/scenes/b"));
-    assert_eq!(paths(&editor), ["builtin:evening", "/scenes/a/wood.png"]);
-    assert_eq!(editor.steps().len(), 1);
+    let revision = editor.revision();
+    assert_eq!(save_to(&mut editor, "/scenes/a/hall.toml"), ["builtin:evening", "wood.png"]);
+    assert_eq!(editor.revision(), revision);
+    assert_eq!(save_to(&mut editor, "/scenes/b/room.toml"), ["builtin:evening", "/scenes/a/wood.png"]);
+    assert!(editor.revision() > revision);
+    assert_eq!(save_to(&mut editor, "/scenes/room.toml"), ["builtin:evening", "a/wood.png"]);
+    assert_eq!(editor.steps().len(), 0, "this is no edit");
+}
+
+#[test]
+fn paths_follow_the_document_in_all_its_steps() {
+    let mut editor = Editor::open("/scenes/a/room.toml", "", scene());
+    for path in ["planet.png", "moon.png"] {
+        editor.change_body(0, Label::new("a", path), |body| body.material = textured(path)).unwrap();
+    }
     editor.undo();
-    assert!(moved(&mut editor, "/scenes"));
-    assert_eq!(paths(&editor), ["builtin:evening", "a/wood.png"]);
+    save_to(&mut editor, "/scenes/b/room.toml");
+    editor.check_invariants().unwrap();
+    let wood = "/scenes/a/wood.png";
+    assert!(editor.undo() && editor.is_changed());
+    assert_eq!(save_to(&mut editor, "/scenes/b/room.toml"), ["builtin:evening", wood]);
+    assert!(editor.redo() && editor.redo(), "saving leaves what was undone to be done again");
+    let moon = ["builtin:evening", "/scenes/a/moon.png", wood];
+    assert_eq!(save_to(&mut editor, "/scenes/b/room.toml"), moon);
+    assert_eq!(save_to(&mut editor, "/scenes/room.toml"), ["builtin:evening", "a/moon.png", "a/wood.png"]);
+}
+
+#[test]
+fn a_document_that_could_not_be_saved_elsewhere_keeps_its_paths() {
+    let editor = Editor::open("/scenes/a/room.toml", "", scene());
+    let writing = editor.writing_to(Path::new("/scenes/b/room.toml"));
+    assert_eq!(paths(writing.scene()), ["builtin:evening", "/scenes/a/wood.png"]);
+    assert!(writing.text().contains("/scenes/a/wood.png"));
+    assert_eq!(paths(editor.scene()), ["builtin:evening", "wood.png"]);
+    assert!(!editor.is_changed());
+}
+
+#[test]
+fn an_edit_while_the_document_is_being_saved_elsewhere_follows_it() {
+    let mut editor = Editor::open("/scenes/a/room.toml", "", scene());
+    let writing = editor.writing_to(Path::new("/scenes/b/room.toml"));
+    editor.change_body(0, Label::new("a", ""), |body| body.material = textured("moon.png")).unwrap();
+    editor.mark_written(&writing, "/scenes/b/room.toml", writing.text());
+    assert_eq!(paths(editor.scene()), ["builtin:evening", "/scenes/a/moon.png", "/scenes/a/wood.png"]);
+    assert!(editor.is_in_gesture() && editor.is_changed());
+    assert!(editor.undo() && !editor.is_changed());
 }
 
 #[test]

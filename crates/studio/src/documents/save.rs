@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use catoptric_editor::{Label, Writing};
+use catoptric_editor::Writing;
 use egui::Context;
 
 use super::ask::name_of;
@@ -64,15 +64,8 @@ pub(super) fn order(context: &Context, studio: &mut Studio, order: Order) {
     }
     studio.editor.settle();
     let path = std::path::absolute(&order.path).unwrap_or(order.path);
-    if let Some(folder) = path.parent() {
-        // Saved elsewhere, the scene finds its pictures all the same.
-        let label = Label::new("edit-picture-paths", String::new());
-        if let Err(refused) = studio.editor.move_images(label, folder) {
-            studio.toasts.warning(refused.to_string());
-        }
-    }
     let order = Order { path, ..order };
-    let writing = studio.editor.writing();
+    let writing = studio.editor.writing_to(&order.path);
     let (written, path, may) = (writing.clone(), order.path.clone(), order.may);
     match Job::start(context, "save", move || disk::write(&written, &path, may)) {
         Ok(job) => {

@@ -85,7 +85,6 @@ edit-sky-horizon = Horizon
 edit-sky-nadir = Ground below
 edit-sky-strength = Strength of the surroundings
 edit-picture-rotation = Rotation of the surroundings
-edit-picture-paths = Paths of pictures
 edit-model = Model of reflection
 edit-substance = Substance
 edit-conductor = Metal

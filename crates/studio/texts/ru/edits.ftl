@@ -85,7 +85,6 @@ edit-sky-horizon = Горизонт
 edit-sky-nadir = Земля внизу
 edit-sky-strength = Сила окружения
 edit-picture-rotation = Поворот окружения
-edit-picture-paths = Пути к картинкам
 edit-model = Модель отражения
 edit-substance = Вещество
 edit-conductor = Металл

@@ -125,6 +125,43 @@ fn a_picture_that_is_picked_is_the_one_that_is_there_now() {
 }
 
 #[test]
+fn after_saving_elsewhere_every_step_finds_its_pictures() {
+    let host = TestHost::new();
+    let (here, away) = (host.path("a.exr"), host.path("away"));
+    std::fs::create_dir(&away).unwrap();
+    write_gray(&here, 0.25, 2);
+    for answer in [host.path("a.toml"), here.clone(), away.join("none/b.toml"), away.join("b.toml")] {
+        host.answer(Some(answer));
+    }
+    let mut window = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    window.set_size(vec2(1280.0, 1700.0));
+    select(&mut window, [Item::Environment]);
+    save_as(&mut window, "a.toml");
+    assert_eq!(chosen_gray(&mut window), 0.25);
+    let resave = |window: &mut Window| {
+        window.state_mut().run(catoptric_studio::Command::Save);
+        window.run_steps(4);
+        wait_until(window, "the file", |studio| !studio.is_saving() && !studio.editor().is_changed());
+        let saved = catoptric_scene::load(window.state().editor().path().unwrap()).unwrap().scene;
+        assert_eq!(saved, *scene(window));
+        saved.environment.surroundings.picture().map(|image| image.path().to_owned())
+    };
+    window.state_mut().run(catoptric_studio::Command::SaveAs);
+    window.run_steps(4);
+    wait_until(&mut window, "the answer of the disk", |studio| !studio.is_saving());
+    window.run_steps(2);
+    window.get_by_label_contains("none/b.toml");
+    window.key_press(Key::Escape);
+    window.run_steps(3);
+    assert_eq!(resave(&mut window).as_deref(), Some("a.exr"), "nothing came of saving elsewhere");
+    save_as(&mut window, "b.toml");
+    assert!(window.state_mut().editor_mut().undo());
+    assert_eq!(resave(&mut window), None);
+    assert!(window.state_mut().editor_mut().redo());
+    assert_eq!(resave(&mut window).as_deref(), here.to_str());
+}
+
+#[test]
 fn a_picture_is_not_given_to_another_document_than_it_was_asked_for() {
     let host = TestHost::new();
     write_gray(&host.path("a.exr"), 0.25, 2);
