@@ -29,6 +29,13 @@ impl Writing {
             update(&self.original_text, &self.scene)
         }
     }
+
+    /// The same with whole paths of pictures, for a document without a file: they are found wherever the text is read.
+    #[must_use]
+    pub fn with_whole_paths(mut self) -> Self {
+        move_images(&mut self.scene, None, None);
+        self
+    }
 }
 
 impl Editor {

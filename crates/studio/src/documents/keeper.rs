@@ -238,6 +238,8 @@ fn attend(folder: &Path, inbox: &Receiver<Order>, report: impl Fn(Report)) {
     while let Ok(order) = inbox.recv() {
         match order {
             Order::Keep { state, writing, path, title } => {
+                // The next studio may be started in another folder.
+                let writing = if path.is_some() { writing } else { writing.with_whole_paths() };
                 let snapshot = Snapshot { original_path: path, title, text: writing.text() };
                 let result = keep_in(&mut session, folder, &snapshot);
                 is_kept = result.is_ok();

@@ -2,6 +2,8 @@
 
 use std::process::Stdio;
 
+use catoptric_editor::Action;
+
 use super::*;
 
 const CHILD: &str = "CATOPTRIC_TEST_CHILD_FOLDER";
@@ -37,6 +39,17 @@ fn changes_are_kept_until_they_are_saved_or_taken_back() {
     wait_until(&mut harness, "nothing is kept", |_| kept(&host).is_empty());
     drop(harness);
     assert!(kept(&host).is_empty());
+}
+
+#[test]
+fn a_document_without_a_file_is_kept_with_whole_paths_of_pictures() {
+    let host = TestHost::new();
+    let mut harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let text = "format = 'catoptric/1'\n[[bodies]]\nmaterial = { texture = 'wood.png' }\n";
+    harness.state_mut().editor_mut().apply(Action::Paste(text.to_owned())).unwrap();
+    let whole = std::env::current_dir().unwrap().join("wood.png");
+    let whole = format!("\"{}\"", whole.display());
+    wait_until(&mut harness, "it is kept", |_| kept(&host).iter().any(|text| text.contains(&whole)));
 }
 
 #[test]
