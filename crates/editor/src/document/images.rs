@@ -60,6 +60,24 @@ pub(super) fn move_images(scene: &mut Arc<Scene>, from: Option<&Path>, to: Optio
     edit_images(scene, |image| !image.is_built_in(), &mut mover(from, to));
 }
 
+/// Gives the scene's pictures that are not opened those that another scene has by the same paths.
+pub(super) fn share_pixels(scene: &mut Arc<Scene>, other: &Scene) {
+    let is_unopened = |image: &Image| image.pixels().is_none();
+    if !scene.images_besides(other).any(is_unopened) {
+        return;
+    }
+    let opened = other.images().filter(|image| !is_unopened(image));
+    let opened: HashMap<&str, &Image> = opened.map(|image| (image.path(), image)).collect();
+    let is_found = |image: &Image| is_unopened(image) && opened.contains_key(image.path());
+    edit_images(scene, is_found, &mut |image| {
+        if is_unopened(image)
+            && let Some(&found) = opened.get(image.path())
+        {
+            image.clone_from(found);
+        }
+    });
+}
+
 /// Changes paths of pictures, each distinct one worked out once: a million bodies may have the same.
 fn mover(from: Option<&Path>, to: Option<&Path>) -> impl FnMut(&mut Image) {
     let mut moved: HashMap<String, Option<Arc<str>>> = HashMap::new();

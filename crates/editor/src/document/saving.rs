@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use catoptric_scene::{Scene, update, write};
 
-use super::images::move_images;
+use super::images::{move_images, share_pixels};
 use super::{Editor, Label, Refused};
 
 /// A scene to be written, apart from the editor, so that another thread can make its text.
@@ -54,8 +54,8 @@ impl Editor {
         writing
     }
 
-    /// Tells that `writing` was saved as `text` in the file at `path`. The scene may have changed since. In another
-    /// folder than before, the document finds its pictures from there; this is no edit.
+    /// Tells that `writing`, made [for it](Self::writing_to), was saved as `text` in the file at `path`. The scene may
+    /// have changed since. In another folder than before, the document finds its pictures from there; this is no edit.
     pub fn mark_written(&mut self, writing: &Writing, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
         let path = path.into();
         if self.folder() != path.parent() {
@@ -68,11 +68,13 @@ impl Editor {
         }
         self.set_path(path);
         self.text = text.into();
-        self.saved = Some(Arc::clone(&writing.scene));
+        let mut saved = Arc::clone(&writing.scene);
+        share_pixels(&mut saved, &self.scene);
+        self.saved = Some(saved);
     }
 
     /// Where the paths of its pictures begin.
-    fn folder(&self) -> Option<&Path> {
+    pub(crate) fn folder(&self) -> Option<&Path> {
         self.path.as_deref().and_then(Path::parent)
     }
 

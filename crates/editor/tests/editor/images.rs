@@ -214,6 +214,16 @@ fn a_document_that_could_not_be_saved_elsewhere_keeps_its_paths() {
 }
 
 #[test]
+fn a_document_that_is_saved_while_its_pictures_are_being_opened_is_saved() {
+    let mut editor = Editor::new(scene());
+    let writing = editor.writing_to(Path::new("/scenes/a.toml"));
+    assert!(editor.open_images(open));
+    editor.mark_written(&writing, "/scenes/a.toml", writing.text());
+    assert_eq!(unopened(&editor), 0);
+    assert!(!editor.is_changed());
+}
+
+#[test]
 fn an_edit_while_the_document_is_being_saved_elsewhere_follows_it() {
     let mut editor = Editor::open("/scenes/a/room.toml", "", scene());
     let writing = editor.writing_to(Path::new("/scenes/b/room.toml"));
