@@ -8,6 +8,8 @@ mod outcome;
 mod place;
 mod select;
 
+use std::path::Path;
+
 use catoptric_scene::{Diagnostics, MaterialChoice, Scene, ShapeKind};
 use glam::DVec3;
 
@@ -279,8 +281,13 @@ impl Action {
         }
     }
 
-    /// What an act makes of the scene.
-    fn outcome(&self, scene: &Scene, selection: &Selection) -> Result<Outcome, ActionError> {
+    /// What an act makes of the scene, whose file is in `folder`.
+    fn outcome(
+        &self,
+        scene: &Scene,
+        selection: &Selection,
+        folder: Option<&Path>,
+    ) -> Result<Outcome, ActionError> {
         match self {
             Self::AddBody { shape, at, name } => Ok(add::body(scene, *shape, *at, name.trim())),
             Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),
@@ -297,7 +304,7 @@ impl Action {
             Self::MoveDown => list::reorder(scene, selection, Move::Down),
             Self::MoveToIndex(place) => list::reorder(scene, selection, Move::To(*place)),
             Self::Rename { item, name } => material::rename(scene, selection, *item, name),
-            Self::Paste(text) => fragment::paste(scene, text),
+            Self::Paste(text) => fragment::paste(scene, text, folder),
             Self::AssignMaterial(choice) => material::assign(scene, selection, choice),
             Self::ShareMaterial => material::share(scene, selection),
             Self::MakeMaterialUnique => material::make_unique(scene, selection),
@@ -334,7 +341,7 @@ impl Editor {
                 }
                 None => {
                     let Outcome { scene, selection, subject } =
-                        action.outcome(self.scene(), self.selection())?;
+                        action.outcome(self.scene(), self.selection(), self.folder())?;
                     self.step(Label::new(action.key(), subject), scene, selection)?
                 }
             },
@@ -356,8 +363,9 @@ impl Editor {
     }
 
     /// The selected bodies and lights, and the materials they name or that are selected, as the text of a scene file:
-    /// what a clipboard carries. `None` when nothing of that is selected.
+    /// what a clipboard carries. From a document that has a file, it has whole paths of pictures, for a
+    /// document in any folder. `None` when nothing of that is selected.
     pub fn copy(&self) -> Option<String> {
-        fragment::copy(self.scene(), self.selection())
+        fragment::copy(self.scene(), self.selection(), self.folder())
     }
 }

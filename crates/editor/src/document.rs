@@ -11,6 +11,7 @@ use catoptric_scene::{Problem, Scene};
 
 use crate::history::{Difference, History, Step};
 use crate::selection::Selection;
+pub(crate) use images::mover;
 pub use saving::Writing;
 
 /// What an undo step did, for a history menu.

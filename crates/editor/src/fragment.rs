@@ -1,12 +1,14 @@
 //! Parts of a scene as text: what a clipboard carries.
 
 use std::collections::{HashMap, HashSet};
+use std::path::Path;
 
 use catoptric_scene::{HasImages as _, List, MaterialChoice, Scene, Shape, read, write_fragment};
 use glam::DVec3;
 
 use crate::action::{ActionError, Outcome};
 use crate::bounds;
+use crate::document::mover;
 use crate::names::{Names, base, used_materials};
 use crate::selection::{Item, Selection};
 
@@ -16,8 +18,9 @@ const ASIDE: f64 = 0.5;
 /// So many places are tried for copies before they are left where something else stands.
 const MOST_STEPS: u32 = 1000;
 
-/// The selected bodies and lights, and the materials they name or that are selected, as a scene file's text.
-pub(crate) fn copy(scene: &Scene, selection: &Selection) -> Option<String> {
+/// The selected bodies and lights, and the materials they name or that are selected, as a scene file's text. Paths of
+/// pictures become whole where there is a `folder` at which they begin.
+pub(crate) fn copy(scene: &Scene, selection: &Selection, folder: Option<&Path>) -> Option<String> {
     let chosen: HashSet<Item> = selection.iter().collect();
     let of = |kind: fn(usize) -> Item| {
         let chosen = &chosen;
@@ -42,19 +45,31 @@ pub(crate) fn copy(scene: &Scene, selection: &Selection) -> Option<String> {
     if bodies.is_empty() && lights.is_empty() && materials.is_empty() {
         return None;
     }
-    Some(write_fragment(&Scene { materials, lights, bodies, ..Scene::default() }))
+    let mut copied = Scene { materials, lights, bodies, ..Scene::default() };
+    if folder.is_some() {
+        copied.edit_images(&mut mover(folder, None));
+    }
+    Some(write_fragment(&copied))
 }
 
-/// Adds what a scene file's text says to a scene.
-pub(crate) fn paste(scene: &Scene, text: &str) -> Result<Outcome, ActionError> {
+/// Adds what a scene file's text says to a scene whose paths of pictures begin at `folder`.
+pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<Outcome, ActionError> {
     if text.trim().is_empty() {
         return Err(ActionError::NothingToPaste);
     }
     let mut pasted = read(text).into_result().map_err(ActionError::BadText)?.value;
+    let mut rename = mover(folder, folder);
     pasted.edit_images(&mut |image| {
+        let known = |path: &str| scene.images().find(|known| known.path() == path);
+        let mut found = known(image.path());
+        if found.is_none() && folder.is_some() {
+            // A whole path, as copies have it, becomes what the document would call it.
+            rename(image);
+            found = known(image.path());
+        }
         // Else materials with the same picture would not be found to be the same.
-        if let Some(known) = scene.images().find(|known| known.path() == image.path()) {
-            image.clone_from(known);
+        if let Some(found) = found {
+            image.clone_from(found);
         }
     });
     let mut names = Names::of_materials(scene);

@@ -79,7 +79,7 @@ pub(super) fn share_pixels(scene: &mut Arc<Scene>, other: &Scene) {
 }
 
 /// Changes paths of pictures, each distinct one worked out once: a million bodies may have the same.
-fn mover(from: Option<&Path>, to: Option<&Path>) -> impl FnMut(&mut Image) {
+pub(crate) fn mover(from: Option<&Path>, to: Option<&Path>) -> impl FnMut(&mut Image) {
     let mut moved: HashMap<String, Option<Arc<str>>> = HashMap::new();
     move |image| {
         if !moved.contains_key(image.path()) {

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use catoptric_editor::{Editor, Label};
+use catoptric_editor::{Action, Editor, Item, Label};
 use catoptric_scene::{Body, Image, Material, MaterialChoice, NamedMaterial, Scene, Surroundings};
 use proptest::prelude::*;
 
@@ -238,8 +238,36 @@ fn an_edit_while_the_document_is_being_saved_elsewhere_follows_it() {
 fn pasting_a_picture_that_is_there_finds_it() {
     let mut editor = Editor::new(scene());
     editor.open_images(open);
-    editor.select(catoptric_editor::Item::Body(1));
+    editor.select(Item::Body(1));
     let text = editor.copy().unwrap();
-    editor.apply(catoptric_editor::Action::Paste(text)).unwrap();
+    editor.apply(Action::Paste(text)).unwrap();
     assert_eq!((editor.scene().bodies.len(), unopened(&editor)), (3, 0));
+}
+
+#[test]
+fn what_is_pasted_in_another_folder_has_the_same_pictures() {
+    let mut from = Editor::open("/scenes/a/room.toml", "", scene());
+    from.select(Item::Body(1));
+    let text = from.copy().unwrap();
+    assert!(text.contains("\"/scenes/a/wood.png\""), "{text}");
+    for (file, path) in [
+        ("/scenes/b/c.toml", "/scenes/a/wood.png"),
+        ("/scenes/c.toml", "a/wood.png"),
+        ("/scenes/a/c.toml", "wood.png"),
+    ] {
+        let mut to = Editor::open(file, "", Scene::default());
+        to.apply(Action::Paste(text.clone())).unwrap();
+        assert_eq!(paths(to.scene()), [path], "{file}");
+    }
+    from.apply(Action::Paste(text)).unwrap();
+    assert_eq!(paths(from.scene()), ["builtin:evening", "wood.png", "wood.png"]);
+    let by_hand = "format = 'catoptric/1'\n[[bodies]]\nmaterial = { texture = '../t/wood.png' }\n";
+    from.apply(Action::Paste(by_hand.to_owned())).unwrap();
+    assert_eq!(paths(from.scene())[3], "../t/wood.png");
+    let mut whole = Editor::open("/scenes/a/room.toml", "", Scene::default());
+    whole.apply(Action::Paste(by_hand.replace("../t", "/scenes/a"))).unwrap();
+    assert_eq!(paths(whole.scene()), ["wood.png"]);
+    whole.change_body(0, Label::new("a", ""), |body| body.material = textured("/scenes/a/wood.png")).unwrap();
+    whole.apply(Action::Paste(whole.copy().unwrap())).unwrap();
+    assert_eq!(paths(whole.scene()), ["/scenes/a/wood.png"; 2], "as it is called there");
 }
