@@ -11,17 +11,10 @@ mod common;
 #[path = "common/desk.rs"]
 mod desk;
 
-#[cfg(target_os = "linux")]
 fn main() {
-    let mut arguments = std::env::args().skip(1);
-    match (arguments.next().as_deref(), arguments.next()) {
-        (Some(linux::STUDIO), Some(scene)) => linux::studio(scene.into()),
-        _ => linux::tests(),
-    }
+    #[cfg(target_os = "linux")]
+    linux::main();
 }
-
-#[cfg(not(target_os = "linux"))]
-fn main() {}
 
 #[cfg(target_os = "linux")]
 mod linux {
@@ -37,13 +30,24 @@ mod linux {
     use crate::desk::{Opened, PATIENCE, SCENE};
 
     /// The first argument of the studio whose driver fails.
-    pub(super) const STUDIO: &str = "studio";
+    const STUDIO: &str = "studio";
 
     /// How far the disc is dragged, pixels.
     const SHIFT: i16 = 90;
 
+    pub(super) fn main() {
+        let mut arguments = std::env::args().skip(1);
+        match (arguments.next().as_deref(), arguments.next()) {
+            (Some(STUDIO), Some(scene)) => studio(scene.into()),
+            _ => {
+                a_window_that_is_lost_comes_back_with_the_edit_and_its_undo();
+                a_driver_that_fails_again_and_again_ends_the_studio_and_work_is_kept();
+            }
+        }
+    }
+
     /// The studio; its device is lost with every byte that comes in.
-    pub(super) fn studio(scene: PathBuf) {
+    fn studio(scene: PathBuf) {
         let fault = Fault::default();
         let driver = fault.clone();
         std::thread::spawn(move || std::io::stdin().lock().bytes().for_each(|_| driver.strike()));
@@ -51,11 +55,6 @@ mod linux {
             let _ = writeln!(std::io::stderr().lock(), "{error}");
             std::process::exit(2);
         }
-    }
-
-    pub(super) fn tests() {
-        a_window_that_is_lost_comes_back_with_the_edit_and_its_undo();
-        a_driver_that_fails_again_and_again_ends_the_studio_and_work_is_kept();
     }
 
     /// The driver of the window traces the picture, too.
