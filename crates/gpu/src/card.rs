@@ -1,10 +1,11 @@
 //! An open graphics card.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use crate::choice::{GpuChoice, is_software};
 use crate::error::GpuError;
 use crate::pipelines::{Pipelines, STORED};
+use crate::watch::Watch;
 
 /// An open graphics card, with the shaders compiled so far.
 pub struct Gpu {
@@ -12,7 +13,7 @@ pub struct Gpu {
     pub(crate) queue: wgpu::Queue,
     info: GpuInfo,
     pub(crate) pipelines: Pipelines,
-    lost: Arc<Mutex<Option<String>>>,
+    pub(crate) watch: Arc<Watch>,
 }
 
 /// What is known of a graphics card.
@@ -47,7 +48,8 @@ impl Gpu {
             .map_err(|error| GpuError::NotOpened(error.to_string()))?;
         // Errors are looked for where they arise; one that arises elsewhere must not end the program.
         device.on_uncaptured_error(Arc::new(|_| {}));
-        Self::new(device, queue, &info)
+        let watch = Watch::over(&device, || {});
+        Self::new(device, queue, &info, watch)
     }
 
     /// Draws with a device that others, such as a window, use too. From now on its loss is told here.
@@ -55,8 +57,17 @@ impl Gpu {
     /// # Errors
     /// When it lacks something.
     pub fn on(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
+        let watch = Watch::over(&device, || {});
+        Self::watched(device, queue, watch)
+    }
+
+    /// The same with a device that is watched already.
+    ///
+    /// # Errors
+    /// When it lacks something.
+    pub fn watched(device: wgpu::Device, queue: wgpu::Queue, watch: Arc<Watch>) -> Result<Self, GpuError> {
         let info = device.adapter_info();
-        Self::new(device, queue, &info)
+        Self::new(device, queue, &info, watch)
     }
 
     /// Features that are used where a card has them.
@@ -64,13 +75,13 @@ impl Gpu {
         wgpu::Features::TIMESTAMP_QUERY
     }
 
-    fn new(device: wgpu::Device, queue: wgpu::Queue, info: &wgpu::AdapterInfo) -> Result<Self, GpuError> {
+    fn new(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        info: &wgpu::AdapterInfo,
+        watch: Arc<Watch>,
+    ) -> Result<Self, GpuError> {
         check_limits(&device.limits(), &info.name)?;
-        let lost = Arc::new(Mutex::new(None));
-        let told = Arc::clone(&lost);
-        device.set_device_lost_callback(move |_, message| {
-            *told.lock().unwrap_or_else(PoisonError::into_inner) = Some(message);
-        });
         let driver = format!("{} {}", info.driver, info.driver_info).trim().to_owned();
         let info = GpuInfo {
             name: info.name.clone(),
@@ -79,7 +90,7 @@ impl Gpu {
             is_software: is_software(info),
         };
         let pipelines = Pipelines::new(&device);
-        let gpu = Self { device, queue, info, pipelines, lost };
+        let gpu = Self { device, queue, info, pipelines, watch };
         gpu.check_alive()?;
         Ok(gpu)
     }
@@ -91,21 +102,18 @@ impl Gpu {
 
     /// Gives the card back, whatever it is doing; all further work fails.
     pub fn destroy(&self) {
-        self.device.destroy();
-        let mut lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
-        lost.get_or_insert_with(|| "it was given back".to_owned());
+        self.watch.destroy();
     }
 
     /// Fails if the card is lost.
     pub(crate) fn check_alive(&self) -> Result<(), GpuError> {
-        let lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
-        lost.as_ref().map_or(Ok(()), |message| Err(GpuError::Lost(message.clone())))
+        self.watch.lost().map_or(Ok(()), |message| Err(GpuError::Lost(message.to_owned())))
     }
 
     /// Takes note that the card is lost.
     pub(crate) fn lose(&self, message: &str) -> GpuError {
-        let mut lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
-        GpuError::Lost(lost.get_or_insert_with(|| message.to_owned()).clone())
+        self.watch.lose(message);
+        GpuError::Lost(self.watch.lost().unwrap_or(message).to_owned())
     }
 
     /// What `act` does with the device, or the error that the driver has about it. `bytes` of memory are taken by it.

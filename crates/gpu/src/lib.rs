@@ -19,6 +19,7 @@ mod render;
 mod screen;
 mod stage;
 mod upload;
+mod watch;
 
 pub use card::{Gpu, GpuInfo};
 pub use choice::GpuChoice;
@@ -27,3 +28,4 @@ pub use film::{GpuFilm, GpuPass};
 pub use render::{GpuRendering, render};
 pub use screen::{GpuPicture, GpuScreen};
 pub use stage::StageOnCard;
+pub use watch::Watch;

@@ -1,6 +1,5 @@
 //! Waiting for a card, and what it writes.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -63,11 +62,7 @@ impl Gpu {
 
     /// Lets the device look what is done.
     pub(crate) fn look(&self) -> Result<(), GpuError> {
-        // A device that is found lost here makes the library panic.
-        match catch_unwind(AssertUnwindSafe(|| self.device.poll(wgpu::PollType::Poll))) {
-            Ok(Ok(_)) => Ok(()),
-            Ok(Err(error)) => Err(GpuError::Refused(error.to_string())),
-            Err(_) => Err(self.lose("the driver gave up")),
-        }
+        self.watch.look().map_err(|error| GpuError::Refused(error.to_string()))?;
+        self.check_alive()
     }
 }

@@ -142,6 +142,11 @@ impl GpuPicture {
         self.number
     }
 
+    /// Whether it lies in the memory of this card.
+    pub fn is_on(&self, gpu: &Gpu) -> bool {
+        std::ptr::eq(Arc::as_ptr(&self.gpu), gpu)
+    }
+
     /// Width and height, pixels.
     pub fn size(&self) -> [u32; 2] {
         self.size

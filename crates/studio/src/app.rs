@@ -251,6 +251,22 @@ impl Studio {
         self.request_picture();
     }
 
+    /// The device that draws the window is lost: makes the studio ready for another window. `context` goes on, too.
+    pub fn outlive_window(&mut self, context: &egui::Context) {
+        documents::outlive_window(self);
+        let key = if self.card.leave_window(&self.live) { "window-lost-card" } else { "window-lost" };
+        self.toasts.warning(self.texts.get(key)).duration(None);
+        // What lay in the memory of the device is made anew when it is wanted.
+        self.panes.viewport.forget_textures();
+        self.panes.compare.forget_textures();
+        self.panes.materials.forget_textures();
+        self.dialogs.forget_textures();
+        self.maps.forget_textures();
+        self.pictures.forget_textures();
+        // So are the glyphs; the toolkit brings the system's fonts along with each window.
+        context.set_font_providers(Vec::new());
+    }
+
     /// The parts that panels see.
     pub(crate) fn cx(&mut self) -> Cx<'_> {
         Cx {

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Weak};
 
-use catoptric_gpu::{Gpu, GpuError, GpuPicture};
+use catoptric_gpu::{Gpu, GpuError, GpuPicture, Watch};
 use catoptric_live::Live;
 use catoptric_tracer::twin::Unsupported;
 use eframe::egui_wgpu::RenderState;
@@ -42,7 +42,11 @@ impl Card {
 
     /// What the window knows a picture by; pictures that are gone are forgotten. `smooth` where it is stretched.
     pub(crate) fn texture(&mut self, picture: &Arc<GpuPicture>, smooth: bool) -> Option<TextureId> {
-        let (state, _) = self.window.as_ref()?;
+        let (state, gpu) = self.window.as_ref()?;
+        if !picture.is_on(gpu) {
+            // It was drawn for a window that is gone.
+            return None;
+        }
         let filter = if smooth { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
         let mut renderer = state.renderer.write();
         self.textures.retain(|texture| {
@@ -63,6 +67,14 @@ impl Card {
         Some(id)
     }
 
+    /// Lets go of the window, whose device is lost. Returns whether the card was to draw the picture.
+    pub(crate) fn leave_window(&mut self, live: &Live) -> bool {
+        let was_on = self.is_on;
+        live.draw_with(None);
+        *self = Self { told: live.status().card_lost, ..Self::default() };
+        was_on
+    }
+
     fn switch(&mut self, live: &Live, is_on: bool) {
         let Some((_, gpu)) = &self.window else { return };
         self.is_on = is_on;
@@ -76,8 +88,22 @@ impl Studio {
     /// otherwise, a software driver only if they say so.
     pub fn use_window_card(&mut self, state: &RenderState) {
         let Ok(gpu) = Gpu::on(state.device.clone(), state.queue.clone()) else { return };
-        let is_real = !gpu.info().is_software;
         self.card.window = Some((state.clone(), Arc::new(gpu)));
+        self.choose_card();
+    }
+
+    /// The same for a device that is watched. One that follows a lost one draws only when it is switched on again: a card
+    /// that has just failed is not trusted at once.
+    pub(crate) fn enter_window(&mut self, state: &RenderState, watch: &Arc<Watch>, is_first: bool) {
+        let gpu = Gpu::watched(state.device.clone(), state.queue.clone(), Arc::clone(watch));
+        self.card.window = gpu.ok().map(|gpu| (state.clone(), Arc::new(gpu)));
+        if is_first {
+            self.choose_card();
+        }
+    }
+
+    fn choose_card(&mut self) {
+        let is_real = self.card.window.as_ref().is_some_and(|(_, gpu)| !gpu.info().is_software);
         if self.settings.uses_card.unwrap_or(is_real) {
             self.card.switch(&self.live, true);
         }

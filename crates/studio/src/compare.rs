@@ -118,6 +118,11 @@ impl Default for Comparing {
 }
 
 impl Comparing {
+    /// The device of the window is another.
+    pub(crate) fn forget_textures(&mut self) {
+        self.images = Images::default();
+    }
+
     /// Compares these ways of drawing.
     pub(crate) fn choose(&mut self, compared: &[Methods; 2]) {
         for (side, methods) in self.sides.iter_mut().zip(compared) {

@@ -66,6 +66,11 @@ impl Dialogs {
         self.open.push(Opened { number: None, is_new: true, dialog: Box::new(dialog) });
     }
 
+    /// The device of the window is another.
+    pub(crate) fn forget_textures(&mut self) {
+        self.thumbnails.forget_textures();
+    }
+
     /// Whether any dialog is open; shortcuts rest then.
     pub(crate) fn is_any_open(&self) -> bool {
         !self.open.is_empty()

@@ -135,6 +135,18 @@ pub(crate) fn leave(studio: &mut Studio) {
     keeper::finish(studio);
 }
 
+/// Whether the studio is being left on purpose.
+pub(crate) fn is_leaving(studio: &Studio) -> bool {
+    studio.documents.is_leaving
+}
+
+/// The window is lost, and another one will be opened: first of all, unsaved work is made safe.
+pub(crate) fn outlive_window(studio: &mut Studio) {
+    keeper::keep_now(studio);
+    // The new window does not have it yet.
+    studio.documents.title.clear();
+}
+
 /// Whether the document has changes that no file has. Cheap, unlike [`Editor::is_changed`] in a large scene.
 pub(crate) fn is_changed(studio: &mut Studio) -> bool {
     let documents = &mut studio.documents;

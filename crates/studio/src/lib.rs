@@ -54,4 +54,6 @@ pub use methods::Methods;
 pub use pictures::{PictureKind, RenderChoices};
 pub use settings::{LastScene, Settings, Theme};
 pub use texts::{Language, Texts};
+#[doc(hidden)]
+pub use window::{Fault, open_with_fault};
 pub use window::{Interruption, StudioError, open, prepare as prepare_window};

@@ -28,6 +28,13 @@ pub(crate) struct Maps {
     texture: Option<TextureHandle>,
 }
 
+impl Maps {
+    /// The device of the window is another: the map is made again.
+    pub(crate) fn forget_textures(&mut self) {
+        (self.shown, self.texture) = (None, None);
+    }
+}
+
 /// What a map is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Key {

@@ -118,6 +118,11 @@ impl Browser {
         (self.wants_focus, self.scrolls) = (true, true);
     }
 
+    /// The device of the window is another.
+    pub(crate) fn forget_textures(&mut self) {
+        self.thumbnails.forget_textures();
+    }
+
     /// How many materials there is a picture of.
     pub(crate) fn pictured(&self) -> usize {
         self.thumbnails.count()

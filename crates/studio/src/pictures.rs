@@ -70,6 +70,11 @@ impl Pictures {
         self.running.is_some()
     }
 
+    /// The device of the window is another.
+    pub(crate) fn forget_textures(&mut self) {
+        self.finished.iter_mut().for_each(Finished::forget_texture);
+    }
+
     /// Gives up the picture that is being rendered.
     pub(crate) fn cancel(&mut self) {
         if let Some(running) = self.running.take() {

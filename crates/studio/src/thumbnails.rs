@@ -59,6 +59,11 @@ impl<K: Clone + PartialEq + Send + 'static> Thumbnails<K> {
         self.pictures.push((key, texture));
     }
 
+    /// The device of the window is another: the pictures are traced again.
+    pub(crate) fn forget_textures(&mut self) {
+        self.pictures.clear();
+    }
+
     /// How many pictures there are.
     pub(crate) fn count(&self) -> usize {
         self.pictures.iter().filter(|(_, picture)| picture.is_some()).count()

@@ -74,6 +74,11 @@ impl Viewport {
         self.size_in_pixels.map_or(1.0, |[width, height]| f64::from(width.max(1)) / f64::from(height.max(1)))
     }
 
+    /// The device of the window is another.
+    pub(crate) fn forget_textures(&mut self) {
+        self.picture = Picture::default();
+    }
+
     fn measure(&mut self, ui: &Ui, rect: Rect) {
         self.rect = Some(rect);
         let pixels = (rect.size() * ui.ctx().pixels_per_point()).round().max(egui::Vec2::ZERO);

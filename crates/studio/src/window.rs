@@ -1,25 +1,33 @@
 //! The window on the desktop.
 
 mod failure;
+mod losses;
 mod software;
 
+use std::cell::OnceCell;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::time::Instant;
 
+use catoptric_gpu::Watch;
 use eframe::NativeOptions;
-use egui::{IconData, ViewportBuilder};
+use egui::{
+    Context, Event, IconData, Modifiers, PointerButton, RawInput, Ui, ViewportBuilder, ViewportCommand,
+};
 
 use crate::app::{Start, Studio};
+use crate::documents;
 use crate::host::{Desktop, Host as _};
 use crate::settings::Settings;
 pub use failure::StudioError;
 use failure::{Quiet, of_eframe};
+use losses::Losses;
 
 /// A way to end the studio from outside, such as by Ctrl-C: unsaved work is kept for the next start.
 #[derive(Clone, Debug, Default)]
 pub struct Interruption {
     is_asked: Arc<AtomicBool>,
-    context: Arc<OnceLock<egui::Context>>,
+    context: Arc<OnceLock<Context>>,
 }
 
 impl Interruption {
@@ -37,39 +45,188 @@ impl Interruption {
     }
 }
 
-/// Opens the studio and stays until its window is closed.
+/// Makes the device that draws the window fail: for tests, which cannot wait for a driver to do so.
+#[doc(hidden)]
+#[derive(Clone, Debug, Default)]
+pub struct Fault {
+    window: Arc<Mutex<Option<Arc<Watch>>>>,
+}
+
+impl Fault {
+    /// Loses the device of the open window, if there is one.
+    pub fn strike(&self) {
+        if let Some(watch) = self.window.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            watch.destroy();
+        }
+    }
+
+    fn aim(&self, watch: &Arc<Watch>) {
+        *self.window.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(watch));
+    }
+}
+
+/// Opens the studio and stays until its window is closed. When the device that draws it is lost, the window is opened
+/// anew with everything in it.
 ///
 /// # Errors
-/// When there is no display, or neither the graphics card nor a software driver can draw a window.
-pub fn open(start: Start, interruption: &Interruption) -> Result<(), StudioError> {
+/// When there is no display, when neither the graphics card nor a software driver can draw a window, or when devices are
+/// lost again and again.
+pub fn open(start: &Start, interruption: &Interruption) -> Result<(), StudioError> {
+    open_with_fault(start, interruption, &Fault::default())
+}
+
+/// The same with a device that can be made to fail.
+#[doc(hidden)]
+pub fn open_with_fault(start: &Start, interruption: &Interruption, fault: &Fault) -> Result<(), StudioError> {
     if !has_display() {
         return Err(StudioError::NoDisplay);
     }
-    let settings = Desktop.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
-    let size = settings.window_size.unwrap_or([1440.0, 900.0]);
+    let mut opened = None;
+    let mut losses = Losses::default();
+    let mut is_broken_off = false;
+    loop {
+        let watch = OnceCell::new();
+        let shown = show(&mut opened, &watch, (start, interruption, fault));
+        let Some(Opened { studio, context }) = &mut opened else { return shown };
+        // What the toolkit still holds of a device that is lost can make it panic. Its loop then has to end first, which it
+        // does without a window.
+        let was_broken_off = std::mem::replace(&mut is_broken_off, shown.is_err());
+        if was_broken_off && shown.is_ok() && watch.get().is_none() {
+            continue;
+        }
+        let lost = watch.get().and_then(|watch| watch.lost());
+        let reason = match (lost, shown) {
+            (None, Err(error)) if !losses.is_empty() => error.to_string(),
+            (None, shown) => return shown,
+            (Some(_), _) if documents::is_leaving(studio) => return Ok(()),
+            (Some(_), _) if losses.add(Instant::now()) => {
+                studio.outlive_window(context);
+                continue;
+            }
+            (Some(reason), _) => reason.to_owned(),
+        };
+        documents::leave(studio);
+        return Err(StudioError::Lost(reason));
+    }
+}
+
+/// The studio, which outlives its windows, and what it is drawn with.
+struct Opened {
+    studio: Studio,
+    context: Context,
+}
+
+/// Opens a window and stays until it is closed, or its device is lost, as `watch` then tells.
+fn show(
+    opened: &mut Option<Opened>,
+    watch: &OnceCell<Arc<Watch>>,
+    (start, interruption, fault): (&Start, &Interruption, &Fault),
+) -> Result<(), StudioError> {
+    let context = opened.as_ref().map(|opened| opened.context.clone());
+    let options = NativeOptions { viewport: viewport(opened.as_ref()), ..NativeOptions::default() };
+    let quiet = Quiet::default();
+    let create = |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App + '_>, _> {
+        quiet.end();
+        let context = &creation.egui_ctx;
+        prepare(creation);
+        let is_first = opened.is_none();
+        let opened = match opened {
+            Some(opened) => opened,
+            none => {
+                let _ = interruption.context.set(context.clone());
+                let interruption = Some(interruption.clone());
+                let studio = Studio::interruptible(context, start, Box::new(Desktop), interruption)?;
+                none.insert(Opened { studio, context: context.clone() })
+            }
+        };
+        if let Some(state) = &creation.wgpu_render_state {
+            let (wake, quiet) = (context.clone(), quiet.clone());
+            let tell = move || {
+                quiet.begin_again();
+                wake.request_repaint();
+            };
+            let watch = watch.get_or_init(|| Watch::over(&state.device, tell));
+            watch.mind_errors();
+            fault.aim(watch);
+            opened.studio.enter_window(state, watch, is_first);
+        }
+        let held = if is_first { Vec::new() } else { held(context) };
+        Ok(Box::new(Shown { studio: &mut opened.studio, watch: watch.get(), quiet: &quiet, held }))
+    };
+    let run = || eframe::run_native_ext("Catoptric", options, context, Box::new(create));
+    quiet.during(run)?.map_err(of_eframe)
+}
+
+fn viewport(opened: Option<&Opened>) -> ViewportBuilder {
+    let first =
+        || Desktop.settings_path().map_or_else(Settings::first, |path| Settings::load(&path)).window_size;
+    let size = opened.map_or_else(first, |opened| opened.studio.settings().window_size);
     let viewport = ViewportBuilder::default()
         .with_title("Catoptric")
         .with_app_id("catoptric")
-        .with_inner_size(size)
+        .with_inner_size(size.unwrap_or([1440.0, 900.0]))
         .with_min_inner_size([800.0, 500.0])
         .with_drag_and_drop(true)
         .with_icon(Arc::new(icon()));
-    let options = NativeOptions { viewport, ..NativeOptions::default() };
-    let interruption = interruption.clone();
-    let quiet = Quiet::default();
-    let loud = quiet.clone();
-    let create = move |creation: &eframe::CreationContext<'_>| {
-        loud.end();
-        let context = &creation.egui_ctx;
-        prepare(creation);
-        let _ = interruption.context.set(context.clone());
-        let mut studio = Studio::interruptible(context, &start, Box::new(Desktop), Some(interruption))?;
-        if let Some(state) = &creation.wgpu_render_state {
-            studio.use_window_card(state);
+    let Some(opened) = opened else { return viewport };
+    // The new window appears where the old one was.
+    let zoom = opened.context.zoom_factor();
+    opened.context.input(|input| {
+        let old = input.viewport();
+        let viewport = viewport
+            .with_maximized(old.maximized == Some(true))
+            .with_fullscreen(old.fullscreen == Some(true));
+        old.outer_rect.map_or(viewport.clone(), |rect| viewport.with_position(rect.min * zoom))
+    })
+}
+
+/// What lets go of all that was held down in a window that is gone: nobody will tell that it is released.
+fn held(context: &Context) -> Vec<Event> {
+    context.input(|input| {
+        let pos = input.pointer.interact_pos().unwrap_or_default();
+        let buttons = [PointerButton::Primary, PointerButton::Secondary, PointerButton::Middle];
+        let down = buttons.into_iter().filter(|button| input.pointer.button_down(*button));
+        let release =
+            |button| Event::PointerButton { pos, button, pressed: false, modifiers: Modifiers::NONE };
+        down.map(release).chain([Event::WindowFocused(false)]).collect()
+    })
+}
+
+/// The studio in one of its windows.
+struct Shown<'a> {
+    studio: &'a mut Studio,
+    watch: Option<&'a Arc<Watch>>,
+    quiet: &'a Quiet,
+    /// What comes before the first input.
+    held: Vec<Event>,
+}
+
+impl Shown<'_> {
+    fn is_lost(&self) -> bool {
+        self.watch.is_some_and(|watch| watch.lost().is_some())
+    }
+}
+
+impl eframe::App for Shown<'_> {
+    fn raw_input_hook(&mut self, _context: &Context, input: &mut RawInput) {
+        input.events.splice(0..0, self.held.drain(..));
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        if self.is_lost() {
+            // Nothing may be drawn any more: the toolkit would panic.
+            software::leave(ui.ctx());
+            ui.ctx().send_viewport_cmd(ViewportCommand::Close);
+            return;
         }
-        Ok(Box::new(studio) as Box<dyn eframe::App>)
-    };
-    quiet.during(|| eframe::run_native("Catoptric", options, Box::new(create)))?.map_err(of_eframe)
+        self.quiet.except(|| self.studio.ui(ui));
+    }
+
+    fn on_exit(&mut self) {
+        if !self.is_lost() || documents::is_leaving(self.studio) {
+            documents::leave(self.studio);
+        }
+    }
 }
 
 /// Makes a new window ready: to be called before its first frame.

@@ -25,7 +25,7 @@ pub(crate) fn run(scene: Option<&Path>) -> Result<Outcome> {
         let interruption = interruption.clone();
         move || interruption.ask()
     });
-    match open(start, &interruption) {
+    match open(&start, &interruption) {
         Ok(()) if interruption.is_asked() => Ok(Outcome::Interrupted),
         Ok(()) => Ok(Outcome::Done),
         Err(error @ StudioError::Thread(_)) => Err(error.into()),

@@ -18,6 +18,8 @@ use crate::app::Studio;
 const DELAY: Duration = Duration::from_millis(500);
 /// At most once in so long; at the worst, a crash loses this, the delay and the time of writing.
 const INTERVAL: Duration = Duration::from_secs(3);
+/// So long the window waits for it at most, where it has to.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A state of a document of this window: its number and revision.
 type State = (u64, u64);
@@ -210,6 +212,22 @@ fn take_reports(studio: &mut Studio) {
                 }
             }
         }
+    }
+}
+
+/// Keeps the document at once, and waits a moment for that: what comes next may end the program.
+pub(super) fn keep_now(studio: &mut Studio) {
+    let state = (studio.documents.number, studio.editor.revision());
+    if !is_changed(studio) || studio.documents.keeper.thread.is_none() {
+        return;
+    }
+    let start = Instant::now();
+    if studio.documents.keeper.kept != Some(state) {
+        send(studio, state, start);
+    }
+    while studio.documents.keeper.kept != Some(state) && start.elapsed() < PATIENCE {
+        std::thread::sleep(Duration::from_millis(5));
+        take_reports(studio);
     }
 }
 

@@ -89,6 +89,11 @@ impl Finished {
         }
     }
 
+    /// The device of the window is another: the picture is developed again.
+    pub(super) fn forget_texture(&mut self) {
+        self.shown = Shown::default();
+    }
+
     /// Does something with the picture of this number, if it is still there.
     pub(super) fn with(studio: &mut Studio, number: u64, act: impl FnOnce(&mut Studio, &mut Self)) {
         let mut all = std::mem::take(&mut studio.pictures.finished);

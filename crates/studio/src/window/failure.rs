@@ -1,8 +1,9 @@
 //! Why there is no window, and what to do about it.
 
 use std::any::Any;
-use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use eframe::egui_wgpu::WgpuError;
 
@@ -30,10 +31,22 @@ pub enum StudioError {
     /// The window could not be opened.
     #[error("the window cannot be opened: {0}")]
     Window(String),
+    /// The device that draws the window was lost, and there is no other.
+    #[error(
+        "the graphics driver failed, and no window can be kept open ({0}); unsaved work is kept and offered at the next \
+         start, which may go better with another driver: {OTHER_DRIVER}"
+    )]
+    Lost(String),
     /// The thread that traces could not be started.
     #[error("the tracing thread cannot be started: {0}")]
     Thread(std::io::Error),
 }
+
+/// How to do without the driver of the card.
+#[cfg(target_os = "linux")]
+const OTHER_DRIVER: &str = "set WGPU_BACKEND=gl, and LIBGL_ALWAYS_SOFTWARE=1 to do without the card";
+#[cfg(not(target_os = "linux"))]
+const OTHER_DRIVER: &str = "set WGPU_BACKEND to vulkan, dx12, metal or gl";
 
 /// What the libraries of windows say.
 pub(super) fn of_eframe(error: eframe::Error) -> StudioError {
@@ -73,35 +86,63 @@ fn one_line(words: &str) -> String {
     said.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>;
-
-/// Until the window is open, a panic of the libraries of windows is an error to be told like others.
+/// Until the window is open, and when the device that draws it is lost, a panic of the libraries of windows is an error
+/// to be told like others.
 #[derive(Clone, Default)]
 pub(super) struct Quiet {
-    usual: Arc<Mutex<Option<Hook>>>,
+    state: Arc<State>,
+}
+
+#[derive(Default)]
+struct State {
+    is_open: AtomicBool,
+    is_lost: AtomicBool,
+    /// Whether the studio itself is at work.
+    is_ours: AtomicBool,
 }
 
 impl Quiet {
-    /// Does `work`; whatever panics in it before [`Self::end`] is returned as an error, in words.
+    /// Does `work`; what panics in it is returned as an error, in words, if it is none of the studio.
     pub(super) fn during<T>(&self, work: impl FnOnce() -> T) -> Result<T, StudioError> {
-        *self.usual.lock().unwrap_or_else(PoisonError::into_inner) = Some(panic::take_hook());
-        panic::set_hook(Box::new(|_| {}));
+        let usual = Arc::new(panic::take_hook());
+        let (quiet, loud) = (self.clone(), Arc::clone(&usual));
+        panic::set_hook(Box::new(move |info| {
+            if !quiet.is_quiet() {
+                loud(info);
+            }
+        }));
         let result = panic::catch_unwind(AssertUnwindSafe(work));
-        let has_begun = !self.end();
+        panic::set_hook(Box::new(move |info| usual(info)));
         match result {
             Ok(value) => Ok(value),
-            // A fault of the studio itself, already told.
-            Err(payload) if has_begun => panic::resume_unwind(payload),
-            Err(payload) => Err(of_words(&words(payload.as_ref()))),
+            Err(payload) if self.is_quiet() => Err(of_words(&words(payload.as_ref()))),
+            // Already told.
+            Err(payload) => panic::resume_unwind(payload),
         }
     }
 
-    /// From now on panics are told as usual. Returns whether they were not before.
-    pub(super) fn end(&self) -> bool {
-        let usual = self.usual.lock().unwrap_or_else(PoisonError::into_inner).take();
-        let Some(usual) = usual else { return false };
-        panic::set_hook(usual);
-        true
+    /// The window is open.
+    pub(super) fn end(&self) {
+        self.state.is_open.store(true, Ordering::Relaxed);
+    }
+
+    /// The device that draws the window is lost.
+    pub(super) fn begin_again(&self) {
+        self.state.is_lost.store(true, Ordering::Relaxed);
+    }
+
+    /// Does what the studio does itself: its faults are never those of others.
+    pub(super) fn except<T>(&self, work: impl FnOnce() -> T) -> T {
+        self.state.is_ours.store(true, Ordering::Relaxed);
+        let done = work();
+        self.state.is_ours.store(false, Ordering::Relaxed);
+        done
+    }
+
+    fn is_quiet(&self) -> bool {
+        let State { is_open, is_lost, is_ours } = &*self.state;
+        let is = |flag: &AtomicBool| flag.load(Ordering::Relaxed);
+        !is(is_open) || is(is_lost) && !is(is_ours)
     }
 }
 

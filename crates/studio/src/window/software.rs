@@ -23,13 +23,24 @@ use damage::{Piece, damage, pieces};
 pub(super) fn install(context: &Context, state: &RenderState) {
     let is_software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
     // Colors are gamma-encoded here, as in the formats that egui prefers.
-    if is_software && !state.target_format.is_srgb() {
-        context.add_plugin(Software::new(state));
-    }
+    let is_drawing = is_software && !state.target_format.is_srgb();
+    context.plugin_or_default::<Software>().lock().drawing = is_drawing.then(|| Drawing::new(state));
+}
+
+/// Lets go of a window whose device is lost.
+pub(super) fn leave(context: &Context) {
+    context.with_plugin(|software: &mut Software| software.drawing = None);
 }
 
 /// Draws what egui puts out, and leaves to egui's renderer to bring it to the screen.
+#[derive(Default)]
 struct Software {
+    /// In a window that a software driver draws.
+    drawing: Option<Drawing>,
+}
+
+/// What the drawing of one window needs.
+struct Drawing {
     state: RenderState,
     canvas: Canvas,
     /// What is on the canvas.
@@ -38,7 +49,7 @@ struct Software {
     opaque: HashSet<TextureId>,
 }
 
-impl Software {
+impl Drawing {
     fn new(state: &RenderState) -> Self {
         Self { state: state.clone(), canvas: Canvas::new(state), drawn: Vec::new(), opaque: HashSet::new() }
     }
@@ -67,14 +78,8 @@ impl Software {
         }
         renewed
     }
-}
 
-impl Plugin for Software {
-    fn debug_name(&self) -> &'static str {
-        "software drawing"
-    }
-
-    fn output_hook(&mut self, context: &Context, output: &mut FullOutput) {
+    fn draw(&mut self, context: &Context, output: &mut FullOutput) {
         // Only egui's renderer can call what others draw.
         if output.shapes.iter().any(|clipped| matches!(clipped.shape, Shape::Callback(_))) {
             self.drawn.clear();
@@ -99,6 +104,18 @@ impl Plugin for Software {
         if let Some(copy) = self.canvas.copy() {
             let callback = Callback::new_paint_callback(screen, copy);
             output.shapes = vec![ClippedShape::new(screen, callback)];
+        }
+    }
+}
+
+impl Plugin for Software {
+    fn debug_name(&self) -> &'static str {
+        "software drawing"
+    }
+
+    fn output_hook(&mut self, context: &Context, output: &mut FullOutput) {
+        if let Some(drawing) = &mut self.drawing {
+            drawing.draw(context, output);
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::io::Write as _;
 use std::panic::catch_unwind;
 
+use catoptric_editor::Label;
 use catoptric_studio::host::Host as _;
 use catoptric_studio::{Command, Start, Studio};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
@@ -13,7 +14,10 @@ use egui_kittest::{Harness, HarnessBuilder};
 use crate::kit::{TestHost, wait_until};
 
 fn studio(state: RenderState, settings: &str) -> Harness<'static, Studio> {
-    let host = TestHost::new();
+    studio_on(TestHost::new(), state, settings)
+}
+
+fn studio_on(host: TestHost, state: RenderState, settings: &str) -> Harness<'static, Studio> {
     std::fs::write(host.settings_path().unwrap(), settings).unwrap();
     let start = Start::Example("whitted".to_owned());
     let builder: HarnessBuilder<Studio> = Harness::builder();
@@ -90,12 +94,42 @@ fn a_card_that_is_lost_is_told_and_the_processor_draws() {
     let mut harness = studio(state, ASKED);
     wait_for_picture(&mut harness, "GPU");
     device.destroy();
+    // The loss is told when the device has done its work; until then, its things are just invalid.
+    let _ = device.poll(wgpu::PollType::wait_indefinitely());
     harness.state_mut().run(Command::ToggleProjection);
     wait_until(&mut harness, "the loss", |studio| studio.live().status().card_lost.is_some());
-    // A notice fades.
-    harness.run_steps(2);
+    // A notice comes with the next frame, and fades in.
+    harness.run_steps(4);
     let told = "The processor draws from now on instead of the graphics card: the card is lost.";
     let why = &harness.state().live().status().card_lost;
     assert!(harness.query_by_label_contains(told).is_some(), "{why:?}");
     wait_for_picture(&mut harness, "CPU");
+}
+
+#[test]
+fn a_window_that_is_lost_is_told_in_every_language_and_work_is_safe_before() {
+    let test = "a_window_that_is_lost_is_told_in_every_language_and_work_is_safe_before";
+    for (language, told) in [("english", "the window was opened anew"), ("russian", "окно открыто заново")]
+    {
+        let Some(state) = state(test) else { return };
+        let host = TestHost::new();
+        let kept = host.recovery_folder().unwrap();
+        let mut harness = studio_on(host, state, &ASKED.replace("english", language));
+        wait_for_picture(&mut harness, "GPU");
+        let context = harness.ctx.clone();
+        let studio = harness.state_mut();
+        let label = Label::new("edit-rename", "made safe");
+        studio.editor_mut().change_body(0, label, |body| "made safe".clone_into(&mut body.name)).unwrap();
+        studio.outlive_window(&context);
+        let files = std::fs::read_dir(kept).unwrap().map(|entry| entry.unwrap().path());
+        let texts: Vec<String> = files.filter_map(|path| std::fs::read_to_string(path).ok()).collect();
+        assert!(texts.iter().any(|text| text.contains("made safe")), "{texts:?}");
+        assert!(studio.card_name().is_none(), "the card is gone with its window");
+        harness.run_steps(2);
+        assert!(harness.query_by_label_contains(told).is_some());
+        wait_for_picture(&mut harness, "CPU");
+        assert!(harness.state().live().latest().unwrap().card.is_none());
+        harness.state_mut().editor_mut().undo();
+        assert_ne!(harness.state().editor().scene().bodies.get(0).unwrap().name, "made safe");
+    }
 }

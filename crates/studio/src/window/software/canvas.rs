@@ -5,7 +5,6 @@ use std::sync::Arc;
 use eframe::egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
 use egui::epaint::{Vertex, WHITE_UV};
 use egui::{Color32, PaintCallbackInfo, Pos2, Rect, TextureId, Vec2, vec2};
-use wgpu::util::DeviceExt as _;
 
 use super::damage::{Piece, Triangle, around};
 use super::pipelines::{Corner, FORMAT, Kind, Pipelines};
@@ -113,11 +112,15 @@ impl Canvas {
     }
 
     fn submit(&self, sheet: &Sheet, batch: &Batch<'_>) {
-        let corners = self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        let bytes: &[u8] = bytemuck::cast_slice(&batch.corners);
+        // Not written while it is mapped: that panics when the device is lost.
+        let corners = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("corners"),
-            contents: bytemuck::cast_slice(&batch.corners),
-            usage: wgpu::BufferUsages::VERTEX,
+            size: bytes.len() as u64,
+            usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
         });
+        self.queue.write_buffer(&corners, 0, bytes);
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("window"),

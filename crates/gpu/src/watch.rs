@@ -1,0 +1,85 @@
+//! Whether a device still works.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// Takes note when a device is lost, which drivers tell in any thread.
+pub struct Watch {
+    device: wgpu::Device,
+    lost: OnceLock<String>,
+    tell: Mutex<Option<Tell>>,
+}
+
+type Tell = Box<dyn FnOnce() + Send>;
+
+impl Watch {
+    /// Watches `device`: its loss is told here from now on, and nowhere else. `tell` is called once, in any thread.
+    pub fn over(device: &wgpu::Device, tell: impl FnOnce() + Send + 'static) -> Arc<Self> {
+        let tell: Tell = Box::new(tell);
+        let (device, tell) = (device.clone(), Mutex::new(Some(tell)));
+        let watch = Arc::new(Self { device, lost: OnceLock::new(), tell });
+        // The device lives as long as its watch; it must not be the other way round, too.
+        let told = Arc::downgrade(&watch);
+        watch.device.set_device_lost_callback(move |_, message| {
+            if let Some(watch) = told.upgrade() {
+                watch.lose(&message);
+            }
+        });
+        watch
+    }
+
+    /// Takes an error that nobody looks for as a loss, too: what the device made since then may be missing. Otherwise it
+    /// would end the program.
+    pub fn mind_errors(self: &Arc<Self>) {
+        let told = Arc::downgrade(self);
+        self.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            if let Some(watch) = told.upgrade() {
+                watch.lose(&error.to_string());
+            }
+        }));
+    }
+
+    /// Why the device is lost, if it is.
+    pub fn lost(&self) -> Option<&str> {
+        self.lost.get().map(String::as_str)
+    }
+
+    /// Takes note that the device is lost; the first reason counts.
+    pub fn lose(&self, message: &str) {
+        self.lost.get_or_init(|| {
+            let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
+            if line.is_empty() { "the driver gives no reason".to_owned() } else { line }
+        });
+        let tell = self.tell.lock().unwrap_or_else(PoisonError::into_inner).take();
+        if let Some(tell) = tell {
+            tell();
+        }
+    }
+
+    /// Gives the device back, whatever it is doing: as if it were lost.
+    pub fn destroy(&self) {
+        self.device.destroy();
+        self.lose("it was given back");
+    }
+
+    /// Has the driver look what it has done; that the device is lost may be found by that.
+    ///
+    /// # Errors
+    /// When the driver refuses.
+    pub fn look(&self) -> Result<(), wgpu::PollError> {
+        // A device that is found lost here makes the library panic.
+        match catch_unwind(AssertUnwindSafe(|| self.device.poll(wgpu::PollType::Poll))) {
+            Ok(found) => found.map(|_| ()),
+            Err(_) => {
+                self.lose("the driver gave up");
+                Ok(())
+            }
+        }
+    }
+}
+
+impl std::fmt::Debug for Watch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Watch").field("lost", &self.lost).finish_non_exhaustive()
+    }
+}
