@@ -271,20 +271,10 @@ impl<'a, W: Width> Flight<'a, W> {
         share = Vector::select(both, once.times_all(material.filter), share);
         if material.absorbs() {
             let from = W::R::select(in_front, enter, self.w.real(0.0));
-            let left = self.left_after(material, (exit.min(distance) - from).max(self.w.real(0.0)));
+            let left = left_after(self.w, material, (exit.min(distance) - from).max(self.w.real(0.0)));
             share = Vector::select(crossed, share.times(left), share);
         }
         passed.share = share;
-    }
-
-    /// What a body leaves of light after these ways. Few bodies absorb: the loop over all has no room for it.
-    #[cold]
-    #[inline(never)]
-    fn left_after(&self, material: &StageMaterial, ways: W::R) -> Vector<W::R> {
-        self.w.run(
-            #[inline(always)]
-            || material.left_after(ways),
-        )
     }
 
     /// Where rays meet a body first.
@@ -302,36 +292,55 @@ impl<'a, W: Width> Flight<'a, W> {
         };
         let within = ahead & !enters;
         if within.any() {
-            let start = self.start_within(body, &span, within);
+            let start = start_within(self.w, body, (self.origin, self.direction), self.start_slack, within);
             meeting.entering = meeting.entering | start.at_entry;
             meeting.enter = W::R::select(start.at_entry, zero, span.enter);
             meeting.leaving = meeting.leaving | start.inside;
         }
         meeting
     }
+}
 
-    /// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.
-    ///
-    /// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than the bound of
-    /// rounding counts as outside: heading in it meets the surface at once, heading out it does not. So neither side of a
-    /// contact can be slipped through or shade itself. Depths are measured across the surface: along the ray they grow
-    /// without bound when it grazes. In a body thinner than rounding the nearer surface counts.
-    #[cold]
-    #[inline(never)]
-    fn start_within(&self, body: &StageBody, span: &Span<W::R>, within: W::M) -> StartWithin<W::M> {
-        self.w.run(
-            #[inline(always)]
-            || {
-                let cosine = |t, face| body.cosine(self.origin, self.direction, t, face);
-                let slack = self.start_slack + body.slack;
-                let behind_entry = -span.enter * cosine(span.enter, span.enter_face);
-                let before_exit = span.exit * cosine(span.exit, span.exit_face);
-                let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
-                let inside = within & !at_entry & !before_exit.le(slack);
-                StartWithin { at_entry, inside }
-            },
-        )
-    }
+/// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.
+///
+/// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than the bound of
+/// rounding counts as outside: heading in it meets the surface at once, heading out it does not. So neither side of a
+/// contact can be slipped through or shade itself. Depths are measured across the surface: along the ray they grow
+/// without bound when it grazes. In a body thinner than rounding the nearer surface counts.
+///
+/// What is rare is given copies: a reference would keep the numbers of the loop that it is called from in memory.
+#[cold]
+#[inline(never)]
+fn start_within<W: Width>(
+    w: W,
+    body: &StageBody,
+    (origin, direction): (Vector<W::R>, Vector<W::R>),
+    start_slack: W::R,
+    within: W::M,
+) -> StartWithin<W::M> {
+    w.run(
+        #[inline(always)]
+        || {
+            let span = body.span(origin, direction);
+            let cosine = |t, face| body.cosine(origin, direction, t, face);
+            let slack = start_slack + body.slack;
+            let behind_entry = -span.enter * cosine(span.enter, span.enter_face);
+            let before_exit = span.exit * cosine(span.exit, span.exit_face);
+            let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
+            let inside = within & !at_entry & !before_exit.le(slack);
+            StartWithin { at_entry, inside }
+        },
+    )
+}
+
+/// What a body leaves of light after these ways. Few bodies absorb: the loop over all has no room for it.
+#[cold]
+#[inline(never)]
+fn left_after<W: Width>(w: W, material: &StageMaterial, ways: W::R) -> Vector<W::R> {
+    w.run(
+        #[inline(always)]
+        || material.left_after(ways),
+    )
 }
 
 /// Looks for the nearest bodies.
@@ -487,20 +496,20 @@ impl<W: Width> Nearest<W> {
         let mut closer = lanes & t.lt(self.t);
         let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
         if equal.any() {
-            closer = closer | w.mask(equal.bits() & self.later_than(stage, index));
+            closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
         }
         self.t = W::R::select(closer, t, self.t);
         self.body = W::W::select(closer, w.word(index), self.body);
         self.slack = W::R::select(closer, w.real(slack), self.slack);
     }
+}
 
-    /// Where a body of the scene behind body `index` has been met.
-    #[cold]
-    #[inline(never)]
-    fn later_than(&self, stage: &Stage, index: u32) -> u32 {
-        let mut bodies = [0; MOST_LANES];
-        self.body.store(&mut bodies);
-        let lanes = bodies.iter().take(W::LANES).enumerate();
-        lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
-    }
+/// Where a body of the scene behind body `index` has been met.
+#[cold]
+#[inline(never)]
+fn later_than<W: Width>(stage: &Stage, index: u32, met: W::W) -> u32 {
+    let mut bodies = [0; MOST_LANES];
+    met.store(&mut bodies);
+    let lanes = bodies.iter().take(W::LANES).enumerate();
+    lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
 }
