@@ -6,7 +6,7 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{Hierarchy, PacketPart, Sight, Stage, StageBody, StageMaterial, Visit};
+use crate::stage::{Hierarchy, Pending, Sight, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
 
 /// Where a ray meets a body: the cheap record kept during the search.
@@ -122,7 +122,7 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// The nearest body that each ray meets.
     #[inline(always)]
-    pub(crate) fn nearest(&self, parts: &mut Vec<PacketPart>) -> Hits<W> {
+    pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
         let mut best = Best::new(self.w, self.start_slack);
         self.visit(parts, &mut ForNearest(self, &mut best));
         for index in self.stage.planes() {
@@ -133,7 +133,7 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// Shows `visitor` the bounded bodies that some of the rays may meet.
     #[inline(always)]
-    fn visit(&self, parts: &mut Vec<PacketPart>, visitor: &mut impl Visit<W>) {
+    fn visit(&self, parts: &mut Pending, visitor: &mut impl Visit<W>) {
         match &self.stage.hierarchy {
             Hierarchy::Few(few) => match self.along {
                 Along::From(sights) => self.visit_seen(sights, self.direction, visitor),
@@ -168,7 +168,7 @@ impl<'a, W: Width> Flight<'a, W> {
     }
 
     /// The first meeting of one ray with every body that it meets, in no particular order.
-    pub(crate) fn each(&self, parts: &mut Vec<PacketPart>, mut found: impl FnMut(Hit)) {
+    pub(crate) fn each(&self, parts: &mut Pending, mut found: impl FnMut(Hit)) {
         let mut test = |index: u32| {
             let mut best = Best::new(self.w, self.start_slack);
             self.test(index, self.stage.body(index), self.lanes, &mut best);
@@ -196,7 +196,7 @@ impl<'a, W: Width> Flight<'a, W> {
     /// What reaches the rays' starts from a light at `distance` along them: the product of the filters of all surfaces
     /// crossed, 0 if any body between is opaque. Nothing is bent.
     #[inline(always)]
-    pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Vec<PacketPart>) -> Vector<W::R> {
+    pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Pending) -> Vector<W::R> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
         let one = self.w.real(1.0);
@@ -232,7 +232,7 @@ impl<'a, W: Width> Flight<'a, W> {
                 found(Hit { t: number(exit), body: index, leaving: true });
             }
         };
-        self.visit(&mut Vec::new(), &mut ForEach(self.w, &mut test));
+        self.visit(&mut Pending::default(), &mut ForEach(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
     }
 

@@ -26,7 +26,7 @@ use rayon::prelude::*;
 
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
-pub(crate) use bvh::{Bvh, Entry, Node, PacketPart, TINY as BOX_TINY, Visit, WIDEN as BOX_WIDEN};
+pub(crate) use bvh::{Bvh, Entry, Node, Pending, TINY as BOX_TINY, Visit, WIDEN as BOX_WIDEN};
 pub use camera::StageCamera;
 use camera::Surroundings;
 pub(crate) use camera::{Homogeneous, RaysNear};

@@ -24,7 +24,7 @@ use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_START, Ray, Rays};
 use crate::render::Control;
 use crate::search::{Along, Flight, Hits};
-use crate::stage::{PacketPart, RaysNear, Stage, StageCamera};
+use crate::stage::{Pending, RaysNear, Stage, StageCamera};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
@@ -50,7 +50,7 @@ pub struct Whitted<'a> {
     /// The weight below which rays are not traced.
     threshold: f32,
     /// Working memory of searches.
-    parts: Vec<PacketPart>,
+    parts: Pending,
     views: Views,
     media: MediaTable,
     inside: Inside,
@@ -79,7 +79,7 @@ impl<'a> Whitted<'a> {
             cancel,
             generations: stage.generations(),
             threshold: stage.threshold(),
-            parts: Vec::new(),
+            parts: Pending::default(),
             views: Views::new(stage, camera),
             media: MediaTable::default(),
             inside: Inside::default(),
