@@ -195,12 +195,28 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// What reaches the rays' starts from a light at `distance` along them: the product of the filters of all surfaces
     /// crossed, 0 if any body between is opaque. Nothing is bent.
+    ///
+    /// `blocker` is a body that has hidden this light before, and probably still does; any word will do.
     #[inline(always)]
-    pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Pending) -> Vector<W::R> {
+    pub(crate) fn transmittance(
+        &self,
+        distance: W::R,
+        parts: &mut Pending,
+        blocker: &mut u32,
+    ) -> Vector<W::R> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
-        let one = self.w.real(1.0);
-        let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one) };
+        let (zero, one) = (self.w.real(0.0), self.w.real(1.0));
+        let mut passed =
+            Passed { lanes: self.lanes, share: Vector::new(one, one, one), blocker: *blocker };
+        if let (Hierarchy::Many(_), Some(body)) = (&self.stage.hierarchy, self.stage.bodies.get(*blocker as usize))
+            && !body.is_transparent()
+        {
+            self.filter(*blocker, body, distance, passed.lanes, &mut passed);
+            if !passed.lanes.any() {
+                return Vector::new(zero, zero, zero);
+            }
+        }
         self.visit(parts, &mut ForShadow { flight: self, passed: &mut passed, distance });
         for index in self.stage.planes() {
             if !passed.lanes.any() {
@@ -208,8 +224,8 @@ impl<'a, W: Width> Flight<'a, W> {
             }
             self.filter(index, self.stage.body(index), distance, passed.lanes, &mut passed);
         }
-        let nothing = self.w.real(0.0);
-        passed.share.map(|share| W::R::select(passed.lanes, share, nothing))
+        *blocker = passed.blocker;
+        passed.share.map(|share| W::R::select(passed.lanes, share, zero))
     }
 
     /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
@@ -262,6 +278,7 @@ impl<'a, W: Width> Flight<'a, W> {
         let crossed = in_front | behind;
         if !body.is_transparent() {
             passed.lanes = passed.lanes & !crossed;
+            passed.blocker = index;
             return;
         }
         let both = in_front & exit.lt(distance);
@@ -408,6 +425,8 @@ struct Passed<W: Width> {
     /// Those that get any.
     lanes: W::M,
     share: Vector<W::R>,
+    /// The opaque body that was met last.
+    blocker: u32,
 }
 
 /// The hit of one ray.

@@ -21,7 +21,7 @@ use glam::{DVec2, Vec3A};
 use crate::counts::RayCounts;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
-use crate::ray::{NO_START, Ray, Rays};
+use crate::ray::{NO_BODY, NO_START, Ray, Rays};
 use crate::render::Control;
 use crate::search::{Along, Flight, Hits};
 use crate::stage::{Pending, RaysNear, Stage, StageCamera};
@@ -51,6 +51,8 @@ pub struct Whitted<'a> {
     threshold: f32,
     /// Working memory of searches.
     parts: Pending,
+    /// The body that hid each light last.
+    blockers: Vec<u32>,
     views: Views,
     media: MediaTable,
     inside: Inside,
@@ -80,6 +82,7 @@ impl<'a> Whitted<'a> {
             generations: stage.generations(),
             threshold: stage.threshold(),
             parts: Pending::default(),
+            blockers: vec![NO_BODY; stage.lights.len()],
             views: Views::new(stage, camera),
             media: MediaTable::default(),
             inside: Inside::default(),
@@ -291,7 +294,7 @@ impl<'a> Whitted<'a> {
             || {
                 let along = self.views.to_light(light);
                 Flight::new(w, self.stage, rays, lanes, inside, along)
-                    .transmittance(distance, &mut self.parts)
+                    .transmittance(distance, &mut self.parts, &mut self.blockers[light])
             },
         )
     }

@@ -6,7 +6,7 @@ use super::LightModel;
 use crate::counts::RayCounts;
 use crate::lanes::One;
 use crate::media::{Inside, MediaTable};
-use crate::ray::{Ray, Rays, Start};
+use crate::ray::{NO_BODY, Ray, Rays, Start};
 use crate::search::{Along, Flight, Hit, found_in};
 use crate::stage::{Pending, Stage, StageCamera};
 use crate::surface::phong_highlight;
@@ -126,7 +126,7 @@ impl<'a> Probe<'a> {
         self.counts.shadow += 1;
         let rays: Rays<One> = Rays { origin: at.position, direction: to_light, start: at.start.word() };
         Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
-            .transmittance(distance, &mut self.parts)
+            .transmittance(distance, &mut self.parts, &mut { NO_BODY })
     }
 }
 
