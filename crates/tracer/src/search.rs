@@ -364,6 +364,8 @@ fn left_after<W: Width>(w: W, material: &StageMaterial, ways: W::R) -> Vector<W:
 struct ForNearest<'f, 'a, W: Width>(&'f Flight<'a, W>, &'f mut Best<W>);
 
 impl<W: Width> Visit<W> for ForNearest<'_, '_, W> {
+    const NEAREST_FIRST: bool = true;
+
     #[inline(always)]
     fn reach(&self) -> W::R {
         self.1.reach
@@ -381,6 +383,8 @@ impl<W: Width> Visit<W> for ForNearest<'_, '_, W> {
 struct ForEach<'f, W, F>(W, &'f mut F);
 
 impl<W: Width, F: FnMut(u32)> Visit<W> for ForEach<'_, W, F> {
+    const NEAREST_FIRST: bool = false;
+
     fn reach(&self) -> W::R {
         self.0.real(f32::INFINITY)
     }
@@ -398,6 +402,8 @@ struct ForShadow<'f, 'a, W: Width> {
 }
 
 impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
+    const NEAREST_FIRST: bool = false;
+
     #[inline(always)]
     fn reach(&self) -> W::R {
         W::R::select(self.passed.lanes, self.distance, self.flight.w.real(f32::NEG_INFINITY))

@@ -13,6 +13,9 @@ use crate::vector::Vector;
 
 /// What is done with the leaves.
 pub(crate) trait Visit<W: Width> {
+    /// Whether the nearer leaves are better shown first.
+    const NEAREST_FIRST: bool;
+
     /// The parameters beyond which nothing is wanted any more.
     fn reach(&self) -> W::R;
     /// Meets the bodies of a leaf, whose box these lanes meet.
@@ -142,12 +145,12 @@ impl Bvh {
 
     /// Shows `visitor` the bodies of the leaves whose boxes some of the rays meet, mostly the nearer ones first.
     #[inline(always)]
-    pub(crate) fn traverse_packet<W: Width>(
+    pub(crate) fn traverse_packet<W: Width, V: Visit<W>>(
         &self,
         w: W,
         boxes: &PacketBoxes<W>,
         pending: &mut Pending,
-        visitor: &mut impl Visit<W>,
+        visitor: &mut V,
     ) {
         let (shared, alone) = pending.ready(W::LANES > Self::FEW_RAYS as usize);
         let (mut index, mut lanes) = (0, boxes.lanes);
@@ -164,7 +167,7 @@ impl Bvh {
                 farthest = boxes.farthest(w, visitor.reach());
             } else {
                 let node = &self.nodes[index as usize];
-                let order = boxes.order(w, node, bits, farthest);
+                let order = boxes.order(w, node, bits, farthest, V::NEAREST_FIRST);
                 let reach = visitor.reach();
                 for slot in order {
                     let (enter, met) = boxes.enter(w, node, slot, reach);
@@ -199,14 +202,14 @@ impl Bvh {
 
     /// The same for one of the rays, from a node on.
     #[inline(always)]
-    fn traverse_alone<W: Width>(
+    fn traverse_alone<W: Width, V: Visit<W>>(
         &self,
         w: W,
         boxes: &PacketBoxes<W>,
         lane: usize,
         index: u32,
         parts: &mut [LonePart],
-        visitor: &mut impl Visit<W>,
+        visitor: &mut V,
     ) {
         let ray = boxes.alone(w, lane);
         let lanes = w.mask(1 << lane);
@@ -220,7 +223,7 @@ impl Bvh {
         let mut waiting = 0;
         loop {
             let node = &self.nodes[index as usize];
-            for (slot, enter) in ray.met(w, node, reach) {
+            for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
                 parts[waiting] = LonePart { first: node.first[slot], count: node.count[slot], enter };
                 waiting += 1;
             }
@@ -244,7 +247,7 @@ impl Bvh {
     }
 }
 
-/// Boxes of a node, the farthest first.
+/// Boxes of a node, perhaps the farthest first.
 struct Order {
     /// Where each is entered, as bits of a number of at least 0, with the number of the box in the lowest bits.
     keys: [u32; 8],
@@ -253,9 +256,9 @@ struct Order {
 }
 
 impl Order {
-    /// Those of `left` in the order of where they are entered, numbers of at least 0.
+    /// Those of `left`; where they are entered are numbers of at least 0. In any order unless `is_sorted`.
     #[inline(always)]
-    fn new(enter: [u32; 8], left: u32) -> Self {
+    fn new(enter: &[u32; 8], left: u32, is_sorted: bool) -> Self {
         let mut order = Self { keys: [0; 8], at: 0, len: 0 };
         let mut left = left;
         while left != 0 {
@@ -263,7 +266,7 @@ impl Order {
             left &= left - 1;
             let key = enter[slot as usize] & !7 | slot;
             let mut place = order.len % 8;
-            while place > 0 && order.keys[place - 1] < key {
+            while is_sorted && place > 0 && order.keys[place - 1] < key {
                 order.keys[place] = order.keys[place - 1];
                 place -= 1;
             }
@@ -308,16 +311,17 @@ impl<W: Width> PacketBoxes<W> {
 
     /// The boxes that may be met by some of the rays of `lanes`.
     #[inline(always)]
-    fn order(&self, w: W, node: &Node, lanes: u32, farthest: f32) -> Order {
+    fn order(&self, w: W, node: &Node, lanes: u32, farthest: f32, is_sorted: bool) -> Order {
         let (enter, left) = match &self.beam {
             Some(beam) => beam.enter(w, node, farthest),
-            None => {
+            None if is_sorted => {
                 // The first ray stands for all.
                 let lane = lanes.trailing_zeros() as usize % MOST_LANES;
                 (self.alone(w, lane).enter(w, node).0, node.used(w))
             }
+            None => (w.eight_like(0.0), node.used(w)),
         };
-        Order::new(enter.to_words(), left)
+        Order::new(&enter.to_words(), left, is_sorted)
     }
 
     /// One of the rays.
@@ -384,13 +388,13 @@ impl<W: Width> Lone<W> {
         (enter, exit * w.eight_like(WIDEN))
     }
 
-    /// The boxes that it meets before `reach` and where it enters them, the farthest first.
+    /// The boxes that it meets before `reach` and where it enters them, see [`Order::new`].
     #[inline(always)]
-    fn met(&self, w: W, node: &Node, reach: f32) -> impl Iterator<Item = (usize, f32)> {
+    fn met(&self, w: W, node: &Node, reach: f32, is_sorted: bool) -> impl Iterator<Item = (usize, f32)> {
         let (enter, exit) = self.enter(w, node);
         let met = enter.le(exit.min(w.eight_like(reach)));
         let words = enter.to_words();
-        Order::new(words, met).map(move |slot| (slot, f32::from_bits(words[slot])))
+        Order::new(&words, met, is_sorted).map(move |slot| (slot, f32::from_bits(words[slot])))
     }
 }
 
