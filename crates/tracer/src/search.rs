@@ -207,9 +207,9 @@ impl<'a, W: Width> Flight<'a, W> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
         let (zero, one) = (self.w.real(0.0), self.w.real(1.0));
-        let mut passed =
-            Passed { lanes: self.lanes, share: Vector::new(one, one, one), blocker: *blocker };
-        if let (Hierarchy::Many(_), Some(body)) = (&self.stage.hierarchy, self.stage.bodies.get(*blocker as usize))
+        let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one), blocker: *blocker };
+        if let (Hierarchy::Many(_), Some(body)) =
+            (&self.stage.hierarchy, self.stage.bodies.get(*blocker as usize))
             && !body.is_transparent()
         {
             self.filter(*blocker, body, distance, passed.lanes, &mut passed);

@@ -141,7 +141,7 @@ impl Stage {
     pub const MAX_BODIES: usize = 1 << 30;
 
     /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
-    const FEW: usize = 48;
+    pub const FEW: usize = 48;
 
     /// Prepares `scene`, whose values are taken to be valid. Hidden bodies and lights are left out.
     ///

@@ -293,8 +293,11 @@ impl<'a> Whitted<'a> {
             #[inline(always)]
             || {
                 let along = self.views.to_light(light);
-                Flight::new(w, self.stage, rays, lanes, inside, along)
-                    .transmittance(distance, &mut self.parts, &mut self.blockers[light])
+                Flight::new(w, self.stage, rays, lanes, inside, along).transmittance(
+                    distance,
+                    &mut self.parts,
+                    &mut self.blockers[light],
+                )
             },
         )
     }

@@ -133,14 +133,7 @@ impl Bvh {
         let (mut origins, mut inverses) = ([[0.0; MOST_LANES]; 3], [[0.0; MOST_LANES]; 3]);
         store(origin, &mut origins);
         store(inverse, &mut inverses);
-        PacketBoxes {
-            origin,
-            inverse,
-            lanes,
-            origins,
-            inverses,
-            beam: Beam::of(w, origin, inverse, lanes),
-        }
+        PacketBoxes { origin, inverse, lanes, origins, inverses, beam: Beam::of(w, origin, inverse, lanes) }
     }
 
     /// Shows `visitor` the bodies of the leaves whose boxes some of the rays meet, mostly the nearer ones first.
