@@ -69,14 +69,13 @@ impl Case {
     /// Operations that a ray costs at least, if every body is looked at: those of the test against a sphere of its own
     /// (24), of a plane (14), and of the sphere around another shape (21). What is met, and shading, come on top.
     fn least_operations(&self) -> Option<f64> {
-        const FEW: usize = 12;
         let planes = self.scene.bodies.iter().filter(|body| body.shape == Shape::Plane).count();
         let bodies = self.scene.bodies.iter().filter(|body| !body.hidden).map(|body| match body.shape {
             Shape::Sphere { .. } => 24.0,
             Shape::Plane => 14.0,
             _ => 21.0,
         });
-        (self.scene.bodies.len() - planes <= FEW).then(|| bodies.sum())
+        (self.scene.bodies.len() - planes <= Stage::FEW).then(|| bodies.sum())
     }
 }
 

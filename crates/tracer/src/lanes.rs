@@ -8,6 +8,7 @@
 //! What is written over a width must be inlined into a body of [`Width::run`], where the compiler may use the
 //! instructions of the width: `#[inline(always)]` on everything small, `run` around what is called often and large.
 
+mod eight;
 mod one;
 mod wide;
 
@@ -123,6 +124,18 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     fn bits(self) -> u32;
 }
 
+/// Eight real numbers side by side in every width: one for each box of a node.
+pub(crate) trait Eight: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// The smaller one; on x86 `other` when one is no number.
+    fn min(self, other: Self) -> Self;
+    /// The larger one; on x86 `other` when one is no number.
+    fn max(self, other: Self) -> Self;
+    /// A bit for each x ≤ `other`, the first the lowest.
+    fn le(self, other: Self) -> u32;
+    /// The bits of the numbers.
+    fn to_words(self) -> [u32; 8];
+}
+
 /// How many numbers stand side by side.
 pub(crate) trait Width: Copy {
     /// Their number, at most [`MOST_LANES`].
@@ -130,6 +143,7 @@ pub(crate) trait Width: Copy {
     type R: Real<Mask = Self::M, Word = Self::W>;
     type W: Word<Mask = Self::M>;
     type M: Mask;
+    type E: Eight;
 
     fn real(self, value: f32) -> Self::R;
     fn word(self, value: u32) -> Self::W;
@@ -139,6 +153,10 @@ pub(crate) trait Width: Copy {
     fn load(self, from: &[f32]) -> Self::R;
     /// The first words of `from`, which holds at least as many.
     fn load_words(self, from: &[u32]) -> Self::W;
+    /// These eight numbers.
+    fn eight(self, numbers: &[f32; 8]) -> Self::E;
+    /// Eight numbers, all of this value.
+    fn eight_like(self, value: f32) -> Self::E;
     /// Runs `act` where the compiler may use the instructions of this width.
     fn run<T>(self, act: impl FnOnce() -> T) -> T;
 }

@@ -146,13 +146,14 @@ impl MediaTable {
         w.run(
             #[inline(always)]
             || {
-                let one = w.real(1.0);
-                let left = |loss: &[f32]| {
-                    let loss: W::R = w.load(loss);
-                    // A way without end through a clear body loses nothing.
-                    W::R::select(loss.eq(w.real(0.0)), one, exponential(-(loss * lengths)))
-                };
-                Vector::new(left(&red), left(&green), left(&blue))
+                Vector::new(w.load(&red), w.load(&green), w.load(&blue)).map(
+                    #[inline(always)]
+                    |loss: W::R| {
+                        // A way without end through a clear body loses nothing.
+                        let is_clear = loss.eq(w.real(0.0));
+                        W::R::select(is_clear, w.real(1.0), exponential(-(loss * lengths)))
+                    },
+                )
             },
         )
     }

@@ -6,7 +6,7 @@ use crate::lanes::One;
 use crate::media::{Inside, MediaTable};
 use crate::ray::Ray;
 use crate::search::{Along, Flight, Hit, found_in};
-use crate::stage::Stage;
+use crate::stage::{Pending, Stage};
 
 /// The point at which a ray meets a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +40,7 @@ impl Stage {
     /// The direction must be a unit vector. A ray that is not finite meets nothing.
     pub fn nearest(&self, ray: &Ray) -> Option<SurfaceHit> {
         self.on_flight(ray, |flight| {
-            found_in(&flight.nearest(&mut Vec::new())).and_then(|hit| SurfaceHit::new(self, ray, hit))
+            found_in(&flight.nearest(&mut Pending::default())).and_then(|hit| SurfaceHit::new(self, ray, hit))
         })?
     }
 
@@ -50,9 +50,9 @@ impl Stage {
     pub fn hits_along(&self, ray: &Ray) -> Vec<SurfaceHit> {
         let hits = self.on_flight(ray, |flight| {
             let mut hits = Vec::new();
-            flight.each(&mut Vec::new(), |hit| hits.push(hit));
+            flight.each(&mut Pending::default(), |hit| hits.push(hit));
             // Bodies that touch are ordered by the search, within rounding.
-            let first = found_in(&flight.nearest(&mut Vec::new())).map(|hit| hit.body);
+            let first = found_in(&flight.nearest(&mut Pending::default())).map(|hit| hit.body);
             hits.sort_by(|a, b| {
                 let is_later = |hit: &Hit| Some(hit.body) != first;
                 is_later(a)

@@ -6,7 +6,7 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{Hierarchy, PacketPart, Sight, Stage, StageBody, StageMaterial, Visit};
+use crate::stage::{Hierarchy, Pending, Sight, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
 
 /// Where a ray meets a body: the cheap record kept during the search.
@@ -122,7 +122,7 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// The nearest body that each ray meets.
     #[inline(always)]
-    pub(crate) fn nearest(&self, parts: &mut Vec<PacketPart>) -> Hits<W> {
+    pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
         let mut best = Best::new(self.w, self.start_slack);
         self.visit(parts, &mut ForNearest(self, &mut best));
         for index in self.stage.planes() {
@@ -133,7 +133,7 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// Shows `visitor` the bounded bodies that some of the rays may meet.
     #[inline(always)]
-    fn visit(&self, parts: &mut Vec<PacketPart>, visitor: &mut impl Visit<W>) {
+    fn visit(&self, parts: &mut Pending, visitor: &mut impl Visit<W>) {
         match &self.stage.hierarchy {
             Hierarchy::Few(few) => match self.along {
                 Along::From(sights) => self.visit_seen(sights, self.direction, visitor),
@@ -168,7 +168,7 @@ impl<'a, W: Width> Flight<'a, W> {
     }
 
     /// The first meeting of one ray with every body that it meets, in no particular order.
-    pub(crate) fn each(&self, parts: &mut Vec<PacketPart>, mut found: impl FnMut(Hit)) {
+    pub(crate) fn each(&self, parts: &mut Pending, mut found: impl FnMut(Hit)) {
         let mut test = |index: u32| {
             let mut best = Best::new(self.w, self.start_slack);
             self.test(index, self.stage.body(index), self.lanes, &mut best);
@@ -195,12 +195,28 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// What reaches the rays' starts from a light at `distance` along them: the product of the filters of all surfaces
     /// crossed, 0 if any body between is opaque. Nothing is bent.
+    ///
+    /// `blocker` is a body that has hidden this light before, and probably still does; any word will do.
     #[inline(always)]
-    pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Vec<PacketPart>) -> Vector<W::R> {
+    pub(crate) fn transmittance(
+        &self,
+        distance: W::R,
+        parts: &mut Pending,
+        blocker: &mut u32,
+    ) -> Vector<W::R> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
-        let one = self.w.real(1.0);
-        let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one) };
+        let (zero, one) = (self.w.real(0.0), self.w.real(1.0));
+        let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one), blocker: *blocker };
+        if let (Hierarchy::Many(_), Some(body)) =
+            (&self.stage.hierarchy, self.stage.bodies.get(*blocker as usize))
+            && !body.is_transparent()
+        {
+            self.filter(*blocker, body, distance, passed.lanes, &mut passed);
+            if !passed.lanes.any() {
+                return Vector::new(zero, zero, zero);
+            }
+        }
         self.visit(parts, &mut ForShadow { flight: self, passed: &mut passed, distance });
         for index in self.stage.planes() {
             if !passed.lanes.any() {
@@ -208,8 +224,8 @@ impl<'a, W: Width> Flight<'a, W> {
             }
             self.filter(index, self.stage.body(index), distance, passed.lanes, &mut passed);
         }
-        let nothing = self.w.real(0.0);
-        passed.share.map(|share| W::R::select(passed.lanes, share, nothing))
+        *blocker = passed.blocker;
+        passed.share.map(|share| W::R::select(passed.lanes, share, zero))
     }
 
     /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
@@ -232,7 +248,7 @@ impl<'a, W: Width> Flight<'a, W> {
                 found(Hit { t: number(exit), body: index, leaving: true });
             }
         };
-        self.visit(&mut Vec::new(), &mut ForEach(self.w, &mut test));
+        self.visit(&mut Pending::default(), &mut ForEach(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
     }
 
@@ -262,6 +278,7 @@ impl<'a, W: Width> Flight<'a, W> {
         let crossed = in_front | behind;
         if !body.is_transparent() {
             passed.lanes = passed.lanes & !crossed;
+            passed.blocker = index;
             return;
         }
         let both = in_front & exit.lt(distance);
@@ -271,20 +288,10 @@ impl<'a, W: Width> Flight<'a, W> {
         share = Vector::select(both, once.times_all(material.filter), share);
         if material.absorbs() {
             let from = W::R::select(in_front, enter, self.w.real(0.0));
-            let left = self.left_after(material, (exit.min(distance) - from).max(self.w.real(0.0)));
+            let left = left_after(self.w, material, (exit.min(distance) - from).max(self.w.real(0.0)));
             share = Vector::select(crossed, share.times(left), share);
         }
         passed.share = share;
-    }
-
-    /// What a body leaves of light after these ways. Few bodies absorb: the loop over all has no room for it.
-    #[cold]
-    #[inline(never)]
-    fn left_after(&self, material: &StageMaterial, ways: W::R) -> Vector<W::R> {
-        self.w.run(
-            #[inline(always)]
-            || material.left_after(ways),
-        )
     }
 
     /// Where rays meet a body first.
@@ -302,42 +309,63 @@ impl<'a, W: Width> Flight<'a, W> {
         };
         let within = ahead & !enters;
         if within.any() {
-            let start = self.start_within(body, &span, within);
+            let start = start_within(self.w, body, (self.origin, self.direction), self.start_slack, within);
             meeting.entering = meeting.entering | start.at_entry;
             meeting.enter = W::R::select(start.at_entry, zero, span.enter);
             meeting.leaving = meeting.leaving | start.inside;
         }
         meeting
     }
+}
 
-    /// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.
-    ///
-    /// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than the bound of
-    /// rounding counts as outside: heading in it meets the surface at once, heading out it does not. So neither side of a
-    /// contact can be slipped through or shade itself. Depths are measured across the surface: along the ray they grow
-    /// without bound when it grazes. In a body thinner than rounding the nearer surface counts.
-    #[cold]
-    #[inline(never)]
-    fn start_within(&self, body: &StageBody, span: &Span<W::R>, within: W::M) -> StartWithin<W::M> {
-        self.w.run(
-            #[inline(always)]
-            || {
-                let cosine = |t, face| body.cosine(self.origin, self.direction, t, face);
-                let slack = self.start_slack + body.slack;
-                let behind_entry = -span.enter * cosine(span.enter, span.enter_face);
-                let before_exit = span.exit * cosine(span.exit, span.exit_face);
-                let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
-                let inside = within & !at_entry & !before_exit.le(slack);
-                StartWithin { at_entry, inside }
-            },
-        )
-    }
+/// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.
+///
+/// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than the bound of
+/// rounding counts as outside: heading in it meets the surface at once, heading out it does not. So neither side of a
+/// contact can be slipped through or shade itself. Depths are measured across the surface: along the ray they grow
+/// without bound when it grazes. In a body thinner than rounding the nearer surface counts.
+///
+/// What is rare is given copies: a reference would keep the numbers of the loop that it is called from in memory.
+#[cold]
+#[inline(never)]
+fn start_within<W: Width>(
+    w: W,
+    body: &StageBody,
+    (origin, direction): (Vector<W::R>, Vector<W::R>),
+    start_slack: W::R,
+    within: W::M,
+) -> StartWithin<W::M> {
+    w.run(
+        #[inline(always)]
+        || {
+            let span = body.span(origin, direction);
+            let cosine = |t, face| body.cosine(origin, direction, t, face);
+            let slack = start_slack + body.slack;
+            let behind_entry = -span.enter * cosine(span.enter, span.enter_face);
+            let before_exit = span.exit * cosine(span.exit, span.exit_face);
+            let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
+            let inside = within & !at_entry & !before_exit.le(slack);
+            StartWithin { at_entry, inside }
+        },
+    )
+}
+
+/// What a body leaves of light after these ways. Few bodies absorb: the loop over all has no room for it.
+#[cold]
+#[inline(never)]
+fn left_after<W: Width>(w: W, material: &StageMaterial, ways: W::R) -> Vector<W::R> {
+    w.run(
+        #[inline(always)]
+        || material.left_after(ways),
+    )
 }
 
 /// Looks for the nearest bodies.
 struct ForNearest<'f, 'a, W: Width>(&'f Flight<'a, W>, &'f mut Best<W>);
 
 impl<W: Width> Visit<W> for ForNearest<'_, '_, W> {
+    const NEAREST_FIRST: bool = true;
+
     #[inline(always)]
     fn reach(&self) -> W::R {
         self.1.reach
@@ -355,6 +383,8 @@ impl<W: Width> Visit<W> for ForNearest<'_, '_, W> {
 struct ForEach<'f, W, F>(W, &'f mut F);
 
 impl<W: Width, F: FnMut(u32)> Visit<W> for ForEach<'_, W, F> {
+    const NEAREST_FIRST: bool = false;
+
     fn reach(&self) -> W::R {
         self.0.real(f32::INFINITY)
     }
@@ -372,6 +402,8 @@ struct ForShadow<'f, 'a, W: Width> {
 }
 
 impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
+    const NEAREST_FIRST: bool = false;
+
     #[inline(always)]
     fn reach(&self) -> W::R {
         W::R::select(self.passed.lanes, self.distance, self.flight.w.real(f32::NEG_INFINITY))
@@ -399,6 +431,8 @@ struct Passed<W: Width> {
     /// Those that get any.
     lanes: W::M,
     share: Vector<W::R>,
+    /// The opaque body that was met last.
+    blocker: u32,
 }
 
 /// The hit of one ray.
@@ -487,20 +521,20 @@ impl<W: Width> Nearest<W> {
         let mut closer = lanes & t.lt(self.t);
         let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
         if equal.any() {
-            closer = closer | w.mask(equal.bits() & self.later_than(stage, index));
+            closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
         }
         self.t = W::R::select(closer, t, self.t);
         self.body = W::W::select(closer, w.word(index), self.body);
         self.slack = W::R::select(closer, w.real(slack), self.slack);
     }
+}
 
-    /// Where a body of the scene behind body `index` has been met.
-    #[cold]
-    #[inline(never)]
-    fn later_than(&self, stage: &Stage, index: u32) -> u32 {
-        let mut bodies = [0; MOST_LANES];
-        self.body.store(&mut bodies);
-        let lanes = bodies.iter().take(W::LANES).enumerate();
-        lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
-    }
+/// Where a body of the scene behind body `index` has been met.
+#[cold]
+#[inline(never)]
+fn later_than<W: Width>(stage: &Stage, index: u32, met: W::W) -> u32 {
+    let mut bodies = [0; MOST_LANES];
+    met.store(&mut bodies);
+    let lanes = bodies.iter().take(W::LANES).enumerate();
+    lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
 }

@@ -26,7 +26,7 @@ use rayon::prelude::*;
 
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
-pub(crate) use bvh::{Bvh, Entry, Node, PacketPart, TINY as BOX_TINY, Visit, WIDEN as BOX_WIDEN};
+pub(crate) use bvh::{Bvh, Entry, Node, Pending, TINY as BOX_TINY, Visit, WIDEN as BOX_WIDEN};
 pub use camera::StageCamera;
 use camera::Surroundings;
 pub(crate) use camera::{Homogeneous, RaysNear};
@@ -141,7 +141,7 @@ impl Stage {
     pub const MAX_BODIES: usize = 1 << 30;
 
     /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
-    const FEW: usize = 12;
+    pub const FEW: usize = 48;
 
     /// Prepares `scene`, whose values are taken to be valid. Hidden bodies and lights are left out.
     ///

@@ -113,10 +113,12 @@ fn logarithm<R: Real>(x: R) -> R {
     let mantissa = from.and(0x007f_ffff).plus(word.like(SQRT_HALF));
     let f = R::of_word(mantissa) - 1.0;
     let square = f * f;
-    let mut sum = f * P[0] + P[1];
-    for coefficient in &P[2..] {
-        sum = sum * f + *coefficient;
-    }
+    // Estrin's scheme: the parts do not wait for each other.
+    let [a, b, c, d, e, g, h, i, k] = P;
+    let fourth = square * square;
+    let low = (f * i + k) + (f * g + h) * square;
+    let high = (f * d + e) + (f * b + c) * square;
+    let sum = low + (high + fourth * a) * fourth;
     let tail = sum * f * square + exponent * -2.121_944_4e-4 - square * 0.5;
     tail + f + exponent * 0.693_359_4
 }
@@ -134,11 +136,10 @@ pub(crate) fn exponential<R: Real>(x: R) -> R {
     let rounded = x * std::f32::consts::LOG2_E + ROUND;
     let n = rounded - ROUND;
     let r = x - n * 0.693_359_4 + n * 2.121_944_4e-4;
-    let mut sum = r * P[0] + P[1];
-    for coefficient in &P[2..] {
-        sum = sum * r + *coefficient;
-    }
-    let value = sum * r * r + r + 1.0;
+    let [a, b, c, d, e, g] = P;
+    let square = r * r;
+    let sum = (r * e + g) + ((r * c + d) + (r * a + b) * square) * square;
+    let value = sum * square + r + 1.0;
     let scale = R::of_word(rounded.to_word().plus(zero.to_word().like(127)).shifted_left(23));
     R::select(is_nothing, zero, value * scale)
 }

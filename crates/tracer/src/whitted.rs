@@ -21,10 +21,10 @@ use glam::{DVec2, Vec3A};
 use crate::counts::RayCounts;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
-use crate::ray::{NO_START, Ray, Rays};
+use crate::ray::{NO_BODY, NO_START, Ray, Rays};
 use crate::render::Control;
 use crate::search::{Along, Flight, Hits};
-use crate::stage::{PacketPart, RaysNear, Stage, StageCamera};
+use crate::stage::{Pending, RaysNear, Stage, StageCamera};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
@@ -50,7 +50,9 @@ pub struct Whitted<'a> {
     /// The weight below which rays are not traced.
     threshold: f32,
     /// Working memory of searches.
-    parts: Vec<PacketPart>,
+    parts: Pending,
+    /// The body that hid each light last.
+    blockers: Vec<u32>,
     views: Views,
     media: MediaTable,
     inside: Inside,
@@ -79,7 +81,8 @@ impl<'a> Whitted<'a> {
             cancel,
             generations: stage.generations(),
             threshold: stage.threshold(),
-            parts: Vec::new(),
+            parts: Pending::default(),
+            blockers: vec![NO_BODY; stage.lights.len()],
             views: Views::new(stage, camera),
             media: MediaTable::default(),
             inside: Inside::default(),
@@ -290,8 +293,11 @@ impl<'a> Whitted<'a> {
             #[inline(always)]
             || {
                 let along = self.views.to_light(light);
-                Flight::new(w, self.stage, rays, lanes, inside, along)
-                    .transmittance(distance, &mut self.parts)
+                Flight::new(w, self.stage, rays, lanes, inside, along).transmittance(
+                    distance,
+                    &mut self.parts,
+                    &mut self.blockers[light],
+                )
             },
         )
     }

@@ -1,6 +1,8 @@
 //! One number at a time.
 
-use super::{Mask, Real, Width, Word};
+use std::ops::{Add, Mul, Sub};
+
+use super::{Eight, Mask, Real, Width, Word};
 
 /// One number.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +13,7 @@ impl Width for One {
     type R = f32;
     type W = u32;
     type M = bool;
+    type E = Plain;
 
     #[inline(always)]
     fn real(self, value: f32) -> f32 {
@@ -38,8 +41,78 @@ impl Width for One {
     }
 
     #[inline(always)]
+    fn eight(self, numbers: &[f32; 8]) -> Plain {
+        Plain(*numbers)
+    }
+
+    #[inline(always)]
+    fn eight_like(self, value: f32) -> Plain {
+        Plain([value; 8])
+    }
+
+    #[inline(always)]
     fn run<T>(self, act: impl FnOnce() -> T) -> T {
         act()
+    }
+}
+
+/// Eight numbers, one by one.
+#[derive(Clone, Copy)]
+pub(crate) struct Plain([f32; 8]);
+
+impl Plain {
+    #[inline(always)]
+    fn with(self, other: Self, act: impl Fn(f32, f32) -> f32) -> Self {
+        Self(std::array::from_fn(|at| act(self.0[at], other.0[at])))
+    }
+}
+
+impl Add for Plain {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.with(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Plain {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.with(other, |a, b| a - b)
+    }
+}
+
+impl Mul for Plain {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.with(other, |a, b| a * b)
+    }
+}
+
+impl Eight for Plain {
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.with(other, |a, b| if a < b { a } else { b })
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.with(other, |a, b| if a > b { a } else { b })
+    }
+
+    #[inline(always)]
+    fn le(self, other: Self) -> u32 {
+        (0..8).fold(0, |bits, at| bits | u32::from(self.0[at] <= other.0[at]) << at)
+    }
+
+    #[inline(always)]
+    fn to_words(self) -> [u32; 8] {
+        self.0.map(f32::to_bits)
     }
 }
 

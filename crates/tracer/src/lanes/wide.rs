@@ -6,6 +6,7 @@ use fearless_simd::{
     Bytes as _, ExtractToken as _, Level, Select as _, Simd, SimdBase as _, SimdFloat as _, SimdMask as _,
 };
 
+use super::eight::OfSimd;
 use super::{Mask, Real, Width, Word, Work};
 
 /// A width that the processor has.
@@ -60,6 +61,7 @@ impl<S: Simd> Width for Wide<S> {
     type R = WideReal<S>;
     type W = WideWord<S>;
     type M = WideMask<S>;
+    type E = OfSimd<S>;
 
     #[inline(always)]
     fn real(self, value: f32) -> WideReal<S> {
@@ -84,6 +86,16 @@ impl<S: Simd> Width for Wide<S> {
     #[inline(always)]
     fn load_words(self, from: &[u32]) -> WideWord<S> {
         WideWord(S::u32s::from_slice(self.0, &from[..Self::LANES]))
+    }
+
+    #[inline(always)]
+    fn eight(self, numbers: &[f32; 8]) -> OfSimd<S> {
+        OfSimd::new(self.0, numbers)
+    }
+
+    #[inline(always)]
+    fn eight_like(self, value: f32) -> OfSimd<S> {
+        OfSimd::like(self.0, value)
     }
 
     #[inline(always)]

@@ -6,9 +6,9 @@ use super::LightModel;
 use crate::counts::RayCounts;
 use crate::lanes::One;
 use crate::media::{Inside, MediaTable};
-use crate::ray::{Ray, Rays, Start};
+use crate::ray::{NO_BODY, Ray, Rays, Start};
 use crate::search::{Along, Flight, Hit, found_in};
-use crate::stage::{PacketPart, Stage, StageCamera};
+use crate::stage::{Pending, Stage, StageCamera};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
@@ -48,7 +48,7 @@ pub(super) struct Probe<'a> {
     table: MediaTable,
     /// The transparent bodies around the start of the primary ray; a reflected ray stays in them.
     inside: Inside,
-    parts: Vec<PacketPart>,
+    parts: Pending,
     pub(super) counts: RayCounts,
 }
 
@@ -59,7 +59,7 @@ impl<'a> Probe<'a> {
             camera,
             table: MediaTable::default(),
             inside: Inside::default(),
-            parts: Vec::new(),
+            parts: Pending::default(),
             counts: RayCounts::default(),
         };
         probe.stand_at(vector(camera.position()));
@@ -125,8 +125,11 @@ impl<'a> Probe<'a> {
     fn transmittance(&mut self, at: &Point, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
         self.counts.shadow += 1;
         let rays: Rays<One> = Rays { origin: at.position, direction: to_light, start: at.start.word() };
-        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
-            .transmittance(distance, &mut self.parts)
+        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything).transmittance(
+            distance,
+            &mut self.parts,
+            &mut { NO_BODY },
+        )
     }
 }
 

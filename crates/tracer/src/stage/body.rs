@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use catoptric_scene::{Body, Shape};
-use glam::{DAffine3, DMat3, DVec3, Vec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::Bounds;
 use crate::lanes::Real;
@@ -17,7 +17,8 @@ use crate::vector::Vector;
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct StageBody {
-    /// Rows of the linear part of the transform from the world to the body's frame.
+    /// Rows of the linear part of the transform from the world to the body's frame. The second row of a plane is its
+    /// normal of length 1.
     pub body_from_world: [[f32; 3]; 3],
     /// Rows of its inverse.
     pub world_from_body: [[f32; 3]; 3],
@@ -41,8 +42,14 @@ impl StageBody {
     /// An opaque body without a checker, of the first material; and its bounds, if it has any.
     pub(super) fn new(body: &Body) -> (Self, Option<Bounds>) {
         let world_from_body = world_from_canonical(body);
-        let inverse = inverse_linear(&world_from_body.matrix3);
         let (kind, cone_ratio) = canonical(body, &world_from_body);
+        let mut inverse = inverse_linear(&world_from_body.matrix3);
+        if kind == ShapeKind::Plane {
+            // How far up from it is no matter: the row is kept as the normal.
+            inverse = inverse.transpose();
+            inverse.y_axis = inverse.y_axis.normalize_or(DVec3::Y);
+            inverse = inverse.transpose();
+        }
         let extent = match kind {
             ShapeKind::Plane => 0.0,
             _ => world_from_body.matrix3.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs())),
@@ -183,8 +190,7 @@ impl StageBody {
             let in_body = origin + direction * t;
             let in_body = Vector::new(in_body.x, zero, in_body.z);
             let in_world = mul(&self.world_from_body, in_body).plus_all(self.origin);
-            let normal = Vector::from(Vec3::from(self.body_from_world[1]).normalize_or(Vec3::Y));
-            let normal = Vector::splat(t, [normal.x, normal.y, normal.z]);
+            let normal = Vector::splat(t, self.body_from_world[1]);
             return SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) };
         }
         let span = canonical.span(origin, direction);

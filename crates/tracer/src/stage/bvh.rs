@@ -15,8 +15,9 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec3A};
 
 use super::Bounds;
+use crate::lanes::{Eight as _, Width};
 pub(crate) use entry::Entry;
-pub(crate) use packet::{PacketPart, Visit, WIDEN};
+pub(crate) use packet::{Pending, Visit, WIDEN};
 pub(crate) use refit::Path;
 
 /// No path from the root is longer than this.
@@ -129,8 +130,8 @@ impl Node {
 
     /// A bit for each slot that has a box.
     #[inline(always)]
-    fn used(&self) -> u32 {
-        (0..WIDTH).fold(0, |used, slot| used | u32::from(self.sides[0][slot] <= self.sides[1][slot]) << slot)
+    fn used<W: Width>(&self, w: W) -> u32 {
+        w.eight(&self.sides[0]).le(w.eight(&self.sides[1]))
     }
 
     /// Whether a box contains a point.

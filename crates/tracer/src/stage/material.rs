@@ -206,7 +206,10 @@ impl StageMaterial {
     /// The share of light that is left after a way of this length in the body, meters.
     #[inline(always)]
     pub(crate) fn left_after<R: Real>(&self, way: R) -> Vector<R> {
-        Vector::splat(way, self.absorption).map(|loss| exponential(-(loss * way)))
+        Vector::splat(way, self.absorption).map(
+            #[inline(always)]
+            |loss| exponential(-(loss * way)),
+        )
     }
 }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::*;
+use crate::Search;
 use crate::lanes::One;
 
 const SIZE: (usize, usize) = (90, 50);
@@ -52,6 +53,25 @@ fn all_widths_trace_the_same_picture() {
             let off = wide.iter().flatten().zip(alone.iter().flatten()).filter(|&pair| differ(pair)).count();
             assert_eq!(off, 0, "{name}, {lanes_name}: channels that differ");
         }
+    }
+}
+
+#[test]
+fn the_hierarchy_leaves_out_nothing_that_is_met() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference/cloud.toml");
+    let mut scene = catoptric_scene::load(file).unwrap().scene;
+    // Some of them glass, so that shadow rays go on behind what they meet.
+    let glass = catoptric_scene::Material { transmission: 0.7, ior: 1.3, ..Default::default() };
+    for at in (0..scene.bodies.len()).step_by(3) {
+        let body = scene.bodies.get_mut(at).unwrap();
+        body.material = catoptric_scene::MaterialChoice::Inline(Box::new(glass.clone()));
+    }
+    let taken = |search, lanes: Lanes| {
+        let stage = Stage::prepare_for(&scene, search).unwrap();
+        trace::<false>(&stage, |sample| lanes.run(sample))
+    };
+    for (name, lanes) in Lanes::all() {
+        assert!(taken(Search::Quickest, lanes) == taken(Search::OneByOne, lanes), "{name}");
     }
 }
 

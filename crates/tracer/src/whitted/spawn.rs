@@ -55,17 +55,16 @@ impl Whitted<'_> {
             reflection = self.refracted::<W, FULL>(w, beams, &growth, transparent, offspring);
         }
         let at = growth.at;
-        let direction = || mend_unit(reflect(beams.rays.direction, at.normal));
         let mut lanes = goes_on;
         if FULL {
-            (reflection, lanes) = growth.let_off(direction(), false, reflection, goes_on);
+            (reflection, lanes) = growth.let_off(mirrored(beams, at), false, reflection, goes_on);
         }
         offspring.reflects(reflection);
         let weight = beams.weight.times(reflection);
         let lanes = lanes & self.carries(w, weight);
         if lanes.any() {
             self.counts.reflected += u64::from(lanes.bits().count_ones());
-            let rays = at.rays_on_this_side(direction());
+            let rays = at.rays_on_this_side(mirrored(beams, at));
             offspring.reflected(growth.beams(beams, rays, weight, (beams.media, lanes)));
         }
     }
@@ -112,17 +111,22 @@ impl Whitted<'_> {
         lanes: W::M,
         offspring: &mut impl Offspring<W>,
     ) -> Vector<W::R> {
-        let nothing = w.real(0.0);
-        let mut reflection = Vector::new(nothing, nothing, nothing);
-        for number in 0..self.waves.len() {
-            let color = self.waves.color(number);
-            let media = self.colored(w, beams.media, number, lanes);
-            let crossing = self.crossing::<W, true>(w, beams, media, growth.at, lanes);
-            reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
-            let filter = crossing.filter.times_all(color);
-            self.send_through::<W, true>(w, beams, growth, &crossing, filter, lanes, offspring);
-        }
-        reflection
+        w.run(
+            #[inline(always)]
+            || {
+                let nothing = w.real(0.0);
+                let mut reflection = Vector::new(nothing, nothing, nothing);
+                for number in 0..self.waves.len() {
+                    let color = self.waves.color(number);
+                    let media = self.colored(w, beams.media, number, lanes);
+                    let crossing = self.crossing::<W, true>(w, beams, media, growth.at, lanes);
+                    reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
+                    let filter = crossing.filter.times_all(color);
+                    self.send_through::<W, true>(w, beams, growth, &crossing, filter, lanes, offspring);
+                }
+                reflection
+            },
+        )
     }
 
     /// What becomes of rays in these media across the surfaces that they met.
@@ -244,6 +248,12 @@ impl Whitted<'_> {
         }
         w.load_words(&lists)
     }
+}
+
+/// The directions of the reflected rays.
+#[inline(always)]
+fn mirrored<W: Width>(beams: &Beams<W>, at: &Encounter<W>) -> Vector<W::R> {
+    mend_unit(reflect(beams.rays.direction, at.normal))
 }
 
 impl<W: Width> Growth<'_, W> {

@@ -195,11 +195,11 @@ fn a_click_can_go_to_the_bodies_behind_in_order() {
 
 #[test]
 fn hits_along_a_ray_through_a_hierarchy_are_all_there() {
-    let row: Vec<_> = (0..40).map(|k| ball(0.4, v(0.0, 0.0, -f64::from(k)), chalk())).collect();
+    let row: Vec<_> = (0..80).map(|k| ball(0.4, v(0.0, 0.0, -f64::from(k)), chalk())).collect();
     let hits = stage_of(row).hits_along(&crate::common::ray(v(0.0, 0.0, 9.0), DVec3::NEG_Z));
-    assert!(hits.iter().map(|hit| hit.body).eq(0..40));
+    assert!(hits.iter().map(|hit| hit.body).eq(0..80));
     // Bodies that touch keep to the order of the search.
-    let stage = stage_of((0..30).map(|k| ball(0.5, v(0.0, 0.0, -f64::from(k)), glass(1.2))).collect());
+    let stage = stage_of((0..60).map(|k| ball(0.5, v(0.0, 0.0, -f64::from(k)), glass(1.2))).collect());
     let ray = crate::common::ray(v(0.1, 0.0, 9.0), DVec3::NEG_Z);
     assert_eq!(stage.hits_along(&ray).first().copied(), stage.nearest(&ray));
 }
