@@ -50,6 +50,23 @@ fn a_scene_in_its_standard_form_is_the_same_scene() {
 }
 
 #[test]
+fn a_scene_in_another_folder_keeps_its_pictures() {
+    let folder = Folder::new();
+    for name in ["one", "one/pictures", "two"] {
+        std::fs::create_dir(folder.path(name)).unwrap();
+    }
+    folder.good("render whitted -o one/pictures/a.png --size 8x4");
+    folder.write("one/a.toml", format!("{ONE_BODY}[environment]\npicture = \"pictures/a.png\"\n"));
+    folder.good("render one/a.toml -o a.exr --size 16x12");
+    // Beside it, the path may stay as it was written.
+    folder.good("convert one/a.toml one/b.toml");
+    assert!(String::from_utf8(folder.read("one/b.toml")).unwrap().contains("\"pictures/a.png\""));
+    folder.good("convert one/a.toml two/c.toml");
+    folder.good("render two/c.toml -o c.exr --size 16x12");
+    assert!(folder.read("a.exr") == folder.read("c.exr"));
+}
+
+#[test]
 fn what_cannot_be_converted_is_refused() {
     let folder = Folder::new();
     folder.write("one.toml", ONE_BODY);

@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 use catoptric_picture::read;
-use catoptric_scene::write;
+use catoptric_scene::{HasImages as _, Image, write};
 
 use super::Outcome;
 use crate::arguments::ConvertArguments;
@@ -16,7 +16,13 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<Outcome> {
             check_output(to, &[from])?;
             let input = input::file(from)?;
             input.warn();
-            write_text(to, &write(&input.loaded.scene))?;
+            let mut scene = input.loaded.scene;
+            scene.edit_images(&mut |image| {
+                if let Some(path) = Image::moved_path(image.path(), from.parent(), to.parent()) {
+                    *image = image.with_path(path);
+                }
+            });
+            write_text(to, &write(&scene))?;
         }
         (Some(Kind::Scene), Some(Kind::Picture(_))) => {
             bail!("{} is a scene: `catoptric render` makes a picture of it", from.display())
