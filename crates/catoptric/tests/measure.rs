@@ -59,7 +59,7 @@ fn an_interrupted_sweep_is_kept() {
 
     let folder = folder();
     let child = folder
-        .command("measure ball.toml --vary size=64x36,128x72 --rounds 1000 -o out".split(' '))
+        .command("measure ball.toml --vary size=64x36,1280x720 --rounds 1000 -o out".split(' '))
         .spawn()
         .unwrap();
     // The directory is made right before the first drawing.
