@@ -149,10 +149,22 @@ pub(crate) trait Width: Copy {
     fn word(self, value: u32) -> Self::W;
     /// The answers of these bits, the first the lowest.
     fn mask(self, bits: u32) -> Self::M;
+    /// Those of the first `count`.
+    #[inline(always)]
+    fn first(self, count: usize) -> Self::M {
+        self.mask(((1_u64 << count.min(Self::LANES)) - 1) as u32)
+    }
     /// The first numbers of `from`, which holds at least as many.
     fn load(self, from: &[f32]) -> Self::R;
     /// The first words of `from`, which holds at least as many.
     fn load_words(self, from: &[u32]) -> Self::W;
+    /// The four numbers of `from` at each of these places, of which there are at least as many; `N` is a power of 2, and
+    /// places are taken modulo it.
+    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [Self::R; 4];
+    /// The first fours of numbers of `from`, which holds at least as many.
+    fn load_fours(self, from: &[[f32; 4]]) -> [Self::R; 4];
+    /// Writes fours of numbers to the front of `to`, which holds at least as many.
+    fn store_fours(self, numbers: [Self::R; 4], to: &mut [[f32; 4]]);
     /// These eight numbers.
     fn eight(self, numbers: &[f32; 8]) -> Self::E;
     /// Eight numbers, all of this value.

@@ -199,28 +199,26 @@ impl Inside {
     #[inline(always)]
     pub(crate) fn fill<W: Width>(&mut self, table: &MediaTable, media: W::W, lanes: W::M) {
         self.bodies.clear();
-        let wet = (lanes & !media.is(AIR)).bits();
-        if wet != 0 {
-            let mut lists = [AIR; MOST_LANES];
-            media.store(&mut lists);
-            self.fill_from(table, &lists, wet);
+        let mut wet = (lanes & !media.is(AIR)).bits();
+        if wet == 0 {
+            return;
+        }
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        while wet != 0 {
+            let list = lists[wet.trailing_zeros() as usize % MOST_LANES];
+            let same = media.is(list).bits() & wet;
+            wet &= !same;
+            self.add(table, list, same);
         }
     }
 
-    fn fill_from(&mut self, table: &MediaTable, lists: &[u32; MOST_LANES], mut wet: u32) {
-        while wet != 0 {
-            let list = lists[wet.trailing_zeros() as usize % MOST_LANES];
-            let same = lists
-                .iter()
-                .enumerate()
-                .fold(0, |same, (lane, &other)| same | u32::from(other == list) << lane);
-            let same = same & wet;
-            wet &= !same;
-            for body in table.bodies(list) {
-                match self.bodies.binary_search_by_key(&body, |entry| entry.0) {
-                    Ok(place) => self.bodies[place].1 |= same,
-                    Err(place) => self.bodies.insert(place, (body, same)),
-                }
+    /// Adds rays that have the same list.
+    fn add(&mut self, table: &MediaTable, list: u32, rays: u32) {
+        for body in table.bodies(list) {
+            match self.bodies.binary_search_by_key(&body, |entry| entry.0) {
+                Ok(place) => self.bodies[place].1 |= rays,
+                Err(place) => self.bodies.insert(place, (body, rays)),
             }
         }
     }
@@ -275,10 +273,9 @@ mod tests {
         let mut table = MediaTable::default();
         let one = table.entered(AIR, 5);
         let both = table.entered(one, 2);
-        let mut lists = [AIR; MOST_LANES];
-        (lists[0], lists[3], lists[4], lists[9]) = (one, both, one, both);
         let mut inside = Inside::default();
-        inside.fill_from(&table, &lists, 0b10_0001_1001 & !1);
+        inside.add(&table, one, 0b1_0000);
+        inside.add(&table, both, 0b10_0000_1000);
         assert_eq!((inside.of(5), inside.of(2), inside.of(3)), (0b10_0001_1000, 0b10_0000_1000, 0));
     }
 }

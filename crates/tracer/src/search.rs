@@ -1,13 +1,19 @@
 //! What rays meet: the nearest body, and what lies between a point and a light.
 
+mod best;
+mod stream;
+
 use std::ops::Range;
 
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{Hierarchy, Pending, Sight, Stage, StageBody, StageMaterial, Visit};
+use crate::stage::{BoundingSphere, Hierarchy, Pending, Sight, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
+
+use best::{Best, Nearest};
+pub(crate) use stream::{RayStream, ShadowStream, StreamMemory};
 
 /// Where a ray meets a body: the cheap record kept during the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,17 +144,7 @@ impl<'a, W: Width> Flight<'a, W> {
             Hierarchy::Few(few) => match self.along {
                 Along::From(sights) => self.visit_seen(sights, self.direction, visitor),
                 Along::To(sights) => self.visit_seen(sights, -self.direction, visitor),
-                Along::Anything => {
-                    for (sphere, index) in few.spheres.iter().zip(0..) {
-                        let mut lanes: W::M = self.lanes;
-                        if !self.stage.body(index).is_sphere() {
-                            lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
-                        }
-                        if lanes.any() {
-                            visitor.leaf(index..index + 1, lanes);
-                        }
-                    }
-                }
+                Along::Anything => self.visit_few(&few.spheres, visitor),
             },
             Hierarchy::Many(bvh) => {
                 let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
@@ -157,12 +153,78 @@ impl<'a, W: Width> Flight<'a, W> {
         }
     }
 
+    /// Up to so many bodies are tested and visited one after the other; of more, all are tested first.
+    const ONE_BY_ONE: usize = 10;
+
+    #[inline(always)]
+    fn visit_few(&self, spheres: &[BoundingSphere], visitor: &mut impl Visit<W>) {
+        if spheres.len() > Self::ONE_BY_ONE {
+            return self.visit_tested(
+                spheres,
+                visitor,
+                #[inline(always)]
+                |sphere, reach| sphere.is_met(self.origin, self.direction, reach),
+                #[inline(always)]
+                |_, place| place as u32,
+            );
+        }
+        for (sphere, index) in spheres.iter().zip(0..) {
+            let mut lanes: W::M = self.lanes;
+            if !self.stage.body(index).is_sphere() {
+                lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
+            }
+            if lanes.any() {
+                visitor.leaf(index..index + 1, lanes);
+            }
+        }
+    }
+
     #[inline(always)]
     fn visit_seen(&self, sights: &[Sight], direction: Vector<W::R>, visitor: &mut impl Visit<W>) {
+        if sights.len() > Self::ONE_BY_ONE {
+            return self.visit_tested(
+                sights,
+                visitor,
+                #[inline(always)]
+                |sight, reach| sight.is_met(direction, reach),
+                #[inline(always)]
+                |sight, _| sight.body,
+            );
+        }
         for sight in sights {
             let lanes = self.lanes & sight.is_met(direction, visitor.reach());
             if lanes.any() {
                 visitor.leaf(sight.body..sight.body + 1, lanes);
+            }
+        }
+    }
+
+    /// Tests bodies, then shows `visitor` those that some of the rays may meet: tests do not wait for each other, and nobody
+    /// has to guess after each of them whether there will be a visit.
+    #[inline(always)]
+    fn visit_tested<T>(
+        &self,
+        bodies: &[T],
+        visitor: &mut impl Visit<W>,
+        is_met: impl Fn(&T, W::R) -> W::M,
+        index: impl Fn(&T, usize) -> u32,
+    ) {
+        const AT_ONCE: usize = 64;
+        for (bodies, start) in bodies.chunks(AT_ONCE).zip((0..).step_by(AT_ONCE)) {
+            let reach = visitor.reach();
+            let (mut lanes, mut some) = ([0; AT_ONCE], 0_u64);
+            for (at, body) in bodies.iter().enumerate() {
+                let met = (self.lanes & is_met(body, reach)).bits();
+                lanes[at % AT_ONCE] = met;
+                some |= u64::from(met != 0) << at;
+            }
+            while some != 0 {
+                let at = some.trailing_zeros() as usize % AT_ONCE;
+                some &= some - 1;
+                if let Some(body) = bodies.get(at) {
+                    let index = index(body, start + at);
+                    visitor.leaf(index..index + 1, self.w.mask(lanes[at]));
+                }
             }
         }
     }
@@ -178,13 +240,19 @@ impl<'a, W: Width> Flight<'a, W> {
         self.stage.planes().for_each(&mut test);
     }
 
+    /// Where rays meet a body first, if they may at all.
+    #[inline(always)]
+    fn meets(&self, index: u32, body: &StageBody, lanes: W::M) -> Option<Meeting<W>> {
+        let Relation { lanes, inside } = self.relation(index, body, lanes);
+        lanes.any().then(
+            #[inline(always)]
+            || self.meeting(body, lanes, inside),
+        )
+    }
+
     #[inline(always)]
     fn test(&self, index: u32, body: &StageBody, lanes: W::M, best: &mut Best<W>) {
-        let Relation { lanes, inside } = self.relation(index, body, lanes);
-        if !lanes.any() {
-            return;
-        }
-        let Meeting { entering, enter, leaving, exit } = self.meeting(body, lanes, inside);
+        let Some(Meeting { entering, enter, leaving, exit }) = self.meets(index, body, lanes) else { return };
         if entering.any() {
             best.enter(self.w, self.stage, index, body.slack, enter, entering);
         }
@@ -448,93 +516,4 @@ pub(crate) fn found_in<W: Width>(hits: &Hits<W>) -> Option<Hit> {
 #[inline(always)]
 fn exit_of<R: crate::lanes::Real>(span: &Span<R>) -> R {
     span.exit.max(span.exit.like(0.0))
-}
-
-/// The nearest hits so far of one direction through the surface.
-struct Nearest<W: Width> {
-    t: W::R,
-    body: W::W,
-    slack: W::R,
-}
-
-/// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
-/// outcome does not depend on the order in which bodies are tested.
-struct Best<W: Width> {
-    leaving: Nearest<W>,
-    entering: Nearest<W>,
-    /// No body beyond this parameter can change the outcome any more.
-    reach: W::R,
-    start_slack: W::R,
-}
-
-impl<W: Width> Best<W> {
-    #[inline(always)]
-    fn new(w: W, start_slack: W::R) -> Self {
-        let none = || Nearest { t: w.real(f32::INFINITY), body: w.word(0), slack: w.real(0.0) };
-        Self { leaving: none(), entering: none(), reach: w.real(f32::INFINITY), start_slack }
-    }
-
-    /// Takes note of hits that lead into a body.
-    #[inline(always)]
-    fn enter(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
-        self.entering.offer(w, stage, index, slack, t, lanes);
-        let farthest = w.real(stage.largest_slack);
-        self.reach = self.reach.min(self.entering.t + self.slack_at(self.entering.t, farthest));
-    }
-
-    /// Takes note of hits that lead out of a body.
-    #[inline(always)]
-    fn leave(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
-        self.leaving.offer(w, stage, index, slack, t, lanes);
-        self.reach = self.reach.min(self.leaving.t);
-    }
-
-    /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
-    /// this: each slack is twice its bound, so the larger one covers both.
-    #[inline(always)]
-    fn slack_at(&self, t: W::R, larger: W::R) -> W::R {
-        self.start_slack + larger + t * POINT_ROUNDING
-    }
-
-    /// The first hits. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:
-    /// bodies that touch have a film of air between them.
-    #[inline(always)]
-    fn first(&self, w: W) -> Hits<W> {
-        let infinity = w.real(f32::INFINITY);
-        let Nearest { t, body, slack } = self.entering;
-        let leaves = self.leaving.t.lt(infinity);
-        let mut hits = Hits { t, body, leaving: leaves & !leaves, hit: t.lt(infinity) | leaves };
-        if leaves.any() {
-            let larger = slack.max(self.leaving.slack);
-            hits.leaving = leaves & self.leaving.t.le(t + self.slack_at(t, larger));
-            hits.t = W::R::select(hits.leaving, self.leaving.t, t);
-            hits.body = W::W::select(hits.leaving, self.leaving.body, body);
-        }
-        hits
-    }
-}
-
-impl<W: Width> Nearest<W> {
-    /// Takes note of hits; of equal ones the body that comes first in the scene counts.
-    #[inline(always)]
-    fn offer(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
-        let mut closer = lanes & t.lt(self.t);
-        let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
-        if equal.any() {
-            closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
-        }
-        self.t = W::R::select(closer, t, self.t);
-        self.body = W::W::select(closer, w.word(index), self.body);
-        self.slack = W::R::select(closer, w.real(slack), self.slack);
-    }
-}
-
-/// Where a body of the scene behind body `index` has been met.
-#[cold]
-#[inline(never)]
-fn later_than<W: Width>(stage: &Stage, index: u32, met: W::W) -> u32 {
-    let mut bodies = [0; MOST_LANES];
-    met.store(&mut bodies);
-    let lanes = bodies.iter().take(W::LANES).enumerate();
-    lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
 }

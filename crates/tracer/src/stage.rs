@@ -26,7 +26,10 @@ use rayon::prelude::*;
 
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
-pub(crate) use bvh::{Bvh, Entry, Node, Pending, TINY as BOX_TINY, Visit, WIDEN as BOX_WIDEN};
+pub(crate) use bvh::{
+    Bvh, Entry, Node, Pending, Row, STREAM, StreamParts, StreamRays, TINY as BOX_TINY, Visit, VisitStream,
+    WIDEN as BOX_WIDEN, vector_at,
+};
 pub use camera::StageCamera;
 use camera::Surroundings;
 pub(crate) use camera::{Homogeneous, RaysNear};

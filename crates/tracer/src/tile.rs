@@ -10,13 +10,13 @@ use crate::render::Control;
 use crate::sampling::sample_offset;
 use crate::stage::{RaysNear, Stage, StageCamera};
 use crate::vector::Vector;
-use crate::whitted::{Beams, Dice, Offspring, Origin, Queue, Whitted};
+use crate::whitted::{Beams, Dice, Offspring, Origin, Queue, Streams, Whitted};
 
 pub(crate) use light::TileLight;
 
 /// Edge of a tile, pixels: small enough to balance, large enough that rays of a tile meet the same bodies and that
 /// vectors of them are full.
-pub(crate) const TILE: usize = 32;
+pub(crate) const TILE: usize = 64;
 
 /// Where a tile lies: its upper left pixel and its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,6 +89,8 @@ pub(crate) struct TileTracer<'a> {
     lanes: Lanes,
     /// The rays that wait, by their distance in the tree from the eye.
     levels: Vec<Level>,
+    /// Made when they are needed.
+    streams: Option<Streams>,
     light: TileLight,
 }
 
@@ -105,6 +107,7 @@ impl<'a> TileTracer<'a> {
             whitted: Whitted::through(stage, camera, &control.cancel),
             lanes: Lanes::widest(),
             levels: Vec::new(),
+            streams: None,
             light: TileLight::default(),
         }
     }
@@ -199,7 +202,12 @@ impl TileTracer<'_> {
             if self.is_cancelled() {
                 return false;
             }
-            if self.waiting(at) > 0 {
+            if self.waiting(at) > 0 && self.whitted.goes_by_streams() {
+                self.follow_stream::<W, FULL>(w, at);
+                if self.waiting(at + 1) >= Self::MOST_WAITING {
+                    at += 1;
+                }
+            } else if self.waiting(at) > 0 {
                 let beams = self.levels[at].take(w);
                 let light = self.follow::<W, FULL>(w, &beams, Origin::Anywhere, at + 1);
                 self.light.add(&beams, light);
@@ -217,6 +225,30 @@ impl TileTracer<'_> {
         }
     }
 
+    /// Traces a stream of rays that wait at a level.
+    #[inline(always)]
+    fn follow_stream<W: Width, const FULL: bool>(&mut self, w: W, level: usize) {
+        if self.levels.len() <= level + 1 {
+            self.levels.resize_with(level + 2, Level::default);
+        }
+        let Some([level, next]) = self.levels.get_mut(level..level + 2) else { return };
+        let queue = level.queue();
+        let streams = self.streams.get_or_insert_default();
+        let count = streams.begin(w, queue);
+        self.whitted.search(w, streams);
+        for at in (0..count).step_by(W::LANES) {
+            let beams = queue.look(w, at);
+            self.whitted.follow::<W, FULL>(w, &beams, Origin::Stream { streams, at }, next);
+        }
+        self.whitted.search_shadows(w, streams);
+        for at in (0..count).step_by(W::LANES) {
+            let beams = queue.look(w, at);
+            let light = self.whitted.gather(w, &beams, streams, at);
+            self.light.add(&beams, light);
+        }
+        queue.skip(count);
+    }
+
     fn waiting(&self, level: usize) -> usize {
         self.levels.get(level).map_or(0, |level| level.reflected.len() + level.refracted.len())
     }
@@ -227,7 +259,7 @@ impl TileTracer<'_> {
         &mut self,
         w: W,
         beams: &Beams<W>,
-        from: Origin,
+        from: Origin<'_>,
         level: usize,
     ) -> Vector<W::R> {
         if self.levels.len() <= level {
@@ -240,8 +272,12 @@ impl TileTracer<'_> {
 impl Level {
     #[inline(always)]
     fn take<W: Width>(&mut self, w: W) -> Beams<W> {
-        let queue = if self.reflected.len() > 0 { &mut self.reflected } else { &mut self.refracted };
-        queue.take(w)
+        self.queue().take(w)
+    }
+
+    /// The rays that are to be traced first.
+    fn queue(&mut self) -> &mut Queue {
+        if self.reflected.len() > 0 { &mut self.reflected } else { &mut self.refracted }
     }
 
     fn clear(&mut self) {

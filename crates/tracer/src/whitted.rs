@@ -8,6 +8,7 @@ mod encounter;
 mod gloss;
 mod record;
 mod spawn;
+mod streams;
 mod tally;
 mod tree;
 mod views;
@@ -36,6 +37,7 @@ pub use record::{
     Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, ReflectionLaw, Shadow, ShadowCrossing,
     SurfaceAnswer, TracedRay,
 };
+pub(crate) use streams::Streams;
 pub use tally::Tally;
 use views::Views;
 pub(crate) use waves::Waves;
@@ -218,7 +220,7 @@ impl<'a> Whitted<'a> {
         &mut self,
         w: W,
         beams: &Beams<W>,
-        from: Origin,
+        from: Origin<'_>,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
         let mut inside = std::mem::take(&mut self.inside);
@@ -233,11 +235,11 @@ impl<'a> Whitted<'a> {
         &mut self,
         w: W,
         beams: &Beams<W>,
-        from: Origin,
+        mut from: Origin<'_>,
         inside: &Inside,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
-        let hits = self.nearest(w, beams, from, inside);
+        let hits = self.nearest(w, beams, &from, inside);
         let hit = hits.hit & beams.lanes;
         let hits = Hits { hit, ..hits };
         let mut beams = beams;
@@ -254,13 +256,20 @@ impl<'a> Whitted<'a> {
             Vector::splat(w.real(0.0), self.stage.sky.even())
         };
         if !hit.any() {
+            if let Origin::Stream { streams, at } = &mut from {
+                streams.keep(w, *at, background, beams.weight);
+            }
             return Followed { light: beams.weight.times(background), hits };
         }
         let at = Encounter::new::<FULL>(w, self.stage, &beams.rays, &hits);
         offspring.meets(&at);
-        let light = self.local_light::<W, FULL>(w, beams, inside, &at, offspring);
+        let light = self.local_light::<W, FULL>(w, beams, &mut from, inside, &at, offspring);
         offspring.shades(light);
-        let light = beams.weight.times(Vector::select(hit, light, background));
+        let light = Vector::select(hit, light, background);
+        if let Origin::Stream { streams, at } = &mut from {
+            streams.keep(w, *at, light, beams.weight);
+        }
+        let light = beams.weight.times(light);
         let goes_on = hit & beams.below(w, self.generations);
         if goes_on.any() {
             self.spawn::<W, FULL>(w, beams, &at, goes_on, offspring);
@@ -268,14 +277,27 @@ impl<'a> Whitted<'a> {
         Followed { light, hits }
     }
 
-    fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, from: Origin, inside: &Inside) -> Hits<W> {
+    #[inline(always)]
+    fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, from: &Origin<'_>, inside: &Inside) -> Hits<W> {
+        if let Origin::Stream { streams, at } = from {
+            let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, Along::Anything);
+            return streams.rays.hits(w, *at, &flight);
+        }
+        let is_from_eye = matches!(from, Origin::Eye);
+        self.nearest_of_packet(w, beams, is_from_eye, inside)
+    }
+
+    fn nearest_of_packet<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        is_from_eye: bool,
+        inside: &Inside,
+    ) -> Hits<W> {
         w.run(
             #[inline(always)]
             || {
-                let along = match from {
-                    Origin::Eye => self.views.ahead(),
-                    Origin::Anywhere => Along::Anything,
-                };
+                let along = if is_from_eye { self.views.ahead() } else { Along::Anything };
                 Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, along).nearest(&mut self.parts)
             },
         )
@@ -308,6 +330,7 @@ impl<'a> Whitted<'a> {
         &mut self,
         w: W,
         beams: &Beams<W>,
+        from: &mut Origin<'_>,
         inside: &Inside,
         at: &Encounter<W>,
         offspring: &mut impl Offspring<W>,
@@ -345,11 +368,18 @@ impl<'a> Whitted<'a> {
                 continue;
             }
             self.counts.shadow += u64::from(lit.bits().count_ones());
-            let passed = self.transmittance(w, &rays, lit, (index, distance), inside);
-            offspring.asks(&rays, distance, inside, passed);
-            let lit = lit & !passed.is_zero();
-            if !lit.any() {
-                continue;
+            let streams =
+                if let Origin::Stream { streams, at } = from { Some((&mut **streams, *at)) } else { None };
+            let mut passed = None;
+            let mut lit = lit;
+            if streams.is_none() {
+                let through = self.transmittance(w, &rays, lit, (index, distance), inside);
+                offspring.asks(&rays, distance, inside, through);
+                lit = lit & !through.is_zero();
+                if !lit.any() {
+                    continue;
+                }
+                passed = Some(through);
             }
             let to_viewer = -beams.rays.direction;
             let mut answer = if FULL { at.scattered(cos) } else { at.diffuse * cos };
@@ -365,20 +395,29 @@ impl<'a> Whitted<'a> {
                 answer = answer + glints;
             }
             let power = power.unwrap_or_else(|| source.power_at(distance));
-            let more = passed.times(power).times(answer);
-            offspring.answers(power, more);
-            light = Vector::select(lit, light + more, light);
+            let answer = power.times(answer);
+            if let Some((streams, place)) = streams {
+                streams.ask(w, index, place, &rays, (beams.media, distance), answer, lit);
+            } else if let Some(passed) = passed {
+                let more = answer.times(passed);
+                offspring.answers(power, more);
+                light = Vector::select(lit, light + more, light);
+            }
         }
         light
     }
 }
 
 /// Where rays come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Origin {
+pub(crate) enum Origin<'s> {
     /// The eye; they were [aimed](Whitted::aim).
     Eye,
     Anywhere,
+    /// They are those of a stream from number `at` on; shadow rays are traced later.
+    Stream {
+        streams: &'s mut Streams,
+        at: usize,
+    },
 }
 
 /// What became of rays side by side.

@@ -41,6 +41,21 @@ impl Width for One {
     }
 
     #[inline(always)]
+    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [f32; 4] {
+        from[at[0] as usize % N]
+    }
+
+    #[inline(always)]
+    fn load_fours(self, from: &[[f32; 4]]) -> [f32; 4] {
+        from[0]
+    }
+
+    #[inline(always)]
+    fn store_fours(self, numbers: [f32; 4], to: &mut [[f32; 4]]) {
+        to[0] = numbers;
+    }
+
+    #[inline(always)]
     fn eight(self, numbers: &[f32; 8]) -> Plain {
         Plain(*numbers)
     }

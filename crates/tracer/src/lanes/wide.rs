@@ -7,7 +7,7 @@ use fearless_simd::{
 };
 
 use super::eight::OfSimd;
-use super::{Mask, Real, Width, Word, Work};
+use super::{MOST_LANES, Mask, Real, Width, Word, Work};
 
 /// A width that the processor has.
 #[derive(Clone, Copy, Debug)]
@@ -86,6 +86,39 @@ impl<S: Simd> Width for Wide<S> {
     #[inline(always)]
     fn load_words(self, from: &[u32]) -> WideWord<S> {
         WideWord(S::u32s::from_slice(self.0, &from[..Self::LANES]))
+    }
+
+    #[inline(always)]
+    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [WideReal<S>; 4] {
+        let mut fours = [[0.0; 4]; MOST_LANES];
+        for (four, &at) in fours[..Self::LANES].iter_mut().zip(&at[..Self::LANES]) {
+            *four = from[at as usize % N];
+        }
+        self.load_fours(&fours)
+    }
+
+    #[inline(always)]
+    fn load_fours(self, from: &[[f32; 4]]) -> [WideReal<S>; 4] {
+        let numbers = from[..Self::LANES].as_flattened();
+        let part =
+            |at: usize| S::f32s::from_slice(self.0, &numbers[at * Self::LANES..(at + 1) * Self::LANES]);
+        let (even, odd) = part(0).deinterleave(part(1));
+        let (evens, odds) = part(2).deinterleave(part(3));
+        let (x, z) = even.deinterleave(evens);
+        let (y, w) = odd.deinterleave(odds);
+        [WideReal(x), WideReal(y), WideReal(z), WideReal(w)]
+    }
+
+    #[inline(always)]
+    fn store_fours(self, [x, y, z, w]: [WideReal<S>; 4], to: &mut [[f32; 4]]) {
+        let (even, evens) = x.0.interleave(z.0);
+        let (odd, odds) = y.0.interleave(w.0);
+        let (first, second) = even.interleave(odd);
+        let (third, fourth) = evens.interleave(odds);
+        let numbers = to[..Self::LANES].as_flattened_mut();
+        for (part, to) in [first, second, third, fourth].iter().zip(numbers.chunks_exact_mut(Self::LANES)) {
+            part.store_slice(to);
+        }
     }
 
     #[inline(always)]

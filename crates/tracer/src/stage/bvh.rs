@@ -1,11 +1,13 @@
 //! A hierarchy of bounding boxes over the bodies, eight boxes to a node, so that one step tests eight boxes with vector
 //! instructions, or one box with many rays while the others are near in memory.
 
+mod alone;
 mod build;
 mod entry;
 mod packet;
 mod refit;
 mod split;
+mod stream;
 #[cfg(test)]
 mod tests;
 
@@ -17,8 +19,9 @@ use glam::{Vec3, Vec3A};
 use super::Bounds;
 use crate::lanes::{Eight as _, Width};
 pub(crate) use entry::Entry;
-pub(crate) use packet::{Pending, Visit, WIDEN};
+pub(crate) use packet::{Pending, Visit};
 pub(crate) use refit::Path;
+pub(crate) use stream::{Row, STREAM, StreamParts, StreamRays, VisitStream, vector_at};
 
 /// No path from the root is longer than this.
 const MAX_DEPTH: usize = 64;
@@ -46,6 +49,9 @@ pub(crate) struct Bvh {
     cost: f64,
     built_cost: f64,
 }
+
+/// Moves far sides outwards by the rounding of the three operations (Ize 2013, Robust BVH ray traversal, eq. 3).
+pub(crate) const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
 
 /// Directions are unit vectors and coordinates at most some 10¹⁸: components below this are as good as 0, and their
 /// inverse times a coordinate stays below 3.4·10³⁸, so that no NaN arises.

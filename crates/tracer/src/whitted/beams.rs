@@ -159,31 +159,48 @@ impl Queue {
     /// Takes the first rays: as many as there are side by side, or the rest.
     #[inline(always)]
     pub(crate) fn take<W: Width>(&mut self, w: W) -> Beams<W> {
-        let count = self.len().min(W::LANES);
-        let beams = Beams {
-            rays: Rays { origin: self.vector(w, 0), direction: self.vector(w, 3), start: self.word(w, 0) },
-            weight: self.vector(w, 6),
-            generation: self.word(w, 1),
-            media: self.word(w, 2),
-            pixel: self.word(w, 3),
-            lanes: w.mask(((1_u64 << count) - 1) as u32),
-        };
-        self.taken += count;
-        if self.len() == 0 {
-            (self.len, self.taken) = (0, 0);
-        }
+        let beams = self.look(w, 0);
+        self.skip(W::LANES);
         beams
     }
 
+    /// The rays behind the first `at`: as many as there are side by side, or the rest.
     #[inline(always)]
-    fn vector<W: Width>(&self, w: W, first: usize) -> Vector<W::R> {
-        let [x, y, z] = [first, first + 1, first + 2].map(|row| &self.numbers[row][self.taken..]);
+    pub(crate) fn look<W: Width>(&self, w: W, at: usize) -> Beams<W> {
+        let count = self.len().saturating_sub(at);
+        let at = self.taken + at;
+        Beams {
+            rays: Rays {
+                origin: self.vector(w, 0, at),
+                direction: self.vector(w, 3, at),
+                start: self.word(w, 0, at),
+            },
+            weight: self.vector(w, 6, at),
+            generation: self.word(w, 1, at),
+            media: self.word(w, 2, at),
+            pixel: self.word(w, 3, at),
+            lanes: w.first(count),
+        }
+    }
+
+    /// Takes away the first `count` rays, or all.
+    #[inline(always)]
+    pub(crate) fn skip(&mut self, count: usize) {
+        self.taken += count.min(self.len());
+        if self.len() == 0 {
+            (self.len, self.taken) = (0, 0);
+        }
+    }
+
+    #[inline(always)]
+    fn vector<W: Width>(&self, w: W, first: usize, at: usize) -> Vector<W::R> {
+        let [x, y, z] = [first, first + 1, first + 2].map(|row| &self.numbers[row][at..]);
         Vector::new(w.load(x), w.load(y), w.load(z))
     }
 
     #[inline(always)]
-    fn word<W: Width>(&self, w: W, row: usize) -> W::W {
-        w.load_words(&self.words[row][self.taken..])
+    fn word<W: Width>(&self, w: W, row: usize, at: usize) -> W::W {
+        w.load_words(&self.words[row][at..])
     }
 
     /// Forgets all.

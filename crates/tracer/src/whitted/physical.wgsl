@@ -106,7 +106,7 @@ fn local_light(
         if is_rough(at) {
             answer += glints(at, ray.direction, lit.to_light, media);
         }
-        sum += passed * lit.power * answer;
+        sum += lit.power * answer * passed;
     }
     return sum;
 }

@@ -65,7 +65,7 @@ fn local_light(
         if material.specular != 0.0 {
             answer += material.specular * phong_highlight(-ray.direction, to_light, at.normal, material.shininess);
         }
-        sum += passed * power_at(light, distance) * answer;
+        sum += power_at(light, distance) * answer * passed;
     }
     return sum;
 }

@@ -7,7 +7,8 @@
 
 use std::ops::Range;
 
-use super::{Bvh, Node};
+use super::alone::{Lone, LonePart, Order, VisitAlone};
+use super::{Bvh, Node, WIDEN};
 use crate::lanes::{Eight as _, MOST_LANES, Mask as _, Real as _, Width};
 use crate::vector::Vector;
 
@@ -40,15 +41,6 @@ struct SharedPart {
     lanes: u32,
     /// Where each ray enters.
     enter: [f32; MOST_LANES],
-}
-
-/// A part that one ray is to visit.
-#[derive(Clone, Copy, Debug, Default)]
-struct LonePart {
-    first: u32,
-    count: u32,
-    /// Where it enters.
-    enter: f32,
 }
 
 impl Pending {
@@ -100,16 +92,6 @@ struct BeamAxis {
     greatest: f32,
 }
 
-/// One ray of a packet, for each axis.
-struct Lone<W: Width>([LoneAxis<W>; 3]);
-
-struct LoneAxis<W: Width> {
-    /// The side of a node's boxes that it meets first.
-    near: usize,
-    origin: W::E,
-    inverse: W::E,
-}
-
 impl Bvh {
     /// Up to so many rays go on alone. (With 16 side by side, where a test of rays against a box takes as long as that of a
     /// ray against eight boxes.)
@@ -124,12 +106,7 @@ impl Bvh {
         direction: Vector<W::R>,
         lanes: W::M,
     ) -> PacketBoxes<W> {
-        let (one, tiny) = (w.real(1.0), w.real(super::TINY));
-        let inverse = Vector::new(
-            one / W::R::select(direction.x.abs().lt(tiny), tiny.copysign(direction.x), direction.x),
-            one / W::R::select(direction.y.abs().lt(tiny), tiny.copysign(direction.y), direction.y),
-            one / W::R::select(direction.z.abs().lt(tiny), tiny.copysign(direction.z), direction.z),
-        );
+        let inverse = inverse_of(w, direction);
         let (mut origins, mut inverses) = ([[0.0; MOST_LANES]; 3], [[0.0; MOST_LANES]; 3]);
         store(origin, &mut origins);
         store(inverse, &mut inverses);
@@ -155,7 +132,8 @@ impl Bvh {
                 while bits != 0 {
                     let lane = bits.trailing_zeros() as usize % MOST_LANES;
                     bits &= bits - 1;
-                    self.traverse_alone(w, boxes, lane, index, alone, visitor);
+                    let mut alone_visits = OneOf { w, lane, visitor: &mut *visitor };
+                    self.traverse_alone(w, &boxes.alone(w, lane), index, alone, &mut alone_visits);
                 }
                 farthest = boxes.farthest(w, visitor.reach());
             } else {
@@ -192,95 +170,28 @@ impl Bvh {
             }
         }
     }
+}
 
-    /// The same for one of the rays, from a node on.
+/// One ray of a packet on its own way.
+struct OneOf<'v, W, V> {
+    w: W,
+    lane: usize,
+    visitor: &'v mut V,
+}
+
+impl<W: Width, V: Visit<W>> VisitAlone for OneOf<'_, W, V> {
+    const NEAREST_FIRST: bool = V::NEAREST_FIRST;
+
     #[inline(always)]
-    fn traverse_alone<W: Width, V: Visit<W>>(
-        &self,
-        w: W,
-        boxes: &PacketBoxes<W>,
-        lane: usize,
-        index: u32,
-        parts: &mut [LonePart],
-        visitor: &mut V,
-    ) {
-        let ray = boxes.alone(w, lane);
-        let lanes = w.mask(1 << lane);
-        let reach_of = |reach: W::R| {
-            let mut all = [0.0; MOST_LANES];
-            reach.store(&mut all);
-            all[lane]
-        };
-        let mut reach = reach_of(visitor.reach());
-        let mut index = index;
-        let mut waiting = 0;
-        loop {
-            let node = &self.nodes[index as usize];
-            for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
-                parts[waiting] = LonePart { first: node.first[slot], count: node.count[slot], enter };
-                waiting += 1;
-            }
-            loop {
-                if waiting == 0 {
-                    return;
-                }
-                waiting -= 1;
-                let LonePart { first, count, enter } = parts[waiting];
-                if enter > reach {
-                    continue;
-                }
-                if count == 0 {
-                    index = first;
-                    break;
-                }
-                visitor.leaf(first..first + count, lanes);
-                reach = reach_of(visitor.reach());
-            }
-        }
+    fn reach(&self) -> f32 {
+        let mut all = [0.0; MOST_LANES];
+        self.visitor.reach().store(&mut all);
+        all[self.lane]
     }
-}
-
-/// Boxes of a node, perhaps the farthest first.
-struct Order {
-    /// Where each is entered, as bits of a number of at least 0, with the number of the box in the lowest bits.
-    keys: [u32; 8],
-    at: usize,
-    len: usize,
-}
-
-impl Order {
-    /// Those of `left`; where they are entered are numbers of at least 0. In any order unless `is_sorted`.
-    #[inline(always)]
-    fn new(enter: &[u32; 8], left: u32, is_sorted: bool) -> Self {
-        let mut order = Self { keys: [0; 8], at: 0, len: 0 };
-        let mut left = left;
-        while left != 0 {
-            let slot = left.trailing_zeros() % 8;
-            left &= left - 1;
-            let key = enter[slot as usize] & !7 | slot;
-            let mut place = order.len % 8;
-            while is_sorted && place > 0 && order.keys[place - 1] < key {
-                order.keys[place] = order.keys[place - 1];
-                place -= 1;
-            }
-            order.keys[place] = key;
-            order.len += 1;
-        }
-        order
-    }
-}
-
-impl Iterator for Order {
-    type Item = usize;
 
     #[inline(always)]
-    fn next(&mut self) -> Option<usize> {
-        if self.at == self.len {
-            return None;
-        }
-        let key = self.keys[self.at % 8];
-        self.at += 1;
-        Some(key as usize % 8)
+    fn leaf(&mut self, bodies: Range<u32>) {
+        self.visitor.leaf(bodies, self.w.mask(1 << self.lane));
     }
 }
 
@@ -320,15 +231,7 @@ impl<W: Width> PacketBoxes<W> {
     /// One of the rays.
     #[inline(always)]
     fn alone(&self, w: W, lane: usize) -> Lone<W> {
-        let axis = |axis: usize| {
-            let inverse = self.inverses[axis][lane];
-            LoneAxis {
-                near: 2 * axis + usize::from(inverse < 0.0),
-                origin: w.eight_like(self.origins[axis][lane]),
-                inverse: w.eight_like(inverse),
-            }
-        };
-        Lone([axis(0), axis(1), axis(2)])
+        Lone::new(w, self.origins.map(|axis| axis[lane]), self.inverses.map(|axis| axis[lane]))
     }
 
     /// The parameters at which the rays enter a box, at least 0, and those which meet it before `reach`. The far sides
@@ -360,35 +263,32 @@ impl<W: Width> PacketBoxes<W> {
             let at_far = (w.real(node.sides[near ^ 1][slot]) - origin) * inverse;
             return (at_near, at_far);
         }
-        let at_low = (w.real(node.sides[2 * axis][slot]) - origin) * inverse;
-        let at_high = (w.real(node.sides[2 * axis + 1][slot]) - origin) * inverse;
-        (at_low.min(at_high), at_low.max(at_high))
+        cross(w, node, (axis, slot), origin, inverse)
     }
 }
 
-/// Moves far sides outwards by rounding.
-pub(crate) const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
+/// The inverses of the components of directions, none of them infinite.
+#[inline(always)]
+pub(super) fn inverse_of<W: Width>(w: W, direction: Vector<W::R>) -> Vector<W::R> {
+    let (one, tiny) = (w.real(1.0), w.real(super::TINY));
+    direction.map(
+        #[inline(always)]
+        |part: W::R| one / W::R::select(part.abs().lt(tiny), tiny.copysign(part), part),
+    )
+}
 
-impl<W: Width> Lone<W> {
-    /// Where the ray enters the boxes of a node, at least 0, and leaves them; see [`PacketBoxes::enter`].
-    #[inline(always)]
-    fn enter(&self, w: W, node: &Node) -> (W::E, W::E) {
-        let [x, y, z] = &self.0;
-        let to_near = |a: &LoneAxis<W>| (w.eight(&node.sides[a.near % 6]) - a.origin) * a.inverse;
-        let to_far = |a: &LoneAxis<W>| (w.eight(&node.sides[(a.near ^ 1) % 6]) - a.origin) * a.inverse;
-        let enter = to_near(x).max(to_near(y)).max(to_near(z)).max(w.eight_like(0.0));
-        let exit = to_far(x).min(to_far(y)).min(to_far(z));
-        (enter, exit * w.eight_like(WIDEN))
-    }
-
-    /// The boxes that it meets before `reach` and where it enters them, see [`Order::new`].
-    #[inline(always)]
-    fn met(&self, w: W, node: &Node, reach: f32, is_sorted: bool) -> impl Iterator<Item = (usize, f32)> {
-        let (enter, exit) = self.enter(w, node);
-        let met = enter.le(exit.min(w.eight_like(reach)));
-        let words = enter.to_words();
-        Order::new(&words, met, is_sorted).map(move |slot| (slot, f32::from_bits(words[slot])))
-    }
+/// Where rays cross the two sides of a box across one axis, the nearer first.
+#[inline(always)]
+pub(super) fn cross<W: Width>(
+    w: W,
+    node: &Node,
+    (axis, slot): (usize, usize),
+    origin: W::R,
+    inverse: W::R,
+) -> (W::R, W::R) {
+    let at_low = (w.real(node.sides[2 * axis][slot]) - origin) * inverse;
+    let at_high = (w.real(node.sides[2 * axis + 1][slot]) - origin) * inverse;
+    (at_low.min(at_high), at_low.max(at_high))
 }
 
 impl Beam {

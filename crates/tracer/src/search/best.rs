@@ -1,0 +1,95 @@
+//! The nearest hits so far.
+
+use super::Hits;
+use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::ray::POINT_ROUNDING;
+use crate::stage::Stage;
+
+/// The nearest hits so far of one direction through the surface.
+pub(super) struct Nearest<W: Width> {
+    pub(super) t: W::R,
+    pub(super) body: W::W,
+    pub(super) slack: W::R,
+}
+
+/// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
+/// outcome does not depend on the order in which bodies are tested.
+pub(super) struct Best<W: Width> {
+    pub(super) leaving: Nearest<W>,
+    pub(super) entering: Nearest<W>,
+    /// No body beyond this parameter can change the outcome any more.
+    pub(super) reach: W::R,
+    pub(super) start_slack: W::R,
+}
+
+impl<W: Width> Best<W> {
+    #[inline(always)]
+    pub(super) fn new(w: W, start_slack: W::R) -> Self {
+        let none = || Nearest { t: w.real(f32::INFINITY), body: w.word(0), slack: w.real(0.0) };
+        Self { leaving: none(), entering: none(), reach: w.real(f32::INFINITY), start_slack }
+    }
+
+    /// Takes note of hits that lead into a body.
+    #[inline(always)]
+    pub(super) fn enter(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
+        self.entering.offer(w, stage, index, slack, t, lanes);
+        let farthest = w.real(stage.largest_slack);
+        self.reach = self.reach.min(self.entering.t + self.slack_at(self.entering.t, farthest));
+    }
+
+    /// Takes note of hits that lead out of a body.
+    #[inline(always)]
+    pub(super) fn leave(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
+        self.leaving.offer(w, stage, index, slack, t, lanes);
+        self.reach = self.reach.min(self.leaving.t);
+    }
+
+    /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
+    /// this: each slack is twice its bound, so the larger one covers both.
+    #[inline(always)]
+    fn slack_at(&self, t: W::R, larger: W::R) -> W::R {
+        self.start_slack + larger + t * POINT_ROUNDING
+    }
+
+    /// The first hits. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:
+    /// bodies that touch have a film of air between them.
+    #[inline(always)]
+    pub(super) fn first(&self, w: W) -> Hits<W> {
+        let infinity = w.real(f32::INFINITY);
+        let Nearest { t, body, slack } = self.entering;
+        let leaves = self.leaving.t.lt(infinity);
+        let mut hits = Hits { t, body, leaving: leaves & !leaves, hit: t.lt(infinity) | leaves };
+        if leaves.any() {
+            let larger = slack.max(self.leaving.slack);
+            hits.leaving = leaves & self.leaving.t.le(t + self.slack_at(t, larger));
+            hits.t = W::R::select(hits.leaving, self.leaving.t, t);
+            hits.body = W::W::select(hits.leaving, self.leaving.body, body);
+        }
+        hits
+    }
+}
+
+impl<W: Width> Nearest<W> {
+    /// Takes note of hits; of equal ones the body that comes first in the scene counts.
+    #[inline(always)]
+    fn offer(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
+        let mut closer = lanes & t.lt(self.t);
+        let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
+        if equal.any() {
+            closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
+        }
+        self.t = W::R::select(closer, t, self.t);
+        self.body = W::W::select(closer, w.word(index), self.body);
+        self.slack = W::R::select(closer, w.real(slack), self.slack);
+    }
+}
+
+/// Where a body of the scene behind body `index` has been met.
+#[cold]
+#[inline(never)]
+fn later_than<W: Width>(stage: &Stage, index: u32, met: W::W) -> u32 {
+    let mut bodies = [0; MOST_LANES];
+    met.store(&mut bodies);
+    let lanes = bodies.iter().take(W::LANES).enumerate();
+    lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
+}

@@ -1,0 +1,355 @@
+//! The same for rays by the hundred.
+
+use std::ops::Range;
+
+use bytemuck::Zeroable;
+
+use super::{Along, Best, Flight, Hits, Nearest, Passed};
+use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width};
+use crate::media::{Inside, MediaTable};
+use crate::ray::{POINT_ROUNDING, Rays};
+use crate::stage::{Hierarchy, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
+use crate::vector::Vector;
+
+/// Rays that are searched for together, and what they met.
+#[derive(Debug, Zeroable)]
+pub(crate) struct RayStream {
+    rays: StreamRays,
+    entering: NearestRows,
+    leaving: NearestRows,
+    count: usize,
+}
+
+/// The nearest hits so far of one direction through the surface.
+#[derive(Debug, Zeroable)]
+struct NearestRows {
+    t: Row<f32>,
+    body: Row<u32>,
+    slack: Row<f32>,
+}
+
+/// Shadow rays of a stream's hits to one light.
+#[derive(Debug, Zeroable)]
+pub(crate) struct ShadowStream {
+    /// Of those that are blocked, the reach is -∞.
+    rays: StreamRays,
+    /// What the bodies between let through.
+    share: Row<[f32; 4]>,
+    /// What the surface sends on if nothing is between.
+    answer: Row<[f32; 4]>,
+    /// The numbers of those that there are.
+    numbers: Row<u32>,
+    count: usize,
+}
+
+/// Working memory.
+#[derive(Debug, Default)]
+pub(crate) struct StreamMemory {
+    parts: StreamParts,
+    inside: Inside,
+}
+
+impl NearestRows {
+    #[inline(always)]
+    fn load<W: Width>(&self, w: W, at: usize) -> Nearest<W> {
+        Nearest {
+            t: w.load(&self.t[at..]),
+            body: w.load_words(&self.body[at..]),
+            slack: w.load(&self.slack[at..]),
+        }
+    }
+}
+
+impl RayStream {
+    /// Forgets all rays.
+    pub(crate) fn begin(&mut self) {
+        self.count = 0;
+    }
+
+    /// Adds rays; all but the last ones of a stream fill the vectors.
+    #[inline(always)]
+    pub(crate) fn push<W: Width>(&mut self, w: W, rays: &Rays<W>, media: W::W, lanes: W::M) {
+        let never = w.real(f32::INFINITY);
+        self.rays.set(w, self.count, rays, media, never);
+        for nearest in [&mut self.entering, &mut self.leaving] {
+            never.store(&mut nearest.t[self.count..]);
+        }
+        self.count += lanes.bits().count_ones() as usize;
+    }
+
+    /// Looks for the nearest of the bounded bodies that each ray meets.
+    pub(crate) fn search<W: Width>(
+        &mut self,
+        w: W,
+        stage: &Stage,
+        table: &MediaTable,
+        memory: &mut StreamMemory,
+    ) {
+        let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
+        let StreamMemory { parts, inside } = memory;
+        let count = self.count;
+        for (ray, number) in parts.begin()[..count].iter_mut().zip(0..) {
+            *ray = number;
+        }
+        let mut visitor = ForNearest { w, stage, table, inside, stream: self };
+        w.run(
+            #[inline(always)]
+            || bvh.traverse_stream(w, parts, count, &mut visitor),
+        );
+    }
+
+    /// What the rays from number `at` on, which are in `flight`, met, planes included.
+    #[inline(always)]
+    pub(crate) fn hits<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> Hits<W> {
+        let (_, reach) = self.rays.load(w, at);
+        let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
+        let mut best = Best { leaving, entering, reach, start_slack: flight.start_slack };
+        for index in flight.stage.planes() {
+            flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
+        }
+        best.first(w)
+    }
+}
+
+impl ShadowStream {
+    /// Forgets all rays; at most the first `count` will be [put](Self::put).
+    pub(crate) fn begin(&mut self, count: usize) {
+        self.count = 0;
+        self.rays.block(count);
+    }
+
+    /// Whether there are any.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// Adds the rays `lanes` as those from number `at` on, with what they bring if nothing is between.
+    #[inline(always)]
+    pub(crate) fn put<W: Width>(
+        &mut self,
+        w: W,
+        at: usize,
+        rays: &Rays<W>,
+        (media, distance): (W::W, W::R),
+        answer: Vector<W::R>,
+        lanes: W::M,
+    ) {
+        // A body that touches the light does not hide it.
+        let reach = distance * (1.0 - POINT_ROUNDING);
+        let reach = W::R::select(lanes, reach, w.real(f32::NEG_INFINITY));
+        self.rays.set(w, at, rays, media, reach);
+        let (zero, one) = (w.real(0.0), w.real(1.0));
+        w.store_fours([answer.x, answer.y, answer.z, zero], &mut self.answer[at..]);
+        w.store_fours([one, one, one, zero], &mut self.share[at..]);
+        let mut bits = lanes.bits();
+        while bits != 0 {
+            self.numbers[self.count % STREAM] = at as u32 + bits.trailing_zeros();
+            self.count += 1;
+            bits &= bits - 1;
+        }
+    }
+
+    /// Looks for the bounded bodies between.
+    pub(crate) fn search<W: Width>(
+        &mut self,
+        w: W,
+        stage: &Stage,
+        table: &MediaTable,
+        memory: &mut StreamMemory,
+    ) {
+        let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
+        let Self { rays, share, numbers, count, .. } = self;
+        let StreamMemory { parts, inside } = memory;
+        parts.begin()[..*count].copy_from_slice(&numbers[..*count]);
+        let mut visitor = ForShadow { w, stage, table, inside, rays, share };
+        w.run(
+            #[inline(always)]
+            || bvh.traverse_stream(w, parts, *count, &mut visitor),
+        );
+    }
+
+    /// The rays from number `at` on.
+    #[inline(always)]
+    pub(crate) fn rays<W: Width>(&self, w: W, at: usize) -> Rays<W> {
+        self.rays.load(w, at).0
+    }
+
+    /// What the rays from number `at` on, which are in `flight`, bring, and which of them bring any.
+    #[inline(always)]
+    pub(crate) fn brought<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> (W::M, Vector<W::R>) {
+        let (_, reach) = self.rays.load(w, at);
+        let lanes = reach.gt(w.real(f32::NEG_INFINITY)) & flight.lanes;
+        let mut passed: Passed<W> = Passed { lanes, share: vector_at(w, &self.share, at), blocker: 0 };
+        for index in flight.stage.planes() {
+            if !passed.lanes.any() {
+                break;
+            }
+            flight.filter(index, flight.stage.body(index), reach, passed.lanes, &mut passed);
+        }
+        (passed.lanes & !passed.share.is_zero(), vector_at(w, &self.answer, at).times(passed.share))
+    }
+}
+
+/// Shows `take` each of the rays of a vector that is among `lanes`: its place in the vector, and its number.
+#[inline(always)]
+fn each(lanes: u32, rays: &[u32], mut take: impl FnMut(usize, u32)) {
+    let mut bits = lanes;
+    while bits != 0 {
+        let lane = bits.trailing_zeros() as usize % MOST_LANES;
+        bits &= bits - 1;
+        take(lane, rays[lane]);
+    }
+}
+
+/// Looks for the nearest bodies.
+struct ForNearest<'s, W> {
+    w: W,
+    stage: &'s Stage,
+    table: &'s MediaTable,
+    inside: &'s mut Inside,
+    stream: &'s mut RayStream,
+}
+
+impl<W: Width> VisitStream for ForNearest<'_, W> {
+    const NEAREST_FIRST: bool = true;
+
+    #[inline(always)]
+    fn rays(&self) -> &StreamRays {
+        &self.stream.rays
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, bodies: Range<u32>, rays: &[u32], count: usize) {
+        let Self { w, stage, .. } = *self;
+        for at in (0..count).step_by(W::LANES) {
+            let numbers = &rays[at..];
+            let lanes = w.first(count - at);
+            let (rays, media, reach) = self.stream.rays.gather(w, numbers);
+            if stage.has_transparency {
+                self.inside.fill::<W>(self.table, media, lanes);
+            }
+            let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
+            for index in bodies.clone() {
+                let body = stage.body(index);
+                let Some(meeting) = flight.meets(index, body, lanes) else { continue };
+                let entering = meeting.entering & meeting.enter.le(reach);
+                let leaving = meeting.leaving & meeting.exit.le(reach);
+                if entering.any() {
+                    let farthest = w.real(stage.largest_slack);
+                    let reach =
+                        meeting.enter + (flight.start_slack + farthest + meeting.enter * POINT_ROUNDING);
+                    self.stream.offer::<W>(
+                        stage,
+                        (index, body.slack),
+                        true,
+                        meeting.enter,
+                        reach,
+                        entering,
+                        numbers,
+                    );
+                }
+                if leaving.any() {
+                    let t = meeting.exit;
+                    self.stream.offer::<W>(stage, (index, body.slack), false, t, t, leaving, numbers);
+                }
+            }
+        }
+    }
+}
+
+impl RayStream {
+    /// Takes note of hits with a body; see [`Best`].
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "each is a vector of its own")]
+    fn offer<W: Width>(
+        &mut self,
+        stage: &Stage,
+        (index, slack): (u32, f32),
+        is_entering: bool,
+        t: W::R,
+        reach: W::R,
+        lanes: W::M,
+        numbers: &[u32],
+    ) {
+        let Self { rays, entering, leaving, .. } = self;
+        let nearest = if is_entering { entering } else { leaving };
+        let [mut ts, mut reaches] = [[0.0; MOST_LANES]; 2];
+        t.store(&mut ts);
+        reach.store(&mut reaches);
+        each(
+            lanes.bits(),
+            numbers,
+            #[inline(always)]
+            |lane, ray| {
+                let place = ray as usize % STREAM;
+                let (t, old) = (ts[lane], nearest.t[place]);
+                let is_nearer = t < old
+                    || (t == old
+                        && t < f32::INFINITY
+                        && stage.scene_order(index, nearest.body[place]).is_lt());
+                if is_nearer {
+                    (nearest.t[place], nearest.body[place], nearest.slack[place]) = (t, index, slack);
+                    rays.shorten(ray, reaches[lane]);
+                }
+            },
+        );
+    }
+}
+
+/// Looks for what shades.
+struct ForShadow<'s, W> {
+    w: W,
+    stage: &'s Stage,
+    table: &'s MediaTable,
+    inside: &'s mut Inside,
+    rays: &'s mut StreamRays,
+    share: &'s mut Row<[f32; 4]>,
+}
+
+impl<W: Width> VisitStream for ForShadow<'_, W> {
+    const NEAREST_FIRST: bool = false;
+
+    #[inline(always)]
+    fn rays(&self) -> &StreamRays {
+        self.rays
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, bodies: Range<u32>, rays: &[u32], count: usize) {
+        let Self { w, stage, .. } = *self;
+        for at in (0..count).step_by(W::LANES) {
+            let numbers = &rays[at..];
+            let (rays, media, reach) = self.rays.gather(w, numbers);
+            let lanes = w.first(count - at) & reach.gt(w.real(f32::NEG_INFINITY));
+            if !lanes.any() {
+                continue;
+            }
+            let one = w.real(1.0);
+            let mut share = Vector::new(one, one, one);
+            if stage.has_transparency {
+                self.inside.fill::<W>(self.table, media, lanes);
+                let [x, y, z, _] = w.gather(self.share, numbers);
+                share = Vector::new(x, y, z);
+            }
+            let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
+            let mut passed: Passed<W> = Passed { lanes, share, blocker: 0 };
+            for index in bodies.clone() {
+                flight.filter(index, stage.body(index), reach, passed.lanes, &mut passed);
+            }
+            each(
+                (lanes & !passed.lanes).bits(),
+                numbers,
+                #[inline(always)]
+                |_, ray| self.rays.shorten(ray, f32::NEG_INFINITY),
+            );
+            if stage.has_transparency {
+                let mut shares = [[0.0; 4]; MOST_LANES];
+                let Vector { x, y, z } = passed.share;
+                w.store_fours([x, y, z, one], &mut shares);
+                each(passed.lanes.bits(), numbers, |lane, ray| {
+                    self.share[ray as usize % STREAM] = shares[lane];
+                });
+            }
+        }
+    }
+}

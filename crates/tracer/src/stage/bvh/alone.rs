@@ -1,0 +1,160 @@
+//! One ray through the hierarchy, against eight boxes at once.
+
+use std::ops::Range;
+
+use super::{Bvh, Node};
+use crate::lanes::{Eight as _, Width};
+
+/// What is done with the leaves that a ray meets.
+pub(super) trait VisitAlone {
+    /// Whether the nearer leaves are better shown first.
+    const NEAREST_FIRST: bool;
+
+    /// The parameter beyond which nothing is wanted any more.
+    fn reach(&self) -> f32;
+    /// Meets the bodies of a leaf.
+    fn leaf(&mut self, bodies: Range<u32>);
+}
+
+/// A part of the hierarchy that a ray is still to visit.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct LonePart {
+    first: u32,
+    count: u32,
+    /// Where it enters.
+    enter: f32,
+}
+
+/// A ray, for each axis.
+pub(super) struct Lone<W: Width>([LoneAxis<W>; 3]);
+
+struct LoneAxis<W: Width> {
+    /// The side of a node's boxes that it meets first.
+    near: usize,
+    origin: W::E,
+    inverse: W::E,
+}
+
+impl Bvh {
+    /// Shows `visitor` the leaves below a node that a ray meets, mostly the nearer ones first.
+    #[inline(always)]
+    pub(super) fn traverse_alone<W: Width, V: VisitAlone>(
+        &self,
+        w: W,
+        ray: &Lone<W>,
+        index: u32,
+        parts: &mut [LonePart],
+        visitor: &mut V,
+    ) {
+        let mut reach = visitor.reach();
+        let mut index = index;
+        let mut waiting = 0;
+        loop {
+            let node = &self.nodes[index as usize];
+            for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
+                parts[waiting] = LonePart { first: node.first[slot], count: node.count[slot], enter };
+                waiting += 1;
+            }
+            loop {
+                if waiting == 0 {
+                    return;
+                }
+                waiting -= 1;
+                let LonePart { first, count, enter } = parts[waiting];
+                if enter > reach {
+                    continue;
+                }
+                if count == 0 {
+                    index = first;
+                    break;
+                }
+                visitor.leaf(first..first + count);
+                reach = visitor.reach();
+            }
+        }
+    }
+}
+
+impl<W: Width> Lone<W> {
+    #[inline(always)]
+    pub(super) fn new(w: W, origin: [f32; 3], inverse: [f32; 3]) -> Self {
+        let axis = |axis: usize| LoneAxis {
+            near: 2 * axis + usize::from(inverse[axis] < 0.0),
+            origin: w.eight_like(origin[axis]),
+            inverse: w.eight_like(inverse[axis]),
+        };
+        Self([axis(0), axis(1), axis(2)])
+    }
+
+    /// Where the ray enters the boxes of a node, at least 0, and leaves them; see [`PacketBoxes::enter`].
+    ///
+    /// [`PacketBoxes::enter`]: super::packet::PacketBoxes::enter
+    #[inline(always)]
+    pub(super) fn enter(&self, w: W, node: &Node) -> (W::E, W::E) {
+        let [x, y, z] = &self.0;
+        let to_near = |a: &LoneAxis<W>| (w.eight(&node.sides[a.near % 6]) - a.origin) * a.inverse;
+        let to_far = |a: &LoneAxis<W>| (w.eight(&node.sides[(a.near ^ 1) % 6]) - a.origin) * a.inverse;
+        let enter = to_near(x).max(to_near(y)).max(to_near(z)).max(w.eight_like(0.0));
+        let exit = to_far(x).min(to_far(y)).min(to_far(z));
+        (enter, exit * w.eight_like(super::WIDEN))
+    }
+
+    /// The boxes that it meets before `reach` and where it enters them, see [`Order::new`].
+    #[inline(always)]
+    fn met(&self, w: W, node: &Node, reach: f32, is_sorted: bool) -> impl Iterator<Item = (usize, f32)> {
+        let (enter, exit) = self.enter(w, node);
+        let met = enter.le(exit.min(w.eight_like(reach)));
+        let words = enter.to_words();
+        Order::new(&words, met, is_sorted).map(move |slot| (slot, f32::from_bits(words[slot])))
+    }
+}
+
+/// Boxes of a node, perhaps the farthest first.
+pub(super) struct Order {
+    /// Where each is entered, as bits of a number of at least 0, with the number of the box in the lowest bits.
+    keys: [u32; 8],
+    at: usize,
+    len: usize,
+}
+
+impl Order {
+    /// Those of `left`; where they are entered are numbers of at least 0. In any order unless `is_sorted`.
+    #[inline(always)]
+    pub(super) fn new(enter: &[u32; 8], left: u32, is_sorted: bool) -> Self {
+        let mut order = Self { keys: [0; 8], at: 0, len: 0 };
+        let mut left = left;
+        while left != 0 {
+            let slot = left.trailing_zeros() % 8;
+            left &= left - 1;
+            let key = enter[slot as usize] & !7 | slot;
+            let mut place = order.len % 8;
+            while is_sorted && place > 0 && order.keys[place - 1] < key {
+                order.keys[place] = order.keys[place - 1];
+                place -= 1;
+            }
+            order.keys[place] = key;
+            order.len += 1;
+        }
+        order
+    }
+
+    /// All at once, and their number.
+    #[inline(always)]
+    pub(super) fn slots(self) -> ([usize; 8], usize) {
+        (self.keys.map(|key| key as usize % 8), self.len.min(8))
+    }
+}
+
+impl Iterator for Order {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        if self.at == self.len {
+            return None;
+        }
+        let key = self.keys[self.at % 8];
+        self.at += 1;
+        Some(key as usize % 8)
+    }
+}

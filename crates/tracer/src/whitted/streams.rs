@@ -1,0 +1,135 @@
+//! Rays of the tree by the hundred: all are searched for together, then shaded side by side, then all their shadow rays are
+//! searched for together.
+
+use bytemuck::{Zeroable, zeroed_box};
+
+use super::{Beams, Queue, Whitted};
+use crate::lanes::{Mask as _, Width};
+use crate::media::Inside;
+use crate::ray::Rays;
+use crate::search::{Along, Flight, RayStream, ShadowStream, StreamMemory};
+use crate::stage::{Hierarchy, Row, STREAM, vector_at};
+use crate::vector::Vector;
+
+/// A stream of rays with the light that they bring: working memory.
+#[derive(Debug)]
+pub(crate) struct Streams {
+    pub(super) rays: Box<RayStream>,
+    light: Box<StreamLight>,
+    /// By light.
+    shadows: Vec<Box<ShadowStream>>,
+    memory: StreamMemory,
+}
+
+/// What the rays of a stream bring.
+#[derive(Debug, Zeroable)]
+struct StreamLight {
+    /// The light that each brings without that of the lights.
+    own: Row<[f32; 4]>,
+    /// What it counts for its pixel.
+    weight: Row<[f32; 4]>,
+}
+
+impl Default for Streams {
+    fn default() -> Self {
+        Self { rays: zeroed_box(), light: zeroed_box(), shadows: Vec::new(), memory: StreamMemory::default() }
+    }
+}
+
+impl Streams {
+    /// Makes a stream of the first rays of a queue. Their number.
+    #[inline(always)]
+    pub(crate) fn begin<W: Width>(&mut self, w: W, queue: &Queue) -> usize {
+        self.rays.begin();
+        let count = queue.len().min(STREAM);
+        self.shadows.iter_mut().for_each(|shadows| shadows.begin(count));
+        for at in (0..count).step_by(W::LANES) {
+            let beams = queue.look(w, at);
+            self.rays.push(w, &beams.rays, beams.media, beams.lanes);
+        }
+        count
+    }
+
+    /// Keeps light until that of the lights is known.
+    #[inline(always)]
+    pub(super) fn keep<W: Width>(&mut self, w: W, at: usize, light: Vector<W::R>, weight: Vector<W::R>) {
+        let zero = w.real(0.0);
+        w.store_fours([light.x, light.y, light.z, zero], &mut self.light.own[at..]);
+        w.store_fours([weight.x, weight.y, weight.z, zero], &mut self.light.weight[at..]);
+    }
+
+    /// Takes note of shadow rays to a light.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "each is a vector of its own")]
+    pub(super) fn ask<W: Width>(
+        &mut self,
+        w: W,
+        light: usize,
+        at: usize,
+        rays: &Rays<W>,
+        to: (W::W, W::R),
+        answer: Vector<W::R>,
+        lanes: W::M,
+    ) {
+        if self.shadows.len() <= light {
+            self.shadows.resize_with(light + 1, zeroed_box);
+        }
+        self.shadows[light].put(w, at, rays, to, answer, lanes);
+    }
+}
+
+impl Whitted<'_> {
+    /// A stream keeps 320 KB for each light; of more lights than these the shadow rays go by packets.
+    const MOST_LIGHTS: usize = 16;
+
+    /// Whether rays that do not come from the eye are better traced by streams.
+    pub(crate) fn goes_by_streams(&self) -> bool {
+        matches!(self.stage.hierarchy, Hierarchy::Many(_)) && self.stage.lights.len() <= Self::MOST_LIGHTS
+    }
+
+    /// Looks for what the rays of a stream meet.
+    pub(crate) fn search<W: Width>(&self, w: W, streams: &mut Streams) {
+        streams.rays.search(w, self.stage, &self.media, &mut streams.memory);
+    }
+
+    /// Looks for what their shadow rays meet.
+    pub(crate) fn search_shadows<W: Width>(&self, w: W, streams: &mut Streams) {
+        for shadows in streams.shadows.iter_mut().filter(|shadows| !shadows.is_empty()) {
+            shadows.search(w, self.stage, &self.media, &mut streams.memory);
+        }
+    }
+
+    /// What the rays of a stream from number `at` on add to their pixels.
+    #[inline(always)]
+    pub(crate) fn gather<W: Width>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        streams: &Streams,
+        at: usize,
+    ) -> Vector<W::R> {
+        let mut inside = std::mem::take(&mut self.inside);
+        inside.fill::<W>(&self.media, beams.media, beams.lanes);
+        let mut light = vector_at(w, &streams.light.own, at);
+        for shadows in streams.shadows.iter().filter(|shadows| !shadows.is_empty()) {
+            light = self.lit(w, shadows, at, light, beams.lanes, &inside);
+        }
+        self.inside = inside;
+        vector_at(w, &streams.light.weight, at).times(light)
+    }
+
+    #[inline(always)]
+    fn lit<W: Width>(
+        &self,
+        w: W,
+        shadows: &ShadowStream,
+        at: usize,
+        light: Vector<W::R>,
+        lanes: W::M,
+        inside: &Inside,
+    ) -> Vector<W::R> {
+        let flight = Flight::new(w, self.stage, &shadows.rays(w, at), lanes, inside, Along::Anything);
+        let (lit, more) = shadows.brought(w, at, &flight);
+        if lit.any() { Vector::select(lit, light + more, light) } else { light }
+    }
+}
