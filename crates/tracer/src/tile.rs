@@ -169,6 +169,10 @@ impl TileTracer<'_> {
         let across = place.width.div_ceil(width);
         self.whitted.begin(sample, Dice::new(sample, [place.x, place.y], [width, height], across));
         self.whitted.aim(&near, reach);
+        let by_stream = self.whitted.eye_goes_by_streams();
+        if by_stream && self.levels.is_empty() {
+            self.levels.push(Level::default());
+        }
         let mut first = 0;
         for top in (0..place.height).step_by(height) {
             if self.is_cancelled() {
@@ -182,7 +186,12 @@ impl TileTracer<'_> {
                 let lanes = w.mask(Block::<W>::lanes(place, left, top));
                 let pixels = block.pixel.plus(w.word(first as u32));
                 let beams = self.whitted.roots(w, rays, pixels, lanes);
-                let light = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0);
+                let light = if by_stream {
+                    self.levels[0].reflected(beams);
+                    Vector::splat(w.real(0.0), [0.0; 3])
+                } else {
+                    self.follow::<W, FULL>(w, &beams, Origin::Eye, 0)
+                };
                 self.light.set(first, light);
                 first += W::LANES;
             }

@@ -1,4 +1,4 @@
-//! The same for rays by the hundred.
+//! The same for rays by the thousand.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! Rays of the tree by the hundred: all are searched for together, then shaded side by side, then all their shadow rays are
+//! Rays of the tree by the thousand: all are searched for together, then shaded side by side, then all their shadow rays are
 //! searched for together.
 
 use bytemuck::{Zeroable, zeroed_box};
@@ -79,12 +79,19 @@ impl Streams {
 }
 
 impl Whitted<'_> {
-    /// A stream keeps 320 KB for each light; of more lights than these the shadow rays go by packets.
+    /// A stream keeps 320 KB for each light; with more lights than these all rays go by packets.
     const MOST_LIGHTS: usize = 16;
+    /// Among so many bodies even neighbors from the eye part before they meet one.
+    const VERY_MANY: u32 = 50_000;
 
     /// Whether rays that do not come from the eye are better traced by streams.
     pub(crate) fn goes_by_streams(&self) -> bool {
         matches!(self.stage.hierarchy, Hierarchy::Many(_)) && self.stage.lights.len() <= Self::MOST_LIGHTS
+    }
+
+    /// Whether rays from the eye are, too.
+    pub(crate) fn eye_goes_by_streams(&self) -> bool {
+        self.goes_by_streams() && self.stage.bounded >= Self::VERY_MANY
     }
 
     /// Looks for what the rays of a stream meet.

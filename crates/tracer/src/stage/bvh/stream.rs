@@ -1,4 +1,4 @@
-//! Rays by the hundred through the hierarchy.
+//! Rays by the thousand through the hierarchy.
 //!
 //! Rays that fly every which way do not stay together for long: of a packet, one or two are left in the lower half of the
 //! hierarchy. Of a whole stream of rays there are still enough that fill vectors in every node. A node is visited once, with
