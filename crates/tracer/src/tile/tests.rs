@@ -75,6 +75,38 @@ fn the_hierarchy_leaves_out_nothing_that_is_met() {
     }
 }
 
+/// Among very many bodies rays from the eye go by streams, too.
+#[test]
+fn streams_from_the_eye_see_what_single_rays_see() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference/cloud.toml");
+    let mut scene = catoptric_scene::load(file).unwrap().scene;
+    let cloud = std::mem::take(&mut scene.bodies);
+    for number in 0..128 {
+        let offset = -4.0 * glam::UVec3::new(number % 4, number / 4 % 4, number / 16).as_dvec3();
+        scene.bodies.extend(cloud.iter().map(|body| {
+            let mut body = body.clone();
+            body.placement = body.placement.moved_by(offset);
+            body
+        }));
+    }
+    let stage = Stage::prepare(&scene).unwrap();
+    let (light, _) = trace::<false>(&stage, |sample| Lanes::widest().run(sample));
+    let cancel = std::sync::atomic::AtomicBool::new(false);
+    let mut alone = Whitted::new(&stage, &cancel);
+    assert!(alone.eye_goes_by_streams());
+    let size = UVec2::new(SIZE.0 as u32, SIZE.1 as u32);
+    let pixels = Place::all(SIZE.0, SIZE.1).flat_map(|place| {
+        let pixel = move |at| UVec2::new(at % place.width as u32, at / place.width as u32);
+        (0..place.pixels() as u32).map(move |at| UVec2::new(place.x as u32, place.y as u32) + pixel(at))
+    });
+    for (pixel, light) in pixels.zip(light).step_by(7) {
+        let mut sum = glam::DVec3::ZERO;
+        assert!(alone.pixel_rays(pixel, size, 1, usize::MAX, |_, light| sum += light.as_dvec3()));
+        let (alone, off) = (sum.as_vec3(), (sum.as_vec3() - glam::Vec3::from(light)).abs());
+        assert!(off.cmple(f32::EPSILON * alone.abs()).all(), "{pixel}: {light:?} instead of {alone}");
+    }
+}
+
 #[test]
 fn a_block_at_the_border_has_no_pixels_beyond_it() {
     let place = Place { x: 64, y: 0, width: 3, height: 2 };
