@@ -47,8 +47,8 @@ pub struct GpuPass {
 impl GpuFilm {
     /// What a dispatch may take: as long as a few frames of the desktop, which the same card draws.
     const BUDGET: Duration = Duration::from_millis(40);
-    /// The first dispatch has so many tiles, of 1024 pixels.
-    const FIRST_STRIDE: u32 = 32;
+    /// The first dispatch has so many tiles, of 4096 pixels.
+    const FIRST_STRIDE: u32 = 8;
     /// The most that a dispatch can have.
     const MOST_STRIDE: u32 = 65535;
 
@@ -108,7 +108,7 @@ impl GpuFilm {
         self.aim(gpu, camera)?;
         let bindings = self.bind(gpu, on_card)?;
         let frame = Frame::new(stage, camera, self.size);
-        let tiles = (self.tiles.len() / size_of::<TileRays>() as u64) as u32;
+        let tiles = self.tile_count();
         let mut pass =
             GpuPass { on_card: self.report.clock.as_ref().map(|_| Duration::ZERO), ..GpuPass::default() };
         let mut left = samples;
@@ -146,10 +146,13 @@ impl GpuFilm {
         if gpu.info().is_software || self.stride < Self::FIRST_STRIDE { 1 } else { FRAME_PLACES as u32 }
     }
 
+    fn tile_count(&self) -> u32 {
+        (self.tiles.len() / size_of::<TileRays>() as u64) as u32
+    }
+
     /// About how many pixels tiles have.
     fn pixels_of(&self, tiles: u32) -> u64 {
-        let all = self.size.map(|side| u64::from(side.div_ceil(32)));
-        u64::from(self.size[0]) * u64::from(self.size[1]) * u64::from(tiles) / (all[0] * all[1])
+        u64::from(self.size[0]) * u64::from(self.size[1]) * u64::from(tiles) / u64::from(self.tile_count())
     }
 
     /// Sends the rays of a camera that is new.

@@ -60,12 +60,12 @@ struct Film {
 // Rays of a workgroup by kind.
 var<workgroup> group_rays: array<atomic<u32>, 3>;
 
-// A block of 8 × 8 pixels, of which a tile has sixteen, is a workgroup.
+// A block of 8 × 8 pixels is a workgroup.
 @compute @workgroup_size(64)
 fn add_samples(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let tile = frame.first_tile + group.y;
     let corner = vec2(tile % frame.tiles_across, tile / frame.tiles_across) * TILE;
-    let within = vec2(group.x % 4u, group.x / 4u) * 8u + vec2(local % 8u, local / 8u);
+    let within = vec2(group.x % BLOCKS_ACROSS, group.x / BLOCKS_ACROSS) * 8u + vec2(local % 8u, local / 8u);
     let pixel = corner + within;
     if all(pixel < frame.size) {
         let extent = min(vec2(TILE), frame.size - corner);

@@ -25,8 +25,11 @@ pub use pictures::{PICTURES_ACROSS, Pictures, Texel};
 pub const FILM_HEAD: u64 = 32;
 /// Bytes to a pixel of a film: its light and the number of the body in it.
 pub const FILM_PIXEL: u64 = 16;
-/// Blocks of 64 pixels to a tile, the first number of a dispatch.
-pub const TILE_BLOCKS: u32 = 16;
+/// Blocks of 8 × 8 pixels along the side of a tile.
+const BLOCKS_ACROSS: u32 = (TILE / 8) as u32;
+/// Blocks of 8 × 8 pixels to a tile, the first number of a dispatch.
+pub const TILE_BLOCKS: u32 = BLOCKS_ACROSS * BLOCKS_ACROSS;
+const _: () = assert!(TILE.is_multiple_of(8), "a tile is made of whole blocks");
 /// The function to dispatch.
 pub const ENTRY_POINT: &str = "add_samples";
 
@@ -158,6 +161,7 @@ fn constants(special: &Specialization) -> Constants {
         ("FALLOFF_NONE", bytes::FALLOFF_NONE),
         ("FALLOFF_LINEAR", bytes::FALLOFF_LINEAR),
         ("TILE", TILE as u32),
+        ("BLOCKS_ACROSS", BLOCKS_ACROSS),
         ("MOST_RAYS", MOST_RAYS),
         ("MOST_SAMPLES", FRAME_PLACES as u32),
         ("DEPTH", special.depth.max(1)),

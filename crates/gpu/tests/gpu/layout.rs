@@ -142,7 +142,7 @@ fn frames_and_rays_are_read_where_they_are_written() {
     let mut scene = scene(2);
     scene.camera = Camera { projection: Projection::Parallel { height: 4.0 }, ..scene.camera };
     let stage = Stage::prepare(&scene).unwrap();
-    let frame = Frame::new(&stage, stage.camera(), [70, 40]).dispatch(5, 1, 2);
+    let frame = Frame::new(&stage, stage.camera(), [140, 80]).dispatch(5, 1, 2);
     let bytes = bytemuck::bytes_of(&frame);
     let word_of = |member| word(bytes, offset(&few, "Frame", member));
     let members = ["tiles_across", "first_tile", "bounded", "bodies", "lights", "samples_done", "samples"];
@@ -151,14 +151,14 @@ fn frames_and_rays_are_read_where_they_are_written() {
         number(bytes, offset(&few, "Frame", "places")),
         (0.5_f64 + 0.754_877_666_246_692_8).fract() as f32
     );
-    let rays = tile_rays(stage.camera(), [70, 40]);
+    let rays = tile_rays(stage.camera(), [140, 80]);
     assert_eq!(rays.len(), 6);
     let bytes = bytemuck::bytes_of(&rays[0]);
     assert_eq!(word(bytes, offset(&few, "RaysNear", "is_parallel")), 1);
     let across: Vec<f32> =
         (0..3).map(|axis| number(bytes, offset(&few, "RaysNear", "across") + 4 * axis)).collect();
     let length = across.iter().map(|part| part * part).sum::<f32>().sqrt();
-    assert!((length - 4.0 / 40.0).abs() < 1e-6, "{across:?}");
+    assert!((length - 4.0 / 80.0).abs() < 1e-6, "{across:?}");
 }
 
 #[test]
