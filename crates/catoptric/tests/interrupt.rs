@@ -8,28 +8,7 @@ use std::process::{Child, Command};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use common::{Folder, NOTHING, Ran, skip};
-
-/// Whether signals can be sent, and this process has not been told to ignore Ctrl-C, which children inherit.
-fn signals_work() -> bool {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
-    if ignored & 0b100_0000_0000_0011 != 0 {
-        skip("signals are ignored here, as in a background job");
-        return false;
-    }
-    if Command::new("kill").arg("-l").output().is_err() {
-        skip("there is no command `kill`");
-        return false;
-    }
-    true
-}
-
-fn signal(child: &Child, name: &str) {
-    let sent = Command::new("kill").args([format!("-{name}"), child.id().to_string()]).status();
-    assert!(sent.unwrap().success());
-}
+use common::{Folder, NOTHING, Ran, signal, signals_work, skip};
 
 /// Runs the program, sends it a signal in the midst of its work, and waits for the end.
 fn interrupted(folder: &Folder, line: &str, name: &str) -> Ran {

@@ -118,3 +118,26 @@ pub(crate) fn skip(reason: &str) {
     // Unlike what is printed, this is also seen of a test that passes.
     let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {reason}");
 }
+
+/// Whether signals can be sent, and this process has not been told to ignore Ctrl-C, which children inherit.
+#[cfg(unix)]
+pub(crate) fn signals_work() -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
+    if ignored & 0b100_0000_0000_0011 != 0 {
+        skip("signals are ignored here, as in a background job");
+        return false;
+    }
+    if Command::new("kill").arg("-l").output().is_err() {
+        skip("there is no command `kill`");
+        return false;
+    }
+    true
+}
+
+#[cfg(unix)]
+pub(crate) fn signal(child: &std::process::Child, name: &str) {
+    let sent = Command::new("kill").args([format!("-{name}"), child.id().to_string()]).status();
+    assert!(sent.unwrap().success());
+}
