@@ -32,6 +32,8 @@ pub(crate) struct Hits<W: Width> {
     pub t: W::R,
     pub body: W::W,
     pub leaving: W::M,
+    /// The face of the body's [`Span`](crate::shape::Span).
+    pub face: W::R,
     /// The rays that meet one at all.
     pub hit: W::M,
 }
@@ -49,10 +51,12 @@ struct Meeting<W: Width> {
     /// Those that enter it, and where.
     entering: W::M,
     enter: W::R,
+    enter_face: W::R,
     /// Those that leave it without having entered.
     leaving: W::M,
     /// Where all of them leave it.
     exit: W::R,
+    exit_face: W::R,
 }
 
 /// Where rays cross a body's surface before a light.
@@ -252,12 +256,12 @@ impl<'a, W: Width> Flight<'a, W> {
 
     #[inline(always)]
     fn test(&self, index: u32, body: &StageBody, lanes: W::M, best: &mut Best<W>) {
-        let Some(Meeting { entering, enter, leaving, exit }) = self.meets(index, body, lanes) else { return };
-        if entering.any() {
-            best.enter(self.w, self.stage, index, body.slack, enter, entering);
+        let Some(meeting) = self.meets(index, body, lanes) else { return };
+        if meeting.entering.any() {
+            best.enter(self.w, self.stage, (index, body.slack), &meeting);
         }
-        if leaving.any() {
-            best.leave(self.w, self.stage, index, body.slack, exit, leaving);
+        if meeting.leaving.any() {
+            best.leave(self.w, self.stage, (index, body.slack), &meeting);
         }
     }
 
@@ -327,7 +331,7 @@ impl<'a, W: Width> Flight<'a, W> {
         if !lanes.any() {
             return None;
         }
-        let Meeting { entering, enter, leaving, exit } = self.meeting(body, lanes, inside);
+        let Meeting { entering, enter, leaving, exit, .. } = self.meeting(body, lanes, inside);
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
         if !(in_front | behind).any() {
@@ -372,8 +376,10 @@ impl<'a, W: Width> Flight<'a, W> {
         let mut meeting = Meeting {
             entering: ahead & enters,
             enter: span.enter,
+            enter_face: span.enter_face,
             leaving: lanes & inside,
             exit: exit_of(&span),
+            exit_face: span.exit_face,
         };
         let within = ahead & !enters;
         if within.any() {

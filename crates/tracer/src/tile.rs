@@ -192,7 +192,7 @@ impl TileTracer<'_> {
                 } else {
                     self.follow::<W, FULL>(w, &beams, Origin::Eye, 0)
                 };
-                self.light.set(first, light);
+                self.light.set(w, first, light);
                 first += W::LANES;
             }
         }
@@ -219,7 +219,7 @@ impl TileTracer<'_> {
             } else if self.waiting(at) > 0 {
                 let beams = self.levels[at].take(w);
                 let light = self.follow::<W, FULL>(w, &beams, Origin::Anywhere, at + 1);
-                self.light.add(&beams, light);
+                self.light.add(w, &beams, light);
                 if self.waiting(at + 1) >= Self::MOST_WAITING {
                     at += 1;
                 }
@@ -253,7 +253,7 @@ impl TileTracer<'_> {
         for at in (0..count).step_by(W::LANES) {
             let beams = queue.look(w, at);
             let light = self.whitted.gather(w, &beams, streams, at);
-            self.light.add(&beams, light);
+            self.light.add(w, &beams, light);
         }
         queue.skip(count);
     }

@@ -1,6 +1,6 @@
 //! The nearest hits so far.
 
-use super::Hits;
+use super::{Hits, Meeting};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::ray::POINT_ROUNDING;
 use crate::stage::Stage;
@@ -9,6 +9,7 @@ use crate::stage::Stage;
 pub(super) struct Nearest<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
+    pub(super) face: W::R,
     pub(super) slack: W::R,
 }
 
@@ -25,22 +26,23 @@ pub(super) struct Best<W: Width> {
 impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn new(w: W, start_slack: W::R) -> Self {
-        let none = || Nearest { t: w.real(f32::INFINITY), body: w.word(0), slack: w.real(0.0) };
-        Self { leaving: none(), entering: none(), reach: w.real(f32::INFINITY), start_slack }
+        let (infinity, zero) = (w.real(f32::INFINITY), w.real(0.0));
+        let none = || Nearest { t: infinity, body: w.word(0), face: zero, slack: zero };
+        Self { leaving: none(), entering: none(), reach: infinity, start_slack }
     }
 
     /// Takes note of hits that lead into a body.
     #[inline(always)]
-    pub(super) fn enter(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
-        self.entering.offer(w, stage, index, slack, t, lanes);
+    pub(super) fn enter(&mut self, w: W, stage: &Stage, (index, slack): (u32, f32), meeting: &Meeting<W>) {
+        self.entering.offer(w, stage, (index, slack), (meeting.enter, meeting.enter_face), meeting.entering);
         let farthest = w.real(stage.largest_slack);
         self.reach = self.reach.min(self.entering.t + self.slack_at(self.entering.t, farthest));
     }
 
     /// Takes note of hits that lead out of a body.
     #[inline(always)]
-    pub(super) fn leave(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
-        self.leaving.offer(w, stage, index, slack, t, lanes);
+    pub(super) fn leave(&mut self, w: W, stage: &Stage, (index, slack): (u32, f32), meeting: &Meeting<W>) {
+        self.leaving.offer(w, stage, (index, slack), (meeting.exit, meeting.exit_face), meeting.leaving);
         self.reach = self.reach.min(self.leaving.t);
     }
 
@@ -56,13 +58,14 @@ impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn first(&self, w: W) -> Hits<W> {
         let infinity = w.real(f32::INFINITY);
-        let Nearest { t, body, slack } = self.entering;
+        let Nearest { t, body, face, slack } = self.entering;
         let leaves = self.leaving.t.lt(infinity);
-        let mut hits = Hits { t, body, leaving: leaves & !leaves, hit: t.lt(infinity) | leaves };
+        let mut hits = Hits { t, body, leaving: leaves & !leaves, face, hit: t.lt(infinity) | leaves };
         if leaves.any() {
             let larger = slack.max(self.leaving.slack);
             hits.leaving = leaves & self.leaving.t.le(t + self.slack_at(t, larger));
             hits.t = W::R::select(hits.leaving, self.leaving.t, t);
+            hits.face = W::R::select(hits.leaving, self.leaving.face, face);
             hits.body = W::W::select(hits.leaving, self.leaving.body, body);
         }
         hits
@@ -72,7 +75,14 @@ impl<W: Width> Best<W> {
 impl<W: Width> Nearest<W> {
     /// Takes note of hits; of equal ones the body that comes first in the scene counts.
     #[inline(always)]
-    fn offer(&mut self, w: W, stage: &Stage, index: u32, slack: f32, t: W::R, lanes: W::M) {
+    fn offer(
+        &mut self,
+        w: W,
+        stage: &Stage,
+        (index, slack): (u32, f32),
+        (t, face): (W::R, W::R),
+        lanes: W::M,
+    ) {
         let mut closer = lanes & t.lt(self.t);
         let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
         if equal.any() {
@@ -80,6 +90,7 @@ impl<W: Width> Nearest<W> {
         }
         self.t = W::R::select(closer, t, self.t);
         self.body = W::W::select(closer, w.word(index), self.body);
+        self.face = W::R::select(closer, face, self.face);
         self.slack = W::R::select(closer, w.real(slack), self.slack);
     }
 }

@@ -25,6 +25,7 @@ pub(crate) struct RayStream {
 struct NearestRows {
     t: Row<f32>,
     body: Row<u32>,
+    face: Row<f32>,
     slack: Row<f32>,
 }
 
@@ -55,6 +56,7 @@ impl NearestRows {
         Nearest {
             t: w.load(&self.t[at..]),
             body: w.load_words(&self.body[at..]),
+            face: w.load(&self.face[at..]),
             slack: w.load(&self.slack[at..]),
         }
     }
@@ -242,7 +244,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                         stage,
                         (index, body.slack),
                         true,
-                        meeting.enter,
+                        (meeting.enter, meeting.enter_face),
                         reach,
                         entering,
                         numbers,
@@ -250,7 +252,8 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                 }
                 if leaving.any() {
                     let t = meeting.exit;
-                    self.stream.offer::<W>(stage, (index, body.slack), false, t, t, leaving, numbers);
+                    let met = (t, meeting.exit_face);
+                    self.stream.offer::<W>(stage, (index, body.slack), false, met, t, leaving, numbers);
                 }
             }
         }
@@ -266,15 +269,16 @@ impl RayStream {
         stage: &Stage,
         (index, slack): (u32, f32),
         is_entering: bool,
-        t: W::R,
+        (t, face): (W::R, W::R),
         reach: W::R,
         lanes: W::M,
         numbers: &[u32],
     ) {
         let Self { rays, entering, leaving, .. } = self;
         let nearest = if is_entering { entering } else { leaving };
-        let [mut ts, mut reaches] = [[0.0; MOST_LANES]; 2];
+        let [mut ts, mut faces, mut reaches] = [[0.0; MOST_LANES]; 3];
         t.store(&mut ts);
+        face.store(&mut faces);
         reach.store(&mut reaches);
         each(
             lanes.bits(),
@@ -288,7 +292,8 @@ impl RayStream {
                         && t < f32::INFINITY
                         && stage.scene_order(index, nearest.body[place]).is_lt());
                 if is_nearer {
-                    (nearest.t[place], nearest.body[place], nearest.slack[place]) = (t, index, slack);
+                    (nearest.t[place], nearest.body[place]) = (t, index);
+                    (nearest.face[place], nearest.slack[place]) = (faces[lane], slack);
                     rays.shorten(ray, reaches[lane]);
                 }
             },

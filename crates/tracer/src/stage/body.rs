@@ -33,7 +33,9 @@ pub(crate) struct StageBody {
     /// Index into the stage's checkers, or [`NO_BODY`].
     pub checker: u32,
     /// [`ShapeKind`] as a number.
-    pub kind: u16,
+    pub kind: u8,
+    /// 1 if each axis of the frame is parallel to the same one of the world, else 0.
+    pub aligned: u8,
     /// 1 if light passes through, else 0.
     pub transparent: u16,
 }
@@ -55,15 +57,17 @@ impl StageBody {
             _ => world_from_body.matrix3.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs())),
         };
         let radius = world_from_body.matrix3.x_axis.length() as f32;
+        let (body_from_world, world_from_body_rows) = (rows(&inverse), rows(&world_from_body.matrix3));
         let prepared = Self {
-            body_from_world: rows(&inverse),
-            world_from_body: rows(&world_from_body.matrix3),
+            body_from_world,
+            world_from_body: world_from_body_rows,
             origin: world_from_body.translation.as_vec3().to_array(),
             slack: POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
             parameter: if kind == ShapeKind::Sphere { radius } else { cone_ratio },
             material: 0,
             checker: NO_BODY,
-            kind: kind as u16,
+            kind: kind as u8,
+            aligned: u8::from([body_from_world, world_from_body_rows].iter().all(is_diagonal)),
             transparent: 0,
         };
         (prepared, Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio)))
@@ -114,7 +118,7 @@ impl StageBody {
     /// Whether the body is a sphere, which needs no sphere around it.
     #[inline(always)]
     pub(crate) fn is_sphere(&self) -> bool {
-        self.kind == ShapeKind::Sphere as u16
+        self.kind == ShapeKind::Sphere as u8
     }
 
     /// Whether light passes through the body.
@@ -134,15 +138,15 @@ impl StageBody {
                 let [_, up, _] = self.body_from_world;
                 plane_span(along(up, local), along(up, direction))
             }
-            _ => canonical.span(mul(&self.body_from_world, local), mul(&self.body_from_world, direction)),
+            _ => canonical.span(self.into_body(local), self.into_body(direction)),
         }
     }
 
     /// |cos| of the angle between a line of the world and the normal of the face that it crosses at `t`.
     #[inline(always)]
     pub(crate) fn cosine<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, t: R, face: R) -> R {
-        let point = self.point_in_body(origin) + mul(&self.body_from_world, direction) * t;
-        let normal = mul_transposed(&self.body_from_world, self.canonical().normal(face, point));
+        let point = self.point_in_body(origin) + self.into_body(direction) * t;
+        let normal = self.normal_into_world(self.canonical().normal(face, point));
         normal.normalize_or(Vector::splat(t, [0.0; 3])).dot(direction).abs()
     }
 
@@ -159,14 +163,32 @@ impl StageBody {
 
     #[inline(always)]
     fn point_in_body<R: Real>(&self, point: Vector<R>) -> Vector<R> {
-        mul(&self.body_from_world, self.relative(point))
+        self.into_body(self.relative(point))
+    }
+
+    /// The linear part of the way into the body's frame.
+    #[inline(always)]
+    fn into_body<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+        if self.aligned == 1 { scale(&self.body_from_world, v) } else { mul(&self.body_from_world, v) }
+    }
+
+    #[inline(always)]
+    fn into_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+        if self.aligned == 1 { scale(&self.world_from_body, v) } else { mul(&self.world_from_body, v) }
+    }
+
+    /// Normals go back by the inverse transpose.
+    #[inline(always)]
+    fn normal_into_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+        if self.aligned == 1 {
+            scale(&self.body_from_world, v)
+        } else {
+            mul_transposed(&self.body_from_world, v)
+        }
     }
 
     /// The point where a line of the world, of a direction of length 1, crosses the body's surface at parameter `t`, on
     /// the way out where it is `leaving`, pulled onto the surface, and the normal there, facing the line's start.
-    ///
-    /// All is computed in the body's frame, where numbers are small.
-    #[inline(always)]
     pub(crate) fn surface_point<R: Real>(
         &self,
         origin: Vector<R>,
@@ -174,31 +196,44 @@ impl StageBody {
         t: R,
         leaving: R::Mask,
     ) -> SurfacePoint<R> {
+        let span = self.span(origin, direction);
+        let face = R::select(leaving, span.exit_face, span.enter_face);
+        self.point_on_face((origin, direction), t, leaving, face)
+    }
+
+    /// The same where the face is known from [`Self::span`].
+    ///
+    /// All is computed in the body's frame, where numbers are small.
+    #[inline(always)]
+    pub(crate) fn point_on_face<R: Real>(
+        &self,
+        (origin, direction): (Vector<R>, Vector<R>),
+        t: R,
+        leaving: R::Mask,
+        face: R,
+    ) -> SurfacePoint<R> {
         let canonical = self.canonical();
         if canonical.kind == ShapeKind::Sphere {
             let up = Vector::splat(t, [0.0, 1.0, 0.0]);
             let normal = (self.relative(origin) + direction * t).normalize_or(up);
             let around = normal * t.like(self.parameter);
-            let in_body = mul(&self.body_from_world, around);
+            let in_body = self.into_body(around);
             let normal = Vector::select(leaving, -normal, normal);
             return SurfacePoint { in_body, in_world: around.plus_all(self.origin), normal };
         }
         let origin = self.point_in_body(origin);
-        let direction = mul(&self.body_from_world, direction);
+        let direction = self.into_body(direction);
         if canonical.kind == ShapeKind::Plane {
             let zero = t.like(0.0);
             let in_body = origin + direction * t;
             let in_body = Vector::new(in_body.x, zero, in_body.z);
-            let in_world = mul(&self.world_from_body, in_body).plus_all(self.origin);
+            let in_world = self.into_world(in_body).plus_all(self.origin);
             let normal = Vector::splat(t, self.body_from_world[1]);
             return SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) };
         }
-        let span = canonical.span(origin, direction);
-        let face = R::select(leaving, span.exit_face, span.enter_face);
         let in_body = canonical.pull_to_surface(face, origin + direction * t);
-        let in_world = mul(&self.world_from_body, in_body).plus_all(self.origin);
-        // Normals go back by the inverse transpose.
-        let normal = mul_transposed(&self.body_from_world, canonical.normal(face, in_body));
+        let in_world = self.into_world(in_body).plus_all(self.origin);
+        let normal = self.normal_into_world(canonical.normal(face, in_body));
         let normal = normal.normalize_or(Vector::splat(t, [0.0, 1.0, 0.0]));
         SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) }
     }
@@ -217,6 +252,20 @@ pub(crate) struct SurfacePoint<R> {
 #[inline(always)]
 pub(super) fn mul<R: Real>(rows: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
     Vector::new(along(rows[0], v), along(rows[1], v), along(rows[2], v))
+}
+
+/// The same of a diagonal matrix. Adding 0 takes the sign from a zero, as the other terms would: a line along a layer
+/// has one side of it only.
+#[inline(always)]
+fn scale<R: Real>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
+    Vector::new(v.x * a[0] + 0.0, v.y * b[1] + 0.0, v.z * c[2] + 0.0)
+}
+
+fn is_diagonal(rows: &[[f32; 3]; 3]) -> bool {
+    let off = |(row, numbers): (usize, &[f32; 3])| {
+        numbers.iter().enumerate().all(|(column, &number)| row == column || number == 0.0)
+    };
+    rows.iter().enumerate().all(off)
 }
 
 #[inline(always)]
@@ -283,4 +332,57 @@ fn is_even(transform: &DAffine3) -> bool {
     let DMat3 { x_axis, y_axis, z_axis } = transform.matrix3;
     let length = x_axis.length();
     (y_axis.length() - length).abs().max((z_axis.length() - length).abs()) <= ROUNDING * length
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Anchor, Placement};
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn point(extent: f64) -> impl Strategy<Value = DVec3> {
+        [-extent..extent, -extent..extent, -extent..extent].prop_map(DVec3::from)
+    }
+
+    fn body(shape: Shape, position: DVec3, scale: DVec3, rotation_degrees: DVec3) -> StageBody {
+        let anchor = Anchor::Frame { position, rotation_degrees };
+        StageBody::new(&Body { shape, placement: Placement { anchor, scale }, ..Body::default() }).0
+    }
+
+    proptest! {
+        /// The shorter way through a frame along the world's axes leads to the same points.
+        #[test]
+        fn aligned_frames_are_frames(
+            shape in 0..4_usize,
+            position in point(10.0),
+            scale in [0.1..5.0_f64, 0.1..5.0, 0.1..5.0].prop_map(DVec3::from),
+            eye in point(20.0),
+            aim in point(1.0),
+        ) {
+            let shape = [
+                Shape::Sphere { radius: 1.0 },
+                Shape::Cube { size: DVec3::splat(2.0) },
+                Shape::Cylinder { radius: 1.0, height: 2.0 },
+                Shape::Cone { radius: 1.0, top_radius: 0.5, height: 2.0 },
+            ][shape].clone();
+            let aligned = body(shape.clone(), position, scale, DVec3::ZERO);
+            prop_assert_eq!(aligned.aligned, 1);
+            prop_assert_eq!(body(shape, position, scale, DVec3::new(0.0, 30.0, 0.0)).aligned, 0);
+            let any = StageBody { aligned: 0, ..aligned };
+            let direction = (position + aim - eye).normalize().as_vec3().into();
+            let eye = eye.as_vec3().into();
+            let [span, other] = [aligned, any].map(|body| body.span(eye, direction));
+            prop_assert_eq!(span.hit, other.hit);
+            if span.hit {
+                let all = |span: Span| [span.enter, span.exit, span.enter_face, span.exit_face];
+                prop_assert_eq!(all(span), all(other));
+                let [here, there] = [aligned, any].map(|body| {
+                    let point = body.surface_point(eye, direction, span.enter, false);
+                    [point.in_body, point.in_world, point.normal].map(|v| [v.x, v.y, v.z])
+                });
+                prop_assert_eq!(here, there);
+            }
+        }
+    }
 }

@@ -8,7 +8,7 @@ struct Body {
     parameter: f32,
     material: u32,
     checker: u32,
-    // The kind of shape in the lower half, whether light passes through in the upper.
+    // The kind of shape in the lowest byte, whether light passes through in the upper half.
     kind_and_transparent: u32,
 }
 
@@ -19,7 +19,7 @@ struct SurfacePoint {
 }
 
 fn body_kind(index: u32) -> u32 {
-    return bodies[index].kind_and_transparent & 0xffffu;
+    return bodies[index].kind_and_transparent & 0xffu;
 }
 
 fn body_is_transparent(index: u32) -> bool {

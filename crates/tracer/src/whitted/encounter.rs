@@ -109,7 +109,7 @@ impl<W: Width> Encounter<W> {
     ) {
         let material = stage.material(body);
         let zero = w.real(0.0);
-        let point = body.surface_point(rays.origin, rays.direction, hits.t, hits.leaving);
+        let point = body.point_on_face((rays.origin, rays.direction), hits.t, hits.leaving, hits.face);
         let mut color = Vector::splat(zero, material.color);
         if FULL {
             color = material.color_at(w, body, point.in_body, lanes);

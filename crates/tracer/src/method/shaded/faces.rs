@@ -44,7 +44,7 @@ pub(super) struct Faces {
 
 /// Meshes of shapes that many bodies share, by their kinds.
 #[derive(Default)]
-pub(super) struct Meshes(HashMap<u16, Arc<Mesh>>);
+pub(super) struct Meshes(HashMap<u8, Arc<Mesh>>);
 
 impl Meshes {
     fn of(&mut self, body: &StageBody, camera: &StageCamera, fineness: u32) -> Arc<Mesh> {
