@@ -138,15 +138,15 @@ impl StageBody {
                 let [_, up, _] = self.body_from_world;
                 plane_span(along(up, local), along(up, direction))
             }
-            _ => canonical.span(self.into_body(local), self.into_body(direction)),
+            _ => canonical.span(self.vector_in_body(local), self.vector_in_body(direction)),
         }
     }
 
     /// |cos| of the angle between a line of the world and the normal of the face that it crosses at `t`.
     #[inline(always)]
     pub(crate) fn cosine<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, t: R, face: R) -> R {
-        let point = self.point_in_body(origin) + self.into_body(direction) * t;
-        let normal = self.normal_into_world(self.canonical().normal(face, point));
+        let point = self.point_in_body(origin) + self.vector_in_body(direction) * t;
+        let normal = self.normal_in_world(self.canonical().normal(face, point));
         normal.normalize_or(Vector::splat(t, [0.0; 3])).dot(direction).abs()
     }
 
@@ -163,23 +163,23 @@ impl StageBody {
 
     #[inline(always)]
     fn point_in_body<R: Real>(&self, point: Vector<R>) -> Vector<R> {
-        self.into_body(self.relative(point))
+        self.vector_in_body(self.relative(point))
     }
 
     /// The linear part of the way into the body's frame.
     #[inline(always)]
-    fn into_body<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+    fn vector_in_body<R: Real>(&self, v: Vector<R>) -> Vector<R> {
         if self.aligned == 1 { scale(&self.body_from_world, v) } else { mul(&self.body_from_world, v) }
     }
 
     #[inline(always)]
-    fn into_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+    fn vector_in_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
         if self.aligned == 1 { scale(&self.world_from_body, v) } else { mul(&self.world_from_body, v) }
     }
 
     /// Normals go back by the inverse transpose.
     #[inline(always)]
-    fn normal_into_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+    fn normal_in_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
         if self.aligned == 1 {
             scale(&self.body_from_world, v)
         } else {
@@ -217,23 +217,23 @@ impl StageBody {
             let up = Vector::splat(t, [0.0, 1.0, 0.0]);
             let normal = (self.relative(origin) + direction * t).normalize_or(up);
             let around = normal * t.like(self.parameter);
-            let in_body = self.into_body(around);
+            let in_body = self.vector_in_body(around);
             let normal = Vector::select(leaving, -normal, normal);
             return SurfacePoint { in_body, in_world: around.plus_all(self.origin), normal };
         }
         let origin = self.point_in_body(origin);
-        let direction = self.into_body(direction);
+        let direction = self.vector_in_body(direction);
         if canonical.kind == ShapeKind::Plane {
             let zero = t.like(0.0);
             let in_body = origin + direction * t;
             let in_body = Vector::new(in_body.x, zero, in_body.z);
-            let in_world = self.into_world(in_body).plus_all(self.origin);
+            let in_world = self.vector_in_world(in_body).plus_all(self.origin);
             let normal = Vector::splat(t, self.body_from_world[1]);
             return SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) };
         }
         let in_body = canonical.pull_to_surface(face, origin + direction * t);
-        let in_world = self.into_world(in_body).plus_all(self.origin);
-        let normal = self.normal_into_world(canonical.normal(face, in_body));
+        let in_world = self.vector_in_world(in_body).plus_all(self.origin);
+        let normal = self.normal_in_world(canonical.normal(face, in_body));
         let normal = normal.normalize_or(Vector::splat(t, [0.0, 1.0, 0.0]));
         SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) }
     }
@@ -365,8 +365,8 @@ mod tests {
                 Shape::Cube { size: DVec3::splat(2.0) },
                 Shape::Cylinder { radius: 1.0, height: 2.0 },
                 Shape::Cone { radius: 1.0, top_radius: 0.5, height: 2.0 },
-            ][shape].clone();
-            let aligned = body(shape.clone(), position, scale, DVec3::ZERO);
+            ][shape];
+            let aligned = body(shape, position, scale, DVec3::ZERO);
             prop_assert_eq!(aligned.aligned, 1);
             prop_assert_eq!(body(shape, position, scale, DVec3::new(0.0, 30.0, 0.0)).aligned, 0);
             let any = StageBody { aligned: 0, ..aligned };
