@@ -357,7 +357,7 @@ impl Page<'_> {
         };
         let (passed, power) = (exact_color(shadow.passed), exact_color(sent.power));
         let light = exact_color(sent.light);
-        self.line("", &format!("V·A(d)·I·(…) = {passed} × {power} × {terms} = {light}"));
+        self.line("", &format!("A(d)·I·(…)·V = {power} × {terms} × {passed} = {light}"));
     }
 
     /// What lies between a point and a light.

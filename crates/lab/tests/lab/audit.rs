@@ -57,7 +57,7 @@ fn assert_sound(audit: &Audit) {
                     assert_eq!(sent.diffuse, diffuse);
                 }
                 let sum = sent.diffuse + sent.highlight + sent.glints;
-                assert_eq!(sent.light, shadow.passed * sent.power * sum);
+                assert_eq!(sent.light, sent.power * sum * shadow.passed);
                 let filters = shadow.crossings.iter().map(|crossing| crossing.filter.unwrap());
                 let passed: Vec3 = filters.product();
                 assert!((shadow.passed - passed).abs().max_element() < 1e-6, "ray {place}: its shadow");
