@@ -5,7 +5,7 @@ mod light;
 use glam::{DVec2, UVec2, Vec2};
 
 use crate::counts::RayCounts;
-use crate::lanes::{Lanes, MOST_LANES, Width, Word as _, Work};
+use crate::lanes::{Lanes, MOST_LANES, Mask as _, Width, Word as _, Work};
 use crate::render::Control;
 use crate::sampling::sample_offset;
 use crate::stage::{RaysNear, Stage, StageCamera};
@@ -155,6 +155,12 @@ impl TileTracer<'_> {
     /// So many rays of a level may wait; then the level behind it is traced, so that memory is bounded.
     const MOST_WAITING: usize = 4096;
 
+    /// Packets of a level between two looks at how many rays wait elsewhere.
+    const AT_ONCE: usize = 16;
+
+    /// So many of 16 rays of a packet at least go on together.
+    const NEARLY_ALL: usize = 13;
+
     fn is_cancelled(&self) -> bool {
         self.whitted.cancel.load(std::sync::atomic::Ordering::Relaxed)
     }
@@ -186,13 +192,17 @@ impl TileTracer<'_> {
                 let lanes = w.mask(Block::<W>::lanes(place, left, top));
                 let pixels = block.pixel.plus(w.word(first as u32));
                 let beams = self.whitted.roots(w, rays, pixels, lanes);
-                let light = if by_stream {
-                    self.levels[0].reflected(beams);
-                    Vector::splat(w.real(0.0), [0.0; 3])
+                let mut light = Vector::splat(w.real(0.0), [0.0; 3]);
+                let mut next = None;
+                if by_stream {
+                    self.levels[0].reflected.push(&beams);
                 } else {
-                    self.follow::<W, FULL>(w, &beams, Origin::Eye, 0)
-                };
-                self.light.set(w, first, light);
+                    (light, next) = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0);
+                }
+                self.light.set::<W>(first, light);
+                if let Some(beams) = next {
+                    self.pursue::<W, FULL>(w, &beams, 1);
+                }
                 first += W::LANES;
             }
         }
@@ -202,35 +212,31 @@ impl TileTracer<'_> {
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
     fn drain<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
-        if self.waiting(0) == 0 {
-            return true;
-        }
-        self.light.open();
         let mut at = 0;
         loop {
             if self.is_cancelled() {
                 return false;
             }
-            if self.waiting(at) > 0 && self.whitted.goes_by_streams() {
+            if self.waiting(at) == 0 {
+                let waits = |&level: &usize| self.waiting(level) > 0;
+                let Some(next) = (at..self.levels.len()).find(waits).or_else(|| (0..at).rev().find(waits))
+                else {
+                    return true;
+                };
+                at = next;
+            } else if self.whitted.goes_by_streams() {
                 self.follow_stream::<W, FULL>(w, at);
-                if self.waiting(at + 1) >= Self::MOST_WAITING {
-                    at += 1;
-                }
-            } else if self.waiting(at) > 0 {
-                let beams = self.levels[at].take(w);
-                let light = self.follow::<W, FULL>(w, &beams, Origin::Anywhere, at + 1);
-                self.light.add(w, &beams, light);
-                if self.waiting(at + 1) >= Self::MOST_WAITING {
-                    at += 1;
-                }
-            } else if self.waiting(at + 1) > 0 {
-                at += 1;
-            } else if at > 0 {
-                at -= 1;
             } else {
-                self.light.close();
-                return true;
+                for _ in 0..Self::AT_ONCE {
+                    let beams = self.levels[at].take(w);
+                    self.pursue::<W, FULL>(w, &beams, at + 1);
+                    if self.waiting(at) == 0 {
+                        break;
+                    }
+                }
             }
+            let is_full = |&level: &usize| self.waiting(level) >= Self::MOST_WAITING;
+            at = (at + 1..self.levels.len()).find(is_full).unwrap_or(at);
         }
     }
 
@@ -262,7 +268,25 @@ impl TileTracer<'_> {
         self.levels.get(level).map_or(0, |level| level.reflected.len() + level.refracted.len())
     }
 
-    /// Traces rays: the light that each brings. Those that grow from them wait at `level`.
+    /// Traces rays, and what grows from them as long as nearly all of them go on; others wait, those of the first ones
+    /// at `level`.
+    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &Beams<W>, level: usize) {
+        w.run(
+            #[inline(always)]
+            || {
+                let mut beams = *beams;
+                for level in level.. {
+                    let (light, next) = self.follow::<W, FULL>(w, &beams, Origin::Anywhere, level);
+                    self.light.add(w, &beams, light);
+                    let Some(next) = next else { return };
+                    beams = next;
+                }
+            },
+        );
+    }
+
+    /// Traces rays: the light that each brings. Of those that grow from them, some may be traced next, as they are;
+    /// others wait at `level`.
     #[inline(always)]
     fn follow<W: Width, const FULL: bool>(
         &mut self,
@@ -270,11 +294,55 @@ impl TileTracer<'_> {
         beams: &Beams<W>,
         from: Origin<'_>,
         level: usize,
-    ) -> Vector<W::R> {
+    ) -> (Vector<W::R>, Option<Beams<W>>) {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
-        self.whitted.follow::<W, FULL>(w, beams, from, &mut self.levels[level]).light
+        let fewest = if self.whitted.goes_by_streams() {
+            usize::MAX
+        } else {
+            (W::LANES * Self::NEARLY_ALL).div_ceil(16)
+        };
+        let mut grown = Grown { level: &mut self.levels[level], next: None, fewest };
+        let light = self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light;
+        (light, grown.next)
+    }
+}
+
+/// What grows from rays side by side.
+struct Grown<'l, W: Width> {
+    /// Where it waits.
+    level: &'l mut Level,
+    /// What is traced next instead: the first that grows, if it is enough.
+    next: Option<Beams<W>>,
+    /// So many rays, since vectors that are not full waste the rest.
+    fewest: usize,
+}
+
+impl<W: Width> Grown<'_, W> {
+    #[inline(always)]
+    fn takes(&mut self, beams: &Beams<W>) -> bool {
+        let takes = self.next.is_none() && beams.lanes.bits().count_ones() as usize >= self.fewest;
+        if takes {
+            self.next = Some(*beams);
+        }
+        takes
+    }
+}
+
+impl<W: Width> Offspring<W> for Grown<'_, W> {
+    #[inline(always)]
+    fn reflected(&mut self, beams: Beams<W>) {
+        if !self.takes(&beams) {
+            self.level.reflected.push(&beams);
+        }
+    }
+
+    #[inline(always)]
+    fn refracted(&mut self, beams: Beams<W>) {
+        if !self.takes(&beams) {
+            self.level.refracted.push(&beams);
+        }
     }
 }
 
