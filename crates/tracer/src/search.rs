@@ -248,10 +248,7 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     fn meets(&self, index: u32, body: &StageBody, lanes: W::M) -> Option<Meeting<W>> {
         let Relation { lanes, inside } = self.relation(index, body, lanes);
-        lanes.any().then(
-            #[inline(always)]
-            || self.meeting(body, lanes, inside),
-        )
+        if lanes.any() { self.meeting(body, lanes, inside) } else { None }
     }
 
     #[inline(always)]
@@ -331,7 +328,7 @@ impl<'a, W: Width> Flight<'a, W> {
         if !lanes.any() {
             return None;
         }
-        let Meeting { entering, enter, leaving, exit, .. } = self.meeting(body, lanes, inside);
+        let Meeting { entering, enter, leaving, exit, .. } = self.meeting(body, lanes, inside)?;
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
         if !(in_front | behind).any() {
@@ -366,10 +363,13 @@ impl<'a, W: Width> Flight<'a, W> {
         passed.share = share;
     }
 
-    /// Where rays meet a body first.
+    /// Where rays meet a body first, if any do.
     #[inline(always)]
-    fn meeting(&self, body: &StageBody, lanes: W::M, inside: W::M) -> Meeting<W> {
+    fn meeting(&self, body: &StageBody, lanes: W::M, inside: W::M) -> Option<Meeting<W>> {
         let span = body.span(self.origin, self.direction);
+        if !(lanes & (inside | span.hit)).any() {
+            return None;
+        }
         let zero = self.w.real(0.0);
         let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
         let enters = span.enter.gt(zero);
@@ -388,7 +388,7 @@ impl<'a, W: Width> Flight<'a, W> {
             meeting.enter = W::R::select(start.at_entry, zero, span.enter);
             meeting.leaving = meeting.leaving | start.inside;
         }
-        meeting
+        Some(meeting)
     }
 }
 

@@ -158,9 +158,6 @@ impl TileTracer<'_> {
     /// Packets of a level between two looks at how many rays wait elsewhere.
     const AT_ONCE: usize = 16;
 
-    /// So many of 16 rays of a packet at least go on together.
-    const NEARLY_ALL: usize = 13;
-
     fn is_cancelled(&self) -> bool {
         self.whitted.cancel.load(std::sync::atomic::Ordering::Relaxed)
     }
@@ -199,7 +196,7 @@ impl TileTracer<'_> {
                 } else {
                     (light, next) = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0);
                 }
-                self.light.set::<W>(first, light);
+                self.light.set::<W>(light);
                 if let Some(beams) = next {
                     self.pursue::<W, FULL>(w, &beams, 1);
                 }
@@ -268,8 +265,8 @@ impl TileTracer<'_> {
         self.levels.get(level).map_or(0, |level| level.reflected.len() + level.refracted.len())
     }
 
-    /// Traces rays, and what grows from them as long as nearly all of them go on; others wait, those of the first ones
-    /// at `level`.
+    /// Traces rays, and what grows from them as long as all of them go on; others wait, those of the first ones at
+    /// `level`.
     fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &Beams<W>, level: usize) {
         w.run(
             #[inline(always)]
@@ -298,12 +295,8 @@ impl TileTracer<'_> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
-        let fewest = if self.whitted.goes_by_streams() {
-            usize::MAX
-        } else {
-            (W::LANES * Self::NEARLY_ALL).div_ceil(16)
-        };
-        let mut grown = Grown { level: &mut self.levels[level], next: None, fewest };
+        let waits = self.whitted.goes_by_streams();
+        let mut grown = Grown { level: &mut self.levels[level], next: None, waits };
         let light = self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light;
         (light, grown.next)
     }
@@ -313,16 +306,17 @@ impl TileTracer<'_> {
 struct Grown<'l, W: Width> {
     /// Where it waits.
     level: &'l mut Level,
-    /// What is traced next instead: the first that grows, if it is enough.
+    /// What is traced next instead: the first that grows, if it fills a vector.
     next: Option<Beams<W>>,
-    /// So many rays, since vectors that are not full waste the rest.
-    fewest: usize,
+    /// Whether all waits.
+    waits: bool,
 }
 
 impl<W: Width> Grown<'_, W> {
     #[inline(always)]
     fn takes(&mut self, beams: &Beams<W>) -> bool {
-        let takes = self.next.is_none() && beams.lanes.bits().count_ones() as usize >= self.fewest;
+        let takes =
+            !self.waits && self.next.is_none() && beams.lanes.bits().count_ones() as usize == W::LANES;
         if takes {
             self.next = Some(*beams);
         }

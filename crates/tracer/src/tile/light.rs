@@ -10,44 +10,71 @@ use crate::whitted::Beams;
 /// Pixels are numbered block by block, so that those whose rays are traced side by side are neighbors in memory too.
 #[derive(Debug)]
 pub(crate) struct TileLight {
-    /// Red, green and blue, each in a row of its own: the sums of what all rays of a pixel bring.
-    sums: Box<[[f64; PIXELS]; 3]>,
+    /// What the rays from the eye bring.
+    first: Box<Planes<f32>>,
+    /// The sums of what all rays of a pixel bring, once there are others.
+    sums: Box<Planes<f64>>,
+    is_sum: bool,
+    /// So many pixels have been set.
+    set: usize,
     /// Size of a block, pixels.
     block: [usize; 2],
     /// Blocks across.
     across: usize,
 }
 
+/// Red, green and blue of all pixels, one after the other.
+type Planes<T> = [[T; PIXELS]; 3];
+
 /// No tile has more.
 const PIXELS: usize = TILE * TILE;
 
 impl Default for TileLight {
     fn default() -> Self {
-        Self { sums: Box::new([[0.0; PIXELS]; 3]), block: [1; 2], across: 0 }
+        Self {
+            first: Box::new([[0.0; PIXELS]; 3]),
+            sums: Box::new([[0.0; PIXELS]; 3]),
+            is_sum: false,
+            set: 0,
+            block: [1; 2],
+            across: 0,
+        }
     }
 }
 
 impl TileLight {
     /// Prepares for the pixels of a tile in blocks of this size.
     pub(super) fn begin(&mut self, place: Place, block: [usize; 2]) {
+        self.is_sum = false;
+        self.set = 0;
         self.block = block;
         self.across = place.width.div_ceil(block[0]);
     }
 
-    /// Sets the light of the pixels of a block.
+    /// Sets the light of the pixels of the next block.
     #[inline(always)]
-    pub(super) fn set<W: Width>(&mut self, first: usize, light: Vector<W::R>) {
-        self.each_channel::<W>(
-            first,
-            light,
-            #[inline(always)]
-            |sum, light| *sum = light,
-        );
+    pub(super) fn set<W: Width>(&mut self, light: Vector<W::R>) {
+        let pixels = self.set..self.set + W::LANES;
+        self.set = pixels.end;
+        let Vector { x, y, z } = light;
+        for (channel, part) in [x, y, z].into_iter().enumerate() {
+            if self.is_sum {
+                let part = numbers::<W>(part);
+                for (sum, part) in self.sums[channel][pixels.clone()].iter_mut().zip(part) {
+                    *sum = f64::from(part);
+                }
+            } else {
+                part.store(&mut self.first[channel][pixels.clone()]);
+            }
+        }
     }
 
     /// Adds light to the pixels that it belongs to.
     #[inline(always)]
     pub(super) fn add<W: Width>(&mut self, w: W, beams: &Beams<W>, light: Vector<W::R>) {
+        if !self.is_sum {
+            self.sum_up();
+        }
         let mut pixels = [0; MOST_LANES];
         beams.pixel.store(&mut pixels);
         let first = pixels[0];
@@ -55,15 +82,18 @@ impl TileLight {
         let others = !beams.pixel.plus(w.load_words(&BEFORE)).is(first);
         if !others.any() {
             let zero = w.real(0.0);
-            let light = light.map(|part| W::R::select(beams.lanes, part, zero));
-            return self.each_channel::<W>(
-                first as usize,
-                light,
-                #[inline(always)]
-                |sum, light| *sum += light,
-            );
+            let Vector { x, y, z } = light;
+            let pixels = first as usize..first as usize + W::LANES;
+            for (sums, part) in self.sums.iter_mut().zip([x, y, z]) {
+                let part = numbers::<W>(W::R::select(beams.lanes, part, zero));
+                for (sum, part) in sums[pixels.clone()].iter_mut().zip(part) {
+                    *sum += f64::from(part);
+                }
+            }
+            return;
         }
-        let parts = channels::<W>(light);
+        let Vector { x, y, z } = light;
+        let parts = [numbers::<W>(x), numbers::<W>(y), numbers::<W>(z)];
         let mut left = beams.lanes.bits();
         while left != 0 {
             let lane = left.trailing_zeros() as usize % MOST_LANES;
@@ -75,30 +105,44 @@ impl TileLight {
         }
     }
 
-    #[inline(always)]
-    fn each_channel<W: Width>(
-        &mut self,
-        first: usize,
-        light: Vector<W::R>,
-        mut take: impl FnMut(&mut f64, f64),
-    ) {
-        for (sums, part) in self.sums.iter_mut().zip(&channels::<W>(light)) {
-            for (sum, &part) in sums[first..first + W::LANES].iter_mut().zip(part) {
-                take(sum, f64::from(part));
+    /// From now on light is added.
+    #[cold]
+    #[inline(never)]
+    fn sum_up(&mut self) {
+        self.is_sum = true;
+        for (sums, light) in self.sums.iter_mut().zip(self.first.iter()) {
+            for (sum, &light) in sums.iter_mut().zip(&light[..self.set]) {
+                *sum = f64::from(light);
             }
         }
     }
 
     /// Shows `take` the pixels of row `y`, from left to right, each with one of `to`.
     #[inline]
-    pub(crate) fn each<T>(&self, y: usize, to: &mut [T], mut take: impl FnMut(&mut T, [f32; 3])) {
+    pub(crate) fn each<T>(&self, y: usize, to: &mut [T], take: impl FnMut(&mut T, [f32; 3])) {
+        if self.is_sum {
+            self.each_of(&self.sums, |sum| sum as f32, y, to, take);
+        } else {
+            self.each_of(&self.first, |light| light, y, to, take);
+        }
+    }
+
+    #[inline]
+    fn each_of<P: Copy, T>(
+        &self,
+        planes: &Planes<P>,
+        number: impl Fn(P) -> f32,
+        y: usize,
+        to: &mut [T],
+        mut take: impl FnMut(&mut T, [f32; 3]),
+    ) {
         let [width, height] = self.block;
         let lanes = width * height;
         let start = y / height * self.across * lanes + y % height * width;
         for (to, start) in to.chunks_mut(width).zip((start..).step_by(lanes)) {
-            let [red, green, blue] = self.sums.each_ref().map(|sums| &sums[start..start + to.len()]);
+            let [red, green, blue] = planes.each_ref().map(|plane| &plane[start..start + to.len()]);
             for (((to, &red), &green), &blue) in to.iter_mut().zip(red).zip(green).zip(blue) {
-                take(to, [red as f32, green as f32, blue as f32]);
+                take(to, [number(red), number(green), number(blue)]);
             }
         }
     }
@@ -116,13 +160,8 @@ const BEFORE: [u32; MOST_LANES] = {
 };
 
 #[inline(always)]
-fn channels<W: Width>(Vector { x, y, z }: Vector<W::R>) -> [[f32; MOST_LANES]; 3] {
-    [x, y, z].map(
-        #[inline(always)]
-        |part| {
-            let mut numbers = [0.0; MOST_LANES];
-            part.store(&mut numbers);
-            numbers
-        },
-    )
+fn numbers<W: Width>(part: W::R) -> [f32; MOST_LANES] {
+    let mut numbers = [0.0; MOST_LANES];
+    part.store(&mut numbers);
+    numbers
 }

@@ -124,7 +124,7 @@ fn light_comes_back_row_by_row() {
         let (left, top) = (4 * (block % 2), 4 * (block / 2));
         for lane in 0..16 {
             let at = [left + lane % 4, top + lane / 4, 1].map(|number| number as f32);
-            light.set::<One>(16 * block + lane, Vector::from(glam::Vec3::from(at)));
+            light.set::<One>(Vector::from(glam::Vec3::from(at)));
         }
     }
     for y in 0..place.height {

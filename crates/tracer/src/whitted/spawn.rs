@@ -205,30 +205,18 @@ impl Whitted<'_> {
         let (mut lists, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
         media.store(&mut lists);
         body.store(&mut bodies);
-        let mut ratios = [1.0; MOST_LANES];
-        self.cross_each(lanes.bits(), &mut lists, &bodies, &mut ratios);
-        (w.load(&ratios), w.load_words(&lists))
-    }
-
-    /// Replaces the media by those beyond the surfaces of the bodies.
-    #[inline(never)]
-    fn cross_each(
-        &mut self,
-        lanes: u32,
-        media: &mut [u32; MOST_LANES],
-        bodies: &[u32; MOST_LANES],
-        ratios: &mut [f32; MOST_LANES],
-    ) {
-        let mut last = None;
-        for lane in (0..MOST_LANES).filter(|lane| lanes >> lane & 1 == 1) {
-            let key = (media[lane], bodies[lane]);
-            let crossing = match last {
-                Some((other, crossing)) if other == key => crossing,
-                _ => self.media.crossing(self.stage, &self.waves, key.0, key.1),
-            };
-            last = Some((key, crossing));
-            (media[lane], ratios[lane]) = (crossing.beyond, crossing.ratio);
+        let (mut ratio, mut beyond) = (w.real(1.0), media);
+        let mut left = lanes.bits();
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % MOST_LANES;
+            let same = media.is(lists[lane]) & body.is(bodies[lane]);
+            left &= !same.bits();
+            let same = same & lanes;
+            let crossing = self.media.crossing(self.stage, &self.waves, lists[lane], bodies[lane]);
+            ratio = W::R::select(same, w.real(crossing.ratio), ratio);
+            beyond = W::W::select(same, w.word(crossing.beyond), beyond);
         }
+        (ratio, beyond)
     }
 
     /// The rays whose light has not been split yet.
