@@ -173,10 +173,7 @@ impl<'a, W: Width> Flight<'a, W> {
             );
         }
         for (sphere, index) in spheres.iter().zip(0..) {
-            let mut lanes: W::M = self.lanes;
-            if !self.stage.body(index).is_sphere() {
-                lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
-            }
+            let lanes = self.lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
             if lanes.any() {
                 visitor.leaf(index..index + 1, lanes);
             }

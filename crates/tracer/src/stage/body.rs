@@ -115,12 +115,6 @@ impl StageBody {
         Canonical { kind, cone_ratio: self.parameter }
     }
 
-    /// Whether the body is a sphere, which needs no sphere around it.
-    #[inline(always)]
-    pub(crate) fn is_sphere(&self) -> bool {
-        self.kind == ShapeKind::Sphere as u8
-    }
-
     /// Whether light passes through the body.
     #[inline(always)]
     pub(crate) fn is_transparent(&self) -> bool {
@@ -257,11 +251,11 @@ pub(super) fn mul<R: Real>(rows: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
 /// The same of a diagonal matrix. Adding 0 takes the sign from a zero, as the other terms would: a line along a layer
 /// has one side of it only.
 #[inline(always)]
-fn scale<R: Real>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
+pub(super) fn scale<R: Real>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
     Vector::new(v.x * a[0] + 0.0, v.y * b[1] + 0.0, v.z * c[2] + 0.0)
 }
 
-fn is_diagonal(rows: &[[f32; 3]; 3]) -> bool {
+pub(super) fn is_diagonal(rows: &[[f32; 3]; 3]) -> bool {
     let off = |(row, numbers): (usize, &[f32; 3])| {
         numbers.iter().enumerate().all(|(column, &number)| row == column || number == 0.0)
     };

@@ -3,7 +3,7 @@
 use catoptric_scene::{Body, Checker, CheckerSpace};
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::body::{mul, rows, world_from_canonical};
+use super::body::{is_diagonal, mul, rows, scale, world_from_canonical};
 use super::numbers;
 use crate::lanes::Real;
 use crate::vector::Vector;
@@ -17,6 +17,8 @@ use crate::vector::Vector;
 pub(crate) struct StageChecker {
     /// From the body's frame to cells, without the origin's whole cells.
     cells_from_body: [[f32; 3]; 3],
+    /// Whether the cells lie along the axes of that frame.
+    aligned: bool,
     offset: [f32; 3],
     /// Parity of the origin's whole cells.
     odd_origin: bool,
@@ -35,8 +37,10 @@ impl StageChecker {
         };
         let origin = transform.translation / checker.size;
         let whole = origin.floor();
+        let cells_from_body = rows(&(transform.matrix3 * checker.size.recip()));
         Self {
-            cells_from_body: rows(&(transform.matrix3 * checker.size.recip())),
+            cells_from_body,
+            aligned: is_diagonal(&cells_from_body),
             offset: (origin - whole).as_vec3().to_array(),
             odd_origin: whole.element_sum().rem_euclid(2.0) == 1.0,
             color: numbers(checker.color),
@@ -45,7 +49,7 @@ impl StageChecker {
 
     /// As the shaders read it: three rows with their offsets, the color, and the parity of the origin's whole cells.
     pub(crate) fn rows(&self) -> [[f32; 4]; 4] {
-        let Self { cells_from_body: [x, y, z], offset, odd_origin, color } = *self;
+        let Self { cells_from_body: [x, y, z], offset, odd_origin, color, .. } = *self;
         let row = |[a, b, c]: [f32; 3], axis: usize| [a, b, c, offset[axis] + Self::BORDER];
         let [red, green, blue] = color;
         [row(x, 0), row(y, 1), row(z, 2), [red, green, blue, f32::from(odd_origin)]]
@@ -55,7 +59,12 @@ impl StageChecker {
     #[inline(always)]
     pub(crate) fn is_odd<R: Real>(&self, in_body: Vector<R>) -> R::Mask {
         let offset = self.offset.map(|offset| offset + Self::BORDER);
-        let cells = mul(&self.cells_from_body, in_body).plus_all(offset).map(R::floor);
+        let cells = if self.aligned {
+            scale(&self.cells_from_body, in_body)
+        } else {
+            mul(&self.cells_from_body, in_body)
+        };
+        let cells = cells.plus_all(offset).map(R::floor);
         // The sum of the remainders by 2, each 0 or 1.
         let rest = |cell: R| cell - (cell * 0.5).floor() * 2.0;
         let sum = rest(cells.x) + rest(cells.y) + rest(cells.z) + f32::from(self.odd_origin);
