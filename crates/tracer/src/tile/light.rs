@@ -54,18 +54,18 @@ impl TileLight {
     /// Sets the light of the pixels of the next block.
     #[inline(always)]
     pub(super) fn set<W: Width>(&mut self, light: Vector<W::R>) {
-        let pixels = self.set..self.set + W::LANES;
-        self.set = pixels.end;
-        let Vector { x, y, z } = light;
-        for (channel, part) in [x, y, z].into_iter().enumerate() {
-            if self.is_sum {
-                let part = numbers::<W>(part);
-                for (sum, part) in self.sums[channel][pixels.clone()].iter_mut().zip(part) {
-                    *sum = f64::from(part);
-                }
-            } else {
-                part.store(&mut self.first[channel][pixels.clone()]);
-            }
+        let first = self.set;
+        self.set = first + W::LANES;
+        if self.is_sum {
+            let [red, green, blue] = &mut *self.sums;
+            each_with::<W>(&mut red[first..], light.x, |sum, part| *sum = part);
+            each_with::<W>(&mut green[first..], light.y, |sum, part| *sum = part);
+            each_with::<W>(&mut blue[first..], light.z, |sum, part| *sum = part);
+        } else {
+            let [red, green, blue] = &mut *self.first;
+            light.x.store(&mut red[first..]);
+            light.y.store(&mut green[first..]);
+            light.z.store(&mut blue[first..]);
         }
     }
 
@@ -75,33 +75,29 @@ impl TileLight {
         if !self.is_sum {
             self.sum_up();
         }
+        let [reds, greens, blues] = &mut *self.sums;
         let mut pixels = [0; MOST_LANES];
         beams.pixel.store(&mut pixels);
         let first = pixels[0];
         // Rays that were neither mixed with others nor thinned out belong to pixels that are neighbors in memory.
         let others = !beams.pixel.plus(w.load_words(&BEFORE)).is(first);
         if !others.any() {
-            let zero = w.real(0.0);
-            let Vector { x, y, z } = light;
-            let pixels = first as usize..first as usize + W::LANES;
-            for (sums, part) in self.sums.iter_mut().zip([x, y, z]) {
-                let part = numbers::<W>(W::R::select(beams.lanes, part, zero));
-                for (sum, part) in sums[pixels.clone()].iter_mut().zip(part) {
-                    *sum += f64::from(part);
-                }
-            }
+            let (first, zero) = (first as usize % PIXELS, w.real(0.0));
+            let flies = |part| W::R::select(beams.lanes, part, zero);
+            each_with::<W>(&mut reds[first..], flies(light.x), |sum, part| *sum += part);
+            each_with::<W>(&mut greens[first..], flies(light.y), |sum, part| *sum += part);
+            each_with::<W>(&mut blues[first..], flies(light.z), |sum, part| *sum += part);
             return;
         }
-        let Vector { x, y, z } = light;
-        let parts = [numbers::<W>(x), numbers::<W>(y), numbers::<W>(z)];
+        let [red, green, blue] = [numbers::<W>(light.x), numbers::<W>(light.y), numbers::<W>(light.z)];
         let mut left = beams.lanes.bits();
         while left != 0 {
             let lane = left.trailing_zeros() as usize % MOST_LANES;
             left &= left - 1;
             let pixel = pixels[lane] as usize % PIXELS;
-            for (sums, part) in self.sums.iter_mut().zip(&parts) {
-                sums[pixel] += f64::from(part[lane]);
-            }
+            reds[pixel] += f64::from(red[lane]);
+            greens[pixel] += f64::from(green[lane]);
+            blues[pixel] += f64::from(blue[lane]);
         }
     }
 
@@ -158,6 +154,14 @@ const BEFORE: [u32; MOST_LANES] = {
     }
     before
 };
+
+/// Hands the first sums over, each with one of these numbers.
+#[inline(always)]
+fn each_with<W: Width>(sums: &mut [f64], parts: W::R, take: impl Fn(&mut f64, f64)) {
+    for (sum, part) in sums[..W::LANES].iter_mut().zip(numbers::<W>(parts)) {
+        take(sum, f64::from(part));
+    }
+}
 
 #[inline(always)]
 fn numbers<W: Width>(part: W::R) -> [f32; MOST_LANES] {
