@@ -23,7 +23,7 @@ pub(crate) fn mend_unit<R: Real>(vector: Vector<R>) -> Vector<R> {
 /// comes from divided by that of the one it goes to. At equal indices the ray goes straight on.
 #[inline(always)]
 pub fn refract<R: Real>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (Vector<R>, R::Mask) {
-    let [zero, one] = [0.0, 1.0].map(|value| ratio.like(value));
+    let (zero, one) = (ratio.like(0.0), ratio.like(1.0));
     let is_straight = ratio.eq(one);
     let cos_in = -direction.dot(normal);
     let cos_out_squared = one - ratio * ratio * (one - cos_in * cos_in);
@@ -38,7 +38,7 @@ pub fn refract<R: Real>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (V
 /// `cos` is that of the angle of incidence, 0 to 1; `ratio` is the index before the boundary divided by that behind it.
 #[inline(always)]
 pub(crate) fn fresnel<R: Real>(cos: R, ratio: R) -> R {
-    let [zero, one] = [0.0, 1.0].map(|value| cos.like(value));
+    let (zero, one) = (cos.like(0.0), cos.like(1.0));
     // 1 - ratio²·sin², without a difference of near numbers where the indices are nearly equal.
     let cos_out_squared = (one - ratio) * (one + ratio) + ratio * ratio * cos * cos;
     let cos_out = cos_out_squared.max(zero).sqrt();
@@ -62,7 +62,7 @@ pub fn phong_highlight<R: Real>(
 ) -> R {
     /// e⁻³⁰ of the brightest light that a scene may have, 10⁶, is nothing in single precision.
     const INVISIBLE: f32 = 30.0;
-    let [zero, one] = [0.0, 1.0].map(|value| shininess.like(value));
+    let (zero, one) = (shininess.like(0.0), shininess.like(1.0));
     let cos = highlight_cosine(to_viewer, to_light, normal);
     // ln x ≤ x - 1, so that the power is at most exp(-n·(1 - cos)): what is certain to vanish is not computed.
     let is_visible = cos.gt(zero) & (shininess * (one - cos)).lt(shininess.like(INVISIBLE));

@@ -37,7 +37,7 @@ pub(super) fn span<R: Real>(ratio: f32, origin: Vector<R>, direction: Vector<R>)
 /// r grows. For A = 0 one root is infinite.
 #[inline(always)]
 fn nappe<R: Real>(slope: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
-    let [zero, one, infinity] = [0.0, 1.0, f32::INFINITY].map(|value| origin.x.like(value));
+    let (zero, one, infinity) = (origin.x.like(0.0), origin.x.like(1.0), origin.x.like(f32::INFINITY));
     let radius = origin.y * slope + 1.0;
     let radius_change = direction.y * slope;
     let a = direction.x * direction.x + direction.z * direction.z - radius_change * radius_change;
@@ -86,7 +86,7 @@ fn around<R: Real>(point: Vector<R>) -> Vector<R> {
 
 #[inline(always)]
 pub(super) fn pull_to_surface<R: Real>(ratio: f32, face: R, point: Vector<R>) -> Vector<R> {
-    let [zero, one] = [0.0, 1.0].map(|value| face.like(value));
+    let (zero, one) = (face.like(0.0), face.like(1.0));
     let is_side = face.eq(face.like(SIDE));
     let y = point.y.max(zero).min(one);
     let side = around(point) * (y * (ratio - 1.0) + 1.0);
@@ -101,7 +101,7 @@ pub(super) fn pull_to_surface<R: Real>(ratio: f32, face: R, point: Vector<R>) ->
 /// On the side, the gradient of x² + z² - r(y)²; at the apex, where it vanishes, the axis.
 #[inline(always)]
 pub(super) fn normal<R: Real>(ratio: f32, face: R, point: Vector<R>) -> Vector<R> {
-    let [zero, one] = [0.0, 1.0].map(|value| face.like(value));
+    let (zero, one) = (face.like(0.0), face.like(1.0));
     let is_side = face.eq(face.like(SIDE));
     let around = around(point);
     let up = Vector::new(zero, one, zero);

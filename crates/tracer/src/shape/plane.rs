@@ -13,7 +13,7 @@ use crate::vector::Vector;
 /// the surface never crosses it.
 #[inline(always)]
 pub(crate) fn span<R: Real>(height: R, rise: R) -> Span<R> {
-    let [zero, infinity] = [0.0, f32::INFINITY].map(|value| height.like(value));
+    let (zero, infinity) = (height.like(0.0), height.like(f32::INFINITY));
     let crossing = -height / rise;
     let (sinks, rises) = (rise.lt(zero), rise.gt(zero));
     let face = zero.like(SIDE);

@@ -63,7 +63,7 @@ impl StageLight {
         (to_middle, d): (Vector<W::R>, W::R),
         throw: &Throw<W>,
     ) -> (Vector<W::R>, W::R, W::R) {
-        let [zero, one] = [0.0, 1.0].map(|value| d.like(value));
+        let (zero, one) = (d.like(0.0), d.like(1.0));
         let square = d.like(self.radius) * self.radius;
         let least = (one - square / (d * d)).max(zero).sqrt();
         let cos = one - throw.second * (one - least);

@@ -72,7 +72,7 @@ impl Whitted<'_> {
         w.run(
             #[inline(always)]
             || {
-                let [zero, one] = [0.0, 1.0].map(|value| w.real(value));
+                let (zero, one) = (w.real(0.0), w.real(1.0));
                 let to_viewer = -beams.rays.direction;
                 let half = (to_viewer + to_light).normalize_or(at.normal);
                 let mut facets = *at;
