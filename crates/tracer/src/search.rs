@@ -9,7 +9,9 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
 use crate::shape::Span;
-use crate::stage::{BoundingSphere, Hierarchy, Pending, Sight, Stage, StageBody, StageMaterial, Visit};
+use crate::stage::{
+    BoundingSphere, Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit,
+};
 use crate::vector::Vector;
 
 use best::{Best, Nearest};
@@ -91,9 +93,9 @@ pub(crate) enum Along<'a> {
     /// Nothing.
     Anything,
     /// The rays come from the point that these bodies are seen from; others they do not meet.
-    From(&'a [Sight]),
+    From(&'a Sights),
     /// The rays go to it.
-    To(&'a [Sight]),
+    To(&'a Sights),
 }
 
 impl<'a, W: Width> Flight<'a, W> {
@@ -135,9 +137,7 @@ impl<'a, W: Width> Flight<'a, W> {
     pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
         let mut best = Best::new(self.w, self.start_slack);
         self.visit(parts, &mut ForNearest(self, &mut best));
-        for index in self.stage.planes() {
-            self.test(index, self.stage.body(index), self.lanes, &mut best);
-        }
+        self.visit_planes(&mut ForNearest(self, &mut best));
         best.first(self.w)
     }
 
@@ -146,13 +146,30 @@ impl<'a, W: Width> Flight<'a, W> {
     fn visit(&self, parts: &mut Pending, visitor: &mut impl Visit<W>) {
         match &self.stage.hierarchy {
             Hierarchy::Few(few) => match self.along {
-                Along::From(sights) => self.visit_seen(sights, self.direction, visitor),
-                Along::To(sights) => self.visit_seen(sights, -self.direction, visitor),
+                Along::From(sights) => self.visit_seen(&sights.bodies, self.direction, visitor),
+                Along::To(sights) => self.visit_seen(&sights.bodies, -self.direction, visitor),
                 Along::Anything => self.visit_few(&few.spheres, visitor),
             },
             Hierarchy::Many(bvh) => {
                 let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
                 bvh.traverse_packet(self.w, &boxes, parts, visitor);
+            }
+        }
+    }
+
+    /// Shows `visitor` the planes that some of the rays may meet.
+    #[inline(always)]
+    fn visit_planes(&self, visitor: &mut impl Visit<W>) {
+        match self.along {
+            Along::From(Sights { planes, .. }) | Along::To(Sights { planes, .. }) => {
+                for &index in planes {
+                    visitor.leaf(index..index + 1, self.lanes);
+                }
+            }
+            Along::Anything => {
+                if !self.stage.planes().is_empty() {
+                    visitor.leaf(self.stage.planes(), self.lanes);
+                }
             }
         }
     }
@@ -283,13 +300,9 @@ impl<'a, W: Width> Flight<'a, W> {
                 return Vector::new(zero, zero, zero);
             }
         }
-        self.visit(parts, &mut ForShadow { flight: self, passed: &mut passed, distance });
-        for index in self.stage.planes() {
-            if !passed.lanes.any() {
-                break;
-            }
-            self.filter(index, self.stage.body(index), distance, passed.lanes, &mut passed);
-        }
+        let mut shadow = ForShadow { flight: self, passed: &mut passed, distance };
+        self.visit(parts, &mut shadow);
+        self.visit_planes(&mut shadow);
         *blocker = passed.blocker;
         passed.share.map(|share| W::R::select(passed.lanes, share, zero))
     }

@@ -9,6 +9,7 @@ mod checker;
 mod curve;
 mod edit;
 mod few;
+mod hull;
 mod image;
 mod light;
 mod log;
@@ -44,7 +45,7 @@ pub(crate) use light::{StageFalloff, StageLight};
 use log::EditLog;
 pub use log::StageChanges;
 pub(crate) use material::{Law, StageMaterial};
-pub(crate) use sight::Sight;
+pub(crate) use sight::{Sight, Sights};
 pub(crate) use sky::StageSky;
 pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, Texture};
 
@@ -104,11 +105,11 @@ pub enum Search {
 }
 
 impl Hierarchy {
-    /// The hierarchy over these entries, which are put into its order.
-    fn over(entries: &mut [Entry], search: Search) -> Self {
+    /// The hierarchy over these entries of bodies, which are put into its order.
+    fn over(entries: &mut [Entry], search: Search, body: impl Fn(&Entry) -> StageBody) -> Self {
         if entries.len() <= Stage::FEW || search == Search::OneByOne {
             entries.sort_by_key(Entry::leaf_key);
-            Self::Few(FewBodies::new(entries.iter().map(Entry::bounds)))
+            Self::Few(FewBodies::new(entries.iter().map(body)))
         } else {
             Self::Many(Bvh::build(entries))
         }
@@ -163,7 +164,7 @@ impl Stage {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
         }
         let Cast { mut entries, planes, chunks, materials, checkers } = Cast::of(scene)?;
-        let hierarchy = Hierarchy::over(&mut entries, search);
+        let hierarchy = Hierarchy::over(&mut entries, search, |entry| chunks.body(entry.place()));
         let surroundings = Surroundings::new(
             hierarchy.bounds(&entries),
             planes.iter().map(|&index| &scene.bodies[index as usize]),

@@ -165,7 +165,7 @@ impl<'a> Whitted<'a> {
 
     /// Prepares for rays from the eye within `reach` pixels of the middle of these.
     pub(crate) fn aim(&mut self, rays: &RaysNear, reach: DVec2) {
-        self.views.aim(rays, reach.as_vec2().to_array());
+        self.views.aim(self.stage, rays, reach.as_vec2().to_array());
     }
 
     /// Makes the first beams of rays from the eye.

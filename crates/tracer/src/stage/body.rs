@@ -4,7 +4,8 @@ use bytemuck::{Pod, Zeroable};
 use catoptric_scene::{Body, Shape};
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::Bounds;
+use super::hull::Hull;
+use super::{BoundingSphere, Bounds};
 use crate::lanes::Real;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
 use crate::shape::{Canonical, ShapeKind, Span, plane_span, sphere_span};
@@ -75,10 +76,28 @@ impl StageBody {
 
     /// The bounds of the body as it is kept; `None` for a plane.
     pub(crate) fn bounds(&self) -> Option<Bounds> {
+        let (transform, kind, ratio) = self.frame();
+        Bounds::of_canonical(&transform, kind, ratio)
+    }
+
+    /// The sphere around the body as it is kept; `None` for a plane.
+    pub(super) fn bounding_sphere(&self) -> Option<BoundingSphere> {
+        let (transform, kind, ratio) = self.frame();
+        BoundingSphere::of_canonical(&transform, kind, ratio)
+    }
+
+    /// A hull around the body as it is kept; `None` for a plane.
+    pub(super) fn hull(&self) -> Option<Hull> {
+        let (transform, kind, ratio) = self.frame();
+        Hull::of_canonical(&transform, kind, ratio)
+    }
+
+    /// The transform from the body's frame to the world, and its shape there.
+    fn frame(&self) -> (DAffine3, ShapeKind, f64) {
         let transform =
-            DAffine3::from_mat3_translation(self.linear(), DVec3::from(self.origin.map(f64::from)));
+            DAffine3 { matrix3: self.linear(), translation: DVec3::from(self.origin.map(f64::from)) };
         let Canonical { kind, cone_ratio } = self.canonical();
-        Bounds::of_canonical(&transform, kind, f64::from(cone_ratio))
+        (transform, kind, f64::from(cone_ratio))
     }
 
     /// The linear part of the transform from the body's frame to the world.

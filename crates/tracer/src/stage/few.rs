@@ -3,10 +3,12 @@
 //! Below some number of bodies this is quicker than any hierarchy: no order, no stack, one short loop.
 
 use bytemuck::{Pod, Zeroable};
+use glam::DAffine3;
 
-use super::Bounds;
+use super::StageBody;
 use crate::lanes::Real;
 use crate::ray::POINT_ROUNDING;
+use crate::shape::ShapeKind;
 use crate::vector::Vector;
 
 /// The bounding spheres of the first bodies of a stage, in their order.
@@ -24,12 +26,9 @@ pub(crate) struct BoundingSphere {
 }
 
 impl FewBodies {
-    pub(super) fn new(boxes: impl Iterator<Item = Bounds>) -> Self {
-        let sphere = |bounds: Bounds| {
-            let center = 0.5 * bounds.doubled_center();
-            BoundingSphere { center: center.to_array(), radius: bounds.max.distance(center) }
-        };
-        Self { spheres: boxes.map(sphere).collect() }
+    /// Around bodies, none of which is a plane.
+    pub(super) fn new(bodies: impl Iterator<Item = StageBody>) -> Self {
+        Self { spheres: bodies.filter_map(|body| body.bounding_sphere()).collect() }
     }
 
     /// Bytes held.
@@ -39,6 +38,31 @@ impl FewBodies {
 }
 
 impl BoundingSphere {
+    /// The smallest sphere around the canonical shape that `transform` carries to the world, widened by the rounding of
+    /// single precision; `None` for a plane. The axes of the frame are perpendicular in the world.
+    ///
+    /// Of a frustum of height h between discs of radius r and k·r, k ≤ 1, it has its center at the height s on the axis
+    /// where it meets the rims of both, s² + r² = (h - s)² + (k·r)², or in the middle of the larger disc.
+    pub(super) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Option<Self> {
+        let [x, y, z] = [transform.matrix3.x_axis, transform.matrix3.y_axis, transform.matrix3.z_axis];
+        let (offset, radius) = match kind {
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => (0.0 * y, x.length().max(y.length()).max(z.length())),
+            ShapeKind::Cube => {
+                (0.0 * y, (x.length_squared() + y.length_squared() + z.length_squared()).sqrt())
+            }
+            ShapeKind::Cylinder | ShapeKind::Cone => {
+                let larger = x.length_squared().max(z.length_squared());
+                let height = y.length_squared();
+                let share = (0.5 - 0.5 * (1.0 - ratio * ratio) * larger / height).max(0.0);
+                (share * y, (larger + share * share * height).sqrt())
+            }
+            ShapeKind::Plane => return None,
+        };
+        let center = transform.translation + offset;
+        let radius = radius + f64::from(POINT_ROUNDING) * (center.abs().max_element() + radius);
+        Some(Self { center: center.as_vec3().to_array(), radius: radius as f32 })
+    }
+
     /// All roundings of a test are less than this share of the squared distance.
     pub(crate) const ROUNDING: f32 = 32.0 * f32::EPSILON;
 

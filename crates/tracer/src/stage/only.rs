@@ -45,7 +45,7 @@ impl Stage {
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut entries, Search::Quickest);
+        let hierarchy = Hierarchy::over(&mut entries, Search::Quickest, |entry| *self.body(entry.place()));
         let order: Vec<u32> = entries.iter().map(Entry::place).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),

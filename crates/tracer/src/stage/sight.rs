@@ -1,68 +1,136 @@
 //! A handful of bodies as they are seen from one point: from the eye, or from a light.
 //!
-//! All rays from a point have the same start, so that a sphere around a body is a cone of directions, which takes one
-//! scalar product and one comparison.
+//! All rays from a point have the same start, so that a body lies in a cone of directions, which takes one scalar product
+//! and one comparison, and behind a plane across the cone, which takes a product and a comparison more.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
-use super::few::{BoundingSphere, FewBodies};
+use super::hull::Hull;
+use super::{Stage, StageBody};
 use crate::lanes::Real;
 use crate::vector::Vector;
+
+/// The bodies of a stage as they are seen from a point.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sights {
+    point: DVec3,
+    /// The bounded ones, the nearest first.
+    pub(crate) bodies: Vec<Sight>,
+    /// The planes.
+    pub(crate) planes: Vec<u32>,
+}
 
 /// The cone of directions in which a body may lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sight {
     /// The body's place in the stage.
     pub(crate) body: u32,
-    /// From the point to the middle of the body, of length 1.
+    /// From the point to the body, of length 1.
     axis: [f32; 3],
     /// Cosine of the angle between the axis and the cone.
     cos: f32,
-    /// No part of the body is nearer, meters.
-    near: f32,
+    /// No part of the body is nearer, measured along the axis, meters.
+    depth: f32,
 }
 
 /// More than the rounding of a scalar product of unit vectors, and, relatively, than that of a length.
 const ROUNDING: f64 = 1e-6;
 
-impl FewBodies {
-    /// The bodies as they are seen from a point, the nearest first.
-    pub(crate) fn seen_from(&self, point: [f32; 3]) -> Vec<Sight> {
-        let mut seen: Vec<Sight> =
-            self.spheres.iter().zip(0..).map(|(sphere, body)| Sight::new(sphere, body, point)).collect();
-        seen.sort_by(|a, b| a.near.total_cmp(&b.near));
-        seen
+impl Stage {
+    /// The bodies as they are seen from a point, if they are a handful.
+    pub(crate) fn seen_from(&self, point: [f32; 3]) -> Option<Sights> {
+        if self.bounded as usize > Self::FEW {
+            return None;
+        }
+        let point = DVec3::from(point.map(f64::from));
+        let sight = |(body, index): (&StageBody, u32)| Some(Sight::new(&body.hull()?, index, point));
+        let mut bodies: Vec<Sight> = self.bodies.iter().zip(0..).filter_map(sight).collect();
+        bodies.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        Some(Sights { point, bodies, planes: self.planes().collect() })
+    }
+
+    /// The same for rays that go to the point, without what cannot stand in their way: the only plane, where the point and
+    /// all other bodies are above it.
+    pub(crate) fn seen_from_light(&self, point: [f32; 3]) -> Option<Sights> {
+        let mut sights = self.seen_from(point)?;
+        if let [plane] = sights.planes[..] {
+            let level = Level::of(self.body(plane));
+            let is_on_it = |hull: Hull| level.height(hull.lowest(level.up)) >= -level.rounding(hull.extent());
+            if level.is_below(sights.point) && self.bodies.iter().filter_map(StageBody::hull).all(is_on_it) {
+                sights.planes.clear();
+            }
+        }
+        Some(sights)
+    }
+}
+
+/// The surface of a plane.
+struct Level {
+    origin: DVec3,
+    up: DVec3,
+}
+
+impl Level {
+    fn of(plane: &StageBody) -> Self {
+        let [origin, up] = [plane.origin, plane.body_from_world[1]].map(|v| DVec3::from(v.map(f64::from)));
+        Self { origin, up }
+    }
+
+    /// How far what reaches so far along `up` is above.
+    fn height(&self, along: f64) -> f64 {
+        along - self.up.dot(self.origin)
+    }
+
+    /// How much of it is rounding where coordinates are so large.
+    fn rounding(&self, extent: f64) -> f64 {
+        ROUNDING * (extent + self.origin.abs().max_element())
+    }
+
+    fn is_below(&self, point: DVec3) -> bool {
+        self.height(self.up.dot(point)) > 4.0 * self.rounding(point.abs().max_element())
+    }
+}
+
+impl Sights {
+    /// Keeps of others what some ray may meet whose angle with `axis` has a cosine of at least `cos`, and that starts so far
+    /// on the way from the point.
+    pub(crate) fn keep(&mut self, stage: &Stage, all: &Self, (axis, cos): (Vector<f32>, f32), way: f32) {
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        self.point = all.point;
+        self.bodies.clear();
+        let met = all.bodies.iter().filter(|sight| sight.is_met_by_cone(axis, cos, sin));
+        self.bodies.extend(met.map(|sight| sight.nearer_by(way)));
+        self.planes.clear();
+        let axis = Vec3::from(axis).as_dvec3();
+        let is_met = |&&plane: &&u32| {
+            let level = Level::of(stage.body(plane));
+            let rise = level.up.dot(axis);
+            let least_rise = rise * f64::from(cos) - (1.0 - rise * rise).max(0.0).sqrt() * f64::from(sin);
+            !level.is_below(all.point) || least_rise < 4.0 * ROUNDING
+        };
+        self.planes.extend(all.planes.iter().filter(is_met));
     }
 }
 
 impl Sight {
-    fn new(sphere: &BoundingSphere, body: u32, point: [f32; 3]) -> Self {
-        let point = DVec3::from(point.map(f64::from));
-        let center = DVec3::from(sphere.center.map(f64::from));
-        let offset = center - point;
-        let distance = offset.length();
+    fn new(hull: &Hull, body: u32, point: DVec3) -> Self {
         // Rays start near the point, but for rounding.
-        let size = center.abs().max_element() + point.abs().max_element() + distance;
-        let radius = f64::from(sphere.radius) * (1.0 + ROUNDING) + ROUNDING * size;
-        let sin = radius / distance;
-        let is_outside = sin < 1.0;
-        let (axis, cos, near) = if is_outside {
-            (offset / distance, (1.0 - sin * sin).sqrt() - ROUNDING, (distance - radius) * (1.0 - ROUNDING))
-        } else {
-            // From within it lies in every direction.
-            (DVec3::X, -2.0, 0.0)
+        let margin = 4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element());
+        let (axis, cos, depth) = match hull.cone_from(point, margin) {
+            Some((axis, cos)) => (axis, cos - ROUNDING, hull.lowest(axis) - axis.dot(point) - margin),
+            None => (DVec3::X, -2.0, f64::NEG_INFINITY),
         };
-        Self { body, axis: axis.as_vec3().to_array(), cos: cos as f32, near: near as f32 }
+        Self { body, axis: axis.as_vec3().to_array(), cos: cos as f32, depth: depth as f32 }
     }
 
     /// The same for rays that start so far on the way.
-    pub(crate) fn nearer_by(self, way: f32) -> Self {
-        Self { near: self.near - way * (1.0 + ROUNDING as f32), ..self }
+    fn nearer_by(self, way: f32) -> Self {
+        Self { depth: self.depth - way * (1.0 + ROUNDING as f32), ..self }
     }
 
     /// Whether some ray of a cone may meet the body. `cos` and `sin` are those of the angle between the cone and its
     /// axis, less than a right angle.
-    pub(crate) fn is_met_by_cone(&self, axis: Vector<f32>, cos: f32, sin: f32) -> bool {
+    fn is_met_by_cone(&self, axis: Vector<f32>, cos: f32, sin: f32) -> bool {
         if self.cos <= 0.0 {
             return true;
         }
@@ -75,12 +143,16 @@ impl Sight {
     pub(crate) fn is_met<R: Real>(&self, direction: Vector<R>, reach: R) -> R::Mask {
         let [x, y, z] = self.axis;
         let along = direction.x * x + direction.y * y + direction.z * z;
-        along.ge(reach.like(self.cos)) & reach.ge(reach.like(self.near))
+        // Of a body in any direction, 0·∞ must not pass it over.
+        along.ge(reach.like(self.cos)) & !(along * reach).lt(reach.like(self.depth))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
+    use catoptric_scene::{Anchor, Body, Light, Placement, Scene, Shape};
     use proptest::prelude::*;
 
     use super::*;
@@ -89,38 +161,94 @@ mod tests {
         [-extent..extent, -extent..extent, -extent..extent].prop_map(DVec3::from)
     }
 
+    fn size() -> impl Strategy<Value = f64> {
+        prop_oneof![0.01..20.0_f64, 0.001..0.1]
+    }
+
+    /// Some body, and where in its own frame some point of it lies.
+    fn body() -> impl Strategy<Value = (Body, DVec3)> {
+        let shape = (0..4_usize, size(), size(), 0.0..2.0_f64, 0.0..1.0_f64, -PI..PI, -1.0..1.0_f64);
+        let shape = shape.prop_map(|(kind, radius, height, ratio, out, around, up)| {
+            let (sin, cos) = around.sin_cos();
+            let out = if out > 0.9 { 1.0 } else { out };
+            let up = if up.abs() > 0.9 { up.signum() } else { up };
+            let share = 0.5 + 0.5 * up;
+            let level = |radius: f64| DVec3::new(radius * out * cos, share * height, radius * out * sin);
+            match kind {
+                0 => {
+                    let side = (1.0 - up * up).sqrt();
+                    (Shape::Sphere { radius }, radius * out * DVec3::new(side * cos, up, side * sin))
+                }
+                1 => {
+                    let size = DVec3::new(radius, height, ratio + 0.01);
+                    (Shape::Cube { size }, 0.5 * size * DVec3::new(cos.signum(), up, sin))
+                }
+                2 => (Shape::Cylinder { radius, height }, level(radius)),
+                _ => {
+                    let top_radius = if ratio < 0.5 { 0.0 } else { ratio * radius };
+                    let here = radius + share * (top_radius - radius);
+                    (Shape::Cone { radius, top_radius, height }, level(here))
+                }
+            }
+        });
+        let scale = [0.2..3.0_f64, 0.2..3.0, 0.2..3.0].prop_map(DVec3::from);
+        (shape, point(50.0), point(180.0), scale).prop_map(
+            |((shape, within), position, rotation_degrees, scale)| {
+                let anchor = Anchor::Frame { position, rotation_degrees };
+                (Body { shape, placement: Placement { anchor, scale }, ..Body::default() }, within)
+            },
+        )
+    }
+
     fn vector(v: DVec3) -> Vector<f32> {
         v.as_vec3().into()
     }
 
     proptest! {
-        /// What is in sight is never passed over, neither by a ray nor by a cone around it.
+        /// What is in sight is never passed over, neither by a ray nor by a cone around it, nor is a body by the sphere
+        /// around it.
         #[test]
-        fn no_body_is_missed(
-            eye in point(50.0),
-            center in point(50.0),
-            radius in 0.01..20.0_f64,
-            aim in point(1.0),
-            aside in point(0.3),
-        ) {
-            let sphere = BoundingSphere { center: center.as_vec3().to_array(), radius: radius as f32 };
-            let sight = Sight::new(&sphere, 0, eye.as_vec3().to_array());
-            // Some point in the sphere.
-            let target = center + 0.999 * radius * aim.clamp_length_max(1.0);
-            let (direction, distance) = (target - eye).normalize_and_length();
-            prop_assume!(distance > 1e-3);
+        fn no_body_is_missed((body, within) in body(), eye in point(50.0), aside in point(0.3)) {
+            let target = body.placement.world_from_body().transform_point3(within);
+            let stage_body = StageBody::new(&body).0;
+            let eye = vector(eye);
+            let sight = Sight::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3());
+            let (direction, distance) = (target - Vec3::from(eye).as_dvec3()).normalize_and_length();
+            prop_assume!(distance > 1e-2);
             prop_assert!(sight.is_met(vector(direction), f32::INFINITY));
-            prop_assert!(sight.is_met(vector(direction), distance as f32 * (1.0 + 1e-6)));
+            let reach = distance as f32 * (1.0 + 1e-6);
+            prop_assert!(sight.is_met(vector(direction), reach));
+            let way = 0.5 * distance as f32;
+            prop_assert!(sight.nearer_by(way).is_met(vector(direction), reach - way * (1.0 - 1e-6)));
+            let sphere = stage_body.bounding_sphere().unwrap();
+            prop_assert!(sphere.is_met(eye, vector(direction), reach));
             let axis = (direction + aside).normalize();
             let cos = axis.dot(direction) as f32 - 1e-6;
             prop_assert!(sight.is_met_by_cone(vector(axis), cos, (1.0 - cos * cos).sqrt()));
+        }
+
+        /// The sphere around a body is no larger than it needs to be: near its surface, on no side can it be moved away.
+        #[test]
+        fn spheres_are_tight((body, _) in body()) {
+            let body = StageBody::new(&body).0;
+            let (sphere, hull) = (body.bounding_sphere().unwrap(), body.hull().unwrap());
+            let center = DVec3::from(sphere.center.map(f64::from));
+            // The corners of hulls lie outside of discs, in the same directions.
+            let radius = f64::from(sphere.radius) * 0.96 - 1e-3;
+            for axis in [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z] {
+                let is_there = hull.points.iter().any(|&at| {
+                    let offset = at - center;
+                    hull.radius > 0.0 || offset.length() >= radius && offset.dot(axis) >= -radius * 1e-3 - 1e-3
+                });
+                prop_assert!(is_there, "{axis}");
+            }
         }
     }
 
     #[test]
     fn what_lies_elsewhere_or_behind_is_passed_over() {
-        let sphere = BoundingSphere { center: [0.0, 0.0, -10.0], radius: 1.0 };
-        let sight = Sight::new(&sphere, 0, [0.0; 3]);
+        let ball = Hull { points: vec![DVec3::new(0.0, 0.0, -10.0)], radius: 1.0 };
+        let sight = Sight::new(&ball, 0, DVec3::ZERO);
         let at =
             |degrees: f64| vector(DVec3::new(degrees.to_radians().sin(), 0.0, -degrees.to_radians().cos()));
         // The sphere is seen under asin(1/10) = 5.74° from its center.
@@ -129,5 +257,57 @@ mod tests {
         assert!(sight.nearer_by(5.0).is_met(at(0.0), 4.1));
         let (sin, cos) = 10.0_f32.to_radians().sin_cos();
         assert!(sight.is_met_by_cone(at(15.0), cos, sin) && !sight.is_met_by_cone(at(16.0), cos, sin));
+        // A wall of 8 m × 3 m, 3 m away: its corners are seen under atan(√(4² + 1.5²)/3) = 54.9°.
+        let placement = Placement {
+            anchor: Anchor::Frame { position: DVec3::new(0.0, 0.0, -3.05), rotation_degrees: DVec3::ZERO },
+            ..Placement::default()
+        };
+        let wall = Shape::Cube { size: DVec3::new(8.0, 3.0, 0.1) };
+        let wall = StageBody::new(&Body { shape: wall, placement, ..Body::default() }).0;
+        let sight = Sight::new(&wall.hull().unwrap(), 0, DVec3::ZERO);
+        assert!(sight.is_met(at(53.0), 20.0) && !sight.is_met(at(58.0), 20.0));
+        assert!(!sight.is_met(at(0.0), 2.9) && sight.is_met(at(0.0), 3.1));
+        assert!(!sight.is_met(at(45.0), 4.1) && sight.is_met(at(45.0), 4.4));
+    }
+
+    /// A floor is left out of the way to a light where all stands above it, and ahead of rays that go up.
+    #[test]
+    fn floors_in_no_way_are_left_out() {
+        let at = |y: f64| Body {
+            placement: Placement {
+                anchor: Anchor::Frame { position: DVec3::new(0.0, y, -5.0), rotation_degrees: DVec3::ZERO },
+                ..Placement::default()
+            },
+            ..Body::default()
+        };
+        let floor = Body { shape: Shape::Plane, ..Body::default() };
+        let stage = |bodies: Vec<Body>| {
+            Stage::prepare(&Scene {
+                bodies: bodies.into(),
+                lights: vec![Light::default()],
+                ..Scene::default()
+            })
+            .unwrap()
+        };
+        let planes = |bodies: Vec<Body>, height: f32| {
+            stage(bodies).seen_from_light([3.0, height, 0.0]).unwrap().planes.len()
+        };
+        let Shape::Sphere { radius } = Body::default().shape else {
+            unreachable!("a body is a sphere at first")
+        };
+        assert_eq!(planes(vec![floor.clone(), at(radius)], 2.0), 0, "a sphere that stands on it");
+        assert_eq!(planes(vec![floor.clone(), at(radius - 0.01)], 2.0), 1, "a sphere that is sunk in");
+        assert_eq!(planes(vec![floor.clone(), at(radius)], -2.0), 1, "a light below");
+        assert_eq!(planes(vec![floor.clone(), at(radius), floor.clone()], 2.0), 2, "two planes");
+        let stage = stage(vec![floor, at(1.0)]);
+        let ahead = |eye: [f32; 3], degrees: f64| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let mut ahead = Sights::default();
+            let cone = (vector(DVec3::new(0.0, sin, -cos)), 10.0_f32.to_radians().cos());
+            ahead.keep(&stage, &stage.seen_from(eye).unwrap(), cone, 0.0);
+            ahead.planes.len()
+        };
+        assert_eq!([9.0, 11.0].map(|degrees| ahead([0.0, 1.0, 0.0], degrees)), [1, 0]);
+        assert_eq!(ahead([0.0, -1.0, 0.0], 11.0), 1, "an eye below");
     }
 }
