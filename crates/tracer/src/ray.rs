@@ -2,7 +2,7 @@
 
 use glam::Vec3A;
 
-use crate::lanes::{One, Real as _, Width};
+use crate::lanes::{One, Real, Width};
 use crate::vector::Vector;
 
 /// Stands for "no body" wherever a body's index is kept.
@@ -64,8 +64,14 @@ impl<W: Width> Rays<W> {
     /// How far the starts may lie from their true places by rounding, meters.
     #[inline(always)]
     pub(crate) fn slack(&self) -> W::R {
-        self.origin.map(W::R::abs).largest() * POINT_ROUNDING
+        slack_at(self.origin)
     }
+}
+
+/// How far points may lie from their true places by rounding, meters.
+#[inline(always)]
+pub(crate) fn slack_at<R: Real>(point: Vector<R>) -> R {
+    point.map(R::abs).largest() * POINT_ROUNDING
 }
 
 impl Rays<One> {

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
-use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays};
+use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays, slack_at};
 use crate::shape::Span;
 use crate::stage::{
     BoundingSphere, Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit,
@@ -80,7 +80,6 @@ pub(crate) struct Flight<'a, W: Width> {
     direction: Vector<W::R>,
     start_body: W::W,
     inwards: W::M,
-    start_slack: W::R,
     /// Those that fly.
     lanes: W::M,
     inside: &'a Inside,
@@ -115,11 +114,16 @@ impl<'a, W: Width> Flight<'a, W> {
             direction: rays.direction,
             start_body: rays.start.and(NO_START),
             inwards: rays.start.has(INWARDS),
-            start_slack: rays.slack(),
             lanes,
             inside,
             along,
         }
+    }
+
+    /// How far the starts may lie from their true places by rounding, meters.
+    #[inline(always)]
+    fn start_slack(&self) -> W::R {
+        slack_at(self.origin)
     }
 
     #[inline(always)]
@@ -135,7 +139,7 @@ impl<'a, W: Width> Flight<'a, W> {
     /// The nearest body that each ray meets.
     #[inline(always)]
     pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
-        let mut best = Best::new(self.w, self.start_slack);
+        let mut best = Best::new(self.w, self.start_slack());
         self.visit(parts, &mut ForNearest(self, &mut best));
         self.visit_planes(&mut ForNearest(self, &mut best));
         best.first(self.w)
@@ -250,7 +254,7 @@ impl<'a, W: Width> Flight<'a, W> {
     /// The first meeting of one ray with every body that it meets, in no particular order.
     pub(crate) fn each(&self, parts: &mut Pending, mut found: impl FnMut(Hit)) {
         let mut test = |index: u32| {
-            let mut best = Best::new(self.w, self.start_slack);
+            let mut best = Best::new(self.w, self.start_slack());
             self.test(index, self.stage.body(index), self.lanes, &mut best);
             found_in(&best.first(self.w)).into_iter().for_each(&mut found);
         };
@@ -291,8 +295,8 @@ impl<'a, W: Width> Flight<'a, W> {
         let distance = distance * (1.0 - POINT_ROUNDING);
         let (zero, one) = (self.w.real(0.0), self.w.real(1.0));
         let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one), blocker: *blocker };
-        if let (Hierarchy::Many(_), Some(body)) =
-            (&self.stage.hierarchy, self.stage.bodies.get(*blocker as usize))
+        if let Hierarchy::Many(_) = &self.stage.hierarchy
+            && let Some(body) = self.stage.bodies.get(*blocker as usize)
             && !body.is_transparent()
         {
             self.filter(*blocker, body, distance, passed.lanes, &mut passed);
@@ -300,7 +304,8 @@ impl<'a, W: Width> Flight<'a, W> {
                 return Vector::new(zero, zero, zero);
             }
         }
-        let mut shadow = ForShadow { flight: self, passed: &mut passed, distance };
+        let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
+        let mut shadow = ForShadow { flight: self, passed: &mut passed, distance, reach };
         self.visit(parts, &mut shadow);
         self.visit_planes(&mut shadow);
         *blocker = passed.blocker;
@@ -393,7 +398,7 @@ impl<'a, W: Width> Flight<'a, W> {
         };
         let within = ahead & !enters;
         if within.any() {
-            let start = start_within(self.w, body, (self.origin, self.direction), self.start_slack, within);
+            let start = start_within(self.w, body, (self.origin, self.direction), self.start_slack(), within);
             meeting.entering = meeting.entering | start.at_entry;
             meeting.enter = W::R::select(start.at_entry, zero, span.enter);
             meeting.leaving = meeting.leaving | start.inside;
@@ -483,6 +488,8 @@ struct ForShadow<'f, 'a, W: Width> {
     flight: &'f Flight<'a, W>,
     passed: &'f mut Passed<W>,
     distance: W::R,
+    /// The distance for those that get any light, else none at all.
+    reach: W::R,
 }
 
 impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
@@ -490,7 +497,7 @@ impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
 
     #[inline(always)]
     fn reach(&self) -> W::R {
-        W::R::select(self.passed.lanes, self.distance, self.flight.w.real(f32::NEG_INFINITY))
+        self.reach
     }
 
     #[inline(always)]
@@ -499,6 +506,7 @@ impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
             let body = self.flight.stage.body(index);
             self.flight.filter(index, body, self.distance, lanes & self.passed.lanes, self.passed);
         }
+        self.reach = W::R::select(self.passed.lanes, self.reach, self.flight.w.real(f32::NEG_INFINITY));
     }
 }
 

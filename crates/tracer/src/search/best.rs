@@ -18,7 +18,7 @@ pub(super) struct Nearest<W: Width> {
 pub(super) struct Best<W: Width> {
     pub(super) leaving: Nearest<W>,
     pub(super) entering: Nearest<W>,
-    /// No body beyond this parameter can change the outcome any more.
+    /// No body beyond this parameter can change the outcome any more; finite.
     pub(super) reach: W::R,
     pub(super) start_slack: W::R,
 }
@@ -28,7 +28,7 @@ impl<W: Width> Best<W> {
     pub(super) fn new(w: W, start_slack: W::R) -> Self {
         let (infinity, zero) = (w.real(f32::INFINITY), w.real(0.0));
         let none = || Nearest { t: infinity, body: w.word(0), face: zero, slack: zero };
-        Self { leaving: none(), entering: none(), reach: infinity, start_slack }
+        Self { leaving: none(), entering: none(), reach: w.real(f32::MAX), start_slack }
     }
 
     /// Takes note of hits that lead into a body.

@@ -105,7 +105,7 @@ impl RayStream {
     pub(crate) fn hits<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> Hits<W> {
         let (_, reach) = self.rays.load(w, at);
         let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
-        let mut best = Best { leaving, entering, reach, start_slack: flight.start_slack };
+        let mut best = Best { leaving, entering, reach, start_slack: flight.start_slack() };
         for index in flight.stage.planes() {
             flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
         }
@@ -239,7 +239,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                 if entering.any() {
                     let farthest = w.real(stage.largest_slack);
                     let reach =
-                        meeting.enter + (flight.start_slack + farthest + meeting.enter * POINT_ROUNDING);
+                        meeting.enter + (flight.start_slack() + farthest + meeting.enter * POINT_ROUNDING);
                     self.stream.offer::<W>(
                         stage,
                         (index, body.slack),

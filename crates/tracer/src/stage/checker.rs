@@ -5,7 +5,7 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::body::{is_diagonal, mul, rows, scale, world_from_canonical};
 use super::numbers;
-use crate::lanes::Real;
+use crate::lanes::{Real, Word as _};
 use crate::vector::Vector;
 
 /// A checkerboard in a body's frame.
@@ -55,9 +55,11 @@ impl StageChecker {
         [row(x, 0), row(y, 1), row(z, 2), [red, green, blue, f32::from(odd_origin)]]
     }
 
-    /// Whether a point of the body's frame lies in an odd cell. Beyond 2²⁴ cells, single precision knows no odd numbers.
+    /// Whether a point of the body's frame lies in an odd cell; beyond 2²² cells, what single precision makes of that.
     #[inline(always)]
     pub(crate) fn is_odd<R: Real>(&self, in_body: Vector<R>) -> R::Mask {
+        /// 1.5·2²³ leaves no room for a fraction: what is added to it stands in the low bits of the sum.
+        const ROUND: f32 = 12_582_912.0;
         let offset = self.offset.map(|offset| offset + Self::BORDER);
         let cells = if self.aligned {
             scale(&self.cells_from_body, in_body)
@@ -65,10 +67,10 @@ impl StageChecker {
             mul(&self.cells_from_body, in_body)
         };
         let cells = cells.plus_all(offset).map(R::floor);
-        // The sum of the remainders by 2, each 0 or 1.
-        let rest = |cell: R| cell - (cell * 0.5).floor() * 2.0;
-        let sum = rest(cells.x) + rest(cells.y) + rest(cells.z) + f32::from(self.odd_origin);
-        rest(sum).eq(sum.like(1.0))
+        let x = (cells.x + (ROUND + f32::from(self.odd_origin))).to_word();
+        let y = (cells.y + ROUND).to_word();
+        let z = (cells.z + ROUND).to_word();
+        x.plus(y).plus(z).has(1)
     }
 }
 

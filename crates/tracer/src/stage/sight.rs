@@ -29,8 +29,8 @@ pub(crate) struct Sight {
     axis: [f32; 3],
     /// Cosine of the angle between the axis and the cone.
     cos: f32,
-    /// No part of the body is nearer, measured along the axis, meters.
-    depth: f32,
+    /// No part of the body is nearer, measured along the axis, meters; times -1.
+    minus_depth: f32,
 }
 
 /// More than the rounding of a scalar product of unit vectors, and, relatively, than that of a length.
@@ -45,7 +45,7 @@ impl Stage {
         let point = DVec3::from(point.map(f64::from));
         let sight = |(body, index): (&StageBody, u32)| Some(Sight::new(&body.hull()?, index, point));
         let mut bodies: Vec<Sight> = self.bodies.iter().zip(0..).filter_map(sight).collect();
-        bodies.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        bodies.sort_by(|a, b| b.minus_depth.total_cmp(&a.minus_depth));
         Some(Sights { point, bodies, planes: self.planes().collect() })
     }
 
@@ -120,12 +120,12 @@ impl Sight {
             Some((axis, cos)) => (axis, cos - ROUNDING, hull.lowest(axis) - axis.dot(point) - margin),
             None => (DVec3::X, -2.0, f64::NEG_INFINITY),
         };
-        Self { body, axis: axis.as_vec3().to_array(), cos: cos as f32, depth: depth as f32 }
+        Self { body, axis: axis.as_vec3().to_array(), cos: cos as f32, minus_depth: -depth as f32 }
     }
 
     /// The same for rays that start so far on the way.
     fn nearer_by(self, way: f32) -> Self {
-        Self { depth: self.depth - way * (1.0 + ROUNDING as f32), ..self }
+        Self { minus_depth: self.minus_depth + way * (1.0 + ROUNDING as f32), ..self }
     }
 
     /// Whether some ray of a cone may meet the body. `cos` and `sin` are those of the angle between the cone and its
@@ -138,13 +138,13 @@ impl Sight {
         axis.dot(Vector::splat(0.0, self.axis)) >= self.cos * cos - own_sin * sin - 4.0 * ROUNDING as f32
     }
 
-    /// Whether rays from the point in these directions, of length 1, may meet the body before `reach`.
+    /// Whether rays from the point in these directions, of length 1, may meet the body before `reach`, finite.
     #[inline(always)]
     pub(crate) fn is_met<R: Real>(&self, direction: Vector<R>, reach: R) -> R::Mask {
-        let [x, y, z] = self.axis;
-        let along = direction.x * x + direction.y * y + direction.z * z;
-        // Of a body in any direction, 0·∞ must not pass it over.
-        along.ge(reach.like(self.cos)) & !(along * reach).lt(reach.like(self.depth))
+        let along = direction.rough_dot(Vector::splat(reach, self.axis));
+        let within = along - self.cos;
+        let behind = along.roughly_times_plus(reach, reach.like(self.minus_depth));
+        within.min(behind).ge(reach.like(0.0))
     }
 }
 
@@ -215,7 +215,7 @@ mod tests {
             let sight = Sight::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3());
             let (direction, distance) = (target - Vec3::from(eye).as_dvec3()).normalize_and_length();
             prop_assume!(distance > 1e-2);
-            prop_assert!(sight.is_met(vector(direction), f32::INFINITY));
+            prop_assert!(sight.is_met(vector(direction), f32::MAX));
             let reach = distance as f32 * (1.0 + 1e-6);
             prop_assert!(sight.is_met(vector(direction), reach));
             let way = 0.5 * distance as f32;
