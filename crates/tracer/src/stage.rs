@@ -1,5 +1,6 @@
 //! The prepared scene: everything a ray can meet, in flat arrays.
 
+mod ahead;
 mod body;
 mod bounds;
 mod bvh;
@@ -285,6 +286,12 @@ impl Stage {
 
     pub(crate) fn body(&self, index: u32) -> &StageBody {
         &self.bodies[index as usize]
+    }
+
+    /// Asks for a body, which is probably wanted soon.
+    #[inline(always)]
+    pub(crate) fn fetch(&self, index: u32) {
+        ahead::fetch(&self.bodies, index);
     }
 
     pub(crate) fn material(&self, body: &StageBody) -> &StageMaterial {

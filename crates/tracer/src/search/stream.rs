@@ -221,6 +221,11 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
     }
 
     #[inline(always)]
+    fn expect(&self, bodies: Range<u32>) {
+        bodies.for_each(|body| self.stage.fetch(body));
+    }
+
+    #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>, rays: &[u32], count: usize) {
         let Self { w, stage, .. } = *self;
         for at in (0..count).step_by(W::LANES) {
@@ -317,6 +322,11 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
     #[inline(always)]
     fn rays(&self) -> &StreamRays {
         self.rays
+    }
+
+    #[inline(always)]
+    fn expect(&self, bodies: Range<u32>) {
+        bodies.for_each(|body| self.stage.fetch(body));
     }
 
     #[inline(always)]

@@ -75,6 +75,12 @@ impl Bvh {
         &self.nodes
     }
 
+    /// Asks for a node, which is probably wanted soon.
+    #[inline(always)]
+    fn fetch(&self, index: u32) {
+        super::ahead::fetch(&self.nodes, index);
+    }
+
     /// Bytes held.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&*self.nodes)

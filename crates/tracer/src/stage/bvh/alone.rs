@@ -12,6 +12,8 @@ pub(super) trait VisitAlone {
 
     /// The parameter beyond which nothing is wanted any more.
     fn reach(&self) -> f32;
+    /// A leaf with these bodies will probably be met soon.
+    fn expect(&self, bodies: Range<u32>);
     /// Meets the bodies of a leaf.
     fn leaf(&mut self, bodies: Range<u32>);
 }
@@ -52,7 +54,13 @@ impl Bvh {
         loop {
             let node = &self.nodes[index as usize];
             for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
-                parts[waiting] = LonePart { first: node.first[slot], count: node.count[slot], enter };
+                let (first, count) = (node.first[slot], node.count[slot]);
+                if count > 0 {
+                    visitor.expect(first..first + count);
+                } else {
+                    self.fetch(first);
+                }
+                parts[waiting] = LonePart { first, count, enter };
                 waiting += 1;
             }
             loop {

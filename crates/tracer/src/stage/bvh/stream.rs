@@ -40,6 +40,8 @@ pub(crate) trait VisitStream {
     const NEAREST_FIRST: bool;
 
     fn rays(&self) -> &StreamRays;
+    /// A leaf with these bodies will probably be met soon.
+    fn expect(&self, bodies: Range<u32>);
     /// Meets the bodies of a leaf, whose box `count` rays meet: the first ones of `rays`, which holds [`MOST_LANES`] more.
     fn leaf(&mut self, bodies: Range<u32>, rays: &[u32], count: usize);
 }
@@ -201,7 +203,13 @@ impl Bvh {
             let lens = sort(w, visitor.rays(), (node, slots), (&own[start..], len), (lists, room));
             for ((&slot, &len), start) in slots.iter().zip(&lens).zip((end..).step_by(room)) {
                 if len > 0 {
-                    parts.push(StreamPart { first: node.first[slot], count: node.count[slot], start, len });
+                    let (first, count) = (node.first[slot], node.count[slot]);
+                    if count > 0 {
+                        visitor.expect(first..first + count);
+                    } else {
+                        self.fetch(first);
+                    }
+                    parts.push(StreamPart { first, count, start, len });
                 }
             }
         }
@@ -270,6 +278,11 @@ impl<V: VisitStream> VisitAlone for OneOfStream<'_, V> {
     #[inline(always)]
     fn reach(&self) -> f32 {
         self.visitor.rays().reach(self.ray[0])
+    }
+
+    #[inline(always)]
+    fn expect(&self, bodies: Range<u32>) {
+        self.visitor.expect(bodies);
     }
 
     #[inline(always)]
