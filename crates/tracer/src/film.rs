@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::counts::RayCounts;
 use crate::render::{Control, RenderError};
 use crate::stage::{Stage, StageCamera};
-use crate::tile::{Place, TILE, TileTracer};
+use crate::tile::{Place, TILE, TileTracer, edge_for};
 
 /// The light gathered so far in every pixel of a picture.
 ///
@@ -20,6 +20,8 @@ use crate::tile::{Place, TILE, TileTracer};
 pub struct Film {
     width: u32,
     height: u32,
+    /// Edge of the tiles, pixels.
+    edge: usize,
     tiles: Vec<FilmTile>,
     samples: u32,
 }
@@ -39,7 +41,15 @@ impl Film {
     /// When the size is 0 or too large, or there is too little memory.
     pub fn new(width: u32, height: u32) -> Result<Self, SizeError> {
         Picture::check_size(width, height)?;
-        let places = Place::all(width as usize, height as usize);
+        let mut film = Self { width, height, edge: 0, tiles: Vec::new(), samples: 0 };
+        film.divide(TILE)?;
+        Ok(film)
+    }
+
+    /// Divides it into tiles without light, as threads take them.
+    fn divide(&mut self, edge: usize) -> Result<(), SizeError> {
+        let Self { width, height, .. } = *self;
+        let places = Place::all(width as usize, height as usize, edge);
         let tile = |place: Place| {
             let mut sums = Vec::new();
             sums.try_reserve_exact(place.pixels()).ok()?;
@@ -47,9 +57,10 @@ impl Film {
             Some(FilmTile { place, sums, samples: 0 })
         };
         let bytes = u64::from(width) * u64::from(height) * size_of::<DVec3>() as u64;
-        let tiles =
+        self.tiles =
             places.map(tile).collect::<Option<_>>().ok_or(SizeError::Memory { width, height, bytes })?;
-        Ok(Self { width, height, tiles, samples: 0 })
+        self.edge = edge;
+        Ok(())
     }
 
     /// Pixels across.
@@ -80,13 +91,18 @@ impl Film {
     /// Stage and camera must be those of the earlier samples.
     ///
     /// # Errors
-    /// When `control` is cancelled; see above for what becomes of the film.
+    /// When `control` is cancelled; see above for what becomes of the film. Before the first sample, when there is too
+    /// little memory.
     pub fn add_sample(
         &mut self,
         stage: &Stage,
         camera: &StageCamera,
         control: &Control,
     ) -> Result<RayCounts, RenderError> {
+        let edge = edge_for(stage, self.width as usize, self.height as usize);
+        if edge != self.edge {
+            self.divide(edge)?;
+        }
         let size = DVec2::new(f64::from(self.width), f64::from(self.height));
         let sample = self.samples;
         let counts = self
@@ -113,8 +129,8 @@ impl Film {
     pub fn picture(&self) -> Result<Picture, SizeError> {
         let mut picture = Picture::new(self.width, self.height)?;
         let width = self.width as usize;
-        let bands = self.tiles.par_chunks(width.div_ceil(TILE));
-        bands.zip(picture.pixels_mut().par_chunks_mut(width * TILE)).for_each(|(tiles, rows)| {
+        let bands = self.tiles.par_chunks(width.div_ceil(self.edge));
+        bands.zip(picture.pixels_mut().par_chunks_mut(width * self.edge)).for_each(|(tiles, rows)| {
             for tile in tiles {
                 tile.write(rows, width);
             }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::counts::RayCounts;
 use crate::stage::{Stage, StageCamera};
-use crate::tile::{Place, TILE, TileTracer};
+use crate::tile::{Place, TileTracer, edge_for};
 
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,7 +115,7 @@ pub fn render_through(
     let size = DVec2::new(f64::from(settings.width), f64::from(settings.height));
     let samples = settings.samples.max(1);
     // Who is free takes the next tile: of two halves of a picture one may have all that takes long.
-    let counts = tiles(&mut picture)
+    let counts = tiles(stage, &mut picture)
         .into_iter()
         .par_bridge()
         .map_init(
@@ -135,7 +135,7 @@ pub fn render_through(
     Ok(Rendering { picture, counts })
 }
 
-/// The light of one pixel (column, row) as [`render_through`] has it, bit by bit, at the cost of a tile around it;
+/// The light of one pixel (column, row) as [`render_through`] has it, bit by bit, at the cost of the tiles around it;
 /// `None` if the pixel is not in the picture.
 ///
 /// # Errors
@@ -153,7 +153,7 @@ pub fn render_pixel(
     if pixel.x >= width || pixel.y >= height {
         return Ok(None);
     }
-    let place = Place::around(pixel, size);
+    let place = Place::around(pixel, size, edge_for(stage, width as usize, height as usize));
     let [x, y] = [pixel.x as usize - place.x, pixel.y as usize - place.y];
     let mut tracer = TileTracer::new(stage, camera, control);
     let mut row = vec![[0.0; 3]; place.width];
@@ -171,7 +171,7 @@ fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
     (sum / f64::from(samples)).as_vec3().to_array()
 }
 
-/// A square of the picture and its rows.
+/// A tile or a group of tiles and its rows of the picture.
 struct Tile<'a> {
     place: Place,
     rows: Vec<&'a mut [[f32; 3]]>,
@@ -211,14 +211,16 @@ impl Tile<'_> {
     }
 }
 
-fn tiles(picture: &mut Picture) -> Vec<Tile<'_>> {
+fn tiles<'p>(stage: &Stage, picture: &'p mut Picture) -> Vec<Tile<'p>> {
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
-    let mut tiles: Vec<Tile<'_>> =
-        Place::all(width, height).map(|place| Tile { place, rows: Vec::with_capacity(TILE) }).collect();
-    let bands = tiles.chunks_mut(width.div_ceil(TILE));
-    for (band, rows) in bands.zip(picture.pixels_mut().chunks_mut(width * TILE)) {
+    let edge = edge_for(stage, width, height);
+    let mut tiles: Vec<Tile<'_>> = Place::all(width, height, edge)
+        .map(|place| Tile { place, rows: Vec::with_capacity(place.height) })
+        .collect();
+    let bands = tiles.chunks_mut(width.div_ceil(edge));
+    for (band, rows) in bands.zip(picture.pixels_mut().chunks_mut(width * edge)) {
         for row in rows.chunks_mut(width) {
-            for (tile, part) in band.iter_mut().zip(row.chunks_mut(TILE)) {
+            for (tile, part) in band.iter_mut().zip(row.chunks_mut(edge)) {
                 tile.rows.push(part);
             }
         }

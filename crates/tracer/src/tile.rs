@@ -8,7 +8,7 @@ use crate::counts::RayCounts;
 use crate::lanes::{Lanes, MOST_LANES, Mask as _, Width, Word as _, Work};
 use crate::render::Control;
 use crate::sampling::sample_offset;
-use crate::stage::{RaysNear, Stage, StageCamera};
+use crate::stage::{RaysNear, STREAM, Stage, StageCamera};
 use crate::vector::Vector;
 use crate::whitted::{Beams, Dice, Offspring, Origin, Queue, Streams, Whitted};
 
@@ -18,7 +18,22 @@ pub(crate) use light::TileLight;
 /// vectors of them are full.
 pub(crate) const TILE: usize = 64;
 
-/// Where a tile lies: its upper left pixel and its size.
+/// Where rays go by streams, threads take so many tiles across and down at once: of more rays, more meet the same part of
+/// the hierarchy.
+const GROUP: usize = 2;
+
+/// If that leaves so many groups in a picture, so that threads still find enough of them.
+const LEAST_GROUPS: usize = 40;
+
+/// Edge of the squares of a picture that threads take one by one, pixels: one tile or a [`GROUP`]. It depends on no number
+/// of threads, since the order does in which the light of a pixel's rays is summed.
+pub(crate) fn edge_for(stage: &Stage, width: usize, height: usize) -> usize {
+    let edge = GROUP * TILE;
+    let is_large = width.div_ceil(edge) * height.div_ceil(edge) >= LEAST_GROUPS;
+    if is_large && stage.goes_by_streams() { edge } else { TILE }
+}
+
+/// Where a tile or a group of them lies: its upper left pixel and its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Place {
     pub(crate) x: usize,
@@ -28,14 +43,20 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// The tiles of a picture, row by row.
-    pub(crate) fn all(width: usize, height: usize) -> impl Iterator<Item = Self> {
-        (0..height).step_by(TILE).flat_map(move |y| {
-            (0..width).step_by(TILE).map(move |x| Self {
-                x,
-                y,
-                width: TILE.min(width - x),
-                height: TILE.min(height - y),
+    /// The squares of a picture, row by row; those at its right and lower borders may be smaller.
+    pub(crate) fn all(width: usize, height: usize, edge: usize) -> impl Iterator<Item = Self> {
+        Self { x: 0, y: 0, width, height }.squares(edge)
+    }
+
+    /// The squares that it is made of, row by row.
+    fn squares(self, edge: usize) -> impl Iterator<Item = Self> {
+        let Self { x: left, y: top, width, height } = self;
+        (0..height).step_by(edge).flat_map(move |y| {
+            (0..width).step_by(edge).map(move |x| Self {
+                x: left + x,
+                y: top + y,
+                width: edge.min(width - x),
+                height: edge.min(height - y),
             })
         })
     }
@@ -44,11 +65,11 @@ impl Place {
         DVec2::new(self.width as f64, self.height as f64)
     }
 
-    /// The tile of this pixel in a picture of `size` pixels that has it.
-    pub(crate) fn around(pixel: UVec2, size: UVec2) -> Self {
-        let first = |at: u32| at as usize / TILE * TILE;
+    /// The square of this pixel in a picture of `size` pixels that has it.
+    pub(crate) fn around(pixel: UVec2, size: UVec2, edge: usize) -> Self {
+        let first = |at: u32| at as usize / edge * edge;
         let (x, y) = (first(pixel.x), first(pixel.y));
-        Self { x, y, width: TILE.min(size.x as usize - x), height: TILE.min(size.y as usize - y) }
+        Self { x, y, width: edge.min(size.x as usize - x), height: edge.min(size.y as usize - y) }
     }
 
     /// The primary rays of the tile as they are for every sample.
@@ -83,7 +104,7 @@ impl Place {
     }
 }
 
-/// Traces tiles; reusable from tile to tile by one thread.
+/// Traces tiles and groups of them; reusable from one to the next by one thread.
 pub(crate) struct TileTracer<'a> {
     whitted: Whitted<'a>,
     lanes: Lanes,
@@ -133,7 +154,7 @@ impl<'a> TileTracer<'a> {
     }
 }
 
-/// One sample of the pixels of a tile. `FULL` stands where [`Stage::is_full`] may be true.
+/// One sample of the pixels of a tile or a group. `FULL` stands where [`Stage::is_full`] may be true.
 struct Sample<'t, 'a, const FULL: bool> {
     tracer: &'t mut TileTracer<'a>,
     place: Place,
@@ -152,7 +173,8 @@ impl<const FULL: bool> Work for Sample<'_, '_, FULL> {
 }
 
 impl TileTracer<'_> {
-    /// So many rays of a level may wait; then the level behind it is traced, so that memory is bounded.
+    /// So many rays of a level may wait where they are traced packet by packet; then the level behind it is traced, so that
+    /// memory is bounded. By streams, as many as fill one.
     const MOST_WAITING: usize = 4096;
 
     /// Packets of a level between two looks at how many rays wait elsewhere.
@@ -165,22 +187,43 @@ impl TileTracer<'_> {
     /// Traces the rays from the eye, in blocks of neighboring pixels. False if it was cancelled.
     #[inline(always)]
     fn primary<W: Width, const FULL: bool>(&mut self, w: W, place: Place, size: DVec2, sample: u32) -> bool {
-        let block = Block::new(w);
         let [width, height] = Block::<W>::SIZE;
-        self.light.begin(place, Block::<W>::SIZE);
-        let (near, reach, offset) = place.rays(self.whitted.camera, size, sample);
+        self.light.begin(place, [width, height]);
         let across = place.width.div_ceil(width);
         self.whitted.begin(sample, Dice::new(sample, [place.x, place.y], [width, height], across));
-        self.whitted.aim(&near, reach);
-        let by_stream = self.whitted.eye_goes_by_streams();
+        let by_stream = self.whitted.stage.eye_goes_by_streams();
         if by_stream && self.levels.is_empty() {
             self.levels.push(Level::default());
         }
-        let mut first = 0;
-        for top in (0..place.height).step_by(height) {
+        for tile in place.squares(TILE) {
+            let first_block = (tile.y - place.y) / height * across + (tile.x - place.x) / width;
+            let (near, reach, offset) = tile.rays(self.whitted.camera, size, sample);
+            self.whitted.aim(&near, reach);
+            if !self.primary_of_tile::<W, FULL>(w, tile, (&near, offset), (first_block, across), by_stream) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Traces the rays from the eye through a tile. Its blocks are numbered from the first on, so many further from one row
+    /// of them to the next. False if it was cancelled.
+    #[inline(always)]
+    fn primary_of_tile<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        place: Place,
+        (near, offset): (&RaysNear, Vec2),
+        (first_block, across): (usize, usize),
+        by_stream: bool,
+    ) -> bool {
+        let block = Block::new(w);
+        let [width, height] = Block::<W>::SIZE;
+        for (row, top) in (0..place.height).step_by(height).enumerate() {
             if self.is_cancelled() {
                 return false;
             }
+            let mut first = (first_block + row * across) * W::LANES;
             for left in (0..place.width).step_by(width) {
                 // Whole numbers are added first: a pixel's ray is the same in blocks of every width.
                 let x = block.x + left as f32 + offset.x;
@@ -196,7 +239,7 @@ impl TileTracer<'_> {
                 } else {
                     (light, next) = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0);
                 }
-                self.light.set::<W>(light);
+                self.light.set::<W>(first, light);
                 if let Some(beams) = next {
                     self.pursue::<W, FULL>(w, &beams, 1);
                 }
@@ -209,6 +252,8 @@ impl TileTracer<'_> {
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
     fn drain<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
+        let by_streams = self.whitted.stage.goes_by_streams();
+        let most_waiting = if by_streams { STREAM } else { Self::MOST_WAITING };
         let mut at = 0;
         loop {
             if self.is_cancelled() {
@@ -221,7 +266,7 @@ impl TileTracer<'_> {
                     return true;
                 };
                 at = next;
-            } else if self.whitted.goes_by_streams() {
+            } else if by_streams {
                 self.follow_stream::<W, FULL>(w, at);
             } else {
                 for _ in 0..Self::AT_ONCE {
@@ -232,7 +277,7 @@ impl TileTracer<'_> {
                     }
                 }
             }
-            let is_full = |&level: &usize| self.waiting(level) >= Self::MOST_WAITING;
+            let is_full = |&level: &usize| self.waiting(level) >= most_waiting;
             at = (at + 1..self.levels.len()).find(is_full).unwrap_or(at);
         }
     }
@@ -295,7 +340,7 @@ impl TileTracer<'_> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
-        let waits = self.whitted.goes_by_streams();
+        let waits = self.whitted.stage.goes_by_streams();
         let mut grown = Grown { level: &mut self.levels[level], next: None, waits };
         let light = self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light;
         (light, grown.next)

@@ -44,7 +44,7 @@ pub(crate) use waves::Waves;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct Whitted<'a> {
-    stage: &'a Stage,
+    pub(crate) stage: &'a Stage,
     pub(crate) camera: &'a StageCamera,
     pub(crate) cancel: &'a AtomicBool,
     /// Rays of this generation are the last.

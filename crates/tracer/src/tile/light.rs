@@ -1,11 +1,13 @@
 //! The light of a tile's pixels.
 
-use super::{Place, TILE};
+use bytemuck::zeroed_box;
+
+use super::{GROUP, Place, TILE};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::vector::Vector;
 use crate::whitted::Beams;
 
-/// The light of one sample of a tile's pixels.
+/// The light of one sample of the pixels of a tile or a group.
 ///
 /// Pixels are numbered block by block, so that those whose rays are traced side by side are neighbors in memory too.
 #[derive(Debug)]
@@ -15,8 +17,8 @@ pub(crate) struct TileLight {
     /// The sums of what all rays of a pixel bring, once there are others.
     sums: Box<Planes<f64>>,
     is_sum: bool,
-    /// So many pixels have been set.
-    set: usize,
+    /// No pixel has been set from this one on.
+    end: usize,
     /// Size of a block, pixels.
     block: [usize; 2],
     /// Blocks across.
@@ -26,36 +28,28 @@ pub(crate) struct TileLight {
 /// Red, green and blue of all pixels, one after the other.
 type Planes<T> = [[T; PIXELS]; 3];
 
-/// No tile has more.
-const PIXELS: usize = TILE * TILE;
+/// No group has more.
+const PIXELS: usize = (GROUP * TILE) * (GROUP * TILE);
 
 impl Default for TileLight {
     fn default() -> Self {
-        Self {
-            first: Box::new([[0.0; PIXELS]; 3]),
-            sums: Box::new([[0.0; PIXELS]; 3]),
-            is_sum: false,
-            set: 0,
-            block: [1; 2],
-            across: 0,
-        }
+        Self { first: zeroed_box(), sums: zeroed_box(), is_sum: false, end: 0, block: [1; 2], across: 0 }
     }
 }
 
 impl TileLight {
-    /// Prepares for the pixels of a tile in blocks of this size.
+    /// Prepares for the pixels of a tile or a group in blocks of this size.
     pub(super) fn begin(&mut self, place: Place, block: [usize; 2]) {
         self.is_sum = false;
-        self.set = 0;
+        self.end = 0;
         self.block = block;
         self.across = place.width.div_ceil(block[0]);
     }
 
-    /// Sets the light of the pixels of the next block.
+    /// Sets the light of the pixels of a block, from number `first` on.
     #[inline(always)]
-    pub(super) fn set<W: Width>(&mut self, light: Vector<W::R>) {
-        let first = self.set;
-        self.set = first + W::LANES;
+    pub(super) fn set<W: Width>(&mut self, first: usize, light: Vector<W::R>) {
+        self.end = self.end.max(first + W::LANES);
         if self.is_sum {
             let [red, green, blue] = &mut *self.sums;
             each_with::<W>(&mut red[first..], light.x, |sum, part| *sum = part);
@@ -107,7 +101,7 @@ impl TileLight {
     fn sum_up(&mut self) {
         self.is_sum = true;
         for (sums, light) in self.sums.iter_mut().zip(self.first.iter()) {
-            for (sum, &light) in sums.iter_mut().zip(&light[..self.set]) {
+            for (sum, &light) in sums.iter_mut().zip(&light[..self.end]) {
                 *sum = f64::from(light);
             }
         }

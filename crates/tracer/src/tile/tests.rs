@@ -11,13 +11,22 @@ const SIZE: (usize, usize) = (90, 50);
 /// The light of a picture's pixels, traced in one width, and the rays that it took.
 fn trace<const FULL: bool>(
     stage: &Stage,
+    trace: impl FnMut(Sample<'_, '_, FULL>) -> bool,
+) -> (Vec<[f32; 3]>, RayCounts) {
+    trace_parts(stage, TILE, trace)
+}
+
+/// The same, of each square of the picture after the other.
+fn trace_parts<const FULL: bool>(
+    stage: &Stage,
+    edge: usize,
     mut trace: impl FnMut(Sample<'_, '_, FULL>) -> bool,
 ) -> (Vec<[f32; 3]>, RayCounts) {
     let control = Control::default();
     let mut tracer = TileTracer::new(stage, stage.camera(), &control);
     let size = DVec2::new(SIZE.0 as f64, SIZE.1 as f64);
     let mut light = Vec::new();
-    for place in Place::all(SIZE.0, SIZE.1) {
+    for place in Place::all(SIZE.0, SIZE.1, edge) {
         assert!(trace(Sample { tracer: &mut tracer, place, size, sample: 1 }));
         for y in 0..place.height {
             let mut row = vec![[0.0; 3]; place.width];
@@ -75,6 +84,34 @@ fn the_hierarchy_leaves_out_nothing_that_is_met() {
     }
 }
 
+/// A group of tiles shows what its tiles show one by one.
+#[test]
+fn groups_show_what_tiles_show() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference");
+    // With rays that wait in many levels, and with chance.
+    for name in ["cloud", "coloured-glass", "../mitsuba/soft-shadow"] {
+        let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
+        let stage = Stage::prepare(&scene).unwrap();
+        for (lanes_name, lanes) in Lanes::all() {
+            let taken = |edge| trace_parts::<true>(&stage, edge, |sample| lanes.run(sample));
+            let ((tiles, rays), (group, group_rays)) = (taken(TILE), taken(GROUP * TILE));
+            assert_eq!(group_rays, rays, "{name}, {lanes_name}");
+            // The group is one square, row by row; the tiles stand one after the other.
+            let place = |x: usize, y: usize| {
+                if x < TILE { y * TILE + x } else { TILE * SIZE.1 + y * (SIZE.0 - TILE) + x - TILE }
+            };
+            for (at, light) in group.iter().enumerate() {
+                let tile = glam::Vec3::from(tiles[place(at % SIZE.0, at / SIZE.0)]);
+                let off = (tile - glam::Vec3::from(*light)).abs();
+                assert!(
+                    off.cmple(f32::EPSILON * tile.abs()).all(),
+                    "{name}, {lanes_name}: {light:?} for {tile}"
+                );
+            }
+        }
+    }
+}
+
 /// Among very many bodies rays from the eye go by streams, too.
 #[test]
 fn streams_from_the_eye_see_what_single_rays_see() {
@@ -93,9 +130,9 @@ fn streams_from_the_eye_see_what_single_rays_see() {
     let (light, _) = trace::<false>(&stage, |sample| Lanes::widest().run(sample));
     let cancel = std::sync::atomic::AtomicBool::new(false);
     let mut alone = Whitted::new(&stage, &cancel);
-    assert!(alone.eye_goes_by_streams());
+    assert!(stage.eye_goes_by_streams());
     let size = UVec2::new(SIZE.0 as u32, SIZE.1 as u32);
-    let pixels = Place::all(SIZE.0, SIZE.1).flat_map(|place| {
+    let pixels = Place::all(SIZE.0, SIZE.1, TILE).flat_map(|place| {
         let pixel = move |at| UVec2::new(at % place.width as u32, at / place.width as u32);
         (0..place.pixels() as u32).map(move |at| UVec2::new(place.x as u32, place.y as u32) + pixel(at))
     });
@@ -124,7 +161,7 @@ fn light_comes_back_row_by_row() {
         let (left, top) = (4 * (block % 2), 4 * (block / 2));
         for lane in 0..16 {
             let at = [left + lane % 4, top + lane / 4, 1].map(|number| number as f32);
-            light.set::<One>(Vector::from(glam::Vec3::from(at)));
+            light.set::<One>(16 * block + lane, Vector::from(glam::Vec3::from(at)));
         }
     }
     for y in 0..place.height {

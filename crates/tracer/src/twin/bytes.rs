@@ -11,7 +11,7 @@ use crate::stage::{
     Hierarchy, Node, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageFalloff, StageLight,
     StageMaterial, StageSky,
 };
-use crate::tile::Place;
+use crate::tile::{Place, TILE};
 
 use super::MOST_MEDIA;
 use super::fit::eye_media;
@@ -244,7 +244,7 @@ impl Frame {
 }
 
 fn tiles_across(width: u32) -> u32 {
-    width.div_ceil(crate::tile::TILE as u32)
+    width.div_ceil(TILE as u32)
 }
 
 /// The primary rays of a tile: twin of the shader's `RaysNear`.
@@ -269,7 +269,7 @@ pub struct TileRays {
 /// current rayon pool. All samples share them.
 pub fn tile_rays(camera: &StageCamera, size: [u32; 2]) -> Vec<TileRays> {
     let [width, height] = size.map(|side| side as usize);
-    let places: Vec<Place> = Place::all(width, height).collect();
+    let places: Vec<Place> = Place::all(width, height, TILE).collect();
     let size = DVec2::new(f64::from(size[0]), f64::from(size[1]));
     places.par_iter().map(|place| place.rays_near(camera, size).as_tile_rays()).collect()
 }

@@ -8,7 +8,7 @@ use crate::lanes::{Mask as _, Width};
 use crate::media::Inside;
 use crate::ray::Rays;
 use crate::search::{Along, Flight, RayStream, ShadowStream, StreamMemory};
-use crate::stage::{Hierarchy, Row, STREAM, vector_at};
+use crate::stage::{Hierarchy, Row, STREAM, Stage, vector_at};
 use crate::vector::Vector;
 
 /// A stream of rays with the light that they bring: working memory.
@@ -78,22 +78,24 @@ impl Streams {
     }
 }
 
-impl Whitted<'_> {
-    /// A stream keeps 320 KB for each light; with more lights than these all rays go by packets.
+impl Stage {
+    /// A stream keeps 1.3 MB for each light; with more lights than these all rays go by packets.
     const MOST_LIGHTS: usize = 16;
     /// Among so many bodies even neighbors from the eye part before they meet one.
     const VERY_MANY: u32 = 50_000;
 
     /// Whether rays that do not come from the eye are better traced by streams.
     pub(crate) fn goes_by_streams(&self) -> bool {
-        matches!(self.stage.hierarchy, Hierarchy::Many(_)) && self.stage.lights.len() <= Self::MOST_LIGHTS
+        matches!(self.hierarchy, Hierarchy::Many(_)) && self.lights.len() <= Self::MOST_LIGHTS
     }
 
     /// Whether rays from the eye are, too.
     pub(crate) fn eye_goes_by_streams(&self) -> bool {
-        self.goes_by_streams() && self.stage.bounded >= Self::VERY_MANY
+        self.goes_by_streams() && self.bounded >= Self::VERY_MANY
     }
+}
 
+impl Whitted<'_> {
     /// Looks for what the rays of a stream meet.
     pub(crate) fn search<W: Width>(&self, w: W, streams: &mut Streams) {
         streams.rays.search(w, self.stage, &self.media, &mut streams.memory);

@@ -5,7 +5,7 @@ use glam::{DVec3, UVec2, Vec3};
 use super::{Beams, Dice, Origin, Whitted};
 use crate::counts::RayCounts;
 use crate::lanes::One;
-use crate::tile::Place;
+use crate::tile::{Place, TILE};
 
 /// What the rays of one sample of a pixel come to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -59,7 +59,7 @@ impl Whitted<'_> {
         }
         self.tidy();
         self.begin(sample, Dice::of_pixel(sample, pixel));
-        let ray = Place::around(pixel, size).ray(self.camera, (pixel, size), sample);
+        let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
         let mut pending: Vec<Beams<One>> = vec![self.roots(One, ray, 0, true)];
         let mut followed = 0;
         while followed < most_rays

@@ -18,7 +18,7 @@ use crate::ray::{Ray, Rays};
 use crate::search::{Along, Flight, Hit, found_in};
 use crate::stage::Stage;
 use crate::surface::highlight_cosine;
-use crate::tile::Place;
+use crate::tile::{Place, TILE};
 use crate::vector::Vector;
 
 /// A ray that waits, and why. The heaviest goes first, of equal ones the one sent first.
@@ -216,7 +216,7 @@ impl<'a> Whitted<'a> {
         }
         self.tidy();
         self.begin(sample, Dice::of_pixel(sample, pixel));
-        let ray = Place::around(pixel, size).ray(self.camera, (pixel, size), sample);
+        let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
         let root = self.roots(One, ray, 0, true);
         self.grow(root, limit)
     }

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3, UVec2, Vec3A};
 use rayon::ThreadPoolBuilder;
 
 use crate::common::{ball, endless, glass, placed, scene, stage, v};
-use crate::samples::gallery;
+use crate::samples::{LARGE, crowd, gallery};
 
 const SETTINGS: RenderSettings = RenderSettings { width: 101, height: 67, samples: 1 };
 
@@ -21,12 +21,17 @@ fn on_threads(threads: usize, stage: &Stage, settings: RenderSettings) -> Render
 
 #[test]
 fn the_picture_and_the_counts_do_not_depend_on_the_threads() {
-    for samples in [1, 3] {
-        let stage = stage(&gallery());
-        let settings = RenderSettings { samples, ..SETTINGS };
+    let few = SETTINGS;
+    for (scene, settings) in [
+        (gallery(), few),
+        (gallery(), RenderSettings { samples: 3, ..few }),
+        (crowd(), few),
+        (crowd(), LARGE),
+    ] {
+        let stage = stage(&scene);
         let one = on_threads(1, &stage, settings);
         assert!(one.counts.reflected > 0 && one.counts.refracted > 0 && one.counts.shadow > 0);
-        assert_eq!(one.counts.primary, u64::from(101 * 67 * samples));
+        assert_eq!(one.counts.primary, u64::from(settings.width * settings.height * settings.samples));
         for threads in [2, 3, 7] {
             let more = on_threads(threads, &stage, settings);
             let bits = |rendering: &Rendering| -> Vec<u32> {
@@ -142,6 +147,13 @@ fn every_pixel_by_itself_is_that_of_the_picture() {
     }
     for pixel in [UVec2::new(45, 0), UVec2::new(0, 41)] {
         assert_eq!(render_pixel(&stage, stage.camera(), settings, pixel, &control).unwrap(), None);
+    }
+    // In the first, the last and a middle group of tiles, in several tiles of them.
+    let stage = crate::common::stage(&crowd());
+    let whole = render(&stage, LARGE, &control).unwrap().picture;
+    for (x, y) in [(0, 0), (70, 3), (1099, 600), (515, 391), (600, 400), (590, 450), (530, 510)] {
+        let alone = render_pixel(&stage, stage.camera(), LARGE, UVec2::new(x, y), &control).unwrap();
+        assert_eq!(alone, whole.pixel(x, y), "{x} {y}");
     }
 }
 

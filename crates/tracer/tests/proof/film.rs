@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use rayon::ThreadPoolBuilder;
 
 use crate::common::{ball, camera, cases, chalk, endless, glass, plane, scene, stage, stage_of, v};
-use crate::samples::gallery;
+use crate::samples::{LARGE, crowd, gallery};
 
 const WIDTH: u32 = 53;
 const HEIGHT: u32 = 37;
@@ -94,6 +94,19 @@ fn a_cleared_film_is_as_new() {
     let counts = film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
     let whole = render(&stage, settings(1), &Control::default()).unwrap();
     assert!(film.picture().unwrap() == whole.picture && counts == whole.counts);
+}
+
+/// Of many bodies threads take larger parts of a large picture.
+#[test]
+fn a_film_shows_few_bodies_and_many_by_turns() {
+    let mut film = Film::new(LARGE.width, LARGE.height).unwrap();
+    for scene in [gallery(), crowd(), gallery()] {
+        let stage = stage(&scene);
+        film.clear();
+        let counts = film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
+        let whole = render(&stage, LARGE, &Control::default()).unwrap();
+        assert!(film.picture().unwrap() == whole.picture && counts == whole.counts);
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Scenes that hold a bit of everything.
 
 use catoptric_scene::{Color, Falloff, Material, Scene, Shape, Tracing};
+use catoptric_tracer::RenderSettings;
 use glam::DVec3;
 
 use crate::common::{ball, camera, glass, light, plane, scene, turned, v};
@@ -37,5 +38,21 @@ pub(crate) fn gallery() -> Scene {
     scene.tracing = Tracing { generations: 6, threshold: 0.0 };
     scene.lights =
         vec![light(v(-5.0, 8.0, 6.0), 0.8, Falloff::None), light(v(6.0, 5.0, 3.0), 0.4, Falloff::None)];
+    scene
+}
+
+/// A picture that threads take by groups of tiles if there are many bodies.
+pub(crate) const LARGE: RenderSettings = RenderSettings { width: 1100, height: 601, samples: 1 };
+
+/// The same with so many small balls in front of it that there is a hierarchy.
+pub(crate) fn crowd() -> Scene {
+    let mut scene = gallery();
+    let clear = Material { transmission: 0.8, ..glass(1.3) };
+    let mirror = Material { reflection: Some(0.7), ..Material::default() };
+    scene.bodies.extend((0..96_u32).map(|k| {
+        let (i, j) = (f64::from(k % 16), f64::from(k / 16));
+        let material = if k % 3 == 0 { &clear } else { &mirror };
+        ball(0.1, v(0.4 * i - 3.0, 0.1 + 0.3 * j, 2.2 + 0.2 * (i * j).sin()), material.clone())
+    }));
     scene
 }

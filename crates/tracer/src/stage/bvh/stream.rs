@@ -18,7 +18,7 @@ use crate::ray::Rays;
 use crate::vector::Vector;
 
 /// The most rays of a stream.
-pub(crate) const STREAM: usize = 4096;
+pub(crate) const STREAM: usize = 16384;
 
 /// Numbers of each ray.
 pub(crate) type Row<T> = [T; STREAM];
