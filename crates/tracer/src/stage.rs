@@ -288,10 +288,13 @@ impl Stage {
         &self.bodies[index as usize]
     }
 
-    /// Asks for a body, which is probably wanted soon.
+    /// Asks for bodies, which are probably wanted soon.
     #[inline(always)]
-    pub(crate) fn fetch(&self, index: u32) {
-        ahead::fetch(&self.bodies, index);
+    pub(crate) fn fetch(&self, places: Range<u32>) {
+        places.for_each(
+            #[inline(always)]
+            |index| ahead::fetch(&self.bodies, index),
+        );
     }
 
     pub(crate) fn material(&self, body: &StageBody) -> &StageMaterial {

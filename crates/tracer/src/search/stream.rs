@@ -222,7 +222,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
 
     #[inline(always)]
     fn expect(&self, bodies: Range<u32>) {
-        bodies.for_each(|body| self.stage.fetch(body));
+        self.stage.fetch(bodies);
     }
 
     #[inline(always)]
@@ -326,7 +326,7 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
 
     #[inline(always)]
     fn expect(&self, bodies: Range<u32>) {
-        bodies.for_each(|body| self.stage.fetch(body));
+        self.stage.fetch(bodies);
     }
 
     #[inline(always)]

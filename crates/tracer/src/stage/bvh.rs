@@ -75,10 +75,14 @@ impl Bvh {
         &self.nodes
     }
 
-    /// Asks for a node, which is probably wanted soon.
+    /// Asks for what is in a box that will probably be opened soon: a node, or the bodies of a leaf, by `fetch`.
     #[inline(always)]
-    fn fetch(&self, index: u32) {
-        super::ahead::fetch(&self.nodes, index);
+    fn expect(&self, first: u32, count: u32, fetch: impl FnOnce(Range<u32>)) {
+        if count > 0 {
+            fetch(first..first + count);
+        } else {
+            super::ahead::fetch(&self.nodes, first);
+        }
     }
 
     /// Bytes held.

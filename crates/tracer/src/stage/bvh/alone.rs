@@ -13,7 +13,8 @@ pub(super) trait VisitAlone {
     /// The parameter beyond which nothing is wanted any more.
     fn reach(&self) -> f32;
     /// A leaf with these bodies will probably be met soon.
-    fn expect(&self, bodies: Range<u32>);
+    #[inline(always)]
+    fn expect(&self, _bodies: Range<u32>) {}
     /// Meets the bodies of a leaf.
     fn leaf(&mut self, bodies: Range<u32>);
 }
@@ -55,11 +56,12 @@ impl Bvh {
             let node = &self.nodes[index as usize];
             for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
                 let (first, count) = (node.first[slot], node.count[slot]);
-                if count > 0 {
-                    visitor.expect(first..first + count);
-                } else {
-                    self.fetch(first);
-                }
+                self.expect(
+                    first,
+                    count,
+                    #[inline(always)]
+                    |bodies| visitor.expect(bodies),
+                );
                 parts[waiting] = LonePart { first, count, enter };
                 waiting += 1;
             }

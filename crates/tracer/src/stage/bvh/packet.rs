@@ -190,9 +190,6 @@ impl<W: Width, V: Visit<W>> VisitAlone for OneOf<'_, W, V> {
     }
 
     #[inline(always)]
-    fn expect(&self, _bodies: Range<u32>) {}
-
-    #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>) {
         self.visitor.leaf(bodies, self.w.mask(1 << self.lane));
     }

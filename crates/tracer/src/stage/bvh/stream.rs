@@ -204,11 +204,12 @@ impl Bvh {
             for ((&slot, &len), start) in slots.iter().zip(&lens).zip((end..).step_by(room)) {
                 if len > 0 {
                     let (first, count) = (node.first[slot], node.count[slot]);
-                    if count > 0 {
-                        visitor.expect(first..first + count);
-                    } else {
-                        self.fetch(first);
-                    }
+                    self.expect(
+                        first,
+                        count,
+                        #[inline(always)]
+                        |bodies| visitor.expect(bodies),
+                    );
                     parts.push(StreamPart { first, count, start, len });
                 }
             }
