@@ -221,7 +221,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
     }
 
     #[inline(always)]
-    fn expect(&self, bodies: Range<u32>) {
+    fn fetch(&self, bodies: Range<u32>) {
         self.stage.fetch(bodies);
     }
 
@@ -325,7 +325,7 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
     }
 
     #[inline(always)]
-    fn expect(&self, bodies: Range<u32>) {
+    fn fetch(&self, bodies: Range<u32>) {
         self.stage.fetch(bodies);
     }
 

@@ -75,14 +75,13 @@ impl Bvh {
         &self.nodes
     }
 
-    /// Asks for what is in a box that will probably be opened soon: a node, or the bodies of a leaf, by `fetch`.
+    /// Asks for the node in a box that will probably be opened soon. The bodies, if it is a leaf, are yet to be asked for.
     #[inline(always)]
-    fn expect(&self, first: u32, count: u32, fetch: impl FnOnce(Range<u32>)) {
-        if count > 0 {
-            fetch(first..first + count);
-        } else {
+    fn fetch(&self, first: u32, count: u32) -> Range<u32> {
+        if count == 0 {
             super::ahead::fetch(&self.nodes, first);
         }
+        first..first + count
     }
 
     /// Bytes held.

@@ -12,9 +12,9 @@ pub(super) trait VisitAlone {
 
     /// The parameter beyond which nothing is wanted any more.
     fn reach(&self) -> f32;
-    /// A leaf with these bodies will probably be met soon.
+    /// Asks for bodies that will probably be met soon.
     #[inline(always)]
-    fn expect(&self, _bodies: Range<u32>) {}
+    fn fetch(&self, _bodies: Range<u32>) {}
     /// Meets the bodies of a leaf.
     fn leaf(&mut self, bodies: Range<u32>);
 }
@@ -56,12 +56,7 @@ impl Bvh {
             let node = &self.nodes[index as usize];
             for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
                 let (first, count) = (node.first[slot], node.count[slot]);
-                self.expect(
-                    first,
-                    count,
-                    #[inline(always)]
-                    |bodies| visitor.expect(bodies),
-                );
+                visitor.fetch(self.fetch(first, count));
                 parts[waiting] = LonePart { first, count, enter };
                 waiting += 1;
             }

@@ -40,8 +40,8 @@ pub(crate) trait VisitStream {
     const NEAREST_FIRST: bool;
 
     fn rays(&self) -> &StreamRays;
-    /// A leaf with these bodies will probably be met soon.
-    fn expect(&self, bodies: Range<u32>);
+    /// Asks for bodies that will probably be met soon.
+    fn fetch(&self, bodies: Range<u32>);
     /// Meets the bodies of a leaf, whose box `count` rays meet: the first ones of `rays`, which holds [`MOST_LANES`] more.
     fn leaf(&mut self, bodies: Range<u32>, rays: &[u32], count: usize);
 }
@@ -204,12 +204,7 @@ impl Bvh {
             for ((&slot, &len), start) in slots.iter().zip(&lens).zip((end..).step_by(room)) {
                 if len > 0 {
                     let (first, count) = (node.first[slot], node.count[slot]);
-                    self.expect(
-                        first,
-                        count,
-                        #[inline(always)]
-                        |bodies| visitor.expect(bodies),
-                    );
+                    visitor.fetch(self.fetch(first, count));
                     parts.push(StreamPart { first, count, start, len });
                 }
             }
@@ -282,8 +277,8 @@ impl<V: VisitStream> VisitAlone for OneOfStream<'_, V> {
     }
 
     #[inline(always)]
-    fn expect(&self, bodies: Range<u32>) {
-        self.visitor.expect(bodies);
+    fn fetch(&self, bodies: Range<u32>) {
+        self.visitor.fetch(bodies);
     }
 
     #[inline(always)]
