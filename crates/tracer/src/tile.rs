@@ -219,6 +219,7 @@ impl TileTracer<'_> {
     ) -> bool {
         let block = Block::new(w);
         let [width, height] = Block::<W>::SIZE;
+        let mut grown = [None; 2];
         for (row, top) in (0..place.height).step_by(height).enumerate() {
             if self.is_cancelled() {
                 return false;
@@ -233,15 +234,14 @@ impl TileTracer<'_> {
                 let pixels = block.pixel.plus(w.word(first as u32));
                 let beams = self.whitted.roots(w, rays, pixels, lanes);
                 let mut light = Vector::splat(w.real(0.0), [0.0; 3]);
-                let mut next = None;
                 if by_stream {
                     self.levels[0].reflected.push(&beams);
                 } else {
-                    (light, next) = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0);
+                    light = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0, &mut grown[0]);
                 }
                 self.light.set::<W>(first, light);
-                if let Some(beams) = next {
-                    self.pursue::<W, FULL>(w, &beams, 1);
+                if grown[0].is_some() {
+                    self.pursue::<W, FULL>(w, &mut grown, 1);
                 }
                 first += W::LANES;
             }
@@ -271,7 +271,7 @@ impl TileTracer<'_> {
             } else {
                 for _ in 0..Self::AT_ONCE {
                     let beams = self.levels[at].take(w);
-                    self.pursue::<W, FULL>(w, &beams, at + 1);
+                    self.pursue::<W, FULL>(w, &mut [Some(beams), None], at + 1);
                     if self.waiting(at) == 0 {
                         break;
                     }
@@ -310,24 +310,24 @@ impl TileTracer<'_> {
         self.levels.get(level).map_or(0, |level| level.reflected.len() + level.refracted.len())
     }
 
-    /// Traces rays, and what grows from them as long as all of them go on; others wait, those of the first ones at
-    /// `level`.
-    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &Beams<W>, level: usize) {
+    /// Traces the first of these rays, and what grows from them as long as all of them go on; others wait, those of the
+    /// first ones at `level`.
+    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &mut [Option<Beams<W>>; 2], level: usize) {
         w.run(
             #[inline(always)]
             || {
-                let mut beams = *beams;
+                let [mut beams, mut grown] = beams.each_mut();
                 for level in level.. {
-                    let (light, next) = self.follow::<W, FULL>(w, &beams, Origin::Anywhere, level);
-                    self.light.add(w, &beams, light);
-                    let Some(next) = next else { return };
-                    beams = next;
+                    let Some(these) = beams else { break };
+                    let light = self.follow::<W, FULL>(w, these, Origin::Anywhere, level, grown);
+                    self.light.add(w, these, light);
+                    std::mem::swap(&mut beams, &mut grown);
                 }
             },
         );
     }
 
-    /// Traces rays: the light that each brings. Of those that grow from them, some may be traced next, as they are;
+    /// Traces rays: the light that each brings. Of those that grow from them, some may be traced `next`, as they are;
     /// others wait at `level`.
     #[inline(always)]
     fn follow<W: Width, const FULL: bool>(
@@ -336,14 +336,15 @@ impl TileTracer<'_> {
         beams: &Beams<W>,
         from: Origin<'_>,
         level: usize,
-    ) -> (Vector<W::R>, Option<Beams<W>>) {
+        next: &mut Option<Beams<W>>,
+    ) -> Vector<W::R> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
+        *next = None;
         let waits = self.whitted.stage.goes_by_streams();
-        let mut grown = Grown { level: &mut self.levels[level], next: None, waits };
-        let light = self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light;
-        (light, grown.next)
+        let mut grown = Grown { level: &mut self.levels[level], next, waits };
+        self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light
     }
 }
 
@@ -352,7 +353,7 @@ struct Grown<'l, W: Width> {
     /// Where it waits.
     level: &'l mut Level,
     /// What is traced next instead: the first that grows, if it fills a vector.
-    next: Option<Beams<W>>,
+    next: &'l mut Option<Beams<W>>,
     /// Whether all waits.
     waits: bool,
 }
@@ -363,7 +364,7 @@ impl<W: Width> Grown<'_, W> {
         let takes =
             !self.waits && self.next.is_none() && beams.lanes.bits().count_ones() as usize == W::LANES;
         if takes {
-            self.next = Some(*beams);
+            *self.next = Some(*beams);
         }
         takes
     }
