@@ -171,7 +171,7 @@ impl MediaTable {
             }
         };
         match &stage.hierarchy {
-            Hierarchy::Few(_) => (0..stage.bounded).for_each(&mut test),
+            Hierarchy::Few => (0..stage.bounded).for_each(&mut test),
             Hierarchy::Many(bvh) => bvh.visit_at(point.into(), |leaf| leaf.for_each(&mut test)),
         }
         stage.planes().for_each(&mut test);

@@ -149,14 +149,14 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     fn visit(&self, parts: &mut Pending, visitor: &mut impl Visit<W>) {
         match &self.stage.hierarchy {
-            Hierarchy::Few(few) => match self.along {
+            Hierarchy::Few => match self.along {
                 Along::From(sights) => self.visit_seen(&sights.bodies, self.direction, visitor),
                 Along::To(sights) => self.visit_seen(&sights.bodies, -self.direction, visitor),
-                Along::Anything => self.visit_few(&few.spheres, visitor),
+                Along::Anything => self.visit_few(&self.stage.spheres, visitor),
             },
             Hierarchy::Many(bvh) => {
                 let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-                bvh.traverse_packet(self.w, &boxes, parts, visitor);
+                bvh.traverse_packet(self.w, &boxes, parts, &mut OfLeaves { flight: self, visitor });
             }
         }
     }
@@ -447,6 +447,32 @@ fn left_after<W: Width>(w: W, material: &StageMaterial, ways: W::R) -> Vector<W:
         #[inline(always)]
         || material.left_after(ways),
     )
+}
+
+/// Shows a visitor those bodies of leaves of whose spheres rays come near.
+struct OfLeaves<'f, 'a, W: Width, V> {
+    flight: &'f Flight<'a, W>,
+    visitor: &'f mut V,
+}
+
+impl<W: Width, V: Visit<W>> Visit<W> for OfLeaves<'_, '_, W, V> {
+    const NEAREST_FIRST: bool = V::NEAREST_FIRST;
+
+    #[inline(always)]
+    fn reach(&self) -> W::R {
+        self.visitor.reach()
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
+        let Flight { stage, origin, direction, .. } = self.flight;
+        for index in bodies {
+            let lanes = lanes & stage.sphere(index).is_met(*origin, *direction, self.reach());
+            if lanes.any() {
+                self.visitor.leaf(index..index + 1, lanes);
+            }
+        }
+    }
 }
 
 /// Looks for the nearest bodies.

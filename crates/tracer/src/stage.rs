@@ -9,7 +9,6 @@ mod cast;
 mod checker;
 mod curve;
 mod edit;
-mod few;
 mod hull;
 mod image;
 mod light;
@@ -18,6 +17,7 @@ mod material;
 mod only;
 mod sight;
 mod sky;
+mod sphere;
 mod texture;
 
 use std::ops::Range;
@@ -39,8 +39,6 @@ use cast::Cast;
 pub(crate) use checker::StageChecker;
 pub(crate) use curve::{Curve, STEPS as CURVE_STEPS};
 pub use edit::StageEdit;
-pub(crate) use few::BoundingSphere;
-use few::FewBodies;
 pub(crate) use image::StageImage;
 pub(crate) use light::{StageFalloff, StageLight};
 use log::EditLog;
@@ -48,6 +46,7 @@ pub use log::StageChanges;
 pub(crate) use material::{Law, StageMaterial};
 pub(crate) use sight::{Sight, Sights};
 pub(crate) use sky::StageSky;
+pub(crate) use sphere::BoundingSphere;
 pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, Texture};
 
 /// A scene prepared for tracing, shared by reference between threads.
@@ -62,6 +61,8 @@ pub struct Stage {
     /// How many of the bodies are bounded; planes follow them.
     pub(crate) bounded: u32,
     pub(crate) hierarchy: Hierarchy,
+    /// Around each bounded body.
+    pub(crate) spheres: Vec<BoundingSphere>,
     // Shared with the stages of some of the bodies.
     pub(crate) materials: Arc<Vec<StageMaterial>>,
     pub(crate) checkers: Arc<Vec<StageChecker>>,
@@ -90,7 +91,8 @@ pub struct Stage {
 /// How the bodies that a ray may meet are found among the bounded ones.
 #[derive(Clone, Debug)]
 pub(crate) enum Hierarchy {
-    Few(FewBodies),
+    /// They are few: the sphere around each is tested.
+    Few,
     Many(Bvh),
 }
 
@@ -107,10 +109,10 @@ pub enum Search {
 
 impl Hierarchy {
     /// The hierarchy over these entries of bodies, which are put into its order.
-    fn over(entries: &mut [Entry], search: Search, body: impl Fn(&Entry) -> StageBody) -> Self {
+    fn over(entries: &mut [Entry], search: Search) -> Self {
         if entries.len() <= Stage::FEW || search == Search::OneByOne {
             entries.sort_by_key(Entry::leaf_key);
-            Self::Few(FewBodies::new(entries.iter().map(body)))
+            Self::Few
         } else {
             Self::Many(Bvh::build(entries))
         }
@@ -119,7 +121,7 @@ impl Hierarchy {
     /// The box of all its entries, which are these.
     fn bounds(&self, entries: &[Entry]) -> Bounds {
         match self {
-            Self::Few(_) => entries.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.bounds())),
+            Self::Few => entries.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.bounds())),
             Self::Many(bvh) => bvh.bounds(),
         }
     }
@@ -165,7 +167,7 @@ impl Stage {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
         }
         let Cast { mut entries, planes, chunks, materials, checkers } = Cast::of(scene)?;
-        let hierarchy = Hierarchy::over(&mut entries, search, |entry| chunks.body(entry.place()));
+        let hierarchy = Hierarchy::over(&mut entries, search);
         let surroundings = Surroundings::new(
             hierarchy.bounds(&entries),
             planes.iter().map(|&index| &scene.bodies[index as usize]),
@@ -180,6 +182,7 @@ impl Stage {
         Ok(Self {
             bounded,
             hierarchy,
+            spheres: bodies[..bounded as usize].par_iter().map(StageBody::bounding_sphere).collect(),
             largest_slack: bodies.par_iter().map(|body| body.slack).reduce(|| 0.0, f32::max),
             bodies,
             scene_indices,
@@ -269,12 +272,13 @@ impl Stage {
     /// Bytes held by the stage's arrays.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.bodies)
+            + size_of_val(&*self.spheres)
             + size_of_val(&*self.scene_indices)
             + size_of_val(&*self.materials)
             + size_of_val(&*self.checkers)
             + size_of_val(&*self.lights)
             + match &self.hierarchy {
-                Hierarchy::Few(few) => few.bytes(),
+                Hierarchy::Few => 0,
                 Hierarchy::Many(bvh) => bvh.bytes(),
             }
     }
@@ -288,9 +292,17 @@ impl Stage {
         &self.bodies[index as usize]
     }
 
-    /// Asks for bodies, which are probably wanted soon.
+    /// The sphere around a bounded body.
+    pub(crate) fn sphere(&self, index: u32) -> &BoundingSphere {
+        &self.spheres[index as usize]
+    }
+
+    /// Asks for bodies of a leaf, which are probably wanted soon.
     #[inline(always)]
     pub(crate) fn fetch(&self, places: Range<u32>) {
+        // Seldom there is a line of the cache between the first and the last one.
+        ahead::fetch(&self.spheres, places.start);
+        ahead::fetch(&self.spheres, places.end.saturating_sub(1));
         places.for_each(
             #[inline(always)]
             |index| ahead::fetch(&self.bodies, index),

@@ -85,7 +85,7 @@ const PHYSICAL: &[&str] = &[
 /// The source of the shader for stages of this kind, in WGSL.
 pub fn shader(special: &Specialization) -> String {
     let walk = match special.depth {
-        0 => include_str!("stage/few.wgsl"),
+        0 => include_str!("stage/sphere.wgsl"),
         _ => include_str!("stage/bvh.wgsl"),
     };
     let mut source = constants(special).text();

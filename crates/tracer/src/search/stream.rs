@@ -237,6 +237,11 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
             }
             let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
             for index in bodies.clone() {
+                // A sphere is a fraction of a body in memory, and of its test.
+                let lanes = lanes & stage.sphere(index).is_met(rays.origin, rays.direction, reach);
+                if !lanes.any() {
+                    continue;
+                }
                 let body = stage.body(index);
                 let Some(meeting) = flight.meets(index, body, lanes) else { continue };
                 let entering = meeting.entering & meeting.enter.le(reach);
@@ -349,7 +354,11 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
             let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
             let mut passed: Passed<W> = Passed { lanes, share, blocker: 0 };
             for index in bodies.clone() {
-                flight.filter(index, stage.body(index), reach, passed.lanes, &mut passed);
+                let met = stage.sphere(index).is_met(rays.origin, rays.direction, reach);
+                let lanes = passed.lanes & met;
+                if lanes.any() {
+                    flight.filter(index, stage.body(index), reach, lanes, &mut passed);
+                }
             }
             each(
                 (lanes & !passed.lanes).bits(),

@@ -80,8 +80,8 @@ impl StageBody {
         Bounds::of_canonical(&transform, kind, ratio)
     }
 
-    /// The sphere around the body as it is kept; `None` for a plane.
-    pub(super) fn bounding_sphere(&self) -> Option<BoundingSphere> {
+    /// The sphere around the body as it is kept; that of a plane is infinite.
+    pub(super) fn bounding_sphere(&self) -> BoundingSphere {
         let (transform, kind, ratio) = self.frame();
         BoundingSphere::of_canonical(&transform, kind, ratio)
     }

@@ -8,8 +8,8 @@ use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 use super::bvh::Path;
 use super::camera::Surroundings;
 use super::{
-    Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageLight, StageMaterial,
-    StageSky, numbers,
+    BoundingSphere, Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageLight,
+    StageMaterial, StageSky, numbers,
 };
 use crate::ray::NO_BODY;
 
@@ -83,7 +83,7 @@ impl Stage {
                 let leaf = bvh.leaf(path);
                 changes.bodies.push(leaf.clone());
                 changes.nodes.extend(path.iter().map(|(node, _)| node));
-                sort_leaf(&mut self.bodies, &mut self.scene_indices, leaf.clone());
+                sort_leaf(&mut self.bodies, &mut self.spheres, &mut self.scene_indices, leaf.clone());
                 let indices = self.scene_indices.get(range(&leaf)).unwrap_or_default();
                 let boxes = indices.iter().filter_map(|&index| bounds_of(after, index));
                 bvh.refit(path, boxes.fold(Bounds::EMPTY, Bounds::union));
@@ -110,7 +110,7 @@ impl Stage {
         };
         let Some(bounds) = StageBody::new(body).1 else { return Some((place_in(self.planes())?, None)) };
         match &self.hierarchy {
-            Hierarchy::Few(_) => Some((place_in(0..self.bounded)?, None)),
+            Hierarchy::Few => Some((place_in(0..self.bounded)?, None)),
             Hierarchy::Many(bvh) => {
                 let path = bvh.path_to(&bounds, |leaf| place_in(leaf).is_some())?;
                 Some((place_in(bvh.leaf(&path))?, Some(path)))
@@ -125,6 +125,9 @@ impl Stage {
         let checker = self.checker_index(change.checker, checker);
         if let Some(body) = self.bodies.get_mut(change.place as usize) {
             *body = StageBody { material, checker, ..change.body };
+            if let Some(sphere) = self.spheres.get_mut(change.place as usize) {
+                *sphere = body.bounding_sphere();
+            }
             self.has_transparency |= body.is_transparent();
             self.is_full |= change.material.is_full();
             self.absorbs |= change.material.absorbs();
@@ -181,14 +184,21 @@ fn bounds_of(scene: &Scene, index: u32) -> Option<Bounds> {
 }
 
 /// Puts the bodies of a leaf in order again, one of which may have got another shape.
-fn sort_leaf(bodies: &mut [StageBody], indices: &mut [u32], leaf: Range<u32>) {
-    let (Some(bodies), Some(indices)) = (bodies.get_mut(range(&leaf)), indices.get_mut(range(&leaf))) else {
-        return;
-    };
+fn sort_leaf(
+    bodies: &mut [StageBody],
+    spheres: &mut [BoundingSphere],
+    indices: &mut [u32],
+    leaf: Range<u32>,
+) {
+    let leaf = range(&leaf);
+    let bodies = bodies.get_mut(leaf.clone()).unwrap_or_default();
+    let spheres = spheres.get_mut(leaf.clone()).unwrap_or_default();
+    let indices = indices.get_mut(leaf).unwrap_or_default();
     for sorted in 1..bodies.len() {
         let key = |at: usize| (bodies[at].kind, indices[at]);
         let place = (0..sorted).find(|&at| key(at) > key(sorted)).unwrap_or(sorted);
         bodies[place..=sorted].rotate_right(1);
+        spheres[place..=sorted].rotate_right(1);
         indices[place..=sorted].rotate_right(1);
     }
 }

@@ -45,7 +45,7 @@ impl Stage {
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut entries, Search::Quickest, |entry| *self.body(entry.place()));
+        let hierarchy = Hierarchy::over(&mut entries, Search::Quickest);
         let order: Vec<u32> = entries.iter().map(Entry::place).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),
@@ -56,6 +56,7 @@ impl Stage {
                 .collect(),
             bounded: entries.len() as u32,
             hierarchy,
+            spheres: entries.iter().map(|entry| *self.sphere(entry.place())).collect(),
             materials: Arc::clone(&self.materials),
             checkers: Arc::clone(&self.checkers),
             lights: Arc::clone(&self.lights),

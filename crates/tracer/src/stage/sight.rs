@@ -220,7 +220,7 @@ mod tests {
             prop_assert!(sight.is_met(vector(direction), reach));
             let way = 0.5 * distance as f32;
             prop_assert!(sight.nearer_by(way).is_met(vector(direction), reach - way * (1.0 - 1e-6)));
-            let sphere = stage_body.bounding_sphere().unwrap();
+            let sphere = stage_body.bounding_sphere();
             prop_assert!(sphere.is_met(eye, vector(direction), reach));
             let axis = (direction + aside).normalize();
             let cos = axis.dot(direction) as f32 - 1e-6;
@@ -231,7 +231,7 @@ mod tests {
         #[test]
         fn spheres_are_tight((body, _) in body()) {
             let body = StageBody::new(&body).0;
-            let (sphere, hull) = (body.bounding_sphere().unwrap(), body.hull().unwrap());
+            let (sphere, hull) = (body.bounding_sphere(), body.hull().unwrap());
             let center = DVec3::from(sphere.center.map(f64::from));
             // The corners of hulls lie outside of discs, in the same directions.
             let radius = f64::from(sphere.radius) * 0.96 - 1e-3;

@@ -41,7 +41,7 @@ impl<'a> StageArrays<'a> {
     /// Nodes of the hierarchy, or bounding spheres, as they stand in the stage.
     pub fn boxes(self) -> &'a [u8] {
         match &self.0.hierarchy {
-            Hierarchy::Few(few) => bytemuck::cast_slice(&few.spheres),
+            Hierarchy::Few => bytemuck::cast_slice(&self.0.spheres),
             Hierarchy::Many(bvh) => bytemuck::cast_slice(bvh.nodes()),
         }
     }

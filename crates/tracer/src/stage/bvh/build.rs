@@ -12,9 +12,9 @@ use super::split::{best_split, partition};
 use super::{MAX_DEPTH, Node, WIDTH};
 
 /// A leaf holds at most this many bodies.
-const LEAF_SIZE: usize = 4;
+pub(super) const LEAF_SIZE: usize = 6;
 /// Cost of opening a node in units of one body test.
-pub(super) const NODE_COST: f32 = 5.0;
+pub(super) const NODE_COST: f32 = 8.0;
 /// From this depth on the median decides, which halves the number of bodies at every step: with at most 2³⁰ bodies the
 /// depth stays within [`MAX_DEPTH`].
 const SAH_DEPTH: usize = MAX_DEPTH - 30;

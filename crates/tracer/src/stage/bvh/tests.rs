@@ -68,7 +68,7 @@ impl Walk<'_> {
         }
         let range = first as usize..(first + count) as usize;
         let leaf = &self.entries[range.clone()];
-        assert!(leaf.is_sorted_by_key(Entry::leaf_key) && count <= 4);
+        assert!(leaf.is_sorted_by_key(Entry::leaf_key) && count as usize <= build::LEAF_SIZE);
         self.met[range].iter_mut().for_each(|met| *met += 1);
         leaf.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.bounds()))
     }

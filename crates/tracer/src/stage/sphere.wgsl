@@ -1,4 +1,4 @@
-// Twin of few.rs: a walk over the bounding spheres of a handful of bodies.
+// Twin of sphere.rs: a walk over the bounding spheres of a handful of bodies.
 
 // Center and radius.
 alias Box = vec4<f32>;

@@ -1,21 +1,15 @@
-//! Bounding spheres of a handful of bodies.
+//! Bounding spheres of bodies.
 //!
-//! Below some number of bodies this is quicker than any hierarchy: no order, no stack, one short loop.
+//! Below some number of bodies to test them all is quicker than any hierarchy: no order, no stack, one short loop. Among
+//! many they tell which bodies of a leaf need not be looked at.
 
 use bytemuck::{Pod, Zeroable};
 use glam::DAffine3;
 
-use super::StageBody;
 use crate::lanes::Real;
 use crate::ray::POINT_ROUNDING;
 use crate::shape::ShapeKind;
 use crate::vector::Vector;
-
-/// The bounding spheres of the first bodies of a stage, in their order.
-#[derive(Clone, Debug)]
-pub(crate) struct FewBodies {
-    pub(crate) spheres: Vec<BoundingSphere>,
-}
 
 /// A sphere around a body.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -25,25 +19,13 @@ pub(crate) struct BoundingSphere {
     pub(super) radius: f32,
 }
 
-impl FewBodies {
-    /// Around bodies, none of which is a plane.
-    pub(super) fn new(bodies: impl Iterator<Item = StageBody>) -> Self {
-        Self { spheres: bodies.filter_map(|body| body.bounding_sphere()).collect() }
-    }
-
-    /// Bytes held.
-    pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.spheres)
-    }
-}
-
 impl BoundingSphere {
     /// The smallest sphere around the canonical shape that `transform` carries to the world, widened by the rounding of
-    /// single precision; `None` for a plane. The axes of the frame are perpendicular in the world.
+    /// single precision; that of a plane is infinite. The axes of the frame are perpendicular in the world.
     ///
     /// Of a frustum of height h between discs of radius r and k·r, k ≤ 1, it has its center at the height s on the axis
     /// where it meets the rims of both, s² + r² = (h - s)² + (k·r)², or in the middle of the larger disc.
-    pub(super) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Option<Self> {
+    pub(super) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Self {
         let [x, y, z] = [transform.matrix3.x_axis, transform.matrix3.y_axis, transform.matrix3.z_axis];
         let (offset, radius) = match kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => (0.0 * y, x.length().max(y.length()).max(z.length())),
@@ -56,11 +38,11 @@ impl BoundingSphere {
                 let share = (0.5 - 0.5 * (1.0 - ratio * ratio) * larger / height).max(0.0);
                 (share * y, (larger + share * share * height).sqrt())
             }
-            ShapeKind::Plane => return None,
+            ShapeKind::Plane => (0.0 * y, f64::INFINITY),
         };
         let center = transform.translation + offset;
         let radius = radius + f64::from(POINT_ROUNDING) * (center.abs().max_element() + radius);
-        Some(Self { center: center.as_vec3().to_array(), radius: radius as f32 })
+        Self { center: center.as_vec3().to_array(), radius: radius as f32 }
     }
 
     /// All roundings of a test are less than this share of the squared distance.
