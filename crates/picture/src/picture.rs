@@ -89,12 +89,12 @@ impl Picture {
     /// A zero side, a size beyond the limits, or too little memory.
     pub fn new(width: u32, height: u32) -> Result<Picture, SizeError> {
         let count = Self::check_size(width, height)?;
-        let mut pixels = Vec::new();
-        pixels.try_reserve_exact(count).map_err(|_| {
+        // Fresh memory is all zeros as it comes: nothing is written here, so that the threads that fill the picture share
+        // the cost of getting it.
+        let pixels = bytemuck::allocation::try_zeroed_vec(count).map_err(|()| {
             let bytes = bytes_needed(width, height);
             SizeError::Memory { width, height, bytes }
         })?;
-        pixels.resize(count, [0.0; 3]);
         Ok(Picture { width, height, pixels })
     }
 
