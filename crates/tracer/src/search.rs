@@ -9,9 +9,7 @@ use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays, slack_at};
 use crate::shape::Span;
-use crate::stage::{
-    BoundingSphere, Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit,
-};
+use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
 
 use best::{Best, Nearest};
@@ -152,7 +150,7 @@ impl<'a, W: Width> Flight<'a, W> {
             Hierarchy::Few => match self.along {
                 Along::From(sights) => self.visit_seen(&sights.bodies, self.direction, visitor),
                 Along::To(sights) => self.visit_seen(&sights.bodies, -self.direction, visitor),
-                Along::Anything => self.visit_few(&self.stage.spheres, visitor),
+                Along::Anything => self.visit_few(visitor),
             },
             Hierarchy::Many(bvh) => {
                 let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
@@ -182,7 +180,8 @@ impl<'a, W: Width> Flight<'a, W> {
     const ONE_BY_ONE: usize = 10;
 
     #[inline(always)]
-    fn visit_few(&self, spheres: &[BoundingSphere], visitor: &mut impl Visit<W>) {
+    fn visit_few(&self, visitor: &mut impl Visit<W>) {
+        let spheres = &self.stage.spheres;
         if spheres.len() > Self::ONE_BY_ONE {
             return self.visit_tested(
                 spheres,
@@ -260,6 +259,12 @@ impl<'a, W: Width> Flight<'a, W> {
         };
         self.visit(parts, &mut ForEach(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
+    }
+
+    /// Which rays come near a body of a leaf before `reach`: a sphere is a fraction of a body in memory, and of its test.
+    #[inline(always)]
+    fn comes_near(&self, index: u32, reach: W::R) -> W::M {
+        self.stage.sphere(index).is_met(self.origin, self.direction, reach)
     }
 
     /// Where rays meet a body first, if they may at all.
@@ -465,9 +470,8 @@ impl<W: Width, V: Visit<W>> Visit<W> for OfLeaves<'_, '_, W, V> {
 
     #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
-        let Flight { stage, origin, direction, .. } = self.flight;
         for index in bodies {
-            let lanes = lanes & stage.sphere(index).is_met(*origin, *direction, self.reach());
+            let lanes = lanes & self.flight.comes_near(index, self.reach());
             if lanes.any() {
                 self.visitor.leaf(index..index + 1, lanes);
             }

@@ -237,8 +237,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
             }
             let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
             for index in bodies.clone() {
-                // A sphere is a fraction of a body in memory, and of its test.
-                let lanes = lanes & stage.sphere(index).is_met(rays.origin, rays.direction, reach);
+                let lanes = lanes & flight.comes_near(index, reach);
                 if !lanes.any() {
                     continue;
                 }
@@ -354,8 +353,7 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
             let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
             let mut passed: Passed<W> = Passed { lanes, share, blocker: 0 };
             for index in bodies.clone() {
-                let met = stage.sphere(index).is_met(rays.origin, rays.direction, reach);
-                let lanes = passed.lanes & met;
+                let lanes = passed.lanes & flight.comes_near(index, reach);
                 if lanes.any() {
                     flight.filter(index, stage.body(index), reach, lanes, &mut passed);
                 }
