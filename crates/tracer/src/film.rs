@@ -111,8 +111,11 @@ impl Film {
             .filter(|tile| tile.samples == sample)
             .par_bridge()
             .map_init(
-                || TileTracer::new(stage, camera, control),
-                |tracer, tile| tile.add_sample(tracer, size, control),
+                || None,
+                |tracer, tile| {
+                    let tracer = tracer.get_or_insert_with(|| TileTracer::new(stage, camera, control));
+                    tile.add_sample(tracer, size, control)
+                },
             )
             .reduce(RayCounts::default, std::ops::Add::add);
         if self.tiles.iter().any(|tile| tile.samples == sample) {

@@ -116,11 +116,12 @@ pub fn render_through(
     let samples = settings.samples.max(1);
     // Who is free takes the next tile: of two halves of a picture one may have all that takes long.
     let counts = tiles(stage, &mut picture)
-        .into_iter()
         .par_bridge()
         .map_init(
-            || (TileTracer::new(stage, camera, control), Vec::new()),
+            || (None, Vec::new()),
             |(tracer, sums), mut tile| {
+                // Threads that find no tile left make no tracer.
+                let tracer = tracer.get_or_insert_with(|| TileTracer::new(stage, camera, control));
                 let before = tracer.counts();
                 if tile.trace(tracer, sums, size, samples) {
                     control.add_done(tile.place);
@@ -171,7 +172,7 @@ fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
     (sum / f64::from(samples)).as_vec3().to_array()
 }
 
-/// A tile or a group of tiles and its rows of the picture.
+/// A tile or a group of tiles and its part of each of the picture's rows.
 struct Tile<'a> {
     place: Place,
     rows: Vec<&'a mut [[f32; 3]]>,
@@ -211,19 +212,20 @@ impl Tile<'_> {
     }
 }
 
-fn tiles<'p>(stage: &Stage, picture: &'p mut Picture) -> Vec<Tile<'p>> {
+/// The tiles of a picture, row by row, each made when it is asked for.
+fn tiles<'p>(stage: &Stage, picture: &'p mut Picture) -> impl Iterator<Item = Tile<'p>> + use<'p> {
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
     let edge = edge_for(stage, width, height);
-    let mut tiles: Vec<Tile<'_>> = Place::all(width, height, edge)
-        .map(|place| Tile { place, rows: Vec::with_capacity(place.height) })
-        .collect();
-    let bands = tiles.chunks_mut(width.div_ceil(edge));
-    for (band, rows) in bands.zip(picture.pixels_mut().chunks_mut(width * edge)) {
-        for row in rows.chunks_mut(width) {
-            for (tile, part) in band.iter_mut().zip(row.chunks_mut(edge)) {
-                tile.rows.push(part);
-            }
+    let mut bands = picture.pixels_mut().chunks_mut(width * edge);
+    let mut band = Vec::new();
+    Place::all(width, height, edge).map(move |place| {
+        if place.x == 0 {
+            let rows = bands.next().unwrap_or_default().chunks_mut(width);
+            band.clear();
+            band.extend(rows.map(|row| row.chunks_mut(edge)));
         }
-    }
-    tiles
+        let mut rows = Vec::with_capacity(place.height);
+        rows.extend(band.iter_mut().filter_map(Iterator::next));
+        Tile { place, rows }
+    })
 }

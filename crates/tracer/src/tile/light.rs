@@ -1,8 +1,6 @@
 //! The light of a tile's pixels.
 
-use bytemuck::zeroed_box;
-
-use super::{GROUP, Place, TILE};
+use super::Place;
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::vector::Vector;
 use crate::whitted::Beams;
@@ -10,12 +8,12 @@ use crate::whitted::Beams;
 /// The light of one sample of the pixels of a tile or a group.
 ///
 /// Pixels are numbered block by block, so that those whose rays are traced side by side are neighbors in memory too.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct TileLight {
     /// What the rays from the eye bring.
-    first: Box<Planes<f32>>,
+    first: Planes<f32>,
     /// The sums of what all rays of a pixel bring, once there are others.
-    sums: Box<Planes<f64>>,
+    sums: Planes<f64>,
     is_sum: bool,
     /// No pixel has been set from this one on.
     end: usize,
@@ -25,17 +23,8 @@ pub(crate) struct TileLight {
     across: usize,
 }
 
-/// Red, green and blue of all pixels, one after the other.
-type Planes<T> = [[T; PIXELS]; 3];
-
-/// No group has more.
-const PIXELS: usize = (GROUP * TILE) * (GROUP * TILE);
-
-impl Default for TileLight {
-    fn default() -> Self {
-        Self { first: zeroed_box(), sums: zeroed_box(), is_sum: false, end: 0, block: [1; 2], across: 0 }
-    }
-}
+/// Red, green and blue of all pixels, each in a row of its own; as long as the largest tile so far needed.
+type Planes<T> = [Vec<T>; 3];
 
 impl TileLight {
     /// Prepares for the pixels of a tile or a group in blocks of this size.
@@ -44,6 +33,12 @@ impl TileLight {
         self.end = 0;
         self.block = block;
         self.across = place.width.div_ceil(block[0]);
+        let pixels = self.across * place.height.div_ceil(block[1]) * block[0] * block[1];
+        for plane in &mut self.first {
+            if plane.len() < pixels {
+                plane.resize(pixels, 0.0);
+            }
+        }
     }
 
     /// Sets the light of the pixels of a block, from number `first` on.
@@ -51,12 +46,12 @@ impl TileLight {
     pub(super) fn set<W: Width>(&mut self, first: usize, light: Vector<W::R>) {
         self.end = self.end.max(first + W::LANES);
         if self.is_sum {
-            let [red, green, blue] = &mut *self.sums;
+            let [red, green, blue] = &mut self.sums;
             each_with::<W>(&mut red[first..], light.x, |sum, part| *sum = part);
             each_with::<W>(&mut green[first..], light.y, |sum, part| *sum = part);
             each_with::<W>(&mut blue[first..], light.z, |sum, part| *sum = part);
         } else {
-            let [red, green, blue] = &mut *self.first;
+            let [red, green, blue] = &mut self.first;
             light.x.store(&mut red[first..]);
             light.y.store(&mut green[first..]);
             light.z.store(&mut blue[first..]);
@@ -69,14 +64,14 @@ impl TileLight {
         if !self.is_sum {
             self.sum_up();
         }
-        let [reds, greens, blues] = &mut *self.sums;
+        let [reds, greens, blues] = &mut self.sums;
         let mut pixels = [0; MOST_LANES];
         beams.pixel.store(&mut pixels);
         let first = pixels[0];
         // Rays that were neither mixed with others nor thinned out belong to pixels that are neighbors in memory.
         let others = !beams.pixel.plus(w.load_words(&BEFORE)).is(first);
         if !others.any() {
-            let (first, zero) = (first as usize % PIXELS, w.real(0.0));
+            let (first, zero) = (first as usize, w.real(0.0));
             let flies = |part| W::R::select(beams.lanes, part, zero);
             each_with::<W>(&mut reds[first..], flies(light.x), |sum, part| *sum += part);
             each_with::<W>(&mut greens[first..], flies(light.y), |sum, part| *sum += part);
@@ -88,7 +83,7 @@ impl TileLight {
         while left != 0 {
             let lane = left.trailing_zeros() as usize % MOST_LANES;
             left &= left - 1;
-            let pixel = pixels[lane] as usize % PIXELS;
+            let pixel = pixels[lane] as usize;
             reds[pixel] += f64::from(red[lane]);
             greens[pixel] += f64::from(green[lane]);
             blues[pixel] += f64::from(blue[lane]);
@@ -100,7 +95,10 @@ impl TileLight {
     #[inline(never)]
     fn sum_up(&mut self) {
         self.is_sum = true;
-        for (sums, light) in self.sums.iter_mut().zip(self.first.iter()) {
+        for (sums, light) in self.sums.iter_mut().zip(&self.first) {
+            if sums.len() < light.len() {
+                sums.resize(light.len(), 0.0);
+            }
             for (sum, &light) in sums.iter_mut().zip(&light[..self.end]) {
                 *sum = f64::from(light);
             }
