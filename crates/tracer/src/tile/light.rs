@@ -34,11 +34,7 @@ impl TileLight {
         self.block = block;
         self.across = place.width.div_ceil(block[0]);
         let pixels = self.across * place.height.div_ceil(block[1]) * block[0] * block[1];
-        for plane in &mut self.first {
-            if plane.len() < pixels {
-                plane.resize(pixels, 0.0);
-            }
-        }
+        make_room(&mut self.first, pixels);
     }
 
     /// Sets the light of the pixels of a block, from number `first` on.
@@ -95,10 +91,8 @@ impl TileLight {
     #[inline(never)]
     fn sum_up(&mut self) {
         self.is_sum = true;
+        make_room(&mut self.sums, self.first[0].len());
         for (sums, light) in self.sums.iter_mut().zip(&self.first) {
-            if sums.len() < light.len() {
-                sums.resize(light.len(), 0.0);
-            }
             for (sum, &light) in sums.iter_mut().zip(&light[..self.end]) {
                 *sum = f64::from(light);
             }
@@ -132,6 +126,15 @@ impl TileLight {
             for (((to, &red), &green), &blue) in to.iter_mut().zip(red).zip(green).zip(blue) {
                 take(to, [number(red), number(green), number(blue)]);
             }
+        }
+    }
+}
+
+/// Makes planes at least so long.
+fn make_room<T: Copy + Default>(planes: &mut Planes<T>, pixels: usize) {
+    for plane in planes {
+        if plane.len() < pixels {
+            plane.resize(pixels, T::default());
         }
     }
 }
