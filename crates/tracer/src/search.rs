@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
-use crate::ray::{INWARDS, NO_START, POINT_ROUNDING, Rays, slack_at};
+use crate::ray::{INWARDS, POINT_ROUNDING, Rays, slack_at};
 use crate::shape::Span;
 use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
@@ -76,8 +76,8 @@ pub(crate) struct Flight<'a, W: Width> {
     stage: &'a Stage,
     origin: Vector<W::R>,
     direction: Vector<W::R>,
-    start_body: W::W,
-    inwards: W::M,
+    /// The bodies that they start from, with [`INWARDS`].
+    start: W::W,
     /// Those that fly.
     lanes: W::M,
     inside: &'a Inside,
@@ -110,8 +110,7 @@ impl<'a, W: Width> Flight<'a, W> {
             stage,
             origin: rays.origin,
             direction: rays.direction,
-            start_body: rays.start.and(NO_START),
-            inwards: rays.start.has(INWARDS),
+            start: rays.start,
             lanes,
             inside,
             along,
@@ -126,12 +125,18 @@ impl<'a, W: Width> Flight<'a, W> {
 
     #[inline(always)]
     fn relation(&self, index: u32, body: &StageBody, lanes: W::M) -> Relation<W::M> {
-        let own = self.start_body.is(index);
-        let mut inside = own & self.inwards;
+        let leaves = self.leaves(index);
+        let mut inside = self.start.is(index | INWARDS);
         if body.is_transparent() && !self.inside.is_empty() {
-            inside = inside | (self.w.mask(self.inside.of(index)) & !own);
+            inside = inside | (self.w.mask(self.inside.of(index)) & !leaves);
         }
-        Relation { lanes: lanes & !(own & !self.inwards), inside }
+        Relation { lanes: lanes & !leaves, inside }
+    }
+
+    /// The rays that have just left this body: they meet it no more.
+    #[inline(always)]
+    fn leaves(&self, index: u32) -> W::M {
+        self.start.is(index)
     }
 
     /// The nearest body that each ray meets.
@@ -261,10 +266,11 @@ impl<'a, W: Width> Flight<'a, W> {
         self.stage.planes().for_each(&mut test);
     }
 
-    /// Which rays come near a body of a leaf before `reach`: a sphere is a fraction of a body in memory, and of its test.
+    /// Which rays come near a body of a leaf before `reach`, but for those that have just left it: a sphere is a fraction of
+    /// a body in memory, and of its test.
     #[inline(always)]
     fn comes_near(&self, index: u32, reach: W::R) -> W::M {
-        self.stage.sphere(index).is_met(self.origin, self.direction, reach)
+        self.stage.sphere(index).is_met(self.origin, self.direction, reach) & !self.leaves(index)
     }
 
     /// Where rays meet a body first, if they may at all.
