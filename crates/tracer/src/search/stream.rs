@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use bytemuck::Zeroable;
+use bytemuck::{Zeroable, zeroed_box};
 
 use super::{Along, Best, Flight, Hits, Nearest, Passed};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width};
@@ -38,9 +38,8 @@ pub(crate) struct ShadowStream {
     share: Row<[f32; 4]>,
     /// What the surface sends on if nothing is between.
     answer: Row<[f32; 4]>,
-    /// The numbers of those that there are.
-    numbers: Row<u32>,
     count: usize,
+    is_empty: bool,
 }
 
 /// Working memory.
@@ -79,6 +78,11 @@ impl RayStream {
         self.count += lanes.bits().count_ones() as usize;
     }
 
+    /// The number of rays.
+    pub(crate) fn len(&self) -> usize {
+        self.count
+    }
+
     /// Looks for the nearest of the bounded bodies that each ray meets.
     pub(crate) fn search<W: Width>(
         &mut self,
@@ -90,13 +94,10 @@ impl RayStream {
         let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
         let StreamMemory { parts, inside } = memory;
         let count = self.count;
-        for (ray, number) in parts.begin()[..count].iter_mut().zip(0..) {
-            *ray = number;
-        }
         let mut visitor = ForNearest { w, stage, table, inside, stream: self };
         w.run(
             #[inline(always)]
-            || bvh.traverse_stream(w, parts, count, &mut visitor),
+            || bvh.traverse_stream(w, parts, count, stage.parts_streams(), &mut visitor),
         );
     }
 
@@ -114,15 +115,23 @@ impl RayStream {
 }
 
 impl ShadowStream {
+    /// One for at most so many rays.
+    #[cold]
+    pub(crate) fn of(count: usize) -> Box<Self> {
+        let mut shadows: Box<Self> = zeroed_box();
+        shadows.begin(count);
+        shadows
+    }
+
     /// Forgets all rays; at most the first `count` will be [put](Self::put).
     pub(crate) fn begin(&mut self, count: usize) {
-        self.count = 0;
+        (self.count, self.is_empty) = (count, true);
         self.rays.block(count);
     }
 
     /// Whether there are any.
     pub(crate) fn is_empty(&self) -> bool {
-        self.count == 0
+        self.is_empty
     }
 
     /// Adds the rays `lanes` as those from number `at` on, with what they bring if nothing is between.
@@ -143,12 +152,7 @@ impl ShadowStream {
         let (zero, one) = (w.real(0.0), w.real(1.0));
         w.store_fours([answer.x, answer.y, answer.z, zero], &mut self.answer[at..]);
         w.store_fours([one, one, one, zero], &mut self.share[at..]);
-        let mut bits = lanes.bits();
-        while bits != 0 {
-            self.numbers[self.count % STREAM] = at as u32 + bits.trailing_zeros();
-            self.count += 1;
-            bits &= bits - 1;
-        }
+        self.is_empty = false;
     }
 
     /// Looks for the bounded bodies between.
@@ -160,13 +164,12 @@ impl ShadowStream {
         memory: &mut StreamMemory,
     ) {
         let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
-        let Self { rays, share, numbers, count, .. } = self;
+        let Self { rays, share, count, .. } = self;
         let StreamMemory { parts, inside } = memory;
-        parts.begin()[..*count].copy_from_slice(&numbers[..*count]);
         let mut visitor = ForShadow { w, stage, table, inside, rays, share };
         w.run(
             #[inline(always)]
-            || bvh.traverse_stream(w, parts, *count, &mut visitor),
+            || bvh.traverse_stream(w, parts, *count, stage.parts_streams(), &mut visitor),
         );
     }
 

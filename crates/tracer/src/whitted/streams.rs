@@ -72,7 +72,8 @@ impl Streams {
         lanes: W::M,
     ) {
         if self.shadows.len() <= light {
-            self.shadows.resize_with(light + 1, zeroed_box);
+            let count = self.rays.len();
+            self.shadows.resize_with(light + 1, || ShadowStream::of(count));
         }
         self.shadows[light].put(w, at, rays, to, answer, lanes);
     }
@@ -81,7 +82,7 @@ impl Streams {
 impl Stage {
     /// A stream keeps 1.3 MB for each light; with more lights than these all rays go by packets.
     const MOST_LIGHTS: usize = 16;
-    /// Among so many bodies even neighbors from the eye part before they meet one.
+    /// Among so many bodies even neighbors from the eye part before they meet one, and order counts for more than company.
     const VERY_MANY: u32 = 50_000;
 
     /// Whether rays that do not come from the eye are better traced by streams.
@@ -91,7 +92,12 @@ impl Stage {
 
     /// Whether rays from the eye are, too.
     pub(crate) fn eye_goes_by_streams(&self) -> bool {
-        self.goes_by_streams() && self.bounded >= Self::VERY_MANY
+        self.goes_by_streams() && self.parts_streams()
+    }
+
+    /// Whether the rays of a stream that run into different octants are better searched for apart.
+    pub(crate) fn parts_streams(&self) -> bool {
+        self.bounded >= Self::VERY_MANY
     }
 }
 

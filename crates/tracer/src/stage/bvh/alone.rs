@@ -142,12 +142,6 @@ impl Order {
         }
         order
     }
-
-    /// All at once, and their number.
-    #[inline(always)]
-    pub(super) fn slots(self) -> ([usize; 8], usize) {
-        (self.keys.map(|key| key as usize % 8), self.len.min(8))
-    }
 }
 
 impl Iterator for Order {

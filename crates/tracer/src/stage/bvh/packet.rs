@@ -279,7 +279,7 @@ pub(super) fn inverse_of<W: Width>(w: W, direction: Vector<W::R>) -> Vector<W::R
 
 /// Where rays cross the two sides of a box across one axis, the nearer first.
 #[inline(always)]
-pub(super) fn cross<W: Width>(
+fn cross<W: Width>(
     w: W,
     node: &Node,
     (axis, slot): (usize, usize),

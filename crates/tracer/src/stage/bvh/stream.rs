@@ -5,14 +5,18 @@
 //! a list of the rays that meet its box (Overbeck, Ramamoorthi, Mark 2008, Large ray packets for real-time Whitted ray
 //! tracing, sec. 3.3, and Barringer, Akenine-Möller 2014, Dynamic ray stream traversal); where few are left, each goes on
 //! alone.
+//!
+//! Among very many bodies only rays that run the same way along each axis are taken together. Wherever they start, of two
+//! boxes apart all of them reach the same one first, so that one order is good for all, and all enter a box by the same
+//! three sides. Among fewer it is better to have more rays in each leaf.
 
 use std::ops::Range;
 
 use bytemuck::Zeroable;
 
 use super::alone::{Lone, LonePart, Order, VisitAlone};
-use super::packet::{cross, inverse_of};
-use super::{Bvh, Node, WIDEN};
+use super::packet::inverse_of;
+use super::{Bounds, Bvh, Node, WIDEN};
 use crate::lanes::{Eight as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::ray::Rays;
 use crate::vector::Vector;
@@ -36,7 +40,8 @@ pub(crate) struct StreamRays {
 
 /// What is done with the leaves.
 pub(crate) trait VisitStream {
-    /// Whether the nearer leaves are better shown first.
+    /// Whether leaves are shown from the rays' starts on: the nearest body ends the search. Else from their ends: rays to a
+    /// light come together there, and one body hides it from many.
     const NEAREST_FIRST: bool;
 
     fn rays(&self) -> &StreamRays;
@@ -63,6 +68,8 @@ struct StreamPart {
     /// Where its rays stand, and how many.
     start: usize,
     len: usize,
+    /// From where on no list is needed any more.
+    free: usize,
 }
 
 impl StreamRays {
@@ -112,6 +119,44 @@ impl StreamRays {
         *old = old.min(reach);
     }
 
+    /// Writes the numbers of the first `count` rays of which anything is wanted to lists, each of which has `room`: one for
+    /// each [octant](Octant) if they are to be taken apart, or else one for all. How many each list has.
+    #[inline(always)]
+    fn part<W: Width>(
+        &self,
+        w: W,
+        count: usize,
+        is_apart: bool,
+        (lists, room): (&mut [u32], usize),
+    ) -> [usize; 8] {
+        let mut lens = [0; 8];
+        let mut numbers = [0; MOST_LANES];
+        numbers.iter_mut().zip(0..).for_each(|(number, at)| *number = at);
+        let numbers = w.load_words(&numbers);
+        let (told_apart, used) = if is_apart { (7, 8) } else { (0, 1) };
+        for at in (0..count).step_by(W::LANES) {
+            let [.., reach] = w.load_fours(&self.origin[at..]);
+            let lanes = w.first(count - at) & reach.gt(w.real(f32::NEG_INFINITY));
+            let [x, y, z, _] = w.load_fours(&self.inverse[at..]);
+            let sign = |inverse: W::R, by: u32| inverse.to_word().shifted_right(31).shifted_left(by);
+            let octants = sign(x, 0).or(sign(y, 1)).or(sign(z, 2)).and(told_apart);
+            let numbers = numbers.plus(w.word(at as u32));
+            for (octant, len) in lens.iter_mut().take(used).enumerate() {
+                let these = octants.is(octant as u32) & lanes;
+                numbers.compress(these).store(&mut lists[octant * room + *len..]);
+                *len += these.bits().count_ones() as usize;
+            }
+        }
+        lens
+    }
+
+    /// The octant that a ray runs into.
+    #[inline(always)]
+    fn octant(&self, ray: u32) -> Octant {
+        let [x, y, z, _] = self.inverse[ray as usize % STREAM];
+        Octant([x, y, z].map(|inverse| inverse < 0.0))
+    }
+
     /// Nothing is wanted any more of the first `count` rays.
     pub(crate) fn block(&mut self, count: usize) {
         self.origin.iter_mut().take(count).for_each(|[.., reach]| *reach = f32::NEG_INFINITY);
@@ -135,14 +180,56 @@ pub(crate) fn vector_at<W: Width>(w: W, row: &Row<[f32; 4]>, at: usize) -> Vecto
 }
 
 impl StreamParts {
-    /// The rays that are to be traversed next: so many of the first places are taken.
+    /// Makes room for so many numbers of rays, and for one that goes on alone.
     #[inline(always)]
-    pub(crate) fn begin(&mut self) -> &mut [u32] {
-        if self.rays.len() < STREAM + MOST_LANES {
-            self.rays.resize(STREAM + MOST_LANES, 0);
-            self.alone.resize(8 * super::MAX_DEPTH, LonePart::default());
+    fn make_room(&mut self, len: usize) {
+        if self.rays.len() < len {
+            self.grow(len);
         }
-        &mut self.rays
+    }
+
+    #[cold]
+    fn grow(&mut self, len: usize) {
+        self.rays.resize(len.next_power_of_two(), 0);
+        self.alone.resize(8 * super::MAX_DEPTH, LonePart::default());
+    }
+}
+
+/// Along which axes rays run backwards.
+#[derive(Clone, Copy)]
+struct Octant([bool; 3]);
+
+impl Octant {
+    /// That of a bit for each axis.
+    fn of_bits(bits: usize) -> Self {
+        Self([0, 1, 2].map(|axis| bits >> axis & 1 == 1))
+    }
+
+    /// That of rays that run the other way.
+    fn opposite(self) -> Self {
+        Self(self.0.map(|is_back| !is_back))
+    }
+
+    /// How far along the octant's diagonal a node's boxes begin, from where `all` begin.
+    #[inline(always)]
+    fn along<W: Width>(self, w: W, node: &Node, all: &Bounds) -> W::E {
+        let along = |axis: usize| {
+            if self.0[axis] {
+                w.eight_like(all.max[axis]) - w.eight(&node.sides[2 * axis + 1])
+            } else {
+                w.eight(&node.sides[2 * axis]) - w.eight_like(all.min[axis])
+            }
+        };
+        along(0) + along(1) + along(2)
+    }
+
+    /// The sides of a node's boxes by which rays enter, then those by which they leave, across x, y and z.
+    #[inline(always)]
+    fn sides(self, node: &Node) -> [[f32; 8]; 6] {
+        let [x, y, z] = self.0.map(usize::from);
+        let near = [x, 2 + y, 4 + z];
+        let side = |at: usize| node.sides[if at < 3 { near[at] } else { near[at - 3] ^ 1 } % 6];
+        [side(0), side(1), side(2), side(3), side(4), side(5)]
     }
 }
 
@@ -150,78 +237,93 @@ impl Bvh {
     /// Up to so many rays go on alone.
     const FEW_OF_STREAM: usize = 3;
 
-    /// Shows `visitor` the bodies of the leaves whose boxes the first `count` rays of [`StreamParts::begin`] meet.
+    /// Shows `visitor` the bodies of the leaves whose boxes its first `count` rays meet; those of different octants one after
+    /// the other if they are to be taken apart.
     #[inline(always)]
     pub(crate) fn traverse_stream<W: Width, V: VisitStream>(
         &self,
         w: W,
         pending: &mut StreamParts,
         count: usize,
+        is_apart: bool,
         visitor: &mut V,
     ) {
-        let StreamParts { parts, rays, alone } = pending;
-        parts.clear();
-        parts.push(StreamPart { first: 0, count: 0, start: 0, len: count });
-        while let Some(part) = parts.pop() {
-            let StreamPart { first, count, start, len } = part;
+        let room = count + MOST_LANES;
+        pending.make_room(8 * room);
+        let lens = visitor.rays().part(w, count, is_apart, (&mut pending.rays, room));
+        for (octant, &len) in lens.iter().enumerate().filter(|(_, len)| **len > 0) {
+            let all = StreamPart { first: 0, count: 0, start: octant * room, len, free: 8 * room };
+            self.traverse_list(w, pending, all, is_apart.then(|| Octant::of_bits(octant)), visitor);
+        }
+    }
+
+    /// The same for a list of rays, perhaps all of one octant.
+    #[inline(always)]
+    fn traverse_list<W: Width, V: VisitStream>(
+        &self,
+        w: W,
+        pending: &mut StreamParts,
+        all: StreamPart,
+        octant: Option<Octant>,
+        visitor: &mut V,
+    ) {
+        let bounds = self.bounds();
+        pending.parts.clear();
+        pending.parts.push(all);
+        while let Some(part) = pending.parts.pop() {
+            let StreamPart { first, count, start, len, free } = part;
             if count > 0 {
-                visitor.leaf(first..first + count, &rays[start..], len);
+                visitor.leaf(first..first + count, &pending.rays[start..], len);
                 continue;
             }
             if len <= Self::FEW_OF_STREAM {
-                for &number in &rays[start..start + len] {
+                for &number in &pending.rays[start..start + len] {
                     let mut ray = [0; MOST_LANES + 1];
                     ray[0] = number;
                     let lone = visitor.rays().alone(w, ray[0]);
-                    self.traverse_alone(
-                        w,
-                        &lone,
-                        first,
-                        alone,
-                        &mut OneOfStream { ray, visitor: &mut *visitor },
-                    );
+                    let alone = &mut OneOfStream { ray, visitor: &mut *visitor };
+                    self.traverse_alone(w, &lone, first, &mut pending.alone, alone);
                 }
                 continue;
             }
             let node = &self.nodes[first as usize];
-            let order = if V::NEAREST_FIRST {
-                // The first ray stands for all.
-                let (enter, _) = visitor.rays().alone(w, rays[start]).enter(w, node);
-                Order::new(&enter.to_words(), node.used(w), true)
-            } else {
-                Order::new(&[0; 8], node.used(w), false)
-            };
             // Behind each list there is room for as many as are written at once.
             let room = len + MOST_LANES;
-            let end = start + room;
-            if rays.len() < end + 8 * room {
-                grow(rays, end + 8 * room);
-            }
-            let (own, lists) = rays.split_at_mut(end);
-            let (slots, used) = order.slots();
-            let slots = &slots[..used];
-            let lens = sort(w, visitor.rays(), (node, slots), (&own[start..], len), (lists, room));
-            for ((&slot, &len), start) in slots.iter().zip(&lens).zip((end..).step_by(room)) {
-                if len > 0 {
-                    let (first, count) = (node.first[slot], node.count[slot]);
-                    visitor.fetch(self.fetch(first, count));
-                    parts.push(StreamPart { first, count, start, len });
+            let end = free + 8 * room;
+            pending.make_room(end);
+            let (own, lists) = pending.rays.split_at_mut(free);
+            let own = &own[start..];
+            let lens = match octant {
+                Some(octant) => {
+                    let sides = octant.sides(node);
+                    sort::<W, true>(w, visitor.rays(), (node, &sides), (own, len), (lists, room))
                 }
+                None => sort::<W, false>(w, visitor.rays(), (node, &node.sides), (own, len), (lists, room)),
+            };
+            // Where they run every which way, the first one stands for all.
+            let octant = octant.unwrap_or_else(|| visitor.rays().octant(own[0]));
+            let towards = if V::NEAREST_FIRST { octant } else { octant.opposite() };
+            let met = lens.iter().zip(0..).fold(0, |met, (&len, slot)| met | u32::from(len > 0) << slot);
+            for slot in Order::new(&towards.along(w, node, &bounds).to_words(), met, true) {
+                let (first, count, start) = (node.first[slot], node.count[slot], free + slot * room);
+                visitor.fetch(self.fetch(first, count));
+                pending.parts.push(StreamPart { first, count, start, len: lens[slot], free: end });
             }
         }
     }
 }
 
-/// Writes the first `len` of `numbers` to the lists of those boxes that these rays meet, each of which has `room`. How many
-/// each list has.
+/// Writes the first `len` of `numbers` to the lists of those of a node's boxes that these rays meet, each of which has
+/// `room`. How many each list has. If all are of one octant, `sides` are those of it.
 #[inline(always)]
-fn sort<W: Width>(
+fn sort<W: Width, const APART: bool>(
     w: W,
     rays: &StreamRays,
-    (node, slots): (&Node, &[usize]),
+    (node, sides): (&Node, &[[f32; 8]; 6]),
     (numbers, len): (&[u32], usize),
     (lists, room): (&mut [u32], usize),
 ) -> [usize; 8] {
+    let used = (u32::BITS - node.used(w).leading_zeros()) as usize;
     let mut lens = [0; 8];
     for at in (0..len).step_by(W::LANES) {
         let numbers = &numbers[at..];
@@ -229,34 +331,35 @@ fn sort<W: Width>(
         let [x, y, z, reach] = w.gather(&rays.origin, numbers);
         let origin = Vector::new(x, y, z);
         let [x, y, z, _] = w.gather(&rays.inverse, numbers);
-        let inverse = Vector::new(x, y, z);
+        let minus_inverse = -Vector::new(x, y, z);
         let words = w.load_words(numbers);
-        for ((&slot, len), start) in slots.iter().zip(&mut lens).zip((0..).step_by(room)) {
-            let met = lanes & meets(w, node, slot, (origin, inverse), reach);
-            words.compress(met).store(&mut lists[start + *len..]);
+        for (slot, len) in lens.iter_mut().take(used).enumerate() {
+            let met = lanes & meets::<W, APART>(w, sides, slot, (origin, minus_inverse), reach);
+            words.compress(met).store(&mut lists[slot * room + *len..]);
             *len += met.bits().count_ones() as usize;
         }
     }
     lens
 }
 
-#[cold]
-fn grow(rays: &mut Vec<u32>, len: usize) {
-    rays.resize(len.next_power_of_two(), 0);
-}
-
-/// The rays that meet a box before `reach`.
+/// The rays that meet a box before `reach`; see [`PacketBoxes::enter`](super::packet::PacketBoxes::enter).
 #[inline(always)]
-fn meets<W: Width>(
+fn meets<W: Width, const APART: bool>(
     w: W,
-    node: &Node,
+    sides: &[[f32; 8]; 6],
     slot: usize,
-    (origin, inverse): (Vector<W::R>, Vector<W::R>),
+    (origin, minus_inverse): (Vector<W::R>, Vector<W::R>),
     reach: W::R,
 ) -> W::M {
-    let x = cross(w, node, (0, slot), origin.x, inverse.x);
-    let y = cross(w, node, (1, slot), origin.y, inverse.y);
-    let z = cross(w, node, (2, slot), origin.z, inverse.z);
+    let cross = |(one, other): (usize, usize), origin: W::R, minus_inverse: W::R| {
+        let one = (origin - sides[one][slot]) * minus_inverse;
+        let other = (origin - sides[other][slot]) * minus_inverse;
+        if APART { (one, other) } else { (one.min(other), one.max(other)) }
+    };
+    let pairs = if APART { [(0, 3), (1, 4), (2, 5)] } else { [(0, 1), (2, 3), (4, 5)] };
+    let x = cross(pairs[0], origin.x, minus_inverse.x);
+    let y = cross(pairs[1], origin.y, minus_inverse.y);
+    let z = cross(pairs[2], origin.z, minus_inverse.z);
     let enter = x.0.max(y.0).max(z.0).max(w.real(0.0));
     let exit = x.1.min(y.1).min(z.1);
     enter.le((exit * WIDEN).min(reach))
