@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::counts::RayCounts;
 use crate::stage::{Stage, StageCamera};
-use crate::tile::{Place, TileTracer, edge_for};
+use crate::tile::{Place, TILE, TileTracer, edge_for};
 
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -212,13 +212,36 @@ impl Tile<'_> {
     }
 }
 
-/// The tiles of a picture, row by row, each made when it is asked for.
+/// The tiles of a picture, each made when it is asked for.
+///
+/// Several threads get them from several strips of the picture in turn: where they begin neighbors at once, the system
+/// clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take too long for that to count;
+/// they go row by row, since the picture's middle, which mostly takes longest, must not be last.
 fn tiles<'p>(stage: &Stage, picture: &'p mut Picture) -> impl Iterator<Item = Tile<'p>> + use<'p> {
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
     let edge = edge_for(stage, width, height);
-    let mut bands = picture.pixels_mut().chunks_mut(width * edge);
+    let strips = match rayon::current_num_threads() {
+        threads @ 2.. if edge == TILE => 4 * threads,
+        _ => 1,
+    };
+    let strip = height.div_ceil(edge).div_ceil(strips) * edge;
+    let parts = picture.pixels_mut().chunks_mut(width * strip).zip((0..).step_by(strip));
+    let mut strips: Vec<_> = parts.map(|(pixels, top)| tiles_of_strip(pixels, top, width, edge)).collect();
+    let mut turns = (0..strips.len()).cycle();
+    std::iter::from_fn(move || turns.by_ref().take(strips.len()).find_map(|strip| strips[strip].next()))
+}
+
+/// The tiles of some rows of a picture that begin at `top`, row by row.
+fn tiles_of_strip(
+    pixels: &mut [[f32; 3]],
+    top: usize,
+    width: usize,
+    edge: usize,
+) -> impl Iterator<Item = Tile<'_>> {
+    let strip = Place { x: 0, y: top, width, height: pixels.len() / width };
+    let mut bands = pixels.chunks_mut(width * edge);
     let mut band = Vec::new();
-    Place::all(width, height, edge).map(move |place| {
+    strip.squares(edge).map(move |place| {
         if place.x == 0 {
             let rows = bands.next().unwrap_or_default().chunks_mut(width);
             band.clear();

@@ -49,7 +49,7 @@ impl Place {
     }
 
     /// The squares that it is made of, row by row.
-    fn squares(self, edge: usize) -> impl Iterator<Item = Self> {
+    pub(crate) fn squares(self, edge: usize) -> impl Iterator<Item = Self> {
         let Self { x: left, y: top, width, height } = self;
         (0..height).step_by(edge).flat_map(move |y| {
             (0..width).step_by(edge).map(move |x| Self {
