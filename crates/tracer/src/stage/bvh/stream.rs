@@ -293,18 +293,19 @@ impl Bvh {
             pending.make_room(end);
             let (own, lists) = pending.rays.split_at_mut(free);
             let own = &own[start..];
+            let used = node.used(w);
             let lens = match octant {
                 Some(octant) => {
                     let sides = octant.sides(node);
-                    sort::<W, true>(w, visitor.rays(), (node, &sides), (own, len), (lists, room))
+                    sort::<W, true>(w, visitor.rays(), (&sides, used), (own, len), (lists, room))
                 }
-                None => sort::<W, false>(w, visitor.rays(), (node, &node.sides), (own, len), (lists, room)),
+                None => sort::<W, false>(w, visitor.rays(), (&node.sides, used), (own, len), (lists, room)),
             };
             // Where they run every which way, the first one stands for all.
             let octant = octant.unwrap_or_else(|| visitor.rays().octant(own[0]));
             let towards = if V::NEAREST_FIRST { octant } else { octant.opposite() };
             let met = lens.iter().zip(0..).fold(0, |met, (&len, slot)| met | u32::from(len > 0) << slot);
-            for slot in Order::new(&towards.along(w, node, &bounds).to_words(), met, true) {
+            for slot in Order::new(&towards.along(w, node, &bounds).to_words(), met & used, true) {
                 let (first, count, start) = (node.first[slot], node.count[slot], free + slot * room);
                 visitor.fetch(self.fetch(first, count));
                 pending.parts.push(StreamPart { first, count, start, len: lens[slot], free: end });
@@ -314,16 +315,16 @@ impl Bvh {
 }
 
 /// Writes the first `len` of `numbers` to the lists of those of a node's boxes that these rays meet, each of which has
-/// `room`. How many each list has. If all are of one octant, `sides` are those of it.
+/// `room`. How many each list has; of boxes that are not `used`, anything. If all are of one octant, `sides` are those of it.
 #[inline(always)]
 fn sort<W: Width, const APART: bool>(
     w: W,
     rays: &StreamRays,
-    (node, sides): (&Node, &[[f32; 8]; 6]),
+    (sides, used): (&[[f32; 8]; 6], u32),
     (numbers, len): (&[u32], usize),
     (lists, room): (&mut [u32], usize),
 ) -> [usize; 8] {
-    let used = (u32::BITS - node.used(w).leading_zeros()) as usize;
+    let slots = (u32::BITS - used.leading_zeros()) as usize;
     let mut lens = [0; 8];
     for at in (0..len).step_by(W::LANES) {
         let numbers = &numbers[at..];
@@ -333,7 +334,7 @@ fn sort<W: Width, const APART: bool>(
         let [x, y, z, _] = w.gather(&rays.inverse, numbers);
         let minus_inverse = -Vector::new(x, y, z);
         let words = w.load_words(numbers);
-        for (slot, len) in lens.iter_mut().take(used).enumerate() {
+        for (slot, len) in lens.iter_mut().take(slots).enumerate() {
             let met = lanes & meets::<W, APART>(w, sides, slot, (origin, minus_inverse), reach);
             words.compress(met).store(&mut lists[slot * room + *len..]);
             *len += met.bits().count_ones() as usize;
