@@ -214,21 +214,21 @@ impl Tile<'_> {
 
 /// The tiles of a picture, each made when it is asked for.
 ///
-/// Several threads get them from several strips of the picture in turn: where they begin neighbors at once, the system
-/// clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take too long for that to count;
-/// they go row by row, since the picture's middle, which mostly takes longest, must not be last.
+/// Every thread has a strip of the picture to begin in, and goes on in those of others when it is through: where two take
+/// neighbors at once, the system clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take
+/// too long for that to count; they go row by row, since the picture's middle, which mostly takes longest, must not be last.
 fn tiles<'p>(stage: &Stage, picture: &'p mut Picture) -> impl Iterator<Item = Tile<'p>> + use<'p> {
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
     let edge = edge_for(stage, width, height);
-    let strips = match rayon::current_num_threads() {
-        threads @ 2.. if edge == TILE => 4 * threads,
-        _ => 1,
-    };
+    let strips = if edge == TILE { rayon::current_num_threads() } else { 1 };
     let strip = height.div_ceil(edge).div_ceil(strips) * edge;
     let parts = picture.pixels_mut().chunks_mut(width * strip).zip((0..).step_by(strip));
     let mut strips: Vec<_> = parts.map(|(pixels, top)| tiles_of_strip(pixels, top, width, edge)).collect();
-    let mut turns = (0..strips.len()).cycle();
-    std::iter::from_fn(move || turns.by_ref().take(strips.len()).find_map(|strip| strips[strip].next()))
+    std::iter::from_fn(move || {
+        let own = rayon::current_thread_index().unwrap_or_default() % strips.len();
+        let (before, from_own_on) = strips.split_at_mut(own);
+        from_own_on.iter_mut().chain(before).find_map(Iterator::next)
+    })
 }
 
 /// The tiles of some rows of a picture that begin at `top`, row by row.
