@@ -49,6 +49,8 @@ pub(crate) use sky::StageSky;
 pub(crate) use sphere::BoundingSphere;
 pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, Texture};
 
+use crate::lanes::Lanes;
+
 /// A scene prepared for tracing, shared by reference between threads.
 ///
 /// Bodies stand in the order of the bounding volume hierarchy's leaves, the unbounded ones last. What
@@ -82,6 +84,8 @@ pub struct Stage {
     pub(crate) disperses: bool,
     /// The largest [`StageBody::slack`], or more after an edit.
     pub(crate) largest_slack: f32,
+    /// What rays are traced in. To ask the processor takes longer than a tile.
+    pub(crate) lanes: Lanes,
     /// Materials and checkers that edits have added.
     added: u32,
     /// What edits have changed of the bodies and the hierarchy.
@@ -200,6 +204,7 @@ impl Stage {
             ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
+            lanes: Lanes::widest(),
             added: 0,
             log: EditLog::new(),
         })

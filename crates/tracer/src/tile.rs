@@ -5,7 +5,7 @@ mod light;
 use glam::{DVec2, UVec2, Vec2};
 
 use crate::counts::RayCounts;
-use crate::lanes::{Lanes, MOST_LANES, Mask as _, Width, Word as _, Work};
+use crate::lanes::{MOST_LANES, Mask as _, Width, Word as _, Work};
 use crate::render::Control;
 use crate::sampling::sample_offset;
 use crate::stage::{RaysNear, STREAM, Stage, StageCamera};
@@ -107,7 +107,6 @@ impl Place {
 /// Traces tiles and groups of them; reusable from one to the next by one thread.
 pub(crate) struct TileTracer<'a> {
     whitted: Whitted<'a>,
-    lanes: Lanes,
     /// The rays that wait, by their distance in the tree from the eye.
     levels: Vec<Level>,
     /// Made when they are needed.
@@ -126,7 +125,6 @@ impl<'a> TileTracer<'a> {
     pub(crate) fn new(stage: &'a Stage, camera: &'a StageCamera, control: &'a Control) -> Self {
         Self {
             whitted: Whitted::through(stage, camera, &control.cancel),
-            lanes: Lanes::widest(),
             levels: Vec::new(),
             streams: None,
             light: TileLight::default(),
@@ -141,7 +139,7 @@ impl<'a> TileTracer<'a> {
     /// The light of one sample of each pixel; `None` if it was cancelled midway.
     pub(crate) fn trace(&mut self, place: Place, size: DVec2, sample: u32) -> Option<&TileLight> {
         self.whitted.tidy();
-        let (lanes, is_full) = (self.lanes, self.whitted.is_full());
+        let (lanes, is_full) = (self.whitted.stage.lanes, self.whitted.is_full());
         let is_finished = if is_full {
             lanes.run(Sample::<true> { tracer: self, place, size, sample })
         } else {

@@ -70,6 +70,7 @@ impl Stage {
             absorbs: self.absorbs,
             disperses: self.disperses,
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
+            lanes: self.lanes,
             added: 0,
             log: EditLog::new(),
         }

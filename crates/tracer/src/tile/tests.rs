@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::*;
 use crate::Search;
-use crate::lanes::One;
+use crate::lanes::{Lanes, One};
 
 const SIZE: (usize, usize) = (90, 50);
 
