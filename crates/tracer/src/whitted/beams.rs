@@ -151,7 +151,7 @@ impl Queue {
 
     #[cold]
     fn grow(&mut self, end: usize) {
-        let len = end.next_power_of_two().max(1024);
+        let len = end.next_power_of_two().max(128);
         self.numbers.iter_mut().for_each(|row| row.resize(len, 0.0));
         self.words.iter_mut().for_each(|row| row.resize(len, 0));
     }
