@@ -1,5 +1,9 @@
 //! Rays of the tree side by side, and the queues in which they wait.
 
+use std::ops::Range;
+
+use bytemuck::{Zeroable, zeroed_vec};
+
 use super::encounter::Encounter;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word};
 use crate::media::Inside;
@@ -152,8 +156,9 @@ impl Queue {
     #[cold]
     fn grow(&mut self, end: usize) {
         let len = end.next_power_of_two().max(128);
-        self.numbers.iter_mut().for_each(|row| row.resize(len, 0.0));
-        self.words.iter_mut().for_each(|row| row.resize(len, 0));
+        let waiting = self.taken..self.len;
+        self.numbers.iter_mut().for_each(|row| *row = longer(row, waiting.clone(), len));
+        self.words.iter_mut().for_each(|row| *row = longer(row, waiting.clone(), len));
     }
 
     /// Takes the first rays: as many as there are side by side, or the rest.
@@ -207,4 +212,12 @@ impl Queue {
     pub(crate) fn clear(&mut self) {
         (self.len, self.taken) = (0, 0);
     }
+}
+
+/// A row of `len` numbers with those that wait in a shorter one. No others are written, so that fresh memory stays
+/// untouched until it is needed.
+fn longer<T: Copy + Zeroable>(row: &[T], waiting: Range<usize>, len: usize) -> Vec<T> {
+    let mut longer = zeroed_vec(len);
+    longer[waiting.clone()].copy_from_slice(&row[waiting]);
+    longer
 }

@@ -180,6 +180,9 @@ pub(crate) fn vector_at<W: Width>(w: W, row: &Row<[f32; 4]>, at: usize) -> Vecto
 }
 
 impl StreamParts {
+    /// So many numbers of rays have been enough for a thousand bodies and for a million.
+    const USUAL_ROOM: usize = 64 * STREAM;
+
     /// Makes room for so many numbers of rays, and for one that goes on alone.
     #[inline(always)]
     fn make_room(&mut self, len: usize) {
@@ -190,7 +193,13 @@ impl StreamParts {
 
     #[cold]
     fn grow(&mut self, len: usize) {
-        self.rays.resize(len.next_power_of_two(), 0);
+        if self.rays.is_empty() {
+            // The system gives memory when it is touched: what is not needed costs nothing, but growing does.
+            self.rays = vec![0; Self::USUAL_ROOM];
+        }
+        if self.rays.len() < len {
+            self.rays.resize(len.next_power_of_two(), 0);
+        }
         self.alone.resize(8 * super::MAX_DEPTH, LonePart::default());
     }
 }
