@@ -7,6 +7,7 @@ mod instructions;
 mod measure;
 mod programs;
 mod report;
+mod scaling;
 mod series;
 
 use anyhow::{Result, bail};
@@ -53,6 +54,8 @@ pub(crate) struct BenchArguments {
 enum Part {
     /// Trace times and pictures of the scenes
     Scenes,
+    /// How much quicker more threads are in one process
+    Scaling,
     /// Time from starting the program to the first picture
     FirstPicture,
     /// Instructions for a ray, counted by Valgrind
@@ -75,18 +78,20 @@ pub(crate) fn run(arguments: &BenchArguments) -> Result<()> {
     }
     shell::run(&mut command("cargo", &["build", "--release", "--quiet"]))?;
     std::fs::create_dir_all(folder())?;
+    let cases = if arguments.scenes.is_empty() { CASES.iter().collect() } else { arguments.scenes.clone() };
     let mut faults = Vec::new();
     if arguments.wants(Part::Scenes) {
-        let cases =
-            if arguments.scenes.is_empty() { CASES.iter().collect() } else { arguments.scenes.clone() };
         let mut results = Vec::new();
-        for case in cases {
+        for case in &cases {
             let result = measure::measure(case, arguments)?;
             faults.extend(result.fault());
             results.push(result);
         }
         let others: Vec<&str> = arguments.others.iter().map(|other| other.name.as_str()).collect();
         println!("{}", report::tables(&results, &others, arguments.size()));
+    }
+    if arguments.wants(Part::Scaling) {
+        println!("{}", scaling::measure(&cases, arguments)?);
     }
     if arguments.wants(Part::FirstPicture) {
         println!("{}\n", first_picture::measure(arguments.runs.max(9))?);

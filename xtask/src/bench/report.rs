@@ -63,12 +63,12 @@ impl Measured {
     }
 }
 
-fn cells<const N: usize>(texts: [&str; N]) -> [String; N] {
+pub(super) fn cells<const N: usize>(texts: [&str; N]) -> [String; N] {
     texts.map(str::to_owned)
 }
 
 /// A Markdown table with aligned columns; the first row is the head.
-fn table(rows: &[Vec<String>]) -> String {
+pub(super) fn table(rows: &[Vec<String>]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or_default();
     let length = |row: &Vec<String>, column: usize| row.get(column).map_or(0, |cell| cell.chars().count());
     let width = |column| rows.iter().map(|row| length(row, column)).max().unwrap_or_default();
