@@ -10,7 +10,7 @@ use super::report::{cells, table};
 use super::{BenchArguments, folder};
 use crate::shell::{self, command};
 
-/// A number of threads, and what [`catoptric measure`](program) found for it.
+/// A number of threads, and the milliseconds of a picture with so many.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Point {
     threads: u32,
