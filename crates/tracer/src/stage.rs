@@ -26,6 +26,8 @@ use std::sync::Arc;
 use catoptric_scene::{Camera, Color, Scene, Tracing};
 use rayon::prelude::*;
 
+use crate::lanes::Lanes;
+
 pub(crate) use body::StageBody;
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::{
@@ -48,8 +50,6 @@ pub(crate) use sight::{Sight, Sights};
 pub(crate) use sky::StageSky;
 pub(crate) use sphere::BoundingSphere;
 pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, Texture};
-
-use crate::lanes::Lanes;
 
 /// A scene prepared for tracing, shared by reference between threads.
 ///
@@ -84,7 +84,7 @@ pub struct Stage {
     pub(crate) disperses: bool,
     /// The largest [`StageBody::slack`], or more after an edit.
     pub(crate) largest_slack: f32,
-    /// What rays are traced in. To ask the processor takes longer than a tile.
+    /// How many rays are traced side by side: kept, since asking the processor can take longer than a tile.
     pub(crate) lanes: Lanes,
     /// Materials and checkers that edits have added.
     added: u32,

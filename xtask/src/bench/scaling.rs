@@ -47,14 +47,13 @@ fn points(scene: &Path, arguments: &BenchArguments) -> Result<Vec<Point>> {
     let threads: Vec<String> = arguments.threads.iter().map(u32::to_string).collect();
     let vary = format!("threads={}", threads.join(","));
     let [width, height] = arguments.size();
-    let (size, rounds) = (format!("{width}x{height}"), arguments.runs.max(1).to_string());
+    let (size, rounds) = (format!("{width}x{height}"), arguments.runs.to_string());
     let [scene, folder] = [scene, &output].map(|path| path.display().to_string());
     let words = ["measure", &scene, "--vary", &vary, "--size", &size, "--rounds", &rounds, "-o", &folder];
     shell::run(command(&program(), &words).arg("--quiet"))?;
     let path = output.join("points.csv");
     let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
-    let points = read(&text).with_context(|| format!("{} tells no times:\n{text}", path.display()))?;
-    Ok(points)
+    read(&text).with_context(|| format!("{} tells no times:\n{text}", path.display()))
 }
 
 /// The points of a `points.csv`, none of whose cells here has a comma in it.

@@ -193,12 +193,12 @@ impl StreamParts {
 
     #[cold]
     fn grow(&mut self, len: usize) {
+        let len = len.next_power_of_two().max(Self::USUAL_ROOM);
         if self.rays.is_empty() {
             // The system gives memory when it is touched: what is not needed costs nothing, but growing does.
-            self.rays = vec![0; Self::USUAL_ROOM];
-        }
-        if self.rays.len() < len {
-            self.rays.resize(len.next_power_of_two(), 0);
+            self.rays = vec![0; len];
+        } else {
+            self.rays.resize(len, 0);
         }
         self.alone.resize(8 * super::MAX_DEPTH, LonePart::default());
     }
