@@ -145,7 +145,7 @@ impl<'a, W: Width> Flight<'a, W> {
         let mut best = Best::new(self.w, self.start_slack());
         self.visit(parts, &mut ForNearest(self, &mut best));
         self.visit_planes(&mut ForNearest(self, &mut best));
-        best.first(self.w)
+        best.first(self.w, self.stage)
     }
 
     /// Shows `visitor` the bounded bodies that some of the rays may meet.
@@ -260,7 +260,7 @@ impl<'a, W: Width> Flight<'a, W> {
         let mut test = |index: u32| {
             let mut best = Best::new(self.w, self.start_slack());
             self.test(index, self.stage.body(index), self.lanes, &mut best);
-            found_in(&best.first(self.w)).into_iter().for_each(&mut found);
+            found_in(&best.first(self.w, self.stage)).into_iter().for_each(&mut found);
         };
         self.visit(parts, &mut ForEach(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
@@ -284,10 +284,10 @@ impl<'a, W: Width> Flight<'a, W> {
     fn test(&self, index: u32, body: &StageBody, lanes: W::M, best: &mut Best<W>) {
         let Some(meeting) = self.meets(index, body, lanes) else { return };
         if meeting.entering.any() {
-            best.enter(self.w, self.stage, (index, body.slack), &meeting);
+            best.enter(self.w, self.stage, index, &meeting);
         }
         if meeting.leaving.any() {
-            best.leave(self.w, self.stage, (index, body.slack), &meeting);
+            best.leave(self.w, self.stage, index, &meeting);
         }
     }
 
@@ -296,23 +296,17 @@ impl<'a, W: Width> Flight<'a, W> {
     ///
     /// `blocker` is a body that has hidden this light before, and probably still does; any word will do.
     #[inline(always)]
-    pub(crate) fn transmittance(
-        &self,
-        distance: W::R,
-        parts: &mut Pending,
-        blocker: &mut u32,
-    ) -> Vector<W::R> {
+    pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Pending, blocker: &mut u32) -> Through<W> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
-        let (zero, one) = (self.w.real(0.0), self.w.real(1.0));
-        let mut passed = Passed { lanes: self.lanes, share: Vector::new(one, one, one), blocker: *blocker };
+        let mut passed = Passed { lanes: self.lanes, share: None, blocker: *blocker };
         if let Hierarchy::Many(_) = &self.stage.hierarchy
             && let Some(body) = self.stage.bodies.get(*blocker as usize)
             && !body.is_transparent()
         {
             self.filter(*blocker, body, distance, passed.lanes, &mut passed);
             if !passed.lanes.any() {
-                return Vector::new(zero, zero, zero);
+                return Through { lanes: passed.lanes, share: None };
             }
         }
         let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
@@ -320,7 +314,7 @@ impl<'a, W: Width> Flight<'a, W> {
         self.visit(parts, &mut shadow);
         self.visit_planes(&mut shadow);
         *blocker = passed.blocker;
-        passed.share.map(|share| W::R::select(passed.lanes, share, zero))
+        Through { lanes: passed.lanes, share: passed.share }
     }
 
     /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
@@ -378,15 +372,16 @@ impl<'a, W: Width> Flight<'a, W> {
         }
         let both = in_front & exit.lt(distance);
         let material = self.stage.material(body);
-        let once = passed.share.times_all(material.filter);
-        let mut share = Vector::select(crossed, once, passed.share);
+        let all = passed.share.unwrap_or_else(|| all_of(self.w));
+        let once = all.times_all(material.filter);
+        let mut share = Vector::select(crossed, once, all);
         share = Vector::select(both, once.times_all(material.filter), share);
         if material.absorbs() {
             let from = W::R::select(in_front, enter, self.w.real(0.0));
             let left = left_after(self.w, material, (exit.min(distance) - from).max(self.w.real(0.0)));
             share = Vector::select(crossed, share.times(left), share);
         }
-        passed.share = share;
+        passed.share = Some(share);
     }
 
     /// Where rays meet a body first, if any do.
@@ -558,9 +553,33 @@ struct StartWithin<M> {
 struct Passed<W: Width> {
     /// Those that get any.
     lanes: W::M,
-    share: Vector<W::R>,
+    /// How much; all of it as long as nothing transparent was crossed.
+    share: Option<Vector<W::R>>,
     /// The opaque body that was met last.
     blocker: u32,
+}
+
+/// What reaches rays' starts from a light.
+pub(crate) struct Through<W: Width> {
+    /// Those that get any.
+    pub(crate) lanes: W::M,
+    /// The product of the filters of all surfaces crossed; 1 if none was.
+    pub(crate) share: Option<Vector<W::R>>,
+}
+
+impl<W: Width> Through<W> {
+    /// The share of all rays.
+    #[inline(always)]
+    pub(crate) fn shares(&self, w: W) -> Vector<W::R> {
+        let share = self.share.unwrap_or_else(|| all_of(w));
+        Vector::select(self.lanes, share, Vector::splat(w.real(0.0), [0.0; 3]))
+    }
+}
+
+/// All of the light.
+#[inline(always)]
+fn all_of<W: Width>(w: W) -> Vector<W::R> {
+    Vector::splat(w.real(0.0), [1.0; 3])
 }
 
 /// The hit of one ray.

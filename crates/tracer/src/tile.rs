@@ -217,7 +217,7 @@ impl TileTracer<'_> {
     ) -> bool {
         let block = Block::new(w);
         let [width, height] = Block::<W>::SIZE;
-        let mut grown = [None; 2];
+        let mut grown = [Beams::none(w); 2];
         for (row, top) in (0..place.height).step_by(height).enumerate() {
             if self.is_cancelled() {
                 return false;
@@ -238,7 +238,7 @@ impl TileTracer<'_> {
                     light = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0, &mut grown[0]);
                 }
                 self.light.set::<W>(first, light);
-                if grown[0].is_some() {
+                if grown[0].lanes.any() {
                     self.pursue::<W, FULL>(w, &mut grown, 1);
                 }
                 first += W::LANES;
@@ -252,6 +252,7 @@ impl TileTracer<'_> {
     fn drain<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
         let by_streams = self.whitted.stage.goes_by_streams();
         let most_waiting = if by_streams { STREAM } else { Self::MOST_WAITING };
+        let mut taken = [Beams::none(w); 2];
         let mut at = 0;
         loop {
             if self.is_cancelled() {
@@ -268,8 +269,8 @@ impl TileTracer<'_> {
                 self.follow_stream::<W, FULL>(w, at);
             } else {
                 for _ in 0..Self::AT_ONCE {
-                    let beams = self.levels[at].take(w);
-                    self.pursue::<W, FULL>(w, &mut [Some(beams), None], at + 1);
+                    taken[0] = self.levels[at].take(w);
+                    self.pursue::<W, FULL>(w, &mut taken, at + 1);
                     if self.waiting(at) == 0 {
                         break;
                     }
@@ -310,16 +311,18 @@ impl TileTracer<'_> {
 
     /// Traces the first of these rays, and what grows from them as long as all of them go on; others wait, those of the
     /// first ones at `level`.
-    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &mut [Option<Beams<W>>; 2], level: usize) {
+    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &mut [Beams<W>; 2], level: usize) {
         w.run(
             #[inline(always)]
             || {
                 let [mut beams, mut grown] = beams.each_mut();
                 for level in level.. {
-                    let Some(these) = beams else { break };
-                    let light = self.follow::<W, FULL>(w, these, Origin::Anywhere, level, grown);
-                    self.light.add(w, these, light);
+                    let light = self.follow::<W, FULL>(w, beams, Origin::Anywhere, level, grown);
+                    self.light.add(w, beams, light);
                     std::mem::swap(&mut beams, &mut grown);
+                    if !beams.lanes.any() {
+                        break;
+                    }
                 }
             },
         );
@@ -334,12 +337,12 @@ impl TileTracer<'_> {
         beams: &Beams<W>,
         from: Origin<'_>,
         level: usize,
-        next: &mut Option<Beams<W>>,
+        next: &mut Beams<W>,
     ) -> Vector<W::R> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
-        *next = None;
+        next.lanes = w.mask(0);
         let waits = self.whitted.stage.goes_by_streams();
         let mut grown = Grown { level: &mut self.levels[level], next, waits };
         self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light
@@ -351,7 +354,7 @@ struct Grown<'l, W: Width> {
     /// Where it waits.
     level: &'l mut Level,
     /// What is traced next instead: the first that grows, if it fills a vector.
-    next: &'l mut Option<Beams<W>>,
+    next: &'l mut Beams<W>,
     /// Whether all waits.
     waits: bool,
 }
@@ -359,10 +362,10 @@ struct Grown<'l, W: Width> {
 impl<W: Width> Grown<'_, W> {
     #[inline(always)]
     fn takes(&mut self, beams: &Beams<W>) -> bool {
-        let takes =
-            !self.waits && self.next.is_none() && beams.lanes.bits().count_ones() as usize == W::LANES;
+        let is_full = beams.lanes.bits().count_ones() as usize == W::LANES;
+        let takes = !self.waits && is_full && !self.next.lanes.any();
         if takes {
-            *self.next = Some(*beams);
+            *self.next = *beams;
         }
         takes
     }

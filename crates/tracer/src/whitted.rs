@@ -24,7 +24,7 @@ use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, NO_START, Ray, Rays};
 use crate::render::Control;
-use crate::search::{Along, Flight, Hits};
+use crate::search::{Along, Flight, Hits, Through};
 use crate::stage::{Pending, RaysNear, Stage, StageCamera};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
@@ -310,7 +310,7 @@ impl<'a> Whitted<'a> {
         lanes: W::M,
         (light, distance): (usize, W::R),
         inside: &Inside,
-    ) -> Vector<W::R> {
+    ) -> Through<W> {
         w.run(
             #[inline(always)]
             || {
@@ -374,12 +374,15 @@ impl<'a> Whitted<'a> {
             let mut lit = lit;
             if streams.is_none() {
                 let through = self.transmittance(w, &rays, lit, (index, distance), inside);
-                offspring.asks(&rays, distance, inside, through);
-                lit = lit & !through.is_zero();
+                offspring.asks(&rays, distance, inside, &through);
+                lit = lit & through.lanes;
+                if let Some(share) = through.share {
+                    lit = lit & !share.is_zero();
+                }
                 if !lit.any() {
                     continue;
                 }
-                passed = Some(through);
+                passed = through.share;
             }
             let to_viewer = -beams.rays.direction;
             let mut answer = if FULL { at.scattered(cos) } else { at.diffuse * cos };
@@ -398,8 +401,8 @@ impl<'a> Whitted<'a> {
             let answer = power.times(answer);
             if let Some((streams, place)) = streams {
                 streams.ask(w, index, place, &rays, (beams.media, distance), answer, lit);
-            } else if let Some(passed) = passed {
-                let more = answer.times(passed);
+            } else {
+                let more = passed.map_or(answer, |passed| answer.times(passed));
                 offspring.answers(power, more);
                 light = Vector::select(lit, light + more, light);
             }

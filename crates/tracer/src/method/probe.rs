@@ -125,11 +125,9 @@ impl<'a> Probe<'a> {
     fn transmittance(&mut self, at: &Point, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
         self.counts.shadow += 1;
         let rays: Rays<One> = Rays { origin: at.position, direction: to_light, start: at.start.word() };
-        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything).transmittance(
-            distance,
-            &mut self.parts,
-            &mut { NO_BODY },
-        )
+        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
+            .transmittance(distance, &mut self.parts, &mut { NO_BODY })
+            .shares(One)
     }
 }
 

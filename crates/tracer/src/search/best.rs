@@ -10,7 +10,6 @@ pub(super) struct Nearest<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     pub(super) face: W::R,
-    pub(super) slack: W::R,
 }
 
 /// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
@@ -27,22 +26,22 @@ impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn new(w: W, start_slack: W::R) -> Self {
         let (infinity, zero) = (w.real(f32::INFINITY), w.real(0.0));
-        let none = || Nearest { t: infinity, body: w.word(0), face: zero, slack: zero };
+        let none = || Nearest { t: infinity, body: w.word(0), face: zero };
         Self { leaving: none(), entering: none(), reach: w.real(f32::MAX), start_slack }
     }
 
     /// Takes note of hits that lead into a body.
     #[inline(always)]
-    pub(super) fn enter(&mut self, w: W, stage: &Stage, (index, slack): (u32, f32), meeting: &Meeting<W>) {
-        self.entering.offer(w, stage, (index, slack), (meeting.enter, meeting.enter_face), meeting.entering);
+    pub(super) fn enter(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
+        self.entering.offer(w, stage, index, (meeting.enter, meeting.enter_face), meeting.entering);
         let farthest = w.real(stage.largest_slack);
         self.reach = self.reach.min(self.entering.t + self.slack_at(self.entering.t, farthest));
     }
 
     /// Takes note of hits that lead out of a body.
     #[inline(always)]
-    pub(super) fn leave(&mut self, w: W, stage: &Stage, (index, slack): (u32, f32), meeting: &Meeting<W>) {
-        self.leaving.offer(w, stage, (index, slack), (meeting.exit, meeting.exit_face), meeting.leaving);
+    pub(super) fn leave(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
+        self.leaving.offer(w, stage, index, (meeting.exit, meeting.exit_face), meeting.leaving);
         self.reach = self.reach.min(self.leaving.t);
     }
 
@@ -56,14 +55,21 @@ impl<W: Width> Best<W> {
     /// The first hits. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:
     /// bodies that touch have a film of air between them.
     #[inline(always)]
-    pub(super) fn first(&self, w: W) -> Hits<W> {
+    pub(super) fn first(&self, w: W, stage: &Stage) -> Hits<W> {
         let infinity = w.real(f32::INFINITY);
-        let Nearest { t, body, face, slack } = self.entering;
+        let Nearest { t, body, face } = self.entering;
         let leaves = self.leaving.t.lt(infinity);
-        let mut hits = Hits { t, body, leaving: leaves & !leaves, face, hit: t.lt(infinity) | leaves };
+        let mut hits: Hits<W> =
+            Hits { t, body, leaving: leaves & !leaves, face, hit: t.lt(infinity) | leaves };
         if leaves.any() {
-            let larger = slack.max(self.leaving.slack);
-            hits.leaving = leaves & self.leaving.t.le(t + self.slack_at(t, larger));
+            let out = self.leaving.t;
+            let surely = leaves & out.le(t + self.slack_at(t, w.real(0.0)));
+            let perhaps = leaves & out.le(t + self.slack_at(t, w.real(stage.largest_slack)));
+            hits.leaving = surely;
+            if (perhaps & !surely).any() {
+                let larger = larger_slack(w, stage, body, self.leaving.body);
+                hits.leaving = leaves & out.le(t + self.slack_at(t, larger));
+            }
             hits.t = W::R::select(hits.leaving, self.leaving.t, t);
             hits.face = W::R::select(hits.leaving, self.leaving.face, face);
             hits.body = W::W::select(hits.leaving, self.leaving.body, body);
@@ -75,14 +81,7 @@ impl<W: Width> Best<W> {
 impl<W: Width> Nearest<W> {
     /// Takes note of hits; of equal ones the body that comes first in the scene counts.
     #[inline(always)]
-    fn offer(
-        &mut self,
-        w: W,
-        stage: &Stage,
-        (index, slack): (u32, f32),
-        (t, face): (W::R, W::R),
-        lanes: W::M,
-    ) {
+    fn offer(&mut self, w: W, stage: &Stage, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
         let mut closer = lanes & t.lt(self.t);
         let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
         if equal.any() {
@@ -91,8 +90,21 @@ impl<W: Width> Nearest<W> {
         self.t = W::R::select(closer, t, self.t);
         self.body = W::W::select(closer, w.word(index), self.body);
         self.face = W::R::select(closer, face, self.face);
-        self.slack = W::R::select(closer, w.real(slack), self.slack);
     }
+}
+
+/// The larger slack of two bodies.
+#[cold]
+#[inline(never)]
+fn larger_slack<W: Width>(w: W, stage: &Stage, one: W::W, other: W::W) -> W::R {
+    let (mut ones, mut others) = ([0; MOST_LANES], [0; MOST_LANES]);
+    one.store(&mut ones);
+    other.store(&mut others);
+    let mut slacks = [0.0; MOST_LANES];
+    for (slack, (&one, &other)) in slacks.iter_mut().zip(ones.iter().zip(&others)) {
+        *slack = stage.body(one).slack.max(stage.body(other).slack);
+    }
+    w.load(&slacks)
 }
 
 /// Where a body of the scene behind body `index` has been met.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use super::{Along, Best, Flight, Hits, Nearest, Passed};
+use super::{Along, Best, Flight, Hits, Nearest, Passed, all_of};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width};
 use crate::media::{Inside, MediaTable};
 use crate::ray::{POINT_ROUNDING, Rays};
@@ -26,7 +26,6 @@ struct NearestRows {
     t: Row<f32>,
     body: Row<u32>,
     face: Row<f32>,
-    slack: Row<f32>,
 }
 
 /// Shadow rays of a stream's hits to one light.
@@ -56,7 +55,6 @@ impl NearestRows {
             t: w.load(&self.t[at..]),
             body: w.load_words(&self.body[at..]),
             face: w.load(&self.face[at..]),
-            slack: w.load(&self.slack[at..]),
         }
     }
 }
@@ -110,7 +108,7 @@ impl RayStream {
         for index in flight.stage.planes() {
             flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
         }
-        best.first(w)
+        best.first(w, flight.stage)
     }
 }
 
@@ -184,14 +182,16 @@ impl ShadowStream {
     pub(crate) fn brought<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> (W::M, Vector<W::R>) {
         let (_, reach) = self.rays.load(w, at);
         let lanes = reach.gt(w.real(f32::NEG_INFINITY)) & flight.lanes;
-        let mut passed: Passed<W> = Passed { lanes, share: vector_at(w, &self.share, at), blocker: 0 };
+        let share = Some(vector_at(w, &self.share, at));
+        let mut passed: Passed<W> = Passed { lanes, share, blocker: 0 };
         for index in flight.stage.planes() {
             if !passed.lanes.any() {
                 break;
             }
             flight.filter(index, flight.stage.body(index), reach, passed.lanes, &mut passed);
         }
-        (passed.lanes & !passed.share.is_zero(), vector_at(w, &self.answer, at).times(passed.share))
+        let share = passed.share.unwrap_or_else(|| all_of(w));
+        (passed.lanes & !share.is_zero(), vector_at(w, &self.answer, at).times(share))
     }
 }
 
@@ -254,7 +254,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                         meeting.enter + (flight.start_slack() + farthest + meeting.enter * POINT_ROUNDING);
                     self.stream.offer::<W>(
                         stage,
-                        (index, body.slack),
+                        index,
                         true,
                         (meeting.enter, meeting.enter_face),
                         reach,
@@ -265,7 +265,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                 if leaving.any() {
                     let t = meeting.exit;
                     let met = (t, meeting.exit_face);
-                    self.stream.offer::<W>(stage, (index, body.slack), false, met, t, leaving, numbers);
+                    self.stream.offer::<W>(stage, index, false, met, t, leaving, numbers);
                 }
             }
         }
@@ -279,7 +279,7 @@ impl RayStream {
     fn offer<W: Width>(
         &mut self,
         stage: &Stage,
-        (index, slack): (u32, f32),
+        index: u32,
         is_entering: bool,
         (t, face): (W::R, W::R),
         reach: W::R,
@@ -305,7 +305,7 @@ impl RayStream {
                         && stage.scene_order(index, nearest.body[place]).is_lt());
                 if is_nearer {
                     (nearest.t[place], nearest.body[place]) = (t, index);
-                    (nearest.face[place], nearest.slack[place]) = (faces[lane], slack);
+                    nearest.face[place] = faces[lane];
                     rays.shorten(ray, reaches[lane]);
                 }
             },
@@ -346,12 +346,11 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
             if !lanes.any() {
                 continue;
             }
-            let one = w.real(1.0);
-            let mut share = Vector::new(one, one, one);
+            let mut share = None;
             if stage.has_transparency {
                 self.inside.fill::<W>(self.table, media, lanes);
                 let [x, y, z, _] = w.gather(self.share, numbers);
-                share = Vector::new(x, y, z);
+                share = Some(Vector::new(x, y, z));
             }
             let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
             let mut passed: Passed<W> = Passed { lanes, share, blocker: 0 };
@@ -367,10 +366,9 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
                 #[inline(always)]
                 |_, ray| self.rays.shorten(ray, f32::NEG_INFINITY),
             );
-            if stage.has_transparency {
+            if let Some(Vector { x, y, z }) = passed.share {
                 let mut shares = [[0.0; 4]; MOST_LANES];
-                let Vector { x, y, z } = passed.share;
-                w.store_fours([x, y, z, one], &mut shares);
+                w.store_fours([x, y, z, w.real(0.0)], &mut shares);
                 each(passed.lanes.bits(), numbers, |lane, ray| {
                     self.share[ray as usize % STREAM] = shares[lane];
                 });

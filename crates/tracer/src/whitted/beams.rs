@@ -8,6 +8,7 @@ use super::encounter::Encounter;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word};
 use crate::media::Inside;
 use crate::ray::Rays;
+use crate::search::Through;
 use crate::vector::Vector;
 
 /// Rays of trees, with what they carry.
@@ -26,6 +27,21 @@ pub(crate) struct Beams<W: Width> {
 }
 
 impl<W: Width> Beams<W> {
+    /// None that flies.
+    #[inline(always)]
+    pub(crate) fn none(w: W) -> Self {
+        let (zero, none) = (w.real(0.0), w.word(0));
+        let nothing = Vector::new(zero, zero, zero);
+        Self {
+            rays: Rays { origin: nothing, direction: nothing, start: none },
+            weight: nothing,
+            generation: none,
+            media: none,
+            pixel: none,
+            lanes: w.mask(0),
+        }
+    }
+
     /// The rays of a generation below `limit`.
     #[inline(always)]
     pub(super) fn below(&self, w: W, limit: u32) -> W::M {
@@ -61,7 +77,7 @@ pub(crate) trait Offspring<W: Width> {
 
     /// Shadow rays towards that light, and what they let pass.
     #[inline(always)]
-    fn asks(&mut self, _rays: &Rays<W>, _distance: W::R, _inside: &Inside, _passed: Vector<W::R>) {}
+    fn asks(&mut self, _rays: &Rays<W>, _distance: W::R, _inside: &Inside, _through: &Through<W>) {}
 
     /// That light's highlight, with k_s.
     #[inline(always)]

@@ -15,7 +15,7 @@ use crate::lanes::One;
 use crate::media::Inside;
 use crate::pick::SurfaceHit;
 use crate::ray::{Ray, Rays};
-use crate::search::{Along, Flight, Hit, found_in};
+use crate::search::{Along, Flight, Hit, Through, found_in};
 use crate::stage::Stage;
 use crate::surface::highlight_cosine;
 use crate::tile::{Place, TILE};
@@ -114,7 +114,7 @@ impl Offspring<One> for Scribe<'_> {
         self.lights.push(LightTerm { light, direction, distance, cosine, shadow: None, answer: None });
     }
 
-    fn asks(&mut self, rays: &Rays<One>, distance: f32, inside: &Inside, passed: Vector<f32>) {
+    fn asks(&mut self, rays: &Rays<One>, distance: f32, inside: &Inside, through: &Through<One>) {
         let mut hits: Vec<Hit> = Vec::new();
         Flight::new(One, self.stage, rays, true, inside, Along::Anything)
             .crossings(distance, |hit| hits.push(hit));
@@ -144,7 +144,7 @@ impl Offspring<One> for Scribe<'_> {
             a.distance.total_cmp(&b.distance).then(b.leaving.cmp(&a.leaving)).then(a.body.cmp(&b.body))
         });
         if let Some(term) = self.lights.last_mut() {
-            term.shadow = Some(Shadow { passed: passed.into(), crossings });
+            term.shadow = Some(Shadow { passed: through.shares(One).into(), crossings });
         }
     }
 
