@@ -363,7 +363,7 @@ impl<'a> Whitted<'a> {
                 rays.start = W::W::select(within, at.rays_on_far_side(to_light).start, rays.start);
             }
             // A light that stands exactly here has no direction.
-            let lit = at.answers & distance.gt(zero) & faces;
+            let mut lit = at.answers & distance.gt(zero) & faces;
             if !lit.any() {
                 continue;
             }
@@ -371,14 +371,10 @@ impl<'a> Whitted<'a> {
             let streams =
                 if let Origin::Stream { streams, at } = from { Some((&mut **streams, *at)) } else { None };
             let mut passed = None;
-            let mut lit = lit;
             if streams.is_none() {
                 let through = self.transmittance(w, &rays, lit, (index, distance), inside);
                 offspring.asks(&rays, distance, inside, &through);
-                lit = lit & through.lanes;
-                if let Some(share) = through.share {
-                    lit = lit & !share.is_zero();
-                }
+                lit = lit & through.share.map_or(through.lanes, |share| through.lanes & !share.is_zero());
                 if !lit.any() {
                     continue;
                 }
