@@ -256,8 +256,8 @@ impl<'a> Whitted<'a> {
             Vector::splat(w.real(0.0), self.stage.sky.even())
         };
         if !hit.any() {
-            if let Origin::Stream { streams, at } = &mut from {
-                streams.keep(w, *at, background, beams.weight);
+            if let Some((streams, at)) = from.stream() {
+                streams.keep(w, at, background, beams.weight);
             }
             return Followed { light: beams.weight.times(background), hits };
         }
@@ -266,8 +266,8 @@ impl<'a> Whitted<'a> {
         let light = self.local_light::<W, FULL>(w, beams, &mut from, inside, &at, offspring);
         offspring.shades(light);
         let light = Vector::select(hit, light, background);
-        if let Origin::Stream { streams, at } = &mut from {
-            streams.keep(w, *at, light, beams.weight);
+        if let Some((streams, at)) = from.stream() {
+            streams.keep(w, at, light, beams.weight);
         }
         let light = beams.weight.times(light);
         let goes_on = hit & beams.below(w, self.generations);
@@ -368,13 +368,15 @@ impl<'a> Whitted<'a> {
                 continue;
             }
             self.counts.shadow += u64::from(lit.bits().count_ones());
-            let streams =
-                if let Origin::Stream { streams, at } = from { Some((&mut **streams, *at)) } else { None };
+            let streams = from.stream();
             let mut passed = None;
             if streams.is_none() {
                 let through = self.transmittance(w, &rays, lit, (index, distance), inside);
                 offspring.asks(&rays, distance, inside, &through);
-                lit = lit & through.share.map_or(through.lanes, |share| through.lanes & !share.is_zero());
+                lit = lit & through.lanes;
+                if let Some(share) = through.share {
+                    lit = lit & !share.is_zero();
+                }
                 if !lit.any() {
                     continue;
                 }
@@ -383,8 +385,7 @@ impl<'a> Whitted<'a> {
             let to_viewer = -beams.rays.direction;
             let mut answer = if FULL { at.scattered(cos) } else { at.diffuse * cos };
             if at.glossy.any() {
-                let highlight = phong_highlight(to_viewer, to_light, at.normal, at.shininess);
-                let highlight = at.specular * highlight;
+                let highlight = at.specular * phong_highlight(to_viewer, to_light, at.normal, at.shininess);
                 offspring.shines(to_viewer, highlight);
                 answer = answer.map(|diffuse| diffuse + highlight);
             }
@@ -417,6 +418,17 @@ pub(crate) enum Origin<'s> {
         streams: &'s mut Streams,
         at: usize,
     },
+}
+
+impl Origin<'_> {
+    /// The stream, and the number of the first ray.
+    #[inline(always)]
+    fn stream(&mut self) -> Option<(&mut Streams, usize)> {
+        match self {
+            Self::Stream { streams, at } => Some((streams, *at)),
+            Self::Eye | Self::Anywhere => None,
+        }
+    }
 }
 
 /// What became of rays side by side.
