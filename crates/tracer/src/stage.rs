@@ -1,6 +1,6 @@
 //! The prepared scene: everything a ray can meet, in flat arrays.
 
-mod ahead;
+pub(crate) mod ahead;
 mod body;
 mod bounds;
 mod bvh;

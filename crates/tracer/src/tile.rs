@@ -8,6 +8,7 @@ use crate::counts::RayCounts;
 use crate::lanes::{MOST_LANES, Mask as _, Width, Word as _, Work};
 use crate::render::Control;
 use crate::sampling::sample_offset;
+use crate::stage::ahead::fetch_all;
 use crate::stage::{RaysNear, STREAM, Stage, StageCamera};
 use crate::vector::Vector;
 use crate::whitted::{Beams, Dice, Offspring, Origin, Queue, Streams, Whitted};
@@ -136,14 +137,21 @@ impl<'a> TileTracer<'a> {
         self.whitted.counts()
     }
 
-    /// The light of one sample of each pixel; `None` if it was cancelled midway.
-    pub(crate) fn trace(&mut self, place: Place, size: DVec2, sample: u32) -> Option<&TileLight> {
+    /// The light of one sample of each pixel; `None` if it was cancelled midway. `rows` is where it will be written to, if
+    /// anywhere: far memory, which is fetched meanwhile.
+    pub(crate) fn trace(
+        &mut self,
+        place: Place,
+        size: DVec2,
+        sample: u32,
+        rows: &[&mut [[f32; 3]]],
+    ) -> Option<&TileLight> {
         self.whitted.tidy();
         let (lanes, is_full) = (self.whitted.stage.lanes, self.whitted.is_full());
         let is_finished = if is_full {
-            lanes.run(Sample::<true> { tracer: self, place, size, sample })
+            lanes.run(Sample::<true> { tracer: self, place, size, sample, rows })
         } else {
-            lanes.run(Sample::<false> { tracer: self, place, size, sample })
+            lanes.run(Sample::<false> { tracer: self, place, size, sample, rows })
         };
         if !is_finished {
             self.levels.iter_mut().for_each(Level::clear);
@@ -158,6 +166,8 @@ struct Sample<'t, 'a, const FULL: bool> {
     place: Place,
     size: DVec2,
     sample: u32,
+    /// Where its light will be written to, if anywhere.
+    rows: &'t [&'t mut [[f32; 3]]],
 }
 
 impl<const FULL: bool> Work for Sample<'_, '_, FULL> {
@@ -165,8 +175,8 @@ impl<const FULL: bool> Work for Sample<'_, '_, FULL> {
 
     #[inline(always)]
     fn run<W: Width>(self, w: W) -> bool {
-        let Self { tracer, place, size, sample } = self;
-        tracer.primary::<W, FULL>(w, place, size, sample) && tracer.drain::<W, FULL>(w)
+        let Self { tracer, place, size, sample, rows } = self;
+        tracer.primary::<W, FULL>(w, place, size, sample, rows) && tracer.drain::<W, FULL>(w)
     }
 }
 
@@ -184,11 +194,20 @@ impl TileTracer<'_> {
 
     /// Traces the rays from the eye, in blocks of neighboring pixels. False if it was cancelled.
     #[inline(always)]
-    fn primary<W: Width, const FULL: bool>(&mut self, w: W, place: Place, size: DVec2, sample: u32) -> bool {
+    fn primary<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        place: Place,
+        size: DVec2,
+        sample: u32,
+        rows: &[&mut [[f32; 3]]],
+    ) -> bool {
         let [width, height] = Block::<W>::SIZE;
         self.light.begin(place, [width, height]);
         let across = place.width.div_ceil(width);
         self.whitted.begin(sample, Dice::new(sample, [place.x, place.y], [width, height], across));
+        // What is fetched for a group would be gone again until it is through.
+        let rows = if place.width.max(place.height) > TILE { &[] } else { rows };
         let by_stream = self.whitted.stage.eye_goes_by_streams();
         if by_stream && self.levels.is_empty() {
             self.levels.push(Level::default());
@@ -197,7 +216,14 @@ impl TileTracer<'_> {
             let first_block = (tile.y - place.y) / height * across + (tile.x - place.x) / width;
             let (near, reach, offset) = tile.rays(self.whitted.camera, size, sample);
             self.whitted.aim(&near, reach);
-            if !self.primary_of_tile::<W, FULL>(w, tile, (&near, offset), (first_block, across), by_stream) {
+            if !self.primary_of_tile::<W, FULL>(
+                w,
+                tile,
+                (&near, offset),
+                (first_block, across),
+                by_stream,
+                rows,
+            ) {
                 return false;
             }
         }
@@ -214,6 +240,7 @@ impl TileTracer<'_> {
         (near, offset): (&RaysNear, Vec2),
         (first_block, across): (usize, usize),
         by_stream: bool,
+        rows: &[&mut [[f32; 3]]],
     ) -> bool {
         let block = Block::new(w);
         let [width, height] = Block::<W>::SIZE;
@@ -222,12 +249,17 @@ impl TileTracer<'_> {
             if self.is_cancelled() {
                 return false;
             }
+            for row in rows.iter().skip(top).take(height) {
+                fetch_all(row);
+            }
             let mut first = (first_block + row * across) * W::LANES;
+            // Whole numbers are added first: a pixel's ray is the same in blocks of every width.
+            let y = block.y + top as f32 + offset.y;
+            let mut next = near.rays(block.x + offset.x, y);
             for left in (0..place.width).step_by(width) {
-                // Whole numbers are added first: a pixel's ray is the same in blocks of every width.
-                let x = block.x + left as f32 + offset.x;
-                let y = block.y + top as f32 + offset.y;
-                let rays = near.rays(x, y);
+                // Made one block ahead: their root and division take long, and nothing waits for them here.
+                let rays = next;
+                next = near.rays(block.x + (left + width) as f32 + offset.x, y);
                 let lanes = w.mask(Block::<W>::lanes(place, left, top));
                 let pixels = block.pixel.plus(w.word(first as u32));
                 let beams = self.whitted.roots(w, rays, pixels, lanes);

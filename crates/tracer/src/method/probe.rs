@@ -99,7 +99,7 @@ impl<'a> Probe<'a> {
         if material.diffuse == 0.0 && specular == 0.0 {
             return light;
         }
-        for source in stage.lights.iter().filter(|light| light.shines()) {
+        for source in stage.lights.iter().filter(|light| light.shines) {
             let offset = Vector::splat(0.0, source.position) - at.position;
             let distance = offset.length_squared().sqrt();
             let to_light = offset * (1.0 / distance);

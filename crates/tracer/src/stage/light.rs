@@ -19,6 +19,8 @@ pub(crate) struct StageLight {
     pub falloff: StageFalloff,
     /// Radius of the ball that shines, meters; 0 is a point.
     pub radius: f32,
+    /// Whether it sends anything.
+    pub shines: bool,
 }
 
 /// Law of falloff A(d).
@@ -34,21 +36,18 @@ pub(crate) enum StageFalloff {
 
 impl StageLight {
     pub(super) fn new(light: &Light) -> Self {
+        let power = numbers(light.color).map(|part| part * light.intensity as f32);
         Self {
             position: light.position.as_vec3().to_array(),
-            power: numbers(light.color).map(|part| part * light.intensity as f32),
+            power,
             falloff: match light.falloff {
                 Falloff::None => StageFalloff::None,
                 Falloff::Linear { constant } => StageFalloff::Linear(constant as f32),
                 Falloff::InverseSquare => StageFalloff::InverseSquare,
             },
             radius: light.radius as f32,
+            shines: power != [0.0; 3],
         }
-    }
-
-    /// Whether it sends anything.
-    pub(crate) fn shines(&self) -> bool {
-        self.power != [0.0; 3]
     }
 
     /// A point of the ball as it is seen from a distance `d` in a direction: the direction to it, its distance, and what

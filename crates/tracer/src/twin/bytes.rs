@@ -161,7 +161,7 @@ pub(super) struct LightBytes {
 
 impl LightBytes {
     pub(super) fn of(light: &StageLight) -> Self {
-        let StageLight { position, power, falloff, radius: _ } = *light;
+        let StageLight { position, power, falloff, radius: _, shines: _ } = *light;
         let (falloff, constant) = match falloff {
             StageFalloff::None => (FALLOFF_NONE, 0.0),
             StageFalloff::Linear(constant) => (FALLOFF_LINEAR, constant),

@@ -87,18 +87,26 @@ impl<W: Width> Encounter<W> {
         let mut bodies = [0; MOST_LANES];
         hits.body.store(&mut bodies);
         let mut left = hits.hit.bits();
-        while left != 0 {
+        let next = |left: &mut u32| {
             let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
             let same = hits.body.is(index) & hits.hit;
-            left &= !same.bits();
-            all.look_at::<FULL>(w, stage, stage.body(index), rays, hits, same);
+            *left &= !same.bits();
+            (stage.body(index), same)
+        };
+        if left != 0 {
+            let (body, same) = next(&mut left);
+            all.look_at::<FULL, true>(w, stage, body, rays, hits, same);
+        }
+        while left != 0 {
+            let (body, same) = next(&mut left);
+            all.look_at::<FULL, false>(w, stage, body, rays, hits, same);
         }
         all
     }
 
     /// Takes up what rays `lanes` find on a body.
     #[inline(always)]
-    fn look_at<const FULL: bool>(
+    fn look_at<const FULL: bool, const FIRST: bool>(
         &mut self,
         w: W,
         stage: &Stage,
@@ -117,24 +125,27 @@ impl<W: Width> Encounter<W> {
         if let Some(checker) = stage.checkers.get(body.checker as usize) {
             color = Vector::select(checker.is_odd(point.in_body), Vector::splat(zero, checker.color), color);
         }
-        let real = |own: f32, old: W::R| W::R::select(lanes, w.real(own), old);
-        self.position = Vector::select(lanes, point.in_world, self.position);
-        self.normal = Vector::select(lanes, point.normal, self.normal);
-        if material.ambient != 0.0 {
+        // What the first body says of other rays is overwritten or means nothing.
+        let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
+        let real = |own: f32, old| if FIRST { w.real(own) } else { W::R::select(lanes, w.real(own), old) };
+        self.position = select(point.in_world, self.position);
+        self.normal = select(point.normal, self.normal);
+        let has = |coefficient: f32| coefficient != 0.0;
+        if has(material.ambient) || !FIRST {
             let ambient = stage.ambient.map(|light| light * material.ambient);
-            self.ambient = Vector::select(lanes, color.times_all(ambient), self.ambient);
+            self.ambient = select(color.times_all(ambient), self.ambient);
         }
-        let mut answers = material.specular != 0.0;
-        if material.diffuse != 0.0 {
-            self.diffuse = Vector::select(lanes, color * w.real(material.diffuse), self.diffuse);
-            answers = true;
+        if has(material.diffuse) || !FIRST {
+            self.diffuse = select(color * w.real(material.diffuse), self.diffuse);
         }
-        if material.specular != 0.0 {
+        if has(material.specular) || !FIRST {
             self.specular = real(material.specular, self.specular);
             self.shininess = real(material.shininess, self.shininess);
+        }
+        if has(material.specular) {
             self.glossy = self.glossy | lanes;
         }
-        if answers {
+        if has(material.diffuse) || has(material.specular) {
             self.answers = self.answers | lanes;
         }
         self.reflection = real(material.reflection, self.reflection);
@@ -143,7 +154,7 @@ impl<W: Width> Encounter<W> {
         }
         if body.is_transparent() {
             self.transparent = self.transparent | lanes;
-            self.filter = Vector::select(lanes, Vector::splat(zero, material.filter), self.filter);
+            self.filter = select(Vector::splat(zero, material.filter), self.filter);
         }
     }
 
