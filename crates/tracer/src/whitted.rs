@@ -340,10 +340,7 @@ impl<'a> Whitted<'a> {
         if !at.answers.any() {
             return light;
         }
-        for (index, source) in self.stage.lights.iter().enumerate() {
-            if !source.shines {
-                continue;
-            }
+        for (index, source) in self.stage.lights.iter().enumerate().filter(|(_, light)| light.shines) {
             let offset = Vector::splat(zero, source.position) - at.position;
             let mut distance = offset.length_squared().sqrt();
             let mut to_light = offset * (w.real(1.0) / distance);
