@@ -104,7 +104,8 @@ impl<W: Width> Encounter<W> {
         all
     }
 
-    /// Takes up what rays `lanes` find on a body.
+    /// Takes up what rays `lanes` find on a body. The `FIRST` one may write the numbers of all rays; others write theirs even
+    /// where they are 0.
     #[inline(always)]
     fn look_at<const FULL: bool, const FIRST: bool>(
         &mut self,
@@ -125,7 +126,6 @@ impl<W: Width> Encounter<W> {
         if let Some(checker) = stage.checkers.get(body.checker as usize) {
             color = Vector::select(checker.is_odd(point.in_body), Vector::splat(zero, checker.color), color);
         }
-        // What the first body says of other rays is overwritten or means nothing.
         let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
         let real = |own: f32, old| if FIRST { w.real(own) } else { W::R::select(lanes, w.real(own), old) };
         self.position = select(point.in_world, self.position);
