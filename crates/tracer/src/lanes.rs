@@ -1,24 +1,27 @@
 //! Numbers side by side: the one place that names the SIMD library.
 //!
 //! The mathematics of rays is written once, over a [`Width`]: [`One`] ray at a time, or as many as the processor's
-//! vectors hold ([`Wide`]: 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), chosen when the program runs. Only
-//! operations with one correctly rounded result are offered (no fused multiplication and addition), so that a ray has
-//! the same outcome bit by bit in every width and on every processor.
+//! vectors hold ([`Wide`]: 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), or twice as many ([`Pair`]), chosen when the
+//! program runs. Every operation has one correctly rounded result, so that a ray has the same outcome bit by bit by itself
+//! and in the widths that a picture is traced in, on all processors but those without fused multiplication and addition
+//! (x86 before AVX2): they round the products of [`Real::times_plus`], and have other last digits.
 //!
 //! What is written over a width must be inlined into a body of [`Width::run`], where the compiler may use the
 //! instructions of the width: `#[inline(always)]` on everything small, `run` around what is called often and large.
 
 mod eight;
 mod one;
+mod pair;
 mod wide;
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 pub(crate) use one::One;
+use pair::Pair;
 pub(crate) use wide::Lanes;
 
 /// The most lanes of any width.
-pub(crate) const MOST_LANES: usize = 16;
+pub(crate) const MOST_LANES: usize = 32;
 
 /// Real numbers in single precision, side by side.
 pub trait Real:
@@ -32,6 +35,8 @@ pub trait Real:
     + Sub<f32, Output = Self>
     + Mul<f32, Output = Self>
 {
+    /// How many there are.
+    const LANES: usize;
     /// One answer for each.
     type Mask: Mask;
     /// As many 32-bit words.
@@ -39,8 +44,8 @@ pub trait Real:
 
     /// As many numbers, all of this value.
     fn like(self, value: f32) -> Self;
-    /// x·`factor` + `term`, rounded once or twice as the processor likes best: for bounds, which have room for either.
-    fn roughly_times_plus(self, factor: Self, term: Self) -> Self;
+    /// x·`factor` + `term`, rounded once; twice on processors that cannot do that in one go.
+    fn times_plus(self, factor: Self, term: Self) -> Self;
     /// |x|.
     fn abs(self) -> Self;
     /// √x; no number for x < 0.
@@ -65,8 +70,8 @@ pub trait Real:
     fn to_word(self) -> Self::Word;
     /// The numbers of these bits.
     fn of_word(word: Self::Word) -> Self;
-    /// The numbers of `mask` moved together to the front.
-    fn compress(self, mask: Self::Mask) -> Self;
+    /// Writes the numbers of `mask` side by side to the front of `to`, which holds at least as many as there are of all.
+    fn store_some(self, mask: Self::Mask, to: &mut [f32]);
     /// The smallest of the numbers.
     fn least(self) -> f32;
     /// The largest of the numbers.
@@ -89,6 +94,8 @@ pub trait Real:
 
 /// Words of 32 bits, side by side.
 pub trait Word: Copy {
+    /// How many there are.
+    const LANES: usize;
     /// One answer for each.
     type Mask: Mask;
 
@@ -110,14 +117,17 @@ pub trait Word: Copy {
     fn shifted_left(self, by: u32) -> Self;
     /// `yes` where `mask` holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// The words of `mask` moved together to the front.
-    fn compress(self, mask: Self::Mask) -> Self;
+    /// Writes the words of `mask` side by side to the front of `to`, which holds at least as many as there are of all.
+    fn store_some(self, mask: Self::Mask, to: &mut [u32]);
     /// Writes the words to the front of `to`, which holds at least as many.
     fn store(self, to: &mut [u32]);
 }
 
 /// Answers, side by side.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// How many there are.
+    const LANES: usize;
+
     /// Whether any holds.
     fn any(self) -> bool;
     /// A bit for each, the first the lowest.
@@ -140,6 +150,8 @@ pub(crate) trait Eight: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Out
 pub(crate) trait Width: Copy {
     /// Their number, at most [`MOST_LANES`].
     const LANES: usize;
+    /// Whether it is for scenes with a hierarchy, too. Without, it has no code for one, and goes through all bodies.
+    const USES_HIERARCHY: bool;
     type R: Real<Mask = Self::M, Word = Self::W>;
     type W: Word<Mask = Self::M>;
     type M: Mask;

@@ -61,6 +61,12 @@ pub(crate) const INWARDS: u32 = 1 << 31;
 pub(crate) const NO_START: u32 = !INWARDS;
 
 impl<W: Width> Rays<W> {
+    /// Gives them other origins and directions.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, (origin, direction): (Vector<W::R>, Vector<W::R>)) {
+        (self.origin, self.direction) = (origin, direction);
+    }
+
     /// How far the starts may lie from their true places by rounding, meters.
     #[inline(always)]
     pub(crate) fn slack(&self) -> W::R {

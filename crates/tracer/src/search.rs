@@ -152,15 +152,15 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     fn visit(&self, parts: &mut Pending, visitor: &mut impl Visit<W>) {
         match &self.stage.hierarchy {
-            Hierarchy::Few => match self.along {
+            Hierarchy::Many(bvh) if W::USES_HIERARCHY => {
+                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
+                bvh.traverse_packet(self.w, &boxes, parts, &mut OfLeaves { flight: self, visitor });
+            }
+            Hierarchy::Few | Hierarchy::Many(_) => match self.along {
                 Along::From(sights) => self.visit_seen(&sights.bodies, self.direction, visitor),
                 Along::To(sights) => self.visit_seen(&sights.bodies, -self.direction, visitor),
                 Along::Anything => self.visit_few(visitor),
             },
-            Hierarchy::Many(bvh) => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-                bvh.traverse_packet(self.w, &boxes, parts, &mut OfLeaves { flight: self, visitor });
-            }
         }
     }
 
@@ -300,7 +300,8 @@ impl<'a, W: Width> Flight<'a, W> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
         let mut passed = Passed { lanes: self.lanes, share: None, blocker: *blocker };
-        if let Hierarchy::Many(_) = &self.stage.hierarchy
+        if W::USES_HIERARCHY
+            && let Hierarchy::Many(_) = &self.stage.hierarchy
             && let Some(body) = self.stage.bodies.get(*blocker as usize)
             && !body.is_transparent()
         {

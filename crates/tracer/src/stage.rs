@@ -183,6 +183,10 @@ impl Stage {
         let bodies: Vec<StageBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
         let Tracing { generations, threshold } = scene.tracing;
         let sky = StageSky::new(&scene.environment);
+        let lanes = match &hierarchy {
+            Hierarchy::Few => Lanes::for_few(),
+            Hierarchy::Many(_) => Lanes::widest(),
+        };
         Ok(Self {
             bounded,
             hierarchy,
@@ -204,7 +208,7 @@ impl Stage {
             ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
-            lanes: Lanes::widest(),
+            lanes,
             added: 0,
             log: EditLog::new(),
         })

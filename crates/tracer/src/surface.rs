@@ -6,14 +6,14 @@ use crate::vector::Vector;
 /// The direction of the reflected ray, D - 2(n̂·D)n̂ (Whitted 1980), for a unit normal; of the same length as D.
 #[inline(always)]
 pub fn reflect<R: Real>(direction: Vector<R>, normal: Vector<R>) -> Vector<R> {
-    direction - normal * (normal.dot(direction) * 2.0)
+    direction.plus_times(normal, normal.dot(direction) * -2.0)
 }
 
 /// A vector whose length is 1 but for rounding, with that rounding mended: one step of Newton's iteration for 1/√(v·v)
 /// from 1, without root or division.
 #[inline(always)]
 pub(crate) fn mend_unit<R: Real>(vector: Vector<R>) -> Vector<R> {
-    vector * (-(vector.length_squared() * 0.5) + 1.5)
+    vector * line(vector.length_squared(), -0.5, 1.5)
 }
 
 /// The direction of the refracted ray by Snell's law in vector form (Heckbert 1989, An Introduction to Ray Tracing,
@@ -28,7 +28,7 @@ pub fn refract<R: Real>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (V
     let cos_in = -direction.dot(normal);
     let cos_out_squared = one - ratio * ratio * (one - cos_in * cos_in);
     let cos_out = cos_out_squared.max(zero).sqrt();
-    let bent = mend_unit(direction * ratio + normal * (ratio * cos_in - cos_out));
+    let bent = mend_unit((direction * ratio).plus_times(normal, ratio * cos_in - cos_out));
     (Vector::select(is_straight, direction, bent), is_straight | !cos_out_squared.lt(zero))
 }
 
@@ -116,11 +116,18 @@ fn logarithm<R: Real>(x: R) -> R {
     // Estrin's scheme: the parts do not wait for each other.
     let [a, b, c, d, e, g, h, i, k] = P;
     let fourth = square * square;
-    let low = (f * i + k) + (f * g + h) * square;
-    let high = (f * d + e) + (f * b + c) * square;
-    let sum = low + (high + fourth * a) * fourth;
-    let tail = sum * f * square + exponent * -2.121_944_4e-4 - square * 0.5;
-    tail + f + exponent * 0.693_359_4
+    let low = line(f, g, h).times_plus(square, line(f, i, k));
+    let high = line(f, b, c).times_plus(square, line(f, d, e));
+    let sum = fourth.times_plus(f.like(a), high).times_plus(fourth, low);
+    let tail = exponent.times_plus(f.like(-2.121_944_4e-4), square * -0.5);
+    let tail = (sum * f).times_plus(square, tail);
+    exponent.times_plus(f.like(0.693_359_4), tail + f)
+}
+
+/// a·x + b.
+#[inline(always)]
+fn line<R: Real>(x: R, a: f32, b: f32) -> R {
+    x.times_plus(x.like(a), x.like(b))
 }
 
 /// eˣ for x ≤ 0, also for -∞: x = n·ln 2 + r with |r| ≤ ½·ln 2, and a polynomial in r.
@@ -133,13 +140,14 @@ pub(crate) fn exponential<R: Real>(x: R) -> R {
     let is_nothing = x.lt(x.like(LEAST));
     let x = x.max(x.like(LEAST));
     // 1.5·2²³ leaves no room for a fraction: the sum is rounded to a whole number, which stands in its low bits.
-    let rounded = x * std::f32::consts::LOG2_E + ROUND;
+    let rounded = line(x, std::f32::consts::LOG2_E, ROUND);
     let n = rounded - ROUND;
-    let r = x - n * 0.693_359_4 + n * 2.121_944_4e-4;
+    let r = n.times_plus(x.like(2.121_944_4e-4), n.times_plus(x.like(-0.693_359_4), x));
     let [a, b, c, d, e, g] = P;
     let square = r * r;
-    let sum = (r * e + g) + ((r * c + d) + (r * a + b) * square) * square;
-    let value = sum * square + r + 1.0;
+    let high = line(r, a, b).times_plus(square, line(r, c, d));
+    let sum = high.times_plus(square, line(r, e, g));
+    let value = sum.times_plus(square, r) + 1.0;
     let scale = R::of_word(rounded.to_word().plus(zero.to_word().like(127)).shifted_left(23));
     R::select(is_nothing, zero, value * scale)
 }

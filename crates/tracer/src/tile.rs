@@ -208,7 +208,7 @@ impl TileTracer<'_> {
         self.whitted.begin(sample, Dice::new(sample, [place.x, place.y], [width, height], across));
         // What is fetched for a group would be gone again until it is through.
         let rows = if place.width.max(place.height) > TILE { &[] } else { rows };
-        let by_stream = self.whitted.stage.eye_goes_by_streams();
+        let by_stream = W::USES_HIERARCHY && self.whitted.stage.eye_goes_by_streams();
         if by_stream && self.levels.is_empty() {
             self.levels.push(Level::default());
         }
@@ -245,6 +245,9 @@ impl TileTracer<'_> {
         let block = Block::new(w);
         let [width, height] = Block::<W>::SIZE;
         let mut grown = [Beams::none(w); 2];
+        // Two that take turns: only what differs from packet to packet is written.
+        let mut rooted = [Beams::from_eye(w); 2];
+        let [mut beams, mut next] = rooted.each_mut();
         for (row, top) in (0..place.height).step_by(height).enumerate() {
             if self.is_cancelled() {
                 return false;
@@ -255,19 +258,19 @@ impl TileTracer<'_> {
             let mut first = (first_block + row * across) * W::LANES;
             // Whole numbers are added first: a pixel's ray is the same in blocks of every width.
             let y = block.y + top as f32 + offset.y;
-            let mut next = near.rays(block.x + offset.x, y);
+            next.rays.set(near.rays(block.x + offset.x, y));
             for left in (0..place.width).step_by(width) {
                 // Made one block ahead: their root and division take long, and nothing waits for them here.
-                let rays = next;
-                next = near.rays(block.x + (left + width) as f32 + offset.x, y);
-                let lanes = w.mask(Block::<W>::lanes(place, left, top));
-                let pixels = block.pixel.plus(w.word(first as u32));
-                let beams = self.whitted.roots(w, rays, pixels, lanes);
+                std::mem::swap(&mut beams, &mut next);
+                next.rays.set(near.rays(block.x + (left + width) as f32 + offset.x, y));
+                beams.lanes = w.mask(Block::<W>::lanes(place, left, top));
+                beams.pixel = block.pixel.plus(w.word(first as u32));
+                self.whitted.launch(w, beams);
                 let mut light = Vector::splat(w.real(0.0), [0.0; 3]);
                 if by_stream {
-                    self.levels[0].reflected.push(&beams);
+                    self.levels[0].reflected.push(beams);
                 } else {
-                    light = self.follow::<W, FULL>(w, &beams, Origin::Eye, 0, &mut grown[0]);
+                    light = self.follow::<W, FULL>(w, beams, Origin::Eye, 0, &mut grown[0]);
                 }
                 self.light.set::<W>(first, light);
                 if grown[0].lanes.any() {
@@ -282,7 +285,7 @@ impl TileTracer<'_> {
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
     fn drain<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
-        let by_streams = self.whitted.stage.goes_by_streams();
+        let by_streams = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
         let most_waiting = if by_streams { STREAM } else { Self::MOST_WAITING };
         let mut taken = [Beams::none(w); 2];
         let mut at = 0;
@@ -375,7 +378,7 @@ impl TileTracer<'_> {
             self.levels.resize_with(level + 1, Level::default);
         }
         next.lanes = w.mask(0);
-        let waits = self.whitted.stage.goes_by_streams();
+        let waits = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
         let mut grown = Grown { level: &mut self.levels[level], next, waits };
         self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light
     }
@@ -458,12 +461,14 @@ struct Block<W: Width> {
 }
 
 /// No block has more pixels across or down.
-const LARGEST_BLOCK: DVec2 = DVec2::splat(4.0);
+const LARGEST_BLOCK: DVec2 = DVec2::splat(8.0);
 
 impl<W: Width> Block<W> {
     /// Pixels across and down.
     const SIZE: [usize; 2] = {
-        let width = if W::LANES >= 8 {
+        let width = if W::LANES >= 32 {
+            8
+        } else if W::LANES >= 8 {
             4
         } else if W::LANES >= 2 {
             2

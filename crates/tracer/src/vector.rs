@@ -36,13 +36,17 @@ impl<R: Real> Vector<R> {
 
     #[inline(always)]
     pub(crate) fn dot(self, other: Self) -> R {
-        self.x * other.x + self.y * other.y + self.z * other.z
+        self.z.times_plus(other.z, self.y.times_plus(other.y, self.x * other.x))
     }
 
-    /// The scalar product, for bounds: see [`Real::roughly_times_plus`].
+    /// The sum with `direction` times `t`.
     #[inline(always)]
-    pub(crate) fn rough_dot(self, other: Self) -> R {
-        self.z.roughly_times_plus(other.z, self.y.roughly_times_plus(other.y, self.x * other.x))
+    pub(crate) fn plus_times(self, direction: Self, t: R) -> Self {
+        Self::new(
+            direction.x.times_plus(t, self.x),
+            direction.y.times_plus(t, self.y),
+            direction.z.times_plus(t, self.z),
+        )
     }
 
     #[inline(always)]

@@ -22,7 +22,7 @@ use glam::{DVec2, Vec3A};
 use crate::counts::RayCounts;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
-use crate::ray::{NO_BODY, NO_START, Ray, Rays};
+use crate::ray::{NO_BODY, Ray, Rays};
 use crate::render::Control;
 use crate::search::{Along, Flight, Hits, Through};
 use crate::stage::{Pending, RaysNear, Stage, StageCamera};
@@ -168,33 +168,27 @@ impl<'a> Whitted<'a> {
         self.views.aim(self.stage, rays, reach.as_vec2().to_array());
     }
 
-    /// Makes the first beams of rays from the eye.
+    /// Takes up rays from the eye: the media where they start.
     #[inline(always)]
-    pub(crate) fn roots<W: Width>(
-        &mut self,
-        w: W,
-        (origin, direction): (Vector<W::R>, Vector<W::R>),
-        pixel: W::W,
-        lanes: W::M,
-    ) -> Beams<W> {
-        self.counts.primary += u64::from(lanes.bits().count_ones());
-        let one = w.real(1.0);
-        let media = match self.camera.eye() {
-            _ if !self.stage.has_transparency => w.word(AIR),
-            Some(eye) => {
-                let at_eye = || self.media.at_point(self.stage, eye);
-                w.word(*self.eye_media.get_or_insert_with(at_eye))
-            }
-            None => self.media_at(w, origin, lanes),
-        };
-        Beams {
-            rays: Rays { origin, direction, start: w.word(NO_START) },
-            weight: Vector::new(one, one, one),
-            generation: w.word(1),
-            media,
-            pixel,
-            lanes,
+    pub(crate) fn launch<W: Width>(&mut self, w: W, beams: &mut Beams<W>) {
+        self.counts.primary += u64::from(beams.lanes.bits().count_ones());
+        if self.stage.has_transparency {
+            beams.media = match self.camera.eye() {
+                Some(eye) => {
+                    let at_eye = || self.media.at_point(self.stage, eye);
+                    w.word(*self.eye_media.get_or_insert_with(at_eye))
+                }
+                None => self.media_at(w, beams.rays.origin, beams.lanes),
+            };
         }
+    }
+
+    /// The first ray of a tree, as rays side by side have it.
+    fn launched(&mut self, ray: (Vector<f32>, Vector<f32>)) -> Beams<One> {
+        let mut beams = Beams { lanes: true, ..Beams::from_eye(One) };
+        beams.rays.set(ray);
+        self.launch(One, &mut beams);
+        beams
     }
 
     /// The media at the rays' starts.
@@ -239,6 +233,7 @@ impl<'a> Whitted<'a> {
         inside: &Inside,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
+        let is_from_eye = matches!(from, Origin::Eye);
         let hits = self.nearest(w, beams, &from, inside);
         let hit = hits.hit & beams.lanes;
         let hits = Hits { hit, ..hits };
@@ -259,7 +254,7 @@ impl<'a> Whitted<'a> {
             if let Some((streams, at)) = from.stream() {
                 streams.keep(w, at, background, beams.weight);
             }
-            return Followed { light: beams.weight.times(background), hits };
+            return Followed { light: weighted(beams, is_from_eye, background), hits };
         }
         let at = Encounter::new::<FULL>(w, self.stage, &beams.rays, &hits);
         offspring.meets(&at);
@@ -269,7 +264,7 @@ impl<'a> Whitted<'a> {
         if let Some((streams, at)) = from.stream() {
             streams.keep(w, at, light, beams.weight);
         }
-        let light = beams.weight.times(light);
+        let light = weighted(beams, is_from_eye, light);
         let goes_on = hit & beams.below(w, self.generations);
         if goes_on.any() {
             self.spawn::<W, FULL>(w, beams, &at, goes_on, offspring);
@@ -340,6 +335,7 @@ impl<'a> Whitted<'a> {
         if !at.answers.any() {
             return light;
         }
+        let mut rays = at.rays_on_this_side(beams.rays.direction);
         for (index, source) in self.stage.lights.iter().enumerate().filter(|(_, light)| light.shines) {
             let offset = Vector::splat(zero, source.position) - at.position;
             let mut distance = offset.length_squared().sqrt();
@@ -353,9 +349,12 @@ impl<'a> Whitted<'a> {
             }
             let cos = at.normal.dot(to_light);
             offspring.faces(index, to_light, distance, cos);
-            let mut rays = at.rays_on_this_side(to_light);
+            rays.direction = to_light;
             let mut faces = cos.gt(zero);
             let within = if FULL { at.frosted_within() } else { w.mask(0) };
+            if FULL {
+                rays.start = at.rays_on_this_side(to_light).start;
+            }
             if FULL && within.any() {
                 // The body's own surface lies between its inner side and a light; what it lets through from there is seen
                 // where the viewer's ray leaves it.
@@ -429,6 +428,12 @@ impl Origin<'_> {
             Self::Eye | Self::Anywhere => None,
         }
     }
+}
+
+/// What light adds to pixels; all of it, where it goes straight to the eye.
+#[inline(always)]
+fn weighted<W: Width>(beams: &Beams<W>, is_from_eye: bool, light: Vector<W::R>) -> Vector<W::R> {
+    if is_from_eye { light } else { beams.weight.times(light) }
 }
 
 /// What became of rays side by side.

@@ -2,6 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use super::wide::widest_fuses;
 use super::{Eight, Mask, Real, Width, Word};
 
 /// One number.
@@ -10,6 +11,7 @@ pub(crate) struct One;
 
 impl Width for One {
     const LANES: usize = 1;
+    const USES_HIERARCHY: bool = true;
     type R = f32;
     type W = u32;
     type M = bool;
@@ -132,6 +134,7 @@ impl Eight for Plain {
 }
 
 impl Real for f32 {
+    const LANES: usize = 1;
     type Mask = bool;
     type Word = u32;
 
@@ -141,8 +144,8 @@ impl Real for f32 {
     }
 
     #[inline(always)]
-    fn roughly_times_plus(self, factor: f32, term: f32) -> f32 {
-        self * factor + term
+    fn times_plus(self, factor: f32, term: f32) -> f32 {
+        if widest_fuses() { self.mul_add(factor, term) } else { self * factor + term }
     }
 
     #[inline(always)]
@@ -206,8 +209,8 @@ impl Real for f32 {
     }
 
     #[inline(always)]
-    fn compress(self, _mask: bool) -> f32 {
-        self
+    fn store_some(self, _mask: bool, to: &mut [f32]) {
+        to[0] = self;
     }
 
     #[inline(always)]
@@ -227,6 +230,7 @@ impl Real for f32 {
 }
 
 impl Word for u32 {
+    const LANES: usize = 1;
     type Mask = bool;
 
     #[inline(always)]
@@ -275,8 +279,8 @@ impl Word for u32 {
     }
 
     #[inline(always)]
-    fn compress(self, _mask: bool) -> u32 {
-        self
+    fn store_some(self, _mask: bool, to: &mut [u32]) {
+        to[0] = self;
     }
 
     #[inline(always)]
@@ -286,6 +290,8 @@ impl Word for u32 {
 }
 
 impl Mask for bool {
+    const LANES: usize = 1;
+
     #[inline(always)]
     fn any(self) -> bool {
         self

@@ -49,7 +49,7 @@ impl<W: Width> Best<W> {
     /// this: each slack is twice its bound, so the larger one covers both.
     #[inline(always)]
     fn slack_at(&self, t: W::R, larger: W::R) -> W::R {
-        self.start_slack + larger + t * POINT_ROUNDING
+        t.times_plus(t.like(POINT_ROUNDING), self.start_slack + larger)
     }
 
     /// The first hits. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:

@@ -22,7 +22,7 @@ use crate::vector::Vector;
 pub(super) fn span<R: Real>(ratio: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
     let top = Vector::splat(origin.x, [0.0, 1.0, 0.0]);
     let shift = (top - origin).dot(direction) / direction.length_squared();
-    let near = origin + direction * shift;
+    let near = origin.plus_times(direction, shift);
     let mut span = nappe(ratio - 1.0, near, direction);
     span.enter = span.enter + shift;
     span.exit = span.exit + shift;

@@ -22,15 +22,25 @@ pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> 
 #[inline(always)]
 pub(super) fn pull_to_surface<R: Real>(face: R, point: Vector<R>) -> Vector<R> {
     let normal = normal(face);
-    let one = face.like(1.0);
-    let pull = |along: R, point: R| R::select(along.eq(face.like(0.0)), point.max(-one).min(one), along);
-    Vector::new(pull(normal.x, point.x), pull(normal.y, point.y), pull(normal.z, point.z))
+    Vector::new(pulled(normal.x, point.x), pulled(normal.y, point.y), pulled(normal.z, point.z))
+}
+
+/// A coordinate on the face whose normal has this one.
+#[inline(always)]
+fn pulled<R: Real>(normal: R, point: R) -> R {
+    let one = point.like(1.0);
+    R::select(normal.eq(point.like(0.0)), point.max(-one).min(one), normal)
 }
 
 #[inline(always)]
 pub(super) fn normal<R: Real>(face: R) -> Vector<R> {
     let axis = (face * 0.5).floor();
     let sign = (face - axis * 2.0) * 2.0 - 1.0;
-    let along = |number: f32| R::select(axis.eq(face.like(number)), sign, face.like(0.0));
-    Vector::new(along(0.0), along(1.0), along(2.0))
+    Vector::new(along(axis, 0.0, sign), along(axis, 1.0, sign), along(axis, 2.0, sign))
+}
+
+/// `sign` where the face looks along axis `number`, else 0.
+#[inline(always)]
+fn along<R: Real>(axis: R, number: f32, sign: R) -> R {
+    R::select(axis.eq(axis.like(number)), sign, axis.like(0.0))
 }

@@ -21,13 +21,12 @@ pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> 
 /// Where the line lies in the unbounded cylinder. A line along the axis lies in it everywhere or nowhere.
 #[inline(always)]
 fn side<R: Real>(origin: [R; 2], direction: [R; 2]) -> Span<R> {
-    let dot = |a: [R; 2], b: [R; 2]| a[0] * b[0] + a[1] * b[1];
     let one = origin[0].like(1.0);
     let dd = dot(direction, direction);
     let is_along = dd.lt(one.like(f32::MIN_POSITIVE));
     let inverse_dd = one / R::select(is_along, one, dd);
     let closest = -dot(origin, direction) * inverse_dd;
-    let offset = [origin[0] + direction[0] * closest, origin[1] + direction[1] * closest];
+    let offset = [direction[0].times_plus(closest, origin[0]), direction[1].times_plus(closest, origin[1])];
     let chord = Span::chord(closest, one, dot(offset, offset), inverse_dd);
     Span {
         enter: R::select(is_along, one.like(f32::NEG_INFINITY), chord.enter),
@@ -36,4 +35,9 @@ fn side<R: Real>(origin: [R; 2], direction: [R; 2]) -> Span<R> {
         exit_face: one.like(SIDE),
         hit: chord.hit,
     }
+}
+
+#[inline(always)]
+fn dot<R: Real>(a: [R; 2], b: [R; 2]) -> R {
+    a[1].times_plus(b[1], a[0] * b[0])
 }

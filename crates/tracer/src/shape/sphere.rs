@@ -16,7 +16,7 @@ pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> 
     let one = origin.x.like(1.0);
     let inverse_dd = one / direction.length_squared();
     let closest = -origin.dot(direction) * inverse_dd;
-    let offset = origin + direction * closest;
+    let offset = origin.plus_times(direction, closest);
     Span::chord(closest, one, offset.length_squared(), inverse_dd)
 }
 
@@ -25,7 +25,7 @@ pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> 
 #[inline(always)]
 pub(crate) fn world_span<R: Real>(radius: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
     let closest = -origin.dot(direction);
-    let offset = origin + direction * closest;
+    let offset = origin.plus_times(direction, closest);
     let one = closest.like(1.0);
     Span::chord(closest, closest.like(radius * radius), offset.length_squared(), one)
 }

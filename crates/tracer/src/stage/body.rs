@@ -158,7 +158,7 @@ impl StageBody {
     /// |cos| of the angle between a line of the world and the normal of the face that it crosses at `t`.
     #[inline(always)]
     pub(crate) fn cosine<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, t: R, face: R) -> R {
-        let point = self.point_in_body(origin) + self.vector_in_body(direction) * t;
+        let point = self.point_in_body(origin).plus_times(self.vector_in_body(direction), t);
         let normal = self.normal_in_world(self.canonical().normal(face, point));
         normal.normalize_or(Vector::splat(t, [0.0; 3])).dot(direction).abs()
     }
@@ -228,7 +228,7 @@ impl StageBody {
         let canonical = self.canonical();
         if canonical.kind == ShapeKind::Sphere {
             let up = Vector::splat(t, [0.0, 1.0, 0.0]);
-            let normal = (self.relative(origin) + direction * t).normalize_or(up);
+            let normal = self.relative(origin).plus_times(direction, t).normalize_or(up);
             let around = normal * t.like(self.parameter);
             let in_body = self.vector_in_body(around);
             let normal = Vector::select(leaving, -normal, normal);
@@ -238,13 +238,13 @@ impl StageBody {
         let direction = self.vector_in_body(direction);
         if canonical.kind == ShapeKind::Plane {
             let zero = t.like(0.0);
-            let in_body = origin + direction * t;
+            let in_body = origin.plus_times(direction, t);
             let in_body = Vector::new(in_body.x, zero, in_body.z);
             let in_world = self.vector_in_world(in_body).plus_all(self.origin);
             let normal = Vector::splat(t, self.body_from_world[1]);
             return SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) };
         }
-        let in_body = canonical.pull_to_surface(face, origin + direction * t);
+        let in_body = canonical.pull_to_surface(face, origin.plus_times(direction, t));
         let in_world = self.vector_in_world(in_body).plus_all(self.origin);
         let normal = self.normal_in_world(canonical.normal(face, in_body));
         let normal = normal.normalize_or(Vector::splat(t, [0.0, 1.0, 0.0]));
@@ -271,7 +271,18 @@ pub(super) fn mul<R: Real>(rows: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
 /// has one side of it only.
 #[inline(always)]
 pub(super) fn scale<R: Real>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
-    Vector::new(v.x * a[0] + 0.0, v.y * b[1] + 0.0, v.z * c[2] + 0.0)
+    scale_plus([a[0], b[1], c[2]], v, [0.0; 3])
+}
+
+/// The product with these factors, component by component, and a vector added to it.
+#[inline(always)]
+pub(super) fn scale_plus<R: Real>(factors: [f32; 3], v: Vector<R>, term: [f32; 3]) -> Vector<R> {
+    let (factors, term) = (Vector::splat(v.x, factors), Vector::splat(v.x, term));
+    Vector::new(
+        v.x.times_plus(factors.x, term.x),
+        v.y.times_plus(factors.y, term.y),
+        v.z.times_plus(factors.z, term.z),
+    )
 }
 
 pub(super) fn is_diagonal(rows: &[[f32; 3]; 3]) -> bool {
@@ -283,7 +294,7 @@ pub(super) fn is_diagonal(rows: &[[f32; 3]; 3]) -> bool {
 
 #[inline(always)]
 fn along<R: Real>([x, y, z]: [f32; 3], v: Vector<R>) -> R {
-    v.x * x + v.y * y + v.z * z
+    v.dot(Vector::splat(v.x, [x, y, z]))
 }
 
 /// The product of the transpose of a matrix given by rows with a vector.

@@ -265,6 +265,12 @@ impl Exact {
     fn plus<R: Real>(&self, small: Vector<R>) -> Vector<R> {
         small.plus_all(self.rest).plus_all(self.near)
     }
+
+    /// The sum with small vectors times `t`.
+    #[inline(always)]
+    fn plus_times<R: Real>(&self, small: Vector<R>, t: R) -> Vector<R> {
+        Vector::splat(t, self.rest).plus_times(small, t).plus_all(self.near)
+    }
 }
 
 impl RaysNear {
@@ -308,8 +314,8 @@ impl RaysNear {
                 let more = delta.dot(middle + middle + delta);
                 let root = (more + 1.0).sqrt();
                 let c = -more / (root * (root + 1.0));
-                let small = delta * (c + 1.0) + middle * c;
-                (self.start.plus(small * x.like(self.way)), self.direction.plus(small))
+                let small = (delta * (c + 1.0)).plus_times(middle, c);
+                (self.start.plus_times(small, x.like(self.way)), self.direction.plus(small))
             }
             Steps::OfOrigin([across, down]) => {
                 let zero = x.like(0.0);
@@ -322,5 +328,5 @@ impl RaysNear {
 
 #[inline(always)]
 fn spread<R: Real>(x: R, y: R, across: [f32; 3], down: [f32; 3]) -> Vector<R> {
-    Vector::new(x, x, x).times_all(across) + Vector::new(y, y, y).times_all(down)
+    Vector::new(x, x, x).times_all(across).plus_times(Vector::splat(x, down), y)
 }

@@ -3,7 +3,7 @@
 use catoptric_scene::{Body, Checker, CheckerSpace};
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::body::{is_diagonal, mul, rows, scale, world_from_canonical};
+use super::body::{is_diagonal, mul, rows, scale_plus, world_from_canonical};
 use super::numbers;
 use crate::lanes::{Real, Word as _};
 use crate::vector::Vector;
@@ -62,11 +62,12 @@ impl StageChecker {
         const ROUND: f32 = 12_582_912.0;
         let offset = self.offset.map(|offset| offset + Self::BORDER);
         let cells = if self.aligned {
-            scale(&self.cells_from_body, in_body)
+            let [a, b, c] = self.cells_from_body;
+            scale_plus([a[0], b[1], c[2]], in_body, offset)
         } else {
-            mul(&self.cells_from_body, in_body)
+            mul(&self.cells_from_body, in_body).plus_all(offset)
         };
-        let cells = cells.plus_all(offset).map(R::floor);
+        let cells = cells.map(R::floor);
         let x = (cells.x + (ROUND + f32::from(self.odd_origin))).to_word();
         let y = (cells.y + ROUND).to_word();
         let z = (cells.z + ROUND).to_word();

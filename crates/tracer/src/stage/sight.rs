@@ -141,9 +141,9 @@ impl Sight {
     /// Whether rays from the point in these directions, of length 1, may meet the body before `reach`, finite.
     #[inline(always)]
     pub(crate) fn is_met<R: Real>(&self, direction: Vector<R>, reach: R) -> R::Mask {
-        let along = direction.rough_dot(Vector::splat(reach, self.axis));
+        let along = direction.dot(Vector::splat(reach, self.axis));
         let within = along - self.cos;
-        let behind = along.roughly_times_plus(reach, reach.like(self.minus_depth));
+        let behind = along.times_plus(reach, reach.like(self.minus_depth));
         within.min(behind).ge(reach.like(0.0))
     }
 }

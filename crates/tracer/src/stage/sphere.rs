@@ -55,13 +55,12 @@ impl BoundingSphere {
     #[inline(always)]
     pub(crate) fn is_met<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, reach: R) -> R::Mask {
         let to_center = Vector::splat(reach, self.center) - origin;
-        let along = to_center.rough_dot(direction);
-        let distance_squared = to_center.rough_dot(to_center);
-        let within =
-            along.roughly_times_plus(along, reach.like(self.radius * self.radius * (1.0 + Self::ROUNDING)));
+        let along = to_center.dot(direction);
+        let distance_squared = to_center.dot(to_center);
+        let within = along.times_plus(along, reach.like(self.radius * self.radius * (1.0 + Self::ROUNDING)));
         let near = within.ge(distance_squared * (1.0 - Self::ROUNDING));
         let radius = self.radius * (1.0 + Self::ROUNDING);
-        let enter = along.roughly_times_plus(reach.like(1.0 - POINT_ROUNDING), reach.like(-radius));
+        let enter = along.times_plus(reach.like(1.0 - POINT_ROUNDING), reach.like(-radius));
         near & along.ge(reach.like(-radius)) & enter.le(reach)
     }
 }

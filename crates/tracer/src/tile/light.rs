@@ -123,16 +123,16 @@ impl TileLight {
         let start = y / height * self.across * lanes + y % height * width;
         for (to, start) in to.chunks_mut(width).zip((start..).step_by(lanes)) {
             let row = planes.each_ref().map(|plane| &plane[start..start + to.len()]);
-            // Most blocks are four pixels wide, and four numbers are read at once.
-            if let [Ok(red), Ok(green), Ok(blue)] = row.map(<&[P; 4]>::try_from) {
+            // Blocks are four pixels wide or eight, and four numbers are read at once.
+            let [(reds, red), (greens, green), (blues, blue)] = row.map(<[P]>::as_chunks::<4>);
+            let (fours, rest) = to.as_chunks_mut::<4>();
+            for (((to, red), green), blue) in fours.iter_mut().zip(reds).zip(greens).zip(blues) {
                 let [red, green, blue] = [red, green, blue].map(|numbers| numbers.map(&number));
                 for (at, to) in to.iter_mut().enumerate() {
                     take(to, [red[at], green[at], blue[at]]);
                 }
-                continue;
             }
-            let [red, green, blue] = row;
-            for (((to, &red), &green), &blue) in to.iter_mut().zip(red).zip(green).zip(blue) {
+            for (((to, &red), &green), &blue) in rest.iter_mut().zip(red).zip(green).zip(blue) {
                 take(to, [number(red), number(green), number(blue)]);
             }
         }

@@ -6,8 +6,8 @@ use bytemuck::{Zeroable, zeroed_vec};
 
 use super::encounter::Encounter;
 use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word};
-use crate::media::Inside;
-use crate::ray::Rays;
+use crate::media::{AIR, Inside};
+use crate::ray::{NO_START, Rays};
 use crate::search::Through;
 use crate::vector::Vector;
 
@@ -39,6 +39,19 @@ impl<W: Width> Beams<W> {
             media: none,
             pixel: none,
             lanes: w.mask(0),
+        }
+    }
+
+    /// Rays from the eye, none of which flies yet: they start and point anywhere.
+    #[inline(always)]
+    pub(crate) fn from_eye(w: W) -> Self {
+        let (one, none) = (w.real(1.0), Self::none(w));
+        Self {
+            rays: Rays { start: w.word(NO_START), ..none.rays },
+            weight: Vector::new(one, one, one),
+            generation: w.word(1),
+            media: w.word(AIR),
+            ..none
         }
     }
 
@@ -159,14 +172,14 @@ impl Queue {
 
     #[inline(always)]
     fn put<R: Real>(&mut self, first: usize, vector: Vector<R>, lanes: R::Mask) {
-        vector.x.compress(lanes).store(&mut self.numbers[first][self.len..]);
-        vector.y.compress(lanes).store(&mut self.numbers[first + 1][self.len..]);
-        vector.z.compress(lanes).store(&mut self.numbers[first + 2][self.len..]);
+        vector.x.store_some(lanes, &mut self.numbers[first][self.len..]);
+        vector.y.store_some(lanes, &mut self.numbers[first + 1][self.len..]);
+        vector.z.store_some(lanes, &mut self.numbers[first + 2][self.len..]);
     }
 
     #[inline(always)]
     fn put_words<W: Word>(&mut self, row: usize, words: W, lanes: W::Mask) {
-        words.compress(lanes).store(&mut self.words[row][self.len..]);
+        words.store_some(lanes, &mut self.words[row][self.len..]);
     }
 
     #[cold]

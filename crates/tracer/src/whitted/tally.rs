@@ -60,7 +60,7 @@ impl Whitted<'_> {
         self.tidy();
         self.begin(sample, Dice::of_pixel(sample, pixel));
         let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
-        let mut pending: Vec<Beams<One>> = vec![self.roots(One, ray, 0, true)];
+        let mut pending: Vec<Beams<One>> = vec![self.launched(ray)];
         let mut followed = 0;
         while followed < most_rays
             && !self.is_cancelled_at(followed)

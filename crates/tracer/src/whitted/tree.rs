@@ -217,7 +217,7 @@ impl<'a> Whitted<'a> {
         self.tidy();
         self.begin(sample, Dice::of_pixel(sample, pixel));
         let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
-        let root = self.roots(One, ray, 0, true);
+        let root = self.launched(ray);
         self.grow(root, limit)
     }
 

@@ -143,7 +143,7 @@ impl StreamRays {
             let numbers = numbers.plus(w.word(at as u32));
             for (octant, len) in lens.iter_mut().take(used).enumerate() {
                 let these = octants.is(octant as u32) & lanes;
-                numbers.compress(these).store(&mut lists[octant * room + *len..]);
+                numbers.store_some(these, &mut lists[octant * room + *len..]);
                 *len += these.bits().count_ones() as usize;
             }
         }
@@ -345,7 +345,7 @@ fn sort<W: Width, const APART: bool>(
         let words = w.load_words(numbers);
         for (slot, len) in lens.iter_mut().take(slots).enumerate() {
             let met = lanes & meets::<W, APART>(w, sides, slot, (origin, minus_inverse), reach);
-            words.compress(met).store(&mut lists[slot * room + *len..]);
+            words.store_some(met, &mut lists[slot * room + *len..]);
             *len += met.bits().count_ones() as usize;
         }
     }

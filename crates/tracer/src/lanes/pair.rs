@@ -1,0 +1,287 @@
+//! Twice as many numbers as another width has: two vectors.
+//!
+//! What a packet costs is half its numbers and half what is done once for all of them (looking for bodies, branches, moving
+//! things to memory and back), and most of the time one step waits for another. Two vectors share the one and fill the other.
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+use super::{Mask, Real, Width, Word};
+
+/// Twice the numbers of `W`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair<W>(pub(super) W);
+
+/// The first numbers, words or answers, and as many more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Two<T>(T, T);
+
+impl<W: Width> Width for Pair<W> {
+    const LANES: usize = 2 * W::LANES;
+    const USES_HIERARCHY: bool = false;
+    type R = Two<W::R>;
+    type W = Two<W::W>;
+    type M = Two<W::M>;
+    type E = W::E;
+
+    #[inline(always)]
+    fn real(self, value: f32) -> Two<W::R> {
+        Two(self.0.real(value), self.0.real(value))
+    }
+
+    #[inline(always)]
+    fn word(self, value: u32) -> Two<W::W> {
+        Two(self.0.word(value), self.0.word(value))
+    }
+
+    #[inline(always)]
+    fn mask(self, bits: u32) -> Two<W::M> {
+        Two(self.0.mask(bits & (u32::MAX >> (32 - W::LANES))), self.0.mask(bits >> W::LANES))
+    }
+
+    #[inline(always)]
+    fn load(self, from: &[f32]) -> Two<W::R> {
+        Two(self.0.load(from), self.0.load(&from[W::LANES..]))
+    }
+
+    #[inline(always)]
+    fn load_words(self, from: &[u32]) -> Two<W::W> {
+        Two(self.0.load_words(from), self.0.load_words(&from[W::LANES..]))
+    }
+
+    #[inline(always)]
+    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [Two<W::R>; 4] {
+        let [a, b, c, d] = self.0.gather(from, at);
+        let [e, f, g, h] = self.0.gather(from, &at[W::LANES..]);
+        [Two(a, e), Two(b, f), Two(c, g), Two(d, h)]
+    }
+
+    #[inline(always)]
+    fn load_fours(self, from: &[[f32; 4]]) -> [Two<W::R>; 4] {
+        let [a, b, c, d] = self.0.load_fours(from);
+        let [e, f, g, h] = self.0.load_fours(&from[W::LANES..]);
+        [Two(a, e), Two(b, f), Two(c, g), Two(d, h)]
+    }
+
+    #[inline(always)]
+    fn store_fours(self, [x, y, z, w]: [Two<W::R>; 4], to: &mut [[f32; 4]]) {
+        self.0.store_fours([x.0, y.0, z.0, w.0], to);
+        self.0.store_fours([x.1, y.1, z.1, w.1], &mut to[W::LANES..]);
+    }
+
+    #[inline(always)]
+    fn eight(self, numbers: &[f32; 8]) -> W::E {
+        self.0.eight(numbers)
+    }
+
+    #[inline(always)]
+    fn eight_like(self, value: f32) -> W::E {
+        self.0.eight_like(value)
+    }
+
+    #[inline(always)]
+    fn run<T>(self, act: impl FnOnce() -> T) -> T {
+        self.0.run(act)
+    }
+}
+
+macro_rules! operators {
+    ($($operator:ident, $method:ident);*) => {$(
+        impl<R: Real> $operator for Two<R> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0), self.1.$method(other.1))
+            }
+        }
+    )*};
+}
+
+macro_rules! operators_of_all {
+    ($($operator:ident, $method:ident);*) => {$(
+        impl<R: Real> $operator<f32> for Two<R> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: f32) -> Self {
+                Self(self.0.$method(other), self.1.$method(other))
+            }
+        }
+    )*};
+}
+
+operators!(Add, add; Sub, sub; Mul, mul; Div, div);
+operators_of_all!(Add, add; Sub, sub; Mul, mul);
+
+impl<R: Real> Neg for Two<R> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+macro_rules! each {
+    ($($name:ident($($other:ident),*) -> $out:ty;)*) => {$(
+        #[inline(always)]
+        fn $name(self, $($other: Self),*) -> $out {
+            Two(self.0.$name($($other.0),*), self.1.$name($($other.1),*))
+        }
+    )*};
+}
+
+impl<R: Real> Real for Two<R> {
+    const LANES: usize = 2 * R::LANES;
+    type Mask = Two<R::Mask>;
+    type Word = Two<R::Word>;
+
+    each! {
+        times_plus(factor, term) -> Self;
+        abs() -> Self;
+        sqrt() -> Self;
+        floor() -> Self;
+        min(other) -> Self;
+        max(other) -> Self;
+        copysign(other) -> Self;
+        lt(other) -> Two<R::Mask>;
+        le(other) -> Two<R::Mask>;
+        eq(other) -> Two<R::Mask>;
+        to_word() -> Two<R::Word>;
+    }
+
+    #[inline(always)]
+    fn like(self, value: f32) -> Self {
+        Self(self.0.like(value), self.1.like(value))
+    }
+
+    #[inline(always)]
+    fn select(mask: Two<R::Mask>, yes: Self, no: Self) -> Self {
+        Self(R::select(mask.0, yes.0, no.0), R::select(mask.1, yes.1, no.1))
+    }
+
+    #[inline(always)]
+    fn of_word(word: Two<R::Word>) -> Self {
+        Self(R::of_word(word.0), R::of_word(word.1))
+    }
+
+    #[inline(always)]
+    fn store_some(self, mask: Two<R::Mask>, to: &mut [f32]) {
+        self.0.store_some(mask.0, to);
+        self.1.store_some(mask.1, &mut to[mask.0.bits().count_ones() as usize..]);
+    }
+
+    #[inline(always)]
+    fn least(self) -> f32 {
+        self.0.min(self.1).least()
+    }
+
+    #[inline(always)]
+    fn greatest(self) -> f32 {
+        self.0.max(self.1).greatest()
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f32]) {
+        self.0.store(to);
+        self.1.store(&mut to[R::LANES..]);
+    }
+}
+
+impl<W: Word> Word for Two<W> {
+    type Mask = Two<W::Mask>;
+    const LANES: usize = 2 * W::LANES;
+
+    each! {
+        plus(other) -> Self;
+        or(other) -> Self;
+    }
+
+    #[inline(always)]
+    fn like(self, value: u32) -> Self {
+        Self(self.0.like(value), self.1.like(value))
+    }
+
+    #[inline(always)]
+    fn is(self, value: u32) -> Two<W::Mask> {
+        Two(self.0.is(value), self.1.is(value))
+    }
+
+    #[inline(always)]
+    fn has(self, bits: u32) -> Two<W::Mask> {
+        Two(self.0.has(bits), self.1.has(bits))
+    }
+
+    #[inline(always)]
+    fn and(self, bits: u32) -> Self {
+        Self(self.0.and(bits), self.1.and(bits))
+    }
+
+    #[inline(always)]
+    fn shifted_right(self, by: u32) -> Self {
+        Self(self.0.shifted_right(by), self.1.shifted_right(by))
+    }
+
+    #[inline(always)]
+    fn shifted_left(self, by: u32) -> Self {
+        Self(self.0.shifted_left(by), self.1.shifted_left(by))
+    }
+
+    #[inline(always)]
+    fn select(mask: Two<W::Mask>, yes: Self, no: Self) -> Self {
+        Self(W::select(mask.0, yes.0, no.0), W::select(mask.1, yes.1, no.1))
+    }
+
+    #[inline(always)]
+    fn store_some(self, mask: Two<W::Mask>, to: &mut [u32]) {
+        self.0.store_some(mask.0, to);
+        self.1.store_some(mask.1, &mut to[mask.0.bits().count_ones() as usize..]);
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [u32]) {
+        self.0.store(to);
+        self.1.store(&mut to[W::LANES..]);
+    }
+}
+
+impl<M: Mask> BitAnd for Two<M> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0, self.1 & other.1)
+    }
+}
+
+impl<M: Mask> BitOr for Two<M> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0, self.1 | other.1)
+    }
+}
+
+impl<M: Mask> Not for Two<M> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0, !self.1)
+    }
+}
+
+impl<M: Mask> Mask for Two<M> {
+    const LANES: usize = 2 * M::LANES;
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        (self.0 | self.1).any()
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0.bits() | self.1.bits() << M::LANES
+    }
+}
