@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
-use crate::ray::{INWARDS, POINT_ROUNDING, Rays, slack_at};
+use crate::ray::{INWARDS, NO_BODY, POINT_ROUNDING, Rays, slack_at};
 use crate::shape::Span;
 use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
@@ -299,7 +299,7 @@ impl<'a, W: Width> Flight<'a, W> {
     pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Pending, blocker: &mut u32) -> Through<W> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
-        let mut passed = Passed { lanes: self.lanes, share: None, blocker: *blocker };
+        let mut passed = Through { lanes: self.lanes, share: None, blocker: *blocker };
         if W::USES_HIERARCHY
             && let Hierarchy::Many(_) = &self.stage.hierarchy
             && let Some(body) = self.stage.bodies.get(*blocker as usize)
@@ -307,7 +307,7 @@ impl<'a, W: Width> Flight<'a, W> {
         {
             self.filter(*blocker, body, distance, passed.lanes, &mut passed);
             if !passed.lanes.any() {
-                return Through { lanes: passed.lanes, share: None };
+                return passed;
             }
         }
         let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
@@ -315,7 +315,7 @@ impl<'a, W: Width> Flight<'a, W> {
         self.visit(parts, &mut shadow);
         self.visit_planes(&mut shadow);
         *blocker = passed.blocker;
-        Through { lanes: passed.lanes, share: passed.share }
+        passed
     }
 
     /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
@@ -360,7 +360,7 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// What one body lets through on the way to a light at `distance`.
     #[inline(always)]
-    fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Passed<W>) {
+    fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Through<W>) {
         let Some(Crossed { in_front, enter, behind, exit }) = self.crossed(index, body, distance, lanes)
         else {
             return;
@@ -518,7 +518,7 @@ impl<W: Width, F: FnMut(u32)> Visit<W> for ForEach<'_, W, F> {
 /// Looks for what shades.
 struct ForShadow<'f, 'a, W: Width> {
     flight: &'f Flight<'a, W>,
-    passed: &'f mut Passed<W>,
+    passed: &'f mut Through<W>,
     distance: W::R,
     /// The distance for those that get any light, else none at all.
     reach: W::R,
@@ -550,25 +550,23 @@ struct StartWithin<M> {
     inside: M,
 }
 
-/// What is left of the light on its way.
-struct Passed<W: Width> {
-    /// Those that get any.
-    lanes: W::M,
-    /// How much; all of it as long as nothing transparent was crossed.
-    share: Option<Vector<W::R>>,
-    /// The opaque body that was met last.
-    blocker: u32,
-}
-
 /// What reaches rays' starts from a light.
 pub(crate) struct Through<W: Width> {
     /// Those that get any.
     pub(crate) lanes: W::M,
-    /// The product of the filters of all surfaces crossed; 1 if none was.
+    /// The product of the filters of all surfaces crossed; all of the light as long as nothing transparent was.
     pub(crate) share: Option<Vector<W::R>>,
+    /// The opaque body that was met last.
+    blocker: u32,
 }
 
 impl<W: Width> Through<W> {
+    /// All of the light.
+    #[inline(always)]
+    pub(crate) fn all(lanes: W::M) -> Self {
+        Self { lanes, share: None, blocker: NO_BODY }
+    }
+
     /// The share of all rays.
     #[inline(always)]
     pub(crate) fn shares(&self, w: W) -> Vector<W::R> {

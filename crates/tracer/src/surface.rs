@@ -69,14 +69,15 @@ pub fn phong_highlight<R: Real>(
     if !is_visible.any() {
         return zero;
     }
-    R::select(is_visible, power(R::select(is_visible, cos, one), shininess), zero)
+    R::select(is_visible, power(cos, shininess), zero)
 }
 
 /// Ŝ·R̂ of [`phong_highlight`].
 #[inline(always)]
 pub(crate) fn highlight_cosine<R: Real>(to_viewer: Vector<R>, to_light: Vector<R>, normal: Vector<R>) -> R {
-    // Rounding may make the product of two unit vectors more than 1, and a power of it much more.
-    let cos = -to_viewer.dot(reflect(to_light, normal));
+    // Ŝ·(2(n̂·L̂)n̂ - L̂), the parts of which do not wait for each other. Rounding may make the product of two unit vectors
+    // more than 1, and a power of it much more.
+    let cos = (normal.dot(to_light) * 2.0).times_plus(normal.dot(to_viewer), -to_light.dot(to_viewer));
     cos.min(cos.like(1.0))
 }
 

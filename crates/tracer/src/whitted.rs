@@ -291,7 +291,7 @@ impl<'a> Whitted<'a> {
     ) -> Hits<W> {
         w.run(
             #[inline(always)]
-            || {
+            move || {
                 let along = if is_from_eye { self.views.ahead() } else { Along::Anything };
                 Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, along).nearest(&mut self.parts)
             },
@@ -303,15 +303,15 @@ impl<'a> Whitted<'a> {
         w: W,
         rays: &Rays<W>,
         lanes: W::M,
-        (light, distance): (usize, W::R),
+        (light, distance): (usize, &W::R),
         inside: &Inside,
     ) -> Through<W> {
         w.run(
             #[inline(always)]
-            || {
+            move || {
                 let along = self.views.to_light(light);
                 Flight::new(w, self.stage, rays, lanes, inside, along).transmittance(
-                    distance,
+                    *distance,
                     &mut self.parts,
                     &mut self.blockers[light],
                 )
@@ -368,18 +368,17 @@ impl<'a> Whitted<'a> {
             }
             self.counts.shadow += u64::from(lit.bits().count_ones());
             let streams = from.stream();
-            let mut passed = None;
+            let mut through = Through::all(lit);
             if streams.is_none() {
-                let through = self.transmittance(w, &rays, lit, (index, distance), inside);
+                through = self.transmittance(w, &rays, lit, (index, &distance), inside);
                 offspring.asks(&rays, distance, inside, &through);
                 lit = lit & through.lanes;
-                if let Some(share) = through.share {
+                if let Some(share) = &through.share {
                     lit = lit & !share.is_zero();
                 }
                 if !lit.any() {
                     continue;
                 }
-                passed = through.share;
             }
             let to_viewer = -beams.rays.direction;
             let mut answer = if FULL { at.scattered(cos) } else { at.diffuse * cos };
@@ -398,7 +397,10 @@ impl<'a> Whitted<'a> {
             if let Some((streams, place)) = streams {
                 streams.ask(w, index, place, &rays, (beams.media, distance), answer, lit);
             } else {
-                let more = passed.map_or(answer, |passed| answer.times(passed));
+                let mut more = answer;
+                if let Some(share) = &through.share {
+                    more = answer.times(*share);
+                }
                 offspring.answers(power, more);
                 light = Vector::select(lit, light + more, light);
             }

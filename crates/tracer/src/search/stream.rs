@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use super::{Along, Best, Flight, Hits, Nearest, Passed, all_of};
+use super::{Along, Best, Flight, Hits, Nearest, Through, all_of};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width};
 use crate::media::{Inside, MediaTable};
 use crate::ray::{POINT_ROUNDING, Rays};
@@ -183,7 +183,7 @@ impl ShadowStream {
         let (_, reach) = self.rays.load(w, at);
         let lanes = reach.gt(w.real(f32::NEG_INFINITY)) & flight.lanes;
         let share = Some(vector_at(w, &self.share, at));
-        let mut passed: Passed<W> = Passed { lanes, share, blocker: 0 };
+        let mut passed: Through<W> = Through { lanes, share, blocker: 0 };
         for index in flight.stage.planes() {
             if !passed.lanes.any() {
                 break;
@@ -353,7 +353,7 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
                 share = Some(Vector::new(x, y, z));
             }
             let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
-            let mut passed: Passed<W> = Passed { lanes, share, blocker: 0 };
+            let mut passed: Through<W> = Through { lanes, share, blocker: 0 };
             for index in bodies.clone() {
                 let lanes = passed.lanes & flight.comes_near(index, reach);
                 if lanes.any() {
