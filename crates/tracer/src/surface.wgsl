@@ -47,7 +47,7 @@ const INVISIBLE: f32 = 30.0;
 const SQRT_HALF: u32 = 0x3f3504f3u;
 
 fn phong_highlight(to_viewer: vec3<f32>, to_light: vec3<f32>, normal: vec3<f32>, shininess: f32) -> f32 {
-    let cos = min(-dot(to_viewer, reflect_about(to_light, normal)), 1.0);
+    let cos = min(2.0 * dot(normal, to_light) * dot(normal, to_viewer) - dot(to_light, to_viewer), 1.0);
     if cos > 0.0 && shininess * (1.0 - cos) < INVISIBLE {
         return exponential(logarithm(cos) * shininess);
     }

@@ -233,7 +233,7 @@ impl<'a> Whitted<'a> {
         inside: &Inside,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
-        let is_from_eye = matches!(from, Origin::Eye);
+        let mut is_whole = matches!(from, Origin::Eye);
         let hits = self.nearest(w, beams, &from, inside);
         let hit = hits.hit & beams.lanes;
         let hits = Hits { hit, ..hits };
@@ -242,6 +242,7 @@ impl<'a> Whitted<'a> {
         if FULL && self.stage.absorbs && !inside.is_empty() {
             let through = self.media.left_after(w, self.stage, beams.media, hits.t, beams.lanes);
             offspring.travels(through);
+            is_whole = false;
             absorbed = Beams { weight: beams.weight.times(through), ..*beams };
             beams = &absorbed;
         }
@@ -254,7 +255,7 @@ impl<'a> Whitted<'a> {
             if let Some((streams, at)) = from.stream() {
                 streams.keep(w, at, background, beams.weight);
             }
-            return Followed { light: weighted(beams, is_from_eye, background), hits };
+            return Followed { light: weighted(beams, is_whole, background), hits };
         }
         let at = Encounter::new::<FULL>(w, self.stage, &beams.rays, &hits);
         offspring.meets(&at);
@@ -264,7 +265,7 @@ impl<'a> Whitted<'a> {
         if let Some((streams, at)) = from.stream() {
             streams.keep(w, at, light, beams.weight);
         }
-        let light = weighted(beams, is_from_eye, light);
+        let light = weighted(beams, is_whole, light);
         let goes_on = hit & beams.below(w, self.generations);
         if goes_on.any() {
             self.spawn::<W, FULL>(w, beams, &at, goes_on, offspring);
@@ -351,15 +352,12 @@ impl<'a> Whitted<'a> {
             offspring.faces(index, to_light, distance, cos);
             rays.direction = to_light;
             let mut faces = cos.gt(zero);
-            let within = if FULL { at.frosted_within() } else { w.mask(0) };
             if FULL {
-                rays.start = at.rays_on_this_side(to_light).start;
-            }
-            if FULL && within.any() {
                 // The body's own surface lies between its inner side and a light; what it lets through from there is seen
                 // where the viewer's ray leaves it.
+                let within = at.frosted_within();
                 faces = (faces & !within) | (within & cos.lt(zero));
-                rays.start = W::W::select(within, at.rays_on_far_side(to_light).start, rays.start);
+                rays.start = W::W::select(within, at.rays_on_far_side(to_light).start, at.start);
             }
             // A light that stands exactly here has no direction.
             let mut lit = at.answers & distance.gt(zero) & faces;
@@ -397,10 +395,7 @@ impl<'a> Whitted<'a> {
             if let Some((streams, place)) = streams {
                 streams.ask(w, index, place, &rays, (beams.media, distance), answer, lit);
             } else {
-                let mut more = answer;
-                if let Some(share) = &through.share {
-                    more = answer.times(*share);
-                }
+                let more = through.share.map_or(answer, |share| answer.times(share));
                 offspring.answers(power, more);
                 light = Vector::select(lit, light + more, light);
             }
@@ -432,10 +427,10 @@ impl Origin<'_> {
     }
 }
 
-/// What light adds to pixels; all of it, where it goes straight to the eye.
+/// What light adds to pixels; all of it, where the weights are known to be 1.
 #[inline(always)]
-fn weighted<W: Width>(beams: &Beams<W>, is_from_eye: bool, light: Vector<W::R>) -> Vector<W::R> {
-    if is_from_eye { light } else { beams.weight.times(light) }
+fn weighted<W: Width>(beams: &Beams<W>, is_whole: bool, light: Vector<W::R>) -> Vector<W::R> {
+    if is_whole { light } else { beams.weight.times(light) }
 }
 
 /// What became of rays side by side.

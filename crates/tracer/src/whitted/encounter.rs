@@ -13,7 +13,7 @@ pub(crate) struct Encounter<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     /// The body, and [`INWARDS`] where the ray came from within: the start of rays on this side.
-    start: W::W,
+    pub(super) start: W::W,
     pub(super) position: Vector<W::R>,
     /// Unit normal facing the ray.
     pub(super) normal: Vector<W::R>,

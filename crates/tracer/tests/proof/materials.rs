@@ -285,3 +285,25 @@ proptest! {
         prop_assert!((there - back).abs() < 1e-4, "{there}, {back}");
     }
 }
+
+/// Light is lost on the way to an eye within the glass, too, whether it comes from a body or from around all of them.
+#[test]
+fn an_eye_within_stained_glass_sees_through_it() {
+    let color = Color::new(0.5, 0.25, 1.0);
+    let around = body(Shape::Sphere { radius: 2.0 }, DVec3::ZERO, stained(color, 2.0));
+    let within = Scene {
+        environment: Environment {
+            background: Color::WHITE,
+            ambient: Color::WHITE,
+            ..Environment::default()
+        },
+        camera: camera(DVec3::ZERO, DVec3::NEG_Z, 40.0),
+        ..scene(vec![around, ball(0.5, v(0.0, 0.0, -1.5), glow(Color::WHITE))])
+    };
+    let picture = picture(&within, 33, 33);
+    for (pixel, way) in [(0, 1.0), (16 * 33 + 16, 0.5)] {
+        for (seen, part) in picture.pixels()[pixel].into_iter().zip([0.5_f64, 0.25, 1.0]) {
+            assert_close(f64::from(seen), part.powf(way), 2e-3);
+        }
+    }
+}
