@@ -128,4 +128,12 @@ impl Intervals {
         let [x, y, z, _] = whole.to_array().map(|whole| (whole.to_bits() & 0xff) as usize);
         [x, y, z]
     }
+
+    /// The entry's interval along one axis, by the same operations.
+    #[inline]
+    pub(super) fn along(&self, axis: usize, entry: &Entry) -> usize {
+        let at = (entry.low[axis] + entry.high[axis] - self.low[axis]) * self.per_unit[axis] - 0.5;
+        let whole = at.max(0.0).min(self.last[axis]) + Self::WHOLE;
+        (whole.to_bits() & 0xff) as usize
+    }
 }

@@ -4,8 +4,6 @@ use rayon::prelude::*;
 
 use super::entry::{Entry, Extent, Intervals};
 
-/// The most intervals that centers are counted in along an axis.
-const MOST_BINS: usize = 32;
 /// Lists are worked on by several threads in pieces of this length. It decides the order of what is parted, so that it
 /// must not depend on the number of threads.
 const PIECE: usize = 1 << 14;
@@ -23,7 +21,7 @@ pub(super) struct Split {
 impl Split {
     #[inline]
     fn is_left(&self, entry: &Entry) -> bool {
-        self.intervals.of(entry)[self.axis] < self.bin
+        self.intervals.along(self.axis, entry) < self.bin
     }
 }
 
@@ -48,24 +46,29 @@ impl Bin {
     }
 }
 
-type Bins = [[Bin; MOST_BINS]; 3];
+/// For each axis. Small lists have few, since they are cleared for every split.
+type Bins<const COUNT: usize> = [[Bin; COUNT]; 3];
 
 /// The cheapest split over all axes; `None` when all centers coincide.
 pub(super) fn best_split(entries: &[Entry]) -> Option<Split> {
-    let count = match entries.len() {
-        0..32 => 8,
-        32..1024 => 16,
-        _ => MOST_BINS,
-    };
-    let intervals = Intervals::new(&centers_of(entries), count);
+    match entries.len() {
+        0..32 => best_of::<8>(entries),
+        32..1024 => best_of::<16>(entries),
+        _ => best_of::<32>(entries),
+    }
+}
+
+/// The same with so many intervals along each axis.
+fn best_of<const COUNT: usize>(entries: &[Entry]) -> Option<Split> {
+    let intervals = Intervals::new(&centers_of(entries), COUNT);
     if !intervals.is_any() {
         return None;
     }
-    let bins = fill(entries, &intervals, count);
+    let bins = fill::<COUNT>(entries, &intervals);
     let mut best: Option<Split> = None;
     let mut best_cost = f32::INFINITY;
     for (axis, bins) in bins.iter().enumerate() {
-        if let Some((bin, cost, sides)) = cheapest_boundary(&bins[..count])
+        if let Some((bin, cost, sides)) = cheapest_boundary(bins)
             && cost < best_cost
         {
             best_cost = cost;
@@ -84,9 +87,9 @@ fn centers_of(entries: &[Entry]) -> Extent {
     entries.par_chunks(PIECE).map(of).reduce(|| Extent::EMPTY, Extent::union)
 }
 
-fn fill(entries: &[Entry], intervals: &Intervals, count: usize) -> Bins {
+fn fill<const COUNT: usize>(entries: &[Entry], intervals: &Intervals) -> Bins<COUNT> {
     if entries.len() <= PIECE {
-        let mut bins = [[Bin::EMPTY; MOST_BINS]; 3];
+        let mut bins = [[Bin::EMPTY; COUNT]; 3];
         for entry in entries {
             let one = Bin { extent: Extent::EMPTY.with(entry), count: 1 };
             for (bins, at) in bins.iter_mut().zip(intervals.of(entry)) {
@@ -95,22 +98,22 @@ fn fill(entries: &[Entry], intervals: &Intervals, count: usize) -> Bins {
         }
         return bins;
     }
-    let join = |mut one: Bins, other: Bins| {
+    let join = |mut one: Bins<COUNT>, other: Bins<COUNT>| {
         for (bins, others) in one.iter_mut().zip(&other) {
-            for (bin, other) in bins[..count].iter_mut().zip(others) {
+            for (bin, other) in bins.iter_mut().zip(others) {
                 *bin = bin.with(*other);
             }
         }
         one
     };
-    let none = || [[Bin::EMPTY; MOST_BINS]; 3];
-    entries.par_chunks(PIECE).map(|piece| fill(piece, intervals, count)).reduce(none, join)
+    let none = || [[Bin::EMPTY; COUNT]; 3];
+    entries.par_chunks(PIECE).map(|piece| fill(piece, intervals)).reduce(none, join)
 }
 
 /// The boundary (index of the first bin to its right) with the least sum of area × count over both sides, that sum,
 /// and the boxes of the sides.
-fn cheapest_boundary(bins: &[Bin]) -> Option<(usize, f32, [Extent; 2])> {
-    let mut right_sides = [Bin::EMPTY; MOST_BINS];
+fn cheapest_boundary<const COUNT: usize>(bins: &[Bin; COUNT]) -> Option<(usize, f32, [Extent; 2])> {
+    let mut right_sides = [Bin::EMPTY; COUNT];
     let mut right = Bin::EMPTY;
     for (at, bin) in bins.iter().enumerate().rev() {
         right = right.with(*bin);
