@@ -40,7 +40,7 @@ fn nappe<R: Real>(slope: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R
     let (zero, one, infinity) = (origin.x.like(0.0), origin.x.like(1.0), origin.x.like(f32::INFINITY));
     let radius = origin.y * slope + 1.0;
     let radius_change = direction.y * slope;
-    // Not fused: along the surface and through the apex, A and B have to be exactly 0.
+    // Not fused: A has to be exactly 0 along the surface.
     let a = direction.x * direction.x + direction.z * direction.z - radius_change * radius_change;
     let b = origin.x * direction.x + origin.z * direction.z - radius * radius_change;
     let c = origin.x * origin.x + origin.z * origin.z - radius * radius;
