@@ -145,7 +145,7 @@ impl Film {
 impl FilmTile {
     fn add_sample(&mut self, tracer: &mut TileTracer<'_>, size: DVec2, control: &Control) -> RayCounts {
         let before = tracer.counts();
-        let Some(light) = tracer.trace(self.place, size, self.samples, &[]) else {
+        let Some(light) = tracer.trace(self.place, size, self.samples) else {
             return RayCounts::default();
         };
         for (y, row) in self.sums.chunks_mut(self.place.width).enumerate() {

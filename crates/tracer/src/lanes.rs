@@ -177,6 +177,8 @@ pub(crate) trait Width: Copy {
     fn load_fours(self, from: &[[f32; 4]]) -> [Self::R; 4];
     /// Writes fours of numbers to the front of `to`, which holds at least as many.
     fn store_fours(self, numbers: [Self::R; 4], to: &mut [[f32; 4]]);
+    /// Writes threes of numbers to the front of `to`, which holds at least as many.
+    fn store_threes(self, numbers: [Self::R; 3], to: &mut [[f32; 3]]);
     /// These eight numbers.
     fn eight(self, numbers: &[f32; 8]) -> Self::E;
     /// Eight numbers, all of this value.

@@ -160,7 +160,7 @@ pub fn render_pixel(
     let mut row = vec![[0.0; 3]; place.width];
     let mut sum = DVec3::ZERO;
     for sample in 0..samples.max(1) {
-        let light = tracer.trace(place, size.as_dvec2(), sample, &[]).ok_or(RenderError::Cancelled)?;
+        let light = tracer.trace(place, size.as_dvec2(), sample).ok_or(RenderError::Cancelled)?;
         light.each(y, &mut row, |pixel, light| *pixel = light);
         sum += row.get(x).map_or(DVec3::ZERO, |light| DVec3::from(light.map(f64::from)));
     }
@@ -188,17 +188,13 @@ impl Tile<'_> {
         samples: u32,
     ) -> bool {
         if samples == 1 {
-            let Some(light) = tracer.trace(self.place, size, 0, &self.rows) else { return false };
-            for (y, row) in self.rows.iter_mut().enumerate() {
-                light.each(y, row, |pixel, light| *pixel = light);
-            }
-            return true;
+            return tracer.trace_into(self.place, size, 0, &mut self.rows);
         }
         sums.clear();
         sums.resize(self.place.pixels(), DVec3::ZERO);
         let width = self.place.width;
         for sample in 0..samples {
-            let Some(light) = tracer.trace(self.place, size, sample, &[]) else { return false };
+            let Some(light) = tracer.trace(self.place, size, sample) else { return false };
             for (y, row) in sums.chunks_mut(width).enumerate() {
                 light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
             }

@@ -1,5 +1,6 @@
 //! What rays meet: the nearest body, and what lies between a point and a light.
 
+mod along;
 mod best;
 mod stream;
 
@@ -12,6 +13,7 @@ use crate::shape::Span;
 use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
 
+pub(crate) use along::Along;
 use best::{Best, Nearest};
 pub(crate) use stream::{RayStream, ShadowStream, StreamMemory};
 
@@ -84,15 +86,13 @@ pub(crate) struct Flight<'a, W: Width> {
     along: Along<'a>,
 }
 
-/// What is known of a handful of bodies before rays are tested.
-#[derive(Clone, Copy)]
-pub(crate) enum Along<'a> {
-    /// Nothing.
-    Anything,
-    /// The rays come from the point that these bodies are seen from; others they do not meet.
-    From(&'a Sights),
-    /// The rays go to it.
-    To(&'a Sights),
+impl<W: Width> Hits<W> {
+    /// None at all.
+    #[inline(always)]
+    pub(crate) fn none(w: W) -> Self {
+        let (zero, none) = (w.real(0.0), w.mask(0));
+        Self { t: zero, body: w.word(0), leaving: none, face: zero, hit: none }
+    }
 }
 
 impl<'a, W: Width> Flight<'a, W> {
@@ -157,8 +157,7 @@ impl<'a, W: Width> Flight<'a, W> {
                 bvh.traverse_packet(self.w, &boxes, parts, &mut OfLeaves { flight: self, visitor });
             }
             Hierarchy::Few | Hierarchy::Many(_) => match self.along {
-                Along::From(sights) => self.visit_seen(&sights.bodies, self.direction, visitor),
-                Along::To(sights) => self.visit_seen(&sights.bodies, -self.direction, visitor),
+                Along::Seen(sights) => self.visit_seen(&sights.bodies, visitor),
                 Along::Anything => self.visit_few(visitor),
             },
         }
@@ -168,7 +167,7 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     fn visit_planes(&self, visitor: &mut impl Visit<W>) {
         match self.along {
-            Along::From(Sights { planes, .. }) | Along::To(Sights { planes, .. }) => {
+            Along::Seen(Sights { planes, .. }) => {
                 for &index in planes {
                     visitor.leaf(index..index + 1, self.lanes);
                 }
@@ -206,19 +205,19 @@ impl<'a, W: Width> Flight<'a, W> {
     }
 
     #[inline(always)]
-    fn visit_seen(&self, sights: &[Sight], direction: Vector<W::R>, visitor: &mut impl Visit<W>) {
+    fn visit_seen(&self, sights: &[Sight], visitor: &mut impl Visit<W>) {
         if sights.len() > Self::ONE_BY_ONE {
             return self.visit_tested(
                 sights,
                 visitor,
                 #[inline(always)]
-                |sight, reach| sight.is_met(direction, reach),
+                |sight, reach| sight.is_met(self.direction, reach),
                 #[inline(always)]
                 |sight, _| sight.body,
             );
         }
         for sight in sights {
-            let lanes = self.lanes & sight.is_met(direction, visitor.reach());
+            let lanes = self.lanes & sight.is_met(self.direction, visitor.reach());
             if lanes.any() {
                 visitor.leaf(sight.body..sight.body + 1, lanes);
             }

@@ -11,7 +11,7 @@ use crate::sampling::sample_offset;
 use crate::stage::ahead::fetch_all;
 use crate::stage::{RaysNear, STREAM, Stage, StageCamera};
 use crate::vector::Vector;
-use crate::whitted::{Beams, Dice, Offspring, Origin, Queue, Streams, Whitted};
+use crate::whitted::{Beams, Dice, Followed, Offspring, Origin, Queue, Streams, Whitted};
 
 pub(crate) use light::TileLight;
 
@@ -137,15 +137,20 @@ impl<'a> TileTracer<'a> {
         self.whitted.counts()
     }
 
-    /// The light of one sample of each pixel; `None` if it was cancelled midway. `rows` is where it will be written to, if
-    /// anywhere: far memory, which is fetched meanwhile.
-    pub(crate) fn trace(
+    /// The light of one sample of each pixel; `None` if it was cancelled midway.
+    pub(crate) fn trace(&mut self, place: Place, size: DVec2, sample: u32) -> Option<&TileLight> {
+        self.trace_into(place, size, sample, &mut []).then_some(&self.light)
+    }
+
+    /// Writes the light of one sample of each pixel into the rows of a picture, far memory, which is fetched meanwhile. False
+    /// if it was cancelled midway.
+    pub(crate) fn trace_into(
         &mut self,
         place: Place,
         size: DVec2,
         sample: u32,
-        rows: &[&mut [[f32; 3]]],
-    ) -> Option<&TileLight> {
+        rows: &mut [&mut [[f32; 3]]],
+    ) -> bool {
         self.whitted.tidy();
         let (lanes, is_full) = (self.whitted.stage.lanes, self.whitted.is_full());
         let is_finished = if is_full {
@@ -156,27 +161,32 @@ impl<'a> TileTracer<'a> {
         if !is_finished {
             self.levels.iter_mut().for_each(Level::clear);
         }
-        is_finished.then_some(&self.light)
+        is_finished
     }
 }
 
 /// One sample of the pixels of a tile or a group. `FULL` stands where [`Stage::is_full`] may be true.
-struct Sample<'t, 'a, const FULL: bool> {
+struct Sample<'t, 'r, 'a, const FULL: bool> {
     tracer: &'t mut TileTracer<'a>,
     place: Place,
     size: DVec2,
     sample: u32,
-    /// Where its light will be written to, if anywhere.
-    rows: &'t [&'t mut [[f32; 3]]],
+    /// Where its light is written to, if anywhere.
+    rows: &'t mut [&'r mut [[f32; 3]]],
 }
 
-impl<const FULL: bool> Work for Sample<'_, '_, FULL> {
+impl<const FULL: bool> Work for Sample<'_, '_, '_, FULL> {
     type Output = bool;
 
     #[inline(always)]
     fn run<W: Width>(self, w: W) -> bool {
         let Self { tracer, place, size, sample, rows } = self;
-        tracer.primary::<W, FULL>(w, place, size, sample, rows) && tracer.drain::<W, FULL>(w)
+        let is_finished =
+            tracer.primary::<W, FULL>(w, place, size, sample, rows) && tracer.drain::<W, FULL>(w);
+        if is_finished {
+            tracer.light.write(w, rows);
+        }
+        is_finished
     }
 }
 
@@ -266,14 +276,17 @@ impl TileTracer<'_> {
                 beams.lanes = w.mask(Block::<W>::lanes(place, left, top));
                 beams.pixel = block.pixel.plus(w.word(first as u32));
                 self.whitted.launch(w, beams);
-                let mut light = Vector::splat(w.real(0.0), [0.0; 3]);
+                let (mut light, mut on_floor) = (Vector::splat(w.real(0.0), [0.0; 3]), false);
                 if by_stream {
                     self.levels[0].reflected.push(beams);
                 } else {
-                    light = self.follow::<W, FULL>(w, beams, Origin::Eye, 0, &mut grown[0]);
+                    let eye = Origin::Eye { on_floor };
+                    let followed = self.follow::<W, FULL>(w, beams, eye, 0, &mut grown[0]);
+                    (light, on_floor) = (followed.light, followed.on_floor);
                 }
                 self.light.set::<W>(first, light);
                 if grown[0].lanes.any() {
+                    self.whitted.expect_reflections(on_floor);
                     self.pursue::<W, FULL>(w, &mut grown, 1);
                 }
                 first += W::LANES;
@@ -352,7 +365,7 @@ impl TileTracer<'_> {
             || {
                 let [mut beams, mut grown] = beams.each_mut();
                 for level in level.. {
-                    let light = self.follow::<W, FULL>(w, beams, Origin::Anywhere, level, grown);
+                    let light = self.follow::<W, FULL>(w, beams, Origin::Anywhere, level, grown).light;
                     self.light.add(w, beams, light);
                     std::mem::swap(&mut beams, &mut grown);
                     if !beams.lanes.any() {
@@ -373,14 +386,14 @@ impl TileTracer<'_> {
         from: Origin<'_>,
         level: usize,
         next: &mut Beams<W>,
-    ) -> Vector<W::R> {
+    ) -> Followed<W> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, Level::default);
         }
         next.lanes = w.mask(0);
         let waits = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
         let mut grown = Grown { level: &mut self.levels[level], next, waits };
-        self.whitted.follow::<W, FULL>(w, beams, from, &mut grown).light
+        self.whitted.follow::<W, FULL>(w, beams, from, &mut grown)
     }
 }
 
@@ -395,28 +408,28 @@ struct Grown<'l, W: Width> {
 }
 
 impl<W: Width> Grown<'_, W> {
+    /// Whether rays are traced next.
     #[inline(always)]
-    fn takes(&mut self, beams: &Beams<W>) -> bool {
-        let is_full = beams.lanes.bits().count_ones() as usize == W::LANES;
-        let takes = !self.waits && is_full && !self.next.lanes.any();
-        if takes {
-            *self.next = *beams;
-        }
-        takes
+    fn takes(&self, lanes: W::M) -> bool {
+        !self.waits && !(!lanes).any() && !self.next.lanes.any()
     }
 }
 
 impl<W: Width> Offspring<W> for Grown<'_, W> {
     #[inline(always)]
     fn reflected(&mut self, beams: Beams<W>) {
-        if !self.takes(&beams) {
+        if self.takes(beams.lanes) {
+            *self.next = beams;
+        } else {
             self.level.reflected.push(&beams);
         }
     }
 
     #[inline(always)]
     fn refracted(&mut self, beams: Beams<W>) {
-        if !self.takes(&beams) {
+        if self.takes(beams.lanes) {
+            *self.next = beams;
+        } else {
             self.level.refracted.push(&beams);
         }
     }

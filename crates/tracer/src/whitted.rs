@@ -25,7 +25,7 @@ use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, Ray, Rays};
 use crate::render::Control;
 use crate::search::{Along, Flight, Hits, Through};
-use crate::stage::{Pending, RaysNear, Stage, StageCamera};
+use crate::stage::{Pending, RaysNear, Stage, StageCamera, StageLight};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
@@ -39,7 +39,7 @@ pub use record::{
 };
 pub(crate) use streams::Streams;
 pub use tally::Tally;
-use views::Views;
+use views::{Views, Whence};
 pub(crate) use waves::Waves;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
@@ -168,6 +168,12 @@ impl<'a> Whitted<'a> {
         self.views.aim(self.stage, rays, reach.as_vec2().to_array());
     }
 
+    /// Says whether the next rays that do not come from the eye are its own, reflected by the floor of the tile.
+    #[inline(always)]
+    pub(crate) fn expect_reflections(&mut self, are_of_floor: bool) {
+        self.views.expect_reflections(are_of_floor);
+    }
+
     /// Takes up rays from the eye: the media where they start.
     #[inline(always)]
     pub(crate) fn launch<W: Width>(&mut self, w: W, beams: &mut Beams<W>) {
@@ -233,7 +239,7 @@ impl<'a> Whitted<'a> {
         inside: &Inside,
         offspring: &mut impl Offspring<W>,
     ) -> Followed<W> {
-        let mut is_whole = matches!(from, Origin::Eye);
+        let mut is_whole = matches!(from, Origin::Eye { .. });
         let hits = self.nearest(w, beams, &from, inside);
         let hit = hits.hit & beams.lanes;
         let hits = Hits { hit, ..hits };
@@ -255,10 +261,14 @@ impl<'a> Whitted<'a> {
             if let Some((streams, at)) = from.stream() {
                 streams.keep(w, at, background, beams.weight);
             }
-            return Followed { light: weighted(beams, is_whole, background), hits };
+            return Followed { light: weighted(beams, is_whole, background), hits, on_floor: false };
         }
         let at = Encounter::new::<FULL>(w, self.stage, &beams.rays, &hits);
         offspring.meets(&at);
+        if let Origin::Eye { on_floor } = &mut from {
+            *on_floor = self.views.is_floor(at.only);
+        }
+        let on_floor = from.is_on_floor();
         let light = self.local_light::<W, FULL>(w, beams, &mut from, inside, &at, offspring);
         offspring.shades(light);
         let light = Vector::select(hit, light, background);
@@ -270,7 +280,7 @@ impl<'a> Whitted<'a> {
         if goes_on.any() {
             self.spawn::<W, FULL>(w, beams, &at, goes_on, offspring);
         }
-        Followed { light, hits }
+        Followed { light, hits, on_floor }
     }
 
     #[inline(always)]
@@ -279,45 +289,47 @@ impl<'a> Whitted<'a> {
             let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, Along::Anything);
             return streams.rays.hits(w, *at, &flight);
         }
-        let is_from_eye = matches!(from, Origin::Eye);
-        self.nearest_of_packet(w, beams, is_from_eye, inside)
+        let whence = self.views.whence(matches!(from, Origin::Eye { .. }));
+        if self.views.along(whence).is_free() {
+            return Hits::none(w);
+        }
+        self.nearest_of_packet(w, beams, whence, inside)
     }
 
     fn nearest_of_packet<W: Width>(
         &mut self,
         w: W,
         beams: &Beams<W>,
-        is_from_eye: bool,
+        whence: Whence,
         inside: &Inside,
     ) -> Hits<W> {
         w.run(
             #[inline(always)]
             move || {
-                let along = if is_from_eye { self.views.ahead() } else { Along::Anything };
+                let along = self.views.along(whence);
                 Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, along).nearest(&mut self.parts)
             },
         )
     }
 
-    fn transmittance<W: Width>(
+    /// The way to a light, or to a point of a ball.
+    #[inline(always)]
+    fn way_to<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        rays: &Rays<W>,
-        lanes: W::M,
-        (light, distance): (usize, &W::R),
-        inside: &Inside,
-    ) -> Through<W> {
-        w.run(
-            #[inline(always)]
-            move || {
-                let along = self.views.to_light(light);
-                Flight::new(w, self.stage, rays, lanes, inside, along).transmittance(
-                    *distance,
-                    &mut self.parts,
-                    &mut self.blockers[light],
-                )
-            },
-        )
+        beams: &Beams<W>,
+        at: &Encounter<W>,
+        (index, source): (usize, &StageLight),
+    ) -> WayTo<W> {
+        let offset = Vector::splat(w.real(0.0), source.position) - at.position;
+        let distance = offset.length_squared().sqrt();
+        let to_light = offset * (w.real(1.0) / distance);
+        if !FULL || source.radius == 0.0 {
+            return WayTo { to_light, distance, power: None };
+        }
+        let throw = self.dice.throw(w, self.stage, beams, at.body, SomeUse::Light(index));
+        let (to_point, before, share) = source.point_of_ball((to_light, distance), &throw);
+        WayTo { to_light: to_point, distance: before, power: Some(source.power_at(distance) * share) }
     }
 
     /// The ambient, diffuse and highlight terms.
@@ -337,17 +349,11 @@ impl<'a> Whitted<'a> {
             return light;
         }
         let mut rays = at.rays_on_this_side(beams.rays.direction);
-        for (index, source) in self.stage.lights.iter().enumerate().filter(|(_, light)| light.shines) {
-            let offset = Vector::splat(zero, source.position) - at.position;
-            let mut distance = offset.length_squared().sqrt();
-            let mut to_light = offset * (w.real(1.0) / distance);
-            let mut power = None;
-            if FULL && source.radius > 0.0 {
-                let throw = self.dice.throw(w, self.stage, beams, at.body, SomeUse::Light(index));
-                let (to_point, before, share) = source.point_of_ball((to_light, distance), &throw);
-                power = Some(source.power_at(distance) * share);
-                (to_light, distance) = (to_point, before);
+        for (index, source) in self.stage.lights.iter().enumerate() {
+            if !source.shines {
+                continue;
             }
+            let WayTo { to_light, distance, power } = self.way_to::<W, FULL>(w, beams, at, (index, source));
             let cos = at.normal.dot(to_light);
             offspring.faces(index, to_light, distance, cos);
             rays.direction = to_light;
@@ -365,10 +371,13 @@ impl<'a> Whitted<'a> {
                 continue;
             }
             self.counts.shadow += u64::from(lit.bits().count_ones());
+            let on_floor = from.is_on_floor();
             let streams = from.stream();
             let mut through = Through::all(lit);
-            if streams.is_none() {
-                through = self.transmittance(w, &rays, lit, (index, &distance), inside);
+            let along = self.views.to_light(index, at.only, on_floor);
+            if streams.is_none() && !along.is_free() {
+                let memory = (&mut self.parts, &mut self.blockers[index]);
+                through = transmittance(w, self.stage, (&rays, lit), inside, (along, &distance), memory);
                 offspring.asks(&rays, distance, inside, &through);
                 lit = lit & through.lanes;
                 if let Some(share) = &through.share {
@@ -407,7 +416,10 @@ impl<'a> Whitted<'a> {
 /// Where rays come from.
 pub(crate) enum Origin<'s> {
     /// The eye; they were [aimed](Whitted::aim).
-    Eye,
+    Eye {
+        /// Whether all that they meet is the floor of the tile.
+        on_floor: bool,
+    },
     Anywhere,
     /// They are those of a stream from number `at` on; shadow rays are traced later.
     Stream {
@@ -422,9 +434,38 @@ impl Origin<'_> {
     fn stream(&mut self) -> Option<(&mut Streams, usize)> {
         match self {
             Self::Stream { streams, at } => Some((streams, *at)),
-            Self::Eye | Self::Anywhere => None,
+            Self::Eye { .. } | Self::Anywhere => None,
         }
     }
+
+    #[inline(always)]
+    fn is_on_floor(&self) -> bool {
+        matches!(self, Self::Eye { on_floor: true })
+    }
+}
+
+/// The way from points to a light.
+struct WayTo<W: Width> {
+    /// The directions, of length 1.
+    to_light: Vector<W::R>,
+    distance: W::R,
+    /// What arrives if nothing is in the way, where that is not the light's own power at this distance.
+    power: Option<Vector<W::R>>,
+}
+
+/// What bodies let through on the way to a light.
+fn transmittance<W: Width>(
+    w: W,
+    stage: &Stage,
+    (rays, lanes): (&Rays<W>, W::M),
+    inside: &Inside,
+    (along, distance): (Along<'_>, &W::R),
+    (parts, blocker): (&mut Pending, &mut u32),
+) -> Through<W> {
+    w.run(
+        #[inline(always)]
+        move || Flight::new(w, stage, rays, lanes, inside, along).transmittance(*distance, parts, blocker),
+    )
 }
 
 /// What light adds to pixels; all of it, where the weights are known to be 1.
@@ -438,4 +479,6 @@ pub(crate) struct Followed<W: Width> {
     /// What each adds to its pixel; of rays that do not fly, anything.
     pub light: Vector<W::R>,
     pub hits: Hits<W>,
+    /// Whether all that rays from the eye met is the floor of their tile.
+    pub on_floor: bool,
 }

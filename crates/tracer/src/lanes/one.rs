@@ -58,6 +58,11 @@ impl Width for One {
     }
 
     #[inline(always)]
+    fn store_threes(self, numbers: [f32; 3], to: &mut [[f32; 3]]) {
+        to[0] = numbers;
+    }
+
+    #[inline(always)]
     fn eight(self, numbers: &[f32; 8]) -> Plain {
         Plain(*numbers)
     }

@@ -69,6 +69,12 @@ impl<W: Width> Width for Pair<W> {
     }
 
     #[inline(always)]
+    fn store_threes(self, [x, y, z]: [Two<W::R>; 3], to: &mut [[f32; 3]]) {
+        self.0.store_threes([x.0, y.0, z.0], to);
+        self.0.store_threes([x.1, y.1, z.1], &mut to[W::LANES..]);
+    }
+
+    #[inline(always)]
     fn eight(self, numbers: &[f32; 8]) -> W::E {
         self.0.eight(numbers)
     }

@@ -191,6 +191,18 @@ impl<S: Simd> Width for Wide<S> {
     }
 
     #[inline(always)]
+    fn store_threes(self, [x, y, z]: [WideReal<S>; 3], to: &mut [[f32; 3]]) {
+        let numbers = to[..Self::LANES].as_flattened_mut();
+        for (to, [of_xy, of_all]) in numbers.chunks_exact_mut(Self::LANES).zip(const { &threes(Self::LANES) })
+        {
+            let bytes = Self::LANES * size_of::<f32>();
+            let of_xy = S::u8s::from_slice(self.0, &of_xy[..bytes]);
+            let of_all = S::u8s::from_slice(self.0, &of_all[..bytes]);
+            x.0.concat_swizzle_dyn(y.0, of_xy).concat_swizzle_dyn(z.0, of_all).store_slice(to);
+        }
+    }
+
+    #[inline(always)]
     fn eight(self, numbers: &[f32; 8]) -> OfSimd<S> {
         OfSimd::new(self.0, numbers)
     }
@@ -204,6 +216,27 @@ impl<S: Simd> Width for Wide<S> {
     fn run<T>(self, act: impl FnOnce() -> T) -> T {
         self.0.vectorize(act)
     }
+}
+
+/// Where the bytes of each of three vectors that make threes of x, y and z come from: those of x and y out of these two, one
+/// behind the other, and then all of them out of that and z.
+const fn threes(lanes: usize) -> [[[u8; 64]; 2]; 3] {
+    let mut from = [[[0; 64]; 2]; 3];
+    let mut at = 0;
+    while at < 3 * lanes {
+        let (three, part) = (at / 3, at % 3);
+        let (vector, lane) = (at / lanes, at % lanes);
+        let of_xy = if part == 1 { lanes + three } else { three };
+        let of_all = if part == 2 { lanes + three } else { lane };
+        let mut byte = 0;
+        while byte < 4 {
+            from[vector][0][4 * lane + byte] = (4 * of_xy + byte) as u8;
+            from[vector][1][4 * lane + byte] = (4 * of_all + byte) as u8;
+            byte += 1;
+        }
+        at += 1;
+    }
+    from
 }
 
 /// Operators that the library's vectors have too.

@@ -298,9 +298,13 @@ impl RaysNear {
     /// The middle ray's direction, and the least cosine of the angle between it and another within `reach` pixels.
     pub(crate) fn cone(&self, [x, y]: [f32; 2]) -> (Vector<f32>, f32) {
         let axis = Vector::splat(0.0, self.direction.near);
-        let corners = [(x, y), (-x, y), (x, -y), (-x, -y)];
-        let cosines = corners.map(|(x, y)| axis.dot(self.rays(x, y).1));
+        let cosines = self.corners([x, y]).map(|corner| axis.dot(corner));
         (axis, cosines.into_iter().fold(1.0, f32::min))
+    }
+
+    /// The directions of the rays in the corners, so many pixels from the middle.
+    pub(super) fn corners(&self, [x, y]: [f32; 2]) -> [Vector<f32>; 4] {
+        [(x, y), (-x, y), (x, -y), (-x, -y)].map(|(x, y)| self.rays(x, y).1)
     }
 
     /// The origins and directions of the rays through the points so many pixels right of and below the middle.

@@ -54,6 +54,11 @@ impl Hull {
         self.points.iter().map(|&point| up.dot(point)).fold(f64::INFINITY, f64::min) - self.radius
     }
 
+    /// No part of it is further away from a point.
+    pub(super) fn farthest(&self, point: DVec3) -> f64 {
+        self.points.iter().map(|&at| at.distance(point)).fold(0.0, f64::max) + self.radius
+    }
+
     /// The largest coordinate.
     pub(super) fn extent(&self) -> f64 {
         self.points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max) + self.radius

@@ -6,6 +6,7 @@
 use glam::{DVec3, Vec3};
 
 use super::hull::Hull;
+use super::level::Level;
 use super::{Stage, StageBody};
 use crate::lanes::Real;
 use crate::vector::Vector;
@@ -13,7 +14,7 @@ use crate::vector::Vector;
 /// The bodies of a stage as they are seen from a point.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sights {
-    point: DVec3,
+    pub(super) point: DVec3,
     /// The bounded ones, the nearest first.
     pub(crate) bodies: Vec<Sight>,
     /// The planes.
@@ -25,7 +26,7 @@ pub(crate) struct Sights {
 pub(crate) struct Sight {
     /// The body's place in the stage.
     pub(crate) body: u32,
-    /// From the point to the body, of length 1.
+    /// From the point to the body, or the other way if rays go there, of length 1.
     axis: [f32; 3],
     /// Cosine of the angle between the axis and the cone.
     cos: f32,
@@ -34,72 +35,83 @@ pub(crate) struct Sight {
 }
 
 /// More than the rounding of a scalar product of unit vectors, and, relatively, than that of a length.
-const ROUNDING: f64 = 1e-6;
+pub(super) const ROUNDING: f64 = 1e-6;
 
 impl Stage {
     /// The bodies as they are seen from a point, if they are a handful.
     pub(crate) fn seen_from(&self, point: [f32; 3]) -> Option<Sights> {
+        self.seen_past(DVec3::from(point.map(f64::from)), 0.0)
+    }
+
+    /// The same for rays that start as far from the point as `way` at most, and are as far off as the rounding of such
+    /// lengths makes them.
+    pub(super) fn seen_past(&self, point: DVec3, way: f64) -> Option<Sights> {
         if self.bounded as usize > Self::FEW {
             return None;
         }
-        let point = DVec3::from(point.map(f64::from));
-        let sight = |(body, index): (&StageBody, u32)| Some(Sight::new(&body.hull()?, index, point));
+        let sight = |(body, index): (&StageBody, u32)| Some(Sight::new(&body.hull()?, index, point, way));
         let mut bodies: Vec<Sight> = self.bodies.iter().zip(0..).filter_map(sight).collect();
         bodies.sort_by(|a, b| b.minus_depth.total_cmp(&a.minus_depth));
         Some(Sights { point, bodies, planes: self.planes().collect() })
     }
 
-    /// The same for rays that go to the point, without what cannot stand in their way: the only plane, where the point and
-    /// all other bodies are above it.
+    /// The same for rays that go to the point, whose directions are those from the bodies to it, without what cannot stand in
+    /// their way: the only plane, where the point and all other bodies are above it.
     pub(crate) fn seen_from_light(&self, point: [f32; 3]) -> Option<Sights> {
         let mut sights = self.seen_from(point)?;
         if let [plane] = sights.planes[..] {
             let level = Level::of(self.body(plane));
-            let is_on_it = |hull: Hull| level.height(hull.lowest(level.up)) >= -level.rounding(hull.extent());
-            if level.is_below(sights.point) && self.bodies.iter().filter_map(StageBody::hull).all(is_on_it) {
+            let mut hulls = self.bodies.iter().filter_map(StageBody::hull);
+            if level.is_below(sights.point) && hulls.all(|hull| level.is_below_hull(&hull)) {
                 sights.planes.clear();
             }
         }
+        for sight in &mut sights.bodies {
+            sight.axis = sight.axis.map(|part| -part);
+        }
         Some(sights)
     }
-}
 
-/// The surface of a plane.
-struct Level {
-    origin: DVec3,
-    up: DVec3,
-}
-
-impl Level {
-    fn of(plane: &StageBody) -> Self {
-        let [origin, up] = [plane.origin, plane.body_from_world[1]].map(|v| DVec3::from(v.map(f64::from)));
-        Self { origin, up }
-    }
-
-    /// How far what reaches so far along `up` is above.
-    fn height(&self, along: f64) -> f64 {
-        along - self.up.dot(self.origin)
-    }
-
-    /// How much of it is rounding where coordinates are so large.
-    fn rounding(&self, extent: f64) -> f64 {
-        ROUNDING * (extent + self.origin.abs().max_element())
-    }
-
-    fn is_below(&self, point: DVec3) -> bool {
-        self.height(self.up.dot(point)) > 4.0 * self.rounding(point.abs().max_element())
+    /// What may lie between the outer side of each bounded body and the point that all are seen from. The body itself does
+    /// not: it is convex.
+    pub(crate) fn seen_before(&self, all: &Sights) -> Vec<Sights> {
+        let before = |index: u32| {
+            let own = all.bodies.iter().find(|sight| sight.body == index);
+            match (own, self.body(index).hull()) {
+                (Some(own), Some(hull)) => all.before(self, own, &hull),
+                _ => all.clone(),
+            }
+        };
+        (0..self.bounded).map(before).collect()
     }
 }
 
 impl Sights {
+    /// What may lie between the point and one of the bodies.
+    fn before(&self, stage: &Stage, own: &Sight, hull: &Hull) -> Self {
+        let sin = (1.0 - own.cos * own.cos).max(0.0).sqrt();
+        let axis = Vector::splat(0.0, own.axis);
+        let margin = 4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * self.point.abs().max_element());
+        let farthest = (hull.farthest(self.point) + margin) as f32 * (1.0 + ROUNDING as f32);
+        let may_be_before = |sight: &&Sight| {
+            let is_beside = own.cos > 0.0 && !sight.is_met_by_cone(axis, own.cos, sin);
+            sight.body != own.body && !is_beside && sight.minus_depth + farthest >= 0.0
+        };
+        let may_divide = |&&plane: &&u32| {
+            let level = Level::of(stage.body(plane));
+            !level.is_below(self.point) || !level.is_below_hull(hull)
+        };
+        Self {
+            point: self.point,
+            bodies: self.bodies.iter().filter(may_be_before).copied().collect(),
+            planes: self.planes.iter().filter(may_divide).copied().collect(),
+        }
+    }
+
     /// Keeps of others what some ray may meet whose angle with `axis` has a cosine of at least `cos`, and that starts so far
     /// on the way from the point.
     pub(crate) fn keep(&mut self, stage: &Stage, all: &Self, (axis, cos): (Vector<f32>, f32), way: f32) {
-        let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        self.point = all.point;
-        self.bodies.clear();
-        let met = all.bodies.iter().filter(|sight| sight.is_met_by_cone(axis, cos, sin));
-        self.bodies.extend(met.map(|sight| sight.nearer_by(way)));
+        let sin = self.keep_bodies(all, (axis, cos), way);
         self.planes.clear();
         let axis = Vec3::from(axis).as_dvec3();
         let is_met = |&&plane: &&u32| {
@@ -110,12 +122,22 @@ impl Sights {
         };
         self.planes.extend(all.planes.iter().filter(is_met));
     }
+
+    /// Keeps of others the bodies that such a ray may meet. The sine of the angle.
+    pub(super) fn keep_bodies(&mut self, all: &Self, (axis, cos): (Vector<f32>, f32), way: f32) -> f32 {
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        self.point = all.point;
+        self.bodies.clear();
+        let met = all.bodies.iter().filter(|sight| sight.is_met_by_cone(axis, cos, sin));
+        self.bodies.extend(met.map(|sight| sight.nearer_by(way)));
+        sin
+    }
 }
 
 impl Sight {
-    fn new(hull: &Hull, body: u32, point: DVec3) -> Self {
-        // Rays start near the point, but for rounding.
-        let margin = 4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element());
+    fn new(hull: &Hull, body: u32, point: DVec3, way: f64) -> Self {
+        // Rays start near the point, or would if they had started there, but for rounding.
+        let margin = 4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element() + way);
         let (axis, cos, depth) = match hull.cone_from(point, margin) {
             Some((axis, cos)) => (axis, cos - ROUNDING, hull.lowest(axis) - axis.dot(point) - margin),
             None => (DVec3::X, -2.0, f64::NEG_INFINITY),
@@ -149,7 +171,7 @@ impl Sight {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use std::f64::consts::PI;
 
     use catoptric_scene::{Anchor, Body, Light, Placement, Scene, Shape};
@@ -157,7 +179,7 @@ mod tests {
 
     use super::*;
 
-    fn point(extent: f64) -> impl Strategy<Value = DVec3> {
+    pub(in crate::stage) fn point(extent: f64) -> impl Strategy<Value = DVec3> {
         [-extent..extent, -extent..extent, -extent..extent].prop_map(DVec3::from)
     }
 
@@ -166,7 +188,7 @@ mod tests {
     }
 
     /// Some body, and where in its own frame some point of it lies.
-    fn body() -> impl Strategy<Value = (Body, DVec3)> {
+    pub(in crate::stage) fn body() -> impl Strategy<Value = (Body, DVec3)> {
         let shape = (0..4_usize, size(), size(), 0.0..2.0_f64, 0.0..1.0_f64, -PI..PI, -1.0..1.0_f64);
         let shape = shape.prop_map(|(kind, radius, height, ratio, out, around, up)| {
             let (sin, cos) = around.sin_cos();
@@ -200,6 +222,15 @@ mod tests {
         )
     }
 
+    /// The body, moved so that a point of its own frame lies there.
+    pub(in crate::stage) fn moved((mut body, within): (Body, DVec3), to: DVec3) -> Body {
+        let from = body.placement.world_from_body().transform_point3(within);
+        if let Anchor::Frame { position, .. } = &mut body.placement.anchor {
+            *position += to - from;
+        }
+        body
+    }
+
     fn vector(v: DVec3) -> Vector<f32> {
         v.as_vec3().into()
     }
@@ -212,7 +243,7 @@ mod tests {
             let target = body.placement.world_from_body().transform_point3(within);
             let stage_body = StageBody::new(&body).0;
             let eye = vector(eye);
-            let sight = Sight::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3());
+            let sight = Sight::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3(), 0.0);
             let (direction, distance) = (target - Vec3::from(eye).as_dvec3()).normalize_and_length();
             prop_assume!(distance > 1e-2);
             prop_assert!(sight.is_met(vector(direction), f32::MAX));
@@ -225,6 +256,24 @@ mod tests {
             let axis = (direction + aside).normalize();
             let cos = axis.dot(direction) as f32 - 1e-6;
             prop_assert!(sight.is_met_by_cone(vector(axis), cos, (1.0 - cos * cos).sqrt()));
+        }
+
+        /// Nothing is passed over that stands between a point of a body and a light.
+        #[test]
+        fn nothing_before_a_body_is_missed(
+            (body, within) in body(),
+            other in body(),
+            light in point(50.0),
+            share in 0.0..1.0_f64,
+        ) {
+            let target = body.placement.world_from_body().transform_point3(within);
+            let other = moved(other, light.lerp(target, share));
+            let scene = Scene { bodies: [body, other].into(), ..Scene::default() };
+            let stage = Stage::prepare(&scene).unwrap();
+            let all = stage.seen_from(light.as_vec3().to_array()).unwrap();
+            let place = |of: usize| (0..2).find(|&place| stage.scene_index(place) == Some(of)).unwrap();
+            let before = &stage.seen_before(&all)[place(0) as usize];
+            prop_assert!(before.bodies.iter().map(|sight| sight.body).eq([place(1)]));
         }
 
         /// The sphere around a body is no larger than it needs to be: near its surface, on no side can it be moved away.
@@ -248,7 +297,7 @@ mod tests {
     #[test]
     fn what_lies_elsewhere_or_behind_is_passed_over() {
         let ball = Hull { points: vec![DVec3::new(0.0, 0.0, -10.0)], radius: 1.0 };
-        let sight = Sight::new(&ball, 0, DVec3::ZERO);
+        let sight = Sight::new(&ball, 0, DVec3::ZERO, 0.0);
         let at =
             |degrees: f64| vector(DVec3::new(degrees.to_radians().sin(), 0.0, -degrees.to_radians().cos()));
         // The sphere is seen under asin(1/10) = 5.74° from its center.
@@ -264,10 +313,30 @@ mod tests {
         };
         let wall = Shape::Cube { size: DVec3::new(8.0, 3.0, 0.1) };
         let wall = StageBody::new(&Body { shape: wall, placement, ..Body::default() }).0;
-        let sight = Sight::new(&wall.hull().unwrap(), 0, DVec3::ZERO);
+        let sight = Sight::new(&wall.hull().unwrap(), 0, DVec3::ZERO, 0.0);
         assert!(sight.is_met(at(53.0), 20.0) && !sight.is_met(at(58.0), 20.0));
         assert!(!sight.is_met(at(0.0), 2.9) && sight.is_met(at(0.0), 3.1));
         assert!(!sight.is_met(at(45.0), 4.1) && sight.is_met(at(45.0), 4.4));
+    }
+
+    /// What stands beside the way from a body to a light, or behind the body, does not shade it.
+    #[test]
+    fn what_stands_aside_or_behind_shades_nothing() {
+        let ball = |x: f64, z: f64| {
+            let anchor = Anchor::Frame { position: DVec3::new(x, 0.0, z), rotation_degrees: DVec3::ZERO };
+            let placement = Placement { anchor, ..Placement::default() };
+            Body { shape: Shape::Sphere { radius: 1.0 }, placement, ..Body::default() }
+        };
+        let shades = |x: f64, z: f64| {
+            let scene = Scene { bodies: [ball(0.0, -10.0), ball(x, z)].into(), ..Scene::default() };
+            let stage = Stage::prepare(&scene).unwrap();
+            let own = (0..2).find(|&place| stage.scene_index(place) == Some(0)).unwrap();
+            let all = stage.seen_from([0.0; 3]).unwrap();
+            !stage.seen_before(&all)[own as usize].bodies.is_empty()
+        };
+        // Ahead of the ball both are seen under asin(1/10) and asin(1/5) from their middles, 17.28° together.
+        assert_eq!([1.48, 1.50].map(|x| shades(x, -4.77)), [true, false]);
+        assert_eq!([-9.0, -11.9, -12.1].map(|z| shades(0.5, z)), [true, true, false]);
     }
 
     /// A floor is left out of the way to a light where all stands above it, and ahead of rays that go up.

@@ -1,6 +1,6 @@
 //! The light of a tile's pixels.
 
-use super::Place;
+use super::{Block, Place};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::vector::Vector;
 use crate::whitted::Beams;
@@ -25,6 +25,25 @@ pub(crate) struct TileLight {
 
 /// Red, green and blue of all pixels, each in a row of its own; as long as the largest tile so far needed.
 type Planes<T> = [Vec<T>; 3];
+
+/// Light, or a sum of light.
+trait Part: Copy {
+    fn rounded(self) -> f32;
+}
+
+impl Part for f32 {
+    #[inline(always)]
+    fn rounded(self) -> f32 {
+        self
+    }
+}
+
+impl Part for f64 {
+    #[inline(always)]
+    fn rounded(self) -> f32 {
+        self as f32
+    }
+}
 
 impl TileLight {
     /// Prepares for the pixels of a tile or a group in blocks of this size.
@@ -99,44 +118,94 @@ impl TileLight {
         }
     }
 
+    /// Writes rows of pixels, from the uppermost on, as the blocks are that rays of this width were traced in.
+    #[inline(always)]
+    pub(super) fn write<W: Width>(&self, w: W, rows: &mut [&mut [[f32; 3]]]) {
+        if self.is_sum { self.write_all(w, &self.sums, rows) } else { self.write_all(w, &self.first, rows) }
+    }
+
+    #[inline(always)]
+    fn write_all<W: Width, P: Part>(&self, w: W, planes: &Planes<P>, rows: &mut [&mut [[f32; 3]]]) {
+        let [width, _] = Block::<W>::SIZE;
+        let [reds, greens, blues] = planes;
+        for (y, row) in rows.iter_mut().enumerate() {
+            let (mut start, (whole, rest)) =
+                (self.start(y), row.split_at_mut(row.len() / W::LANES * W::LANES));
+            for to in whole.chunks_exact_mut(W::LANES) {
+                let parts = [
+                    row_of_blocks(w, &reds[start..]),
+                    row_of_blocks(w, &greens[start..]),
+                    row_of_blocks(w, &blues[start..]),
+                ];
+                w.store_threes(parts, to);
+                start += W::LANES / width * W::LANES;
+            }
+            for (x, to) in rest.iter_mut().enumerate() {
+                let at = start + x / width * W::LANES + x % width;
+                *to = [reds[at].rounded(), greens[at].rounded(), blues[at].rounded()];
+            }
+        }
+    }
+
+    /// Pixels of a block.
+    fn lanes(&self) -> usize {
+        let [width, height] = self.block;
+        width * height
+    }
+
+    /// Where row `y` begins.
+    fn start(&self, y: usize) -> usize {
+        let [width, height] = self.block;
+        y / height * self.across * self.lanes() + y % height * width
+    }
+
     /// Shows `take` the pixels of row `y`, from left to right, each with one of `to`.
     #[inline]
     pub(crate) fn each<T>(&self, y: usize, to: &mut [T], take: impl FnMut(&mut T, [f32; 3])) {
         if self.is_sum {
-            self.each_of(&self.sums, |sum| sum as f32, y, to, take);
+            self.each_of(&self.sums, y, to, take);
         } else {
-            self.each_of(&self.first, |light| light, y, to, take);
+            self.each_of(&self.first, y, to, take);
         }
     }
 
     #[inline]
-    fn each_of<P: Copy, T>(
+    fn each_of<P: Part, T>(
         &self,
         planes: &Planes<P>,
-        number: impl Fn(P) -> f32,
         y: usize,
         to: &mut [T],
         mut take: impl FnMut(&mut T, [f32; 3]),
     ) {
-        let [width, height] = self.block;
-        let lanes = width * height;
-        let start = y / height * self.across * lanes + y % height * width;
-        for (to, start) in to.chunks_mut(width).zip((start..).step_by(lanes)) {
+        let [width, _] = self.block;
+        for (to, start) in to.chunks_mut(width).zip((self.start(y)..).step_by(self.lanes())) {
             let row = planes.each_ref().map(|plane| &plane[start..start + to.len()]);
             // Blocks are four pixels wide or eight, and four numbers are read at once.
             let [(reds, red), (greens, green), (blues, blue)] = row.map(<[P]>::as_chunks::<4>);
             let (fours, rest) = to.as_chunks_mut::<4>();
             for (((to, red), green), blue) in fours.iter_mut().zip(reds).zip(greens).zip(blues) {
-                let [red, green, blue] = [red, green, blue].map(|numbers| numbers.map(&number));
+                let [red, green, blue] = [red, green, blue].map(|numbers| numbers.map(P::rounded));
                 for (at, to) in to.iter_mut().enumerate() {
                     take(to, [red[at], green[at], blue[at]]);
                 }
             }
             for (((to, &red), &green), &blue) in rest.iter_mut().zip(red).zip(green).zip(blue) {
-                take(to, [number(red), number(green), number(blue)]);
+                take(to, [red.rounded(), green.rounded(), blue.rounded()]);
             }
         }
     }
+}
+
+/// A row of as many neighboring blocks as make a vector; the first one begins here.
+#[inline(always)]
+fn row_of_blocks<W: Width>(w: W, parts: &[impl Part]) -> W::R {
+    let [width, _] = Block::<W>::SIZE;
+    let parts = &parts[..(W::LANES / width - 1) * W::LANES + width];
+    let mut numbers = [0.0; MOST_LANES];
+    for (lane, number) in numbers[..W::LANES].iter_mut().enumerate() {
+        *number = parts[lane / width * W::LANES + lane % width].rounded();
+    }
+    w.load(&numbers)
 }
 
 /// Makes planes at least so long.

@@ -11,7 +11,7 @@ const SIZE: (usize, usize) = (90, 50);
 /// The light of a picture's pixels, traced in one width, and the rays that it took.
 fn trace<const FULL: bool>(
     stage: &Stage,
-    trace: impl FnMut(Sample<'_, '_, FULL>) -> bool,
+    trace: impl FnMut(Sample<'_, '_, '_, FULL>) -> bool,
 ) -> (Vec<[f32; 3]>, RayCounts) {
     trace_parts(stage, TILE, trace)
 }
@@ -20,14 +20,14 @@ fn trace<const FULL: bool>(
 fn trace_parts<const FULL: bool>(
     stage: &Stage,
     edge: usize,
-    mut trace: impl FnMut(Sample<'_, '_, FULL>) -> bool,
+    mut trace: impl FnMut(Sample<'_, '_, '_, FULL>) -> bool,
 ) -> (Vec<[f32; 3]>, RayCounts) {
     let control = Control::default();
     let mut tracer = TileTracer::new(stage, stage.camera(), &control);
     let size = DVec2::new(SIZE.0 as f64, SIZE.1 as f64);
     let mut light = Vec::new();
     for place in Place::all(SIZE.0, SIZE.1, edge) {
-        assert!(trace(Sample { tracer: &mut tracer, place, size, sample: 1, rows: &[] }));
+        assert!(trace(Sample { tracer: &mut tracer, place, size, sample: 1, rows: &mut [] }));
         for y in 0..place.height {
             let mut row = vec![[0.0; 3]; place.width];
             tracer.light.each(y, &mut row, |pixel, light| *pixel = light);

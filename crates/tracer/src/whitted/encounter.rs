@@ -1,7 +1,7 @@
 //! The points that rays met, with all that shading needs.
 
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
-use crate::ray::{INWARDS, Rays};
+use crate::ray::{INWARDS, NO_BODY, Rays};
 use crate::search::Hits;
 use crate::stage::{Curve, Law, Stage, StageBody, StageMaterial};
 use crate::surface::fresnel;
@@ -12,6 +12,8 @@ use crate::vector::Vector;
 pub(crate) struct Encounter<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
+    /// The only body that all of them met, and from outside; else [`NO_BODY`].
+    pub(super) only: u32,
     /// The body, and [`INWARDS`] where the ray came from within: the start of rays on this side.
     pub(super) start: W::W,
     pub(super) position: Vector<W::R>,
@@ -63,6 +65,7 @@ impl<W: Width> Encounter<W> {
         let mut all = Self {
             t: hits.t,
             body: hits.body,
+            only: NO_BODY,
             start: hits.body.or(leaving),
             position: nowhere,
             normal: nowhere,
@@ -91,15 +94,18 @@ impl<W: Width> Encounter<W> {
             let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
             let same = hits.body.is(index) & hits.hit;
             *left &= !same.bits();
-            (stage.body(index), same)
+            (index, same)
         };
         if left != 0 {
-            let (body, same) = next(&mut left);
-            all.look_at::<FULL, true>(w, stage, body, rays, hits, same);
+            let (index, same) = next(&mut left);
+            if left == 0 && !(hits.leaving & same).any() {
+                all.only = index;
+            }
+            all.look_at::<FULL, true>(w, stage, stage.body(index), rays, hits, same);
         }
         while left != 0 {
-            let (body, same) = next(&mut left);
-            all.look_at::<FULL, false>(w, stage, body, rays, hits, same);
+            let (index, same) = next(&mut left);
+            all.look_at::<FULL, false>(w, stage, stage.body(index), rays, hits, same);
         }
         all
     }

@@ -1,0 +1,63 @@
+//! The surface of a plane, in double precision.
+
+use glam::DVec3;
+
+use super::StageBody;
+use super::hull::Hull;
+use super::sight::ROUNDING;
+
+/// The surface of a plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Level {
+    origin: DVec3,
+    /// Of length 1.
+    pub(super) up: DVec3,
+}
+
+impl Level {
+    pub(super) fn of(plane: &StageBody) -> Self {
+        let [origin, up] = [plane.origin, plane.body_from_world[1]].map(|v| DVec3::from(v.map(f64::from)));
+        Self { origin, up }
+    }
+
+    /// How far what reaches so far along `up` is above.
+    pub(super) fn height(&self, along: f64) -> f64 {
+        along - self.up.dot(self.origin)
+    }
+
+    /// How far a point is above.
+    pub(super) fn height_of(&self, point: DVec3) -> f64 {
+        self.height(self.up.dot(point))
+    }
+
+    /// How much of it is rounding where coordinates are so large.
+    pub(super) fn rounding(&self, extent: f64) -> f64 {
+        ROUNDING * (extent + self.origin.abs().max_element())
+    }
+
+    pub(super) fn is_below(&self, point: DVec3) -> bool {
+        self.height_of(point) > 4.0 * self.rounding(point.abs().max_element())
+    }
+
+    /// Whether all of this stands on it or above.
+    pub(super) fn is_below_hull(&self, hull: &Hull) -> bool {
+        self.height(hull.lowest(self.up)) >= -self.rounding(hull.extent())
+    }
+
+    /// How far a ray from a point above goes along `direction`, of length 1, until it meets the surface; infinitely if it
+    /// does not.
+    pub(super) fn way(&self, point: DVec3, direction: DVec3) -> f64 {
+        let sinks = -self.up.dot(direction);
+        if sinks > 0.0 { self.height_of(point) / sinks } else { f64::INFINITY }
+    }
+
+    /// A vector as it is seen in the surface.
+    pub(super) fn mirrored(&self, vector: DVec3) -> DVec3 {
+        vector - 2.0 * self.up.dot(vector) * self.up
+    }
+
+    /// The mirror image of a point.
+    pub(super) fn image(&self, point: DVec3) -> DVec3 {
+        point - 2.0 * self.height_of(point) * self.up
+    }
+}
