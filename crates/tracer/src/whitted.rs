@@ -375,9 +375,11 @@ impl<'a> Whitted<'a> {
             let streams = from.stream();
             let mut through = Through::all(lit);
             let along = self.views.to_light(index, at.only, on_floor);
-            if streams.is_none() && !along.is_free() {
-                let memory = (&mut self.parts, &mut self.blockers[index]);
-                through = transmittance(w, self.stage, (&rays, lit), inside, (along, &distance), memory);
+            if streams.is_none() {
+                if !along.is_free() {
+                    let memory = (&mut self.parts, &mut self.blockers[index]);
+                    through = transmittance(w, self.stage, (&rays, lit), inside, (along, &distance), memory);
+                }
                 offspring.asks(&rays, distance, inside, &through);
                 lit = lit & through.lanes;
                 if let Some(share) = &through.share {
