@@ -280,8 +280,7 @@ impl TileTracer<'_> {
                 if by_stream {
                     self.levels[0].reflected.push(beams);
                 } else {
-                    let eye = Origin::Eye { on_floor };
-                    let followed = self.follow::<W, FULL>(w, beams, eye, 0, &mut grown[0]);
+                    let followed = self.follow::<W, FULL>(w, beams, Origin::Eye, 0, &mut grown[0]);
                     (light, on_floor) = (followed.light, followed.on_floor);
                 }
                 self.light.set::<W>(first, light);

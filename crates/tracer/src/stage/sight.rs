@@ -37,6 +37,12 @@ pub(crate) struct Sight {
 /// More than the rounding of a scalar product of unit vectors, and, relatively, than that of a length.
 pub(super) const ROUNDING: f64 = 1e-6;
 
+/// How far rounding may lead a ray from a point astray where it comes to a body, meters; `way` is that of
+/// [`Stage::seen_past`].
+fn margin(hull: &Hull, point: DVec3, way: f64) -> f64 {
+    4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element() + way)
+}
+
 impl Stage {
     /// The bodies as they are seen from a point, if they are a handful.
     pub(crate) fn seen_from(&self, point: [f32; 3]) -> Option<Sights> {
@@ -91,8 +97,8 @@ impl Sights {
     fn before(&self, stage: &Stage, own: &Sight, hull: &Hull) -> Self {
         let sin = (1.0 - own.cos * own.cos).max(0.0).sqrt();
         let axis = Vector::splat(0.0, own.axis);
-        let margin = 4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * self.point.abs().max_element());
-        let farthest = (hull.farthest(self.point) + margin) as f32 * (1.0 + ROUNDING as f32);
+        let farthest = hull.farthest(self.point) + margin(hull, self.point, 0.0);
+        let farthest = farthest as f32 * (1.0 + ROUNDING as f32);
         let may_be_before = |sight: &&Sight| {
             let is_beside = own.cos > 0.0 && !sight.is_met_by_cone(axis, own.cos, sin);
             sight.body != own.body && !is_beside && sight.minus_depth + farthest >= 0.0
@@ -136,8 +142,7 @@ impl Sights {
 
 impl Sight {
     fn new(hull: &Hull, body: u32, point: DVec3, way: f64) -> Self {
-        // Rays start near the point, or would if they had started there, but for rounding.
-        let margin = 4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element() + way);
+        let margin = margin(hull, point, way);
         let (axis, cos, depth) = match hull.cone_from(point, margin) {
             Some((axis, cos)) => (axis, cos - ROUNDING, hull.lowest(axis) - axis.dot(point) - margin),
             None => (DVec3::X, -2.0, f64::NEG_INFINITY),

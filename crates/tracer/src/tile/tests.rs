@@ -27,10 +27,13 @@ fn trace_parts<const FULL: bool>(
     let size = DVec2::new(SIZE.0 as f64, SIZE.1 as f64);
     let mut light = Vec::new();
     for place in Place::all(SIZE.0, SIZE.1, edge) {
-        assert!(trace(Sample { tracer: &mut tracer, place, size, sample: 1, rows: &mut [] }));
-        for y in 0..place.height {
+        let mut written = vec![[0.0; 3]; place.pixels()];
+        let mut rows: Vec<_> = written.chunks_mut(place.width).collect();
+        assert!(trace(Sample { tracer: &mut tracer, place, size, sample: 1, rows: &mut rows }));
+        for (y, written) in written.chunks(place.width).enumerate() {
             let mut row = vec![[0.0; 3]; place.width];
             tracer.light.each(y, &mut row, |pixel, light| *pixel = light);
+            assert_eq!(row, written, "row {y} of {place:?}");
             light.extend(row);
         }
     }

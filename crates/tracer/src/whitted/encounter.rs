@@ -14,6 +14,8 @@ pub(crate) struct Encounter<W: Width> {
     pub(super) body: W::W,
     /// The only body that all of them met, and from outside; else [`NO_BODY`].
     pub(super) only: u32,
+    /// Whether that is the floor of the tile, met by its own rays.
+    pub(super) on_floor: bool,
     /// The body, and [`INWARDS`] where the ray came from within: the start of rays on this side.
     pub(super) start: W::W,
     pub(super) position: Vector<W::R>,
@@ -66,6 +68,7 @@ impl<W: Width> Encounter<W> {
             t: hits.t,
             body: hits.body,
             only: NO_BODY,
+            on_floor: false,
             start: hits.body.or(leaving),
             position: nowhere,
             normal: nowhere,
