@@ -195,6 +195,15 @@ impl Inside {
         self.bodies.is_empty()
     }
 
+    /// The body that all of these rays are inside of, and of no other.
+    #[inline(always)]
+    pub(crate) fn sole(&self, lanes: u32) -> Option<u32> {
+        match self.bodies[..] {
+            [(body, rays)] if rays & lanes == lanes => Some(body),
+            _ => None,
+        }
+    }
+
     /// Looks up the lists of these rays.
     #[inline(always)]
     pub(crate) fn fill<W: Width>(&mut self, table: &MediaTable, media: W::W, lanes: W::M) {

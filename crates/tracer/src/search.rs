@@ -9,7 +9,6 @@ use std::ops::Range;
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, NO_BODY, POINT_ROUNDING, Rays, slack_at};
-use crate::shape::Span;
 use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit};
 use crate::vector::Vector;
 
@@ -197,7 +196,12 @@ impl<'a, W: Width> Flight<'a, W> {
             );
         }
         for (sphere, index) in spheres.iter().zip(0..) {
-            let lanes = self.lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
+            // Often all have just left the same body.
+            let lanes = self.lanes & !self.leaves(index);
+            if !lanes.any() {
+                continue;
+            }
+            let lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
             if lanes.any() {
                 visitor.leaf(index..index + 1, lanes);
             }
@@ -399,7 +403,8 @@ impl<'a, W: Width> Flight<'a, W> {
             enter: span.enter,
             enter_face: span.enter_face,
             leaving: lanes & inside,
-            exit: exit_of(&span),
+            // Rounding may put the far side just behind a start inside.
+            exit: span.exit.max(zero),
             exit_face: span.exit_face,
         };
         let within = ahead & !enters;
@@ -587,10 +592,4 @@ pub(crate) fn found_in<W: Width>(hits: &Hits<W>) -> Option<Hit> {
     hits.body.store(&mut body);
     let is_hit = hits.hit.bits() & 1 == 1 && t[0] < f32::INFINITY;
     is_hit.then(|| Hit { t: t[0], body: body[0], leaving: hits.leaving.bits() & 1 == 1 })
-}
-
-/// Where rays that are known to start inside leave. Rounding may put the far side just behind the start.
-#[inline(always)]
-fn exit_of<R: crate::lanes::Real>(span: &Span<R>) -> R {
-    span.exit.max(span.exit.like(0.0))
 }

@@ -17,13 +17,14 @@ mod light;
 mod log;
 mod material;
 mod only;
+mod outlook;
 mod sight;
 mod sky;
 mod sphere;
 mod texture;
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::{Camera, Color, Scene, Tracing};
 use rayon::prelude::*;
@@ -49,6 +50,7 @@ pub(crate) use light::{StageFalloff, StageLight};
 use log::EditLog;
 pub use log::StageChanges;
 pub(crate) use material::{Law, StageMaterial};
+pub(crate) use outlook::Outlook;
 pub(crate) use sight::{Sight, Sights};
 pub(crate) use sky::StageSky;
 pub(crate) use sphere::BoundingSphere;
@@ -89,6 +91,8 @@ pub struct Stage {
     pub(crate) largest_slack: f32,
     /// How many rays are traced side by side: kept, since asking the processor can take longer than a tile.
     pub(crate) lanes: Lanes,
+    /// See [`Self::outlook`].
+    outlook: OnceLock<Outlook>,
     /// Materials and checkers that edits have added.
     added: u32,
     /// What edits have changed of the bodies and the hierarchy.
@@ -190,7 +194,7 @@ impl Stage {
             Hierarchy::Few => Lanes::for_few(),
             Hierarchy::Many(_) => Lanes::widest(),
         };
-        Ok(Self {
+        let stage = Self {
             bounded,
             hierarchy,
             spheres: bodies[..bounded as usize].par_iter().map(StageBody::bounding_sphere).collect(),
@@ -212,9 +216,12 @@ impl Stage {
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
             lanes,
+            outlook: OnceLock::new(),
             added: 0,
             log: EditLog::new(),
-        })
+        };
+        stage.outlook();
+        Ok(stage)
     }
 
     /// The same stage with another limit of generations (at least 1).
@@ -293,6 +300,11 @@ impl Stage {
                 Hierarchy::Few => 0,
                 Hierarchy::Many(bvh) => bvh.bytes(),
             }
+    }
+
+    /// What rays may meet that go to lights, and those inside of bodies; found out once.
+    pub(crate) fn outlook(&self) -> &Outlook {
+        self.outlook.get_or_init(|| Outlook::of(self))
     }
 
     /// The unbounded bodies.

@@ -192,8 +192,8 @@ impl<const FULL: bool> Work for Sample<'_, '_, '_, FULL> {
 
 impl TileTracer<'_> {
     /// So many rays of a level may wait where they are traced packet by packet; then the level behind it is traced, so that
-    /// memory is bounded. By streams, as many as fill one.
-    const MOST_WAITING: usize = 4096;
+    /// memory is bounded, and little of it is touched for the first time. By streams, as many as fill one.
+    const MOST_WAITING: usize = 448;
 
     /// Packets of a level between two looks at how many rays wait elsewhere.
     const AT_ONCE: usize = 16;

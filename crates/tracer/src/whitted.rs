@@ -55,7 +55,7 @@ pub struct Whitted<'a> {
     parts: Pending,
     /// The body that hid each light last.
     blockers: Vec<u32>,
-    views: Views,
+    views: Views<'a>,
     media: MediaTable,
     inside: Inside,
     /// The media at the eye, if all rays start there and the table knows them.
@@ -287,7 +287,7 @@ impl<'a> Whitted<'a> {
             let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, Along::Anything);
             return streams.rays.hits(w, *at, &flight);
         }
-        let whence = self.views.whence(matches!(from, Origin::Eye));
+        let whence = self.views.whence(matches!(from, Origin::Eye), inside.sole(beams.lanes.bits()));
         if self.views.along(whence).is_free() {
             return Hits::none(w);
         }

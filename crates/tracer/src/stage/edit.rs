@@ -1,7 +1,7 @@
 //! Following an edit of a few bodies, at a cost that does not grow with the number of all.
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 
@@ -99,6 +99,7 @@ impl Stage {
         self.ambient = numbers(after.environment.ambient);
         self.generations = after.tracing.generations.clamp(1, Tracing::MAX_GENERATIONS);
         self.threshold = after.tracing.threshold as f32;
+        self.outlook = OnceLock::new();
     }
 
     /// The place of the body `index` of the scene, which is `body` there, and the way to its leaf, if it hangs on one.

@@ -44,6 +44,11 @@ impl Level {
         self.height(hull.lowest(self.up)) >= -self.rounding(hull.extent())
     }
 
+    /// Whether all of this is surely above, and does not even stand on it.
+    pub(super) fn is_apart_from(&self, hull: &Hull) -> bool {
+        self.height(hull.lowest(self.up)) > 4.0 * self.rounding(hull.extent())
+    }
+
     /// How far a ray from a point above goes along `direction`, of length 1, until it meets the surface; infinitely if it
     /// does not.
     pub(super) fn way(&self, point: DVec3, direction: DVec3) -> f64 {

@@ -1,7 +1,7 @@
 //! A small stage with some of the bodies of another.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::Scene;
 
@@ -71,6 +71,7 @@ impl Stage {
             disperses: self.disperses,
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
             lanes: self.lanes,
+            outlook: OnceLock::new(),
             added: 0,
             log: EditLog::new(),
         }

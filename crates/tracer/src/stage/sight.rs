@@ -90,9 +90,37 @@ impl Stage {
         };
         (0..self.bounded).map(before).collect()
     }
+
+    /// What rays inside of each bounded body may meet before they have left it, if it is transparent: itself, and what
+    /// reaches into it.
+    pub(crate) fn seen_within(&self) -> Vec<Option<Sights>> {
+        let within = |index: u32| {
+            let body = self.body(index);
+            body.hull().filter(|_| body.is_transparent()).map(|hull| self.reaching_into(&hull))
+        };
+        (0..self.bounded).map(within).collect()
+    }
+
+    /// What has some part in a hull, by sights that tell no more.
+    fn reaching_into(&self, hull: &Hull) -> Sights {
+        let is_apart = |other: Hull| hull.is_apart(&other, 8.0 * ROUNDING * (hull.extent() + other.extent()));
+        let reaches_in = |&index: &u32| !self.body(index).hull().is_some_and(is_apart);
+        let crosses = |&plane: &u32| !Level::of(self.body(plane)).is_apart_from(hull);
+        Sights {
+            bodies: (0..self.bounded).filter(reaches_in).map(Sight::of_anywhere).collect(),
+            planes: self.planes().filter(crosses).collect(),
+            ..Sights::default()
+        }
+    }
 }
 
 impl Sights {
+    /// The same with one more body, that may lie in any direction.
+    pub(crate) fn and(&self, body: u32) -> Self {
+        let own = Sight::of_anywhere(body);
+        Self { bodies: [own].into_iter().chain(self.bodies.iter().copied()).collect(), ..self.clone() }
+    }
+
     /// What may lie between the point and one of the bodies.
     fn before(&self, stage: &Stage, own: &Sight, hull: &Hull) -> Self {
         let sin = (1.0 - own.cos * own.cos).max(0.0).sqrt();
@@ -143,11 +171,15 @@ impl Sights {
 impl Sight {
     fn new(hull: &Hull, body: u32, point: DVec3, way: f64) -> Self {
         let margin = margin(hull, point, way);
-        let (axis, cos, depth) = match hull.cone_from(point, margin) {
-            Some((axis, cos)) => (axis, cos - ROUNDING, hull.lowest(axis) - axis.dot(point) - margin),
-            None => (DVec3::X, -2.0, f64::NEG_INFINITY),
-        };
-        Self { body, axis: axis.as_vec3().to_array(), cos: cos as f32, minus_depth: -depth as f32 }
+        let Some((axis, cos)) = hull.cone_from(point, margin) else { return Self::of_anywhere(body) };
+        let depth = hull.lowest(axis) - axis.dot(point) - margin;
+        let cos = (cos - ROUNDING) as f32;
+        Self { body, axis: axis.as_vec3().to_array(), cos, minus_depth: -depth as f32 }
+    }
+
+    /// Of a body that may lie in any direction, however near.
+    fn of_anywhere(body: u32) -> Self {
+        Self { body, axis: [1.0, 0.0, 0.0], cos: -2.0, minus_depth: f32::INFINITY }
     }
 
     /// The same for rays that start so far on the way.

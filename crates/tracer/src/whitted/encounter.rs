@@ -12,7 +12,7 @@ use crate::vector::Vector;
 pub(crate) struct Encounter<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
-    /// The only body that all of them met, and from outside; else [`NO_BODY`].
+    /// The only body that all of them met, with [`INWARDS`] if they met it from within; else [`NO_BODY`].
     pub(super) only: u32,
     /// Whether that is the floor of the tile, met by its own rays.
     pub(super) on_floor: bool,
@@ -101,8 +101,8 @@ impl<W: Width> Encounter<W> {
         };
         if left != 0 {
             let (index, same) = next(&mut left);
-            if left == 0 && !(hits.leaving & same).any() {
-                all.only = index;
+            if left == 0 {
+                all.only = only_of(index, hits.leaving.bits() & same.bits(), same.bits());
             }
             all.look_at::<FULL, true>(w, stage, stage.body(index), rays, hits, same);
         }
@@ -292,6 +292,16 @@ impl<W: Width> Encounter<W> {
     pub(super) fn rays_on_far_side(&self, direction: Vector<W::R>) -> Rays<W> {
         let other = self.start.plus(self.start.like(INWARDS));
         Rays { origin: self.position, direction, start: other }
+    }
+}
+
+/// The only body that rays met, from outside or, as these of them did, from within; [`NO_BODY`] where some did.
+#[inline(always)]
+fn only_of(body: u32, leaving: u32, all: u32) -> u32 {
+    match leaving {
+        0 => body,
+        _ if leaving == all => body | INWARDS,
+        _ => NO_BODY,
     }
 }
 
