@@ -288,7 +288,7 @@ impl Stage {
         self.log.since(state)
     }
 
-    /// Bytes held by the stage's arrays.
+    /// Bytes held by the stage's arrays, without what is known of a handful of bodies beforehand.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.bodies)
             + size_of_val(&*self.spheres)

@@ -7,7 +7,8 @@ use crate::stage::Sights;
 pub(crate) enum Along<'a> {
     /// Nothing.
     Anything,
-    /// The rays come from the point that these bodies are seen from, or go to it; others they do not meet.
+    /// The rays come from the point that these bodies are seen from, or go to it, or they are inside of a body that only these
+    /// reach into; others they do not meet.
     Seen(&'a Sights),
 }
 
