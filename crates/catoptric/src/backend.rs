@@ -2,12 +2,21 @@
 
 use std::time::{Duration, Instant};
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, anyhow, bail};
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuInfo};
+use catoptric_picture::Picture;
 use catoptric_tracer::method::{Drawing, Method, draw};
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{Control, RenderSettings, Stage, render_into};
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Backend, BackendArguments};
+use crate::canvas::Canvas;
+
+/// So many threads; as many as the machine has for 0.
+pub(crate) fn threads(count: usize) -> Result<ThreadPool> {
+    let pool = ThreadPoolBuilder::new().num_threads(count).build();
+    pool.map_err(|error| anyhow!("cannot start the threads; ask for fewer with --threads: {error}"))
+}
 
 /// Who draws.
 pub(crate) struct Drawer {
@@ -46,21 +55,40 @@ impl Drawer {
         Ok(Self { gpu, may_fall_back: *backend == Backend::Auto })
     }
 
+    /// A canvas of this size, if what is drawn is what the processor traces.
+    pub(crate) fn canvas(
+        &self,
+        method: &Method,
+        settings: RenderSettings,
+        pool: &ThreadPool,
+    ) -> Result<Option<Canvas>> {
+        let is_traced = self.gpu.is_none() && *method == Method::Whitted;
+        let canvas = is_traced.then(|| Canvas::new(settings.width, settings.height, pool));
+        Ok(canvas.transpose()?)
+    }
+
     /// The card, if one is open.
     pub(crate) fn card(&self) -> Option<&GpuInfo> {
         self.gpu.as_ref().map(Gpu::info)
     }
 
-    /// Draws a stage.
+    /// Draws a stage, into `canvas` if there is [one](Self::canvas).
     pub(crate) fn draw(
         &self,
         stage: &Stage,
         method: &Method,
-        settings: RenderSettings,
-        pool: &rayon::ThreadPool,
+        (settings, canvas): (RenderSettings, Option<Picture>),
+        pool: &ThreadPool,
         control: &Control,
     ) -> Result<Drawn> {
         let on_cpu = || pool.install(|| draw(stage, method, settings, control));
+        if let Some(mut picture) = canvas {
+            let start = Instant::now();
+            let counts =
+                pool.install(|| render_into(&mut picture, stage, stage.camera(), settings.samples, control))?;
+            let drawing = Drawing::traced(picture, counts, start.elapsed());
+            return Ok(Drawn { drawing, on_card: None, fallen_back: None });
+        }
         let Some(gpu) = &self.gpu else {
             return Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: None });
         };

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod backend;
+mod canvas;
 mod commands;
 mod console;
 mod input;

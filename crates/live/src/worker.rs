@@ -3,14 +3,13 @@
 mod card;
 
 use std::any::Any;
-use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{Control, RayCounts, Stage, StageCamera};
+use catoptric_tracer::{Control, Film, RayCounts, Stage, StageCamera};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
@@ -381,19 +380,28 @@ fn develop_shown(view: &mut View, card: Option<&mut Card>) -> Result<(), PassErr
         (view.shown.size, view.shown.shows) = (film.size(), Shows::Picture);
         return Ok(());
     }
-    let (picture, shows, development) = match (&view.drawn, &view.film) {
+    let (codes, size, shows) = match (&view.drawn, &view.film) {
         (Some(drawn), _) => {
             let (picture, shows) = drawn.seen(&view.stage, view.request.shows)?;
-            (picture, shows, if has_light(shows) { development } else { Development::default() })
+            let development = if has_light(shows) { development } else { Development::default() };
+            (develop(&picture, &development), [picture.width(), picture.height()], shows)
         }
-        (None, Some(Canvas::Processor(film))) => (Cow::Owned(film.picture()?), Shows::Picture, development),
+        (None, Some(Canvas::Processor(film))) => {
+            (develop_film(film, &development), [film.width(), film.height()], Shows::Picture)
+        }
         (None, Some(Canvas::Card(_)) | None) => return Ok(()),
     };
     view.shown.card = None;
-    view.shown.pixels = Arc::new(develop(&picture, &development));
-    view.shown.size = [picture.width(), picture.height()];
-    view.shown.shows = shows;
+    view.shown.pixels = Arc::new(codes);
+    (view.shown.size, view.shown.shows) = (size, shows);
     Ok(())
+}
+
+/// Display codes of what a film shows, four bytes a pixel; on the current rayon pool.
+fn develop_film(film: &Film, development: &Development) -> Vec<u8> {
+    let mut codes = vec![0; 4 * film.width() as usize * film.height() as usize];
+    film.each_row(codes.as_chunks_mut().0, |light, codes| development.develop_rgba8(light, codes));
+    codes
 }
 
 /// Display codes of a picture, four bytes a pixel; on the current rayon pool.

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
-use crate::render::{Control, RenderError};
+use crate::render::{Control, RenderError, mean_of};
 use crate::stage::{Stage, StageCamera};
 use crate::tile::{Place, TILE, TileTracer, edge_for};
 
@@ -29,13 +29,13 @@ pub struct Film {
 #[derive(Clone, Debug)]
 struct FilmTile {
     place: Place,
-    /// The sums of the pixels, row by row.
+    /// The sums of the pixels, row by row; without samples none yet, or those of another picture.
     sums: Vec<DVec3>,
     samples: u32,
 }
 
 impl Film {
-    /// A film without light.
+    /// A film without light. Its memory is reserved; those who write into it first get it.
     ///
     /// # Errors
     /// When the size is 0 or too large, or there is too little memory.
@@ -53,7 +53,6 @@ impl Film {
         let tile = |place: Place| {
             let mut sums = Vec::new();
             sums.try_reserve_exact(place.pixels()).ok()?;
-            sums.resize(place.pixels(), DVec3::ZERO);
             Some(FilmTile { place, sums, samples: 0 })
         };
         let bytes = u64::from(width) * u64::from(height) * size_of::<DVec3>() as u64;
@@ -81,10 +80,7 @@ impl Film {
     /// Forgets all light; the memory is kept for the next picture of this size.
     pub fn clear(&mut self) {
         self.samples = 0;
-        for tile in &mut self.tiles {
-            tile.sums.fill(DVec3::ZERO);
-            tile.samples = 0;
-        }
+        self.tiles.iter_mut().for_each(|tile| tile.samples = 0);
     }
 
     /// Adds the next sample of every pixel, on the threads of the current rayon pool, and returns the rays it took.
@@ -131,14 +127,25 @@ impl Film {
     /// When there is too little memory.
     pub fn picture(&self) -> Result<Picture, SizeError> {
         let mut picture = Picture::new(self.width, self.height)?;
-        let width = self.width as usize;
-        let bands = self.tiles.par_chunks(width.div_ceil(self.edge));
-        bands.zip(picture.pixels_mut().par_chunks_mut(width * self.edge)).for_each(|(tiles, rows)| {
-            for tile in tiles {
-                tile.write(rows, width);
-            }
-        });
+        self.each_row(picture.pixels_mut(), |light, pixels| pixels.copy_from_slice(light));
         Ok(picture)
+    }
+
+    /// Shows `take` each row of what [`Self::picture`] would be, with its part of `to`, which has a place for each pixel;
+    /// on the threads of the current rayon pool. No picture is made.
+    pub fn each_row<T: Send>(&self, to: &mut [T], take: impl Fn(&[[f32; 3]], &mut [T]) + Sync) {
+        let width = self.width as usize;
+        let bands =
+            self.tiles.par_chunks(width.div_ceil(self.edge)).zip(to.par_chunks_mut(width * self.edge));
+        bands.for_each_init(
+            || vec![[0.0; 3]; width],
+            |row, (tiles, rows)| {
+                for (y, to) in rows.chunks_mut(width).enumerate() {
+                    tiles.iter().for_each(|tile| tile.write(y, row));
+                    take(row, to);
+                }
+            },
+        );
     }
 }
 
@@ -148,21 +155,22 @@ impl FilmTile {
         let Some(light) = tracer.trace(self.place, size, self.samples) else {
             return RayCounts::default();
         };
-        for (y, row) in self.sums.chunks_mut(self.place.width).enumerate() {
-            light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
-        }
+        self.sums.resize(self.place.pixels(), DVec3::ZERO);
+        light.sum_into(&mut self.sums, self.place.width, self.samples == 0);
         self.samples += 1;
         control.add_done(self.place);
         tracer.counts() - before
     }
 
-    /// Writes the means into the picture's rows from this tile's first on.
-    fn write(&self, rows: &mut [[f32; 3]], width: usize) {
-        let samples = f64::from(self.samples.max(1));
-        for (row, sums) in rows.chunks_mut(width).zip(self.sums.chunks(self.place.width)) {
-            for (pixel, sum) in row.iter_mut().skip(self.place.x).zip(sums) {
-                *pixel = (sum / samples).as_vec3().to_array();
-            }
+    /// Writes the means of its row `y` into a row of the picture.
+    fn write(&self, y: usize, row: &mut [[f32; 3]]) {
+        let Place { x, width, .. } = self.place;
+        let row = row.iter_mut().skip(x).take(width);
+        if self.samples == 0 {
+            row.for_each(|pixel| *pixel = [0.0; 3]);
+        } else {
+            let sums = self.sums.iter().skip(y * width);
+            row.zip(sums).for_each(|(pixel, sum)| *pixel = mean_of(*sum, self.samples));
         }
     }
 }

@@ -27,7 +27,9 @@ pub use film::Film;
 pub use lanes::Real;
 pub use pick::SurfaceHit;
 pub use ray::{NO_BODY, Ray, Start};
-pub use render::{Control, RenderError, RenderSettings, Rendering, render, render_pixel, render_through};
+pub use render::{
+    Control, RenderError, RenderSettings, Rendering, render, render_into, render_pixel, render_through,
+};
 pub use sampling::sample_offset;
 pub use search::Hit;
 pub use stage::{Search, Stage, StageCamera, StageChanges, StageEdit, StageError};

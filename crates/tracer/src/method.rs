@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{Picture, SizeError};
 
 use crate::counts::RayCounts;
-use crate::render::{Control, RenderError, RenderSettings, Rendering, render_through};
+use crate::render::{Control, RenderError, RenderSettings, render_into};
 use crate::stage::{Stage, StageCamera};
 
 use gbuffer::GBuffer;
@@ -314,10 +314,11 @@ fn trace(
     settings: RenderSettings,
     control: &Control,
 ) -> Result<Drawing, MethodError> {
+    let RenderSettings { width, height, samples } = settings;
+    let mut picture = Picture::new(width, height)?;
+    control.expect(u64::from(width) * u64::from(height));
+    // As by other methods, memory that has to be cleared is no part of a pass.
     let start = Instant::now();
-    let pixels = u64::from(settings.width) * u64::from(settings.height);
-    control.expect(pixels);
-    let Rendering { picture, counts } = render_through(stage, camera, settings, control)?;
-    let passes = vec![(PassName::Trace, start.elapsed())];
-    Ok(Drawing { picture, counts, passes, cube_maps: None, evidence: Evidence::None })
+    let counts = render_into(&mut picture, stage, camera, samples, control)?;
+    Ok(Drawing::traced(picture, counts, start.elapsed()))
 }

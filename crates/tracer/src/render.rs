@@ -112,10 +112,25 @@ pub fn render_through(
     control: &Control,
 ) -> Result<Rendering, RenderError> {
     let mut picture = Picture::new(settings.width, settings.height)?;
-    let size = DVec2::new(f64::from(settings.width), f64::from(settings.height));
-    let samples = settings.samples.max(1);
+    let counts = render_into(&mut picture, stage, camera, settings.samples, control)?;
+    Ok(Rendering { picture, counts })
+}
+
+/// The same into a picture that shows anything, of the size that is wanted. The rays that were traced.
+///
+/// # Errors
+/// When the render is cancelled; then the picture shows some of both.
+pub fn render_into(
+    picture: &mut Picture,
+    stage: &Stage,
+    camera: &StageCamera,
+    samples: u32,
+    control: &Control,
+) -> Result<RayCounts, RenderError> {
+    let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
+    let samples = samples.max(1);
     // Who is free takes the next tile: of two halves of a picture one may have all that takes long.
-    let counts = tiles(stage, &mut picture)
+    let counts = tiles(stage, picture)
         .par_bridge()
         .map_init(
             || (None, Vec::new()),
@@ -130,10 +145,7 @@ pub fn render_through(
             },
         )
         .reduce(RayCounts::default, std::ops::Add::add);
-    if control.is_cancelled() {
-        return Err(RenderError::Cancelled);
-    }
-    Ok(Rendering { picture, counts })
+    if control.is_cancelled() { Err(RenderError::Cancelled) } else { Ok(counts) }
 }
 
 /// The light of one pixel (column, row) as [`render_through`] has it, bit by bit, at the cost of the tiles around it;
@@ -168,7 +180,7 @@ pub fn render_pixel(
 }
 
 /// The mean of the samples of a pixel.
-fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
+pub(crate) fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
     (sum / f64::from(samples)).as_vec3().to_array()
 }
 
@@ -190,14 +202,11 @@ impl Tile<'_> {
         if samples == 1 {
             return tracer.trace_into(self.place, size, 0, &mut self.rows);
         }
-        sums.clear();
         sums.resize(self.place.pixels(), DVec3::ZERO);
         let width = self.place.width;
         for sample in 0..samples {
             let Some(light) = tracer.trace(self.place, size, sample) else { return false };
-            for (y, row) in sums.chunks_mut(width).enumerate() {
-                light.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
-            }
+            light.sum_into(sums, width, sample == 0);
         }
         for (row, sums) in self.rows.iter_mut().zip(sums.chunks(width)) {
             for (pixel, sum) in row.iter_mut().zip(sums) {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::{Context as _, Result, anyhow, bail};
+use anyhow::{Context as _, Result, bail};
 use catoptric_lab::Machine;
 use catoptric_lab::compare::{Compared, Contender, Job, compare, draw_all, reason_picture};
 use catoptric_lab::report::{Settings, page};
@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 
 use super::Outcome;
 use crate::arguments::CompareArguments;
+use crate::backend::threads;
 use crate::console::print;
 use crate::input::{self, Named};
 use crate::output::{prepare_directory, write_file, write_text};
@@ -30,10 +31,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
         bail!("a comparison takes two pictures or more; name more methods or pictures");
     }
     prepare_directory(&arguments.output, "report.html")?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(arguments.threads.map_or(0, usize::from))
-        .build()
-        .map_err(|error| anyhow!("cannot start the threads; ask for fewer with --threads: {error}"))?;
+    let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let mut contenders = match &input {
         Some(input) => draw(arguments, input, &pool)?,
         None => Vec::new(),

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result, anyhow};
+use anyhow::{Context as _, Result};
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Picture, ToneCurve};
@@ -12,7 +12,8 @@ use catoptric_tracer::{Control, RenderSettings, Stage};
 
 use super::Outcome;
 use crate::arguments::{DevelopmentArguments, RenderArguments};
-use crate::backend::{Drawer, Drawn};
+use crate::backend::{Drawer, Drawn, threads};
+use crate::canvas::Canvas;
 use crate::console::{count, print, say};
 use crate::output::{Kind, PictureKind, check_output, is_stdout, milliseconds, write_picture, write_text};
 use crate::progress::Progress;
@@ -26,6 +27,14 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let progress = Progress::new(arguments.quiet);
     let mut times = Times::default();
 
+    let pool = threads(arguments.threads.map_or(0, usize::from))?;
+    let settings = RenderSettings {
+        width: arguments.size.width,
+        height: arguments.size.height,
+        samples: arguments.samples,
+    };
+    let canvas = if arguments.map.is_none() { drawer.canvas(&method, settings, &pool)? } else { None };
+
     let start = Instant::now();
     let input = input::scene(&arguments.scene)?;
     times.read = milliseconds(start);
@@ -33,33 +42,25 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         warn_of_scene(&input);
     }
 
-    let threads = arguments.threads.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|error| anyhow!("cannot start the threads; ask for fewer with --threads: {error}"))?;
     let start = Instant::now();
+    canvas.iter().for_each(Canvas::make_way);
     let stage = pool.install(|| Stage::prepare(&input.loaded.scene));
     let mut stage = stage.with_context(|| input.name.clone())?;
     drop(input.loaded);
     if let Some(generations) = arguments.generations {
         stage = stage.with_generations(generations);
     }
+    let canvas = canvas.and_then(Canvas::take);
     times.prepare = milliseconds(start);
 
-    let settings = RenderSettings {
-        width: arguments.size.width,
-        height: arguments.size.height,
-        samples: arguments.samples,
-    };
     if let Some(map) = arguments.map {
         return show_map(arguments, kind, map, &stage, settings, &pool, progress);
     }
     let control = Control::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
     let start = Instant::now();
-    let drawn =
-        progress.of_tracing(&control, pixels, || drawer.draw(&stage, &method, settings, &pool, &control))?;
+    let drawn = progress
+        .of_tracing(&control, pixels, || drawer.draw(&stage, &method, (settings, canvas), &pool, &control))?;
     times.trace = milliseconds(start);
     let Drawn { drawing, on_card, fallen_back } = drawn;
     if let Some(reason) = &fallen_back

@@ -1,5 +1,7 @@
 //! The light of a tile's pixels.
 
+use glam::DVec3;
+
 use super::{Block, Place};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::vector::Vector;
@@ -143,6 +145,17 @@ impl TileLight {
             for (x, to) in rest.iter_mut().enumerate() {
                 let at = start + x / width * W::LANES + x % width;
                 *to = [reds[at].rounded(), greens[at].rounded(), blues[at].rounded()];
+            }
+        }
+    }
+
+    /// Takes it into the sums of the pixels of a tile so wide, row by row; `is_first` where there is nothing in them yet.
+    pub(crate) fn sum_into(&self, sums: &mut [DVec3], width: usize, is_first: bool) {
+        for (y, row) in sums.chunks_mut(width).enumerate() {
+            if is_first {
+                self.each(y, row, |sum, light| *sum = DVec3::from(light.map(f64::from)));
+            } else {
+                self.each(y, row, |sum, light| *sum += DVec3::from(light.map(f64::from)));
             }
         }
     }
