@@ -32,7 +32,9 @@ use crate::theme;
 use crate::view::View;
 use crate::viewport::Lens;
 use crate::window::Interruption;
-use crate::{compare, documents, exports, images, measure, menu, picture_frame, shortcuts, status_bar};
+use crate::{
+    compare, documents, exports, images, measure, menu, panes, picture_frame, shortcuts, status_bar,
+};
 
 /// The whole window.
 pub struct Studio {
@@ -198,6 +200,11 @@ impl Studio {
         self.panes.viewport.rect()
     }
 
+    /// Where a panel is in the window, points, while it is seen.
+    pub fn pane_rect(&self, pane: Pane) -> Option<egui::Rect> {
+        self.layout.tiles.rect(self.layout.tiles.find_pane(&pane)?)
+    }
+
     /// How many rays the audited pixel has, once they have been traced.
     pub fn audit_rays(&self) -> Option<usize> {
         self.audit.found()?.tree().map(|tree| tree.nodes.len())
@@ -333,11 +340,13 @@ impl Studio {
 
     fn panes_ui(&mut self, ui: &mut Ui) {
         let mut layout = std::mem::replace(&mut self.layout, Tree::empty(egui::Id::unique("being drawn")));
-        let mut panes = std::mem::take(&mut self.panes);
+        let mut kept = std::mem::take(&mut self.panes);
         let viewport = layout.tiles.find_pane(&Pane::Viewport);
-        layout.ui(&mut Docked { cx: self.cx(), panes: &mut panes, viewport }, ui);
+        let rows = layout::fit(&mut layout, ui.available_width(), panes::GAP);
+        layout.ui(&mut Docked { cx: self.cx(), panes: &mut kept, viewport }, ui);
+        layout::take_over(&mut layout, &rows);
         self.layout = layout;
-        self.panes = panes;
+        self.panes = kept;
         if !layout::is_in_front(&self.layout, Pane::Viewport) {
             self.view.seen = None;
         }

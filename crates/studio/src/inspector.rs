@@ -31,7 +31,7 @@ pub(crate) use physical::told as model_told;
 use symbol::Symbol;
 
 /// Below this width, points, the panel scrolls sideways.
-const LEAST_WIDTH: f32 = 260.0;
+const LEAST_WIDTH: f32 = 150.0;
 
 /// What the inspector keeps from frame to frame.
 #[derive(Default)]

@@ -1,7 +1,15 @@
 //! The docked panels and their first arrangement.
 
+mod columns;
+
 use egui_tiles::{Container, Linear, LinearDir, Tabs, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
+
+pub(crate) use columns::{LEAST_PANEL, fit, take_over};
+
+/// The widths of the panels beside the picture at first, points.
+const OUTLINER: f32 = 220.0;
+const INSPECTOR: f32 = 340.0;
 
 /// A panel that can be docked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -74,8 +82,11 @@ pub(crate) fn default_layout() -> Tree<Pane> {
     let drawer =
         tabs(&mut tiles, &[Pane::Problems, Pane::Audit, Pane::Compare, Pane::Measure, Pane::Materials]);
     let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.68), (drawer, 0.32)]);
-    let root =
-        divided(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.58), (inspector, 0.25)]);
+    let root = divided(
+        &mut tiles,
+        LinearDir::Horizontal,
+        &[(outliner, OUTLINER), (middle, 720.0), (inspector, INSPECTOR)],
+    );
     let mut tree = Tree::new(egui::Id::unique("studio-layout"), root, tiles);
     for pane in [Pane::Problems].into_iter().chain(Pane::DRAWER) {
         set_visible(&mut tree, pane, false);

@@ -162,7 +162,8 @@ pub(crate) const fn key_of(kind: MapKind) -> &'static str {
 fn number(texts: &Texts, kind: MapKind, value: f32) -> String {
     let digits = |value: f32, places: usize| {
         let text = format!("{value:.places$}");
-        if places == 0 { text } else { text.trim_end_matches('0').trim_end_matches('.').to_owned() }
+        let short = text.trim_end_matches('0').trim_end_matches('.').to_owned();
+        if places == 0 { text } else { texts.localized(short) }
     };
     match kind.is_share() {
         true => texts.with("map-percent", &[("value", digits(100.0 * value, 2).into())]),

@@ -17,6 +17,7 @@ use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
 use crate::widgets::icon_button;
+use crate::widgets::tip::tip_beside_entry;
 use crate::{methods, shortcuts, theme};
 
 /// What the bar needs to show all menus beside each other, points; below it they are folded into one.
@@ -158,7 +159,7 @@ pub(crate) fn item(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> 
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_toggled(is_on.into()));
     }
     if let Some(tip) = situation.tip(command) {
-        response = response.on_hover_text(tip).on_disabled_hover_text(tip);
+        response = tip_beside_entry(response, tip);
     }
     response.clicked()
 }
@@ -351,7 +352,7 @@ fn recent_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         }
         let button = Button::new((icons::ICON_DESCRIPTION.rich_text(), text));
         let response = ui.add(button).accessible_name(name.as_ref());
-        if response.on_hover_text(path.display().to_string()).clicked() {
+        if tip_beside_entry(response, &path.display().to_string()).clicked() {
             commands.push(Command::OpenFile(path.clone()));
         }
     }

@@ -1,20 +1,25 @@
 //! The docked panels: which one draws what.
 
-use egui::{Frame, Margin, Ui, Visuals, WidgetText};
-use egui_tiles::{SimplificationOptions, Tabs, TileId, UiResponse};
+mod tabs;
+
+use egui::{Frame, Id, Margin, Response, Ui, Visuals, WidgetText};
+use egui_tiles::{SimplificationOptions, TabState, Tabs, TileId, Tiles, UiResponse};
 
 use crate::audit;
 use crate::compare::{Comparing, compare_ui};
 use crate::context::Cx;
 use crate::history::history_ui;
 use crate::inspector::{Inspector, inspector_ui};
-use crate::layout::Pane;
+use crate::layout::{self, Pane};
 use crate::materials::{Browser, materials_ui};
 use crate::measure::{Measuring, measure_ui};
 use crate::outliner::{Outliner, outliner_ui};
 use crate::problems::{Problems, problems_ui};
 use crate::theme;
 use crate::viewport::{Viewport, viewport_ui};
+
+/// What lies between panels, points.
+pub(crate) const GAP: f32 = 2.0;
 
 /// What the panels keep from frame to frame.
 #[derive(Default)]
@@ -66,6 +71,38 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
         self.cx.t(pane.key()).into()
     }
 
+    fn tab_title_for_tile(&mut self, tiles: &Tiles<Pane>, tile: TileId) -> WidgetText {
+        tabs::title(self.cx.texts, tiles, tile).into()
+    }
+
+    /// The picture stays: everything else is about it.
+    fn is_tab_closable(&self, tiles: &Tiles<Pane>, tile: TileId) -> bool {
+        !tabs::panes_of(tiles, tile).contains(&Pane::Viewport)
+    }
+
+    fn tab_ui(
+        &mut self,
+        tiles: &mut Tiles<Pane>,
+        ui: &mut Ui,
+        id: Id,
+        tile: TileId,
+        state: &TabState,
+    ) -> Response {
+        let name = tabs::title(self.cx.texts, tiles, tile);
+        let (response, is_closed) = tabs::tab_ui(ui, self.cx.texts, id, &name, state);
+        if is_closed {
+            // Panels are hidden by themselves, so that each of a group can be shown again.
+            for pane in tabs::panes_of(tiles, tile) {
+                if let Some(tile) = tiles.find_pane(&pane) {
+                    tiles.set_visible(tile, false);
+                }
+                // The tool and its panel are open together.
+                self.cx.view.is_auditing &= pane != Pane::Audit;
+            }
+        }
+        response
+    }
+
     fn is_tab_bar_visible(&self, _tile: TileId, tabs: &Tabs) -> bool {
         tabs.children.len() != 1 || tabs.active != self.viewport
     }
@@ -78,13 +115,12 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
         28.0
     }
 
-    /// Narrower, an inspector's fields could not be read.
     fn min_size(&self) -> f32 {
-        150.0
+        layout::LEAST_PANEL
     }
 
     fn gap_width(&self, _style: &egui::Style) -> f32 {
-        2.0
+        GAP
     }
 
     fn tab_bar_color(&self, visuals: &Visuals) -> egui::Color32 {

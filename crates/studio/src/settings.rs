@@ -46,6 +46,8 @@ pub struct Settings {
     pub zoom: f32,
     /// Inner size of the window, points.
     pub window_size: Option<[f32; 2]>,
+    /// Whether the window takes the whole screen.
+    pub is_maximized: bool,
     /// The arrangement of the panels.
     pub layout: Option<Tree<Pane>>,
     /// How the last picture was rendered.
@@ -91,6 +93,7 @@ impl Default for Settings {
             viewport_samples: 16,
             zoom: 1.0,
             window_size: None,
+            is_maximized: false,
             layout: None,
             render: RenderChoices::default(),
         }

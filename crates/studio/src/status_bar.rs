@@ -36,12 +36,13 @@ fn picture_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
     method_ui(ui, texts, status);
     size_ui(ui, cx, status);
     line(ui);
-    let time = if status.milliseconds > 0.0 { number(status.milliseconds) } else { dash() };
+    let time = if status.milliseconds > 0.0 { number(texts, status.milliseconds) } else { dash() };
     let text = texts.with("status-time", &[("time", time.into())]);
     let sample = texts.with("status-time", &[("time", "8888".into())]);
     let passes = passes_in_words(texts, status);
     cell(ui, &text, &sample, passes.as_deref().or(texts.tip("status-time-name")));
-    let rays = if status.rays_per_second > 0.0 { number(status.rays_per_second / 1e6) } else { dash() };
+    let rays =
+        if status.rays_per_second > 0.0 { number(texts, status.rays_per_second / 1e6) } else { dash() };
     let rays = [rays, "8888".to_owned()].map(|rays| texts.with("status-rays", &[("rays", rays.into())]));
     // What took the time matters more than how many rays there were.
     let [text, sample] = passes_in_short(texts, status).unwrap_or(rays);
@@ -95,7 +96,7 @@ fn passes_in_short(texts: &Texts, status: &Status) -> Option<[String; 2]> {
         let passes = passes.map(|(pass, time)| format!("{} {}", language.pass_name(*pass), number(*time)));
         passes.collect::<Vec<_>>().join(" · ")
     };
-    (!status.passes.is_empty()).then(|| [line(&number), line(&|_| "8888".to_owned())])
+    (!status.passes.is_empty()).then(|| [line(&|time| number(texts, time)), line(&|_| "8888".to_owned())])
 }
 
 /// The passes of the last picture with their times, a line each, and the cube maps that served it.
@@ -104,7 +105,8 @@ fn passes_in_words(texts: &Texts, status: &Status) -> Option<String> {
     let kind = status.method.filter(|_| !status.passes.is_empty())?;
     let mut lines = vec![texts.get(method_key(kind)).to_owned()];
     for (pass, milliseconds) in &status.passes {
-        let arguments = [("pass", language.pass_name(*pass).into()), ("time", number(*milliseconds).into())];
+        let arguments =
+            [("pass", language.pass_name(*pass).into()), ("time", number(texts, *milliseconds).into())];
         lines.push(texts.with("status-pass", &arguments));
     }
     if let Some(used) = &status.cube_maps {
@@ -112,7 +114,7 @@ fn passes_in_words(texts: &Texts, status: &Status) -> Option<String> {
         let arguments = [
             ("built", used.built.into()),
             ("kept", used.kept.into()),
-            ("time", number(milliseconds).into()),
+            ("time", number(texts, milliseconds).into()),
             ("bytes", told::bytes(texts, used.bytes).into()),
         ];
         lines.push(texts.with("status-maps", &arguments));
@@ -231,19 +233,25 @@ fn dash() -> String {
 }
 
 /// Three digits that count.
-fn number(value: f64) -> String {
-    match value {
+fn number(texts: &Texts, value: f64) -> String {
+    texts.localized(match value {
         value if value < 9.995 => format!("{value:.2}"),
         value if value < 99.95 => format!("{value:.1}"),
         value => format!("{value:.0}"),
-    }
+    })
 }
 
 #[cfg(test)]
 mod tests {
+    use crate::texts::{Language, Texts};
+
     #[test]
     fn numbers_have_three_digits() {
-        let all = [0.123, 9.994, 9.996, 99.94, 99.96, 1234.5].map(super::number);
-        assert_eq!(all, ["0.12", "9.99", "10.0", "99.9", "100", "1234"]);
+        let all = |language| {
+            let texts = Texts::new(language);
+            [0.123, 9.994, 9.996, 99.94, 99.96, 1234.5].map(|value| super::number(&texts, value))
+        };
+        assert_eq!(all(Language::English), ["0.12", "9.99", "10.0", "99.9", "100", "1234"]);
+        assert_eq!(all(Language::Russian), ["0,12", "9,99", "10,0", "99,9", "100", "1234"]);
     }
 }

@@ -67,6 +67,14 @@ impl Language {
         if locale.to_lowercase().starts_with("ru") { Self::Russian } else { Self::English }
     }
 
+    /// The sign before decimals.
+    pub(crate) const fn decimal_sign(self) -> DecimalSign {
+        match self {
+            Self::English => DecimalSign::Point,
+            Self::Russian => DecimalSign::Comma,
+        }
+    }
+
     fn identifier(self) -> LanguageIdentifier {
         let code = match self {
             Self::English => "en",
@@ -82,6 +90,13 @@ impl Language {
             Self::Russian => catalogues!("ru"),
         }
     }
+}
+
+/// The sign that a language writes before decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DecimalSign {
+    Point,
+    Comma,
 }
 
 /// The messages of one language.
@@ -114,6 +129,14 @@ impl Texts {
     /// The language.
     pub fn language(&self) -> Language {
         self.language
+    }
+
+    /// A number that was written with a decimal point, as the language writes it.
+    pub(crate) fn localized(&self, number: String) -> String {
+        match self.language.decimal_sign() {
+            DecimalSign::Point => number,
+            DecimalSign::Comma => number.replace('.', ","),
+        }
     }
 
     /// The message `key`, which takes no arguments; the key itself if there is none.

@@ -7,7 +7,9 @@ pub(crate) mod number;
 pub(crate) mod picker;
 pub(crate) mod row;
 pub(crate) mod section;
+pub(crate) mod slider;
 pub(crate) mod text;
+pub(crate) mod tip;
 
 use egui::{Align2, Response, Sense, TextStyle, Ui, Vec2, WidgetInfo, vec2};
 use egui_material_icons::MaterialIcon;
@@ -63,13 +65,47 @@ pub(crate) fn paint_line(ui: &Ui, rect: egui::Rect, text: &str, color: egui::Col
     paint_line_in(ui, rect, text, TextStyle::Body.resolve(ui.style()), color);
 }
 
-/// The same in another font.
-pub(crate) fn paint_line_in(ui: &Ui, rect: egui::Rect, text: &str, font: egui::FontId, color: egui::Color32) {
-    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width());
-    let galley = ui.painter().layout_job(job);
+/// Paints a line of text like [`paint_line`] in another font; returns how wide it is.
+pub(crate) fn paint_line_in(
+    ui: &Ui,
+    rect: egui::Rect,
+    text: &str,
+    font: egui::FontId,
+    color: egui::Color32,
+) -> f32 {
+    let galley = line_within(ui, rect.width(), text, font, color);
+    let width = galley.size().x;
     let corner = egui::pos2(rect.left(), rect.center().y - galley.size().y / 2.0);
     ui.painter().galley(corner, galley, color);
+    width
+}
+
+/// Paints a line of text at the right of `rect`, with an ellipsis where it has no room.
+pub(crate) fn paint_line_right(
+    ui: &Ui,
+    rect: egui::Rect,
+    text: &str,
+    font: egui::FontId,
+    color: egui::Color32,
+) {
+    let galley = line_within(ui, rect.width(), text, font, color);
+    if galley.size().x <= rect.width() {
+        let corner = egui::pos2(rect.right() - galley.size().x, rect.center().y - galley.size().y / 2.0);
+        ui.painter().galley(corner, galley, color);
+    }
+}
+
+/// Lays out a line of text in `width` points, with an ellipsis where it has no room.
+pub(crate) fn line_within(
+    ui: &Ui,
+    width: f32,
+    text: &str,
+    font: egui::FontId,
+    color: egui::Color32,
+) -> std::sync::Arc<egui::Galley> {
+    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(width);
+    ui.painter().layout_job(job)
 }
 
 /// A key or a gesture, drawn like the cap of a key.

@@ -158,13 +158,13 @@ fn show(
 }
 
 fn viewport(opened: Option<&Opened>) -> ViewportBuilder {
-    let first =
-        || Desktop.settings_path().map_or_else(Settings::first, |path| Settings::load(&path)).window_size;
-    let size = opened.map_or_else(first, |opened| opened.studio.settings().window_size);
+    let first = || Desktop.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
+    let settings = opened.map_or_else(first, |opened| opened.studio.settings().clone());
     let viewport = ViewportBuilder::default()
         .with_title("Catoptric")
         .with_app_id("catoptric")
-        .with_inner_size(size.unwrap_or([1440.0, 900.0]))
+        .with_inner_size(settings.window_size.unwrap_or([1440.0, 900.0]))
+        .with_maximized(settings.is_maximized)
         .with_min_inner_size([800.0, 500.0])
         .with_drag_and_drop(true)
         .with_icon(Arc::new(icon()));

@@ -12,6 +12,7 @@ use crate::command::{AuditAct, Command};
 use crate::context::Cx;
 use crate::theme;
 use crate::widgets::explained_icon_button;
+use crate::widgets::number::{Unit, evaluate, shown};
 
 /// Draws the panel.
 pub(crate) fn panel_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
@@ -52,7 +53,7 @@ fn empty_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
 fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
     let texts = cx.texts;
     let palette = theme::palette(ui.visuals());
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let (rect, _) = ui.allocate_exact_size(egui::Vec2::splat(18.0), egui::Sense::hover());
         let light = glam::DVec3::from(found.audit.light.map(f64::from));
         ui.painter().rect(
@@ -117,7 +118,10 @@ fn light_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
     let unit = format!(" {}", cx.t("audit-meters"));
     // The slider rounds to as many digits as it shows, and would take that for a move of the hand.
     let slider = Slider::new(&mut front, 0.0..=found.longest.max(1e-3)).suffix(unit);
-    let slider = slider.custom_formatter(|front, _| format!("{front:.2}"));
+    let texts = cx.texts;
+    let read = |unit: Unit| move |typed: &str| evaluate(typed, unit, texts.language().decimal_sign()).ok();
+    let slider = slider.custom_formatter(|front, _| texts.localized(format!("{front:.2}")));
+    let slider = slider.custom_parser(read(Unit::Meters));
     let response = ui.add(slider).accessible_name(name);
     if response.changed() {
         cx.audit.light.is_running = false;
@@ -127,6 +131,7 @@ fn light_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
     let name = cx.texts.get("audit-speed");
     let unit = format!(" {}", cx.t("audit-meters-a-second"));
     let slider = Slider::new(&mut cx.audit.light.speed, clock::SPEEDS).logarithmic(true).max_decimals(1);
+    let slider = slider.custom_formatter(|speed, _| shown(texts, speed, 1)).custom_parser(read(Unit::None));
     let response = ui.add(slider.suffix(unit)).accessible_name(name);
     response.on_hover_text(cx.texts.tip("audit-speed").unwrap_or_default());
 }

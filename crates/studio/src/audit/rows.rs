@@ -173,10 +173,10 @@ fn ray_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found, place: usize, node: &Node
         // In full what the columns have no room for.
         let before = found.before.as_ref().and_then(|before| before.twin(place));
         let was = before.filter(|(_, old)| old.brings != node.brings).map(|(_, old)| {
-            format!("; {}", texts.with("audit-was", &[("value", color_text(old.brings).into())]))
+            format!("; {}", texts.with("audit-was", &[("value", color_text(texts, old.brings).into())]))
         });
         let brings = texts.get("audit-brings");
-        let value = color_text(node.brings);
+        let value = color_text(texts, node.brings);
         response.clone().on_hover_text(format!("{name}\n{brings} {value}{}", was.unwrap_or_default()));
     }
     if response.clicked() {
@@ -204,14 +204,14 @@ fn columns_ui(ui: &Ui, texts: &Texts, found: &Found, (place, node): (usize, &Nod
     paint_line_in(ui, generation, &node.ray.generation.to_string(), font.clone(), palette.weak);
     let is_other = matches!(old, Some(Some(old)) if old.ray.weight != node.ray.weight);
     let tone = if is_other { palette.warning } else { palette.weak };
-    paint_line_in(ui, weight, &color(node.ray.weight), font.clone(), tone);
+    paint_line_in(ui, weight, &color(texts, node.ray.weight), font.clone(), tone);
     chip(ui, brings.left_center(), node.brings);
-    let text = color_text(node.brings);
+    let text = color_text(texts, node.brings);
     let (tone, text) = match old {
         // It was not there.
         Some(None) => (palette.warning, format!("{text} {}", texts.get("audit-new"))),
         Some(Some(old)) if old.brings != node.brings => {
-            let was = texts.with("audit-was", &[("value", color_text(old.brings).into())]);
+            let was = texts.with("audit-was", &[("value", color_text(texts, old.brings).into())]);
             (palette.warning, format!("{text}, {was}"))
         }
         _ => (palette.text, text),
@@ -266,7 +266,7 @@ fn term_ui(ui: &mut Ui, cx: &Cx<'_>, term: &Term, old: Option<&Term>, (place, le
         ui.painter().rect_filled(mark, 1.5, palette.warning);
     }
     let line = set(ui, term, old.filter(|_| is_changed), cx, palette, rect.right() - left);
-    let mut plain = plain(term);
+    let mut plain = plain(cx.texts, term);
     if let Some(old) = old.filter(|_| is_changed) {
         plain.push_str("; ");
         plain.push_str(&was(cx.texts, old));
@@ -301,7 +301,7 @@ fn set(ui: &Ui, term: &Term, old: Option<&Term>, cx: &Cx<'_>, palette: &Palette,
             line.push(ui, " = ", SIZE, palette.weak);
         }
         line.push_chip(9.0, chip_color(value));
-        line.push(ui, &color_text(value), SIZE, palette.text);
+        line.push(ui, &color_text(cx.texts, value), SIZE, palette.text);
     }
     if let Some(old) = old {
         line.space(10.0);
@@ -313,13 +313,13 @@ fn set(ui: &Ui, term: &Term, old: Option<&Term>, cx: &Cx<'_>, palette: &Palette,
 
 /// What a term was before the last change.
 fn was(texts: &Texts, old: &Term) -> String {
-    let value = old.value.map_or_else(|| typeset::plain(&old.numbers), color_text);
+    let value = old.value.map_or_else(|| typeset::plain(&old.numbers), |value| color_text(texts, value));
     texts.with("audit-was", &[("value", value.into())])
 }
 
 /// A term as plain text.
-fn plain(term: &Term) -> String {
-    let value = term.value.map(color_text).unwrap_or_default();
+fn plain(texts: &Texts, term: &Term) -> String {
+    let value = term.value.map(|value| color_text(texts, value)).unwrap_or_default();
     let sides = [typeset::plain(term.symbols), typeset::plain(&term.numbers), value];
     let equation: Vec<String> = sides.into_iter().filter(|side| !side.is_empty()).collect();
     let words = [format!("{}:", term.name), term.words.clone(), equation.join(" = ")];
@@ -332,7 +332,7 @@ pub(crate) fn tag(texts: &Texts, place: usize, node: &Node) -> String {
     let arguments = [
         ("ray", (place + 1).into()),
         ("kind", texts.get(kind_key(node.kind)).into()),
-        ("weight", short(f64::from(node.largest_weight())).into()),
+        ("weight", short(texts, f64::from(node.largest_weight())).into()),
     ];
     texts.with("audit-tag", &arguments)
 }

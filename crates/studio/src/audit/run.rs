@@ -18,9 +18,8 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
     match act {
         AuditAct::Tool => {
             studio.view.is_auditing = !studio.view.is_auditing;
-            if studio.view.is_auditing {
-                layout::set_visible(&mut studio.layout, Pane::Audit, true);
-            }
+            // The tool and its panel are open together.
+            layout::set_visible(&mut studio.layout, Pane::Audit, studio.view.is_auditing);
         }
         AuditAct::Release => studio.audit.release(),
         AuditAct::View => {

@@ -104,9 +104,13 @@ impl Writer<'_> {
         }
         let through = match node.ray.through {
             Vec3::ONE => String::new(),
-            through => format!(" · {}", color(through)),
+            through => format!(" · {}", color(self.texts, through)),
         };
-        let numbers = format!("{}{through} · {}", color(node.ray.weight), color(node.ray.local));
+        let numbers = format!(
+            "{}{through} · {}",
+            color(self.texts, node.ray.weight),
+            color(self.texts, node.ray.local)
+        );
         terms.push(
             Term::new(Part::Adds, self.texts.get("audit-adds"))
                 .words(self.texts.get("audit-weight-times-light").to_owned())
@@ -126,15 +130,17 @@ impl Writer<'_> {
         let inside = node.ray.media.first().map(|body| body_name(self.texts, self.scene, *body));
         let medium = inside.unwrap_or_else(|| self.texts.get("audit-air").to_owned());
         let arguments = [
-            ("origin", vector(node.ray.ray.origin.into()).into()),
-            ("direction", vector(node.ray.ray.direction.into()).into()),
+            ("origin", vector(self.texts, node.ray.ray.origin.into()).into()),
+            ("direction", vector(self.texts, node.ray.ray.direction.into()).into()),
             ("medium", medium.into()),
-            ("index", short(node.ray.ior.into()).into()),
+            ("index", short(self.texts, node.ray.ior.into()).into()),
         ];
         let mut words = self.texts.with("audit-way-words", &arguments);
         if let Some(nanometers) = node.ray.wavelength {
             words.push_str(", ");
-            words.push_str(&self.texts.with("audit-wave", &[("nanometers", short(nanometers).into())]));
+            words.push_str(
+                &self.texts.with("audit-wave", &[("nanometers", short(self.texts, nanometers).into())]),
+            );
         }
         Term::new(Part::Way, self.texts.get("audit-way")).words(words)
     }
@@ -144,9 +150,9 @@ impl Writer<'_> {
         if let Some(hit) = node.ray.hit {
             let arguments = [
                 ("body", body_name(texts, self.scene, hit.body).into()),
-                ("distance", short(hit.hit.t.into()).into()),
-                ("point", vector(hit.position).into()),
-                ("normal", vector(hit.normal).into()),
+                ("distance", short(self.texts, hit.hit.t.into()).into()),
+                ("point", vector(self.texts, hit.position).into()),
+                ("normal", vector(self.texts, hit.normal).into()),
             ];
             let key = if hit.hit.leaving { "audit-meets-within" } else { "audit-meets-words" };
             terms.push(Term::new(Part::Meets, texts.get("audit-meets")).words(texts.with(key, &arguments)));
@@ -154,9 +160,9 @@ impl Writer<'_> {
         terms.extend(self.angles(node, answer));
         let numbers = format!(
             "{} · {} · {}",
-            short(answer.ambient_coefficient.into()),
-            color(answer.color),
-            color(answer.ambient_light)
+            short(self.texts, answer.ambient_coefficient.into()),
+            color(self.texts, answer.color),
+            color(self.texts, answer.ambient_light)
         );
         let ambient = Term::new(Part::Ambient, texts.get("audit-ambient")).value(answer.ambient);
         match answer.law {
@@ -191,14 +197,17 @@ impl Writer<'_> {
     }
 
     fn angles(&self, node: &Node, answer: &SurfaceAnswer) -> Option<Term> {
-        let incidence = degrees(node.incidence?);
+        let incidence = degrees(self.texts, node.incidence?);
         let words = match (answer.interface, node.refraction) {
             (Some(interface), refraction) => {
                 let arguments = [
                     ("incidence", incidence.into()),
-                    ("refraction", refraction.map(degrees).unwrap_or_default().into()),
-                    ("from", short(node.ray.ior.into()).into()),
-                    ("to", short(interface.ior_beyond.into()).into()),
+                    (
+                        "refraction",
+                        refraction.map(|angle| degrees(self.texts, angle)).unwrap_or_default().into(),
+                    ),
+                    ("from", short(self.texts, node.ray.ior.into()).into()),
+                    ("to", short(self.texts, interface.ior_beyond.into()).into()),
                 ];
                 let key = if refraction.is_some() { "audit-angles-both" } else { "audit-angles-total" };
                 self.texts.with(key, &arguments)
@@ -211,44 +220,50 @@ impl Writer<'_> {
     fn light(&self, terms: &mut Vec<Term>, light: &LightTerm, answer: &SurfaceAnswer) {
         let texts = self.texts;
         let head = Term::new(Part::Light(light.light), &self.light_name(light.light));
-        let cosine = short(light.cosine.into());
+        let cosine = short(self.texts, light.cosine.into());
         let Some(shadow) = &light.shadow else {
             terms.push(head.words(texts.get("audit-light-below").to_owned()).formula("~n·~L", cosine));
             return;
         };
-        let arguments =
-            [("distance", short(light.distance.into()).into()), ("between", self.between(shadow).into())];
-        terms
-            .push(head.words(texts.with("audit-light-words", &arguments)).formula("V", color(shadow.passed)));
+        let arguments = [
+            ("distance", short(self.texts, light.distance.into()).into()),
+            ("between", self.between(shadow).into()),
+        ];
+        terms.push(
+            head.words(texts.with("audit-light-words", &arguments))
+                .formula("V", color(self.texts, shadow.passed)),
+        );
         let Some(sent) = light.answer else { return };
         let mut sum: Vec<String> = Vec::new();
         if answer.diffuse_coefficient != 0.0 {
-            let k = short(answer.diffuse_coefficient.into());
-            let numbers = format!("{k} · {} · {cosine}", color(answer.color));
+            let k = short(self.texts, answer.diffuse_coefficient.into());
+            let numbers = format!("{k} · {} · {cosine}", color(self.texts, answer.color));
             let diffuse =
                 Term::new(Part::Diffuse(light.light), texts.get("audit-diffuse")).value(sent.diffuse);
             terms.push(match answer.law {
                 ReflectionLaw::Coat => diffuse.words(texts.get("audit-through-coat").to_owned()),
                 _ => diffuse.formula("k_d C (~n·~L)", numbers),
             });
-            sum.push(color(sent.diffuse));
+            sum.push(color(self.texts, sent.diffuse));
         }
         if answer.specular_coefficient != 0.0 {
-            let k = short(answer.specular_coefficient.into());
-            let (base, power) = (short(sent.highlight_cosine.into()), short(answer.shininess.into()));
+            let k = short(self.texts, answer.specular_coefficient.into());
+            let (base, power) =
+                (short(self.texts, sent.highlight_cosine.into()), short(self.texts, answer.shininess.into()));
             let highlight = Term::new(Part::Highlight(light.light), texts.get("audit-highlight"));
             let numbers = format!("{k} · {base}^{{{power}}}");
             terms.push(highlight.formula("k_s (~S·~R)^n", numbers).value(Vec3::splat(sent.highlight)));
-            sum.push(short(sent.highlight.into()));
+            sum.push(short(self.texts, sent.highlight.into()));
         }
         if answer.alpha > 0.0 {
             let facets = Term::new(Part::Facets(light.light), texts.get("audit-facets"));
-            let numbers = format!("α = {}", short(answer.alpha.into()));
+            let numbers = format!("α = {}", short(self.texts, answer.alpha.into()));
             terms.push(facets.formula("π F D G/(4 ~n·~S)", numbers).value(sent.glints));
-            sum.push(color(sent.glints));
+            sum.push(color(self.texts, sent.glints));
         }
         let sum = if sum.len() > 1 { format!("({})", sum.join(" + ")) } else { sum.concat() };
-        let numbers = format!("{} · {} · {sum}", color(shadow.passed), color(sent.power));
+        let numbers =
+            format!("{} · {} · {sum}", color(self.texts, shadow.passed), color(self.texts, sent.power));
         let arrives = Term::new(Part::Arrives(light.light), texts.get("audit-arrives"));
         terms.push(arrives.formula("V A(d)I (…)", numbers).value(sent.light));
     }
@@ -275,11 +290,11 @@ impl Writer<'_> {
             .take(MOST_NAMED)
             .map(|crossing| {
                 let name = body_name(texts, self.scene, crossing.body);
-                let at = short(crossing.distance.into());
+                let at = short(self.texts, crossing.distance.into());
                 let mut arguments = vec![("body", name.into()), ("distance", at.into())];
                 match crossing.filter {
                     Some(filter) => {
-                        arguments.push(("filter", color(filter).into()));
+                        arguments.push(("filter", color(self.texts, filter).into()));
                         texts.with("audit-filtered", &arguments)
                     }
                     None => texts.with("audit-blocked", &arguments),
@@ -295,7 +310,8 @@ impl Writer<'_> {
 
     fn local(&self, node: &Node, answer: &SurfaceAnswer) -> Term {
         let lights = answer.lights.iter().filter_map(|light| light.answer).map(|answer| answer.light);
-        let terms: Vec<String> = std::iter::once(answer.ambient).chain(lights).map(color).collect();
+        let terms: Vec<String> =
+            std::iter::once(answer.ambient).chain(lights).map(|light| color(self.texts, light)).collect();
         // One term by itself is its own sum.
         let numbers = if terms.len() > 1 { terms.join(" + ") } else { String::new() };
         let term = Term::new(Part::Local, self.texts.get("audit-local"));
@@ -305,7 +321,7 @@ impl Writer<'_> {
     /// What becomes of a ray that may go on.
     fn branch(&self, part: Part, key: &'static str, symbols: &'static str, branch: Branch) -> Term {
         let texts = self.texts;
-        let weight = || ("weight", color(branch.weight).into());
+        let weight = || ("weight", color(self.texts, branch.weight).into());
         let words = match branch.fate {
             Fate::Followed(child) => texts.with("audit-goes-on", &[("ray", (child + 1).into())]),
             Fate::Nothing => texts.get("audit-ends-nothing").to_owned(),
@@ -314,7 +330,7 @@ impl Writer<'_> {
                 texts.with("audit-ends-limit", &[("limit", self.audit.generations.into()), weight()])
             }
             Fate::Threshold => {
-                let threshold = short(self.audit.threshold.into());
+                let threshold = short(self.texts, self.audit.threshold.into());
                 texts.with("audit-ends-threshold", &[("threshold", threshold.into()), weight()])
             }
             Fate::LeftOut => texts.with("audit-ends-left-out", &[weight()]),
@@ -323,7 +339,7 @@ impl Writer<'_> {
         if branch.fate == Fate::TotalReflection {
             term
         } else {
-            term.formula(symbols, color(branch.coefficient))
+            term.formula(symbols, color(self.texts, branch.coefficient))
         }
     }
 }

@@ -101,6 +101,7 @@ fn modes_ui(ui: &mut Ui, texts: &Texts, comparing: &mut Comparing) {
         crate::texts::Language::English => 318.0,
         crate::texts::Language::Russian => 330.0,
     };
+    let width = f32::min(width, ui.max_rect().width());
     let id = ui.scope_id().with("mode");
     if let Some(mode) = choice_ui(ui, id, texts.get("compare-mode"), width, &choices, Some(comparing.mode)) {
         comparing.mode = mode;

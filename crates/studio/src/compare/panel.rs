@@ -1,8 +1,10 @@
 //! The panel: what is compared above, the pictures at the left, the numbers at the right.
 
+use std::sync::Arc;
+
 use egui::{Align, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
 
-use super::work::Failure;
+use super::work::{Failure, Found};
 use super::{Comparing, facts, header, picture};
 use crate::context::Cx;
 use crate::theme;
@@ -15,23 +17,17 @@ const NARROW: f32 = 620.0;
 
 /// Draws the comparison.
 pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) {
-    header::header_ui(ui, cx, comparing);
-    progress_ui(ui, cx, comparing);
-    let Some(found) = comparing.found.clone() else {
-        if comparing.running.is_none() && comparing.failed.is_none() {
-            ui.weak(cx.t("compare-waiting"));
-        }
-        return;
-    };
-    comparing.images.keep_up(ui.ctx(), &found, cx.view.development);
     if ui.available_width() < NARROW {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        // Everything scrolls: the choices alone may be higher than the panel.
+        ScrollArea::vertical().id_salt("comparison").auto_shrink(false).show(ui, |ui| {
+            let Some(found) = head_ui(ui, cx, comparing) else { return };
             let room = vec2(ui.available_width(), (0.62 * ui.available_width()).min(420.0));
             ui.allocate_ui(room, |ui| picture::picture_ui(ui, cx, comparing, &found));
             facts::facts_ui(ui, cx, &found);
         });
         return;
     }
+    let Some(found) = head_ui(ui, cx, comparing) else { return };
     let height = ui.available_height();
     ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
         ui.allocate_ui_with_layout(vec2(FACTS, height), Layout::top_down(Align::Min), |ui| {
@@ -43,6 +39,21 @@ pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing
             picture::picture_ui(ui, cx, comparing, &found);
         });
     });
+}
+
+/// What is compared, and how far it is; returns what was found.
+fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) -> Option<Arc<Found>> {
+    header::header_ui(ui, cx, comparing);
+    progress_ui(ui, cx, comparing);
+    let found = comparing.found.clone();
+    match &found {
+        Some(found) => comparing.images.keep_up(ui.ctx(), found, cx.view.development),
+        None if comparing.running.is_none() && comparing.failed.is_none() => {
+            ui.weak(cx.t("compare-waiting"));
+        }
+        None => {}
+    }
+    found
 }
 
 /// How far it is, or why there is no comparison.

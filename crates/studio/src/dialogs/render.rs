@@ -18,7 +18,7 @@ use crate::pictures::{self, PictureKind, RenderChoices, fields, told};
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::choice::{Choice, choice_ui};
-use crate::widgets::number::{NumberField, Refusal, exact};
+use crate::widgets::number::{NumberField, Refusal, Unit};
 use estimate::{Estimate, Time};
 use size::Size;
 
@@ -129,8 +129,8 @@ impl RenderDialog {
         if self.choices.kind == PictureKind::Exr {
             note(ui, ICON_INFO.codepoint, texts.get("render-note-exr"), palette.weak);
         }
-        if let Some(refused) = self.refused {
-            note(ui, ICON_INFO.codepoint, &refused_in_words(texts, refused), palette.warning);
+        if let Some(refused) = &self.refused {
+            note(ui, ICON_INFO.codepoint, &refused.explained(texts), palette.warning);
         }
         if let Some(problem) = self.problem(texts) {
             note(ui, ICON_WARNING.codepoint, &problem, palette.error);
@@ -173,16 +173,6 @@ fn label(ui: &mut Ui, texts: &Texts, key: &str) -> Response {
     ui.label(texts.get(key)).on_hover_text(texts.tip(key).unwrap_or_default())
 }
 
-fn refused_in_words(texts: &Texts, refused: Refusal) -> String {
-    match refused {
-        Refusal::NoNumber => texts.get("refused-no-number").to_owned(),
-        Refusal::OutOfLimits(limits) => {
-            let arguments = [("min", exact(limits.min).into()), ("max", exact(limits.max).into())];
-            texts.with("refused-limits", &arguments)
-        }
-    }
-}
-
 /// A line with an icon.
 fn note(ui: &mut Ui, icon: &str, text: &str, color: egui::Color32) {
     ui.horizontal_top(|ui| {
@@ -192,27 +182,37 @@ fn note(ui: &mut Ui, icon: &str, text: &str, color: egui::Color32) {
 }
 
 /// Draws a field for a whole number from 1 to `most`.
-fn whole_ui(ui: &mut Ui, whole: &Whole<'_>, number: &mut u32, refused: &mut Option<Refusal>) -> bool {
+fn whole_ui(
+    ui: &mut Ui,
+    texts: &Texts,
+    whole: &Whole<'_>,
+    number: &mut u32,
+    refused: &mut Option<Refusal>,
+) -> bool {
     let field = NumberField {
+        texts,
         name: whole.name,
         value: f64::from(*number),
         is_mixed: false,
         limits: Limits::new(1.0, f64::from(whole.most)),
         speed: whole.speed,
         decimals: 0,
-        unit: "",
+        unit: Unit::None,
         edge: None,
         width: FIELD,
+        explains: false,
     };
     let entered = field.show(ui);
     entered.response.on_hover_text(whole.tip);
-    if entered.refusal.is_some() {
+    if entered.refusal.is_some() || entered.is_taken_back {
         *refused = entered.refusal;
     }
     let Some(value) = entered.value else { return false };
     // Dragging gives fractions; nothing that is typed lies beyond the limits.
     let value = (value.round() as u32).clamp(1, whole.most);
-    *refused = None;
+    if !entered.is_taken_back {
+        *refused = None;
+    }
     std::mem::replace(number, value) != value
 }
 
@@ -229,17 +229,18 @@ fn samples_row(ui: &mut Ui, texts: &Texts, samples: &mut u32, refused: &mut Opti
     let tip = texts.tip("render-samples").unwrap_or_default();
     label(ui, texts, "render-samples");
     ui.horizontal(|ui| {
-        let texts = SAMPLES.map(|count| count.to_string());
+        let counts = SAMPLES.map(|count| count.to_string());
         let choices: Vec<Choice<'_, u32>> = SAMPLES
             .iter()
-            .zip(&texts)
+            .zip(&counts)
             .map(|(&value, text)| Choice { value, text, tip: "", is_enabled: true })
             .collect();
         if let Some(few) = choice_ui(ui, ui.scope_id().with("samples"), name, WIDTH, &choices, Some(*samples))
         {
             *samples = few;
         }
-        whole_ui(ui, &Whole { name, tip, most: RenderSettings::MAX_SAMPLES, speed: 0.2 }, samples, refused);
+        let whole = Whole { name, tip, most: RenderSettings::MAX_SAMPLES, speed: 0.2 };
+        whole_ui(ui, texts, &whole, samples, refused);
     });
     ui.end_row();
 }
@@ -270,7 +271,7 @@ fn generations_row(
         let name = format!("{name}: {}", texts.get("render-generations-own"));
         let whole = Whole { name: &name, tip, most: Tracing::MAX_GENERATIONS, speed: 0.1 };
         ui.add_enabled_ui(is_own, |ui| {
-            if whole_ui(ui, &whole, &mut number, refused) {
+            if whole_ui(ui, texts, &whole, &mut number, refused) {
                 *generations = Some(number);
             }
         });

@@ -85,6 +85,13 @@ fn failed(studio: &mut Studio, reason: String) {
 
 fn note_window(context: &Context, studio: &mut Studio) {
     let zoom = context.zoom_factor();
+    // A window in the task bar, or one that fills the screen for a while, tells nothing of the usual state.
+    let is_maximized = context.input(|input| {
+        let viewport = input.viewport();
+        let is_seen = viewport.fullscreen != Some(true) && viewport.minimized != Some(true);
+        viewport.maximized.filter(|_| is_seen)
+    });
+    studio.settings.is_maximized = is_maximized.unwrap_or(studio.settings.is_maximized);
     let size = context.input(|input| {
         let viewport = input.viewport();
         let is_usual = viewport.fullscreen != Some(true)

@@ -189,7 +189,7 @@ fn projection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>) {
 fn lens_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>, fov_degrees: f64) {
     let millimeters = 12.0 / (0.5 * fov_degrees).to_radians().tan();
     sheet.plain_row(ui, "lens", |sheet, ui| {
-        ui.label(sheet.texts().with("lens-value", &[("value", shown(millimeters, 1).into())]));
+        ui.label(sheet.texts().with("lens-value", &[("value", shown(sheet.texts(), millimeters, 1).into())]));
     });
 }
 

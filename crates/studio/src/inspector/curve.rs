@@ -52,7 +52,7 @@ pub(super) fn curve_ui(
     let (whole, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
     let area = Rect::from_min_max(whole.min + vec2(26.0, 8.0), whole.max - vec2(8.0, 18.0));
     let chart = Chart { area, palette };
-    chart.axes(ui);
+    chart.axes(ui, texts);
     for mark in marks.iter() {
         chart.mark(ui, texts, mark);
     }
@@ -67,10 +67,10 @@ pub(super) fn curve_ui(
     if let Some(pos) = pointed {
         let degrees = f64::from(((pos.x - area.left()) / area.width()).clamp(0.0, 1.0)) * 90.0;
         chart.pointer(ui, degrees, curves.iter());
-        let mut words = vec![format!("θ = {degrees:.1}°")];
+        let mut words = vec![texts.localized(format!("θ = {degrees:.1}°"))];
         let values = curves.iter().map(|curve| (name_of(texts, curve.kind), curve.at(degrees)));
-        words.extend(values.map(|(name, value)| format!("{name} {}", shown(value, 4))));
-        hint(ui, &words.join(",  "));
+        words.extend(values.map(|(name, value)| format!("{name} {}", shown(texts, value, 4))));
+        hint(ui, &words.join(";  "));
         return;
     }
     if !summary.is_empty() {
@@ -87,12 +87,12 @@ pub(super) fn curve_ui(
 
 /// The angle under which a point is seen, and what is reflected there.
 fn seen_text(texts: &Texts, seen: Seen, [red, green, blue]: [f64; 3]) -> String {
-    let angle = format!("{:.1}", seen.degrees);
+    let angle = texts.localized(format!("{:.1}", seen.degrees));
     if red == green && green == blue {
         let key = if seen.is_from_inside { "curve-seen-inside-alike" } else { "curve-seen-alike" };
-        return texts.with(key, &[("angle", angle.into()), ("share", shown(red, 4).into())]);
+        return texts.with(key, &[("angle", angle.into()), ("share", shown(texts, red, 4).into())]);
     }
-    let [red, green, blue] = [red, green, blue].map(|share| shown(share, 4));
+    let [red, green, blue] = [red, green, blue].map(|share| shown(texts, share, 4));
     let shares =
         [("angle", angle.into()), ("red", red.into()), ("green", green.into()), ("blue", blue.into())];
     texts.with(if seen.is_from_inside { "curve-seen-inside" } else { "curve-seen" }, &shares)
@@ -109,14 +109,14 @@ impl Chart<'_> {
         pos2(x, self.area.bottom() - self.area.height() * share as f32)
     }
 
-    fn axes(&self, ui: &Ui) {
+    fn axes(&self, ui: &Ui, texts: &Texts) {
         let (painter, palette) = (ui.painter(), self.palette);
         painter.rect(self.area, 2.0, palette.field, Stroke::new(1.0, palette.line), StrokeKind::Inside);
         let font = FontId::proportional(10.5);
         for share in [0.0, 0.5, 1.0] {
             let at = self.place(0.0, share);
             painter.hline(self.area.x_range(), at.y, Stroke::new(0.5, palette.line));
-            let text = shown(share, 1);
+            let text = shown(texts, share, 1);
             painter.text(at - vec2(4.0, 0.0), Align2::RIGHT_CENTER, text, font.clone(), palette.weak);
         }
         for degrees in [0.0, 30.0, 60.0, 90.0] {
@@ -179,7 +179,7 @@ fn told(texts: &Texts, mark: &Mark) -> String {
         (MarkKind::Critical, false) => "critical-outside",
         (MarkKind::Critical, true) => "critical-inside",
     };
-    texts.with(key, &[("angle", shown(mark.degrees, 2).into())])
+    texts.with(key, &[("angle", shown(texts, mark.degrees, 2).into())])
 }
 
 fn name_of(texts: &Texts, kind: CurveKind) -> &str {

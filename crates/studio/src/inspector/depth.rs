@@ -16,6 +16,7 @@ use crate::outliner::item_name;
 use crate::theme;
 use crate::typeset::Line;
 use crate::widgets::number::{HEIGHT, shown};
+use crate::widgets::tip::tip_beside;
 
 /// The size of letters in the formula.
 const SIZE: f32 = 13.5;
@@ -101,7 +102,7 @@ fn bound_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, bound: &DepthBound)
     let names = bound.cycle.iter().map(|body| item_name(texts, &scene, Item::Body(*body)));
     let names: Vec<String> =
         names.map(|name| texts.with("depth-body", &[("name", (*name).into())])).collect();
-    let arguments = [("bodies", names.join(", ").into()), ("factor", shown(bound.factor, 3).into())];
+    let arguments = [("bodies", names.join(", ").into()), ("factor", shown(texts, bound.factor, 3).into())];
     let key = match bound.generations {
         Some(_) => "depth-cycle",
         None if bound.factor < 1.0 => "depth-many",
@@ -124,7 +125,7 @@ fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMe
     let arguments = [
         ("count", measure.generations.into()),
         ("limit", limit.into()),
-        ("loss", short(loss).into()),
+        ("loss", short(texts, loss).into()),
         ("pixels", measure.pixels.into()),
     ];
     let key = match measure.is_complete {
@@ -142,7 +143,7 @@ fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMe
 fn note(ui: &mut Ui, text: &str, tip: Option<&str>) -> Response {
     let color = theme::palette(ui.visuals()).weak;
     let response = ui.add(Label::new(RichText::new(text).color(color).size(12.0)).wrap());
-    response.on_hover_text(tip.unwrap_or_default())
+    tip_beside(ui, response, tip.unwrap_or_default())
 }
 
 /// A line, and a button that sets the generations.

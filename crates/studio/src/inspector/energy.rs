@@ -2,7 +2,7 @@
 
 use catoptric_lab::depth::{ExcessKind, excess_of};
 use catoptric_scene::{Color, Material, Model};
-use egui::{RichText, Sense, Ui, vec2};
+use egui::{Label, RichText, Sense, Ui, vec2};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_INFO, ICON_WARNING};
 
@@ -10,12 +10,13 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::number::shown;
 use crate::widgets::paint_icon;
+use crate::widgets::tip::tip_beside;
 
 /// Draws what is to be said of a material.
 pub(super) fn energy_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
     let palette = theme::palette(ui.visuals());
     for (kind, amount) in excess_of(material) {
-        let (key, sum) = told(material, kind, &shown(amount, 3));
+        let (key, sum) = told(texts, material, kind, &shown(texts, amount, 3));
         let text = texts.with(key, &[("sum", sum.replace(' ', "\u{a0}").into())]);
         line_ui(ui, ICON_WARNING, palette.warning, text, texts.tip(key));
     }
@@ -25,7 +26,7 @@ pub(super) fn energy_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
 }
 
 /// The message, and how the amount comes about.
-fn told(material: &Material, kind: ExcessKind, amount: &str) -> (&'static str, String) {
+fn told(texts: &Texts, material: &Material, kind: ExcessKind, amount: &str) -> (&'static str, String) {
     let ExcessKind::Surface { diffuse, reflection, transmission, .. } = kind else {
         return ("energy-highlight", amount.to_owned());
     };
@@ -33,11 +34,11 @@ fn told(material: &Material, kind: ExcessKind, amount: &str) -> (&'static str, S
         Model::Mirror => {
             let share = material.reflection();
             let color = if share > 0.0 { reflection / share } else { 0.0 };
-            ("energy-mirror", format!("{} · {} = {amount}", shown(share, 3), shown(color, 3)))
+            ("energy-mirror", format!("{} · {} = {amount}", shown(texts, share, 3), shown(texts, color, 3)))
         }
         Model::Matte => ("energy-matte", amount.to_owned()),
         _ => {
-            let parts = [diffuse, reflection, transmission].map(|part| shown(part, 3));
+            let parts = [diffuse, reflection, transmission].map(|part| shown(texts, part, 3));
             ("energy-warning", format!("{} = {amount}", parts.join(" + ")))
         }
     }
@@ -51,10 +52,11 @@ fn is_brighter_than_white(material: &Material) -> bool {
 }
 
 fn line_ui(ui: &mut Ui, icon: MaterialIcon, color: egui::Color32, text: String, tip: Option<&str>) {
-    let response = ui.horizontal_wrapped(|ui| {
+    let response = ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
         let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
         paint_icon(ui, icon, rect.center(), 14.0, color);
-        ui.label(RichText::new(text).color(color).size(12.0))
+        ui.add(Label::new(RichText::new(text).color(color).size(12.0)).wrap())
     });
-    response.inner.on_hover_text(tip.unwrap_or_default());
+    tip_beside(ui, response.inner, tip.unwrap_or_default());
 }

@@ -11,7 +11,8 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::typeset::{self, Line};
 use crate::widgets::color::screen_color;
-use crate::widgets::number::shown;
+use crate::widgets::number::{list, shown};
+use crate::widgets::tip::tip_beside;
 
 mod falloff;
 mod law;
@@ -46,13 +47,13 @@ impl Factor {
     }
 
     /// A number in the place of a symbol.
-    fn number(symbol: Symbol, value: f64) -> Self {
-        Self { markup: shown(value, 3), chip: None, symbol: Some(symbol) }
+    fn number(texts: &Texts, symbol: Symbol, value: f64) -> Self {
+        Self { markup: shown(texts, value, 3), chip: None, symbol: Some(symbol) }
     }
 
     /// A color in the place of a symbol.
-    fn color(symbol: Symbol, color: Color) -> Self {
-        Self { markup: color_text(color), chip: Some(color), symbol: Some(symbol) }
+    fn color(texts: &Texts, symbol: Symbol, color: Color) -> Self {
+        Self { markup: color_text(texts, color), chip: Some(color), symbol: Some(symbol) }
     }
 
     /// Other markup in the place of a symbol.
@@ -62,12 +63,12 @@ impl Factor {
 }
 
 /// A color as numbers: one when it is gray.
-fn color_text(color: Color) -> String {
+fn color_text(texts: &Texts, color: Color) -> String {
     let Color { r, g, b } = color;
     if r == g && g == b {
-        return shown(r, 3);
+        return shown(texts, r, 3);
     }
-    format!("({}, {}, {})", shown(r, 3), shown(g, 3), shown(b, 3))
+    format!("({})", list(texts, [r, g, b].map(|part| shown(texts, part, 3))))
 }
 
 /// One line of a formula.
@@ -111,13 +112,16 @@ fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>
     let size = if row.is_numeric { SIZE - 1.0 } else { SIZE };
     let set: Vec<Line> = row.factors.iter().map(|factor| set_factor(ui, factor, size, color)).collect();
     let right = ui.available_width();
-    let mut x = row.indent;
+    // In a narrow panel, what is indented moves to the left rather than out of it.
+    let widest = set.iter().map(Line::width).fold(0.0, f32::max);
+    let indent = row.indent.min((right - 18.0 - widest).max(0.0));
+    let mut x = indent;
     let mut line = 0.0;
     let places: Vec<(f32, f32)> = set
         .iter()
         .map(|piece| {
-            if x + piece.width() > right && x > row.indent {
-                x = row.indent + 18.0;
+            if x + piece.width() > right && x > indent {
+                x = indent + 18.0;
                 line += LINE - 2.0;
             }
             let place = (x, line);
@@ -164,5 +168,5 @@ fn point(ui: &Ui, texts: &Texts, memory: &mut Memory, id: Id, place: Rect, name:
     }
     response.widget_info(|| WidgetInfo::selected(Role::Label, true, is_lit, name));
     let tip = texts.tip(symbol.tip_key()).unwrap_or_default();
-    response.on_hover_text(tip);
+    tip_beside(ui, response, tip);
 }

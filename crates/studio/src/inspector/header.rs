@@ -10,6 +10,7 @@ use crate::outliner::{item_icon, item_name};
 use crate::theme;
 use crate::widgets::number::HEIGHT;
 use crate::widgets::text::text_field;
+use crate::widgets::tip::tip_beside;
 use crate::widgets::{explained_icon_button, paint_icon};
 
 /// Draws the name field of `item`, with the buttons of what can be hidden and locked.
@@ -31,7 +32,7 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
             let name = item.name(&scene);
             let (response, typed, draft) =
                 text_field(ui, texts.get("name"), name, texts.get("name-none"), room);
-            response.on_hover_text(texts.tip("name").unwrap_or_default());
+            tip_beside(ui, response, texts.tip("name").unwrap_or_default());
             clash = draft.is_some_and(|draft| is_taken(&scene, item, &draft));
             if let Some(name) = typed {
                 cx.run(Command::Edit(Action::Rename { item, name }));

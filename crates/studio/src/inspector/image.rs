@@ -8,6 +8,7 @@ use super::sheet::Sheet;
 use crate::command::Command;
 use crate::images::{self, ImageUse};
 use crate::widgets::row::control_width;
+use crate::widgets::tip::tip_beside;
 
 /// Something else than a picture that can be chosen.
 pub(super) struct Other<T> {
@@ -64,7 +65,7 @@ pub(super) fn choice_ui<T, V: Copy>(
         });
         let tip = path.filter(|path| !path.starts_with(Image::BUILT_IN)).unwrap_or_default();
         let tip = if tip.is_empty() { texts.tip(key).unwrap_or_default() } else { tip };
-        list.response.accessible_name(texts.get(key)).on_hover_text(tip);
+        tip_beside(ui, list.response.accessible_name(texts.get(key)), tip);
     });
     if asks {
         sheet.cx.run(Command::ChooseImage(usage));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use catoptric_editor::{Action, Editor, Item, Label, Refused};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Image, Material, MaterialChoice, Model, Scene};
-use egui::{Button, ComboBox, Id, Ui, vec2};
+use egui::{Button, ComboBox, Id, TextStyle, Ui, vec2};
 use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
@@ -19,10 +19,14 @@ use crate::layout::Pane;
 use crate::outliner::item_name;
 use crate::texts::Texts;
 use crate::widgets::choice::{Choice, choice_ui};
-use crate::widgets::explained_icon_button;
 use crate::widgets::number::{HEIGHT, shown};
-use crate::widgets::row::control_width;
+use crate::widgets::row::{GAP, control_width};
 use crate::widgets::section::section;
+use crate::widgets::tip::tip_beside;
+use crate::widgets::{ICON_BUTTON, explained_icon_button};
+
+/// The least width of the list of materials beside a button, points.
+const LEAST_LIST: f32 = 110.0;
 
 const UNIT_RAIL: Rail = Rail::Even(0.0, 1.0);
 
@@ -167,6 +171,13 @@ fn browse_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
     }
 }
 
+/// The width of a button with this text.
+fn natural_width(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, egui::Color32::PLACEHOLDER);
+    (galley.size().x + 2.0 * ui.spacing().button_padding.x).ceil() + 1.0
+}
+
 /// Whose material it is: a list of the shared ones, and buttons that share it or make it the body's own.
 fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choice: &MaterialChoice) {
     let texts = cx.texts;
@@ -183,14 +194,21 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
         MaterialChoice::Inline(_) => (texts.get("material-own"), true),
     };
     let mut action = None;
+    let key = if is_own { "material-share" } else { "material-make-own" };
+    let text = texts.get(key);
+    let button_width = natural_width(ui, text);
+    let is_beside = ui.available_width() >= ICON_BUTTON + LEAST_LIST + button_width + 2.0 * GAP;
+    let share = |ui: &mut Ui, width: f32| {
+        let response = ui.add_sized(vec2(width, HEIGHT), Button::new(text).truncate());
+        tip_beside(ui, response, texts.tip(key).unwrap_or_default()).clicked()
+    };
+    let mut is_clicked = false;
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().item_spacing.x = GAP;
         browse_ui(ui, cx);
-        let text = texts.get(if is_own { "material-share" } else { "material-make-own" });
-        let tip = texts.tip(if is_own { "material-share" } else { "material-make-own" });
-        let button_width = ui.available_width() * 0.42;
+        let room = ui.available_width() - if is_beside { button_width + GAP } else { 0.0 };
         let combo = ComboBox::from_id_salt("material").selected_text(shown).truncate();
-        let list = combo.width(ui.available_width() - button_width - 4.0).show_ui(ui, |ui| {
+        let list = combo.width(room).show_ui(ui, |ui| {
             if ui.selectable_label(is_own, texts.get("material-own")).clicked() && !is_own {
                 action = Some(Action::MakeMaterialUnique);
             }
@@ -202,13 +220,18 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
             }
         });
         let name = texts.get("material-choice");
-        list.response.accessible_name(name).on_hover_text(texts.tip("material-choice").unwrap_or_default());
-        let button = Button::new(text).truncate().min_size(vec2(ui.available_width(), HEIGHT));
-        let response = ui.add_sized(vec2(ui.available_width(), HEIGHT), button);
-        if response.on_hover_text(tip.unwrap_or_default()).clicked() {
-            action = Some(if is_own { Action::ShareMaterial } else { Action::MakeMaterialUnique });
+        let tip = texts.tip("material-choice").unwrap_or_default();
+        tip_beside(ui, list.response.accessible_name(name), tip);
+        if is_beside {
+            is_clicked = share(ui, button_width);
         }
     });
+    if !is_beside {
+        is_clicked = share(ui, ui.available_width());
+    }
+    if is_clicked {
+        action = Some(if is_own { Action::ShareMaterial } else { Action::MakeMaterialUnique });
+    }
     if let Some(action) = action {
         cx.run(Command::Edit(action));
     }
@@ -381,7 +404,7 @@ fn reflection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let mut is_clicked = false;
     sheet.marked_row(ui, "reflection-same", "k_r = k_s", |_, ui| {
         let response = ui.checkbox(&mut follows, texts.get("reflection-same"));
-        let response = response.on_hover_text(texts.tip("reflection-same").unwrap_or_default());
+        let response = tip_beside(ui, response, texts.tip("reflection-same").unwrap_or_default());
         is_clicked = response.clicked();
     });
     if is_clicked {
@@ -399,15 +422,15 @@ fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let medium = MEDIA.iter().find(|medium| (medium.ior - ior).abs() < 5e-4);
     let mut picked = None;
     sheet.plain_row(ui, "medium", |_, ui| {
-        let shown = medium.map_or_else(|| texts.get("medium-other"), |medium| texts.get(medium.key));
+        let name = medium.map_or_else(|| texts.get("medium-other"), |medium| texts.get(medium.key));
         let combo = ComboBox::from_id_salt("medium")
-            .selected_text(shown)
+            .selected_text(name)
             .width(control_width(ui))
             .height(280.0)
             .truncate();
         let list = combo.show_ui(ui, |ui| {
             for medium in &MEDIA {
-                let text = format!("{}  {}", texts.get(medium.key), shown_ior(medium.ior));
+                let text = format!("{}  {}", texts.get(medium.key), shown(texts, medium.ior, 3));
                 if ui.selectable_label((medium.ior - ior).abs() < 5e-4, text).clicked() {
                     picked = Some(medium.ior);
                 }
@@ -418,10 +441,6 @@ fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     if let Some(value) = picked {
         sheet.change("medium", "edit-ior", |_, material| material.ior = value);
     }
-}
-
-fn shown_ior(ior: f64) -> String {
-    shown(ior, 3)
 }
 
 /// Puts a picture on what is selected.

@@ -10,6 +10,7 @@ use super::symbol::Symbol;
 use crate::images::ImageUse;
 use crate::widgets::choice::{Choice, choice_ui};
 use crate::widgets::row::control_width;
+use crate::widgets::tip::tip_beside;
 
 static CHECKER_COLOR: ColorRow<Material> = ColorRow {
     what: Quantity::new("checker-color", "edit-checker-color", &keys::CHECKER, "color"),
@@ -41,7 +42,7 @@ pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let texts = sheet.texts();
     sheet.plain_row(ui, "checker", |_, ui| {
         let response = ui.checkbox(&mut is_on, texts.get("checker-words"));
-        is_clicked = response.on_hover_text(texts.tip("checker").unwrap_or_default()).clicked();
+        is_clicked = tip_beside(ui, response, texts.tip("checker").unwrap_or_default()).clicked();
     });
     if is_clicked {
         sheet.change("checker", "edit-checker", |_, material| {

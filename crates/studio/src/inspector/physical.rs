@@ -11,6 +11,7 @@ use super::symbol::Symbol;
 use crate::texts::Texts;
 use crate::widgets::number::shown;
 use crate::widgets::row::control_width;
+use crate::widgets::tip::tip_beside;
 
 static CLEAR_IOR: Number<Material> = Number::<Material>::new(
     Quantity::new("ior", "edit-ior", &keys::MATERIAL, "ior").with_symbol(Symbol::Ior),
@@ -113,7 +114,7 @@ pub(super) fn model_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
             for other in Model::ALL {
                 let key = model_key(other);
                 let response = ui.selectable_label(!is_mixed && other == model, texts.get(key));
-                if response.on_hover_text(texts.tip(key).unwrap_or_default()).clicked() {
+                if tip_beside(ui, response, texts.tip(key).unwrap_or_default()).clicked() {
                     picked = Some(other);
                 }
             }
@@ -166,10 +167,10 @@ fn substance_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
                 picked = Some(None);
             }
             for clear in CLEAR {
-                let index = shown(clear.dispersion.index(Lines::D), 3);
+                let index = shown(texts, clear.dispersion.index(Lines::D), 3);
                 let text = format!("{}  {index}", texts.get(&named("substance", clear.name)));
                 let response = ui.selectable_label(own == Some(clear), text);
-                if response.on_hover_text(clear.source).clicked() {
+                if tip_beside(ui, response, clear.source).clicked() {
                     picked = Some(Some(clear));
                 }
             }
@@ -204,7 +205,7 @@ fn metal_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
             for metal in METALS {
                 let is_it = own == Conductor::Metal(metal);
                 let response = ui.selectable_label(is_it, texts.get(&named("metal", metal.name)));
-                if response.on_hover_text(metal.source).clicked() {
+                if tip_beside(ui, response, metal.source).clicked() {
                     picked = Some(Conductor::Metal(metal));
                 }
             }
@@ -241,7 +242,7 @@ fn dispersion_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     let texts = sheet.texts();
     sheet.plain_row(ui, "dispersion", |_, ui| {
         let response = ui.checkbox(&mut is_on, texts.get("dispersion-words"));
-        is_clicked = response.on_hover_text(texts.tip("dispersion").unwrap_or_default()).clicked();
+        is_clicked = tip_beside(ui, response, texts.tip("dispersion").unwrap_or_default()).clicked();
     });
     if is_clicked {
         sheet.change("dispersion", "edit-dispersion", |_, material| material.dispersion = is_on);

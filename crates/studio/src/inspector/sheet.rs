@@ -10,8 +10,10 @@ use crate::context::Cx;
 use crate::inspector::symbol::Symbol;
 use crate::inspector::{Memory, Note};
 use crate::texts::Texts;
-use crate::widgets::number::{NumberField, Refusal, exact, tidy};
+pub(crate) use crate::widgets::number::Unit;
+use crate::widgets::number::{Entered, NumberField, exact, limits_in_words, tidy};
 use crate::widgets::row::{GAP, RowLabel, control_width, reset_button, row};
+use crate::widgets::tip::tip_beside;
 use crate::{theme, typeset};
 
 mod color;
@@ -21,10 +23,6 @@ mod vector;
 pub(crate) use color::ColorRow;
 pub(crate) use number::{Number, Rail};
 pub(crate) use vector::{Spread, Starts, Vector};
-
-/// The messages about limits: in general, and for lengths.
-const LIMITS: [&str; 2] = ["limits", "limits-positive"];
-const REFUSED_LIMITS: [&str; 2] = ["refused-limits", "refused-limits-positive"];
 
 /// Changes all things of a sheet; the function is told the place of each in the sheet.
 pub(crate) type Apply<'s, T> =
@@ -45,25 +43,6 @@ pub(crate) struct Quantity {
     pub(crate) unit: Unit,
     /// Its symbol in the model.
     pub(crate) symbol: Option<Symbol>,
-}
-
-/// What numbers are measured in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unit {
-    None,
-    Meters,
-    Degrees,
-}
-
-impl Unit {
-    /// As it is written after a number.
-    pub(crate) fn suffix(self, texts: &Texts) -> &str {
-        match self {
-            Self::None => "",
-            Self::Meters => texts.get("unit-meters"),
-            Self::Degrees => "°",
-        }
-    }
 }
 
 impl Quantity {
@@ -162,11 +141,13 @@ impl<'a, T> Sheet<'_, 'a, T> {
         values.any(|value| value != first)
     }
 
-    /// Draws a row for a quantity, with the note of what was refused there.
+    /// Draws a row for a quantity, with the note of what was refused there. Its label tells the unit that its fields have no
+    /// room for.
     pub(crate) fn row(
         &mut self,
         ui: &mut Ui,
         what: &Quantity,
+        unit: Unit,
         tip: String,
         contents: impl FnOnce(&mut Self, &mut Ui),
     ) {
@@ -175,6 +156,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
             id: self.id.with(what.key),
             text: texts.get(what.key),
             symbol: what.markup(),
+            unit: unit.suffix(texts),
             tip,
             is_highlighted: what.symbol.is_some() && self.memory.pointed == what.symbol,
         };
@@ -216,7 +198,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
         contents: impl FnOnce(&mut Self, &mut Ui),
     ) {
         let tip = self.texts().tip(key).unwrap_or_default().to_owned();
-        let label = RowLabel { id: self.id.with(key), text, symbol, tip, is_highlighted: false };
+        let label = RowLabel { id: self.id.with(key), text, symbol, unit: "", tip, is_highlighted: false };
         row(ui, &label, |ui, _| contents(self, ui));
         self.note(ui, key);
     }
@@ -230,13 +212,25 @@ impl<'a, T> Sheet<'_, 'a, T> {
         }
     }
 
-    pub(crate) fn refuse(&mut self, key: &'static str, refusal: Refusal) {
-        let texts = self.texts();
-        let text = match refusal {
-            Refusal::NoNumber => texts.get("refused-no-number").to_owned(),
-            Refusal::OutOfLimits(limits) => between(texts, REFUSED_LIMITS, limits, ""),
-        };
-        self.memory.note = Some(Note { id: self.id, key, text });
+    /// Follows what is typed into a number field of the row `key`: one text is one step of the history, and one that is
+    /// not taken leaves no trace. Returns the number to be set.
+    fn typed(&mut self, key: &'static str, entered: &Entered) -> Option<f64> {
+        if entered.has_begun {
+            self.cx.editor.settle();
+        }
+        let is_ours =
+            self.memory.gesture.is_some() && self.cx.editor.gesture_label() == self.memory.gesture.as_ref();
+        if entered.is_taken_back && is_ours {
+            self.cx.editor.abandon();
+            self.memory.gesture = None;
+        }
+        if let Some(refusal) = &entered.refusal {
+            let text = refusal.explained(self.texts());
+            self.memory.note = Some(Note { id: self.id, key, text });
+        } else if entered.is_taken_back && self.memory.note.as_ref().is_some_and(|note| note.key == key) {
+            self.memory.note = None;
+        }
+        entered.value.filter(|_| !entered.is_taken_back)
     }
 
     /// What a row explains: the term, its limits, what it is at first.
@@ -245,7 +239,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
         let mut tip = texts.tip(what.key).unwrap_or_default().to_owned();
         let unit = what.unit.suffix(texts);
         tip.push('\n');
-        tip.push_str(&between(texts, LIMITS, what.limits(), unit));
+        tip.push_str(&limits_in_words(texts, what.limits(), unit));
         if let Some(default) = default {
             tip.push('\n');
             tip.push_str(&texts.with("default-is", &[("value", format!("{default}{unit}").into())]));
@@ -262,13 +256,4 @@ impl<'a, T> Sheet<'_, 'a, T> {
         let tip = texts.with("reset-to", &[("value", default.into())]);
         reset_button(ui, false, &label, &tip)
     }
-}
-
-/// A message about a range. Lengths begin so close to 0 that people need not know where.
-fn between(texts: &Texts, [key, positive_key]: [&str; 2], limits: Limits, unit: &str) -> String {
-    let [min, max] = [limits.min, limits.max].map(|limit| format!("{}{unit}", exact(limit)));
-    if limits.min > 0.0 && limits.min < 1e-6 {
-        return texts.with(positive_key, &[("max", max.into())]);
-    }
-    texts.with(key, &[("min", min.into()), ("max", max.into())])
 }

@@ -171,15 +171,15 @@ fn about_ui(ui: &mut Ui, texts: &Texts, preset: &Preset) {
             return;
         }
         About::Metal(metal) => {
-            let share = |share: f64| shown(100.0 * share.min(1.0), 0);
+            let share = |share: f64| shown(texts, 100.0 * share.min(1.0), 0);
             let [red, green, blue] = metal.reflectance(1.0, 1.0).map(share);
             let shares = [("red", red.into()), ("green", green.into()), ("blue", blue.into())];
             ui.label(texts.with("materials-metal", &shares));
             metal.source
         }
         About::Clear(clear) => {
-            let index = shown(clear.dispersion.index(Lines::D), 3);
-            let abbe = shown(clear.dispersion.abbe(), 0);
+            let index = shown(texts, clear.dispersion.index(Lines::D), 3);
+            let abbe = shown(texts, clear.dispersion.abbe(), 0);
             ui.label(texts.with("materials-index", &[("index", index.into()), ("abbe", abbe.into())]));
             clear.source
         }

@@ -11,9 +11,9 @@ use egui::{Button, ComboBox, Popup, PopupCloseBehavior, RichText, TextEdit, Ui};
 
 use crate::methods::chooser::methods_ui;
 use crate::methods::{Methods, icon, method_key, report_language, short_key};
-use crate::texts::Texts;
+use crate::texts::{DecimalSign, Texts};
 use crate::theme;
-use crate::widgets::number::NumberField;
+use crate::widgets::number::{NumberField, Unit, evaluate};
 
 /// The largest picture that is offered, pixels along a side.
 const MOST_SIDE: u32 = 8192;
@@ -71,13 +71,25 @@ impl Chosen {
         let mut axis = Axis { parameter, values: Vec::new() };
         for word in self.values.split([',', ';']).map(str::trim).filter(|word| !word.is_empty()) {
             let wrong = || Wrong::Value(parameter, word.to_owned());
-            let read = Axis::read(&format!("{}={word}", parameter.key()), 1).map_err(|_| wrong())?;
+            let value = computed(parameter, word);
+            let read = Axis::read(&format!("{}={value}", parameter.key()), 1).map_err(|_| wrong())?;
             axis.values.extend(read.into_iter().next().ok_or_else(wrong)?.values);
         }
         if axis.values.is_empty() {
             return Err(Wrong::Value(parameter, String::new()));
         }
         Ok(Some(axis))
+    }
+}
+
+/// A count that is written as arithmetic, in figures; any other word as it is: in sizes, × is no product.
+fn computed(parameter: Parameter, word: &str) -> String {
+    if matches!(parameter, Parameter::Size | Parameter::Method | Parameter::Search) {
+        return word.to_owned();
+    }
+    match evaluate(word, Unit::None, DecimalSign::Point) {
+        Ok(count) if count.fract() == 0.0 && (0.0..1e15).contains(&count) => format!("{count}"),
+        _ => word.to_owned(),
     }
 }
 
@@ -144,7 +156,7 @@ impl Form {
         ui.horizontal(|ui| {
             ui.label(texts.get("measure-rounds"))
                 .on_hover_text(texts.tip("measure-rounds").unwrap_or_default());
-            whole_ui(ui, texts.get("measure-rounds"), &mut self.rounds, MOST_ROUNDS);
+            whole_ui(ui, texts, texts.get("measure-rounds"), &mut self.rounds, MOST_ROUNDS);
         });
     }
 
@@ -170,9 +182,10 @@ impl Form {
             ui.label(texts.get("render-size")).on_hover_text(texts.tip("render-size").unwrap_or_default());
             let [width, height] = &mut self.size;
             let named = |key| format!("{}: {}", texts.get("pane-measure"), texts.get(key));
-            whole_ui(ui, &named("render-width"), width, MOST_SIDE);
+            whole_ui(ui, texts, &named("render-width"), width, MOST_SIDE);
             ui.label("×");
-            whole_ui(ui, &named("render-height"), height, MOST_SIDE);
+            whole_ui(ui, texts, &named("render-height"), height, MOST_SIDE);
+            ui.label(RichText::new(texts.get("render-pixels")).color(theme::palette(ui.visuals()).weak));
         });
     }
 }
@@ -236,17 +249,19 @@ pub(super) const fn expected_key(parameter: Parameter) -> &'static str {
     }
 }
 
-fn whole_ui(ui: &mut Ui, name: &str, value: &mut u32, most: u32) {
+fn whole_ui(ui: &mut Ui, texts: &Texts, name: &str, value: &mut u32, most: u32) {
     let field = NumberField {
+        texts,
         name,
         value: f64::from(*value),
         is_mixed: false,
         limits: Limits::new(1.0, f64::from(most)),
         speed: 0.5,
         decimals: 0,
-        unit: "",
+        unit: Unit::None,
         edge: None,
         width: 60.0,
+        explains: true,
     };
     if let Some(entered) = field.show(ui).value {
         *value = (entered.round() as u32).clamp(1, most);
@@ -267,6 +282,10 @@ mod tests {
         // The name of a parameter is no value of another.
         chosen = Chosen { parameter: Some(Parameter::Bodies), values: "10, threads".to_owned() };
         assert_eq!(chosen.axis(), Err(Wrong::Value(Parameter::Bodies, "threads".to_owned())));
+        chosen.values = "2^4, 3*(5 + 5)".to_owned();
+        assert_eq!(chosen.axis().unwrap().unwrap().values, [Value::Count(16), Value::Count(30)]);
+        chosen.values = "10abc".to_owned();
+        assert_eq!(chosen.axis(), Err(Wrong::Value(Parameter::Bodies, "10abc".to_owned())));
         chosen.values = " , ".to_owned();
         assert_eq!(chosen.axis(), Err(Wrong::Value(Parameter::Bodies, String::new())));
         for parameter in Parameter::ALL {

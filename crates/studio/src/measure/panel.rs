@@ -46,7 +46,7 @@ fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut Measuring) {
     let is_running = measuring.is_running();
     ui.add_enabled_ui(!is_running, |ui| measuring.form.ui(ui, cx.texts));
     ui.add_space(4.0);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         if is_running {
             let label = format!("{} {}", ICON_STOP.codepoint, cx.t("measure-stop"));
             let stop = ui.button(label).accessible_name(cx.t("command-measure-stop"));

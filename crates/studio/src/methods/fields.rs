@@ -6,7 +6,7 @@ use egui::{Grid, Ui};
 
 use crate::texts::Texts;
 use crate::widgets::choice::{Choice, choice_ui};
-use crate::widgets::number::NumberField;
+use crate::widgets::number::{NumberField, Unit};
 
 /// The width of a field for a number, points.
 const FIELD: f32 = 92.0;
@@ -35,11 +35,11 @@ fn shading_ui(ui: &mut Ui, texts: &Texts, own: &mut ShadingSettings) {
 }
 
 fn ssr_ui(ui: &mut Ui, texts: &Texts, own: &mut SsrSettings) {
-    let step = Number { speed: 0.02, decimals: 2, unit: "unit-pixels", range: SsrSettings::STEP_PIXELS };
+    let step = Number { speed: 0.02, decimals: 2, unit: Unit::Pixels, range: SsrSettings::STEP_PIXELS };
     number_row(ui, texts, "method-step", &step, &mut own.step_pixels);
-    let thickness = Number { speed: 0.005, decimals: 3, unit: "unit-meters", range: SsrSettings::THICKNESS };
+    let thickness = Number { speed: 0.005, decimals: 3, unit: Unit::Meters, range: SsrSettings::THICKNESS };
     number_row(ui, texts, "method-thickness", &thickness, &mut own.thickness);
-    let range = Number { speed: 0.5, decimals: 2, unit: "unit-meters", range: SsrSettings::RANGE };
+    let range = Number { speed: 0.5, decimals: 2, unit: Unit::Meters, range: SsrSettings::RANGE };
     number_row(ui, texts, "method-range", &range, &mut own.range);
     whole_row(ui, texts, "method-refinements", &mut own.refinements, SsrSettings::REFINEMENTS);
     let maps = match own.fallback {
@@ -57,7 +57,11 @@ fn ssr_ui(ui: &mut Ui, texts: &Texts, own: &mut SsrSettings) {
 }
 
 fn map_ui(ui: &mut Ui, texts: &Texts, own: &mut CubeMapSettings) {
-    whole_row(ui, texts, "method-map-size", &mut own.size, CubeMapSettings::SIZE);
+    let (least, most) = (f64::from(*CubeMapSettings::SIZE.start()), f64::from(*CubeMapSettings::SIZE.end()));
+    let number = Number { speed: 0.5, decimals: 0, unit: Unit::Pixels, range: least..=most };
+    let mut size = f64::from(own.size);
+    number_row(ui, texts, "method-map-size", &number, &mut size);
+    own.size = size.round().clamp(least, most) as u32;
     check_row(ui, texts, "method-parallax", &mut own.parallax);
 }
 
@@ -102,7 +106,8 @@ fn whole_row(
     range: std::ops::RangeInclusive<u32>,
 ) {
     let (least, most) = (*range.start(), *range.end());
-    let number = Number { speed: 0.1, decimals: 0, unit: "", range: f64::from(least)..=f64::from(most) };
+    let number =
+        Number { speed: 0.1, decimals: 0, unit: Unit::None, range: f64::from(least)..=f64::from(most) };
     let mut entered = f64::from(*value);
     number_row(ui, texts, key, &number, &mut entered);
     // Dragging gives fractions.
@@ -113,25 +118,25 @@ fn whole_row(
 struct Number {
     speed: f64,
     decimals: usize,
-    /// The message of the unit; empty for none.
-    unit: &'static str,
+    unit: Unit,
     range: std::ops::RangeInclusive<f64>,
 }
 
 fn number_row(ui: &mut Ui, texts: &Texts, key: &'static str, number: &Number, value: &mut f64) {
     label(ui, texts, key);
-    let unit = if number.unit.is_empty() { "" } else { texts.get(number.unit) };
     let (least, most) = (*number.range.start(), *number.range.end());
     let field = NumberField {
+        texts,
         name: texts.get(key),
         value: *value,
         is_mixed: false,
         limits: Limits::new(least, most),
         speed: number.speed,
         decimals: number.decimals,
-        unit,
+        unit: number.unit,
         edge: None,
         width: FIELD,
+        explains: true,
     };
     let entered = field.show(ui);
     entered.response.on_hover_text(texts.tip(key).unwrap_or_default());

@@ -1,13 +1,15 @@
 //! How light becomes a file: the fields that the dialog and the window of a picture share.
 
 use catoptric_picture::{Development, ToneCurve};
-use egui::{ComboBox, RichText, Slider, Ui};
+use egui::{ComboBox, RichText, Ui};
 use egui_material_icons::icons::ICON_RESTART_ALT;
 
 use super::PictureKind;
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
+use crate::widgets::number::Unit;
+use crate::widgets::slider::SliderField;
 
 /// The exposure that can be chosen, stops to either side.
 const STOPS: f64 = 10.0;
@@ -24,10 +26,20 @@ const fn tone_key(curve: ToneCurve) -> &'static str {
 /// A slider for the exposure.
 pub(crate) fn exposure_ui(ui: &mut Ui, texts: &Texts, development: &mut Development) {
     let stops = &mut development.exposure_stops;
-    let unit = format!(" {}", texts.get("viewport-stops"));
-    let slider = Slider::new(stops, -STOPS..=STOPS).step_by(0.1).fixed_decimals(1).suffix(unit);
-    let response = ui.add(slider).accessible_name(texts.get("viewport-exposure"));
+    let slider = SliderField {
+        texts,
+        name: texts.get("viewport-exposure"),
+        value: *stops,
+        range: -STOPS..=STOPS,
+        is_logarithmic: false,
+        step: 0.1,
+        decimals: 2,
+        unit: Unit::Stops,
+        width: 82.0,
+    };
+    let (response, changed) = slider.show(ui);
     response.on_hover_text(texts.tip("viewport-exposure-slider").unwrap_or_default());
+    *stops = changed.unwrap_or(*stops);
     if *stops != 0.0
         && icon_button(ui, ICON_RESTART_ALT, texts.get("viewport-exposure-reset"), false).clicked()
     {

@@ -5,7 +5,7 @@ use std::time::Duration;
 use catoptric_live::JobError;
 use catoptric_picture::{Picture, SizeError};
 
-use crate::texts::{Language, Texts};
+use crate::texts::Texts;
 
 /// `1920 × 1080`.
 pub(crate) fn size(width: u32, height: u32) -> String {
@@ -63,11 +63,7 @@ fn two_digits(number: f64) -> f64 {
 
 /// The number with the decimal sign of the language.
 fn decimal(texts: &Texts, number: f64) -> String {
-    let text = format!("{number}");
-    match texts.language() {
-        Language::English => text,
-        Language::Russian => text.replace('.', ","),
-    }
+    texts.localized(format!("{number}"))
 }
 
 /// Why there can be no picture of a size, and what to do.
@@ -117,6 +113,7 @@ pub(crate) fn fault(texts: &Texts, reason: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::texts::Language;
 
     #[test]
     fn times_are_read_easily() {

@@ -69,13 +69,13 @@ impl Pen<'_> {
             ExactAnswer::Focus { body, focal_length, paraxial, marginal } => {
                 let center = scene.bodies.get(*body).map(|body| body.placement.world_from_body().translation);
                 self.dashed(center.unwrap_or(paraxial.exact), paraxial.exact);
-                let focus = texts.with("exact-focus", &[("length", short(*focal_length).into())]);
+                let focus = texts.with("exact-focus", &[("length", short(texts, *focal_length).into())]);
                 self.compared(paraxial, &focus);
                 self.compared(marginal, texts.get("exact-marginal"));
             }
             ExactAnswer::Highlight { light, point, off, .. } => {
                 let title = texts.with("exact-highlight", &[("light", name(Item::Light(*light)).into())]);
-                self.told(*point, &title, off.map(|off| format!("{}°", short(off.to_degrees()))));
+                self.told(*point, &title, off.map(|off| format!("{}°", short(texts, off.to_degrees()))));
             }
             ExactAnswer::Ring { angle, images, .. } => self.ring(*angle, images),
         }
@@ -96,7 +96,8 @@ impl Pen<'_> {
         }
         // The last ones lie farthest away, where there is room.
         let Some(last) = images.last() else { return };
-        let arguments = [("count", images.len().into()), ("angle", short(angle.to_degrees()).into())];
+        let arguments =
+            [("count", images.len().into()), ("angle", short(self.cx.texts, angle.to_degrees()).into())];
         let texts = self.cx.texts;
         let title = texts.with("exact-ring", &arguments);
         let miss = images.iter().filter_map(|image| image.miss).reduce(f64::max);
@@ -202,7 +203,7 @@ fn length(texts: &Texts, meters: f64) -> String {
         meters if meters >= 1e-6 => (1e6, "exact-um"),
         _ => (1e9, "exact-nm"),
     };
-    texts.with(key, &[("value", short((10.0 * factor * meters).round() / 10.0).into())])
+    texts.with(key, &[("value", short(texts, (10.0 * factor * meters).round() / 10.0).into())])
 }
 
 #[cfg(test)]

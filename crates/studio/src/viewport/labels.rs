@@ -49,25 +49,26 @@ pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
             let parts: Vec<String> = ["X", "Y", "Z"]
                 .iter()
                 .zip(parts)
-                .filter_map(|(axis, part)| part.map(|part| format!("{axis} {}", signed(part, grain))))
+                .filter_map(|(axis, part)| {
+                    part.map(|part| format!("{axis} {}", texts.localized(signed(part, grain))))
+                })
                 .collect();
             // Figure spaces, so that the numbers stand apart.
             texts.with("viewport-amount-meters", &[("parts", parts.join("\u{2002}").into())])
         }
         Amount::Degrees(degrees) => {
-            let degrees = minus(&format!("{degrees:.1}"));
+            let degrees = texts.localized(minus(&format!("{degrees:.1}")));
             texts.with("viewport-amount-degrees", &[("degrees", degrees.into())])
         }
-        Amount::Factor(factor) => {
-            texts.with("viewport-amount-factor", &[("factor", format!("{factor:.2}").into())])
-        }
+        Amount::Factor(factor) => texts
+            .with("viewport-amount-factor", &[("factor", texts.localized(format!("{factor:.2}")).into())]),
     }
 }
 
 /// Stops with their sign.
-pub(crate) fn signed_stops(stops: f64) -> String {
+pub(crate) fn signed_stops(texts: &Texts, stops: f64) -> String {
     let text = minus(&format!("{stops:+.2}"));
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    texts.localized(text.trim_end_matches('0').trim_end_matches('.').to_owned())
 }
 
 /// A number with its sign and such digits as a hand can mean.
@@ -95,5 +96,7 @@ mod tests {
         assert_eq!(text(Amount::Meters([None, Some(-0.001), None])), "Y +0.00 m");
         assert_eq!(text(Amount::Degrees(-15.0)), "\u{2212}15.0°");
         assert_eq!(text(Amount::Factor(1.2)), "×1.20");
+        let texts = Texts::new(Language::Russian);
+        assert_eq!(amount_text(&texts, Amount::Degrees(-15.0), 0.03), "\u{2212}15,0°");
     }
 }

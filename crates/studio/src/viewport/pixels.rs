@@ -59,7 +59,7 @@ pub(crate) fn note(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, palette: &Palette) {
         Some(body) => item_name(cx.texts, cx.editor.scene(), Item::Body(body)).into_owned(),
         None => cx.t("audit-background").to_owned(),
     };
-    let light = cx.audit.probed(pixel).map(|light| color_text(DVec3::from(light.map(f64::from))));
+    let light = cx.audit.probed(pixel).map(|light| color_text(cx.texts, DVec3::from(light.map(f64::from))));
     let arguments = [
         ("x", pixel.x.to_string().into()),
         ("y", pixel.y.to_string().into()),

@@ -4,7 +4,7 @@ use catoptric_picture::ToneCurve;
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Layout, Margin, Popup, PopupCloseBehavior, Rect, Response,
-    Sense, Slider, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
+    Sense, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
 };
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
@@ -13,7 +13,9 @@ use super::compass;
 use crate::command::{AuditAct, Command, Tool};
 use crate::context::Cx;
 use crate::methods::chooser::chooser_ui;
+use crate::widgets::number::Unit;
 use crate::widgets::paint_icon;
+use crate::widgets::slider::SliderField;
 use crate::{shortcuts, theme};
 
 /// Side of a button, points.
@@ -96,7 +98,7 @@ fn exposure(ui: &mut Ui, cx: &mut Cx<'_>) {
     let tip = cx.texts.tip("viewport-exposure").unwrap_or_default();
     let button = icon_button(ui, ICON_EXPOSURE, name, Some(is_set)).on_hover_text(format!("{name}\n{tip}"));
     if development.exposure_stops != 0.0 {
-        let stops = super::labels::signed_stops(development.exposure_stops);
+        let stops = super::labels::signed_stops(cx.texts, development.exposure_stops);
         let text = cx.texts.with("viewport-exposure-stops", &[("stops", stops.into())]);
         let color = theme::palette(ui.visuals()).text;
         let galley = ui.painter().layout_no_wrap(text, FontId::proportional(12.0), color);
@@ -112,12 +114,22 @@ fn exposure(ui: &mut Ui, cx: &mut Cx<'_>) {
 
 fn exposure_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
     ui.spacing_mut().slider_width = 150.0;
-    let label = ui.label(cx.t("viewport-exposure-slider"));
+    ui.label(cx.t("viewport-exposure-slider"));
     ui.horizontal(|ui| {
-        let suffix = format!(" {}", cx.t("viewport-stops"));
         let stops = &mut cx.view.development.exposure_stops;
-        let slider = Slider::new(stops, -STOPS..=STOPS).step_by(0.05).max_decimals(2).suffix(suffix);
-        let slider = ui.add(slider).labelled_by(label.id);
+        let slider = SliderField {
+            texts: cx.texts,
+            name: cx.texts.get("viewport-exposure-slider"),
+            value: *stops,
+            range: -STOPS..=STOPS,
+            is_logarithmic: false,
+            step: 0.05,
+            decimals: 2,
+            unit: Unit::Stops,
+            width: 82.0,
+        };
+        let (slider, changed) = slider.show(ui);
+        *stops = changed.unwrap_or(*stops);
         slider.on_hover_text(cx.texts.tip("viewport-exposure-slider").unwrap_or_default());
     });
     let is_set = cx.view.development.exposure_stops != 0.0;

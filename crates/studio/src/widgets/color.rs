@@ -7,9 +7,10 @@ use egui::{
 
 use crate::texts::Texts;
 use crate::theme;
-use crate::widgets::number::{HEIGHT, MIXED};
+use crate::widgets::number::{HEIGHT, MIXED, shown};
 use crate::widgets::picker::picker_ui;
 use crate::widgets::text::text_field;
+use crate::widgets::tip::tip_beside;
 
 const HEX: f32 = 76.0;
 
@@ -67,10 +68,10 @@ pub(crate) fn color_field(
     Popup::menu(&swatch).close_behavior(PopupCloseBehavior::CloseOnClickOutside).width(236.0).show(|ui| {
         picked = picker_ui(ui, texts, name, color);
     });
-    let shown = if is_mixed { MIXED.to_owned() } else { hex(color) };
+    let code = if is_mixed { MIXED.to_owned() } else { hex(color) };
     let label = texts.with("color-code-of", &[("name", name.into())]);
-    let (response, typed, _) = text_field(ui, &label, &shown, "", HEX);
-    response.on_hover_text(texts.get("color-code-tip"));
+    let (response, typed, _) = text_field(ui, &label, &code, "", HEX);
+    tip_beside(ui, response, texts.get("color-code-tip"));
     if let Some(typed) = typed {
         match parse_hex(&typed) {
             Some(color) => picked.color = Some(color),
@@ -85,16 +86,16 @@ fn swatch_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color, width: f32) -
     let palette = theme::palette(ui.visuals());
     let is_lit = response.hovered() || response.has_focus();
     let line = if is_lit { palette.accent } else { palette.line };
-    let mut shown = screen_color(color);
+    let mut fill = screen_color(color);
     if !ui.is_enabled() {
-        shown = shown.gamma_multiply(0.5);
+        fill = fill.gamma_multiply(0.5);
     }
-    ui.painter().rect(rect, 4.0, shown, Stroke::new(1.0, line), StrokeKind::Inside);
+    ui.painter().rect(rect, 4.0, fill, Stroke::new(1.0, line), StrokeKind::Inside);
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::ColorWell, enabled, name));
-    let [r, g, b] = color.to_array().map(|component| crate::widgets::number::shown(component, 4));
+    let [r, g, b] = color.to_array().map(|component| shown(texts, component, 4));
     let linear = texts.with("color-linear-values", &[("r", r.into()), ("g", g.into()), ("b", b.into())]);
-    response.on_hover_text(linear)
+    tip_beside(ui, response, &linear)
 }
 
 #[cfg(test)]

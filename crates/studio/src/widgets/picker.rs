@@ -9,7 +9,7 @@ use egui::{WidgetInfo, lerp, pos2, vec2};
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::color::Picked;
-use crate::widgets::number::{NumberField, tidy};
+use crate::widgets::number::{NumberField, Unit, tidy};
 
 /// Hue, saturation and value of the encoded color, and the color they stood for: grays keep their hue while the picker
 /// is open.
@@ -131,15 +131,17 @@ fn components_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color, picked: &
                 *part = slid;
             }
             let field = NumberField {
+                texts,
                 name: &label,
                 value: *part,
                 is_mixed: false,
                 limits: Limits::AMOUNT,
                 speed: 0.005,
                 decimals: 4,
-                unit: "",
+                unit: Unit::None,
                 edge: Some(edge),
                 width: 78.0,
+                explains: true,
             };
             let entered = field.show(ui);
             picked.is_dragged |= entered.response.dragged();

@@ -1,19 +1,27 @@
 //! Rows of a panel of values: labels in one column, controls in the other, room for a reset button at the end.
 
-use egui::{Id, Rect, Response, Role, Sense, Ui, UiBuilder, WidgetInfo, vec2};
+use std::sync::Arc;
+
+use egui::text::{LayoutJob, TextFormat, TextWrapping};
+use egui::{FontId, Galley, Id, Rect, Response, Role, Sense, Shape, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use egui_material_icons::icons::ICON_RESTART_ALT;
 
 use crate::theme;
 use crate::typeset::{self, Line};
 use crate::widgets::number::HEIGHT;
 use crate::widgets::paint_icon;
+use crate::widgets::tip::tip_beside;
 
 /// The width of the column of labels.
-pub(crate) const LABEL: f32 = 106.0;
+const LABEL: f32 = 106.0;
+/// A row that is no wider, points, has its label above its controls.
+const STACKED: f32 = 250.0;
 /// The width kept free for the reset button.
 pub(crate) const RESET: f32 = 20.0;
 /// The gap between controls of a row.
 pub(crate) const GAP: f32 = 4.0;
+/// The size of a label's letters.
+const LETTERS: f32 = 13.5;
 
 /// How a row is labelled.
 pub(crate) struct RowLabel<'a> {
@@ -23,34 +31,40 @@ pub(crate) struct RowLabel<'a> {
     pub(crate) text: &'a str,
     /// A symbol before them, as markup of [`typeset`]; empty for none.
     pub(crate) symbol: &'a str,
+    /// The unit of the numbers, where their fields have no room for it; empty for none.
+    pub(crate) unit: &'a str,
     /// What they mean.
     pub(crate) tip: String,
     /// Whether something else on the panel points to this row.
     pub(crate) is_highlighted: bool,
 }
 
-/// Draws a row; tells what its contents returned and whether the pointer is over it.
+/// Draws a row; tells what its contents returned and whether the pointer is over it. In a narrow panel the label stands
+/// above the controls.
 pub(crate) fn row<R>(
     ui: &mut Ui,
     label: &RowLabel<'_>,
     contents: impl FnOnce(&mut Ui, &Response) -> R,
 ) -> (R, bool) {
     let width = ui.available_width();
-    let start = ui.cursor().min;
-    if label.is_highlighted {
-        let rect = Rect::from_min_size(start, vec2(width, HEIGHT)).expand2(vec2(4.0, 2.0));
-        ui.painter().rect_filled(rect, 4.0, theme::palette(ui.visuals()).selection.gamma_multiply(0.6));
-    }
+    let is_stacked = width < STACKED;
+    let background = ui.painter().add(Shape::Noop);
+    let set = SetLabel::new(ui, label, if is_stacked { width } else { LABEL });
     let inner = ui.scope_builder(UiBuilder::new().scope_id(label.id), |ui| {
+        ui.spacing_mut().item_spacing = vec2(GAP, 0.0);
+        let above = is_stacked.then(|| set.show(ui, label));
         ui.horizontal(|ui| {
-            ui.set_min_size(vec2(width, HEIGHT));
-            ui.spacing_mut().item_spacing.x = GAP;
-            let response = label_ui(ui, label);
+            ui.set_min_size(vec2(width, if is_stacked { HEIGHT } else { set.height() }));
+            let response = above.unwrap_or_else(|| set.show(ui, label));
             contents(ui, &response)
         })
         .inner
     });
-    let rect = Rect::from_min_size(start, vec2(width, HEIGHT));
+    let rect = Rect::from_x_y_ranges(ui.max_rect().x_range(), inner.response.rect.y_range());
+    if label.is_highlighted {
+        let fill = theme::palette(ui.visuals()).selection.gamma_multiply(0.6);
+        ui.painter().set(background, Shape::rect_filled(rect.expand2(vec2(4.0, 2.0)), 4.0, fill));
+    }
     let is_hovered = ui.rect_contains_pointer(rect.expand2(vec2(0.0, 2.0)));
     (inner.inner, is_hovered)
 }
@@ -60,26 +74,48 @@ pub(crate) fn control_width(ui: &Ui) -> f32 {
     (ui.available_width() - RESET - GAP).max(60.0)
 }
 
-fn label_ui(ui: &mut Ui, label: &RowLabel<'_>) -> Response {
-    let (rect, response) = ui.allocate_exact_size(vec2(LABEL, HEIGHT), Sense::hover());
-    let palette = theme::palette(ui.visuals());
-    let is_enabled = ui.is_enabled();
-    let color = if is_enabled { palette.text } else { palette.weak };
-    let mut line = Line::default();
-    if !label.symbol.is_empty() {
-        line.push(ui, label.symbol, 13.5, color);
-        line.space(6.0);
-    }
-    let room = LABEL - line.width();
-    if !label.text.is_empty() {
+/// A label that is laid out: the symbol, and the words beside it, in two lines where one is too short.
+struct SetLabel {
+    symbol: Line,
+    words: Arc<Galley>,
+    width: f32,
+}
+
+impl SetLabel {
+    fn new(ui: &Ui, label: &RowLabel<'_>, width: f32) -> Self {
+        let palette = theme::palette(ui.visuals());
+        let color = if ui.is_enabled() { palette.text } else { palette.weak };
+        let mut symbol = Line::default();
+        if !label.symbol.is_empty() {
+            symbol.push(ui, label.symbol, LETTERS, color);
+            symbol.space(6.0);
+        }
         let color = if label.symbol.is_empty() { color } else { palette.weak };
-        line.push_words(ui, label.text, 13.5, color, room);
+        let format = |color| TextFormat::simple(FontId::proportional(LETTERS), color);
+        let mut job = LayoutJob::single_section(label.text.to_owned(), format(color));
+        if !label.unit.is_empty() {
+            job.append(&format!(", {}", label.unit.trim()), 0.0, format(palette.weak));
+        }
+        job.wrap = TextWrapping { max_rows: 2, ..TextWrapping::wrap_at_width(width - symbol.width()) };
+        Self { symbol, words: ui.painter().layout_job(job), width }
     }
-    line.paint(ui, rect.left_center());
-    let name = typeset::named(label.symbol, label.text);
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, is_enabled, &name));
-    let tip = label.tip.clone();
-    if tip.is_empty() { response } else { response.on_hover_text(tip) }
+
+    fn height(&self) -> f32 {
+        self.words.size().y.max(HEIGHT)
+    }
+
+    fn show(&self, ui: &mut Ui, label: &RowLabel<'_>) -> Response {
+        let (rect, response) = ui.allocate_exact_size(vec2(self.width, self.height()), Sense::hover());
+        self.symbol.paint(ui, rect.left_center());
+        let words = pos2(rect.left() + self.symbol.width(), rect.center().y - 0.5 * self.words.size().y);
+        ui.painter().galley(words, Arc::clone(&self.words), ui.visuals().text_color());
+        let name = typeset::named(label.symbol, label.text);
+        let enabled = ui.is_enabled();
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, enabled, &name));
+        let mut tip = if self.words.elided { format!("{}\n", label.text) } else { String::new() };
+        tip.push_str(&label.tip);
+        tip_beside(ui, response, &tip)
+    }
 }
 
 /// The button that brings a default back; nothing but its room when the value is the default.
@@ -95,5 +131,5 @@ pub(crate) fn reset_button(ui: &mut Ui, is_default: bool, name: &str, tip: &str)
     paint_icon(ui, ICON_RESTART_ALT, rect.center(), 14.0, color);
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
-    response.on_hover_text(tip).clicked()
+    tip_beside(ui, response, tip).clicked()
 }

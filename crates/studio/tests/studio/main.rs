@@ -6,6 +6,7 @@ mod card;
 mod commands;
 mod documents;
 mod experiments;
+mod fit;
 mod inspector;
 mod kit;
 mod lab;

@@ -183,7 +183,7 @@ fn the_panel_speaks_both_languages_and_is_remembered() {
     harness.run_steps(3);
     harness.get_by_role_and_label(Role::Button, "Алмаз").hover();
     harness.run_steps(60);
-    assert!(harness.query_by_label_contains("Показатель преломления 2.417").is_some());
+    assert!(harness.query_by_label_contains("Показатель преломления 2,417").is_some());
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
     eframe::App::on_exit(harness.state_mut());
     let mut again = studio_with(host, start);

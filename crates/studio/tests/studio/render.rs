@@ -530,3 +530,21 @@ fn everything_is_said_in_russian_too() {
     harness.run();
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
 }
+
+/// Fields outside of the inspector read the same texts.
+#[test]
+fn sizes_are_computed_or_refused_whole() {
+    let mut harness = studio();
+    open_dialog(&mut harness);
+    let value = |harness: &Hands| harness.get_by_role_and_label(Role::SpinButton, "Width").value();
+    for (text, kept) in [("640*2", "1280"), ("2^10", "1024"), ("640x480", "640x480")] {
+        harness.get_by_role_and_label(Role::SpinButton, "Width").click();
+        harness.run_steps(3);
+        harness.event(egui::Event::Text(text.to_owned()));
+        harness.run_steps(2);
+        harness.key_press(egui::Key::Tab);
+        harness.run_steps(3);
+        assert_eq!(value(&harness).as_deref(), Some(kept), "{text}");
+    }
+    assert!(harness.query_by_label_contains("“x” (character 4)").is_some(), "it says why");
+}

@@ -1,5 +1,6 @@
 # The window as a whole.
 app-name = Catoptric
+pane-close = Close: { $name }
 pane-viewport = Picture
 pane-outliner = Scene
 pane-inspector = Inspector

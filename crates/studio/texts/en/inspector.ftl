@@ -35,6 +35,7 @@ unlock = Unlock
 
 # Rows in general
 unit-meters = { " " }m
+unit-stops = { " " }EV
 limits = From { $min } to { $max }
 limits-positive = Above 0, at most { $max }
 default-is = Initially { $value }
@@ -44,7 +45,22 @@ slider-of = { $name }: slider
 linked-of = Keep proportions: { $name }
 linked = Keep proportions
     .tip = While this is on, a change of one number changes the other two in proportion.
-refused-no-number = That is not a number; the value stays as it was.
+refused-no-number = That is not a number: { $problem } { $allowed } The value stays as it was.
+refused-not-whole = Only whole numbers are possible here; the value stays as it was.
+fault-unknown = “{ $part }” (character { $at }) means nothing here.
+fault-number-missing = a number is missing at character { $at }.
+fault-operator-missing = an operator is missing before “{ $part }” (character { $at }).
+fault-parenthesis = the parenthesis “{ $part }” (character { $at }) has no counterpart.
+fault-argument-missing = “{ $part }” (character { $at }) needs its argument in parentheses.
+fault-ambiguous-comma = the comma in “{ $part }” may be a decimal sign or group thousands; write a point, or no comma.
+fault-number = “{ $part }” (character { $at }) is not written as a number.
+fault-unit = the units in “{ $part }” do not give what this value is measured in.
+fault-power-of-unit = it is unclear of what the power at character { $at } is; write it like (2 cm)^2.
+fault-not-finite = “{ $part }” has no finite value.
+fault-too-long = it is too long.
+allowed-plain = Allowed are numbers, + − * / ^ ( ), pi, sqrt, sin, cos, tan.
+allowed-length = Allowed are numbers, + − * / ^ ( ), pi, sqrt, sin, cos, tan, and m, cm, mm, km.
+allowed-angle = Allowed are numbers, + − * / ^ ( ), pi, sqrt, sin, cos, tan, and °, deg, rad.
 refused-limits = It must be from { $min } to { $max }; the value stays as it was.
 refused-limits-positive = It must be above 0 and at most { $max }; the value stays as it was.
 refused-no-color = A color is written as # and six digits, such as #3a7bd5.
@@ -185,6 +201,8 @@ curve-seen-inside = Under the pointer, from within, θ = { $angle }°: reflects 
 curve-seen-inside-alike = Under the pointer, from within, θ = { $angle }°: reflects { $share } of red, green and blue alike.
 in-formula-straight = Straight incidence
 in-formula-loss = Loss on the way
+law-spectrum = Each wavelength is reflected in part: { $least } at { $at-least } nm, { $most } at { $at-most } nm. To the eye, Y = { $luminous } of daylight.
+law-gamut = RGB is the color of that in linear sRGB. Its red passes 1 because the color is purer than mixtures of the screen’s red, green and blue (outside of the sRGB gamut), not because more light comes back.
 in-formula-coat = Through the coat
 kind = Kind of reflection
 kind-matte = Matte

@@ -22,7 +22,6 @@ viewport-exposure-stops = { $stops } EV
 viewport-exposure-slider = Exposure
     .tip = Each stop up doubles the light, each stop down halves it.
 viewport-exposure-reset = Reset to 0
-viewport-stops = stops
 viewport-tone = Tone curve
 viewport-tone-none = None
     .tip = Light above white is cut off: what the scene’s numbers say is what you see.

@@ -1,5 +1,6 @@
 # Окно в целом.
 app-name = Catoptric
+pane-close = Закрыть: { $name }
 pane-viewport = Изображение
 pane-outliner = Сцена
 pane-inspector = Свойства

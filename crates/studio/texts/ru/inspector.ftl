@@ -34,6 +34,7 @@ unlock = Открепить
 
 # Строки вообще
 unit-meters = { " " }м
+unit-stops = { " " }EV
 limits = От { $min } до { $max }
 limits-positive = Больше 0, не более { $max }
 default-is = Изначально { $value }
@@ -43,7 +44,22 @@ slider-of = { $name }: ползунок
 linked-of = Сохранять пропорции: { $name }
 linked = Сохранять пропорции
     .tip = Пока включено, с одним числом пропорционально меняются два других.
-refused-no-number = Это не число; значение осталось прежним.
+refused-no-number = Это не число: { $problem } { $allowed } Значение осталось прежним.
+refused-not-whole = Здесь возможны только целые числа; значение осталось прежним.
+fault-unknown = «{ $part }» (знак { $at }) здесь ничего не значит.
+fault-number-missing = не хватает числа (знак { $at }).
+fault-operator-missing = перед «{ $part }» (знак { $at }) не хватает знака действия.
+fault-parenthesis = у скобки «{ $part }» (знак { $at }) нет пары.
+fault-argument-missing = после «{ $part }» (знак { $at }) нужен аргумент в скобках.
+fault-ambiguous-comma = неясно, отделяет ли запятая в «{ $part }» дробную часть или тысячи.
+fault-number = «{ $part }» (знак { $at }) не похоже на число.
+fault-unit = единицы в «{ $part }» не подходят к этой величине.
+fault-power-of-unit = неясно, что возводится в степень (знак { $at }); запишите как (2 см)^2.
+fault-not-finite = у «{ $part }» нет конечного значения.
+fault-too-long = текст слишком длинный.
+allowed-plain = Допустимы числа, + − * / ^ ( ), pi, sqrt, sin, cos, tan.
+allowed-length = Допустимы числа, + − * / ^ ( ), pi, sqrt, sin, cos, tan и м, см, мм, км.
+allowed-angle = Допустимы числа, + − * / ^ ( ), pi, sqrt, sin, cos, tan и °, град, рад.
 refused-limits = Допустимо от { $min } до { $max }; значение осталось прежним.
 refused-limits-positive = Значение должно быть больше 0 и не более { $max }; оно осталось прежним.
 refused-no-color = Цвет записывается как # и шесть цифр, например #3a7bd5.
@@ -184,6 +200,8 @@ curve-seen-alike = Под указателем θ = { $angle }°: красног
 curve-seen-inside = Под указателем, изнутри, θ = { $angle }°: отражается { $red } красного, { $green } зелёного, { $blue } синего.
 curve-seen-inside-alike = Под указателем, изнутри, θ = { $angle }°: красного, зелёного и синего отражается поровну, { $share }.
 in-formula-straight = Прямое падение
+law-spectrum = Каждая длина волны отражается частично: { $least } при { $at-least } нм, { $most } при { $at-most } нм. Для глаза Y = { $luminous } дневного света.
+law-gamut = RGB — цвет этого света в линейном sRGB. Красная часть больше 1, потому что цвет чище любой смеси красного, зелёного и синего экрана (вне охвата sRGB), а не потому, что света возвращается больше.
 in-formula-loss = Потери в пути
 in-formula-coat = Сквозь слой лака
 kind = Вид отражения

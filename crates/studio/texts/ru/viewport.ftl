@@ -22,7 +22,6 @@ viewport-exposure-stops = { $stops } EV
 viewport-exposure-slider = Экспозиция
     .tip = Каждая ступень вверх удваивает количество света, каждая ступень вниз уменьшает его вдвое.
 viewport-exposure-reset = Сбросить до 0
-viewport-stops = EV
 viewport-tone = Тональная кривая
 viewport-tone-none = Без кривой
     .tip = Свет ярче белого отсекается: видно ровно то, что дают числа сцены.

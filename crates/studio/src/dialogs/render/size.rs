@@ -54,11 +54,11 @@ impl Size {
         ui.label("");
         ui.horizontal(|ui| {
             let (width, height) = (texts.get("render-width"), texts.get("render-height"));
-            if side_ui(ui, width, &mut choices.width, refused) && choices.keeps_proportions {
+            if side_ui(ui, texts, width, &mut choices.width, refused) && choices.keeps_proportions {
                 choices.height = side(f64::from(choices.width) / self.proportions);
             }
             ui.label("×");
-            if side_ui(ui, height, &mut choices.height, refused) && choices.keeps_proportions {
+            if side_ui(ui, texts, height, &mut choices.height, refused) && choices.keeps_proportions {
                 choices.width = side(f64::from(choices.height) * self.proportions);
             }
             ui.label(RichText::new(texts.get("render-pixels")).color(theme::palette(ui.visuals()).weak));
@@ -109,6 +109,6 @@ fn side(pixels: f64) -> u32 {
     (pixels.round() as u32).clamp(1, Picture::MAX_SIDE)
 }
 
-fn side_ui(ui: &mut Ui, name: &str, pixels: &mut u32, refused: &mut Option<Refusal>) -> bool {
-    whole_ui(ui, &Whole { name, tip: name, most: Picture::MAX_SIDE, speed: 2.0 }, pixels, refused)
+fn side_ui(ui: &mut Ui, texts: &Texts, name: &str, pixels: &mut u32, refused: &mut Option<Refusal>) -> bool {
+    whole_ui(ui, texts, &Whole { name, tip: name, most: Picture::MAX_SIDE, speed: 2.0 }, pixels, refused)
 }

@@ -36,16 +36,16 @@ pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut 
         Falloff::None => vec![Factor::text(Symbol::Falloff, "1")],
         Falloff::Linear { constant } => vec![
             Factor::sign("1 / (d + "),
-            Factor::number(Symbol::FalloffConstant, constant),
+            Factor::number(texts, Symbol::FalloffConstant, constant),
             Factor::sign(")"),
         ],
         Falloff::InverseSquare => vec![Factor::text(Symbol::Falloff, "1 / d^2")],
     };
     numbers.extend([
         Factor::sign(" · "),
-        Factor::number(Symbol::Intensity, light.intensity),
+        Factor::number(texts, Symbol::Intensity, light.intensity),
         Factor::sign(" · "),
-        Factor::color(Symbol::LightColor, light.color),
+        Factor::color(texts, Symbol::LightColor, light.color),
     ]);
     let rows = [
         Row { name, factors: symbols, is_numeric: false, is_idle: false, indent: 0.0 },
@@ -54,9 +54,9 @@ pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut 
     rows_ui(ui, texts, memory, Id::unique("formula-falloff"), &rows);
     if light.falloff != Falloff::None {
         let unit = texts.get("unit-meters");
-        let told =
-            DISTANCES.map(|d| format!("A({}{unit}) = {}", shown(d, 0), shown(at(light.falloff, d), 3)));
-        hint(ui, &told.join(",  "));
+        let told = DISTANCES
+            .map(|d| format!("A({}{unit}) = {}", shown(texts, d, 0), shown(texts, at(light.falloff, d), 3)));
+        hint(ui, &told.join(";  "));
     }
 }
 

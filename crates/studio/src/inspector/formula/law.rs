@@ -1,13 +1,15 @@
 //! The laws of surfaces that are not Phong's, in symbols and in numbers.
 
+use catoptric_optics::{Metal, fresnel, observer};
 use catoptric_scene::{Conductor, Material, Model};
 use egui::{Id, Ui};
 
 use super::{Factor, Row, color_text, rows_ui};
 use crate::inspector::Memory;
+use crate::inspector::header::hint;
 use crate::inspector::symbol::Symbol;
 use crate::texts::Texts;
-use crate::widgets::number::shown;
+use crate::widgets::number::{list, shown};
 
 /// Draws the law of a material's model.
 pub(in crate::inspector) fn law_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Material) {
@@ -21,6 +23,46 @@ pub(in crate::inspector) fn law_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memo
         Model::Coated => lines.coated(material),
     }
     rows_ui(ui, texts, memory, Id::unique("formula-law"), &lines.rows);
+    if let (Model::Conductor, Conductor::Metal(metal)) = (material.model, material.conductor) {
+        metal_ui(ui, texts, metal);
+    }
+}
+
+/// What the numbers of a metal mean: the spectrum is reflected in part, and its color may lie outside of sRGB.
+fn metal_ui(ui: &mut Ui, texts: &Texts, metal: &Metal) {
+    let [(at_least, least), (at_most, most)] = spectral_range(metal);
+    let arguments = [
+        ("least", shown(texts, least, 3).into()),
+        ("at-least", shown(texts, at_least, 0).into()),
+        ("most", shown(texts, most, 3).into()),
+        ("at-most", shown(texts, at_most, 0).into()),
+        ("luminous", shown(texts, luminance(metal.reflectance(1.0, 1.0)), 3).into()),
+    ];
+    hint(ui, &texts.with("law-spectrum", &arguments));
+    if metal.reflectance(1.0, 1.0).into_iter().any(|part| part > 1.0) {
+        hint(ui, texts.get("law-gamut"));
+    }
+}
+
+/// The wavelengths, nanometers, at which a metal reflects the least and the most straight on, with R(0).
+fn spectral_range(metal: &Metal) -> [(f64, f64); 2] {
+    let shares = (0..=80).map(|step| {
+        let nanometers = observer::VISIBLE.start() + 5.0 * f64::from(step);
+        let [n, k] = metal.index(nanometers);
+        (nanometers, fresnel::conductor(1.0, n, k).mean())
+    });
+    let pick = |other: fn(f64, f64) -> bool| {
+        shares
+            .clone()
+            .reduce(|best, next| if other(next.1, best.1) { next } else { best })
+            .unwrap_or_default()
+    };
+    [pick(|next, best| next < best), pick(|next, best| next > best)]
+}
+
+/// Luminance Y of a color in linear sRGB, where white has 1 (IEC 61966-2-1).
+fn luminance([red, green, blue]: [f64; 3]) -> f64 {
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
 }
 
 struct Lines<'t> {
@@ -57,14 +99,15 @@ impl Lines<'_> {
             "in-formula-snell",
             vec![
                 Factor::sign("sin α = "),
-                Factor::number(Symbol::Ior, material.ior()),
+                Factor::number(self.texts, Symbol::Ior, material.ior()),
                 Factor::sign(" · sin β"),
             ],
         );
         if material.attenuation_color != catoptric_scene::Color::WHITE {
             self.symbols("in-formula-loss", vec![Factor::sign("T(d) = c^{d/D}")]);
-            let (color, distance) = (color_text(material.attenuation_color), material.attenuation_distance);
-            let markup = format!("T(d) = {color}^{{d/{}}}", shown(distance, 3));
+            let (color, distance) =
+                (color_text(self.texts, material.attenuation_color), material.attenuation_distance);
+            let markup = format!("T(d) = {color}^{{d/{}}}", shown(self.texts, distance, 3));
             self.numbers("in-formula-loss", vec![Factor::sign(&markup)]);
         }
     }
@@ -74,8 +117,8 @@ impl Lines<'_> {
         let ior = material.ior();
         let root = (ior - 1.0) / (ior + 1.0);
         self.symbols("in-formula-straight", vec![Factor::sign("R(0) = ((η − 1)/(η + 1))^2")]);
-        let index = shown(ior, 3);
-        let markup = format!("(({index} − 1)/({index} + 1))^2 = {}", shown(root * root, 4));
+        let index = shown(self.texts, ior, 3);
+        let markup = format!("(({index} − 1)/({index} + 1))^2 = {}", shown(self.texts, root * root, 4));
         self.numbers("in-formula-straight", vec![Factor::sign(&markup)]);
     }
 
@@ -84,14 +127,18 @@ impl Lines<'_> {
         self.symbols("in-formula-sum", sum);
         self.symbols("in-formula-straight", vec![Factor::sign("R(0) = ((n − 1)^2 + k^2)/((n + 1)^2 + k^2)")]);
         let [r, g, b] = match material.conductor {
-            Conductor::Metal(metal) => metal.reflectance(1.0, 1.0),
+            Conductor::Metal(metal) => {
+                let [least, most] = spectral_range(metal).map(|(_, share)| shown(self.texts, share, 3));
+                self.numbers("in-formula-straight", vec![Factor::sign(&format!("R(0) = {least} … {most}"))]);
+                metal.reflectance(1.0, 1.0)
+            }
             Conductor::Index { n, k } => {
                 let straight = |n: f64, k: f64| ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k);
                 [straight(n.x, k.x), straight(n.y, k.y), straight(n.z, k.z)]
             }
         };
-        let numbers = [r, g, b].map(|part| shown(part, 3)).join(", ");
-        self.numbers("in-formula-straight", vec![Factor::sign(&format!("R(0) = ({numbers})"))]);
+        let numbers = list(self.texts, [r, g, b].map(|part| shown(self.texts, part, 3)));
+        self.numbers("in-formula-straight", vec![Factor::sign(&format!("RGB = ({numbers})"))]);
     }
 
     fn mirror(&mut self, material: &Material) {
@@ -108,9 +155,9 @@ impl Lines<'_> {
             "in-formula-sum",
             vec![
                 Factor::sign("I = "),
-                Factor::number(Symbol::Reflection, material.reflection()),
+                Factor::number(self.texts, Symbol::Reflection, material.reflection()),
                 Factor::sign("·"),
-                Factor::color(Symbol::Color, material.emblem()),
+                Factor::color(self.texts, Symbol::Color, material.emblem()),
                 Factor::sign("·"),
                 self.reflected(),
             ],
@@ -149,5 +196,26 @@ impl Lines<'_> {
         self.symbols("in-formula-coat", vec![Factor::sign("· (1 − R(θ)) (1 − R(θ_j))/(η^2 (1 − C R_i))")]);
         self.symbols("in-formula-reflection", vec![Factor::sign("+ R(θ) "), self.reflected()]);
         self.straight(material);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_optics::METALS;
+
+    use super::*;
+
+    #[test]
+    fn no_wavelength_comes_back_more_than_whole_though_a_color_may_leave_srgb() {
+        for metal in METALS {
+            let [(_, least), (_, most)] = spectral_range(metal);
+            assert!(0.0 < least && least < most && most < 1.0, "{}: {least} {most}", metal.name);
+            let seen = luminance(metal.reflectance(1.0, 1.0));
+            assert!((least..=most).contains(&seen), "{}: {seen}", metal.name);
+        }
+        let gold = Metal::named("gold").unwrap();
+        assert!(gold.reflectance(1.0, 1.0)[0] > 1.0);
+        // Y of the color that the library colour-science 0.4 (Python) gives: 1.0375, 0.7284, 0.3646.
+        assert!((luminance(gold.reflectance(1.0, 1.0)) - 0.7679).abs() < 1e-3);
     }
 }

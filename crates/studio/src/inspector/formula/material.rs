@@ -57,11 +57,11 @@ fn ambient<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material, s
         Factor::symbol(Symbol::AmbientLight),
     ];
     let numbers = vec![
-        Factor::number(Symbol::Ambient, material.ambient),
+        Factor::number(texts, Symbol::Ambient, material.ambient),
         Factor::sign("·"),
-        Factor::color(Symbol::Color, material.emblem()),
+        Factor::color(texts, Symbol::Color, material.emblem()),
         Factor::sign("·"),
-        Factor::color(Symbol::AmbientLight, scene.environment.ambient),
+        Factor::color(texts, Symbol::AmbientLight, scene.environment.ambient),
     ];
     pair(rows, texts.get("in-formula-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
 }
@@ -81,9 +81,9 @@ fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
     let symbols =
         vec![Factor::symbol(Symbol::Diffuse), Factor::symbol(Symbol::Color), Factor::symbol(Symbol::Lambert)];
     let numbers = vec![
-        Factor::number(Symbol::Diffuse, material.diffuse),
+        Factor::number(texts, Symbol::Diffuse, material.diffuse),
         Factor::sign("·"),
-        Factor::color(Symbol::Color, material.emblem()),
+        Factor::color(texts, Symbol::Color, material.emblem()),
         Factor::sign("·"),
         Factor::symbol(Symbol::Lambert),
     ];
@@ -99,9 +99,9 @@ fn highlight<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material)
         Factor::text(Symbol::Shininess, "^n"),
         Factor::sign(" ]"),
     ];
-    let exponent = format!("^{{{}}}", shown(material.shininess, 1));
+    let exponent = format!("^{{{}}}", shown(texts, material.shininess, 1));
     let numbers = vec![
-        Factor::number(Symbol::Specular, material.specular),
+        Factor::number(texts, Symbol::Specular, material.specular),
         Factor::sign("·"),
         Factor::symbol(Symbol::Mirrored),
         Factor::text(Symbol::Shininess, exponent),
@@ -119,7 +119,7 @@ fn reflection<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material
     ];
     let value = material.reflection();
     let numbers = vec![
-        Factor::number(Symbol::Reflection, value),
+        Factor::number(texts, Symbol::Reflection, value),
         Factor::sign("·"),
         Factor::text(Symbol::Reflected, reflected),
     ];
@@ -136,9 +136,9 @@ fn transmission<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Materi
         Factor::text(Symbol::Refracted, refracted),
     ];
     let numbers = vec![
-        Factor::number(Symbol::Transmission, material.transmission),
+        Factor::number(texts, Symbol::Transmission, material.transmission),
         Factor::sign("·"),
-        Factor::color(Symbol::Tint, material.tint),
+        Factor::color(texts, Symbol::Tint, material.tint),
         Factor::sign("·"),
         Factor::text(Symbol::Refracted, refracted),
     ];
@@ -152,38 +152,41 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Mat
     }
     let name = texts.get("in-formula-snell");
     let symbols = vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")];
-    let numbers =
-        vec![Factor::sign("sin α = "), Factor::number(Symbol::Ior, material.ior), Factor::sign(" · sin β")];
+    let numbers = vec![
+        Factor::sign("sin α = "),
+        Factor::number(texts, Symbol::Ior, material.ior),
+        Factor::sign(" · sin β"),
+    ];
     let mut rows = Vec::new();
     pair(&mut rows, name, 0.0, false, symbols, numbers);
     rows_ui(ui, texts, memory, Id::unique("formula-snell"), &rows);
     let ratio = material.ior.min(material.ior.recip());
     if ratio < 1.0 {
-        let angle = shown(ratio.asin().to_degrees(), 1);
+        let angle = shown(texts, ratio.asin().to_degrees(), 1);
         let key = if material.ior > 1.0 { "critical-angle" } else { "critical-angle-outside" };
         hint(ui, &texts.with(key, &[("angle", angle.into())]));
     }
 }
 
 /// I_1 = intensity · color, the law of falloff if there is one, and the name.
-fn light_ui(ui: &mut Ui, light: &Light, number: usize, name: &str) {
+fn light_ui(ui: &mut Ui, texts: &Texts, light: &Light, number: usize, name: &str) {
     let palette = theme::palette(ui.visuals());
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 17.0), Sense::hover());
     let law = match light.falloff {
         Falloff::None => String::new(),
-        Falloff::Linear { constant } => format!(",  A = 1/(d + {})", shown(constant, 3)),
+        Falloff::Linear { constant } => format!(",  A = 1/(d + {})", shown(texts, constant, 3)),
         Falloff::InverseSquare => ",  A = 1/d^2".to_owned(),
     };
-    let markup = format!("I_{{{number}}} = {} · ", shown(light.intensity, 3));
+    let markup = format!("I_{{{number}}} = {} · ", shown(texts, light.intensity, 3));
     let mut line = Line::default();
     line.push(ui, &markup, 12.0, palette.weak);
     line.push_chip(8.0, screen_color(light.color));
-    line.push(ui, &format!("{}{law}", color_text(light.color)), 12.0, palette.weak);
+    line.push(ui, &format!("{}{law}", color_text(texts, light.color)), 12.0, palette.weak);
     line.space(8.0);
     let room = (rect.width() - line.width()).max(0.0);
     line.push_words(ui, name, 12.0, palette.weak, room);
     line.paint(ui, rect.left_center());
-    let words = format!("{}{}{law} {name}", typeset::plain(&markup), color_text(light.color));
+    let words = format!("{}{}{law} {name}", typeset::plain(&markup), color_text(texts, light.color));
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
 }
 
@@ -196,7 +199,7 @@ fn lights_ui(ui: &mut Ui, texts: &Texts, scene: &Scene) {
     }
     for (index, light) in lit.iter().take(LISTED).enumerate() {
         let name = if light.name.is_empty() { texts.get("thing-light") } else { &light.name };
-        light_ui(ui, light, index + 1, name);
+        light_ui(ui, texts, light, index + 1, name);
     }
     if lit.len() > LISTED {
         hint(ui, &texts.with("formula-more-lights", &[("count", (lit.len() - LISTED).into())]));

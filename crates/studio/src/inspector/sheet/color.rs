@@ -16,7 +16,7 @@ impl<T> Sheet<'_, '_, T> {
         let default = row.what.spec().and_then(KeySpec::default_vector).map(Color::from);
         let Some(value) = (row.get)(self.primary) else { return };
         let tip = self.tip(&row.what, default.map(hex));
-        self.row(ui, &row.what, tip, |sheet, ui| {
+        self.row(ui, &row.what, Unit::None, tip, |sheet, ui| {
             let texts = sheet.texts();
             let name = row.what.label(texts);
             let is_mixed = sheet.is_mixed(row.get);

@@ -59,9 +59,10 @@ impl<T> Sheet<'_, '_, T> {
     /// Draws a row with one number that has this default.
     pub(crate) fn number_or(&mut self, ui: &mut Ui, number: &Number<T>, default: Option<f64>) {
         let Some(value) = (number.get)(self.primary) else { return };
-        let tip = self.tip(&number.what, default.map(exact));
+        let tip = self.tip(&number.what, default.map(|value| exact(self.texts(), value)));
         let field_tip = tip.clone();
-        self.row(ui, &number.what, tip, |sheet, ui| {
+        let unit = if number.rail == Rail::None { Unit::None } else { number.what.unit };
+        self.row(ui, &number.what, unit, tip, |sheet, ui| {
             sheet.number_contents(ui, number, value, default, &field_tip);
         });
     }
@@ -85,28 +86,28 @@ impl<T> Sheet<'_, '_, T> {
             new = self.rail(ui, number, &name, value, width - FIELD - GAP, tip);
         }
         let field = NumberField {
+            texts,
             name: &name,
             value,
             is_mixed,
             limits: what.limits(),
             speed: if what.unit == Unit::Meters { length_speed(value) } else { number.speed },
             decimals: number.decimals,
-            unit: what.unit.suffix(texts),
+            unit: what.unit,
             edge: None,
             width: if has_rail { FIELD } else { width },
+            explains: false,
         };
         let entered = field.show(ui);
         self.cx.view.is_moving |= entered.response.dragged();
-        entered.response.on_hover_text(tip);
-        if let Some(refusal) = entered.refusal {
-            self.refuse(what.key, refusal);
-        }
-        let default_text = default.map(exact).unwrap_or_default();
+        let typed = self.typed(what.key, &entered);
+        tip_beside(ui, entered.response, tip);
+        let default_text = default.map(|value| exact(texts, value)).unwrap_or_default();
         let is_default = default.is_none_or(|default| !is_mixed && value == default);
         if self.reset(ui, is_default, &name, &default_text) {
             new = default;
         }
-        if let Some(value) = entered.value.or(new) {
+        if let Some(value) = typed.or(new) {
             self.change(what.key, what.edit, |_, thing| {
                 if (number.get)(thing).is_some() {
                     (number.set)(thing, value);
@@ -149,7 +150,7 @@ impl<T> Sheet<'_, '_, T> {
         let response = response.inner;
         self.cx.view.is_moving |= response.dragged();
         let is_changed = response.changed();
-        response.on_hover_text(tip);
+        tip_beside(ui, response, tip);
         is_changed.then_some(slid)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::widgets::explained_icon_button;
+use crate::widgets::number::list;
 use egui_material_icons::icons::{ICON_LINK, ICON_LINK_OFF};
 
 /// How a change of the primary thing's vector is carried to the others.
@@ -65,8 +66,10 @@ impl<T> Sheet<'_, '_, T> {
     pub(crate) fn vector(&mut self, ui: &mut Ui, vector: &Vector<T>) {
         let default = vector.what.spec().and_then(KeySpec::default_vector).map(DVec3::from_array);
         let Some(value) = (vector.get)(self.primary) else { return };
-        let tip = self.tip(&vector.what, default.map(vector_text));
-        self.row(ui, &vector.what, tip, |sheet, ui| sheet.vector_contents(ui, vector, value, default));
+        let tip = self.tip(&vector.what, default.map(|value| vector_text(self.texts(), value)));
+        self.row(ui, &vector.what, vector.what.unit, tip, |sheet, ui| {
+            sheet.vector_contents(ui, vector, value, default);
+        });
     }
 
     fn vector_contents(&mut self, ui: &mut Ui, vector: &Vector<T>, value: DVec3, default: Option<DVec3>) {
@@ -85,7 +88,7 @@ impl<T> Sheet<'_, '_, T> {
         }
         let is_mixed = vector.spread == Spread::Same && self.is_mixed(vector.get);
         let is_default = default.is_none_or(|default| !is_mixed && value == default);
-        let default_text = default.map(vector_text).unwrap_or_default();
+        let default_text = default.map(|value| vector_text(self.texts(), value)).unwrap_or_default();
         if self.reset(ui, is_default, &name, &default_text)
             && let Some(default) = default
         {
@@ -118,24 +121,24 @@ impl<T> Sheet<'_, '_, T> {
         let name = format!("{name} {letter}");
         let unit = vector.what.unit.suffix(texts);
         let field = NumberField {
+            texts,
             name: &name,
             value: number,
             is_mixed,
             limits: vector.what.limits(),
             speed: vector.speed * (number.abs() / 10.0).max(1.0),
             decimals: vector.decimals,
-            unit,
+            unit: vector.what.unit,
             edge: palette.axes.get(axis).copied(),
             width,
+            explains: false,
         };
-        let mut entered = field.show(ui);
+        let entered = field.show(ui);
         self.cx.view.is_moving |= entered.response.dragged();
-        let full = format!("{letter}  {}{unit}", exact(number));
-        entered.response = entered.response.on_hover_text(full);
-        if let Some(refusal) = entered.refusal {
-            self.refuse(vector.what.key, refusal);
-        }
-        entered.value
+        let full = format!("{letter}  {}{unit}", exact(texts, number));
+        let typed = self.typed(vector.what.key, &entered);
+        tip_beside(ui, entered.response, &full);
+        typed
     }
 
     fn link_button(&mut self, ui: &mut Ui, link: fn(&mut Memory) -> &mut bool, name: &str) {
@@ -210,6 +213,6 @@ pub(crate) fn tidy_vector(value: DVec3) -> DVec3 {
 }
 
 /// A vector for people.
-pub(crate) fn vector_text(value: DVec3) -> String {
-    value.to_array().map(exact).join(", ")
+pub(crate) fn vector_text(texts: &Texts, value: DVec3) -> String {
+    list(texts, value.to_array().map(|part| exact(texts, part)))
 }

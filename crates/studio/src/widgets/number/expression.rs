@@ -1,0 +1,420 @@
+//! Numbers as people type them: arithmetic, units, and the decimal sign of any language.
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }
+//! product = signed { ("*" | "/") signed }
+//! signed  = { "+" | "-" } power
+//! power   = primary [ "^" signed ]
+//! primary = ( number | constant | function "(" sum ")" | "(" sum ")" ) { unit }
+//! ```
+//!
+//! A sign binds weaker than a power (−2² is −4), powers are chained from the right, and the unit after a quotient of plain
+//! numbers is that of the quotient (1/2 m is half a meter).
+
+use std::ops::Range;
+
+use super::Unit;
+use crate::texts::DecimalSign;
+
+mod lexer;
+
+use lexer::{Lexer, Token};
+
+/// The longest text that is read, letters.
+const MOST_LETTERS: usize = 200;
+/// How deep parentheses, signs and powers may be nested.
+const MOST_DEPTH: usize = 40;
+
+/// Why a text is not a number, and where in it, counted in letters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Fault {
+    pub(crate) kind: FaultKind,
+    pub(crate) place: Range<usize>,
+}
+
+/// What is wrong with a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FaultKind {
+    /// A word or sign that means nothing here.
+    Unknown,
+    /// A number is missing.
+    NumberMissing,
+    /// Two numbers stand side by side.
+    OperatorMissing,
+    /// A parenthesis has no counterpart.
+    Parenthesis,
+    /// The parenthesis after the name of a function is missing.
+    ArgumentMissing,
+    /// A comma before three figures may be a decimal sign, or may group thousands.
+    AmbiguousComma,
+    /// A number with two decimal signs, or spaces in the wrong places.
+    Number,
+    /// The unit is not one of this quantity, or units do not go together.
+    Unit,
+    /// A power of a quantity with a unit is unclear.
+    PowerOfUnit,
+    /// There is no finite result.
+    NotFinite,
+    /// The text is too long or too deeply nested.
+    TooLong,
+}
+
+/// Evaluates `text` as a quantity in `unit`: a plain number counts in this unit. The whole text is read, or none of it.
+///
+/// # Errors
+/// What is wrong, and where.
+pub(crate) fn evaluate(text: &str, unit: Unit, sign: DecimalSign) -> Result<f64, Fault> {
+    let letters = text.chars().count();
+    if letters > MOST_LETTERS {
+        return Err(Fault { kind: FaultKind::TooLong, place: MOST_LETTERS..letters });
+    }
+    let tokens = Lexer::new(text, sign).tokens()?;
+    let is_computed = tokens.len() > 1;
+    let mut parser = Parser { tokens, next: 0, end: letters, depth: 0 };
+    let value = parser.sum()?;
+    if let Some((token, place)) = parser.peek() {
+        let kind = if token == Token::Close { FaultKind::Parenthesis } else { FaultKind::OperatorMissing };
+        return Err(Fault { kind, place });
+    }
+    let whole = 0..letters;
+    if !value.number.is_finite() {
+        return Err(Fault { kind: FaultKind::NotFinite, place: whole });
+    }
+    if value.dimension != Dimension::PLAIN && value.dimension != Dimension::of(unit) {
+        return Err(Fault { kind: FaultKind::Unit, place: whole });
+    }
+    Ok(if is_computed { free_of_noise(value.number) } else { value.number })
+}
+
+/// A result without the noise of binary arithmetic, where fifteen digits end in zeros: 0.1 · 3 is 0.3.
+fn free_of_noise(value: f64) -> f64 {
+    let rounded = |digits: usize| format!("{value:.digits$e}").parse().unwrap_or(value);
+    let (long, short): (f64, f64) = (rounded(14), rounded(11));
+    if long == short { short + 0.0 } else { value }
+}
+
+/// The powers of length and angle in a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Dimension {
+    length: i32,
+    angle: i32,
+}
+
+impl Dimension {
+    const PLAIN: Self = Self { length: 0, angle: 0 };
+    const LENGTH: Self = Self { length: 1, angle: 0 };
+    const ANGLE: Self = Self { length: 0, angle: 1 };
+
+    const fn of(unit: Unit) -> Self {
+        match unit {
+            Unit::Meters => Self::LENGTH,
+            Unit::Degrees => Self::ANGLE,
+            Unit::None | Unit::Pixels | Unit::Stops => Self::PLAIN,
+        }
+    }
+
+    fn times(self, other: Self, sign: i32) -> Self {
+        Self { length: self.length + sign * other.length, angle: self.angle + sign * other.angle }
+    }
+
+    fn to_power(self, power: i32) -> Option<Self> {
+        Some(Self { length: self.length.checked_mul(power)?, angle: self.angle.checked_mul(power)? })
+            .filter(|raised| raised.length.abs() <= 64 && raised.angle.abs() <= 64)
+    }
+}
+
+/// A number in meters, degrees, their powers, or by itself.
+#[derive(Clone, Copy, Debug)]
+struct Value {
+    number: f64,
+    dimension: Dimension,
+}
+
+impl Value {
+    const fn plain(number: f64) -> Self {
+        Self { number, dimension: Dimension::PLAIN }
+    }
+
+    fn is_plain(self) -> bool {
+        self.dimension == Dimension::PLAIN
+    }
+
+    fn times(self, other: Self) -> Self {
+        Self { number: self.number * other.number, dimension: self.dimension.times(other.dimension, 1) }
+    }
+
+    fn over(self, other: Self) -> Self {
+        Self { number: self.number / other.number, dimension: self.dimension.times(other.dimension, -1) }
+    }
+}
+
+/// What a word stands for.
+#[derive(Clone, Copy, Debug)]
+enum Word {
+    Constant(f64),
+    Function(Function),
+    Unit(Value),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Function {
+    Sqrt,
+    Abs,
+    Exp,
+    Ln,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+}
+
+fn word(text: &str) -> Option<Word> {
+    let length = |meters| Some(Word::Unit(Value { number: meters, dimension: Dimension::LENGTH }));
+    let angle = |degrees| Some(Word::Unit(Value { number: degrees, dimension: Dimension::ANGLE }));
+    match text {
+        "m" | "м" => return length(1.0),
+        "cm" | "см" => return length(0.01),
+        "mm" | "мм" => return length(0.001),
+        "km" | "км" => return length(1000.0),
+        "°" | "deg" | "град" => return angle(1.0),
+        "rad" | "рад" => return angle(1.0_f64.to_degrees()),
+        "π" => return Some(Word::Constant(std::f64::consts::PI)),
+        "√" => return Some(Word::Function(Function::Sqrt)),
+        _ => {}
+    }
+    Some(match text.to_lowercase().as_str() {
+        "pi" | "пи" => Word::Constant(std::f64::consts::PI),
+        "sqrt" => Word::Function(Function::Sqrt),
+        "abs" => Word::Function(Function::Abs),
+        "exp" => Word::Function(Function::Exp),
+        "ln" => Word::Function(Function::Ln),
+        "sin" => Word::Function(Function::Sin),
+        "cos" => Word::Function(Function::Cos),
+        "tan" | "tg" => Word::Function(Function::Tan),
+        "asin" | "arcsin" => Word::Function(Function::Asin),
+        "acos" | "arccos" => Word::Function(Function::Acos),
+        "atan" | "arctan" | "arctg" => Word::Function(Function::Atan),
+        _ => return None,
+    })
+}
+
+impl Function {
+    /// The function of `value`. Angles of plain numbers are radians, as in mathematics.
+    fn apply(self, value: Value) -> Option<Value> {
+        let Value { number, dimension } = value;
+        let plain = |function: fn(f64) -> f64| value.is_plain().then(|| Value::plain(function(number)));
+        let of_angle = |function: fn(f64) -> f64| {
+            let radians = match dimension {
+                Dimension::PLAIN => number,
+                Dimension::ANGLE => number.to_radians(),
+                _ => return None,
+            };
+            Some(Value::plain(function(radians)))
+        };
+        let to_angle = |function: fn(f64) -> f64| {
+            let angle = plain(function)?.number.to_degrees();
+            Some(Value { number: angle, dimension: Dimension::ANGLE })
+        };
+        match self {
+            Self::Sqrt => {
+                let is_square = dimension.length % 2 == 0 && dimension.angle % 2 == 0;
+                let dimension = Dimension { length: dimension.length / 2, angle: dimension.angle / 2 };
+                is_square.then(|| Value { number: number.sqrt(), dimension })
+            }
+            Self::Abs => Some(Value { number: number.abs(), dimension }),
+            Self::Exp => plain(f64::exp),
+            Self::Ln => plain(f64::ln),
+            Self::Sin => of_angle(f64::sin),
+            Self::Cos => of_angle(f64::cos),
+            Self::Tan => of_angle(f64::tan),
+            Self::Asin => to_angle(f64::asin),
+            Self::Acos => to_angle(f64::acos),
+            Self::Atan => to_angle(f64::atan),
+        }
+    }
+}
+
+/// Reads the tokens by recursive descent.
+struct Parser<'t> {
+    tokens: Vec<(Token<'t>, Range<usize>)>,
+    next: usize,
+    /// The end of the text, letters.
+    end: usize,
+    depth: usize,
+}
+
+impl<'t> Parser<'t> {
+    fn peek(&self) -> Option<(Token<'t>, Range<usize>)> {
+        self.tokens.get(self.next).cloned()
+    }
+
+    /// The next sign, if it is one of `signs`.
+    fn take_sign(&mut self, signs: &[char]) -> Option<char> {
+        match self.peek() {
+            Some((Token::Sign(sign), _)) if signs.contains(&sign) => {
+                self.next += 1;
+                Some(sign)
+            }
+            _ => None,
+        }
+    }
+
+    /// The place from token `first` to the one read last.
+    fn place_from(&self, first: usize) -> Range<usize> {
+        let start = self.tokens.get(first).map_or(self.end, |(_, place)| place.start);
+        let end = self.tokens.get(self.next.saturating_sub(1)).map_or(self.end, |(_, place)| place.end);
+        start..end.max(start)
+    }
+
+    fn fault<T>(&self, kind: FaultKind, first: usize) -> Result<T, Fault> {
+        Err(Fault { kind, place: self.place_from(first) })
+    }
+
+    fn sum(&mut self) -> Result<Value, Fault> {
+        let first = self.next;
+        let mut sum = self.product()?;
+        while let Some(sign) = self.take_sign(&['+', '-']) {
+            let other = self.product()?;
+            // A plain number counts in the unit of the other.
+            let dimension = match (sum.is_plain(), other.is_plain()) {
+                (true, _) => other.dimension,
+                (_, true) => sum.dimension,
+                _ if sum.dimension == other.dimension => sum.dimension,
+                _ => return self.fault(FaultKind::Unit, first),
+            };
+            let number = if sign == '+' { sum.number + other.number } else { sum.number - other.number };
+            sum = Value { number, dimension };
+        }
+        Ok(sum)
+    }
+
+    fn product(&mut self) -> Result<Value, Fault> {
+        let mut product = self.signed()?;
+        product = self.units(product)?;
+        while let Some(sign) = self.take_sign(&['*', '/']) {
+            let factor = self.signed()?;
+            product = match sign {
+                '*' => {
+                    let factor = self.units(factor)?;
+                    product.times(factor)
+                }
+                _ if product.is_plain() && factor.is_plain() => self.units(product.over(factor))?,
+                _ => {
+                    let factor = self.units(factor)?;
+                    product.over(factor)
+                }
+            };
+        }
+        Ok(product)
+    }
+
+    /// Units after a value.
+    fn units(&mut self, mut value: Value) -> Result<Value, Fault> {
+        let first = self.next;
+        while let Some((Token::Word(text), place)) = self.peek() {
+            let Some(Word::Unit(unit)) = word(text) else { break };
+            self.next += 1;
+            if !value.is_plain() {
+                return Err(Fault { kind: FaultKind::Unit, place });
+            }
+            value = value.times(unit);
+        }
+        match self.peek() {
+            Some((Token::Sign('^'), _)) if self.next > first => self.fault(FaultKind::PowerOfUnit, first),
+            _ => Ok(value),
+        }
+    }
+
+    fn signed(&mut self) -> Result<Value, Fault> {
+        let mut is_negative = false;
+        while let Some(sign) = self.take_sign(&['+', '-']) {
+            is_negative ^= sign == '-';
+        }
+        let value = self.power()?;
+        Ok(if is_negative { Value { number: -value.number, ..value } } else { value })
+    }
+
+    fn power(&mut self) -> Result<Value, Fault> {
+        let first = self.next;
+        let base = self.primary()?;
+        if self.take_sign(&['^']).is_none() {
+            return Ok(base);
+        }
+        let exponent = self.deeper(Self::signed)?;
+        if !exponent.is_plain() {
+            return self.fault(FaultKind::Unit, first);
+        }
+        let number = base.number.powf(exponent.number);
+        if base.is_plain() {
+            return Ok(Value::plain(number));
+        }
+        let is_whole = exponent.number.fract() == 0.0 && exponent.number.abs() <= 64.0;
+        match base.dimension.to_power(exponent.number as i32).filter(|_| is_whole) {
+            Some(dimension) => Ok(Value { number, dimension }),
+            None => self.fault(FaultKind::Unit, first),
+        }
+    }
+
+    fn primary(&mut self) -> Result<Value, Fault> {
+        let first = self.next;
+        let Some((token, place)) = self.peek() else {
+            return Err(Fault { kind: FaultKind::NumberMissing, place: self.end..self.end });
+        };
+        self.next += 1;
+        match token {
+            Token::Number(number) => Ok(Value::plain(number)),
+            Token::Open => self.rest_of_parenthesis(first),
+            Token::Word(text) => match word(text) {
+                Some(Word::Constant(number)) => Ok(Value::plain(number)),
+                Some(Word::Function(function)) => {
+                    if !matches!(self.peek(), Some((Token::Open, _))) {
+                        return Err(Fault { kind: FaultKind::ArgumentMissing, place });
+                    }
+                    let open = self.next;
+                    self.next += 1;
+                    let argument = self.rest_of_parenthesis(open)?;
+                    match function.apply(argument) {
+                        Some(value) if value.number.is_finite() => Ok(value),
+                        Some(_) => self.fault(FaultKind::NotFinite, first),
+                        None => self.fault(FaultKind::Unit, first),
+                    }
+                }
+                Some(Word::Unit(_)) => Err(Fault { kind: FaultKind::NumberMissing, place }),
+                None => Err(Fault { kind: FaultKind::Unknown, place }),
+            },
+            Token::Sign(_) => Err(Fault { kind: FaultKind::NumberMissing, place }),
+            Token::Close => Err(Fault { kind: FaultKind::Parenthesis, place }),
+        }
+    }
+
+    /// What stands after an opening parenthesis, the token `open`, with the closing one.
+    fn rest_of_parenthesis(&mut self, open: usize) -> Result<Value, Fault> {
+        let value = self.deeper(Self::sum)?;
+        match self.peek() {
+            Some((Token::Close, _)) => {
+                self.next += 1;
+                Ok(value)
+            }
+            Some((_, place)) => Err(Fault { kind: FaultKind::OperatorMissing, place }),
+            None => {
+                let place = self.tokens.get(open).map_or(self.end..self.end, |(_, place)| place.clone());
+                Err(Fault { kind: FaultKind::Parenthesis, place })
+            }
+        }
+    }
+
+    fn deeper(&mut self, read: fn(&mut Self) -> Result<Value, Fault>) -> Result<Value, Fault> {
+        if self.depth >= MOST_DEPTH {
+            return self.fault(FaultKind::TooLong, self.next);
+        }
+        self.depth += 1;
+        let value = read(self);
+        self.depth -= 1;
+        value
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,119 @@
+//! Why a typed text is not taken, in words.
+
+use catoptric_scene::format::spec::Limits;
+
+use super::super::expression::{Fault, FaultKind};
+use super::super::{Unit, exact};
+use crate::texts::Texts;
+
+/// The messages about limits: in general, and for lengths.
+const LIMITS: [&str; 2] = ["limits", "limits-positive"];
+const REFUSED_LIMITS: [&str; 2] = ["refused-limits", "refused-limits-positive"];
+
+/// A text that is not taken.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Refusal {
+    pub(crate) text: String,
+    pub(crate) unit: Unit,
+    pub(crate) reason: Reason,
+}
+
+/// Why a text is not taken.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Reason {
+    /// It is no number.
+    Fault(Fault),
+    /// A number of things is whole.
+    NotWhole,
+    /// It lies outside of the limits.
+    OutOfLimits(Limits),
+}
+
+impl Refusal {
+    /// What is wrong, where, and what is allowed.
+    pub(crate) fn explained(&self, texts: &Texts) -> String {
+        let fault = match &self.reason {
+            Reason::OutOfLimits(limits) => return between(texts, REFUSED_LIMITS, *limits, ""),
+            Reason::NotWhole => return texts.get("refused-not-whole").to_owned(),
+            Reason::Fault(fault) => fault,
+        };
+        let allowed = match self.unit {
+            Unit::Meters => "allowed-length",
+            Unit::Degrees => "allowed-angle",
+            Unit::None | Unit::Pixels | Unit::Stops => "allowed-plain",
+        };
+        let part: String = self.text.trim().chars().skip(fault.place.start).take(fault.place.len()).collect();
+        let arguments = [("part", part.into()), ("at", (fault.place.start + 1).into())];
+        let problem = texts.with(key_of(fault.kind), &arguments);
+        let arguments = [("problem", problem.into()), ("allowed", texts.get(allowed).into())];
+        texts.with("refused-no-number", &arguments)
+    }
+}
+
+const fn key_of(kind: FaultKind) -> &'static str {
+    match kind {
+        FaultKind::Unknown => "fault-unknown",
+        FaultKind::NumberMissing => "fault-number-missing",
+        FaultKind::OperatorMissing => "fault-operator-missing",
+        FaultKind::Parenthesis => "fault-parenthesis",
+        FaultKind::ArgumentMissing => "fault-argument-missing",
+        FaultKind::AmbiguousComma => "fault-ambiguous-comma",
+        FaultKind::Number => "fault-number",
+        FaultKind::Unit => "fault-unit",
+        FaultKind::PowerOfUnit => "fault-power-of-unit",
+        FaultKind::NotFinite => "fault-not-finite",
+        FaultKind::TooLong => "fault-too-long",
+    }
+}
+
+/// The limits of a number, in words.
+pub(crate) fn limits_in_words(texts: &Texts, limits: Limits, unit: &str) -> String {
+    between(texts, LIMITS, limits, unit)
+}
+
+/// A message about a range. Lengths begin so close to 0 that people need not know where.
+fn between(texts: &Texts, [key, positive_key]: [&str; 2], limits: Limits, unit: &str) -> String {
+    let [min, max] = [limits.min, limits.max].map(|limit| format!("{}{unit}", exact(texts, limit)));
+    if limits.min > 0.0 && limits.min < 1e-6 {
+        return texts.with(positive_key, &[("max", max.into())]);
+    }
+    texts.with(key, &[("min", min.into()), ("max", max.into())])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::texts::Language;
+    use crate::widgets::number::evaluate;
+
+    #[test]
+    fn a_refusal_names_what_where_and_what_is_allowed() {
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            for (text, named) in [("0.5abc", "abc"), ("1 + (2", "("), ("2 $", "$"), ("1 2", "2")] {
+                for unit in [Unit::None, Unit::Meters, Unit::Degrees] {
+                    let fault = evaluate(text, unit, language.decimal_sign()).unwrap_err();
+                    let at = (fault.place.start + 1).to_string();
+                    let refusal = Refusal { text: text.to_owned(), unit, reason: Reason::Fault(fault) };
+                    let told = refusal.explained(&texts);
+                    assert!(told.contains(named) && told.contains(&at) && told.contains("sqrt"), "{told}");
+                }
+            }
+            let kinds = [
+                FaultKind::ArgumentMissing,
+                FaultKind::AmbiguousComma,
+                FaultKind::Number,
+                FaultKind::NumberMissing,
+                FaultKind::Unit,
+                FaultKind::PowerOfUnit,
+                FaultKind::NotFinite,
+                FaultKind::TooLong,
+            ];
+            for kind in kinds {
+                let reason = Reason::Fault(Fault { kind, place: 0..1 });
+                let _ = Refusal { text: "1,500".to_owned(), unit: Unit::None, reason }.explained(&texts);
+            }
+            assert_eq!(texts.missing(), Vec::<String>::new());
+        }
+    }
+}
