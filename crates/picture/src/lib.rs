@@ -2,8 +2,8 @@
 //!
 //! - [`Picture`]: RGB in linear light, 32-bit floats, top row first.
 //! - [`Development`]: exposure → tone curve → sRGB → 8 or 16 bits ([`Developed`]).
-//! - [`write_png`], [`write_exr`]: whole files or none.
-//! - [`read`]: PNG and EXR by content, safe on hostile files.
+//! - [`PictureFormat`]: the table of file formats. [`SaveOptions`], [`write_png`], [`write_exr`]: whole files or none.
+//! - [`read`], [`ReadOptions`]: files of all formats, told by their content, safe on hostile ones.
 //! - [`Difference`] and [`heat_map`]: how far two pictures are apart, and where; [`ssim`] and [`Flip`]: how far apart
 //!   they look.
 //!
@@ -22,6 +22,7 @@
 
 mod compare;
 mod develop;
+mod format;
 mod picture;
 mod quantize;
 mod read;
@@ -37,9 +38,11 @@ pub use compare::heat::{HeatMap, heat_map, scale_color};
 pub use compare::inferno::inferno;
 pub use compare::ssim::ssim;
 pub use develop::{BitDepth, Codes, Developed, Development};
+pub use format::{PictureFormat, SampleDepth};
 pub use picture::{Picture, SizeError};
-pub use read::{DecodeError, ReadError, decode, read};
+pub use read::{DecodeError, ReadError, ReadOptions, decode, read};
 pub use tone::{ToneCurve, UnknownToneCurve};
-pub use write::encode_exr::encode_exr;
+pub use write::encode_exr::{encode_exr, encode_exr_at};
 pub use write::encode_png::encode_png;
+pub use write::save::{FormatError, PreparedPicture, SaveOptions};
 pub use write::{EncodeError, write_exr, write_png};

@@ -1,12 +1,19 @@
 //! Reading pictures from files that may be anything.
 
 mod decode_exr;
+mod decode_image;
 mod decode_png;
+mod dwa;
+mod guard;
+mod layers;
+mod limits;
+mod transfer;
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
+use crate::format::PictureFormat;
 use crate::picture::{Picture, SizeError};
 
 /// Why bytes are not a picture that can be read.
@@ -16,11 +23,26 @@ pub enum DecodeError {
     #[error("the file is empty; write it anew")]
     Empty,
     /// The first bytes are not those of a known format.
-    #[error("this is neither a PNG nor an EXR picture; convert it to one of these")]
+    #[error(
+        "this is none of the formats that are read ({}); convert it to one of these",
+        PictureFormat::names_in_words()
+    )]
     UnknownFormat,
     /// The declared size is beyond the limits, or the memory is not there.
     #[error(transparent)]
     Size(#[from] SizeError),
+    /// The picture has more pixels than [`ReadOptions::max_pixels`].
+    #[error(
+        "the picture has {width}x{height} pixels, more than the {most} that are read here; make it smaller"
+    )]
+    TooLarge {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+        /// The most pixels.
+        most: u64,
+    },
     /// The file is shorter than its format could make pictures of the declared size.
     #[error(
         "the file declares {declared} bytes of pixels, more than {actual} bytes of file can hold; it is truncated or corrupt"
@@ -34,7 +56,7 @@ pub enum DecodeError {
     /// The content breaks the rules of its format.
     #[error("the {format} data is truncated or corrupt: {reason}")]
     Corrupt {
-        /// `PNG` or `EXR`.
+        /// The name of the format.
         format: &'static str,
         /// What is wrong.
         reason: String,
@@ -45,15 +67,39 @@ pub enum DecodeError {
         /// What it is, and what would do instead.
         reason: String,
     },
+    /// It is open which layer of the file is the picture.
+    #[error(
+        "the picture has several layers, and none of them is called `Combined` or has no name; name one of them as \
+         the layer: {}", layers.join(", ")
+    )]
+    ManyLayers {
+        /// The names of the layers.
+        layers: Vec<String>,
+    },
+    /// The file has no layer of the name that was asked for.
+    #[error("the picture has no layer `{layer}`; {}", layers_in_words(layers))]
+    NoSuchLayer {
+        /// The name that was asked for.
+        layer: String,
+        /// The names of the layers that there are; none if the picture has no named layers.
+        layers: Vec<String>,
+    },
     /// The decoder broke down, which only corrupt data is known to cause.
     #[error("the {format} decoder broke down; the file is most likely corrupt")]
     Breakdown {
-        /// `PNG` or `EXR`.
+        /// The name of the format.
         format: &'static str,
     },
     /// The bytes could not be obtained.
     #[error(transparent)]
     Io(#[from] io::Error),
+}
+
+fn layers_in_words(layers: &[String]) -> String {
+    match layers {
+        [] => "it has no named layers".to_owned(),
+        _ => format!("it has {}", layers.join(", ")),
+    }
 }
 
 /// Why a picture file could not be read.
@@ -83,67 +129,104 @@ pub enum ReadError {
     },
 }
 
-/// Reads a PNG or EXR picture into linear light; the content decides which it is, not the name.
-///
-/// - PNG: any color type, depth and interlacing. Alpha is ignored: the stored color counts as it is, over
-///   no background. Gray becomes three equal channels. Codes are decoded as sRGB, unless there is a `gAMA`
-///   chunk without `sRGB` and `iCCP` whose value is not the 0.45455 that stands in for sRGB: then by that
-///   power. Color profiles and primaries are not converted. Of an animation, the default image.
-/// - EXR: the channels R, G, B (half, float or unsigned, as numbers) of the first part that has them, plain
-///   or within a layer (`diffuse.R` …); otherwise Y as gray. The data window becomes the picture.
-///   Chromaticities are not converted. Not read: deep, subsampled and luminance-chroma pictures.
-///
-/// Corrupt and hostile files are errors. Memory stays below that of [`Picture::MAX_PIXELS`] pixels and a few
-/// rows or tiles, and a file too short for the size that it declares is turned away before.
+/// What to read of a picture file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// The layer of an EXR to read. Default `None`: the unnamed one, `Combined`, or the only one.
+    pub layer: Option<String>,
+    /// The most pixels that the picture may have. Default [`Picture::MAX_PIXELS`], which is also the limit.
+    pub max_pixels: u64,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self { layer: None, max_pixels: Picture::MAX_PIXELS }
+    }
+}
+
+/// Reads a picture file into linear light with the default [`ReadOptions`]; see [`ReadOptions::read`].
 ///
 /// # Errors
 /// Names the file and what is wrong with it.
 pub fn read(path: &Path) -> Result<Picture, ReadError> {
-    let open = |source| ReadError::Open { path: path.to_owned(), source };
-    let found = std::fs::metadata(path).map_err(open)?;
-    if !found.is_file() {
-        return Err(ReadError::NotAFile { path: path.to_owned() });
-    }
-    let file = BufReader::with_capacity(1 << 16, File::open(path).map_err(open)?);
-    decode_from(file, found.len()).map_err(|source| ReadError::Decode { path: path.to_owned(), source })
+    ReadOptions::default().read(path)
 }
 
-/// The picture in the bytes of a PNG or EXR file; see [`read()`].
+/// The picture in the bytes of a file; see [`ReadOptions::read`].
 ///
 /// # Errors
 /// What is wrong with the bytes.
 pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
-    decode_from(Cursor::new(bytes), bytes.len() as u64)
+    ReadOptions::default().decode(bytes)
 }
 
-/// Tells the formats apart and decodes; `length` is that of the whole file in bytes.
-fn decode_from(mut source: impl BufRead + Seek, length: u64) -> Result<Picture, DecodeError> {
-    let mut start = [0; 8];
-    let mut known = 0;
-    while let Some(rest) = start.get_mut(known..).filter(|rest| !rest.is_empty()) {
-        match source.read(rest) {
-            Ok(0) => break,
-            Ok(count) => known += count,
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-            Err(error) => return Err(error.into()),
+impl ReadOptions {
+    /// Reads a picture file into linear light; the content decides which format it is, not the name.
+    ///
+    /// Alpha is ignored: the stored color counts as it is, over no background. Gray becomes three equal channels.
+    /// Color profiles, primaries and chromaticities are not converted.
+    ///
+    /// - PNG: any color type, depth and interlacing. Codes are decoded as the chunk `cICP` says (sRGB, linear, power,
+    ///   Rec. 709; PQ and HLG are refused by name), or else by `gAMA` without `sRGB` and `iCCP`, unless it is the 0.45455
+    ///   that stands in for sRGB, or else as sRGB. Of an animation, the default image.
+    /// - EXR: the channels R, G, B (half, float or unsigned, as numbers) of the chosen layer, otherwise Y as gray.
+    ///   The data window becomes the picture. Not read: deep, subsampled and luminance-chroma pictures.
+    /// - JPEG (also progressive, gray, and CMYK without a profile), WebP (also lossy), BMP: 8-bit codes as sRGB.
+    ///   The orientation in the Exif data of JPEG and WebP, and in the tags of TIFF, is followed.
+    /// - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light.
+    /// - Radiance HDR: linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
+    ///
+    /// Corrupt and hostile files are errors: sizes are checked against the limits and, where the format has a bound,
+    /// against the file's length before memory is taken, and a decoder that panics is caught. Memory is that of
+    /// the picture with its codes, and a few rows or tiles.
+    ///
+    /// # Errors
+    /// Names the file and what is wrong with it.
+    pub fn read(&self, path: &Path) -> Result<Picture, ReadError> {
+        let open = |source| ReadError::Open { path: path.to_owned(), source };
+        let found = std::fs::metadata(path).map_err(open)?;
+        if !found.is_file() {
+            return Err(ReadError::NotAFile { path: path.to_owned() });
         }
+        let file = BufReader::with_capacity(1 << 16, File::open(path).map_err(open)?);
+        self.decode_from(file, found.len())
+            .map_err(|source| ReadError::Decode { path: path.to_owned(), source })
     }
-    source.seek(SeekFrom::Start(0))?;
-    if known == 0 {
-        Err(DecodeError::Empty)
-    } else if start.starts_with(&decode_png::MAGIC) {
-        decode_png::decode_png(source, length)
-    } else if start.starts_with(&decode_exr::MAGIC) {
-        decode_exr::decode_exr(source, length)
-    } else {
-        Err(DecodeError::UnknownFormat)
-    }
-}
 
-/// Turns away files that cannot possibly hold what they declare, before memory is taken for it.
-///
-/// Deflate makes at most 1032 bytes of one (258 bytes from two bits); the run lengths of PIZ and RLE, and the
-/// blocks of B44, make fewer.
-fn check_length(declared: u64, actual: u64) -> Result<(), DecodeError> {
-    if declared / 1100 > actual { Err(DecodeError::TooShort { declared, actual }) } else { Ok(()) }
+    /// The picture in the bytes of a file; see [`Self::read`].
+    ///
+    /// # Errors
+    /// What is wrong with the bytes.
+    pub fn decode(&self, bytes: &[u8]) -> Result<Picture, DecodeError> {
+        self.decode_from(Cursor::new(bytes), bytes.len() as u64)
+    }
+
+    /// Tells the formats apart and decodes; `length` is that of the whole file in bytes.
+    fn decode_from(&self, mut source: impl BufRead + Seek, length: u64) -> Result<Picture, DecodeError> {
+        let mut start = Vec::new();
+        source.by_ref().take(32).read_to_end(&mut start)?;
+        source.seek(SeekFrom::Start(0))?;
+        let format = match PictureFormat::of_content(&start) {
+            _ if start.is_empty() => return Err(DecodeError::Empty),
+            Some(format) => format,
+            None => return Err(DecodeError::UnknownFormat),
+        };
+        if let (Some(layer), false) = (&self.layer, format.has_layers()) {
+            return Err(DecodeError::NoSuchLayer { layer: layer.clone(), layers: Vec::new() });
+        }
+        guard::guarded(format, || match format {
+            PictureFormat::Png => decode_png::decode_png(source, length, self),
+            PictureFormat::Exr => decode_exr::decode_exr(source, length, self),
+            _ => decode_image::decode_image(source, length, format, self),
+        })
+    }
+
+    /// Checks the size that a file declares; returns the number of pixels.
+    fn check_size(&self, width: u32, height: u32) -> Result<usize, DecodeError> {
+        let count = Picture::check_size(width, height)?;
+        if count as u64 > self.max_pixels {
+            return Err(DecodeError::TooLarge { width, height, most: self.max_pixels });
+        }
+        Ok(count)
+    }
 }

@@ -1,7 +1,9 @@
 //! Writing pictures to files, whole or not at all.
 
 pub(crate) mod encode_exr;
+mod encode_image;
 pub(crate) mod encode_png;
+pub(crate) mod save;
 
 use std::io;
 use std::path::Path;
@@ -20,7 +22,7 @@ pub enum EncodeError {
     /// The encoder refused the picture.
     #[error("the {format} encoder refused the picture: {reason}")]
     Refused {
-        /// `PNG` or `EXR`.
+        /// The name of the format.
         format: &'static str,
         /// The encoder's words.
         reason: String,

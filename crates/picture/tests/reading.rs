@@ -12,7 +12,7 @@ use exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
     LineOrder, SmallVec, Text, Vec2, WritableImage,
 };
-use samples::{exr_of, halves, png_of, stored_png};
+use samples::{exr_of, halves, png_of, stored_png, with_chunk};
 
 fn linear(code: u32, maximum: u32) -> f32 {
     srgb::decode(f64::from(code) / f64::from(maximum)) as f32
@@ -64,6 +64,41 @@ fn gamma_counts_only_where_nothing_better_is_said() {
     assert!((with_gamma(50_000, false) - (128.0 / 255.0_f32).powi(2)).abs() < 1e-6);
     assert_eq!(with_gamma(45_455, false), linear(128, 255));
     assert_eq!(with_gamma(100_000, true), linear(128, 255));
+}
+
+#[test]
+fn cicp_says_how_codes_become_light_and_comes_first() {
+    let gray = png_of((1, 1), png::ColorType::Grayscale, png::BitDepth::Eight, &[128], |encoder| {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    });
+    let display = 128.0 / 255.0_f64;
+    let read =
+        |points: [u8; 4]| decode(&with_chunk(&gray, b"cICP", &points)).map(|picture| picture.pixels()[0][0]);
+    let close = |points, light: f64| {
+        let read = read(points).unwrap();
+        assert!((f64::from(read) - light).abs() < 1e-6, "{points:?}: {read}, {light} expected");
+    };
+    close([1, 8, 0, 1], display);
+    close([1, 13, 0, 1], srgb::decode(display));
+    close([1, 4, 0, 1], display.powf(2.2));
+    close([1, 5, 0, 1], display.powf(2.8));
+    for rec709 in [1, 6, 14, 15] {
+        close([1, rec709, 0, 1], ((display + 0.099) / 1.099).powf(1.0 / 0.45));
+    }
+    // Unspecified: what else the file says.
+    close([2, 2, 0, 1], srgb::decode(display));
+    for (points, name) in [
+        ([9, 16, 0, 1], "PQ"),
+        ([9, 18, 0, 1], "HLG"),
+        ([1, 9, 0, 1], "number 9"),
+        ([1, 8, 0, 0], "narrow-range"),
+    ] {
+        let error = read(points).unwrap_err();
+        assert!(
+            matches!(error, DecodeError::Unsupported { .. }) && error.to_string().contains(name),
+            "{error}"
+        );
+    }
 }
 
 /// The Adam7 order worked by hand from the figure of the specification, for sizes where passes are empty.
@@ -141,7 +176,7 @@ fn gray_layers_and_what_is_not_read() {
 }
 
 #[test]
-fn the_first_part_with_color_is_read() {
+fn the_part_that_is_the_picture_is_read() {
     let part = |name: &str, channel: [&str; 3], factor: f32| {
         let list: SmallVec<[_; 4]> =
             channel.iter().map(|channel| AnyChannel::new(*channel, halves(factor))).collect();
@@ -150,8 +185,8 @@ fn the_first_part_with_color_is_read() {
     };
     let parts = [
         part("depth", ["Z", "ZBack", "id"], 1.0),
-        part("beauty", ["R", "G", "B"], 2.0),
         part("other", ["R", "G", "B"], 3.0),
+        part("beauty", ["R", "G", "B"], 2.0),
     ];
     let bounds = exr::meta::attribute::IntegerBounds::from_dimensions((5, 3));
     let attributes = exr::meta::header::ImageAttributes::new(bounds);
@@ -170,7 +205,7 @@ fn what_is_no_picture_is_said_with_the_file_name() {
     std::fs::write(&path, "Two roads diverged").unwrap();
     let error = read(&path).unwrap_err();
     assert!(error.to_string().contains("poem.png"), "{error}");
-    assert!(error.source().unwrap().to_string().contains("neither a PNG nor an EXR"));
+    assert!(error.source().unwrap().to_string().contains("none of the formats that are read"));
     assert!(matches!(decode(&[]), Err(DecodeError::Empty)));
     assert!(matches!(decode(b"\x89PNG"), Err(DecodeError::UnknownFormat)));
 }

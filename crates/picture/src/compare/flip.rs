@@ -5,10 +5,17 @@ mod exposure;
 mod feature;
 mod spatial;
 
+use rayon::prelude::*;
+
 use super::difference::SizeMismatch;
 use super::heat::{HeatMap, map_of};
 use super::{CompareError, displayed, too_little_memory};
 use crate::picture::{Picture, SizeError};
+
+/// Pixels of a band, if the filters reach less far.
+const BAND: usize = 1 << 18;
+/// Bands that are compared at once, however many threads there are: each takes some 120 bytes for each of its pixels.
+const BANDS_AT_ONCE: usize = 8;
 
 /// How to compare by ꟻLIP.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,25 +86,46 @@ impl Flip {
     }
 
     /// The error of each pixel, where `shown` makes of light what a display emits, 0…1.
+    ///
+    /// The picture is compared band by band, with as many rows around each as the filters reach, so that what is needed
+    /// in between does not grow with the picture. Each error is the same as that of the whole.
     fn compare_shown(
         &self,
         reference: &Picture,
         test: &Picture,
-        shown: impl Fn([f32; 3]) -> [f32; 3],
+        shown: impl Fn([f32; 3]) -> [f32; 3] + Sync,
     ) -> Result<FlipMap, SizeError> {
         #[expect(clippy::manual_clamp, reason = "NaN must become 1")]
         let density = self.pixels_per_degree.max(1.0).min(1000.0);
-        let opponent = |picture: &Picture| {
-            let mut opponent = Picture::new(picture.width(), picture.height())?;
-            for (target, light) in opponent.pixels_mut().iter_mut().zip(picture.pixels()) {
-                *target = color::ycxcz_from_linear(shown(*light));
-            }
-            Ok::<_, SizeError>(opponent)
+        let (width, height) = (reference.width() as usize, reference.height() as usize);
+        let margin = spatial::radius(density).max(feature::radius(density));
+        let rows = (BAND / width).max(2 * margin).min(height);
+        let mut errors = bytemuck::allocation::try_zeroed_vec(width * height)
+            .map_err(|()| too_little_memory(reference))?;
+        let compare_band = |first: usize, errors: &mut [f32]| {
+            let last = first + errors.len() / width;
+            let around = first.saturating_sub(margin)..(last + margin).min(height);
+            let opponent = |picture: &Picture| {
+                let mut opponent = Picture::new(picture.width(), around.len() as u32)?;
+                let light = picture.pixels().iter().skip(around.start * width);
+                for (target, light) in opponent.pixels_mut().iter_mut().zip(light) {
+                    *target = color::ycxcz_from_linear(shown(*light));
+                }
+                Ok::<_, SizeError>(opponent)
+            };
+            let (reference, test) = (opponent(reference)?, opponent(test)?);
+            let color = spatial::color_difference(&reference, &test, density)?;
+            let feature = feature::feature_difference(&reference, &test, density)?;
+            let band = color.combine([&feature], |color, [feature]| color.powf(1.0 - feature)).into_values();
+            let inner = band.iter().skip((first - around.start) * width);
+            errors.iter_mut().zip(inner).for_each(|(target, error)| *target = *error);
+            Ok(())
         };
-        let (reference, test) = (opponent(reference)?, opponent(test)?);
-        let color = spatial::color_difference(&reference, &test, density)?;
-        let feature = feature::feature_difference(&reference, &test, density)?;
-        let errors = color.combine([&feature], |color, [feature]| color.powf(1.0 - feature)).into_values();
+        for (group, errors) in errors.chunks_mut(rows * width * BANDS_AT_ONCE).enumerate() {
+            let bands = errors.par_chunks_mut(rows * width).enumerate();
+            bands
+                .try_for_each(|(band, errors)| compare_band((group * BANDS_AT_ONCE + band) * rows, errors))?;
+        }
         Ok(FlipMap { width: reference.width(), height: reference.height(), errors })
     }
 }

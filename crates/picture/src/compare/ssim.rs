@@ -1,5 +1,9 @@
 //! Structural similarity.
 
+use std::ops::Range;
+
+use rayon::prelude::*;
+
 use super::difference::SizeMismatch;
 use super::plane::kernel;
 use super::{CompareError, displayed, too_little_memory};
@@ -8,6 +12,8 @@ use crate::srgb;
 
 /// Side of the window, pixels.
 pub(super) const WINDOW: usize = 11;
+/// Rows of windows for which luma is worked out at a time.
+const BAND: usize = 32;
 /// Standard deviation of the window's Gaussian weights, pixels.
 const SIGMA: f64 = 1.5;
 /// (K₁ L)² and (K₂ L)² with K₁ = 0.01, K₂ = 0.03 and the range L = 1.
@@ -37,22 +43,29 @@ pub fn ssim(a: &Picture, b: &Picture) -> Result<f64, CompareError> {
     let bell = kernel(WINDOW / 2, |x| (-x * x / (2.0 * SIGMA * SIGMA)).exp());
     let sum: f64 = bell.iter().sum();
     let weights: Vec<f64> = bell.iter().map(|weight| weight / sum).collect();
-    let (a, b) = (luma(a)?, luma(b)?);
-    let mut sum = 0.0;
-    for y in 0..=height - WINDOW {
-        let band = y * width..(y + WINDOW) * width;
-        if let (Some(a), Some(b)) = (a.get(band.clone()), b.get(band)) {
-            sum += row_of_windows(a, b, width, &weights);
+    let mut sums = vec![0.0; height - WINDOW + 1];
+    let bands = sums.par_chunks_mut(BAND).enumerate();
+    bands.try_for_each(|(band, sums)| {
+        let rows = band * BAND * width..(band * BAND + sums.len() + WINDOW - 1) * width;
+        let (a, b) = (luma(a, rows.clone())?, luma(b, rows)?);
+        for (y, sum) in sums.iter_mut().enumerate() {
+            let windows = y * width..(y + WINDOW) * width;
+            if let (Some(a), Some(b)) = (a.get(windows.clone()), b.get(windows)) {
+                *sum = row_of_windows(a, b, width, &weights);
+            }
         }
-    }
+        Ok::<_, CompareError>(())
+    })?;
+    let sum: f64 = sums.iter().sum();
     Ok(sum / ((width - WINDOW + 1) * (height - WINDOW + 1)) as f64)
 }
 
-/// The luma of each pixel as it is displayed, 0…1.
-fn luma(picture: &Picture) -> Result<Vec<f64>, CompareError> {
+/// The luma as it is displayed, 0…1, of a range of pixels.
+fn luma(picture: &Picture, range: Range<usize>) -> Result<Vec<f64>, CompareError> {
+    let pixels = picture.pixels().get(range).unwrap_or_default();
     let mut plane = Vec::new();
-    plane.try_reserve_exact(picture.pixels().len()).map_err(|_| too_little_memory(picture))?;
-    plane.extend(picture.pixels().iter().map(|&pixel| {
+    plane.try_reserve_exact(pixels.len()).map_err(|_| too_little_memory(picture))?;
+    plane.extend(pixels.iter().map(|&pixel| {
         let [red, green, blue] = displayed(pixel).map(|light| srgb::encode(f64::from(light)));
         0.2126 * red + 0.7152 * green + 0.0722 * blue
     }));

@@ -2,9 +2,9 @@
 
 use std::collections::HashSet;
 use std::io::{Read, Seek};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use exr::block::UncompressedBlock;
+use exr::block::chunk::{Chunk, CompressedBlock};
 use exr::block::reader::{ChunksReader, Reader};
 use exr::compression::Compression;
 use exr::math::Vec2;
@@ -13,40 +13,49 @@ use exr::meta::header::Header;
 use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::f16;
 
-use super::{DecodeError, check_length};
+use super::dwa::check_dwa;
+use super::layers::{Columns, Layer, choose};
+use super::limits::{DEFLATE, check_length, check_memory};
+use super::{DecodeError, ReadOptions};
 use crate::picture::Picture;
 
-/// The first bytes of every EXR file ("OpenEXR File Layout", magic number 20000630).
-pub(super) const MAGIC: [u8; 4] = exr::meta::magic_number::BYTES;
+/// The most bytes that DWA makes of one: its coefficients are run-length coded before they are deflated, so that two
+/// bytes of a symbol may stand for a block of 64 samples of four bytes.
+const DWA: u64 = DEFLATE / 2 * 64 * 4;
 
-/// Decodes an EXR of `length` bytes. Sizes are checked before the decoder may allocate by them; should it
-/// still panic, that is caught here (the panic's message appears on the standard error stream).
-pub(super) fn decode_exr(source: impl Read + Seek, length: u64) -> Result<Picture, DecodeError> {
-    catch_unwind(AssertUnwindSafe(|| decode_parts(source, length)))
-        .unwrap_or(Err(DecodeError::Breakdown { format: "EXR" }))
-}
+/// The sizes in single bytes of what the decoder works on for one block, relative to the block: the chunk, the
+/// decompressed bytes and their order undone; for DWA, blocks of three channels of floats as well.
+const WORK: u64 = 4;
+const WORK_OF_DWA: u64 = 12;
 
-fn decode_parts(source: impl Read + Seek, length: u64) -> Result<Picture, DecodeError> {
+/// Decodes an EXR of `length` bytes. Sizes are checked before the decoder may allocate by them.
+pub(super) fn decode_exr(
+    source: impl Read + Seek,
+    length: u64,
+    options: &ReadOptions,
+) -> Result<Picture, DecodeError> {
     let reader = Reader::read_from_buffered(source, false)?;
-    let size = check_tables(reader.meta_data(), length)?;
-    let (part, columns) = choose(reader.headers())?;
+    let table = check_tables(reader.meta_data(), length)?;
+    let Layer { part, columns, .. } = choose(reader.headers(), options.layer.as_deref())?;
     let header = reader.headers().get(part).ok_or_else(|| corrupt("no part"))?;
-    let (width, height) = check_header(header, length, size)?;
+    let (width, height) = check_header(header, length.saturating_sub(table), options)?;
 
-    let chunks = reader
+    let mut chunks = reader
         .filter_chunks(false, |_, tile, block| block.layer == part && tile.is_largest_resolution_level())?;
     let mut picture = Picture::new(width, height)?;
     let mut missing = chunks.expected_chunk_count();
     let mut seen = HashSet::new();
-    let mut blocks = chunks.sequential_decompressor(false);
-    while let Some(block) = blocks.decompress_next_block() {
-        let block = block?;
+    while let Some(chunk) = chunks.read_next_chunk() {
+        let meta = chunks.meta_data();
+        let header = meta.headers.get(part).ok_or_else(|| corrupt("no part"))?;
+        let chunk = chunk?;
+        check_chunk(&chunk, part, header)?;
+        let block = UncompressedBlock::decompress_chunk(chunk, meta, false)?;
         let place = (block.index.pixel_position.0, block.index.pixel_position.1);
         if block.index.layer != part || block.index.level != Vec2(0, 0) || !seen.insert(place) {
-            return Err(corrupt("a block of pixels is not where the table says"));
+            return Err(misplaced());
         }
-        let channels = &blocks.meta_data().headers.get(part).ok_or_else(|| corrupt("no part"))?.channels.list;
-        fill(&mut picture, &block, channels, columns)?;
+        fill(&mut picture, &block, &header.channels.list, columns)?;
         missing = missing.saturating_sub(1);
     }
     if missing == 0 { Ok(picture) } else { Err(corrupt("blocks of pixels are missing")) }
@@ -63,63 +72,58 @@ fn check_tables(meta: &MetaData, length: u64) -> Result<u64, DecodeError> {
     Ok(bytes)
 }
 
-/// The channels to take as red, green and blue, by their place in the part's list.
-type Columns = [usize; 3];
-
-/// The first part that has R, G and B (or else the first that has Y), and which channels these are.
-fn choose(parts: &[Header]) -> Result<(usize, Columns), DecodeError> {
-    let of_all = |find: fn(&[ChannelDescription]) -> Option<Columns>| {
-        let mut found = parts.iter().enumerate().filter(|(_, part)| !part.deep);
-        found.find_map(|(index, part)| Some((index, find(&part.channels.list)?)))
-    };
-    of_all(find_rgb).or_else(|| of_all(find_gray)).ok_or_else(|| {
-        let names = parts.iter().flat_map(|part| &part.channels.list).take(20).map(|c| c.name.to_string());
-        let names = names.collect::<Vec<_>>().join(", ");
-        unsupported(format!("the EXR picture has neither the channels R, G, B nor Y alone, but: {names}"))
-    })
-}
-
-/// R, G and B with a common prefix that is empty or a layer's name with a dot; the plain ones are preferred.
-fn find_rgb(channels: &[ChannelDescription]) -> Option<Columns> {
-    let place = |name: &str| channels.iter().position(|channel| channel.name.eq(name));
-    let group = |prefix: &str| {
-        let place = |letter: &str| place(&format!("{prefix}{letter}"));
-        Some([place("R")?, place("G")?, place("B")?])
-    };
-    group("").or_else(|| {
-        let names = channels.iter().map(|channel| channel.name.to_string());
-        let mut prefixes = names.filter_map(|name| name.strip_suffix(".R").map(|layer| format!("{layer}.")));
-        prefixes.find_map(|prefix| group(&prefix))
-    })
-}
-
-/// Y as gray, unless chroma channels say that it is only a part of the color.
-fn find_gray(channels: &[ChannelDescription]) -> Option<Columns> {
-    let place = |name: &str| channels.iter().position(|channel| channel.name.eq(name));
-    let chroma = place("RY").or(place("BY"));
-    place("Y").filter(|_| chroma.is_none()).map(|y| [y; 3])
-}
-
-/// Checks everything that memory is taken by: the picture's size, its blocks, their bytes.
-fn check_header(header: &Header, length: u64, table: u64) -> Result<(u32, u32), DecodeError> {
+/// Checks everything that memory is taken by: the picture's size, its blocks, their bytes. `length` is that of the file
+/// without the tables of blocks.
+fn check_header(header: &Header, length: u64, options: &ReadOptions) -> Result<(u32, u32), DecodeError> {
     let side = |pixels: usize| u32::try_from(pixels).unwrap_or(u32::MAX);
     let (width, height) = (side(header.layer_size.width()), side(header.layer_size.height()));
-    let pixels = Picture::check_size(width, height)? as u64;
+    let pixels = options.check_size(width, height)? as u64;
     if header.channels.list.iter().any(|channel| channel.sampling != Vec2(1, 1)) {
         return Err(unsupported("the EXR picture has subsampled channels; write it without them"));
     }
     let declared = pixels.saturating_mul(header.channels.bytes_per_pixel as u64);
-    // The coefficients of DWA are run-length coded before they are deflated, so no such bound holds there.
-    if !matches!(header.compression, Compression::DWAA(_) | Compression::DWAB(_)) {
-        check_length(declared, length.saturating_sub(table))?;
-    }
+    let most = match header.compression {
+        Compression::Uncompressed => 1,
+        Compression::DWAA(_) | Compression::DWAB(_) => DWA,
+        _ => DEFLATE,
+    };
+    check_length(declared, length, most)?;
     if let BlockDescription::Tiles(tiles) = header.blocks {
         let largest = tiles.tile_size.width().max(tiles.tile_size.height());
         if largest > Picture::MAX_SIDE as usize {
             return Err(corrupt("its tiles are larger than any picture"));
         }
     }
+    // A chunk's memory is taken by its own claim, which may be as long as a whole block, before it is read.
+    let block = header.max_block_byte_size() as u64;
+    let work = block.min(declared).saturating_mul(if most == DWA { WORK_OF_DWA } else { WORK });
+    check_memory(width, height, work.saturating_add(block.min(i32::MAX as u64)))?;
     Ok((width, height))
+}
+
+/// Checks that a chunk is of the part, and what a compressed one claims of itself.
+fn check_chunk(chunk: &Chunk, part: usize, header: &Header) -> Result<(), DecodeError> {
+    if chunk.layer_index != part {
+        return Err(misplaced());
+    }
+    if !matches!(header.compression, Compression::DWAA(_) | Compression::DWAB(_)) {
+        return Ok(());
+    }
+    let bytes = match &chunk.compressed_block {
+        CompressedBlock::ScanLine(block) => &block.compressed_pixels_le,
+        CompressedBlock::Tile(block) => &block.compressed_pixels_le,
+        _ => return Err(unsupported("deep EXR pictures are not read; flatten it")),
+    };
+    let size = header
+        .get_absolute_block_pixel_coordinates(header.get_block_data_indices(&chunk.compressed_block)?)?
+        .size;
+    let channels = header.channels.list.len() as u64;
+    let blocks = size.width().div_ceil(8) as u64 * size.height().div_ceil(8) as u64 * channels;
+    check_dwa(bytes, size.area() as u64 * header.channels.bytes_per_pixel as u64, blocks)
+}
+
+fn misplaced() -> DecodeError {
+    corrupt("a block of pixels is not where the table says")
 }
 
 /// Copies the chosen channels of one block into the picture.

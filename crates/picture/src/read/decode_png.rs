@@ -2,29 +2,32 @@
 
 use std::io::{BufRead, Seek};
 
-use super::{DecodeError, check_length};
+use super::limits::{DEFLATE, check_length};
+use super::transfer::Transfer;
+use super::{DecodeError, ReadOptions};
 use crate::picture::Picture;
-use crate::srgb;
-
-/// The first bytes of every PNG file (PNG specification, third edition, 5.2).
-pub(super) const MAGIC: [u8; 8] = [0x89, b'P', b'N', b'G', 0x0d, 0x0a, 0x1a, 0x0a];
 
 /// Decodes a PNG of `length` bytes.
-pub(super) fn decode_png(source: impl BufRead + Seek, length: u64) -> Result<Picture, DecodeError> {
+pub(super) fn decode_png(
+    source: impl BufRead + Seek,
+    length: u64,
+    options: &ReadOptions,
+) -> Result<Picture, DecodeError> {
+    // The memory of rows and of the chunks beside the pixels is limited to 64 MiB.
     let mut decoder = png::Decoder::new(source);
     // Palettes become RGB, 1 to 4 bits become 8, transparent colors become alpha.
     decoder.set_transformations(png::Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
     let header = decoder.read_header_info()?;
     let (width, height) = (header.width, header.height);
-    Picture::check_size(width, height)?;
-    check_length((header.raw_row_length() as u64).saturating_mul(u64::from(height)), length)?;
+    options.check_size(width, height)?;
+    check_length((header.raw_row_length() as u64).saturating_mul(u64::from(height)), length, DEFLATE)?;
 
     let mut reader = decoder.read_info()?;
     let interlaced = reader.info().interlaced;
     let (color, depth) = reader.output_color_type();
     let (samples, wide) = (color.samples(), depth == png::BitDepth::Sixteen);
-    let light = Transfer::of(reader.info()).table(if wide { 65535 } else { 255 });
+    let light = Transfer::of(reader.info())?.table(if wide { 65535 } else { 255 });
     let light_of = |code: usize| light.get(code).copied().unwrap_or_default();
 
     let mut picture = Picture::new(width, height)?;
@@ -68,44 +71,6 @@ fn color_of(mut samples: impl Iterator<Item = f32>) -> [f32; 3] {
     match (samples.next(), samples.next()) {
         (Some(green), Some(blue)) => [first, green, blue],
         _ => [first; 3],
-    }
-}
-
-/// How codes become light.
-enum Transfer {
-    Srgb,
-    /// Light is the display value to this power.
-    Power(f64),
-}
-
-impl Transfer {
-    /// From the chunks of the file; see [`crate::read()`].
-    fn of(info: &png::Info<'_>) -> Transfer {
-        // The value that PNG asks writers of sRGB to put beside the sRGB chunk; older writers put it alone.
-        const SRGB_GAMMA: u32 = 45455;
-        match info.gama_chunk.map(png::ScaledFloat::into_scaled) {
-            Some(gamma)
-                if info.srgb.is_none()
-                    && info.icc_profile.is_none()
-                    && gamma != 0
-                    && gamma.abs_diff(SRGB_GAMMA) > 1 =>
-            {
-                Transfer::Power(100_000.0 / f64::from(gamma))
-            }
-            _ => Transfer::Srgb,
-        }
-    }
-
-    /// The light of every code from 0 to `maximum`.
-    fn table(&self, maximum: u16) -> Vec<f32> {
-        let light = |code: u16| {
-            let display = f64::from(code) / f64::from(maximum);
-            match self {
-                Transfer::Srgb => srgb::decode(display) as f32,
-                Transfer::Power(exponent) => display.powf(*exponent) as f32,
-            }
-        };
-        (0..=maximum).map(light).collect()
     }
 }
 

@@ -44,12 +44,26 @@ pub fn stored_png(width: u32, height: u32, interlace: u8, rows: &[u8]) -> Vec<u8
     let header = [&width.to_be_bytes()[..], &height.to_be_bytes(), &[8, 0, 0, 0, interlace]].concat();
     let mut png = b"\x89PNG\r\n\x1a\n".to_vec();
     for (name, data) in [(b"IHDR", header), (b"IDAT", zlib), (b"IEND", vec![])] {
-        png.extend((data.len() as u32).to_be_bytes());
-        let body = [&name[..], &data].concat();
-        png.extend(&body);
-        png.extend(crc(&body).to_be_bytes());
+        chunk_into(&mut png, name, &data);
     }
     png
+}
+
+/// Appends a chunk to a PNG.
+pub fn chunk_into(png: &mut Vec<u8>, name: &[u8; 4], data: &[u8]) {
+    png.extend((data.len() as u32).to_be_bytes());
+    let body = [&name[..], data].concat();
+    png.extend(&body);
+    png.extend(crc(&body).to_be_bytes());
+}
+
+/// A PNG with another chunk right after its header.
+pub fn with_chunk(png: &[u8], name: &[u8; 4], data: &[u8]) -> Vec<u8> {
+    let (head, rest) = png.split_at(33);
+    let mut whole = head.to_vec();
+    chunk_into(&mut whole, name, data);
+    whole.extend(rest);
+    whole
 }
 
 pub fn crc(bytes: &[u8]) -> u32 {
@@ -60,13 +74,37 @@ pub fn crc(bytes: &[u8]) -> u32 {
 
 /// Encodes an EXR with these channels, 5 × 3 pixels.
 pub fn exr_of(channels: &[(&str, FlatSamples)], encoding: Encoding) -> Vec<u8> {
+    exr_of_size((5, 3), channels, encoding)
+}
+
+/// Encodes an EXR of this size with these channels.
+pub fn exr_of_size(size: (usize, usize), channels: &[(&str, FlatSamples)], encoding: Encoding) -> Vec<u8> {
     let list = channels.iter().map(|(name, samples)| AnyChannel::new(*name, samples.clone())).collect();
-    let layer = Layer::new((5, 3), LayerAttributes::default(), encoding, AnyChannels::sort(list));
+    let layer = Layer::new(size, LayerAttributes::default(), encoding, AnyChannels::sort(list));
     let mut bytes = Cursor::new(Vec::new());
     Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes).unwrap();
     bytes.into_inner()
 }
 
+/// A DWA file of 50×40 pixels, large enough that its chunks are compressed.
+pub fn dwa(compression: exr::prelude::Compression) -> Vec<u8> {
+    let wave = |i: usize| f16::from_f32((i as f32 * 0.01).sin().abs() + (i % 50) as f32 * 0.02);
+    let samples = FlatSamples::F16((0..2000).map(wave).collect());
+    let numbers = FlatSamples::U32((0..2000).map(|i| i / 90).collect());
+    let channels = ["A", "B", "G", "R"].map(|name| (name, samples.clone()));
+    let channels: Vec<_> = channels.into_iter().chain([("id", numbers)]).collect();
+    exr_of_size((50, 40), &channels, Encoding { compression, ..Encoding::SMALL_LOSSLESS })
+}
+
 pub fn halves(factor: f32) -> FlatSamples {
     FlatSamples::F16((0..15).map(|i| f16::from_f32(i as f32 * factor)).collect())
+}
+
+/// A progressive JPEG of RGB codes.
+pub fn progressive_jpeg(rgb: &[u8], width: u16, height: u16) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = jpeg_encoder::Encoder::new(&mut bytes, 90);
+    encoder.set_progressive(true);
+    encoder.encode(rgb, width, height, jpeg_encoder::ColorType::Rgb).unwrap();
+    bytes
 }

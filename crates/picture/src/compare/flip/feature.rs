@@ -29,6 +29,11 @@ pub(super) fn feature_difference(
     Ok(edges.combine([&points], |edge, [point]| (edge.max(point) / LARGEST).sqrt()))
 }
 
+/// The pixels that the filters reach to each side: three standard deviations.
+pub(super) fn radius(density: f64) -> usize {
+    (3.0 * (0.5 * WIDTH * density)).ceil() as usize
+}
+
 /// A Gaussian and its derivatives along a line.
 struct Filters {
     gaussian: Vec<f32>,
@@ -39,7 +44,7 @@ struct Filters {
 impl Filters {
     fn new(density: f64) -> Self {
         let deviation = 0.5 * WIDTH * density;
-        let radius = (3.0 * deviation).ceil() as usize;
+        let radius = radius(density);
         let bell = |x: f64| (-x * x / (2.0 * deviation * deviation)).exp();
         Self {
             gaussian: normalized(&kernel(radius, bell)),

@@ -45,12 +45,18 @@ fn spread(difference: f64, largest: f64) -> f64 {
     }
 }
 
+/// The pixels that the filters reach to each side: three standard deviations of the widest.
+pub(super) fn radius(density: f64) -> usize {
+    let widest = BLUE_YELLOW[0].1;
+    let deviation = (widest / (2.0 * std::f64::consts::PI * std::f64::consts::PI)).sqrt();
+    (3.0 * deviation * density).ceil() as usize
+}
+
 /// The picture as the eye resolves it.
 fn filtered(picture: &Picture, density: f64) -> Result<Picture, SizeError> {
     let memory = || too_little_memory(picture);
-    let widest = BLUE_YELLOW[0].1;
     let pi_squared = std::f64::consts::PI * std::f64::consts::PI;
-    let radius = (3.0 * (widest / (2.0 * pi_squared)).sqrt() * density).ceil() as usize;
+    let radius = radius(density);
     let bell = |b: f64| kernel(radius, |x| (-pi_squared * (x / density) * (x / density) / b).exp());
     // A Gaussian of the plane is the product of two of the line. What its weight is among others of the same channel,
     // its sum decides before it is normalized.
