@@ -3,7 +3,9 @@
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
-use catoptric_scene::{HasImages as _, List, MaterialChoice, Scene, Shape, read, write_fragment};
+use catoptric_scene::{
+    HasImages as _, ImageSource, List, MaterialChoice, Scene, Shape, read, write_fragment,
+};
 use glam::DVec3;
 
 use crate::action::{ActionError, Outcome};
@@ -60,12 +62,12 @@ pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<
     let mut pasted = read(text).into_result().map_err(ActionError::BadText)?.value;
     let mut rename = mover(folder, folder);
     pasted.edit_images(&mut |image| {
-        let known = |path: &str| scene.images().find(|known| known.path() == path);
-        let mut found = known(image.path());
+        let known = |source: &ImageSource| scene.images().find(|known| known.source() == source);
+        let mut found = known(image.source());
         if found.is_none() && folder.is_some() {
             // A whole path, as copies have it, becomes what the document would call it.
             rename(image);
-            found = known(image.path());
+            found = known(image.source());
         }
         // Else materials with the same picture would not be found to be the same.
         if let Some(found) = found {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError, Weak};
 use std::time::SystemTime;
 
-use catoptric_picture::{Picture, ReadError};
+use catoptric_picture::{DecodeError, Picture, ReadError, ReadOptions, SizeError};
 
 use crate::Scene;
 use crate::body::Body;
@@ -16,13 +16,37 @@ use crate::color::Color;
 use crate::environment::{Environment, Surroundings};
 use crate::material::{Material, MaterialChoice, NamedMaterial};
 
+/// Where a picture of a scene comes from, as scene files say it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ImageSource {
+    path: Arc<str>,
+    layer: Option<Arc<str>>,
+}
+
+impl ImageSource {
+    /// The file at `path`, and the layer to take of it if it has several.
+    pub fn new(path: impl Into<Arc<str>>, layer: Option<Arc<str>>) -> Self {
+        Self { path: path.into(), layer }
+    }
+
+    /// The path.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The name of the layer; `None` for the picture itself.
+    pub fn layer(&self) -> Option<&str> {
+        self.layer.as_deref()
+    }
+}
+
 /// A picture that a scene takes from a file: surroundings, or the texture of a body.
 ///
-/// The scene file has its path; the pixels are there once it is [opened](Image::open). Without them, surroundings are
+/// The scene file has its path; the pixels are there once it is [opened](Image::open_source). Without them, surroundings are
 /// the background and a body has its color.
 #[derive(Clone)]
 pub struct Image {
-    path: Arc<str>,
+    source: ImageSource,
     pixels: Option<Arc<Picture>>,
     mean: Color,
     brightest: Color,
@@ -40,11 +64,20 @@ impl Image {
 
     /// A picture that is not opened yet.
     pub fn new(path: impl Into<Arc<str>>) -> Self {
-        Self { path: path.into(), pixels: None, mean: Color::BLACK, brightest: Color::BLACK }
+        Self::from_source(ImageSource::new(path, None))
+    }
+
+    /// A picture that is not opened yet.
+    pub fn from_source(source: ImageSource) -> Self {
+        Self { source, pixels: None, mean: Color::BLACK, brightest: Color::BLACK }
     }
 
     /// A picture whose pixels are known.
     pub fn with_pixels(path: impl Into<Arc<str>>, pixels: Arc<Picture>) -> Self {
+        Self::opened(ImageSource::new(path, None), pixels)
+    }
+
+    fn opened(source: ImageSource, pixels: Arc<Picture>) -> Self {
         let (mut sum, mut most) = ([0.0; 3], [0.0_f64; 3]);
         for pixel in pixels.pixels() {
             for ((sum, most), part) in sum.iter_mut().zip(&mut most).zip(pixel) {
@@ -53,7 +86,7 @@ impl Image {
             }
         }
         let mean = sum.map(|part: f64| part / pixels.pixels().len() as f64);
-        Self { path: path.into(), pixels: Some(pixels), mean: mean.into(), brightest: most.into() }
+        Self { source, pixels: Some(pixels), mean: mean.into(), brightest: most.into() }
     }
 
     /// The mean of its pixels; black while they are not known.
@@ -66,23 +99,44 @@ impl Image {
         self.brightest
     }
 
-    /// The picture at `path`, a PNG or EXR file. A relative path begins at `folder`, that of the scene file, or where the
-    /// program was started. The same file, unchanged, gives the same pixels while any scene has them.
+    /// The picture of a source, a file of any format that is read. A relative path begins at `folder`, that of the scene
+    /// file, or where the program was started. The same file, unchanged, gives the same pixels while any scene has them.
+    ///
+    /// # Errors
+    /// What is wrong with the file.
+    pub fn open_source(source: &ImageSource, folder: Option<&Path>) -> Result<Self, ImageError> {
+        let found = match source.path.strip_prefix(Self::BUILT_IN) {
+            Some(_) if source.layer.is_some() => {
+                Err(ImageFault::Unreadable("a built-in picture has no layers; remove `layer`".to_owned()))
+            }
+            Some(name) => built_in::picture(name).ok_or(ImageFault::NotBuiltIn),
+            None => read_or_share(&file_of(&source.path, folder), source.layer()),
+        };
+        let refused = |fault| ImageError { image: source.clone(), fault };
+        found.map(|pixels| Self::opened(source.clone(), pixels)).map_err(refused)
+    }
+
+    /// The picture at `path`, without a choice of layer; see [`Self::open_source`].
     ///
     /// # Errors
     /// What is wrong with the file.
     pub fn open(path: &str, folder: Option<&Path>) -> Result<Self, ImageError> {
-        let found = match path.strip_prefix(Self::BUILT_IN) {
-            Some(name) => built_in::picture(name).ok_or(ImageFault::NotBuiltIn),
-            None => read_or_share(&file_of(path, folder)),
-        };
-        let refused = |fault| ImageError { path: path.to_owned(), fault };
-        found.map(|pixels| Self::with_pixels(path, pixels)).map_err(refused)
+        Self::open_source(&ImageSource::new(path, None), folder)
+    }
+
+    /// Where it comes from, as scene files say it.
+    pub fn source(&self) -> &ImageSource {
+        &self.source
     }
 
     /// Its path, as scene files have it.
     pub fn path(&self) -> &str {
-        &self.path
+        &self.source.path
+    }
+
+    /// The layer of its file; `None` for the picture itself.
+    pub fn layer(&self) -> Option<&str> {
+        self.source.layer()
     }
 
     /// Its pixels, in linear light, if they are known.
@@ -92,13 +146,14 @@ impl Image {
 
     /// Whether it comes with the program.
     pub fn is_built_in(&self) -> bool {
-        self.path.starts_with(Self::BUILT_IN)
+        self.path().starts_with(Self::BUILT_IN)
     }
 
     /// The same picture by another path.
     #[must_use]
     pub fn with_path(&self, path: impl Into<Arc<str>>) -> Self {
-        Self { path: path.into(), ..self.clone() }
+        let layer = self.source.layer.clone();
+        Self { source: ImageSource::new(path, layer), ..self.clone() }
     }
 
     /// What a path of a scene file in the folder `from` has to be in one in `to`, so that it leads to the same file;
@@ -129,7 +184,7 @@ impl Image {
     }
 }
 
-/// Equal paths, and equal pixels.
+/// Equal sources, and equal pixels.
 impl PartialEq for Image {
     fn eq(&self, other: &Self) -> bool {
         let same_pixels = match (&self.pixels, &other.pixels) {
@@ -137,23 +192,23 @@ impl PartialEq for Image {
             (None, None) => true,
             _ => false,
         };
-        self.path == other.path && same_pixels
+        self.source == other.source && same_pixels
     }
 }
 
 impl fmt::Debug for Image {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = self.pixels.as_ref().map(|picture| (picture.width(), picture.height()));
-        out.debug_struct("Image").field("path", &self.path).field("size", &size).finish()
+        out.debug_struct("Image").field("source", &self.source).field("size", &size).finish()
     }
 }
 
 /// Why a picture of a scene could not be opened.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("cannot open the picture `{path}`: {fault}")]
+#[error("cannot open the picture `{}`: {fault}", image.path)]
 pub struct ImageError {
-    /// Its path, as scene files have it.
-    pub path: String,
+    /// Where it should come from, as scene files say it.
+    pub image: ImageSource,
     /// What is wrong with it.
     pub fault: ImageFault,
 }
@@ -227,19 +282,19 @@ impl HasImages for Scene {
 }
 
 impl Scene {
-    /// Opens all pictures of the scene that are not opened yet; see [`Image::open`].
+    /// Opens all pictures of the scene that are not opened yet; see [`Image::open_source`].
     ///
     /// # Errors
-    /// What is wrong with those that could not be opened, each path once, in the order of the scene.
+    /// What is wrong with those that could not be opened, each source once, in the order of the scene.
     pub fn open_images(&mut self, folder: Option<&Path>) -> Result<(), Vec<ImageError>> {
-        let mut opened: HashMap<Arc<str>, Option<Image>> = HashMap::new();
+        let mut opened: HashMap<ImageSource, Option<Image>> = HashMap::new();
         let mut errors = Vec::new();
         self.edit_images(&mut |image| {
             if image.pixels.is_some() {
                 return;
             }
-            let open = || Image::open(&image.path, folder).map_err(|error| errors.push(error)).ok();
-            if let Some(found) = opened.entry(Arc::clone(&image.path)).or_insert_with(open) {
+            let open = || Image::open_source(&image.source, folder).map_err(|error| errors.push(error)).ok();
+            if let Some(found) = opened.entry(image.source.clone()).or_insert_with(open) {
                 image.clone_from(found);
             }
         });
@@ -295,15 +350,19 @@ fn sane(part: f32) -> f32 {
 /// What a file was when it was read, and what it had in it, as long as anyone has that.
 type Kept = (Option<SystemTime>, u64, Weak<Picture>);
 
-static KEPT: LazyLock<Mutex<HashMap<PathBuf, Kept>>> = LazyLock::new(Mutex::default);
+/// A file and the layer that is read of it.
+type FileLayer = (PathBuf, Option<String>);
 
-fn read_or_share(file: &Path) -> Result<Arc<Picture>, ImageFault> {
+static KEPT: LazyLock<Mutex<HashMap<FileLayer, Kept>>> = LazyLock::new(Mutex::default);
+
+fn read_or_share(file: &Path, layer: Option<&str>) -> Result<Arc<Picture>, ImageFault> {
     let metadata = std::fs::metadata(file).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => ImageFault::Missing(file.to_owned()),
         _ => ImageFault::Unreadable(error.to_string()),
     })?;
     let state = (metadata.modified().ok(), metadata.len());
-    let name = file.canonicalize().unwrap_or_else(|_| file.to_owned());
+    let layer = layer.map(str::to_owned);
+    let name = (file.canonicalize().unwrap_or_else(|_| file.to_owned()), layer.clone());
     let shared = {
         let kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
         kept.get(&name).filter(|kept| (kept.0, kept.1) == state).and_then(|kept| kept.2.upgrade())
@@ -311,14 +370,20 @@ fn read_or_share(file: &Path) -> Result<Arc<Picture>, ImageFault> {
     if let Some(shared) = shared {
         return Ok(shared);
     }
-    let mut picture = catoptric_picture::read(file).map_err(|error| match error {
-        ReadError::Decode { source, .. } => ImageFault::Unreadable(source.to_string()),
-        other => ImageFault::Unreadable(other.to_string()),
-    })?;
-    let (width, height) = (picture.width(), picture.height());
-    if picture.pixels().len() > Image::MAX_PIXELS {
-        return Err(ImageFault::TooLarge { width, height });
-    }
+    let options = ReadOptions { layer, max_pixels: Image::MAX_PIXELS as u64 };
+    let mut picture =
+        options.read(file).map_err(|error| match error {
+            ReadError::Decode {
+                source:
+                    DecodeError::TooLarge { width, height, .. }
+                    | DecodeError::Size(
+                        SizeError::Pixels { width, height, .. } | SizeError::Side { width, height, .. },
+                    ),
+                ..
+            } => ImageFault::TooLarge { width, height },
+            ReadError::Decode { source, .. } => ImageFault::Unreadable(source.to_string()),
+            other => ImageFault::Unreadable(other.to_string()),
+        })?;
     picture.pixels_mut().iter_mut().flatten().for_each(|part| *part = sane(*part));
     let picture = Arc::new(picture);
     let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);

@@ -26,7 +26,7 @@ pub use format::{
     Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
     read, read_bytes, update, write, write_fragment,
 };
-pub use image::{HasImages, Image, ImageError, ImageFault};
+pub use image::{HasImages, Image, ImageError, ImageFault, ImageSource};
 pub use light::{Falloff, Light};
 pub use list::{Counted, List, ListIter, ListIterMut, Slices};
 pub use material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_picture::{Picture, write_exr};
-use catoptric_scene::{Image, LoadError, Scene, load, load_partly, save, write};
+use catoptric_scene::{Image, LoadError, Scene, load, load_partly, read, save, write};
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
@@ -147,8 +147,8 @@ fn pictures_that_cannot_be_opened_are_told_where_they_are_named() {
     );
     let expected = format!(
         "4:11: {none}\n\
-         6:17: error: cannot open the picture `no.png`: this is neither a PNG nor an EXR picture; \
-         convert it to one of these\n\
+         6:17: error: cannot open the picture `no.png`: this is none of the formats that are read \
+         (PNG, EXR, JPEG, HDR, WebP, TIFF, BMP); convert it to one of these\n\
          7:17: error: cannot open the picture `builtin:gird`: there is no built-in picture of this name; \
          there are evening, studio, planet, grid\n8:17: {none}"
     );
@@ -156,4 +156,84 @@ fn pictures_that_cannot_be_opened_are_told_where_they_are_named() {
     let (reading, _) = load_partly(&path).unwrap();
     assert_eq!((reading.scene.bodies.len(), reading.scene.materials.len()), (3, 3));
     assert!(reading.scene.images().all(|image| image.pixels().is_none()));
+}
+
+/// An EXR of one pixel whose layers have these names and values.
+fn write_layers(path: &Path, layers: &[(&str, f32)]) {
+    use exr::prelude::{
+        AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, WritableImage as _,
+    };
+    let channels = layers.iter().flat_map(|(name, value)| {
+        ["B", "G", "R"].map(|letter| {
+            AnyChannel::new(format!("{name}.{letter}").as_str(), FlatSamples::F32(vec![*value]))
+        })
+    });
+    let layer = Layer::new(
+        (1, 1),
+        LayerAttributes::default(),
+        Encoding::UNCOMPRESSED,
+        AnyChannels::sort(channels.collect()),
+    );
+    Image::from_layer(layer).write().non_parallel().to_file(path).unwrap();
+}
+
+#[test]
+fn a_layer_is_chosen_beside_the_path_and_each_is_a_picture_of_its_own() {
+    let folder = folder();
+    write_layers(&folder.path().join("l.exr"), &[("ViewLayer.AO", 0.25), ("ViewLayer.Combined", 0.5)]);
+    let path = folder.path().join("a.toml");
+    let text = "format = 'catoptric/1'\nenvironment = { picture = 'l.exr', layer = 'ViewLayer.AO' }\n\
+        [materials]\nm = { texture = 'l.exr' }\nn = { texture = 'l.exr', layer = 'AO' }\n\
+        [[bodies]]\nmaterial = 'm'\n[[bodies]]\nmaterial = 'n'\n";
+    fs::write(&path, text).unwrap();
+    let loaded = load(&path).unwrap();
+    let values: Vec<f32> =
+        loaded.scene.images().map(|image| image.pixels().unwrap().pixels()[0][1]).collect();
+    assert_eq!(values, [0.25, 0.5, 0.25]);
+    let layers: Vec<_> = loaded.scene.images().map(|image| image.layer().map(str::to_owned)).collect();
+    assert_eq!(layers, [Some("ViewLayer.AO".to_owned()), None, Some("AO".to_owned())]);
+    let written = write(&loaded.scene);
+    assert!(written.contains("layer = \"ViewLayer.AO\""), "{written}");
+    assert_eq!(
+        read(&written).scene.images().map(Image::source).collect::<Vec<_>>(),
+        loaded.scene.images().map(Image::source).collect::<Vec<_>>()
+    );
+
+    let wrong = [
+        (
+            "environment = { picture = 'l.exr', layer = 'Glossy' }",
+            "no layer `Glossy`; it has ViewLayer.AO, ViewLayer.Combined",
+        ),
+        ("environment = { layer = 'AO' }", "`layer` needs `picture`"),
+        ("environment = { picture = 'builtin:evening', layer = 'AO' }", "no layers"),
+        ("[materials]\nm = { layer = 'AO' }\n[[bodies]]\nmaterial = 'm'", "`layer` needs `texture`"),
+        (
+            "[materials]\nm = { model = 'conductor', layer = 'AO' }\n[[bodies]]\nmaterial = 'm'",
+            "`layer` is only for `model`",
+        ),
+    ];
+    for (text, expected) in wrong {
+        fs::write(&path, format!("format = 'catoptric/1'\n{text}\n")).unwrap();
+        let error = load(&path).unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+#[test]
+fn a_picture_that_kills_its_decoder_is_an_error_at_its_name() {
+    let folder = folder();
+    // A palette of four bytes, and a head that declares more pixels than a scene may take.
+    let palette = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\x03\0\0\0(\xcb4\xbb\0\0\0\x04PLTE\0\0\0\0\xb4\xa3\xaez\
+        \0\0\0\nIDATx\x9cc`\0\0\0\x02\0\x01H\xaf\xa4q\0\0\0\0IEND\xaeB`\x82";
+    fs::write(folder.path().join("bad.png"), palette).unwrap();
+    let large = ["#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4097 +X 8193\n", &"\0".repeat(4 * 4097)].concat();
+    fs::write(folder.path().join("large.hdr"), large).unwrap();
+    let path = folder.path().join("a.toml");
+    for (name, expected) in
+        [("bad.png", "PNG decoder broke down"), ("large.hdr", "8193x4097 pixels, but may have")]
+    {
+        fs::write(&path, format!("format = 'catoptric/1'\nenvironment.picture = '{name}'\n")).unwrap();
+        let LoadError::Diagnostics { diagnostics, .. } = load(&path).unwrap_err() else { panic!() };
+        assert!(diagnostics.to_string().contains(expected), "{diagnostics}");
+    }
 }

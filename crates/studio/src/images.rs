@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use catoptric_editor::Label;
-use catoptric_scene::{Image, ImageError, ImageFault, Scene, Surroundings};
+use catoptric_scene::{Image, ImageError, ImageFault, ImageSource, Scene, Surroundings};
 use egui::Context;
 
 use crate::app::Studio;
@@ -33,20 +33,20 @@ pub(crate) struct Images {
     home: Option<(u64, Option<PathBuf>)>,
     /// The scene that was looked through last: all its pictures are opened, being opened, or missing.
     looked_at: Option<Arc<Scene>>,
-    /// Paths of those that could not be opened. Those that could are in the document alone: what its paths name may be
-    /// another picture by now.
-    missing: HashSet<String>,
+    /// Those that could not be opened. Those that could are in the document alone: what its paths name may be another
+    /// picture by now.
+    missing: HashSet<ImageSource>,
     job: Option<Job<Vec<Opened>>>,
     /// What is being asked for, with the document that is to have it.
     asking: Option<(Asking, ImageUse, u64)>,
 }
 
-type Opened = (String, Result<Image, ImageError>);
+type Opened = (ImageSource, Result<Image, ImageError>);
 
 impl Images {
-    /// Whether the picture at `path` could not be opened.
-    pub(crate) fn is_missing(&self, path: &str) -> bool {
-        self.missing.contains(path)
+    /// Whether the picture of a source could not be opened.
+    pub(crate) fn is_missing(&self, source: &ImageSource) -> bool {
+        self.missing.contains(source)
     }
 
     /// Whether any picture is being opened.
@@ -100,32 +100,36 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     if images.is_opening() || images.looked_at.as_ref().is_some_and(|before| Arc::ptr_eq(before, scene)) {
         return;
     }
-    let paths = unopened(images.looked_at.as_deref(), scene, |path| images.missing.contains(path));
+    let sources = unopened(images.looked_at.as_deref(), scene, |source| images.missing.contains(source));
     images.looked_at = Some(Arc::clone(scene));
-    if !paths.is_empty() {
-        open(context, studio, paths);
+    if !sources.is_empty() {
+        open(context, studio, sources);
     }
 }
 
-/// Paths of the pictures that are to be opened, each once. Of `before` they are already, and of bodies that are shared
+/// Sources of the pictures that are to be opened, each once. Of `before` they are already, and of bodies that are shared
 /// with it: a hand that drags one of a million bodies must not wait for a walk through all.
-fn unopened(before: Option<&Scene>, scene: &Scene, is_missing: impl Fn(&str) -> bool) -> Vec<String> {
-    let unknown = |image: &&Image| image.pixels().is_none() && !is_missing(image.path());
-    let paths: BTreeSet<&str> = match before {
-        Some(before) => scene.images_besides(before).filter(unknown).map(Image::path).collect(),
-        None => scene.images().filter(unknown).map(Image::path).collect(),
+fn unopened(
+    before: Option<&Scene>,
+    scene: &Scene,
+    is_missing: impl Fn(&ImageSource) -> bool,
+) -> Vec<ImageSource> {
+    let unknown = |image: &&Image| image.pixels().is_none() && !is_missing(image.source());
+    let sources: BTreeSet<&ImageSource> = match before {
+        Some(before) => scene.images_besides(before).filter(unknown).map(Image::source).collect(),
+        None => scene.images().filter(unknown).map(Image::source).collect(),
     };
-    paths.into_iter().map(str::to_owned).collect()
+    sources.into_iter().cloned().collect()
 }
 
-fn open(context: &Context, studio: &mut Studio, paths: Vec<String>) {
+fn open(context: &Context, studio: &mut Studio, sources: Vec<ImageSource>) {
     let folder = studio.editor.path().and_then(Path::parent).map(Path::to_owned);
     let work = move || {
-        let open = |path: String| {
-            let image = Image::open(&path, folder.as_deref());
-            (path, image)
+        let open = |source: ImageSource| {
+            let image = Image::open_source(&source, folder.as_deref());
+            (source, image)
         };
-        paths.into_iter().map(open).collect()
+        sources.into_iter().map(open).collect()
     };
     match Job::start(context, "pictures", work) {
         Ok(job) => studio.images.job = Some(job),
@@ -149,18 +153,18 @@ fn take_opened(studio: &mut Studio) {
             return;
         }
     };
-    let mut opened: HashMap<String, Image> = HashMap::new();
-    for (path, image) in found {
+    let mut opened: HashMap<ImageSource, Image> = HashMap::new();
+    for (source, image) in found {
         match image {
-            Ok(image) => _ = opened.insert(path, image),
+            Ok(image) => _ = opened.insert(source, image),
             Err(error) => {
                 studio.toasts.warning(in_words(&studio.texts, &error));
-                studio.images.missing.insert(path);
+                studio.images.missing.insert(source);
             }
         }
     }
     if !opened.is_empty() {
-        studio.editor.open_images(|path| opened.get(path).cloned());
+        studio.editor.open_images(|source| opened.get(source).cloned());
     }
 }
 
@@ -182,10 +186,10 @@ fn take_answer(context: &Context, studio: &mut Studio) {
 /// Has the picture at `path` used.
 pub(crate) fn give(studio: &mut Studio, usage: ImageUse, path: &str) {
     // What could not be opened before may have been mended, and what is being opened may have been replaced.
-    studio.images.missing.remove(path);
+    let image = Image::new(path);
+    studio.images.missing.remove(image.source());
     studio.images.look_anew();
     studio.editor.settle();
-    let image = Image::new(path);
     let result = match usage {
         ImageUse::Surroundings => {
             let label = Label::new("edit-surroundings", String::new());
@@ -225,7 +229,7 @@ fn in_words(texts: &Texts, error: &ImageError) -> String {
         }
         ImageFault::Unreadable(reason) => reason.clone(),
     };
-    let name = name(texts, &error.path).into_owned();
+    let name = name(texts, error.image.path()).into_owned();
     texts.with("picture-not-opened", &[("name", name.into()), ("reason", reason.into())])
 }
 
@@ -250,11 +254,11 @@ mod tests {
         scene.bodies[70_000] = textured("new.png");
         scene.environment.surroundings = Surroundings::Picture(Image::new("around.png"));
         let looked_at = Cell::new(0);
-        let is_missing = |path: &str| {
+        let is_missing = |source: &ImageSource| {
             looked_at.set(looked_at.get() + 1);
-            path == "old.png"
+            source.path() == "old.png"
         };
-        let expected = ["around.png", "new.png"];
+        let expected = ["around.png", "new.png"].map(|path| ImageSource::new(path, None));
         assert_eq!(unopened(Some(&before), &scene, is_missing), expected);
         assert_eq!(looked_at.replace(0), List::<Body>::SLICE + 1);
         assert_eq!(unopened(None, &scene, is_missing), expected);
@@ -269,10 +273,14 @@ mod tests {
         let homes = [(0, here, true), (0, away, false), (0, None, false), (1, None, false), (1, None, true)];
         for (document, folder, is_same) in homes {
             images.looked_at = Some(Arc::default());
-            images.missing.insert("a.png".to_owned());
+            images.missing.insert(ImageSource::new("a.png", None));
             images.job = Job::start(&Context::default(), "pictures", Vec::new).ok();
             images.mind_home(document, folder);
-            let kept = (images.looked_at.is_some(), images.is_missing("a.png"), images.is_opening());
+            let kept = (
+                images.looked_at.is_some(),
+                images.is_missing(&ImageSource::new("a.png", None)),
+                images.is_opening(),
+            );
             assert_eq!(kept, (is_same, is_same, is_same), "{document} {folder:?}");
         }
     }

@@ -4,22 +4,22 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use catoptric_scene::{HasImages as _, Image, Scene};
+use catoptric_scene::{HasImages as _, Image, ImageSource, Scene};
 
 use super::Editor;
 
 impl Editor {
     /// Gives the pictures that are not opened yet those that `open` finds for them: in the scene, in what is saved, and
     /// in all steps of the history. This is no edit. Returns whether the scene has got any.
-    pub fn open_images(&mut self, open: impl Fn(&str) -> Option<Image>) -> bool {
+    pub fn open_images(&mut self, open: impl Fn(&ImageSource) -> Option<Image>) -> bool {
         let fill = &mut |image: &mut Image| {
             if image.pixels().is_none()
-                && let Some(opened) = open(image.path())
+                && let Some(opened) = open(image.source())
             {
                 *image = opened;
             }
         };
-        let is_found = |image: &Image| image.pixels().is_none() && open(image.path()).is_some();
+        let is_found = |image: &Image| image.pixels().is_none() && open(image.source()).is_some();
         let is_saved = self.saved.as_ref().is_some_and(|saved| Arc::ptr_eq(saved, &self.scene));
         let has_any = self.edit_all_images(is_found, fill);
         match &mut self.saved {
@@ -60,18 +60,18 @@ pub(super) fn move_images(scene: &mut Arc<Scene>, from: Option<&Path>, to: Optio
     edit_images(scene, |image| !image.is_built_in(), &mut mover(from, to));
 }
 
-/// Gives the scene's pictures that are not opened those that another scene has by the same paths.
+/// Gives the scene's pictures that are not opened those that another scene has of the same sources.
 pub(super) fn share_pixels(scene: &mut Arc<Scene>, other: &Scene) {
     let is_unopened = |image: &Image| image.pixels().is_none();
     if !scene.images_besides(other).any(is_unopened) {
         return;
     }
     let opened = other.images().filter(|image| !is_unopened(image));
-    let opened: HashMap<&str, &Image> = opened.map(|image| (image.path(), image)).collect();
-    let is_found = |image: &Image| is_unopened(image) && opened.contains_key(image.path());
+    let opened: HashMap<&ImageSource, &Image> = opened.map(|image| (image.source(), image)).collect();
+    let is_found = |image: &Image| is_unopened(image) && opened.contains_key(image.source());
     edit_images(scene, is_found, &mut |image| {
         if is_unopened(image)
-            && let Some(&found) = opened.get(image.path())
+            && let Some(&found) = opened.get(image.source())
         {
             image.clone_from(found);
         }

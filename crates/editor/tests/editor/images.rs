@@ -5,7 +5,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label};
-use catoptric_scene::{Body, Image, Material, MaterialChoice, NamedMaterial, Scene, Surroundings};
+use catoptric_scene::{
+    Body, Image, ImageSource, Material, MaterialChoice, NamedMaterial, Scene, Surroundings,
+};
 use proptest::prelude::*;
 
 fn textured(path: &str) -> MaterialChoice {
@@ -19,7 +21,8 @@ fn scene() -> Scene {
     scene
 }
 
-fn open(path: &str) -> Option<Image> {
+fn open(source: &ImageSource) -> Option<Image> {
+    let path = source.path();
     let grid = Image::open("builtin:grid", None).unwrap();
     (path != "none.png").then(|| Image::with_pixels(path, Arc::clone(grid.pixels().unwrap())))
 }

@@ -83,7 +83,7 @@ impl<'t> Build<'_, 't> {
         let mut environment = Environment {
             background: fields.color("background").unwrap_or(default.background),
             ambient: fields.color("ambient").unwrap_or(default.ambient),
-            surroundings: fields.image("picture").map_or(Surroundings::Even, Surroundings::Picture),
+            surroundings: fields.image("picture", "layer").map_or(Surroundings::Even, Surroundings::Picture),
             rotation_degrees: fields.number("rotation").unwrap_or(default.rotation_degrees),
             strength: fields.number("strength").unwrap_or(default.strength),
         };
@@ -128,7 +128,7 @@ impl<'t> Build<'_, 't> {
             transmission: fields.number("transmission").unwrap_or(default.transmission),
             ior: fields.number("ior").unwrap_or(default.ior),
             tint: fields.color("tint").unwrap_or(default.tint),
-            texture: fields.image("texture"),
+            texture: fields.image("texture", "layer"),
             checker: None,
             substance: fields.choice("substance").ok().flatten().and_then(Clear::named),
             dispersion: fields.flag("dispersion").unwrap_or(default.dispersion),

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::image::ImageError;
+use crate::image::{ImageError, ImageSource};
 
 /// How much a finding matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,7 +112,7 @@ pub struct Diagnostics {
     list: Vec<Diagnostic>,
     omitted: usize,
     /// Paths of pictures and where they stand. Whether they can be opened is found out when all is read.
-    images: Vec<(String, Range<usize>)>,
+    images: Vec<(ImageSource, Range<usize>)>,
 }
 
 impl Diagnostics {
@@ -134,16 +134,16 @@ impl Diagnostics {
     }
 
     /// Remembers where the path of a picture stands.
-    pub(crate) fn names_image(&mut self, path: &str, span: Range<usize>) {
+    pub(crate) fn names_image(&mut self, image: ImageSource, span: Range<usize>) {
         if self.images.len() < Self::MOST {
-            self.images.push((path.to_owned(), span));
+            self.images.push((image, span));
         }
     }
 
     /// Reports pictures that could not be opened, wherever the text names them.
     pub(crate) fn report_images(&mut self, errors: &[ImageError], text: &str) {
-        for (path, span) in std::mem::take(&mut self.images) {
-            if let Some(error) = errors.iter().find(|error| error.path == path) {
+        for (image, span) in std::mem::take(&mut self.images) {
+            if let Some(error) = errors.iter().find(|error| error.image == image) {
                 self.push(Diagnostic::error(span, error.to_string()));
             }
         }

@@ -84,6 +84,7 @@ pub static ENVIRONMENT: TableSpec = TableSpec {
         KeySpec::new("sky", Kind::Table(&SKY), "a sky in the place of the background"),
         KeySpec::new("picture", Kind::File, "a picture of everything around in the place of the background")
             .excluding(&["sky"]),
+        KeySpec::new("layer", Kind::Text, LAYER).beside("picture", &[]),
         KeySpec::new(
             "rotation",
             Kind::Number(Limits::new(-1e6, 1e6)),
@@ -220,11 +221,15 @@ pub static MATERIAL: TableSpec = TableSpec {
         .only("model", &["dielectric", "conductor", "mirror", "coated"]),
         KeySpec::new("texture", Kind::File, "a picture on the body in the place of its color")
             .only("model", &["phong", "mirror", "matte", "coated"]),
+        KeySpec::new("layer", Kind::Text, LAYER)
+            .only("model", &["phong", "mirror", "matte", "coated"])
+            .beside("texture", &[]),
         KeySpec::new("checker", Kind::Table(&CHECKER), "a second color in a checkerboard")
             .only("model", &["phong", "mirror", "matte", "coated"]),
     ],
 };
 
+const LAYER: &str = "the layer of the picture, where its file has several";
 const PHONG: &[&str] = &["phong"];
 const DIELECTRIC: &[&str] = &["dielectric"];
 const CONDUCTOR: &[&str] = &["conductor"];

@@ -9,6 +9,7 @@ use crate::camera::{Camera, Projection};
 use crate::color::Color;
 use crate::format::keys;
 use crate::format::spec::{Default, KeySpec, TableSpec, When};
+use crate::image::Image;
 use crate::light::{Falloff, Light};
 use crate::material::{Checker, Conductor, Material, MaterialChoice, Model};
 use crate::{Environment, Sky, Surroundings, Tracing};
@@ -156,9 +157,18 @@ pub(crate) fn environment(environment: &Environment) -> Record<'_> {
             let sky = sky.color("zenith", *zenith).color("horizon", *horizon).color("nadir", *nadir);
             record.with("sky", Datum::Table(sky))
         }
-        Surroundings::Picture(image) => record.text("picture", image.path()),
+        Surroundings::Picture(image) => picture(record, "picture", image),
     };
     record.number("rotation", environment.rotation_degrees).number("strength", environment.strength)
+}
+
+/// The path of a picture, and its layer.
+fn picture<'a>(record: Record<'a>, key: &'static str, image: &'a Image) -> Record<'a> {
+    let record = record.text(key, image.path());
+    match image.layer() {
+        Some(layer) => record.text("layer", layer),
+        None => record,
+    }
 }
 
 pub(crate) fn tracing(tracing: &Tracing) -> Record<'static> {
@@ -190,7 +200,7 @@ pub(crate) fn material(material: &Material) -> Record<'_> {
         return record;
     }
     if let Some(texture) = &material.texture {
-        record = record.text("texture", texture.path());
+        record = picture(record, "texture", texture);
     }
     if let Some(Checker { color, size, space }) = material.checker {
         let checker = Record::new(&keys::CHECKER).color("color", color).number("size", size);

@@ -138,5 +138,9 @@ fn dependency(key: &KeySpec) -> Option<Value> {
     }
     let required: Vec<&str> = key.requires.into_iter().collect();
     let excluded: Vec<Value> = key.excludes.iter().map(|other| json!({ "required": [other] })).collect();
-    Some(json!({ "required": required, "not": { "anyOf": excluded } }))
+    // An empty list of alternatives is no schema.
+    Some(match excluded.is_empty() {
+        true => json!({ "required": required }),
+        false => json!({ "required": required, "not": { "anyOf": excluded } }),
+    })
 }

@@ -12,7 +12,7 @@ use crate::format::quote::{listed, quoted};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec, When};
 use crate::format::toml::{Value, ValueKind};
 use crate::format::tree::Table;
-use crate::image::Image;
+use crate::image::{Image, ImageSource};
 
 /// The keys of one table, ready to be asked for their values. What is absent or wrong is `None`; what is wrong is
 /// reported besides.
@@ -95,15 +95,21 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
     }
 
-    /// A picture, which is still to be opened.
-    pub(crate) fn image(&mut self, name: &str) -> Option<Image> {
+    /// A picture, which is still to be opened, with the name of its layer under another key.
+    pub(crate) fn image(&mut self, name: &str, layer: &str) -> Option<Image> {
+        let layer = self.text(layer);
+        let (path, span) = self.path(name)?;
+        let source = ImageSource::new(path, layer.map(Into::into));
+        self.found.names_image(source.clone(), span);
+        Some(Image::from_source(source))
+    }
+
+    /// The path of a picture, and where it stands.
+    fn path(&mut self, name: &str) -> Option<(&'b str, Range<usize>)> {
         let (key, value) = self.given(name)?;
         match &value.kind {
             ValueKind::Text(path) if path.is_empty() => self.wrong(key, value, &format!("`{name}` is empty")),
-            ValueKind::Text(path) => {
-                self.found.names_image(path, value.span.range());
-                Some(Image::new(path.as_ref()))
-            }
+            ValueKind::Text(path) => Some((path.as_ref(), value.span.range())),
             _ => self.wrong_type(key, value),
         }
     }
@@ -180,7 +186,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     fn check_value(&mut self, key: &KeySpec) {
         match key.kind {
             Kind::Text => _ = self.text(key.name),
-            Kind::File => _ = self.image(key.name),
+            Kind::File => _ = self.path(key.name),
             Kind::Flag => _ = self.flag(key.name),
             Kind::Choice(_) => _ = self.choice(key.name),
             Kind::Number(_) | Kind::Integer(_) => _ = self.number(key.name),

@@ -2,9 +2,9 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, CheckerSpace, Color, Conductor, Environment, Falloff, Image, Light,
-    Material, MaterialChoice, Model, NamedMaterial, Placement, Projection, Scene, Shape, Sky, Surroundings,
-    Tracing,
+    Anchor, Body, Camera, Checker, CheckerSpace, Color, Conductor, Environment, Falloff, Image, ImageSource,
+    Light, Material, MaterialChoice, Model, NamedMaterial, Placement, Projection, Scene, Shape, Sky,
+    Surroundings, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -225,7 +225,9 @@ fn around() -> impl Strategy<Value = Surroundings> {
 }
 
 fn image() -> impl Strategy<Value = Image> {
-    prop_oneof![Just("builtin:grid".to_owned()), "[a-c \"'\\\\/.ж]{1,6}"].prop_map(Image::new)
+    let path = prop_oneof![Just("builtin:grid".to_owned()), "[a-c \"'\\\\/.ж]{1,6}"];
+    (path, proptest::option::of("[a-cA. \"ж]{0,5}"))
+        .prop_map(|(path, layer)| Image::from_source(ImageSource::new(path, layer.map(Into::into))))
 }
 
 fn name() -> impl Strategy<Value = String> {

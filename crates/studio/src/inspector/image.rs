@@ -70,7 +70,7 @@ pub(super) fn choice_ui<T, V: Copy>(
     if asks {
         sheet.cx.run(Command::ChooseImage(usage));
     }
-    if image.is_some_and(|image| image.pixels().is_none() && sheet.cx.images.is_missing(image.path())) {
+    if image.is_some_and(|image| image.pixels().is_none() && sheet.cx.images.is_missing(image.source())) {
         header::hint(ui, texts.get("picture-not-there"));
     }
     picked
