@@ -125,7 +125,7 @@ fn what_cannot_be_compared_is_refused() {
     for (line, said) in [
         ("diff a.exr small.exr", "cannot compare a.exr and small.exr: the pictures differ in size"),
         ("diff a.exr no.png", "cannot open no.png"),
-        ("diff a.exr text.png", "text.png: this is neither a PNG nor an EXR"),
+        ("diff a.exr text.png", "text.png: this is none of the formats that are read"),
         ("diff a.exr empty.png", "empty.png: the file is empty"),
         ("diff a.exr cut.exr", "cut.exr: "),
         ("diff a.exr .", "not a plain file"),

@@ -10,6 +10,8 @@ use std::task::{Context, Poll, Wake, Waker};
 use std::thread::Thread;
 use std::time::{Duration, Instant};
 
+use catoptric_picture::PictureFormat;
+
 /// A dialog that is gone within this has not been seen.
 const FASTEST: Duration = Duration::from_millis(250);
 
@@ -18,8 +20,10 @@ const FASTEST: Duration = Duration::from_millis(250);
 pub enum FileKind {
     /// A scene: `.toml`.
     Scene,
-    /// A picture: `.png` or `.exr`.
+    /// A picture of any format that is read.
     Picture,
+    /// A picture to be written.
+    SavedPicture,
     /// A drawing: `.svg`.
     Drawing,
     /// A page: `.html`.
@@ -30,13 +34,14 @@ pub enum FileKind {
 
 impl FileKind {
     /// The usual extensions, the first one for new files.
-    pub const fn extensions(self) -> &'static [&'static str] {
+    pub fn extensions(self) -> Vec<&'static str> {
         match self {
-            Self::Scene => &["toml"],
-            Self::Picture => &["png", "exr"],
-            Self::Drawing => &["svg"],
-            Self::Page => &["html"],
-            Self::Folder => &[],
+            Self::Scene => vec!["toml"],
+            Self::Picture => PictureFormat::all_extensions(false).collect(),
+            Self::SavedPicture => PictureFormat::all_extensions(true).collect(),
+            Self::Drawing => vec!["svg"],
+            Self::Page => vec!["html"],
+            Self::Folder => Vec::new(),
         }
     }
 }
@@ -175,7 +180,7 @@ fn native_dialog(question: &FileQuestion) -> Dialog {
     let extensions = question.kind.extensions();
     let names: Vec<String> = extensions.iter().map(|extension| format!("*.{extension}")).collect();
     if !extensions.is_empty() {
-        dialog = dialog.add_filter(names.join(", "), extensions);
+        dialog = dialog.add_filter(names.join(", "), &extensions);
     }
     if !question.is_saving {
         dialog = dialog.add_filter("*", &["*"]);

@@ -225,7 +225,8 @@ pub(super) fn name_of(path: &Path) -> String {
 
 impl Failure {
     fn of_file(path: &Path, error: &ReadError) -> Self {
-        Self::Read(path.to_owned(), error.to_string())
+        let reason = std::error::Error::source(error).map_or_else(|| error.to_string(), ToString::to_string);
+        Self::Read(path.to_owned(), reason)
     }
 }
 

@@ -3,7 +3,7 @@
 mod estimate;
 mod size;
 
-use catoptric_picture::Development;
+use catoptric_picture::{Development, FormatError};
 use catoptric_scene::Tracing;
 use catoptric_scene::format::spec::Limits;
 use catoptric_tracer::RenderSettings;
@@ -103,9 +103,9 @@ impl Dialog for RenderDialog {
 }
 
 impl RenderDialog {
-    /// Exposure and tone curve, which do not concern an EXR.
+    /// Exposure and tone curve, which do not concern linear light.
     fn development_rows(&mut self, ui: &mut Ui, texts: &Texts) {
-        let is_developed = self.choices.kind != PictureKind::Exr;
+        let is_developed = !self.choices.kind.is_linear();
         label(ui, texts, "viewport-exposure");
         ui.add_enabled_ui(is_developed, |ui| {
             ui.horizontal(|ui| fields::exposure_ui(ui, texts, &mut self.development));
@@ -126,8 +126,8 @@ impl RenderDialog {
             None => texts.get("render-note-snapshot"),
         };
         note(ui, ICON_INFO.codepoint, camera, palette.weak);
-        if self.choices.kind == PictureKind::Exr {
-            note(ui, ICON_INFO.codepoint, texts.get("render-note-exr"), palette.weak);
+        if self.choices.kind.is_linear() {
+            note(ui, ICON_INFO.codepoint, texts.get("render-note-linear"), palette.weak);
         }
         if let Some(refused) = &self.refused {
             note(ui, ICON_INFO.codepoint, &refused.explained(texts), palette.warning);
@@ -158,6 +158,12 @@ impl RenderDialog {
     fn problem(&self, texts: &Texts) -> Option<String> {
         if let Err(error) = self.choices.check_size() {
             return Some(told::size_error(texts, &error));
+        }
+        if !self.choices.fits_kind() {
+            let format = self.choices.kind.format();
+            let (width, height) = (self.choices.width, self.choices.height);
+            let error = FormatError::Side { format, width, height, most: format.max_side() };
+            return Some(told::format_error(texts, &error));
         }
         let (needed, free) = (self.choices.bytes(), self.free_memory?);
         (needed > free).then(|| {
@@ -298,15 +304,6 @@ fn method_row(ui: &mut Ui, texts: &Texts, kind: &mut MethodKind) {
 
 fn kind_row(ui: &mut Ui, texts: &Texts, kind: &mut PictureKind) {
     label(ui, texts, "render-kind");
-    let choices = PictureKind::ALL.map(|value| Choice {
-        value,
-        text: texts.get(value.key()),
-        tip: texts.tip(value.key()).unwrap_or_default(),
-        is_enabled: true,
-    });
-    let name = texts.get("render-kind");
-    if let Some(other) = choice_ui(ui, ui.scope_id().with("kind"), name, WIDTH, &choices, Some(*kind)) {
-        *kind = other;
-    }
+    fields::kind_ui(ui, texts, kind);
     ui.end_row();
 }

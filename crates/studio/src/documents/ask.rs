@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn the_proposed_name_gives_the_extension() {
         let question = |name: &str| FileQuestion {
-            kind: FileKind::Picture,
+            kind: FileKind::SavedPicture,
             is_saving: true,
             title: String::new(),
             folder: None,
@@ -148,6 +148,8 @@ mod tests {
         };
         assert_eq!(completed("a".into(), &question("scene.exr")), Path::new("a.exr"));
         assert_eq!(completed("a.PNG".into(), &question("scene.exr")), Path::new("a.PNG"));
+        assert_eq!(completed("a.Jpeg".into(), &question("scene.exr")), Path::new("a.Jpeg"));
+        assert_eq!(completed("a.bmp".into(), &question("scene.exr")), Path::new("a.bmp.exr"), "only read");
         assert_eq!(completed("a".into(), &question("scene")), Path::new("a.png"));
     }
 

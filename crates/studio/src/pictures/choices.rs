@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use catoptric_picture::{BitDepth, Picture, SizeError};
+use catoptric_picture::{BitDepth, Picture, PictureFormat, SampleDepth, SizeError};
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
 use serde::{Deserialize, Serialize};
@@ -38,18 +38,50 @@ pub enum PictureKind {
     Png16,
     /// EXR: the linear light itself.
     Exr,
+    /// JPEG, of the usual quality.
+    Jpeg,
+    /// WebP without loss.
+    WebP,
+    /// TIFF with 16 bits a channel.
+    Tiff,
+    /// Radiance HDR: the linear light with a common exponent.
+    Hdr,
 }
 
 impl PictureKind {
     /// All of them, in the order in which to offer them.
-    pub const ALL: [Self; 3] = [Self::Png8, Self::Png16, Self::Exr];
+    pub const ALL: [Self; 7] =
+        [Self::Png8, Self::Png16, Self::Exr, Self::Jpeg, Self::WebP, Self::Tiff, Self::Hdr];
+
+    /// The format of the file.
+    pub const fn format(self) -> PictureFormat {
+        match self {
+            Self::Png8 | Self::Png16 => PictureFormat::Png,
+            Self::Exr => PictureFormat::Exr,
+            Self::Jpeg => PictureFormat::Jpeg,
+            Self::WebP => PictureFormat::WebP,
+            Self::Tiff => PictureFormat::Tiff,
+            Self::Hdr => PictureFormat::Hdr,
+        }
+    }
+
+    /// What the numbers of the file are.
+    pub const fn depth(self) -> SampleDepth {
+        match self {
+            Self::Png8 | Self::Jpeg | Self::WebP => SampleDepth::EIGHT,
+            Self::Png16 | Self::Tiff => SampleDepth::SIXTEEN,
+            Self::Exr | Self::Hdr => SampleDepth::Linear,
+        }
+    }
+
+    /// True if exposure and tone curve leave the file as it is.
+    pub(crate) fn is_linear(self) -> bool {
+        self.depth() == SampleDepth::Linear
+    }
 
     /// The usual extension.
-    pub const fn extension(self) -> &'static str {
-        match self {
-            Self::Png8 | Self::Png16 => "png",
-            Self::Exr => "exr",
-        }
+    pub fn extension(self) -> &'static str {
+        self.format().extensions().first().copied().unwrap_or_default()
     }
 
     /// The message that names it.
@@ -58,23 +90,19 @@ impl PictureKind {
             Self::Png8 => "render-kind-png8",
             Self::Png16 => "render-kind-png16",
             Self::Exr => "render-kind-exr",
-        }
-    }
-
-    /// Bits of a channel in a PNG of this kind.
-    pub(crate) const fn depth(self) -> BitDepth {
-        match self {
-            Self::Png8 | Self::Exr => BitDepth::Eight,
-            Self::Png16 => BitDepth::Sixteen,
+            Self::Jpeg => "render-kind-jpeg",
+            Self::WebP => "render-kind-webp",
+            Self::Tiff => "render-kind-tiff",
+            Self::Hdr => "render-kind-hdr",
         }
     }
 
     /// Bytes that a pixel takes while the picture is turned into a file.
     const fn bytes_of_pixel(self) -> u64 {
-        match self {
-            Self::Png8 => 3,
-            Self::Png16 => 6,
-            Self::Exr => 0,
+        match self.depth() {
+            SampleDepth::Coded(BitDepth::Eight) => 3,
+            SampleDepth::Coded(BitDepth::Sixteen) => 6,
+            SampleDepth::Linear => 0,
         }
     }
 }
@@ -115,6 +143,11 @@ impl RenderChoices {
     /// Whether a picture can have this size.
     pub(crate) fn check_size(&self) -> Result<(), SizeError> {
         Picture::check_size(self.width, self.height).map(drop)
+    }
+
+    /// Whether the kind of file has room for this size.
+    pub(crate) fn fits_kind(&self) -> bool {
+        self.width.max(self.height) <= self.kind.format().max_side()
     }
 
     /// For the tracer.

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use catoptric_picture::{Development, Picture, SizeError, WriteError, write_exr, write_png};
+use catoptric_picture::{
+    Development, FormatError, Picture, PictureFormat, SaveOptions, SizeError, WriteError,
+};
 use egui::Context;
 
 use super::result::{Finished, Kept};
@@ -44,6 +46,8 @@ pub(super) enum Failure {
     Write(WriteError),
     /// The picture cannot be developed.
     Size(SizeError),
+    /// The format does not take it.
+    Format(FormatError),
 }
 
 /// Asks for a file.
@@ -51,7 +55,7 @@ pub(super) fn ask(studio: &mut Studio, finished: &mut Finished) {
     let choices = &studio.settings.render;
     let beside = studio.editor.path().and_then(Path::parent).map(Path::to_owned);
     let question = FileQuestion {
-        kind: FileKind::Picture,
+        kind: FileKind::SavedPicture,
         is_saving: true,
         title: studio.texts.get("picture-save-title").to_owned(),
         folder: choices.folder.clone().or(beside),
@@ -76,7 +80,7 @@ pub(super) fn poll(context: &Context, studio: &mut Studio, finished: &mut Finish
             Progress::Waiting => finished.saving = Saving::Writing(order, job),
             Progress::Done(Ok(())) => saved(studio, finished, &order.path),
             Progress::Done(Err(failure)) => failed(studio, finished, order, &failure),
-            Progress::Lost => tell(studio, told::fault(&studio.texts, "PNG/EXR")),
+            Progress::Lost => tell(studio, told::fault(&studio.texts, order.kind.format().name())),
         },
     }
 }
@@ -95,16 +99,16 @@ impl Order {
         if !self.may_replace && self.path.exists() {
             return Err(Failure::Exists);
         }
-        if self.is_exr() {
-            return write_exr(&self.path, picture).map_err(Failure::Write);
-        }
-        let developed = self.development.develop(picture, self.kind.depth()).map_err(Failure::Size)?;
-        write_png(&self.path, &developed).map_err(Failure::Write)
+        let mut options = self.options().map_err(Failure::Format)?;
+        options.check_size(picture.width(), picture.height()).map_err(Failure::Format)?;
+        options.development = self.development;
+        options.prepare(picture).map_err(Failure::Size)?.write(&self.path).map_err(Failure::Write)
     }
 
-    /// The name decides.
-    fn is_exr(&self) -> bool {
-        self.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("exr"))
+    /// The name decides on the format; it has the chosen depth if it is the chosen format, else its usual one.
+    fn options(&self) -> Result<SaveOptions, FormatError> {
+        let format = PictureFormat::of_path(&self.path).unwrap_or(self.kind.format());
+        SaveOptions::new(format, (format == self.kind.format()).then_some(self.kind.depth()))
     }
 }
 
@@ -120,6 +124,7 @@ fn failed(studio: &mut Studio, finished: &Finished, order: Order, failure: &Fail
         Failure::Exists => return ask_to_replace(studio, finished.number, order),
         Failure::Write(error) => write_failure_in_words(&studio.texts, error),
         Failure::Size(error) => told::size_error(&studio.texts, error),
+        Failure::Format(error) => told::format_error(&studio.texts, error),
     };
     tell(studio, text);
 }

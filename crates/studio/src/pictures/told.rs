@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use catoptric_live::JobError;
-use catoptric_picture::{Picture, SizeError};
+use catoptric_picture::{FormatError, Picture, SizeError};
 
 use crate::texts::Texts;
 
@@ -88,6 +88,23 @@ pub(crate) fn size_error(texts: &Texts, error: &SizeError) -> String {
     }
 }
 
+/// Why a format does not take a picture, and what to do.
+pub(crate) fn format_error(texts: &Texts, error: &FormatError) -> String {
+    match *error {
+        FormatError::Side { format, width, height, most } => {
+            let arguments = [
+                ("format", format.name().into()),
+                ("size", size(width, height).into()),
+                ("side", most.into()),
+            ];
+            texts.with("render-error-format-side", &arguments)
+        }
+        FormatError::ReadOnly { format } | FormatError::Depth { format, .. } => {
+            texts.with("render-error-format", &[("format", format.name().into())])
+        }
+    }
+}
+
 /// Why a render gave no picture, and what to do.
 pub(crate) fn job_error(texts: &Texts, error: &JobError) -> String {
     match error {
@@ -114,6 +131,7 @@ pub(crate) fn fault(texts: &Texts, reason: &str) -> String {
 mod tests {
     use super::*;
     use crate::texts::Language;
+    use catoptric_picture::PictureFormat;
 
     #[test]
     fn times_are_read_easily() {
@@ -149,6 +167,11 @@ mod tests {
             ];
             for error in sizes {
                 assert!(size_error(&texts, &error).contains("5 × 7"), "{error:?}");
+            }
+            let (format, most) = (PictureFormat::WebP, 16_384);
+            for error in [FormatError::Side { format, width, height, most }, FormatError::ReadOnly { format }]
+            {
+                assert!(format_error(&texts, &error).contains("WebP"), "{error:?}");
             }
             let _ = job_error(&texts, &JobError::Size(SizeError::Count { width, height, count: 1 }));
             let _ = job_error(&texts, &JobError::Cancelled);

@@ -139,7 +139,8 @@ fn exr_keeps_every_bit_and_deep_png_every_step() {
     let mut harness = on(&host);
     harness.run();
     open_dialog(&mut harness);
-    pick(&mut harness, "File: EXR");
+    open_list(&mut harness, "File");
+    choose(&mut harness, "EXR");
     assert!(is_seen(&harness, "EXR keeps the linear light"));
     enter(&mut harness, "Width", 64.0);
     pick(&mut harness, "Samples: 1");
@@ -517,7 +518,7 @@ fn everything_is_said_in_russian_too() {
     harness.run();
     harness.state_mut().run(Command::Render);
     settle(&mut harness);
-    for label in ["Рендер изображения", "Отсчётов на пиксель: 16", "Файл: PNG, 16 бит", "Тональная кривая"]
+    for label in ["Рендер изображения", "Отсчётов на пиксель: 16", "Файл", "Тональная кривая"]
     {
         assert!(harness.query_all_by_label(label).next().is_some(), "{label}");
     }
