@@ -57,9 +57,16 @@ impl Way {
         }
     }
 
-    /// Pixels along the longer side.
-    fn pixels(&self) -> f64 {
-        (self.places[1] - self.places[0]).abs().max_element()
+    /// Into how many steps of `step_pixels` along its longer side it is divided, and how many of them may lie on a screen of
+    /// `size` pixels; `None` if they cannot be counted.
+    ///
+    /// The end is on the screen but for rounding. Close to the plane of the eye that may carry it anywhere, so that the
+    /// march is bounded by the screen itself: a straight line has left it after its longer side.
+    fn steps(&self, step_pixels: f64, size: DVec2) -> Option<(f64, f64)> {
+        let pixels = (self.places[1] - self.places[0]).abs().max_element();
+        let count = (pixels / step_pixels).ceil().max(1.0);
+        let most = ((size.max_element() + 2.0) / step_pixels).ceil();
+        count.is_finite().then(|| (count, count.min(most)))
     }
 
     fn at(&self, s: f64) -> Mark {
@@ -77,16 +84,13 @@ impl Screen<'_> {
         let along = self.camera.homogeneous(direction.extend(0.0), size);
         let (reach, end) = self.reach(from, along);
         let way = Way::new(from, along, reach);
-        let count = (way.pixels() / self.settings.step_pixels).ceil().max(1.0);
-        if !count.is_finite() {
-            return end;
-        }
+        let Some((count, last)) = way.steps(self.settings.step_pixels, size) else { return end };
         let own = texel.start.body;
         let mut step = 1.0;
-        while step <= count {
+        while step <= last {
             let here = way.at(step / count);
             let free = self.free_steps(&way, here, step, count);
-            if free > 0.0 {
+            if free >= 1.0 {
                 step += free;
                 continue;
             }
@@ -234,5 +238,34 @@ impl Screen<'_> {
             (y * frame.width + x, share(part.x, right) * share(part.y, down))
         };
         [corner(false, false), corner(true, false), corner(false, true), corner(true, true)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn way(places: [DVec2; 2]) -> Way {
+        let nowhere = Homogeneous { at: DVec3::ZERO, depth: 0.0 };
+        Way { from: nowhere, along: nowhere, places, inverse_w: [1.0; 2], far: 1.0 }
+    }
+
+    #[test]
+    fn no_march_has_more_steps_than_the_screen_has_pixels() {
+        let size = DVec2::new(320.0, 200.0);
+        let start = DVec2::new(10.0, 20.0);
+        for power in -3..300 {
+            let end = start + DVec2::new(0.3, -1.0) * 10.0_f64.powi(power);
+            for step_pixels in [0.5, 1.0, 7.0] {
+                let (count, last) = way([start, end]).steps(step_pixels, size).unwrap();
+                assert!(last >= 1.0 && last <= count && last <= 322.0 / step_pixels + 1.0, "{end}: {last}");
+                // Whatever is on the screen is marched through.
+                assert!(last == count || count * step_pixels > 320.0, "{end}: {last} of {count}");
+            }
+        }
+        for end in [f64::NAN, f64::INFINITY] {
+            let steps = way([start, DVec2::splat(end)]).steps(1.0, size);
+            assert!(steps.is_none_or(|(_, last)| last <= 323.0), "{steps:?}");
+        }
     }
 }

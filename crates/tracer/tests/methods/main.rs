@@ -4,6 +4,7 @@
 
 mod common;
 mod driver;
+mod extreme;
 mod mirrored;
 mod reasons;
 mod shaded;
