@@ -1,19 +1,24 @@
 //! What rays meet: the nearest body, and what lies between a point and a light.
 
+mod absorption;
 mod along;
 mod best;
+mod shadow;
 mod stream;
 
 use std::ops::Range;
 
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
-use crate::ray::{INWARDS, NO_BODY, POINT_ROUNDING, Rays, slack_at};
-use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, StageMaterial, Visit};
+use crate::ray::{INWARDS, Rays, slack_at};
+use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, Visit};
 use crate::vector::Vector;
 
+pub(crate) use absorption::MediumIntervals;
 pub(crate) use along::Along;
 use best::{Best, Nearest};
+use shadow::all_of;
+pub(crate) use shadow::{ShadowMemory, Through};
 pub(crate) use stream::{RayStream, ShadowStream, StreamMemory};
 
 /// Where a ray meets a body: the cheap record kept during the search.
@@ -58,17 +63,6 @@ struct Meeting<W: Width> {
     /// Where all of them leave it.
     exit: W::R,
     exit_face: W::R,
-}
-
-/// Where rays cross a body's surface before a light.
-struct Crossed<W: Width> {
-    /// Those that enter it, and where.
-    in_front: W::M,
-    enter: W::R,
-    /// Those that leave it without having entered.
-    behind: W::M,
-    /// Where either leave it; of those that enter it, perhaps behind the light.
-    exit: W::R,
 }
 
 /// Rays in flight.
@@ -294,100 +288,6 @@ impl<'a, W: Width> Flight<'a, W> {
         }
     }
 
-    /// What reaches the rays' starts from a light at `distance` along them: the product of the filters of all surfaces
-    /// crossed, 0 if any body between is opaque. Nothing is bent.
-    ///
-    /// `blocker` is a body that has hidden this light before, and probably still does; any word will do.
-    #[inline(always)]
-    pub(crate) fn transmittance(&self, distance: W::R, parts: &mut Pending, blocker: &mut u32) -> Through<W> {
-        // A body that touches the light does not hide it.
-        let distance = distance * (1.0 - POINT_ROUNDING);
-        let mut passed = Through { lanes: self.lanes, share: None, blocker: *blocker };
-        if W::USES_HIERARCHY
-            && let Hierarchy::Many(_) = &self.stage.hierarchy
-            && let Some(body) = self.stage.bodies.get(*blocker as usize)
-            && !body.is_transparent()
-        {
-            self.filter(*blocker, body, distance, passed.lanes, &mut passed);
-            if !passed.lanes.any() {
-                return passed;
-            }
-        }
-        let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
-        let mut shadow = ForShadow { flight: self, passed: &mut passed, distance, reach };
-        self.visit(parts, &mut shadow);
-        self.visit_planes(&mut shadow);
-        *blocker = passed.blocker;
-        passed
-    }
-
-    /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
-    /// leaves it; in no particular order.
-    pub(crate) fn crossings(&self, distance: W::R, mut found: impl FnMut(Hit)) {
-        let distance = distance * (1.0 - POINT_ROUNDING);
-        let number = |t: W::R| {
-            let mut first = [0.0; MOST_LANES];
-            t.store(&mut first);
-            first[0]
-        };
-        let mut test = |index: u32| {
-            let body = self.stage.body(index);
-            let Some(crossed) = self.crossed(index, body, distance, self.lanes) else { return };
-            let Crossed { in_front, enter, behind, exit } = crossed;
-            if in_front.any() {
-                found(Hit { t: number(enter), body: index, leaving: false });
-            }
-            if (behind | in_front & exit.lt(distance)).any() {
-                found(Hit { t: number(exit), body: index, leaving: true });
-            }
-        };
-        self.visit(&mut Pending::default(), &mut ForEach(self.w, &mut test));
-        self.stage.planes().for_each(&mut test);
-    }
-
-    /// Where rays cross the surface of one body before `distance`, if any do.
-    #[inline(always)]
-    fn crossed(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M) -> Option<Crossed<W>> {
-        let Relation { lanes, inside } = self.relation(index, body, lanes);
-        if !lanes.any() {
-            return None;
-        }
-        let Meeting { entering, enter, leaving, exit, .. } = self.meeting(body, lanes, inside)?;
-        let in_front = entering & enter.lt(distance);
-        let behind = leaving & exit.lt(distance);
-        if !(in_front | behind).any() {
-            return None;
-        }
-        Some(Crossed { in_front, enter, behind, exit })
-    }
-
-    /// What one body lets through on the way to a light at `distance`.
-    #[inline(always)]
-    fn filter(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M, passed: &mut Through<W>) {
-        let Some(Crossed { in_front, enter, behind, exit }) = self.crossed(index, body, distance, lanes)
-        else {
-            return;
-        };
-        let crossed = in_front | behind;
-        if !body.is_transparent() {
-            passed.lanes = passed.lanes & !crossed;
-            passed.blocker = index;
-            return;
-        }
-        let both = in_front & exit.lt(distance);
-        let material = self.stage.material(body);
-        let all = passed.share.unwrap_or_else(|| all_of(self.w));
-        let once = all.times_all(material.filter);
-        let mut share = Vector::select(crossed, once, all);
-        share = Vector::select(both, once.times_all(material.filter), share);
-        if material.absorbs() {
-            let from = W::R::select(in_front, enter, self.w.real(0.0));
-            let left = left_after(self.w, material, (exit.min(distance) - from).max(self.w.real(0.0)));
-            share = Vector::select(crossed, share.times(left), share);
-        }
-        passed.share = Some(share);
-    }
-
     /// Where rays meet a body first, if any do.
     #[inline(always)]
     fn meeting(&self, body: &StageBody, lanes: W::M, inside: W::M) -> Option<Meeting<W>> {
@@ -450,16 +350,6 @@ fn start_within<W: Width>(
     )
 }
 
-/// What a body leaves of light after these ways. Few bodies absorb: the loop over all has no room for it.
-#[cold]
-#[inline(never)]
-fn left_after<W: Width>(w: W, material: &StageMaterial, ways: W::R) -> Vector<W::R> {
-    w.run(
-        #[inline(always)]
-        || material.left_after(ways),
-    )
-}
-
 /// Shows a visitor those bodies of leaves of whose spheres rays come near.
 struct OfLeaves<'f, 'a, W: Width, V> {
     flight: &'f Flight<'a, W>,
@@ -519,70 +409,12 @@ impl<W: Width, F: FnMut(u32)> Visit<W> for ForEach<'_, W, F> {
     }
 }
 
-/// Looks for what shades.
-struct ForShadow<'f, 'a, W: Width> {
-    flight: &'f Flight<'a, W>,
-    passed: &'f mut Through<W>,
-    distance: W::R,
-    /// The distance for those that get any light, else none at all.
-    reach: W::R,
-}
-
-impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
-    const NEAREST_FIRST: bool = false;
-
-    #[inline(always)]
-    fn reach(&self) -> W::R {
-        self.reach
-    }
-
-    #[inline(always)]
-    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
-        for index in bodies {
-            let body = self.flight.stage.body(index);
-            self.flight.filter(index, body, self.distance, lanes & self.passed.lanes, self.passed);
-        }
-        self.reach = W::R::select(self.passed.lanes, self.reach, self.flight.w.real(f32::NEG_INFINITY));
-    }
-}
-
 /// See [`Flight::start_within`].
 struct StartWithin<M> {
     /// Those that meet the surface at once, on the way in.
     at_entry: M,
     /// Those that are inside indeed.
     inside: M,
-}
-
-/// What reaches rays' starts from a light.
-pub(crate) struct Through<W: Width> {
-    /// Those that get any.
-    pub(crate) lanes: W::M,
-    /// The product of the filters of all surfaces crossed; all of the light as long as nothing transparent was.
-    pub(crate) share: Option<Vector<W::R>>,
-    /// The opaque body that was met last.
-    blocker: u32,
-}
-
-impl<W: Width> Through<W> {
-    /// All of the light.
-    #[inline(always)]
-    pub(crate) fn all(lanes: W::M) -> Self {
-        Self { lanes, share: None, blocker: NO_BODY }
-    }
-
-    /// The share of all rays.
-    #[inline(always)]
-    pub(crate) fn shares(&self, w: W) -> Vector<W::R> {
-        let share = self.share.unwrap_or_else(|| all_of(w));
-        Vector::select(self.lanes, share, Vector::splat(w.real(0.0), [0.0; 3]))
-    }
-}
-
-/// All of the light.
-#[inline(always)]
-fn all_of<W: Width>(w: W) -> Vector<W::R> {
-    Vector::splat(w.real(0.0), [1.0; 3])
 }
 
 /// The hit of one ray.

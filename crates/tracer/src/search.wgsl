@@ -129,11 +129,14 @@ fn nearest(ray: Ray, media: ptr<function, Media>) -> Hit {
     return first_of(best, ray);
 }
 
-// What one body lets through on the way to a light at `distance`.
+// What the surface of one body lets through on the way to a light at `distance`.
 fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f32) -> vec3<f32> {
     let met = meeting(index, ray, media);
     let in_front = met.entering && met.enter < distance;
     let behind = met.leaving && met.exit < distance;
+    if ABSORBS && body_is_transparent(index) {
+        note_interval(index, met, distance, media);
+    }
     if !in_front && !behind {
         return vec3(1.0);
     }
@@ -141,20 +144,18 @@ fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f
         return vec3(0.0);
     }
     let once = filter_of(index);
-    var passed = select(once, once * once, in_front && met.exit < distance);
-    if ABSORBS {
-        let way = min(met.exit, distance) - select(0.0, met.enter, in_front);
-        passed *= left_after(index, max(way, 0.0));
-    }
-    return passed;
+    return select(once, once * once, in_front && met.exit < distance);
 }
 
 // What reaches the ray's start from a light at `to_light` along it: the product of the filters of all surfaces
-// crossed, 0 if any body between is opaque.
+// crossed and of what the media leave, 0 if any body between is opaque.
 fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f32> {
     // A body that touches the light does not hide it.
     let distance = to_light * (1.0 - POINT_ROUNDING);
     var share = vec3(1.0);
+    if ABSORBS {
+        forget_intervals();
+    }
     var walk = walk_from(ray);
     loop {
         let leaf = walk_next(&walk, ray, distance);
@@ -162,7 +163,7 @@ fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f
             break;
         }
         for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
-            share *= filter_through(index, ray, media, distance);
+            share = bounded(share * filter_through(index, ray, media, distance));
         }
         if all(share == vec3(0.0)) {
             return share;
@@ -170,8 +171,11 @@ fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f
     }
     if HAS_PLANES {
         for (var index = frame.bounded; index < frame.bodies; index++) {
-            share *= filter_through(index, ray, media, distance);
+            share = bounded(share * filter_through(index, ray, media, distance));
         }
+    }
+    if ABSORBS {
+        share *= left_in_intervals();
     }
     return share;
 }

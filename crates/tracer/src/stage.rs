@@ -154,6 +154,18 @@ pub enum StageError {
     TooManyBodies(usize),
 }
 
+/// Bounds outside of which rays from the eye may start nearer to the bodies: none, where light is absorbed on the way there,
+/// within a plane.
+fn bounds_of_free_ways<'b>(
+    bounds: Bounds,
+    mut planes: impl Iterator<Item = &'b StageBody>,
+    materials: &[StageMaterial],
+) -> Bounds {
+    let absorbs =
+        |body: &StageBody| materials.get(body.material as usize).is_some_and(StageMaterial::absorbs);
+    if planes.any(absorbs) { Bounds::EMPTY } else { bounds }
+}
+
 impl Stage {
     /// The largest number of bodies.
     pub const MAX_BODIES: usize = 1 << 30;
@@ -179,15 +191,16 @@ impl Stage {
         }
         let Cast { mut entries, planes, chunks, materials, checkers } = Cast::of(scene)?;
         let hierarchy = Hierarchy::over(&mut entries, search);
-        let surroundings = Surroundings::new(
-            hierarchy.bounds(&entries),
-            planes.iter().map(|&index| &scene.bodies[index as usize]),
-        );
+        let bounds = hierarchy.bounds(&entries);
         let scene_indices: Vec<u32> =
             entries.par_iter().map(Entry::place).chain(planes.par_iter().copied()).collect();
         let bounded = entries.len() as u32;
         drop(entries);
         let bodies: Vec<StageBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
+        let surroundings = Surroundings::new(
+            bounds_of_free_ways(bounds, bodies.iter().skip(bounded as usize), &materials),
+            planes.iter().map(|&index| &scene.bodies[index as usize]),
+        );
         let Tracing { generations, threshold } = scene.tracing;
         let sky = StageSky::new(&scene.environment);
         let lanes = match &hierarchy {
@@ -236,6 +249,11 @@ impl Stage {
         self.disperses
             || self.lights.iter().any(|light| light.radius > 0.0)
             || self.materials.iter().any(|material| material.alpha > 0.0)
+    }
+
+    /// Whether rays may split in two, so that trees may grow with a power of the generations: light passes through some body.
+    pub fn forks(&self) -> bool {
+        self.has_transparency
     }
 
     /// Number of bodies.

@@ -3,6 +3,13 @@
 use crate::lanes::{Mask as _, Real, Word as _};
 use crate::vector::Vector;
 
+/// No light that a surface sends on and no weight of a ray is more. Sums of products of both are finite, so that no
+/// picture has an infinity in it, nor what an infinity times 0 would be.
+pub(crate) const MOST_LIGHT: f32 = 1e16;
+
+/// No light of a pixel is more: differences and means of pixels are finite.
+pub(crate) const MOST_OF_PIXEL: f32 = 1e36;
+
 /// The direction of the reflected ray, D - 2(n̂·D)n̂ (Whitted 1980), for a unit normal; of the same length as D.
 #[inline(always)]
 pub fn reflect<R: Real>(direction: Vector<R>, normal: Vector<R>) -> Vector<R> {

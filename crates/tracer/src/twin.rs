@@ -14,6 +14,7 @@ use std::fmt::Write as _;
 use crate::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
 use crate::shape::{SLAB_TINY, ShapeKind};
 use crate::stage::{BOX_TINY, BOX_WIDEN, BoundingSphere, TEXTURE_LEVEL};
+use crate::surface::MOST_LIGHT;
 use crate::tile::TILE;
 
 pub use bytes::{FRAME_PLACES, Frame, StageArrays, TileRays, tile_rays};
@@ -35,6 +36,9 @@ pub const ENTRY_POINT: &str = "add_samples";
 
 /// The most bodies that a list of media of the shaders has room for.
 pub(crate) const MOST_MEDIA: usize = 16;
+
+/// The most transparent bodies on the way to a light that the shaders have room for, where some of them absorb.
+const MOST_INTERVALS: u32 = 24;
 
 /// The most rays of one tree: what a thread of a slow card can trace before its driver takes it for hung.
 pub(crate) const MOST_RAYS: u32 = 1 << 16;
@@ -106,6 +110,10 @@ pub fn shader(special: &Specialization) -> String {
         false => include_str!("stage/texture/none.wgsl"),
         true => include_str!("stage/texture.wgsl"),
     });
+    source.push_str(match special.physical.has(Physical::ABSORBS) {
+        true => include_str!("search/absorption.wgsl"),
+        false => include_str!("search/absorption/none.wgsl"),
+    });
     source.push_str(walk);
     ALWAYS.iter().chain(if is_plain { PLAIN } else { PHYSICAL }).for_each(|part| source.push_str(part));
     source
@@ -163,6 +171,7 @@ fn constants(special: &Specialization) -> Constants {
         ("TILE", TILE as u32),
         ("BLOCKS_ACROSS", BLOCKS_ACROSS),
         ("MOST_RAYS", MOST_RAYS),
+        ("MOST_INTERVALS", MOST_INTERVALS),
         ("MOST_SAMPLES", FRAME_PLACES as u32),
         ("DEPTH", special.depth.max(1)),
         ("MEDIA", special.media.max(1) + u32::from(special.physical.has(Physical::DISPERSES))),
@@ -175,6 +184,7 @@ fn constants(special: &Specialization) -> Constants {
         ("BOX_TINY", BOX_TINY),
         ("BOX_WIDEN", BOX_WIDEN),
         ("LEAST_NORMAL", f32::MIN_POSITIVE),
+        ("MOST_LIGHT", MOST_LIGHT),
     ];
     let flags = vec![
         ("HAS_SPHERES", special.has(ShapeKind::Sphere)),

@@ -5,6 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use glam::{Vec3, Vec3A};
 
 use crate::lanes::Real;
+use crate::surface::MOST_LIGHT;
 
 /// A point or direction, or a color, for each of the numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,6 +89,12 @@ impl<R: Real> Vector<R> {
     #[inline(always)]
     pub(crate) fn largest(self) -> R {
         self.x.max(self.y).max(self.z)
+    }
+
+    /// Light or a weight, brought within [`MOST_LIGHT`].
+    #[inline(always)]
+    pub(crate) fn bounded(self) -> Self {
+        self.map(|part| part.min(part.like(MOST_LIGHT)).max(part.like(-MOST_LIGHT)))
     }
 
     /// Whether all components are 0.

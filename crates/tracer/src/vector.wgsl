@@ -10,6 +10,11 @@ fn normalize_or(vector: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     return otherwise;
 }
 
+// Light or a weight, brought within MOST_LIGHT.
+fn bounded(vector: vec3<f32>) -> vec3<f32> {
+    return clamp(vector, vec3(-MOST_LIGHT), vec3(MOST_LIGHT));
+}
+
 fn largest(vector: vec3<f32>) -> f32 {
     return max(max(vector.x, vector.y), vector.z);
 }

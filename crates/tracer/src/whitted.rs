@@ -24,9 +24,9 @@ use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, Ray, Rays};
 use crate::render::Control;
-use crate::search::{Along, Flight, Hits, Through};
+use crate::search::{Along, Flight, Hits, MediumIntervals, ShadowMemory, Through};
 use crate::stage::{Pending, RaysNear, Stage, StageCamera, StageLight};
-use crate::surface::phong_highlight;
+use crate::surface::{MOST_OF_PIXEL, phong_highlight};
 use crate::vector::Vector;
 
 pub(crate) use beams::{Beams, Crossed, Offspring, Queue};
@@ -53,6 +53,7 @@ pub struct Whitted<'a> {
     threshold: f32,
     /// Working memory of searches.
     parts: Pending,
+    intervals: MediumIntervals,
     /// The body that hid each light last.
     blockers: Vec<u32>,
     views: Views<'a>,
@@ -84,6 +85,7 @@ impl<'a> Whitted<'a> {
             generations: stage.generations(),
             threshold: stage.threshold(),
             parts: Pending::default(),
+            intervals: MediumIntervals::default(),
             blockers: vec![NO_BODY; stage.lights.len()],
             views: Views::new(stage, camera),
             media: MediaTable::default(),
@@ -120,6 +122,7 @@ impl<'a> Whitted<'a> {
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
             light += Vec3A::from(self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut pending).light);
+            light = light.clamp(Vec3A::splat(-MOST_OF_PIXEL), Vec3A::splat(MOST_OF_PIXEL));
             until_look -= 1;
             if until_look == 0 {
                 if self.cancel.load(Ordering::Relaxed) {
@@ -274,9 +277,14 @@ impl<'a> Whitted<'a> {
             streams.keep(w, at, light, beams.weight);
         }
         let light = weighted(beams, is_whole, light);
-        let goes_on = hit & beams.below(w, self.generations);
+        let below = beams.below(w, self.generations);
+        let goes_on = hit & below;
         if goes_on.any() {
             self.spawn::<W, FULL>(w, beams, &at, goes_on, offspring);
+        }
+        let at_limit = at.transparent & hit & !below;
+        if at_limit.any() {
+            self.pass_at_limit::<W, FULL>(w, beams, &at, at_limit, offspring);
         }
         Followed { light, hits, on_floor: at.on_floor }
     }
@@ -374,8 +382,9 @@ impl<'a> Whitted<'a> {
             let along = self.views.to_light(index, at.only, at.on_floor);
             if streams.is_none() {
                 if !along.is_free() {
-                    let memory = (&mut self.parts, &mut self.blockers[index]);
-                    through = transmittance(w, self.stage, (&rays, lit), inside, (along, &distance), memory);
+                    let memory = (&mut self.parts, &mut self.intervals, &mut self.blockers[index]);
+                    let around = (inside, (&self.media, &beams.media));
+                    through = transmittance(w, self.stage, (&rays, lit), around, (along, &distance), memory);
                 }
                 offspring.asks(&rays, distance, inside, &through);
                 lit = lit & through.lanes;
@@ -408,7 +417,7 @@ impl<'a> Whitted<'a> {
                 light = Vector::select(lit, light + more, light);
             }
         }
-        light
+        light.bounded()
     }
 }
 
@@ -444,18 +453,22 @@ struct WayTo<W: Width> {
     power: Option<Vector<W::R>>,
 }
 
-/// What bodies let through on the way to a light.
+/// What bodies let through on the way to a light, and the media in which the rays start.
 fn transmittance<W: Width>(
     w: W,
     stage: &Stage,
     (rays, lanes): (&Rays<W>, W::M),
-    inside: &Inside,
+    (inside, (table, media)): (&Inside, (&MediaTable, &W::W)),
     (along, distance): (Along<'_>, &W::R),
-    (parts, blocker): (&mut Pending, &mut u32),
+    (parts, intervals, blocker): (&mut Pending, &mut MediumIntervals, &mut u32),
 ) -> Through<W> {
     w.run(
         #[inline(always)]
-        move || Flight::new(w, stage, rays, lanes, inside, along).transmittance(*distance, parts, blocker),
+        move || {
+            let flight = Flight::new(w, stage, rays, lanes, inside, along);
+            let memory = ShadowMemory { parts, intervals, blocker };
+            flight.transmittance(*distance, (table, *media), memory)
+        },
     )
 }
 

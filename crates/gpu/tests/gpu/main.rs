@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 mod common;
+mod extremes;
 mod faults;
 mod follow;
 mod layout;

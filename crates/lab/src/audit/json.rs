@@ -60,7 +60,7 @@ impl Audit {
             "ior": ray.ior,
             "hit": ray.hit.map(|hit| json!({
                 "body": self.body(hit.body),
-                "distance": hit.hit.t,
+                "distance": ray.distance(),
                 "leaving": hit.hit.leaving,
                 "position": hit.position.to_array(),
                 "normal": hit.normal.to_array(),
@@ -131,7 +131,11 @@ impl Audit {
                 })
             })
             .collect();
-        json!({ "passed": shadow.passed.to_array(), "crossings": crossings })
+        json!({
+            "passed": shadow.passed.to_array(),
+            "crossings": crossings,
+            "through": shadow.through.to_array(),
+        })
     }
 
     fn body(&self, body: usize) -> Value {

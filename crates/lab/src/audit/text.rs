@@ -230,7 +230,7 @@ impl Page<'_> {
             &format!(
                 "{}{side} after {} m at {}, n̂ {}",
                 self.audit.names.body(hit.body),
-                short(hit.hit.t.into()),
+                short(node.ray.distance().unwrap_or(f64::NAN)),
                 short_vector(hit.position),
                 short_vector(hit.normal)
             ),
@@ -363,7 +363,8 @@ impl Page<'_> {
     /// What lies between a point and a light.
     fn way(&self, shadow: &Shadow) -> String {
         const MOST: usize = 6;
-        if shadow.crossings.is_empty() {
+        let absorbed = shadow.through != Vec3::ONE;
+        if shadow.crossings.is_empty() && !absorbed {
             return "nothing between".to_owned();
         }
         let mut words: Vec<String> = shadow
@@ -384,6 +385,9 @@ impl Page<'_> {
             .collect();
         if shadow.crossings.len() > MOST {
             words.push(format!("and {} more", counted(shadow.crossings.len() - MOST, "surface")));
+        }
+        if absorbed {
+            words.push(format!("the medium before the light × {}", exact_color(shadow.through)));
         }
         words.join(", ")
     }

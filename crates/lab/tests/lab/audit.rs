@@ -59,7 +59,7 @@ fn assert_sound(audit: &Audit) {
                 let sum = sent.diffuse + sent.highlight + sent.glints;
                 assert_eq!(sent.light, sent.power * sum * shadow.passed);
                 let filters = shadow.crossings.iter().map(|crossing| crossing.filter.unwrap());
-                let passed: Vec3 = filters.product();
+                let passed = filters.product::<Vec3>() * shadow.through;
                 assert!((shadow.passed - passed).abs().max_element() < 1e-6, "ray {place}: its shadow");
                 local += sent.light;
             }

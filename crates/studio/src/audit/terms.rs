@@ -150,7 +150,7 @@ impl Writer<'_> {
         if let Some(hit) = node.ray.hit {
             let arguments = [
                 ("body", body_name(texts, self.scene, hit.body).into()),
-                ("distance", short(self.texts, hit.hit.t.into()).into()),
+                ("distance", short(self.texts, node.ray.distance().unwrap_or(f64::NAN)).into()),
                 ("point", vector(self.texts, hit.position).into()),
                 ("normal", vector(self.texts, hit.normal).into()),
             ];
@@ -282,7 +282,8 @@ impl Writer<'_> {
         let end = shadow.crossings.iter().position(|crossing| crossing.filter.is_none());
         let crossings = shadow.crossings.get(..end.map_or(shadow.crossings.len(), |end| end + 1));
         let crossings = crossings.unwrap_or_default();
-        if crossings.is_empty() {
+        let absorbed = end.is_none() && shadow.through != Vec3::ONE;
+        if crossings.is_empty() && !absorbed {
             return texts.get("audit-nothing-between").to_owned();
         }
         let mut words: Vec<String> = crossings
@@ -304,6 +305,10 @@ impl Writer<'_> {
         if crossings.len() > MOST_NAMED {
             let more = [("count", (crossings.len() - MOST_NAMED).into())];
             words.push(texts.with("audit-more-surfaces", &more));
+        }
+        if absorbed {
+            let filter = [("filter", color(texts, shadow.through).into())];
+            words.push(texts.with("audit-medium-before-light", &filter));
         }
         words.join(", ")
     }

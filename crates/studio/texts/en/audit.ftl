@@ -61,6 +61,7 @@ audit-light-words = { $distance } m away, { $between }
 audit-nothing-between = nothing between
 audit-blocked = { $body } in the way at { $distance } m
 audit-filtered = through { $body } at { $distance } m × { $filter }
+audit-medium-before-light = the medium before the light × { $filter }
 audit-more-surfaces = { $count ->
     [one] and { $count } more surface
    *[other] and { $count } more surfaces

@@ -62,6 +62,7 @@ audit-light-words = расстояние { $distance } м, { $between }
 audit-nothing-between = путь свободен
 audit-blocked = заслоняет { $body } на { $distance } м
 audit-filtered = сквозь { $body } на { $distance } м × { $filter }
+audit-medium-before-light = среда перед источником × { $filter }
 audit-more-surfaces = { $count ->
     [one] и ещё { $count } поверхность
     [few] и ещё { $count } поверхности

@@ -5,9 +5,9 @@ use glam::DVec3;
 use super::LightModel;
 use crate::counts::RayCounts;
 use crate::lanes::One;
-use crate::media::{Inside, MediaTable};
+use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, Ray, Rays, Start};
-use crate::search::{Along, Flight, Hit, found_in};
+use crate::search::{Along, Flight, Hit, MediumIntervals, ShadowMemory, found_in};
 use crate::stage::{Pending, Stage, StageCamera};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
@@ -48,7 +48,10 @@ pub(super) struct Probe<'a> {
     table: MediaTable,
     /// The transparent bodies around the start of the primary ray; a reflected ray stays in them.
     inside: Inside,
+    /// The same in the order entered, a list of the table.
+    media: u32,
     parts: Pending,
+    intervals: MediumIntervals,
     pub(super) counts: RayCounts,
 }
 
@@ -59,7 +62,9 @@ impl<'a> Probe<'a> {
             camera,
             table: MediaTable::default(),
             inside: Inside::default(),
+            media: AIR,
             parts: Pending::default(),
+            intervals: MediumIntervals::default(),
             counts: RayCounts::default(),
         };
         probe.stand_at(vector(camera.position()));
@@ -70,8 +75,8 @@ impl<'a> Probe<'a> {
     pub(super) fn stand_at(&mut self, point: Vector<f32>) {
         if self.stage.has_transparency {
             self.table.tidy();
-            let media = self.table.at_point(self.stage, point);
-            self.inside.fill::<One>(&self.table, media, true);
+            self.media = self.table.at_point(self.stage, point);
+            self.inside.fill::<One>(&self.table, self.media, true);
         }
     }
 
@@ -110,7 +115,7 @@ impl<'a> Probe<'a> {
             }
             let mut power = source.power_at(distance);
             if shadows {
-                power = power.times(self.transmittance(at, to_light, distance));
+                power = power.times(self.transmittance(at, to_light, distance)).bounded();
             }
             light.on_color = light.on_color + power * (material.diffuse * cos);
             if specular != 0.0 {
@@ -125,8 +130,10 @@ impl<'a> Probe<'a> {
     fn transmittance(&mut self, at: &Point, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
         self.counts.shadow += 1;
         let rays: Rays<One> = Rays { origin: at.position, direction: to_light, start: at.start.word() };
+        let Self { parts, intervals, .. } = self;
+        let memory = ShadowMemory { parts, intervals, blocker: &mut { NO_BODY } };
         Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
-            .transmittance(distance, &mut self.parts, &mut { NO_BODY })
+            .transmittance(distance, (&self.table, self.media), memory)
             .shares(One)
     }
 }

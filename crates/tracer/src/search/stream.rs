@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use super::{Along, Best, Flight, Hits, Nearest, Through, all_of};
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width};
+use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of};
+use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width};
 use crate::media::{Inside, MediaTable};
 use crate::ray::{POINT_ROUNDING, Rays};
 use crate::stage::{Hierarchy, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
@@ -35,6 +35,8 @@ pub(crate) struct ShadowStream {
     rays: StreamRays,
     /// What the bodies between let through.
     share: Row<[f32; 4]>,
+    /// What the media leave, planes among them; meaningless where nothing absorbs.
+    left: Row<[f32; 4]>,
     /// What the surface sends on if nothing is between.
     answer: Row<[f32; 4]>,
     count: usize,
@@ -46,6 +48,7 @@ pub(crate) struct ShadowStream {
 pub(crate) struct StreamMemory {
     parts: StreamParts,
     inside: Inside,
+    intervals: MediumIntervals,
 }
 
 impl NearestRows {
@@ -90,7 +93,7 @@ impl RayStream {
         memory: &mut StreamMemory,
     ) {
         let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
-        let StreamMemory { parts, inside } = memory;
+        let StreamMemory { parts, inside, .. } = memory;
         let count = self.count;
         let mut visitor = ForNearest { w, stage, table, inside, stream: self };
         w.run(
@@ -163,11 +166,46 @@ impl ShadowStream {
     ) {
         let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
         let Self { rays, share, count, .. } = self;
-        let StreamMemory { parts, inside } = memory;
-        let mut visitor = ForShadow { w, stage, table, inside, rays, share };
+        let StreamMemory { parts, inside, intervals } = memory;
+        let mut visitor = ForShadow { w, stage, table, inside, intervals, rays, share };
         w.run(
             #[inline(always)]
             || bvh.traverse_stream(w, parts, *count, stage.parts_streams(), &mut visitor),
+        );
+        if stage.absorbs {
+            self.absorb(w, stage, table, memory);
+        }
+    }
+
+    /// Finds what the media leave of the light of each ray, once it is known which bounded ones it goes through.
+    #[cold]
+    #[inline(never)]
+    fn absorb<W: Width>(&mut self, w: W, stage: &Stage, table: &MediaTable, memory: &mut StreamMemory) {
+        let StreamMemory { inside, intervals, .. } = memory;
+        let Self { rays: stream, left, count, .. } = self;
+        left.iter_mut().take(*count).for_each(|left| *left = [1.0; 4]);
+        w.run(
+            #[inline(always)]
+            || {
+                for at in (0..*count).step_by(W::LANES) {
+                    let (rays, reach) = stream.load(w, at);
+                    let lanes = w.first(*count - at) & reach.gt(w.real(f32::NEG_INFINITY));
+                    inside.fill::<W>(table, stream.media(w, at), lanes);
+                    let first = intervals.len();
+                    let flight = Flight::new(w, stage, &rays, lanes, inside, Along::Anything);
+                    for index in stage.planes() {
+                        flight.note_medium(index, stage.body(index), reach, lanes, intervals);
+                    }
+                    let numbers: [u32; MOST_LANES] = std::array::from_fn(|lane| (at + lane) as u32);
+                    intervals.name_rays(first, &numbers);
+                }
+            },
+        );
+        intervals.each_left(
+            stage,
+            table,
+            |ray| stream.media(One, ray as usize % STREAM),
+            |ray, Vector { x, y, z }| left[ray as usize % STREAM] = [x, y, z, 1.0],
         );
     }
 
@@ -188,9 +226,12 @@ impl ShadowStream {
             if !passed.lanes.any() {
                 break;
             }
-            flight.filter(index, flight.stage.body(index), reach, passed.lanes, &mut passed);
+            flight.filter(index, flight.stage.body(index), reach, passed.lanes, (&mut passed, None));
         }
-        let share = passed.share.unwrap_or_else(|| all_of(w));
+        let mut share = passed.share.unwrap_or_else(|| all_of(w));
+        if flight.stage.absorbs {
+            share = share.times(vector_at(w, &self.left, at));
+        }
         (passed.lanes & !share.is_zero(), vector_at(w, &self.answer, at).times(share))
     }
 }
@@ -319,6 +360,7 @@ struct ForShadow<'s, W> {
     stage: &'s Stage,
     table: &'s MediaTable,
     inside: &'s mut Inside,
+    intervals: &'s mut MediumIntervals,
     rays: &'s mut StreamRays,
     share: &'s mut Row<[f32; 4]>,
 }
@@ -354,12 +396,15 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
             }
             let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
             let mut passed: Through<W> = Through { lanes, share, blocker: 0 };
+            let first = self.intervals.len();
             for index in bodies.clone() {
                 let lanes = passed.lanes & flight.comes_near(index, reach);
                 if lanes.any() {
-                    flight.filter(index, stage.body(index), reach, lanes, &mut passed);
+                    let noted = (&mut passed, Some(&mut *self.intervals));
+                    flight.filter(index, stage.body(index), reach, lanes, noted);
                 }
             }
+            self.intervals.name_rays(first, numbers);
             each(
                 (lanes & !passed.lanes).bits(),
                 numbers,

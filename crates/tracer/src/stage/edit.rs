@@ -9,7 +9,7 @@ use super::bvh::Path;
 use super::camera::Surroundings;
 use super::{
     BoundingSphere, Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageLight,
-    StageMaterial, StageSky, numbers,
+    StageMaterial, StageSky, bounds_of_free_ways, numbers,
 };
 use crate::ray::NO_BODY;
 
@@ -88,9 +88,11 @@ impl Stage {
                 let boxes = indices.iter().filter_map(|&index| bounds_of(after, index));
                 bvh.refit(path, boxes.fold(Bounds::EMPTY, Bounds::union));
             }
+            let own_planes = self.bodies.iter().skip(self.bounded as usize);
+            let bounds = bounds_of_free_ways(bvh.bounds(), own_planes, &self.materials);
             let planes = self.scene_indices.get(self.bounded as usize..).unwrap_or_default();
             let planes = planes.iter().filter_map(|&index| after.bodies.get(index as usize));
-            self.camera = StageCamera::new(&after.camera, Surroundings::new(bvh.bounds(), planes));
+            self.camera = StageCamera::new(&after.camera, Surroundings::new(bounds, planes));
         }
         self.log.add(changes);
         self.lights = after.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect();

@@ -3,7 +3,7 @@
 use super::numbers;
 use crate::facets::frame;
 use crate::lanes::{Real, Width};
-use crate::surface::mend_unit;
+use crate::surface::{MOST_LIGHT, mend_unit};
 use crate::vector::Vector;
 use crate::whitted::Throw;
 use catoptric_scene::{Falloff, Light};
@@ -83,6 +83,6 @@ impl StageLight {
             StageFalloff::InverseSquare => d * d,
         };
         // Infinite light on a surface that returns none of it would not be a number.
-        power.map(|part| (part / divisor).min(d.like(f32::MAX)))
+        power.map(|part| (part / divisor).min(d.like(MOST_LIGHT)))
     }
 }

@@ -6,5 +6,5 @@ fn power_at(light: Light, d: f32) -> vec3<f32> {
         return light.power;
     }
     let divisor = select(d * d, d + light.constant, light.falloff == FALLOFF_LINEAR);
-    return min(light.power / divisor, vec3(INFINITY));
+    return min(light.power / divisor, vec3(MOST_LIGHT));
 }

@@ -76,37 +76,54 @@ impl Law {
 /// A clear coat on a matte ground.
 ///
 /// Light that goes in, is scattered evenly and goes out again, or is reflected back to the ground any number of times:
-/// `(1 - R(θ_v))·(1 - R(θ_l))·C / (η²·(1 - C·inner))` (M. Pharr, G. Humphreys 2004; W. Jakob 2010, Mitsuba, `plastic`).
+/// `(1 - R(θ_v))·(1 - R(θ_l))·C / (η²·(1 - C·(1 - lets_out)))` (M. Pharr, G. Humphreys 2004; W. Jakob 2010, Mitsuba,
+/// `plastic`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Coat {
     /// Index of air divided by that of the coat.
     pub ratio: f32,
     /// 1/η².
     pub spread: f32,
-    /// What the coat reflects of light scattered evenly below it.
-    pub inner: f32,
+    /// What the coat lets out of light scattered evenly below it; kept instead of what it reflects, which is so near to 1
+    /// at extreme indices that single precision would not tell them apart.
+    pub lets_out: f32,
     /// What the coat lets in of light that comes evenly from all sides.
     pub lets_in: f32,
 }
 
 impl Coat {
     fn new(ior: f64) -> Self {
-        // ∫ R(θ) dcos²θ by the midpoint rule, which likes smooth integrands that end flat.
-        const STEPS: u32 = 4096;
-        let reflectance = |step| {
-            let cos = (f64::from(step) + 0.5) / f64::from(STEPS);
-            2.0 * cos * fresnel::dielectric(cos, ior).mean() / f64::from(STEPS)
-        };
-        let lets_in = 1.0 - (0..STEPS).map(reflectance).sum::<f64>();
         let spread = 1.0 / (ior * ior);
+        // A pencil of light and its reverse lose alike: of even light, η² times as much passes into the medium of the
+        // relative index η as comes back out of it. So only the way into the denser medium is integrated, where nothing
+        // is totally reflected.
+        let (lets_in, lets_out) = if ior >= 1.0 {
+            let into = passed_of_even_light(ior);
+            (into, into * spread)
+        } else {
+            let into = passed_of_even_light(1.0 / ior);
+            (into * ior * ior, into)
+        };
         Self {
             ratio: (1.0 / ior) as f32,
             spread: spread as f32,
-            // A pencil of light and its reverse lose alike.
-            inner: (1.0 - lets_in * spread) as f32,
+            lets_out: lets_out as f32,
             lets_in: lets_in as f32,
         }
     }
+}
+
+/// The share of even light that passes into a medium of the relative index `eta`, at least 1: ∫ (1 - R(θ)) dcos²θ.
+///
+/// By the midpoint rule in x with cos θ = x²: near the surface, where R changes within angles of about 1/`eta`, the
+/// steps are small.
+fn passed_of_even_light(eta: f64) -> f64 {
+    const STEPS: u32 = 4096;
+    let passed = |step| {
+        let x = (f64::from(step) + 0.5) / f64::from(STEPS);
+        4.0 * x.powi(3) * (1.0 - fresnel::dielectric(x * x, eta).mean()) / f64::from(STEPS)
+    };
+    (0..STEPS).map(passed).sum()
 }
 
 impl StageMaterial {
@@ -123,10 +140,9 @@ impl StageMaterial {
             ior: 1.0,
             law: Law::Constant,
             dispersion: material.dispersion(),
-            // Evenly stepped for the eye (B. Burley 2012, Physically based shading at Disney).
             alpha: match material.model {
                 Model::Phong | Model::Matte => 0.0,
-                _ => (material.roughness * material.roughness) as f32,
+                _ => alpha(material.roughness),
             },
             absorption: [0.0; 3],
         };
@@ -211,6 +227,13 @@ impl StageMaterial {
             |loss| exponential(-(loss * way)),
         )
     }
+}
+
+/// The width of the slopes of facets, evenly stepped for the eye (B. Burley 2012, Physically based shading at Disney).
+fn alpha(roughness: f64) -> f32 {
+    /// Directions of single precision are not told apart more finely, and 1/α⁴ stays finite.
+    const LEAST: f64 = 1e-6;
+    if roughness > 0.0 { (roughness * roughness).max(LEAST) as f32 } else { 0.0 }
 }
 
 /// The law of P. Bouguer (1729), J. H. Lambert (1760) and A. Beer (1852), for each meter.
@@ -344,4 +367,37 @@ fn key(material: &Material) -> Key {
 /// The place of a name among others, to be told from them.
 fn place_of<'t>(mut names: impl Iterator<Item = &'t str>, name: &str) -> f64 {
     names.position(|other| other == name).map_or(-1.0, |place| place as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ∫ (1 - R(θ)) dcos²θ into any medium, from where total reflection ends, in very many steps.
+    fn passed_in_many_steps(eta: f64) -> f64 {
+        const STEPS: u32 = 400_000;
+        let least = (1.0 - eta * eta).max(0.0);
+        let passed = |step| {
+            // cos² = least + (1 - least)·u⁴: small steps where the curve is steep.
+            let u = (f64::from(step) + 0.5) / f64::from(STEPS);
+            let cos = (least + (1.0 - least) * u.powi(4)).sqrt();
+            (1.0 - least) * 4.0 * u.powi(3) * (1.0 - fresnel::dielectric(cos, eta).mean())
+        };
+        (0..STEPS).map(passed).sum::<f64>() / f64::from(STEPS)
+    }
+
+    #[test]
+    fn coats_let_through_what_the_integral_says_at_every_index() {
+        for ior in
+            [0.01, 0.012, 0.015, 0.03, 0.1, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 1.5, 2.4, 10.0, 33.0, 100.0]
+        {
+            let coat = Coat::new(ior);
+            for (found, exact) in
+                [(coat.lets_in, passed_in_many_steps(ior)), (coat.lets_out, passed_in_many_steps(1.0 / ior))]
+            {
+                let off = f64::from(found) / exact - 1.0;
+                assert!(off.abs() < 1e-3, "{ior}: {found}, not {exact}");
+            }
+        }
+    }
 }

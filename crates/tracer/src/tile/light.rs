@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{Block, Place};
 use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::surface::MOST_OF_PIXEL;
 use crate::vector::Vector;
 use crate::whitted::Beams;
 
@@ -41,9 +42,10 @@ impl Part for f32 {
 }
 
 impl Part for f64 {
+    /// Sums may be of very many rays; none is infinite afterwards.
     #[inline(always)]
     fn rounded(self) -> f32 {
-        self as f32
+        (self as f32).clamp(-MOST_OF_PIXEL, MOST_OF_PIXEL)
     }
 }
 

@@ -4,7 +4,7 @@ use crate::media::MediaTable;
 use crate::shape::ShapeKind;
 use crate::stage::{Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageMaterial, StageSky};
 
-use super::{MOST_MEDIA, MOST_RAYS, Physical};
+use super::{MOST_INTERVALS, MOST_MEDIA, MOST_RAYS, Physical};
 
 /// What is found among the bodies of a stage, or was before an edit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,7 +70,8 @@ pub enum Unsupported {
     EyeMedia(usize),
     /// A ray came to be inside of very many transparent bodies at once; found out only while drawing.
     #[error(
-        "a ray is inside of more than {MOST_MEDIA} transparent bodies at once; the GPU has no room for that"
+        "a ray is inside of more than {MOST_MEDIA} transparent bodies at once, or a shadow ray goes through more than \
+         {MOST_INTERVALS} where some absorb; the GPU has no room for that"
     )]
     NestedMedia,
     /// The tree of a pixel has very many rays; found out only while drawing.
@@ -116,9 +117,9 @@ impl Specialization {
         }
         let Contents { shapes, transparent, depth } = *contents;
         let is_clear = transparent > 0;
-        // One ray may wait for each generation but the last, and one more among waves; in steps, so that fewer shaders are
-        // needed.
-        let waiting = stage.generations() - 1 + u32::from(physical.has(Physical::DISPERSES));
+        // One ray may wait for each generation, in the last one only one that goes straight on, and one more among waves; in
+        // steps, so that fewer shaders are needed.
+        let waiting = stage.generations() + u32::from(physical.has(Physical::DISPERSES));
         let media = transparent.min(MOST_MEDIA).next_power_of_two() as u32;
         Ok(Self {
             shapes,

@@ -185,7 +185,7 @@ fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize
         Law::Mirror => (MIRROR, NO_ROWS, [0.0; 4]),
         Law::Dielectric => (DIELECTRIC, NO_ROWS, [0.0; 4]),
         Law::Conductor(curve) => (CONDUCTOR, tables.curve(curve), [0.0; 4]),
-        Law::Coat(coat) => (COAT, NO_ROWS, [coat.ratio, coat.spread, coat.inner, coat.lets_in]),
+        Law::Coat(coat) => (COAT, NO_ROWS, [coat.ratio, coat.spread, coat.lets_out, coat.lets_in]),
     };
     let indices = dispersion.map_or(NO_ROWS, |dispersion| tables.indices(dispersion));
     let color = texture.as_ref().map_or(color, |texture| tables.pictures.in_place_of_color(texture));

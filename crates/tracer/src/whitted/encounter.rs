@@ -205,7 +205,7 @@ impl<W: Width> Encounter<W> {
                         self.coat_ratio = W::R::select(lanes, w.real(coat.ratio), self.coat_ratio);
                         let color = color.map(|part| part.min(one));
                         // Between ground and coat light goes to and fro, and leaves a little of itself each time.
-                        let again = (color * w.real(coat.inner)).map(|lost| one / (one - lost));
+                        let again = color.map(|part| one / (one - part + part * coat.lets_out));
                         let below = color.times(again) * ((one - share) * coat.spread);
                         self.diffuse = Vector::select(lanes, below, self.diffuse);
                         let even = ambient.map(|light| light * material.ambient * coat.lets_in);

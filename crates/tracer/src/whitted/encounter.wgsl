@@ -60,7 +60,7 @@ fn obey(at: ptr<function, Encounter>, color: vec3<f32>, direction: vec3<f32>) {
         (*at).reflected = vec3(share);
         let ground = min(color, vec3(1.0));
         // Between ground and coat light goes to and fro, and leaves a little of itself each time.
-        let again = vec3(1.0) / (vec3(1.0) - ground * coat.inner);
+        let again = vec3(1.0) / (vec3(1.0) - ground + ground * coat.lets_out);
         let below = ground * again * ((1.0 - share) * coat.spread);
         (*at).diffuse = below;
         (*at).ambient = below * (frame.ambient * (*at).material.ambient * coat.lets_in);

@@ -92,7 +92,8 @@ impl Whitted<'_> {
                     let sent = sent * (one - fresnel(cos, ratio));
                     glints = Vector::select(within, Vector::new(sent, sent, sent), glints);
                 }
-                glints
+                // With the power of a light, their product is finite.
+                glints.bounded()
             },
         )
     }

@@ -51,9 +51,10 @@ fn glints(
         let ratio = media_cross(&beyond, (*at).body);
         if frosted_within(at) {
             let through = sent_through(to_viewer, to_light, normal, ratio, alpha);
-            return vec3(through.share * (1.0 - fresnel(through.cos, ratio)));
+            return bounded(vec3(through.share * (1.0 - fresnel(through.cos, ratio))));
         }
         reflected = vec3(fresnel(clamp(dot(half, to_viewer), 0.0, 1.0), ratio));
     }
-    return reflected * sent_on(to_viewer, to_light, normal, half, alpha);
+    // With the power of a light, their product is finite.
+    return bounded(reflected * sent_on(to_viewer, to_light, normal, half, alpha));
 }

@@ -108,7 +108,7 @@ fn local_light(
         }
         sum += lit.power * answer * passed;
     }
-    return sum;
+    return bounded(sum);
 }
 
 // The share of light that is left after a way in the body entered last.
@@ -130,17 +130,19 @@ struct Follower {
     generation: u32,
 }
 
-// Makes `follower` the ray that is reflected at a point, while refracted ones wait. Whether there is one.
+// Makes `follower` the ray that is reflected at a point, while refracted ones wait. Whether there is one. In the last
+// generation only those wait that are the same ray still.
 fn spawn(
     follower: ptr<function, Follower>,
     at: ptr<function, Encounter>,
     media: ptr<function, Media>,
 ) -> bool {
+    let is_last = (*follower).generation >= frame.generations;
     let ray = (*follower).ray;
     let weight = (*follower).weight;
     let generation = (*follower).generation;
     var ground = Ground((*at).normal, 0.0);
-    if is_rough(at) {
+    if is_rough(at) && !is_last {
         ground = on_facets(at, ray.direction, generation);
     }
     var reflected = (*at).reflected;
@@ -151,9 +153,12 @@ fn spawn(
             reflected = send_through(ray, weight, generation, *at, ground, *media);
         }
     }
+    if is_last {
+        return false;
+    }
     let direction = mend_unit(reflect_about(ray.direction, (*at).normal));
     let off = let_off(ground, direction, false, reflected);
-    let mirrored = weight * off.weight;
+    let mirrored = bounded(weight * off.weight);
     if !off.flies || !carries(mirrored) {
         return false;
     }
@@ -209,7 +214,7 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
         } else {
             var at = encounter(follower.ray, hit);
             light += follower.weight * local_light(follower.ray, &at, follower.generation, &media);
-            if follower.generation < frame.generations {
+            if follower.generation < frame.generations || (HAS_TRANSPARENCY && body_is_transparent(at.body)) {
                 goes_on = spawn(&follower, &at, &media);
             }
         }

@@ -67,7 +67,7 @@ fn local_light(
         }
         sum += power_at(light, distance) * answer * passed;
     }
-    return sum;
+    return bounded(sum);
 }
 
 // The light that a primary ray brings. `first_body` becomes the body that it meets.
@@ -99,27 +99,30 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
             let material = materials[bodies[hit.body].material];
             let start = hit.body | select(0u, INWARDS, hit.leaving);
             light += weight * local_light(ray, at, start, material, &media);
-            if generation < frame.generations {
+            let is_clear = HAS_TRANSPARENCY && body_is_transparent(hit.body);
+            // In the last generation only those go on that are the same ray still.
+            let is_last = generation >= frame.generations;
+            if !is_last || is_clear {
                 var reflection = material.reflection;
-                if HAS_TRANSPARENCY && body_is_transparent(hit.body) {
+                if is_clear {
                     var beyond = media;
                     let ratio = media_cross(&beyond, hit.body);
                     let bent = refract_through(ray.direction, at.normal, ratio);
-                    let passing = weight * material.filter_color;
+                    let passing = bounded(weight * material.filter_color);
+                    // A ray that goes straight on is the same ray still, unless it stands still.
+                    let same = ratio == 1.0 && hit.t > ray.slack;
                     if !bent.passes {
                         // Total internal reflection: all of the light, and nothing twice.
                         reflection = 1.0;
-                    } else if carries(passing) {
+                    } else if (same || !is_last) && carries(passing) {
                         counts.refracted += 1u;
-                        // A ray that goes straight on is the same ray still, unless it stands still.
-                        let same = ratio == 1.0 && hit.t > ray.slack;
                         let on = ray_from(at.position, bent.direction, start ^ INWARDS);
                         waiting[waits] = Beam(on, passing, generation + select(1u, 0u, same), beyond);
                         waits += 1u;
                     }
                 }
-                let mirrored = weight * reflection;
-                if carries(mirrored) {
+                let mirrored = bounded(weight * reflection);
+                if !is_last && carries(mirrored) {
                     counts.reflected += 1u;
                     let direction = mend_unit(reflect_about(ray.direction, at.normal));
                     ray = ray_from(at.position, direction, start);

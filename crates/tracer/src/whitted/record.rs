@@ -32,6 +32,9 @@ pub struct TracedRay {
     /// The coefficient that its parent gave it: k_r, 1 or k_t·τ, or what a law of reflection made of them; 1 for the
     /// first ray.
     pub coefficient: Vec3,
+    /// How far along it from the eye it starts, meters: the primary ray of an eye that is far from all bodies starts closer
+    /// to them, where single precision is finer. 0 for all others.
+    pub start_distance: f64,
     /// Product of the coefficients on the way from the eye.
     pub weight: Vec3,
     /// The share of light that the media leave on its way; 1 but in bodies that absorb.
@@ -49,6 +52,13 @@ pub struct TracedRay {
     pub hit: Option<SurfaceHit>,
     /// How the surface there answers.
     pub answer: Option<SurfaceAnswer>,
+}
+
+impl TracedRay {
+    /// How far what it meets is from where it comes from, the eye or a surface, meters.
+    pub fn distance(&self) -> Option<f64> {
+        self.hit.map(|hit| self.start_distance + f64::from(hit.hit.t))
+    }
 }
 
 impl ReflectionLaw {
@@ -180,6 +190,9 @@ pub struct Shadow {
     pub passed: Vec3,
     /// Every surface on the way, the nearest first, those behind an opaque one included.
     pub crossings: Vec<ShadowCrossing>,
+    /// The share of light that the medium leaves between the last of them and the light; 1 but in bodies that absorb. With
+    /// the filters of all crossings it makes V, but for rounding.
+    pub through: Vec3,
 }
 
 /// A surface between a point and a light.
@@ -191,8 +204,8 @@ pub struct ShadowCrossing {
     pub distance: f32,
     /// Whether the body is left here, not entered.
     pub leaving: bool,
-    /// What the crossing lets through: k_t·τ, or what is not reflected; and what the way in the body leaves of it, at the
-    /// last crossing of the body. `None` if the body is opaque.
+    /// What the crossing lets through: k_t·τ, or what is not reflected; and what the medium leaves on the way there from the
+    /// point or the crossing before. `None` if the body is opaque.
     pub filter: Option<Vec3>,
 }
 

@@ -17,6 +17,8 @@ struct Growth<'e, W: Width> {
     ground: Option<Ground<W>>,
     /// Their generation.
     next: W::W,
+    /// Whether only those go on that are the same ray still.
+    is_last: bool,
 }
 
 /// What becomes of rays at a clear surface.
@@ -43,7 +45,7 @@ impl Whitted<'_> {
     ) {
         let next = beams.generation.plus(w.word(1));
         let facets;
-        let mut growth = Growth { at, ground: None, next };
+        let mut growth = Growth { at, ground: None, next, is_last: false };
         if FULL && at.rough.any() {
             let (on, ground) = self.on_facets(w, beams, at);
             facets = on;
@@ -60,12 +62,39 @@ impl Whitted<'_> {
             (reflection, lanes) = growth.let_off(mirrored(beams, at), false, reflection, goes_on);
         }
         offspring.reflects(reflection);
-        let weight = beams.weight.times(reflection);
+        let weight = beams.weight.times(reflection).bounded();
         let lanes = lanes & self.carries(w, weight);
         if lanes.any() {
             self.counts.reflected += u64::from(lanes.bits().count_ones());
             let rays = at.rays_on_this_side(mirrored(beams, at));
             offspring.reflected(growth.beams(beams, rays, weight, (beams.media, lanes)));
+        }
+    }
+
+    /// Sends on the rays of the last generation that go straight through the surfaces of transparent bodies: they are the
+    /// same rays still.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn pass_at_limit<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        beams: &Beams<W>,
+        at: &Encounter<W>,
+        at_limit: W::M,
+        offspring: &mut impl Offspring<W>,
+    ) {
+        let (ratio, _) = self.cross(w, beams.media, at.body, at_limit);
+        // Between equal indices there is no surface that could be rough.
+        let straight = at_limit & ratio.eq(w.real(1.0));
+        if straight.any() {
+            w.run(
+                #[inline(always)]
+                || {
+                    let next = beams.generation.plus(w.word(1));
+                    let growth = Growth { at, ground: None, next, is_last: true };
+                    self.refracted::<W, FULL>(w, beams, &growth, straight, offspring);
+                },
+            );
         }
     }
 
@@ -179,13 +208,16 @@ impl Whitted<'_> {
             lanes = flies | (lanes & straight);
         }
         offspring.lets_through(filter);
-        let weight = beams.weight.times(filter);
+        let weight = beams.weight.times(filter).bounded();
+        // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than rounding
+        // it could go on for ever.
+        let same = straight & growth.at.t.gt(beams.rays.slack());
+        if growth.is_last {
+            lanes = lanes & same;
+        }
         let lanes = lanes & self.carries(w, weight);
         if lanes.any() {
             self.counts.refracted += u64::from(lanes.bits().count_ones());
-            // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than
-            // rounding it could go on for ever.
-            let same = straight & growth.at.t.gt(beams.rays.slack());
             let mut through = growth.beams(beams, growth.at.rays_on_far_side(bent), weight, (beyond, lanes));
             through.generation = W::W::select(same, beams.generation, growth.next);
             offspring.refracted(through);

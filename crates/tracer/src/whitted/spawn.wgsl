@@ -47,11 +47,11 @@ fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, gro
     var beyond = media;
     let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
     let through = let_through(across, ground, across.filter_color);
-    let passing = weight * through.weight;
-    if through.flies && carries(passing) {
+    let passing = bounded(weight * through.weight);
+    // A ray that goes straight on is the same ray still, unless it stands still; in the last generation only that goes on.
+    let same = across.ratio == 1.0 && at.t > ray.slack;
+    if through.flies && (same || generation < frame.generations) && carries(passing) {
         counts.refracted += 1u;
-        // A ray that goes straight on is the same ray still, unless it stands still.
-        let same = across.ratio == 1.0 && at.t > ray.slack;
         let on = ray_from(at.position, across.bent, at.start ^ INWARDS);
         wait(Beam(on, passing, generation + select(1u, 0u, same), beyond));
     }
@@ -90,13 +90,13 @@ fn send_wave(
     let across = crossing(ray.direction, waits_there.normal, body, material, media);
     let ground = Ground(waits_there.ground, material.alpha);
     let through = let_through(across, ground, across.filter_color * wave_color(wave));
-    let passing = waiting[place].weight * through.weight;
-    if !through.flies || !carries(passing) {
+    let passing = bounded(waiting[place].weight * through.weight);
+    let same = across.ratio == 1.0 && waits_there.moves;
+    let generation = waiting[place].generation + select(1u, 0u, same);
+    if !through.flies || generation > frame.generations || !carries(passing) {
         return false;
     }
     counts.refracted += 1u;
-    let same = across.ratio == 1.0 && waits_there.moves;
-    let generation = waiting[place].generation + select(1u, 0u, same);
     *follower = Follower(ray_from(ray.origin, across.bent, ray.start ^ INWARDS), passing, generation);
     return true;
 }

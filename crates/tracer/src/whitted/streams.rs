@@ -145,6 +145,6 @@ impl Whitted<'_> {
     ) -> Vector<W::R> {
         let flight = Flight::new(w, self.stage, &shadows.rays(w, at), lanes, inside, Along::Anything);
         let (lit, more) = shadows.brought(w, at, &flight);
-        if lit.any() { Vector::select(lit, light + more, light) } else { light }
+        if lit.any() { Vector::select(lit, light + more, light).bounded() } else { light }
     }
 }

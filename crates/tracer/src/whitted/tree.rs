@@ -12,7 +12,7 @@ use super::record::{
 };
 use super::{Beams, Crossed, Dice, Followed, Offspring, Origin, Whitted};
 use crate::lanes::One;
-use crate::media::Inside;
+use crate::media::{Inside, MediaTable};
 use crate::pick::SurfaceHit;
 use crate::ray::{Ray, Rays};
 use crate::search::{Along, Flight, Hit, Through, found_in};
@@ -60,6 +60,8 @@ impl Eq for Waiting {}
 /// Writes down what becomes of one ray.
 struct Scribe<'a> {
     stage: &'a Stage,
+    /// The bodies that the ray flies in, the one entered last at the end.
+    media: Vec<u32>,
     at: Option<Encounter<One>>,
     local: Option<Vector<f32>>,
     lights: Vec<LightTerm>,
@@ -72,14 +74,19 @@ struct Scribe<'a> {
     through_all: Vec3,
     reflected: Vec3,
     glints: Vec3,
+    /// Whether a ray has been let through.
+    has_refracted: bool,
     /// The rays that go on, with their coefficients.
     sent: Vec<(RayKind, Vec3, Beams<One>)>,
 }
 
 impl<'a> Scribe<'a> {
-    fn new(stage: &'a Stage) -> Self {
+    fn new(stage: &'a Stage, table: &MediaTable, media: u32) -> Self {
+        let mut media: Vec<u32> = table.bodies(media).collect();
+        media.reverse();
         Self {
             stage,
+            media,
             at: None,
             local: None,
             lights: Vec::new(),
@@ -90,6 +97,7 @@ impl<'a> Scribe<'a> {
             through_all: Vec3::ZERO,
             reflected: Vec3::ZERO,
             glints: Vec3::ZERO,
+            has_refracted: false,
             sent: Vec::new(),
         }
     }
@@ -101,6 +109,7 @@ impl Offspring<One> for Scribe<'_> {
     }
 
     fn refracted(&mut self, beam: Beams<One>) {
+        self.has_refracted = true;
         self.sent.push((RayKind::Refracted, self.through_last, beam));
     }
 
@@ -118,33 +127,38 @@ impl Offspring<One> for Scribe<'_> {
         let mut hits: Vec<Hit> = Vec::new();
         Flight::new(One, self.stage, rays, true, inside, Along::Anything)
             .crossings(distance, |hit| hits.push(hit));
-        let filter = |hit: &Hit| {
-            let body = self.stage.body(hit.body);
-            let material = self.stage.material(body);
-            let mut filter = Vector::splat(0.0, material.filter);
-            let other = |leaving| {
-                hits.iter().find(|other| other.body == hit.body && other.leaving == leaving).map(|hit| hit.t)
-            };
-            let way = match hit.leaving {
-                true => Some(hit.t - other(false).unwrap_or(0.0)),
-                false if other(true).is_none() => Some(distance - hit.t),
-                false => None,
-            };
-            if let Some(way) = way.filter(|_| material.absorbs()) {
-                filter = filter.times(material.left_after(way.max(0.0)));
-            }
-            body.is_transparent().then_some(filter.into())
-        };
-        let crossing = |hit: &Hit| {
-            let body = self.stage.scene_index(hit.body)?;
-            Some(ShadowCrossing { body, distance: hit.t, leaving: hit.leaving, filter: filter(hit) })
-        };
-        let mut crossings: Vec<ShadowCrossing> = hits.iter().filter_map(crossing).collect();
-        crossings.sort_by(|a, b| {
-            a.distance.total_cmp(&b.distance).then(b.leaving.cmp(&a.leaving)).then(a.body.cmp(&b.body))
+        hits.sort_by(|a, b| {
+            let order = || self.stage.scene_order(a.body, b.body);
+            a.t.total_cmp(&b.t).then(b.leaving.cmp(&a.leaving)).then_with(order)
         });
+        let mut media = self.media.clone();
+        // Rays that start outwards have left the body that they start from.
+        media.retain(|&body| rays.start != body);
+        let mut from = 0.0;
+        let mut left_until = |until: f32, media: &[u32]| {
+            let way = (until - std::mem::replace(&mut from, until)).max(0.0);
+            let material = media.last().map(|&body| self.stage.material(self.stage.body(body)));
+            material.map_or(Vec3::ONE, |material| material.left_after(way).into())
+        };
+        let mut crossings = Vec::new();
+        for hit in &hits {
+            let body = self.stage.body(hit.body);
+            let mut filter = None;
+            if body.is_transparent() {
+                let own = Vec3::from(self.stage.material(body).filter);
+                filter = Some(own * left_until(hit.t, &media));
+                media.retain(|&other| other != hit.body);
+                if !hit.leaving {
+                    media.push(hit.body);
+                }
+            }
+            let Some(body) = self.stage.scene_index(hit.body) else { continue };
+            crossings.push(ShadowCrossing { body, distance: hit.t, leaving: hit.leaving, filter });
+        }
+        let through_last = left_until(distance, &media);
         if let Some(term) = self.lights.last_mut() {
-            term.shadow = Some(Shadow { passed: through.shares(One).into(), crossings });
+            term.shadow =
+                Some(Shadow { passed: through.shares(One).into(), crossings, through: through_last });
         }
     }
 
@@ -218,7 +232,13 @@ impl<'a> Whitted<'a> {
         self.begin(sample, Dice::of_pixel(sample, pixel));
         let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
         let root = self.launched(ray);
-        self.grow(root, limit)
+        let mut tree = self.grow(root, limit);
+        if let Some(primary) = tree.first_mut() {
+            let Ray { origin, direction, .. } = primary.ray;
+            let from_eye = origin.as_dvec3() - self.camera.position();
+            primary.start_distance = from_eye.dot(direction.as_dvec3()).max(0.0);
+        }
+        tree
     }
 
     fn grow(&mut self, root: Beams<One>, limit: usize) -> Vec<TracedRay> {
@@ -234,7 +254,7 @@ impl<'a> Whitted<'a> {
                 break;
             }
             let place = tree.len();
-            let mut scribe = Scribe::new(self.stage);
+            let mut scribe = Scribe::new(self.stage, &self.media, beam.media);
             let followed = self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
                 waiting.push(Waiting { beam, kind, coefficient, parent: Some(place), number });
@@ -271,6 +291,7 @@ impl<'a> Whitted<'a> {
             generation: beam.generation,
             wavelength: self.media.wave(beam.media).and_then(|wave| self.waves.nanometers(wave)),
             coefficient: Vec3::ONE,
+            start_distance: 0.0,
             weight: beam.weight.into(),
             through: scribe.through.into(),
             light: followed.light.into(),
@@ -294,7 +315,8 @@ impl<'a> Whitted<'a> {
         let is_total = interface.is_some_and(|interface| interface.is_total);
         let weight = beam.weight.times(scribe.through);
         let reflected = self.branch(weight, grown.reflected, is_last);
-        let mut refracted = self.branch(weight, grown.through_all, is_last);
+        // What goes straight on does so at the limit, too.
+        let mut refracted = self.branch(weight, grown.through_all, is_last && !scribe.has_refracted);
         if is_total {
             refracted.fate = Fate::TotalReflection;
         }
@@ -325,7 +347,7 @@ impl<'a> Whitted<'a> {
     /// What would grow from a surface from which no ray goes on any more.
     fn growth_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Scribe<'a> {
         let counts = self.counts;
-        let mut scribe = Scribe::new(self.stage);
+        let mut scribe = Scribe::new(self.stage, &self.media, beam.media);
         self.spawn::<One, true>(One, beam, at, true, &mut scribe);
         self.counts = counts;
         scribe
@@ -333,7 +355,7 @@ impl<'a> Whitted<'a> {
 
     /// A branch before it is known which ray it is: one that is followed counts as left out.
     fn branch(&self, weight: Vector<f32>, coefficient: Vec3, is_last: bool) -> Branch {
-        let weight = weight.times(coefficient.into());
+        let weight = weight.times(coefficient.into()).bounded();
         let fate = match self.carries(One, weight) {
             true if is_last => Fate::GenerationLimit,
             true => Fate::LeftOut,

@@ -3,12 +3,14 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
 
+mod absorption;
 mod common;
 mod contacts;
 mod driver;
 mod edits;
 mod film;
 mod invariance;
+mod limits;
 mod local_light;
 mod materials;
 mod media;

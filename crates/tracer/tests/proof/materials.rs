@@ -210,6 +210,18 @@ fn bodies_that_lose_nothing_are_invisible_in_a_furnace() {
     }
 }
 
+/// What a coat lets in and out of even light is the same at every index: a white ground under it is invisible, too.
+#[test]
+fn white_coats_are_invisible_in_a_furnace_at_every_index() {
+    for ior in [0.01, 0.0101, 0.012, 0.015, 0.1, 0.7, 0.99, 1.0, 1.01, 3.0, 20.0, 100.0] {
+        let material = Material { ior, ..of_model(Model::Coated, Color::WHITE) };
+        let picture = picture(&furnace(&material), 60, 15);
+        for pixel in picture.pixels() {
+            assert!(pixel.iter().all(|part| (part - 1.0).abs() < 1e-3), "{ior}: {pixel:?}");
+        }
+    }
+}
+
 /// The weight of the rays behind a pixel that are not followed any more.
 fn cut_off(scene: &Scene, pixel: UVec2, size: UVec2) -> Vec3 {
     let (stage, cancel) = (stage(scene), AtomicBool::new(false));

@@ -96,6 +96,13 @@ impl StreamRays {
         (Rays { origin, direction: Vector::new(x, y, z), start: start.to_word() }, reach)
     }
 
+    /// The media of the rays from number `at` on.
+    #[inline(always)]
+    pub(crate) fn media<W: Width>(&self, w: W, at: usize) -> W::W {
+        let [.., media] = w.load_fours(&self.direction[at..]);
+        media.to_word()
+    }
+
     /// These rays, their media and their reach.
     #[inline(always)]
     pub(crate) fn gather<W: Width>(&self, w: W, rays: &[u32]) -> (Rays<W>, W::W, W::R) {

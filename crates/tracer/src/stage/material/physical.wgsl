@@ -6,8 +6,8 @@ struct Coat {
     ratio: f32,
     // 1/η².
     spread: f32,
-    // What the coat reflects of light scattered evenly below it.
-    inner: f32,
+    // What the coat lets out of light scattered evenly below it.
+    lets_out: f32,
     // What the coat lets in of light that comes evenly from all sides.
     lets_in: f32,
 }

@@ -22,8 +22,3 @@ fn filter_of(body: u32) -> vec3<f32> {
 fn ior_of(body: u32, outermost: u32) -> f32 {
     return materials[bodies[body].material].ior;
 }
-
-// The share of light that is left after a way of this length in a body, meters.
-fn left_after(body: u32, way: f32) -> vec3<f32> {
-    return vec3(1.0);
-}
