@@ -1,18 +1,21 @@
 //! What is worth knowing of a scene, though nothing is wrong with it.
 
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, Excess, ExcessKind, excesses};
+use catoptric_lab::work::RayEstimate;
 use catoptric_scene::Scene;
-use catoptric_tracer::Stage;
+use catoptric_tracer::{Control, RenderSettings, Stage};
+use glam::UVec2;
 
 /// The most notes on one scene.
 const MOST: usize = 10;
 
-/// Notes on a scene, a line each: materials that send on more light than they get, and mirrors that need more
-/// generations.
+/// Notes on a scene, a line each: materials that send on more light than they get, mirrors that need more generations, and
+/// trees that have very many rays.
 pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     let mut notes: Vec<String> = excesses(scene).iter().map(of_excess).collect();
     if let Ok(stage) = Stage::prepare(scene) {
         notes.extend(of_bound(scene, &DepthBound::of(scene, &stage)));
+        notes.extend(on_work(&stage, RenderSettings { width: 1280, height: 720, samples: 1 }));
     }
     let more = notes.len().saturating_sub(MOST);
     notes.truncate(MOST);
@@ -20,6 +23,57 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
         notes.push(format!("and {more} more"));
     }
     notes.iter().map(|note| format!("{name}: note: {note}\n")).collect()
+}
+
+/// What to say of the rays of a picture, if they are very many: estimated on the threads of the current rayon pool.
+pub(crate) fn on_work(stage: &Stage, settings: RenderSettings) -> Option<String> {
+    // Without a fork a tree has no more rays than generations, but for those to lights.
+    if !stage.forks() {
+        return None;
+    }
+    let RenderSettings { width, height, samples } = settings;
+    let (size, control) = (UVec2::new(width, height), Control::default());
+    let estimate = RayEstimate::of(stage, stage.camera(), size, &control).ok()?;
+    if !estimate.is_worth_a_warning() {
+        return None;
+    }
+    let pixels = u64::from(width) * u64::from(height);
+    let rays = estimate.of_picture(pixels, samples);
+    let of_pixel = estimate.of_picture(1, samples);
+    let mut warning = format!(
+        "with {} generations and the threshold {} a picture of {width}x{height} takes about {} rays, {} for each pixel",
+        stage.generations(),
+        stage.threshold(),
+        magnitude(rays),
+        magnitude(of_pixel)
+    );
+    let threshold = RayEstimate::ADVISED_THRESHOLD;
+    if f64::from(stage.threshold()) < threshold {
+        let limits = (stage.generations(), threshold as f32);
+        let with = RayEstimate::within(stage, stage.camera(), size, limits, &control).ok()?;
+        warning += &format!(
+            "; `threshold = {threshold}` would take {}",
+            magnitude(with.of_picture(pixels, samples))
+        );
+    }
+    Some(warning)
+}
+
+/// A large number in two digits, as one reads it.
+fn magnitude(number: f64) -> String {
+    const UNITS: [(f64, &str); 3] = [(1e9, " billion"), (1e6, " million"), (1e3, " thousand")];
+    let two_digits = |number: f64| {
+        let unit = 10.0_f64.powf(number.abs().max(1.0).log10().floor() - 1.0);
+        (number / unit).round() * unit
+    };
+    if number >= 1e15 {
+        return format!("{number:.1e}");
+    }
+    let number = two_digits(number);
+    match UNITS.iter().find(|(unit, _)| number >= *unit) {
+        Some((unit, name)) => format!("{}{name}", rounded(number / unit)),
+        None => rounded(number),
+    }
 }
 
 fn of_excess(excess: &Excess) -> String {

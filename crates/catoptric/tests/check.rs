@@ -36,6 +36,34 @@ fn mirrors_that_need_more_generations_are_noted() {
     );
 }
 
+/// Glass in glass, followed for very long: said before it is traced, with what would bound it.
+#[test]
+fn trees_that_explode_are_noted_with_their_rays() {
+    let folder = Folder::new();
+    let scene = |tracing: &str| {
+        let ball = |radius: f64, ior: f64| {
+            format!(
+                "[[bodies]]\nposition = [0.0, 1.2, 0.0]\nradius = {radius}\n\
+                 material = {{ model = \"dielectric\", ior = {ior:.1} }}\n"
+            )
+        };
+        format!("format = \"catoptric/1\"\n[tracing]\n{tracing}\n{}{}", ball(1.0, 1.5), ball(0.9, 1.0))
+    };
+    folder.write("deep.toml", scene("generations = 40"));
+    folder.write("usual.toml", scene("generations = 8"));
+    folder.write("bounded.toml", scene("generations = 40\nthreshold = 0.001"));
+    let output = folder.good("check deep.toml");
+    assert!(
+        output.contains("deep.toml: note: with 40 generations and the threshold 0 a picture of 1280x720"),
+        "{output}"
+    );
+    assert!(output.contains(" rays, ") && output.contains("`threshold = 0.001` would take "), "{output}");
+    assert!(output.ends_with("deep.toml: good (2 bodies, 0 lights)\n"), "{output}");
+    for name in ["usual.toml", "bounded.toml"] {
+        assert!(!folder.good(&format!("check {name}")).contains("rays"), "{name}");
+    }
+}
+
 #[test]
 fn all_errors_of_all_files_are_reported_and_good_files_too() {
     let folder = Folder::new();

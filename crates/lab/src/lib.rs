@@ -21,6 +21,7 @@ mod random;
 pub mod reflectance;
 pub mod report;
 mod variant;
+pub mod work;
 
 pub use machine::Machine;
 pub use random::Random;

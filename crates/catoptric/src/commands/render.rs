@@ -4,10 +4,11 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result};
+use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Picture, ToneCurve};
-use catoptric_tracer::method::{Drawing, Layer};
+use catoptric_tracer::method::{Drawing, Layer, Method};
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
 use super::Outcome;
@@ -28,11 +29,8 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let mut times = Times::default();
 
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
-    let settings = RenderSettings {
-        width: arguments.size.width,
-        height: arguments.size.height,
-        samples: arguments.samples,
-    };
+    let (width, height) = (arguments.size.width, arguments.size.height);
+    let settings = RenderSettings { width, height, samples: arguments.samples };
     let canvas = if arguments.map.is_none() { drawer.canvas(&method, settings, &pool)? } else { None };
 
     let start = Instant::now();
@@ -58,16 +56,15 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     }
     let control = Control::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
+    if !arguments.quiet && method == Method::Whitted {
+        warn_of_work(&stage, settings, &pool);
+    }
     let start = Instant::now();
     let drawn = progress
         .of_tracing(&control, pixels, || drawer.draw(&stage, &method, (settings, canvas), &pool, &control))?;
     times.trace = milliseconds(start);
     let Drawn { drawing, on_card, fallen_back } = drawn;
-    if let Some(reason) = &fallen_back
-        && !arguments.quiet
-    {
-        say(&format!("warning: the processor draws instead of the graphics card: {reason}"));
-    }
+    fallen_back.iter().filter(|_| !arguments.quiet).for_each(warn_of_fallback);
 
     (times.develop, times.write) = progress.of_writing(&arguments.output.to_string_lossy(), || {
         write_picture(&arguments.output, kind, &drawing.picture, &arguments.development)
@@ -143,6 +140,13 @@ fn show_map(
     Ok(Outcome::Done)
 }
 
+/// Says it before very many rays are traced.
+fn warn_of_work(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
+    if let Some(warning) = pool.install(|| notes::on_work(stage, settings)) {
+        say(&format!("warning: {warning}"));
+    }
+}
+
 /// Says how many generations the scene needs.
 fn advise(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
     let size = glam::UVec2::new(settings.width, settings.height);
@@ -209,6 +213,11 @@ fn finish(arguments: &RenderArguments, stats: &Stats<'_>, progress: Progress) ->
         ));
     }
     Ok(())
+}
+
+/// Says that what was asked of a card was done without one.
+fn warn_of_fallback(reason: &GpuError) {
+    say(&format!("warning: the processor draws instead of the graphics card: {reason}"));
 }
 
 /// Says what may surprise in the picture.

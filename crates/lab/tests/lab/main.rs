@@ -7,3 +7,4 @@ mod documents;
 mod exact;
 mod maps;
 mod scenes;
+mod work;

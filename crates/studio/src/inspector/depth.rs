@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use catoptric_editor::Item;
 use catoptric_lab::depth::{DepthBound, DepthMeasure};
+use catoptric_lab::work::RayEstimate;
 use catoptric_scene::{Camera, Scene, Tracing};
 use catoptric_tracer::{Control, Stage};
 use egui::{Button, Label, Response, RichText, Ui, vec2};
@@ -38,17 +39,43 @@ struct Key {
 #[derive(Clone, Debug)]
 struct Advice {
     bound: DepthBound,
+    /// The rays of a picture as the scene is, and with the advised threshold, if they are very many.
+    work: Option<[RayEstimate; 2]>,
     measure: Option<DepthMeasure>,
 }
 
 impl Key {
     fn carry_out(self, scene: &Scene, stage: &Stage, control: &Control) -> Advice {
         let bound = DepthBound::of(scene, stage);
+        let work = work_of(stage, self.picture, control);
         let measure = self.picture.and_then(|(camera, size)| {
             DepthMeasure::of(stage, &stage.camera_for(&camera), UVec2::from(size), control).ok()
         });
-        Advice { bound, measure }
+        Advice { bound, work, measure }
     }
+}
+
+/// The rays of a picture, if they are very many, and those that the advised threshold would leave.
+fn work_of(
+    stage: &Stage,
+    picture: Option<(Camera, [u32; 2])>,
+    control: &Control,
+) -> Option<[RayEstimate; 2]> {
+    if !stage.forks() {
+        return None;
+    }
+    let camera = picture.map(|(camera, _)| stage.camera_for(&camera));
+    let camera = camera.as_ref().unwrap_or_else(|| stage.camera());
+    let size = UVec2::from(picture.map_or([1280, 720], |(_, size)| size));
+    let now = RayEstimate::of(stage, camera, size, control).ok()?;
+    let threshold = stage.threshold().max(RayEstimate::ADVISED_THRESHOLD as f32);
+    let limits = (stage.generations(), threshold);
+    let bounded = if now.is_worth_a_warning() {
+        RayEstimate::within(stage, camera, size, limits, control).ok()?
+    } else {
+        now
+    };
+    now.is_worth_a_warning().then_some([now, bounded])
 }
 
 /// Draws what is known, with buttons that set the generations; has the rest found out.
@@ -57,6 +84,9 @@ pub(super) fn depth_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
     let Some((key, advice)) = sheet.memory.adviser.known.clone() else { return };
     ui.add_space(4.0);
     bound_ui(ui, sheet, &advice.bound);
+    if let Some(work) = &advice.work {
+        work_ui(ui, sheet, work);
+    }
     match &advice.measure {
         Some(measure) => measure_ui(ui, sheet, measure),
         None if key.picture.is_none() => {
@@ -114,6 +144,27 @@ fn bound_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, bound: &DepthBound)
     let (now, next) = (generations, generations + 1);
     line.push(ui, &format!("k^{{{now}}} + k^{{{next}}} + … < 1/512"), SIZE, palette.accent);
     advice_ui(ui, sheet, &line, generations);
+}
+
+/// Very many rays, and a button that sets the threshold that bounds them.
+fn work_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, [now, bounded]: &[RayEstimate; 2]) {
+    let texts = sheet.texts();
+    let threshold = RayEstimate::ADVISED_THRESHOLD;
+    let rays = |estimate: &RayEstimate| short(texts, estimate.per_sample.round());
+    let arguments = [
+        ("rays", rays(now).into()),
+        ("bounded", rays(bounded).into()),
+        ("threshold", short(texts, threshold).into()),
+    ];
+    note(ui, &texts.with("depth-work", &arguments), texts.tip("depth-work"));
+    if sheet.primary.threshold >= threshold {
+        return;
+    }
+    let text = texts.with("depth-set-threshold", &arguments);
+    if ui.button(text).clicked() {
+        sheet.change("threshold", "edit-threshold", |_, tracing| tracing.threshold = threshold);
+        sheet.cx.editor.settle();
+    }
 }
 
 /// What tracing showed.

@@ -38,6 +38,9 @@ depth-enough = { $count ->
    *[other] { $count } generations are enough
 }
 depth-set = Set { $count }
+depth-work = Before tracing: about { $rays } rays for each pixel; with the threshold { $threshold }, { $bounded }
+    .tip = Estimated by walks down the trees of some pixels. In clear bodies a ray becomes two at each surface, and their number grows with every generation; a threshold leaves out those that carry next to nothing.
+depth-set-threshold = Set threshold { $threshold }
 depth-body = “{ $name }”
 
 # Exact answers

@@ -25,7 +25,50 @@ impl Tally {
     }
 }
 
+/// A tree that is not at its end after so many rays in a row is left there.
+const LONGEST_WALK: usize = 1 << 12;
+
 impl Whitted<'_> {
+    /// One walk down the tree of a sample of a pixel, a random branch at each fork, which `choose` takes of so many: an
+    /// estimate of the number of its rays, those to lights included, that is right on average however large the tree is
+    /// (D. E. Knuth 1975, Estimating the efficiency of backtrack programs, Mathematics of Computation 29).
+    pub fn pixel_walk(
+        &mut self,
+        pixel: UVec2,
+        size: UVec2,
+        sample: u32,
+        mut choose: impl FnMut(usize) -> usize,
+    ) -> f64 {
+        if pixel.x >= size.x || pixel.y >= size.y {
+            return 0.0;
+        }
+        let mut beam = self.primary_of(pixel, size, sample);
+        let mut branches: Vec<Beams<One>> = Vec::new();
+        // How many rays of the tree the one that is followed stands for.
+        let (mut stands_for, mut rays) = (1.0, 0.0);
+        for _ in 0..LONGEST_WALK {
+            let before = self.counts.shadow;
+            self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut branches);
+            rays += stands_for * (1 + self.counts.shadow - before) as f64;
+            if branches.is_empty() {
+                break;
+            }
+            stands_for *= branches.len() as f64;
+            let chosen = choose(branches.len()).min(branches.len() - 1);
+            beam = branches.swap_remove(chosen);
+            branches.clear();
+        }
+        rays
+    }
+
+    /// The primary ray of a sample of a pixel of a picture that has it.
+    fn primary_of(&mut self, pixel: UVec2, size: UVec2, sample: u32) -> Beams<One> {
+        self.tidy();
+        self.begin(sample, Dice::of_pixel(sample, pixel));
+        let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
+        self.launched(ray)
+    }
+
     /// Counts the rays of one sample of a pixel (column, row) of a picture of `size` pixels, and adds up their light
     /// generation by generation. After about `most_rays`, shadow rays not counted, it gives up; so it does when it is
     /// cancelled. A pixel that is not in the picture has no rays.
@@ -57,10 +100,7 @@ impl Whitted<'_> {
         if pixel.x >= size.x || pixel.y >= size.y {
             return false;
         }
-        self.tidy();
-        self.begin(sample, Dice::of_pixel(sample, pixel));
-        let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
-        let mut pending: Vec<Beams<One>> = vec![self.launched(ray)];
+        let mut pending: Vec<Beams<One>> = vec![self.primary_of(pixel, size, sample)];
         let mut followed = 0;
         while followed < most_rays
             && !self.is_cancelled_at(followed)

@@ -1,0 +1,67 @@
+//! Rays estimated before tracing, against those that tracing counts.
+
+use catoptric_lab::work::RayEstimate;
+use catoptric_scene::{Example, Material, Model, Scene, Shape};
+use catoptric_tracer::{Control, RenderError, RenderSettings, Stage, render};
+use glam::{DVec3, UVec2};
+
+use crate::scenes::{ball, body};
+
+/// A hollow ball of glass on a floor.
+fn hollow(generations: u32) -> Scene {
+    let clear = |ior: f64| Material { model: Model::Dielectric, ior, ..Material::default() };
+    let at = DVec3::new(0.0, 1.2, 0.0);
+    let bodies = [
+        body(Shape::Plane, DVec3::ZERO, Material::default()),
+        ball(1.0, at, clear(1.5)),
+        ball(0.9, at, clear(1.0)),
+    ];
+    let mut scene = Scene { bodies: bodies.into_iter().collect(), ..Scene::default() };
+    scene.tracing.generations = generations;
+    scene
+}
+
+fn estimated(scene: &Scene, size: UVec2) -> RayEstimate {
+    let stage = Stage::prepare(scene).unwrap();
+    RayEstimate::of(&stage, stage.camera(), size, &Control::default()).unwrap()
+}
+
+#[test]
+fn estimates_are_near_what_is_counted() {
+    let example = |name: &str| Example::find(name).unwrap().load().unwrap().scene;
+    let scenes =
+        [example("whitted"), example("four-bodies"), example("prism"), hollow(6), hollow(9), hollow(12)];
+    for (number, scene) in scenes.iter().enumerate() {
+        let size = UVec2::new(120, 80);
+        let settings = RenderSettings { width: size.x, height: size.y, samples: 1 };
+        let stage = Stage::prepare(scene).unwrap();
+        let counted = render(&stage, settings, &Control::default()).unwrap().counts.total() as f64;
+        let estimated = estimated(scene, size).of_picture(u64::from(size.x * size.y), 1);
+        // A walk takes one of many ways; thousands of them leave some percent.
+        assert!((estimated / counted - 1.0).abs() < 0.15, "{number}: {estimated}, counted {counted}");
+    }
+}
+
+#[test]
+fn trees_without_end_are_estimated_too() {
+    let [few, many] = [12, 30].map(|generations| estimated(&hollow(generations), UVec2::new(160, 120)));
+    assert!(!few.is_worth_a_warning() && many.is_worth_a_warning(), "{few:?}, {many:?}");
+    // Of each ray at a wall two come, of which some leave: the number grows, but by less than twice a generation.
+    let growth = (many.per_sample / few.per_sample).powf(1.0 / 18.0);
+    assert!((1.2..2.0).contains(&growth), "{growth}");
+    let stage = Stage::prepare(&hollow(30)).unwrap();
+    let limits = (30, RayEstimate::ADVISED_THRESHOLD as f32);
+    let bounded =
+        RayEstimate::within(&stage, stage.camera(), UVec2::new(160, 120), limits, &Control::default())
+            .unwrap();
+    assert!(bounded.per_sample < 100.0, "{bounded:?}");
+}
+
+#[test]
+fn estimating_can_be_cancelled() {
+    let stage = Stage::prepare(&hollow(64)).unwrap();
+    let control = Control::default();
+    control.cancel();
+    let ended = RayEstimate::of(&stage, stage.camera(), UVec2::new(100, 100), &control);
+    assert!(matches!(ended, Err(RenderError::Cancelled)), "{ended:?}");
+}
