@@ -4,15 +4,19 @@
 //! so that nothing is in the way. The pictures that belong to them need not show them: an image may be hidden.
 
 mod geometry;
+mod inapplicable;
+mod lenses;
 mod mirrors;
 mod probe;
 mod report;
 mod spheres;
 
-use catoptric_scene::{Body, Scene, Shape};
+use catoptric_scene::{Body, Camera, Projection, Scene, Shape};
 use glam::DVec3;
 
+use geometry::Viewpoint;
 pub use geometry::{alhazen, ball_crossing, ball_focal_length, mirrored, ring_of_images, sphere_image};
+pub use inapplicable::Inapplicable;
 pub use report::{to_json, to_text};
 
 /// An answer of optics, and the tracer's. Places of bodies and lights are those in the scene.
@@ -64,7 +68,7 @@ pub enum ExactAnswer {
         /// The point on the mirror.
         point: Compared,
     },
-    /// Where a ball of glass gathers light that comes along the line from the eye through its center.
+    /// Where a ball of glass gathers yellow light that comes along the line from the eye through its center.
     Focus {
         /// The ball.
         body: usize,
@@ -72,10 +76,10 @@ pub enum ExactAnswer {
         focal_length: f64,
         /// The focal point.
         paraxial: Compared,
-        /// Where a ray [`MARGINAL`] radii from the line crosses it.
-        marginal: Compared,
+        /// Where a ray [`MARGINAL`] radii from the line crosses it; `None` if it does so within the ball.
+        marginal: Option<Compared>,
     },
-    /// The point of a body where the highlight of a light is brightest for the eye.
+    /// The point of a body where the eye sees the middle of a light mirrored: the middle of its highlight.
     Highlight {
         /// The body.
         body: usize,
@@ -95,7 +99,9 @@ impl ExactAnswer {
         match self {
             Self::PlaneImage { image, .. } | Self::SphereImage { image, .. } => image.found.is_some(),
             Self::ReflectionPoint { point, .. } => point.found.is_some(),
-            Self::Focus { paraxial, marginal, .. } => paraxial.found.or(marginal.found).is_some(),
+            Self::Focus { paraxial, marginal, .. } => {
+                paraxial.found.or(marginal.as_ref().and_then(|marginal| marginal.found)).is_some()
+            }
             Self::Highlight { off, .. } => off.is_some(),
             Self::Ring { images, .. } => images.iter().any(|image| image.miss.is_some()),
         }
@@ -138,6 +144,8 @@ pub struct RingImage {
 pub struct Answers {
     /// The answers, in the order of kinds.
     pub answers: Vec<ExactAnswer>,
+    /// What has no such answer though it seems to have one.
+    pub inapplicable: Vec<Inapplicable>,
     /// What bodies and lights are called, by their place.
     names: Vec<(usize, String)>,
     lights: Vec<String>,
@@ -163,24 +171,38 @@ pub fn answers(scene: &Scene) -> Answers {
 /// follow, as a mirror ends too soon.
 pub fn answers_for(scene: &Scene, body: Option<usize>) -> Answers {
     let setting = Setting::new(scene, body);
-    let mut found = Vec::new();
-    mirrors::answer(&setting, &mut found);
+    let mut found = Found { answers: Vec::new(), inapplicable: setting.rough_and_curved.clone() };
+    mirrors::answer(&setting, &mut found.answers);
     spheres::answer(&setting, &mut found);
+    lenses::answer(&setting, &mut found);
     let lights = scene.lights.iter().enumerate().map(|(place, light)| match light.name.as_str() {
         "" => format!("light {}", place + 1),
         name => format!("\"{name}\""),
     });
-    let mut answers =
-        Answers { answers: found, names: Vec::new(), lights: lights.collect(), is_cut: setting.is_cut };
+    let mut answers = Answers {
+        answers: found.answers,
+        inapplicable: found.inapplicable,
+        names: Vec::new(),
+        lights: lights.collect(),
+        is_cut: setting.is_cut,
+    };
     answers.name_bodies(scene);
     answers
+}
+
+/// What is being found out.
+struct Found {
+    answers: Vec<ExactAnswer>,
+    inapplicable: Vec<Inapplicable>,
 }
 
 /// What the answers are about.
 struct Setting<'a> {
     scene: &'a Scene,
-    /// Opaque mirrors, the strongest first.
+    /// Smooth opaque mirrors, the strongest first.
     mirrors: Vec<Place<'a>>,
+    /// Mirrors that no formula is for.
+    rough_and_curved: Vec<Inapplicable>,
     /// Bodies that may be seen in them.
     objects: Vec<Place<'a>>,
     /// Transparent balls.
@@ -203,32 +225,41 @@ impl<'a> Setting<'a> {
         let mut setting = Self {
             scene,
             mirrors: Vec::new(),
+            rough_and_curved: Vec::new(),
             objects: Vec::new(),
             lenses: Vec::new(),
             glossy: Vec::new(),
             is_cut: false,
         };
+        let mut others = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
             let Some(material) = scene.material(&body.material) else { continue };
             let place = Place { index, body, center: center(body) };
             let is_meant = only.is_none_or(|only| only == index);
             let is_clear = material.lets_through().most > 0.0;
             let reflection = material.reflects().straight;
-            let is_mirror = reflection >= LEAST_MIRROR && !is_clear;
-            if is_mirror {
-                setting.mirrors.push(place);
+            if reflection >= LEAST_MIRROR && !is_clear {
+                match Inapplicable::of_mirror(index, body, material) {
+                    None => setting.mirrors.push(place),
+                    Some(reason) => others.push(reason),
+                }
             }
             let is_around = scene.camera.position.distance(place.center) < extent(body);
             if is_meant && body.shape != Shape::Plane && !is_around && reflection < LEAST_MIRROR {
                 keep(&mut setting.objects, place, &mut setting.is_cut);
             }
-            if is_meant && is_clear && material.ior() > 1.0 && radius(body).is_some() {
+            if is_meant && is_clear && material.ior() > 1.0 && matches!(body.shape, Shape::Sphere { .. }) {
                 keep(&mut setting.lenses, place, &mut setting.is_cut);
             }
             if is_meant && material.has_highlight() && !is_around {
                 keep(&mut setting.glossy, place, &mut setting.is_cut);
             }
         }
+        // A mirror that was asked for itself is told about, and those that something stands before.
+        others.retain(|reason| !setting.objects.is_empty() || only == Some(reason.body()));
+        setting.is_cut |= others.len() > MOST;
+        others.truncate(MOST);
+        setting.rough_and_curved = others;
         let strength = |place: &Place<'_>| {
             scene.material(&place.body.material).map_or(0.0, |material| material.reflects().straight)
         };
@@ -238,8 +269,27 @@ impl<'a> Setting<'a> {
         setting
     }
 
-    fn eye(&self) -> DVec3 {
-        self.scene.camera.position
+    /// The direction in which a parallel camera looks; `None` for a perspective one.
+    fn parallel_view(&self) -> Option<DVec3> {
+        let Camera { position, target, projection, .. } = self.scene.camera;
+        matches!(projection, Projection::Parallel { .. }).then(|| (target - position).normalize_or_zero())
+    }
+
+    /// Where the picture is seen from.
+    fn viewpoint(&self) -> Viewpoint {
+        match self.parallel_view() {
+            Some(view) => Viewpoint::Far(-view),
+            None => Viewpoint::Near(self.scene.camera.position),
+        }
+    }
+
+    /// Where the picture's ray towards a point begins, and where it goes; `None` if the point lies behind the window of a
+    /// parallel camera.
+    fn sight(&self, point: DVec3) -> Option<(DVec3, DVec3)> {
+        let eye = self.scene.camera.position;
+        let Some(view) = self.parallel_view() else { return Some((eye, point - eye)) };
+        let depth = (point - eye).dot(view);
+        (depth > 0.0).then(|| (point - depth * view, view))
     }
 }
 

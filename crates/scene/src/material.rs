@@ -236,6 +236,12 @@ impl Material {
         self.model == Model::Phong && self.specular > 0.0
     }
 
+    /// Whether it reflects and refracts by facets that are turned every which way: it has neither image points nor focal
+    /// points.
+    pub fn is_rough(&self) -> bool {
+        self.roughness > 0.0 && !matches!(self.model, Model::Phong | Model::Matte)
+    }
+
     /// The index of refraction by wavelength, if it differs.
     pub fn dispersion(&self) -> Option<Dispersion> {
         let differs = self.dispersion && self.model == Model::Dielectric;

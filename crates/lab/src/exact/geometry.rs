@@ -54,15 +54,46 @@ pub fn sphere_image(radius: f64, distance: f64) -> f64 {
 /// The point lies in the plane of the two and the center, between them, where the way is the shortest (Fermat's
 /// principle). The slope of the way changes its sign once there, and is halved until nothing is left of the interval.
 pub fn alhazen(center: DVec3, radius: f64, object: DVec3, eye: DVec3) -> Option<DVec3> {
+    alhazen_from(center, radius, object, Viewpoint::Near(eye))
+}
+
+/// [`alhazen`] for an eye that may be infinitely far away.
+pub(super) fn alhazen_from(center: DVec3, radius: f64, object: DVec3, eye: Viewpoint) -> Option<DVec3> {
     let arc = Arc::new(center, radius, object, eye)?;
     let slope = |angle: f64| {
         let (point, along) = arc.at(angle);
-        along.dot((point - object).normalize_or_zero() + (point - eye).normalize_or_zero())
+        along.dot((point - object).normalize_or_zero() - eye.direction_from(point))
     };
     let (point, _) = arc.at(crossing(arc.visible()?, slope)?);
     let out = point - center;
-    let is_seen = (object - point).dot(out) > 0.0 && (eye - point).dot(out) > 0.0;
+    let is_seen = (object - point).dot(out) > 0.0 && eye.direction_from(point).dot(out) > 0.0;
     is_seen.then_some(point)
+}
+
+/// Where light goes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Viewpoint {
+    /// A point.
+    Near(DVec3),
+    /// Infinitely far away, in this unit direction.
+    Far(DVec3),
+}
+
+impl Viewpoint {
+    /// The unit direction from a point to it.
+    pub(super) fn direction_from(self, point: DVec3) -> DVec3 {
+        match self {
+            Self::Near(eye) => (eye - point).normalize_or_zero(),
+            Self::Far(direction) => direction,
+        }
+    }
+
+    fn distance(self, point: DVec3) -> f64 {
+        match self {
+            Self::Near(eye) => eye.distance(point),
+            Self::Far(_) => f64::INFINITY,
+        }
+    }
 }
 
 /// The part of a sphere between two points outside.
@@ -78,14 +109,14 @@ pub(super) struct Arc {
 }
 
 impl Arc {
-    pub(super) fn new(center: DVec3, radius: f64, object: DVec3, eye: DVec3) -> Option<Self> {
-        let [to_object, to_eye] = [object - center, eye - center];
-        let lengths = [to_object.length(), to_eye.length()];
+    pub(super) fn new(center: DVec3, radius: f64, object: DVec3, eye: Viewpoint) -> Option<Self> {
+        let object = Viewpoint::Near(object);
+        let lengths = [object, eye].map(|end| end.distance(center));
         let is_outside = lengths.iter().all(|length| *length > radius);
         if radius.is_nan() || radius <= 0.0 || !is_outside {
             return None;
         }
-        let first = to_object / lengths[0];
+        let [first, to_eye] = [object, eye].map(|end| end.direction_from(center));
         let across = to_eye - to_eye.dot(first) * first;
         let second = across.try_normalize().unwrap_or_else(|| first.any_orthonormal_vector());
         let angle = across.length().atan2(to_eye.dot(first));

@@ -1,5 +1,7 @@
 //! Plane mirrors.
 
+use std::f64::consts::PI;
+
 use catoptric_scene::{Body, Shape};
 use glam::{DVec3, Vec3Swizzles as _};
 
@@ -31,8 +33,10 @@ pub(super) fn answer(setting: &Setting<'_>, found: &mut Vec<ExactAnswer>) {
 
 /// A flat side of a mirror.
 struct Face {
+    /// Its middle; of a plane, some point on it.
     point: DVec3,
     normal: DVec3,
+    is_endless: bool,
 }
 
 impl Face {
@@ -42,7 +46,8 @@ impl Face {
         let side = |on_side: DVec3, normal: DVec3| {
             let normal = (frame.matrix3.inverse().transpose() * normal).try_normalize()?;
             let on_side = frame.transform_point3(on_side);
-            ((point - on_side).dot(normal) > 0.0).then_some(Self { point: on_side, normal })
+            let is_endless = body.shape == Shape::Plane;
+            ((point - on_side).dot(normal) > 0.0).then_some(Self { point: on_side, normal, is_endless })
         };
         match body.shape {
             Shape::Plane => side(DVec3::ZERO, DVec3::Y),
@@ -61,6 +66,11 @@ impl Face {
             _ => None,
         }
     }
+
+    /// Whether something of it lies before `other`, so that it is seen there.
+    fn is_before(&self, other: &Self) -> bool {
+        self.is_endless || (self.point - other.point).dot(other.normal) > 0.0
+    }
 }
 
 /// Two rays from the body to the mirror: extended backwards, what is reflected meets where the image is.
@@ -71,7 +81,7 @@ fn plane_image(
     object: &Place<'_>,
 ) -> Option<ExactAnswer> {
     let image = mirrored(object.center, face.point, face.normal);
-    let probe = Probe::of(setting.scene, [mirror.body], None)?;
+    let probe = Probe::of(setting.scene, [mirror.body], None, object.center)?;
     let to_middle = match mirror.body.shape {
         // Straight down, and a little beside.
         Shape::Plane => image - object.center,
@@ -92,19 +102,20 @@ fn plane_image(
 
 fn ring(setting: &Setting<'_>, mirrors: [&(Place<'_>, Face); 2], object: &Place<'_>) -> Option<ExactAnswer> {
     let [(first, a), (second, b)] = mirrors;
-    let angle = std::f64::consts::PI - a.normal.dot(b.normal).clamp(-1.0, 1.0).acos();
-    // Mirrors side by side, or face to face, make no ring.
-    if !(1e-3..0.99 * std::f64::consts::PI).contains(&angle) {
+    let angle = PI - a.normal.dot(b.normal).clamp(-1.0, 1.0).acos();
+    // Mirrors side by side, face to face, or turned away from each other make no ring.
+    if !(1e-3..0.99 * PI).contains(&angle) || !a.is_before(b) || !b.is_before(a) {
         return None;
     }
-    let probe = Probe::of(setting.scene, [first.body, second.body], None)?;
-    let eye = setting.eye();
+    let probe = Probe::of(setting.scene, [first.body, second.body], None, object.center)?;
     let planes = [a, b].map(|face| (face.point, face.normal));
     let images = ring_of_images(object.center, planes, MOST_IMAGES);
     let images = images.into_iter().map(|(position, reflections)| {
-        let miss = probe.reflected(eye, position - eye, reflections).map(|ray| ray.distance(object.center));
-        // A ray that is mirrored elsewhere goes elsewhere.
-        let miss = miss.filter(|miss| *miss < 1e-3 * (eye.distance(position)));
+        let miss = setting.sight(position).and_then(|(start, direction)| {
+            let miss = probe.reflected(start, direction, reflections)?.distance(object.center);
+            // A ray that is mirrored elsewhere goes elsewhere.
+            (miss < 1e-3 * start.distance(position)).then_some(miss)
+        });
         RingImage { position, reflections, miss }
     });
     Some(ExactAnswer::Ring {

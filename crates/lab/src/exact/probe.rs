@@ -9,6 +9,8 @@ use glam::{DVec3, Vec3};
 /// A stage of a few bodies, for a few rays.
 pub(super) struct Probe {
     stage: Stage,
+    /// Where the stage's origin stands in the scene: near the bodies, since rays are traced in single precision.
+    origin: DVec3,
 }
 
 /// A line in space: a point on it, and its unit direction.
@@ -38,27 +40,33 @@ impl Line {
 }
 
 impl Probe {
-    /// Only these bodies of a scene, and perhaps one of its lights. Limits do not matter.
+    /// Only these bodies of a scene, and perhaps one of its lights, traced about `origin`. Limits do not matter.
+    ///
+    /// The formulas are those of one wavelength and of the middle of a light: glass bends all light as it bends yellow,
+    /// and the light is a point.
     pub(super) fn of<'a>(
         scene: &Scene,
         bodies: impl IntoIterator<Item = &'a Body>,
         light: Option<&Light>,
+        origin: DVec3,
     ) -> Option<Self> {
         let own = |body: &Body| {
-            let material: Material = scene.material(&body.material)?.clone();
-            Some(Body { material: MaterialChoice::Inline(Box::new(material)), ..body.clone() })
+            let material = Material { dispersion: false, ..scene.material(&body.material)?.clone() };
+            let placement = body.placement.moved_by(-origin);
+            Some(Body { material: MaterialChoice::Inline(Box::new(material)), placement, ..body.clone() })
         };
         let bodies: List<Body> = bodies.into_iter().filter_map(own).collect();
+        let point = |light: &Light| Light { position: light.position - origin, radius: 0.0, ..light.clone() };
         let tracing = Tracing { generations: Tracing::MAX_GENERATIONS, threshold: 0.0 };
         let alone =
-            Scene { bodies, lights: light.cloned().into_iter().collect(), tracing, ..Scene::default() };
-        Some(Self { stage: Stage::prepare(&alone).ok()? })
+            Scene { bodies, lights: light.map(point).into_iter().collect(), tracing, ..Scene::default() };
+        Some(Self { stage: Stage::prepare(&alone).ok()?, origin })
     }
 
-    /// The first rays of the tree from a point in a direction.
+    /// The first rays of the tree from a point in a direction; their places are those of the stage.
     pub(super) fn tree(&self, from: DVec3, direction: DVec3, most: usize) -> Vec<TracedRay> {
         let direction = direction.normalize_or_zero().as_vec3();
-        let ray = Ray::from_point(from.as_vec3(), direction);
+        let ray = Ray::from_point((from - self.origin).as_vec3(), direction);
         Whitted::new(&self.stage, &AtomicBool::new(false)).tree(ray, most)
     }
 
@@ -69,7 +77,7 @@ impl Probe {
         for _ in 0..times {
             place = child(&tree, place, RayKind::Reflected)?;
         }
-        tree.get(place).map(line)
+        tree.get(place).map(|ray| self.line(ray))
     }
 
     /// The ray after one reflection, if that is by a face with this normal.
@@ -80,7 +88,7 @@ impl Probe {
         let hit = tree.first()?.hit?;
         let is_meant = hit.normal.as_dvec3().distance(normal) < ALIKE;
         let next = tree.get(child(&tree, 0, RayKind::Reflected)?)?;
-        is_meant.then(|| line(next))
+        is_meant.then(|| self.line(next))
     }
 
     /// The ray that has gone straight through a body: bent on its way in and on its way out.
@@ -89,16 +97,17 @@ impl Probe {
         let tree = self.tree(from, direction, 32);
         let within = child(&tree, 0, RayKind::Refracted)?;
         let beyond = child(&tree, within, RayKind::Refracted)?;
-        tree.get(beyond).map(line)
+        tree.get(beyond).map(|ray| self.line(ray))
+    }
+
+    fn line(&self, ray: &TracedRay) -> Line {
+        let [point, direction] =
+            [ray.ray.origin, ray.ray.direction].map(|vector| Vec3::from(vector).as_dvec3());
+        // In double precision, single precision's unit vectors are not quite that.
+        Line { point: point + self.origin, direction: direction.normalize_or_zero() }
     }
 }
 
 fn child(tree: &[TracedRay], parent: usize, kind: RayKind) -> Option<usize> {
     tree.iter().position(|ray| ray.parent == Some(parent) && ray.kind == kind)
-}
-
-fn line(ray: &TracedRay) -> Line {
-    let [point, direction] = [ray.ray.origin, ray.ray.direction].map(|vector| Vec3::from(vector).as_dvec3());
-    // In double precision, single precision's unit vectors are not quite that.
-    Line { point, direction: direction.normalize_or_zero() }
 }

@@ -6,11 +6,14 @@ use catoptric_scene::Scene;
 use glam::DVec3;
 use serde_json::{Value, json};
 
-use super::{Answers, Compared, ExactAnswer};
+use super::{Answers, Compared, ExactAnswer, Inapplicable};
 
 impl Answers {
     pub(super) fn name_bodies(&mut self, scene: &Scene) {
         let mut places: Vec<usize> = self.answers.iter().flat_map(bodies_of).collect();
+        places.extend(
+            self.inapplicable.iter().flat_map(|reason| [reason.body()].into_iter().chain(reason.other())),
+        );
         places.sort_unstable();
         places.dedup();
         let name = |place: usize| match scene.bodies.get(place) {
@@ -49,13 +52,43 @@ pub fn to_text(answers: &Answers) -> String {
     for answer in &answers.answers {
         write_answer(&mut text, answers, answer);
     }
-    if answers.answers.is_empty() {
+    for reason in &answers.inapplicable {
+        let _ = writeln!(text, "{}", inapplicable(answers, *reason));
+    }
+    if answers.answers.is_empty() && answers.inapplicable.is_empty() {
         text.push_str("There are no mirrors, glass balls or highlights here that have an exact answer.\n");
     }
     if answers.is_cut {
         text.push_str("There are more bodies than were looked at.\n");
     }
     text
+}
+
+fn inapplicable(names: &Answers, reason: Inapplicable) -> String {
+    let body = names.body(reason.body());
+    let other = reason.other().map_or("", |other| names.body(other));
+    match reason {
+        Inapplicable::RoughMirror { .. } => format!("The mirror {body} is rough: it has no image points."),
+        Inapplicable::CurvedMirror { .. } => {
+            format!("The mirror {body} is neither flat nor a ball: the mirror equation does not apply.")
+        }
+        Inapplicable::ObjectInFocus { .. } => {
+            format!("{other} stands in the focus of the mirror {body}: its image is infinitely far away.")
+        }
+        Inapplicable::RoughLens { .. } => format!("The ball {body} is rough: it has no focal point."),
+        Inapplicable::UnevenLens { .. } => {
+            format!("{body} is not scaled evenly: the formula of a ball does not apply.")
+        }
+        Inapplicable::SharedLens { .. } => {
+            format!("{body} and {other} overlap: the formula of a ball in air does not apply.")
+        }
+        Inapplicable::WeakLens { .. } => {
+            format!("The index of {body} is near 1: it hardly bends light, and its focal point is far away.")
+        }
+        Inapplicable::FocusInside { .. } => {
+            format!("The index of {body} is 2 or more: rays meet within it, before they leave it.")
+        }
+    }
 }
 
 fn write_answer(text: &mut String, names: &Answers, answer: &ExactAnswer) {
@@ -86,7 +119,9 @@ fn write_answer(text: &mut String, names: &Answers, answer: &ExactAnswer) {
         ExactAnswer::Focus { body, focal_length, paraxial, marginal } => {
             title(format!("Focal point of {}: {focal_length:.6} m from its center", names.body(*body)));
             compare(text, "paraxial", paraxial);
-            compare(text, "marginal", marginal);
+            if let Some(marginal) = marginal {
+                compare(text, "marginal", marginal);
+            }
         }
         ExactAnswer::Highlight { body, light, point: at, off } => {
             title(format!("Highlight of {} on {}", names.light(*light), names.body(*body)));
@@ -139,7 +174,15 @@ fn point(at: DVec3) -> String {
 /// The answers as JSON, with the keys of the document of the command line.
 pub fn to_json(answers: &Answers) -> Value {
     let list: Vec<Value> = answers.answers.iter().map(|answer| one(answers, answer)).collect();
-    json!({ "answers": list, "cut": answers.is_cut })
+    let inapplicable: Vec<Value> = answers
+        .inapplicable
+        .iter()
+        .map(|reason| {
+            let body = |place: usize| json!({ "index": place, "name": answers.body(place) });
+            json!({ "kind": reason.key(), "body": body(reason.body()), "other": reason.other().map(body) })
+        })
+        .collect();
+    json!({ "answers": list, "inapplicable": inapplicable, "cut": answers.is_cut })
 }
 
 fn one(names: &Answers, answer: &ExactAnswer) -> Value {
@@ -159,7 +202,7 @@ fn one(names: &Answers, answer: &ExactAnswer) -> Value {
         }),
         ExactAnswer::Focus { body: of, focal_length, paraxial, marginal } => json!({
             "kind": "focus", "body": body(of), "focal_length": focal_length,
-            "paraxial": compared(paraxial), "marginal": compared(marginal),
+            "paraxial": compared(paraxial), "marginal": marginal.as_ref().map(compared),
         }),
         ExactAnswer::Highlight { body: of, light, point, off } => json!({
             "kind": "highlight", "body": body(of),

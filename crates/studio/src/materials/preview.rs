@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use catoptric_scene::format::read;
-use catoptric_scene::{Material, MaterialChoice, Model, Scene};
+use catoptric_scene::{Material, MaterialChoice, Scene};
 use catoptric_tracer::RenderSettings;
 
 /// Samples for each pixel of smooth surfaces, and of those that scatter.
@@ -20,7 +20,7 @@ impl Preview {
     /// How it is traced.
     pub(super) fn settings(&self) -> RenderSettings {
         let material = &self.material;
-        let is_rough = material.model != Model::Phong && material.roughness > 0.0;
+        let is_rough = material.is_rough();
         let [smooth, scattered] = SAMPLES;
         let samples = if is_rough || material.dispersion().is_some() { scattered } else { smooth };
         RenderSettings { width: self.side, height: self.side, samples }
@@ -44,7 +44,7 @@ mod tests {
 
     #[test]
     fn the_scene_of_previews_can_be_read_and_shows_the_material() {
-        let material = Box::new(Material { model: Model::Conductor, ..Material::default() });
+        let material = Box::new(Material { model: catoptric_scene::Model::Conductor, ..Material::default() });
         let preview = Preview { material: material.clone(), side: 96 };
         let scene = preview.scene().unwrap();
         let is_shown = |choice: &MaterialChoice| *choice == MaterialChoice::Inline(material.clone());

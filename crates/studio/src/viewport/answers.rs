@@ -2,7 +2,7 @@
 //! finds.
 
 use catoptric_editor::Item;
-use catoptric_lab::exact::{Compared, ExactAnswer, RingImage};
+use catoptric_lab::exact::{Compared, ExactAnswer, Inapplicable, RingImage};
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Visuals, WidgetInfo, pos2, vec2,
@@ -32,8 +32,13 @@ pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
     let painter = ui.painter_at(sight.rect);
     let mut pen = Pen { ui, cx, sight, painter: &painter, plates: Vec::new() };
     answers.answers.iter().for_each(|answer| pen.answer(answer));
-    if answers.answers.is_empty() {
-        pen.label(sight.rect.center_bottom() - vec2(0.0, 40.0), cx.t("exact-none"));
+    let mut remarks: Vec<String> =
+        answers.inapplicable.iter().map(|reason| pen.inapplicable(*reason)).collect();
+    if answers.answers.is_empty() && remarks.is_empty() {
+        remarks.push(cx.t("exact-none").to_owned());
+    }
+    if !remarks.is_empty() {
+        pen.remark(&remarks.join("\n"));
     }
 }
 
@@ -71,7 +76,9 @@ impl Pen<'_> {
                 self.dashed(center.unwrap_or(paraxial.exact), paraxial.exact);
                 let focus = texts.with("exact-focus", &[("length", short(texts, *focal_length).into())]);
                 self.compared(paraxial, &focus);
-                self.compared(marginal, texts.get("exact-marginal"));
+                if let Some(marginal) = marginal {
+                    self.compared(marginal, texts.get("exact-marginal"));
+                }
             }
             ExactAnswer::Highlight { light, point, off, .. } => {
                 let title = texts.with("exact-highlight", &[("light", name(Item::Light(*light)).into())]);
@@ -79,6 +86,32 @@ impl Pen<'_> {
             }
             ExactAnswer::Ring { angle, images, .. } => self.ring(*angle, images),
         }
+    }
+
+    /// Why something has no exact answer.
+    fn inapplicable(&self, reason: Inapplicable) -> String {
+        let scene = self.cx.editor.scene();
+        let name = |body: usize| item_name(self.cx.texts, scene, Item::Body(body)).into_owned();
+        let key = match reason {
+            Inapplicable::RoughMirror { .. } => "exact-rough-mirror",
+            Inapplicable::CurvedMirror { .. } => "exact-curved-mirror",
+            Inapplicable::ObjectInFocus { .. } => "exact-object-in-focus",
+            Inapplicable::RoughLens { .. } => "exact-rough-lens",
+            Inapplicable::UnevenLens { .. } => "exact-uneven-lens",
+            Inapplicable::SharedLens { .. } => "exact-shared-lens",
+            Inapplicable::WeakLens { .. } => "exact-weak-lens",
+            Inapplicable::FocusInside { .. } => "exact-focus-inside",
+        };
+        let other = reason.other().map_or_else(String::new, name);
+        self.cx.texts.with(key, &[("body", name(reason.body()).into()), ("other", other.into())])
+    }
+
+    /// Words at the lower edge of the picture, about no point of it.
+    fn remark(&mut self, text: &str) {
+        let palette = theme::palette(&Visuals::dark());
+        let at = self.sight.rect.center_bottom() - vec2(0.0, 16.0);
+        let plate = labels::plate(self.painter, self.sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
+        self.listen(plate, text);
     }
 
     /// The images between two mirrors, each with the number of its reflections.
@@ -188,6 +221,11 @@ impl Pen<'_> {
             self.painter
                 .line_segment([point + vec2(5.0, 0.0), end], Stroke::new(1.0, EXACT.gamma_multiply(0.8)));
         }
+        self.listen(plate, text);
+    }
+
+    /// Keeps the place of a label, which screen readers and tests can read.
+    fn listen(&mut self, plate: Rect, text: &str) {
         self.plates.push(plate);
         let id = Id::unique(("exact answer", self.plates.len()));
         let response = self.ui.interact(plate, id, Sense::hover());

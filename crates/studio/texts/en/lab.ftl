@@ -45,6 +45,14 @@ depth-body = “{ $name }”
 
 # Exact answers
 exact-none = No mirror, glass or highlight has an exact answer for this body.
+exact-rough-mirror = { $body } is rough: a rough mirror has no image points.
+exact-curved-mirror = { $body } is neither flat nor a ball: the mirror equation does not apply.
+exact-object-in-focus = { $other } stands in the focus of { $body }: its image is infinitely far away.
+exact-rough-lens = { $body } is rough: it has no focal point.
+exact-uneven-lens = { $body } is not scaled evenly: the formula of a ball does not apply.
+exact-shared-lens = { $body } and { $other } overlap: the formula of a ball in air does not apply.
+exact-weak-lens = The index of { $body } is near 1: it hardly bends light, and its focal point is far away.
+exact-focus-inside = The index of { $body } is 2 or more: rays meet within it, before they leave it.
 exact-image = Image in { $mirror }
 exact-sphere-image = Image in { $mirror }, by the mirror equation
 exact-reflection-point = Seen here in { $mirror } (Alhazen’s problem)

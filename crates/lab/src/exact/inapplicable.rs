@@ -1,0 +1,163 @@
+//! What seems to have an exact answer and has none, since a formula does not apply.
+
+use catoptric_scene::{Body, Material, Scene, Shape};
+use glam::DVec3;
+
+use super::{Place, radius};
+
+/// Why a formula does not apply. Numbers are places of bodies in the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inapplicable {
+    /// A rough mirror scatters the light of each point: it has no image points.
+    RoughMirror {
+        /// The mirror.
+        mirror: usize,
+    },
+    /// A mirror that is neither flat nor a ball: the mirror equation does not hold.
+    CurvedMirror {
+        /// The mirror.
+        mirror: usize,
+    },
+    /// A body in the focus of a spherical mirror, or so near that rays from it are mirrored parallel.
+    ObjectInFocus {
+        /// The mirror.
+        mirror: usize,
+        /// The body.
+        body: usize,
+    },
+    /// A rough ball of glass scatters light instead of gathering it.
+    RoughLens {
+        /// The ball.
+        body: usize,
+    },
+    /// A sphere that is not scaled evenly, and so no ball.
+    UnevenLens {
+        /// The sphere.
+        body: usize,
+    },
+    /// Something stands in the ball, or the ball stands in something.
+    SharedLens {
+        /// The ball.
+        body: usize,
+        /// What overlaps it.
+        other: usize,
+    },
+    /// A ball whose index is so near to 1 that it hardly bends light.
+    WeakLens {
+        /// The ball.
+        body: usize,
+    },
+    /// A ball with an index of 2 or more: rays meet within it, where they are still to be bent once more.
+    FocusInside {
+        /// The ball.
+        body: usize,
+    },
+}
+
+/// The least index of a lens. Below it a ray near the axis is bent by less than 10⁻³, which single precision knows to no
+/// better than a ten-thousandth.
+const LEAST_IOR: f64 = 1.05;
+
+impl Inapplicable {
+    /// The mirror or the ball.
+    pub fn body(self) -> usize {
+        match self {
+            Self::RoughMirror { mirror }
+            | Self::CurvedMirror { mirror }
+            | Self::ObjectInFocus { mirror, .. } => mirror,
+            Self::RoughLens { body }
+            | Self::UnevenLens { body }
+            | Self::SharedLens { body, .. }
+            | Self::WeakLens { body }
+            | Self::FocusInside { body } => body,
+        }
+    }
+
+    /// The other body that it is about, if there is one.
+    pub fn other(self) -> Option<usize> {
+        match self {
+            Self::ObjectInFocus { body, .. } => Some(body),
+            Self::SharedLens { other, .. } => Some(other),
+            _ => None,
+        }
+    }
+
+    /// Its word in JSON.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::RoughMirror { .. } => "rough-mirror",
+            Self::CurvedMirror { .. } => "curved-mirror",
+            Self::ObjectInFocus { .. } => "object-in-focus",
+            Self::RoughLens { .. } => "rough-lens",
+            Self::UnevenLens { .. } => "uneven-lens",
+            Self::SharedLens { .. } => "shared-lens",
+            Self::WeakLens { .. } => "weak-lens",
+            Self::FocusInside { .. } => "focus-inside",
+        }
+    }
+
+    /// Why a mirror has no image points that a formula knows.
+    pub(super) fn of_mirror(index: usize, body: &Body, material: &Material) -> Option<Self> {
+        if material.is_rough() {
+            return Some(Self::RoughMirror { mirror: index });
+        }
+        let is_solvable = match body.shape {
+            Shape::Plane | Shape::Cube { .. } => true,
+            Shape::Sphere { .. } => radius(body).is_some(),
+            Shape::Cylinder { .. } | Shape::Cone { .. } => false,
+        };
+        (!is_solvable).then_some(Self::CurvedMirror { mirror: index })
+    }
+
+    /// Why a transparent sphere has no focal point that the formula of a ball in air knows.
+    pub(super) fn of_lens(scene: &Scene, lens: &Place<'_>) -> Option<Self> {
+        let body = lens.index;
+        let material = scene.material(&lens.body.material)?;
+        if material.is_rough() {
+            return Some(Self::RoughLens { body });
+        }
+        let Some(radius) = radius(lens.body) else { return Some(Self::UnevenLens { body }) };
+        let ior = material.ior();
+        if ior >= 2.0 {
+            return Some(Self::FocusInside { body });
+        }
+        let mut others =
+            scene.bodies.iter().enumerate().filter(|(index, other)| *index != body && !other.hidden);
+        let shared = others.find(|(_, other)| distance_from(other, lens.center) < radius * (1.0 - CONTACT));
+        match shared {
+            Some((other, _)) => Some(Self::SharedLens { body, other }),
+            None => (ior < LEAST_IOR).then_some(Self::WeakLens { body }),
+        }
+    }
+}
+
+/// Balls that touch something, as one on the floor does, are told from those that overlap it up to this part of their
+/// radius.
+const CONTACT: f64 = 1e-6;
+
+/// The least distance of a point from a body, meters; 0 or less within it. Cones and uneven spheres count as the cylinder
+/// and the box around them.
+fn distance_from(body: &Body, point: DVec3) -> f64 {
+    let frame = body.placement.world_from_body();
+    let scale = body.placement.scale.abs();
+    let local = body.placement.rotation().transpose() * (point - frame.translation);
+    let beyond = |offset: DVec3, half: DVec3| (offset.abs() - half).max(DVec3::ZERO).length();
+    let along = |radius: f64| {
+        let half = 0.5 * body.height().unwrap_or(0.0) * scale.y;
+        let height = (local.y - half).abs() - half;
+        let across = (local / scale * DVec3::new(1.0, 0.0, 1.0)).length() - radius;
+        // The lesser scale gives the lesser distance.
+        let across = across * scale.x.min(scale.z);
+        DVec3::new(across.max(0.0), height.max(0.0), 0.0).length()
+    };
+    match body.shape {
+        Shape::Plane => local.y,
+        Shape::Sphere { radius: own } => match radius(body) {
+            Some(radius) => local.length() - radius,
+            None => beyond(local, own * scale),
+        },
+        Shape::Cube { size } => beyond(local, 0.5 * size * scale),
+        Shape::Cylinder { radius, .. } => along(radius),
+        Shape::Cone { radius, top_radius, .. } => along(radius.max(top_radius)),
+    }
+}
