@@ -3,7 +3,7 @@
 use catoptric_scene::{
     Body, Camera, Checker, Color, Material, MaterialChoice, Model, Projection, Scene, Tracing,
 };
-use catoptric_tracer::{Control, Ray, RenderError, Stage, StageCamera, Whitted};
+use catoptric_tracer::{Control, RenderError, Stage, StageCamera, Whitted};
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
 
@@ -98,7 +98,7 @@ fn starts_within(scene: &Scene, stage: &Stage) -> bool {
     let view = (target - position).normalize_or(DVec3::NEG_Z).as_vec3();
     // Who stands in a body sees its inside before or behind.
     [view, -view].iter().any(|&direction| {
-        let hits = stage.hits_along(&Ray::from_point(position.as_vec3(), direction));
+        let hits = stage.hits_along(&stage.ray_from_point(position, direction));
         hits.iter().any(|hit| hit.hit.leaving)
     })
 }

@@ -224,7 +224,7 @@ impl Cutter<'_> {
     fn is_visible(&self, line: &OnScreen, place: f64) -> bool {
         const CONTACT: f64 = 1e-3;
         let ray = self.view.ray(line.pixel(place), self.size);
-        let origin = ray.origin.as_dvec3();
+        let origin = self.view.world_from_render(ray.origin);
         let way = (line.point(place) - origin).dot(ray.direction.as_dvec3());
         self.stage.nearest(&ray).is_none_or(|hit| f64::from(hit.hit.t) >= way * (1.0 - CONTACT))
     }

@@ -72,8 +72,7 @@ impl Group {
         const CONTACT: f32 = 1e-4;
         let ray = camera.ray(at, size);
         let (Some(own), Some(first)) = (self.stage.nearest(&ray), stage.nearest(&ray)) else { return false };
-        let own_way = own.position.distance(ray.origin.into());
-        first.body != own.body && first.hit.t < own_way * (1.0 - CONTACT)
+        first.body != own.body && first.hit.t < own.hit.t * (1.0 - CONTACT)
     }
 }
 

@@ -278,6 +278,9 @@ impl View {
     pub(crate) fn step_to(&self, new: &Request) -> Step {
         let (before, after) = (&*self.request.scene, &*new.scene);
         let Some(changed) = changed_bodies(&self.request, new) else { return Step::Anew };
+        if !self.stage.suits(after, &new.camera) {
+            return Step::Anew;
+        }
         let lights = |scene: &Scene| scene.lights.iter().map(traced_light).collect::<Vec<_>>();
         let is_same = changed.is_empty()
             && before.environment == after.environment

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{Control, Film, RayCounts, Stage, StageCamera};
+use catoptric_tracer::{Control, Film, RayCounts, Search, Stage, StageCamera};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
@@ -145,7 +145,7 @@ impl Worker {
         let revision = request.revision;
         let publish = |stage: &Arc<Stage>| self.shared.publish_stage(revision, Arc::clone(stage));
         let Some(old) = old else {
-            let stage = Arc::new(Stage::prepare(&request.scene)?);
+            let stage = Arc::new(Stage::prepare_seen(&request.scene, &request.camera, Search::Quickest)?);
             publish(&stage);
             return Ok(View::new(request, stage));
         };
@@ -159,7 +159,7 @@ impl Worker {
                 self.shared.edit_stage(revision, stage, |stage| stage.apply(edit, &scene))
             }),
             Step::Anew => {
-                let stage = Arc::new(Stage::prepare(&scene)?);
+                let stage = Arc::new(Stage::prepare_seen(&scene, &request.camera, Search::Quickest)?);
                 publish(&stage);
                 old.succeed(request, false, |_| stage)
             }

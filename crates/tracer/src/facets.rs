@@ -4,7 +4,7 @@
 //! The formulas are those of B. Walter, S. Marschner, H. Li, K. Torrance 2007, Microfacet models for refraction through
 //! rough surfaces. A facet sends light on once: what meets a second one is lost.
 
-use crate::lanes::{Real, Width};
+use crate::lanes::{Float as _, Real, Width};
 use crate::vector::Vector;
 use crate::whitted::Throw;
 

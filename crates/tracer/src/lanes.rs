@@ -4,11 +4,15 @@
 //! vectors hold ([`Wide`]: 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), or twice as many ([`Pair`]), chosen when the
 //! program runs. Every operation has one correctly rounded result, so that a ray has the same outcome bit by bit by itself
 //! and in the widths that a picture is traced in, on all processors but those without fused multiplication and addition
-//! (x86 before AVX2): they round the products of [`Real::times_plus`], and have other last digits.
+//! (x86 before AVX2): they round the products of [`Float::times_plus`], and have other last digits.
+//!
+//! Bodies whose numbers do not fit single precision are intersected over a [`Double`], the same mathematics in double
+//! precision.
 //!
 //! What is written over a width must be inlined into a body of [`Width::run`], where the compiler may use the
 //! instructions of the width: `#[inline(always)]` on everything small, `run` around what is called often and large.
 
+mod double;
 mod eight;
 mod one;
 mod pair;
@@ -16,6 +20,7 @@ mod wide;
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+pub(crate) use double::Double;
 pub(crate) use one::One;
 use pair::Pair;
 pub(crate) use wide::Lanes;
@@ -23,8 +28,8 @@ pub(crate) use wide::Lanes;
 /// The most lanes of any width.
 pub(crate) const MOST_LANES: usize = 32;
 
-/// Real numbers in single precision, side by side.
-pub trait Real:
+/// Floating-point numbers of one precision, side by side: what the mathematics of shapes needs.
+pub trait Float:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -39,12 +44,10 @@ pub trait Real:
     const LANES: usize;
     /// One answer for each.
     type Mask: Mask;
-    /// As many 32-bit words.
-    type Word: Word<Mask = Self::Mask>;
 
     /// As many numbers, all of this value.
     fn like(self, value: f32) -> Self;
-    /// x·`factor` + `term`, rounded once; twice on processors that cannot do that in one go.
+    /// x·`factor` + `term`; numbers in single precision round it once where the processor can do that in one go.
     fn times_plus(self, factor: Self, term: Self) -> Self;
     /// |x|.
     fn abs(self) -> Self;
@@ -66,18 +69,6 @@ pub trait Real:
     fn eq(self, other: Self) -> Self::Mask;
     /// `yes` where `mask` holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// The bits of the numbers.
-    fn to_word(self) -> Self::Word;
-    /// The numbers of these bits.
-    fn of_word(word: Self::Word) -> Self;
-    /// Writes the numbers of `mask` side by side to the front of `to`, which holds at least as many as there are of all.
-    fn store_some(self, mask: Self::Mask, to: &mut [f32]);
-    /// The smallest of the numbers.
-    fn least(self) -> f32;
-    /// The largest of the numbers.
-    fn greatest(self) -> f32;
-    /// Writes the numbers to the front of `to`, which holds at least as many.
-    fn store(self, to: &mut [f32]);
 
     /// x > `other`.
     #[inline(always)]
@@ -90,6 +81,25 @@ pub trait Real:
     fn ge(self, other: Self) -> Self::Mask {
         other.le(self)
     }
+}
+
+/// Real numbers in single precision, side by side.
+pub trait Real: Float {
+    /// As many 32-bit words.
+    type Word: Word<Mask = Self::Mask>;
+
+    /// The bits of the numbers.
+    fn to_word(self) -> Self::Word;
+    /// The numbers of these bits.
+    fn of_word(word: Self::Word) -> Self;
+    /// Writes the numbers of `mask` side by side to the front of `to`, which holds at least as many as there are of all.
+    fn store_some(self, mask: Self::Mask, to: &mut [f32]);
+    /// The smallest of the numbers.
+    fn least(self) -> f32;
+    /// The largest of the numbers.
+    fn greatest(self) -> f32;
+    /// Writes the numbers to the front of `to`, which holds at least as many.
+    fn store(self, to: &mut [f32]);
 }
 
 /// Words of 32 bits, side by side.

@@ -24,7 +24,7 @@ mod whitted;
 
 pub use counts::RayCounts;
 pub use film::Film;
-pub use lanes::Real;
+pub use lanes::{Float, Real};
 pub use pick::SurfaceHit;
 pub use ray::{NO_BODY, Ray, Start};
 pub use render::{

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::stage::{Hierarchy, Stage};
 use crate::surface::exponential;
 use crate::vector::Vector;
@@ -166,7 +166,7 @@ impl MediaTable {
         let mut around = Vec::new();
         let mut test = |index: u32| {
             let body = stage.body(index);
-            if body.is_transparent() && body.contains(point) {
+            if body.is_transparent() && stage.contains(index, point) {
                 around.push(index);
             }
         };
@@ -202,6 +202,12 @@ impl Inside {
             [(body, rays)] if rays & lanes == lanes => Some(body),
             _ => None,
         }
+    }
+
+    /// The same of one of the rays by itself.
+    pub(crate) fn of_lane(&self, lane: usize) -> Self {
+        let of_lane = |&(body, rays): &(u32, u32)| (rays >> lane & 1 == 1).then_some((body, 1));
+        Self { bodies: self.bodies.iter().filter_map(of_lane).collect() }
     }
 
     /// Looks up the lists of these rays.

@@ -1,6 +1,6 @@
 //! What one ray meets: for picking bodies with the pointer, and for looking at rays one by one.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::lanes::One;
 use crate::media::{Inside, MediaTable};
@@ -15,8 +15,8 @@ pub struct SurfaceHit {
     pub body: usize,
     /// Parameter, place in the stage and side, as the search found them.
     pub hit: Hit,
-    /// The point on the surface, world space, meters.
-    pub position: Vec3,
+    /// The point on the surface in the world, meters.
+    pub position: DVec3,
     /// Unit normal there, facing the ray.
     pub normal: Vec3,
 }
@@ -24,11 +24,11 @@ pub struct SurfaceHit {
 impl SurfaceHit {
     pub(crate) fn new(stage: &Stage, ray: &Ray, hit: Hit) -> Option<Self> {
         let rays = ray.alone();
-        let point = stage.body(hit.body).surface_point(rays.origin, rays.direction, hit.t, hit.leaving);
+        let point = stage.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
         Some(Self {
             body: stage.scene_index(hit.body)?,
             hit,
-            position: point.in_world.into(),
+            position: stage.world_from_render(point.in_world),
             normal: point.normal.into(),
         })
     }

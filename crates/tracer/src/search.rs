@@ -3,12 +3,13 @@
 mod absorption;
 mod along;
 mod best;
+mod coincident;
 mod shadow;
 mod stream;
 
 use std::ops::Range;
 
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, Rays, slack_at};
 use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, Visit};
@@ -16,7 +17,9 @@ use crate::vector::Vector;
 
 pub(crate) use absorption::MediumIntervals;
 pub(crate) use along::Along;
+pub(crate) use best::GRAZING;
 use best::{Best, Nearest};
+use coincident::settle;
 use shadow::all_of;
 pub(crate) use shadow::{ShadowMemory, Through};
 pub(crate) use stream::{RayStream, ShadowStream, StreamMemory};
@@ -138,6 +141,20 @@ impl<'a, W: Width> Flight<'a, W> {
         let mut best = Best::new(self.w, self.start_slack());
         self.visit(parts, &mut ForNearest(self, &mut best));
         self.visit_planes(&mut ForNearest(self, &mut best));
+        self.settled(best, parts)
+    }
+
+    /// The first hits, after those that coincide were put in order.
+    #[inline(always)]
+    fn settled(&self, mut best: Best<W>, parts: &mut Pending) -> Hits<W> {
+        let entering = best.contested(self.w, &best.entering) & self.lanes;
+        if entering.any() {
+            best.entering = settle(self, best.entering, false, entering, parts);
+        }
+        let leaving = best.contested(self.w, &best.leaving) & self.lanes;
+        if leaving.any() {
+            best.leaving = settle(self, best.leaving, true, leaving, parts);
+        }
         best.first(self.w, self.stage)
     }
 
@@ -274,7 +291,7 @@ impl<'a, W: Width> Flight<'a, W> {
     #[inline(always)]
     fn meets(&self, index: u32, body: &StageBody, lanes: W::M) -> Option<Meeting<W>> {
         let Relation { lanes, inside } = self.relation(index, body, lanes);
-        if lanes.any() { self.meeting(body, lanes, inside) } else { None }
+        if lanes.any() { self.meeting((index, body), lanes, inside) } else { None }
     }
 
     #[inline(always)]
@@ -290,8 +307,8 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// Where rays meet a body first, if any do.
     #[inline(always)]
-    fn meeting(&self, body: &StageBody, lanes: W::M, inside: W::M) -> Option<Meeting<W>> {
-        let span = body.span(self.origin, self.direction);
+    fn meeting(&self, body: (u32, &StageBody), lanes: W::M, inside: W::M) -> Option<Meeting<W>> {
+        let span = self.stage.span(self.w, body, self.origin, self.direction);
         if !(lanes & (inside | span.hit)).any() {
             return None;
         }
@@ -309,7 +326,13 @@ impl<'a, W: Width> Flight<'a, W> {
         };
         let within = ahead & !enters;
         if within.any() {
-            let start = start_within(self.w, body, (self.origin, self.direction), self.start_slack(), within);
+            let start = start_within(
+                self.w,
+                (self.stage, body.0),
+                (self.origin, self.direction),
+                self.start_slack(),
+                within,
+            );
             meeting.entering = meeting.entering | start.at_entry;
             meeting.enter = W::R::select(start.at_entry, zero, span.enter);
             meeting.leaving = meeting.leaving | start.inside;
@@ -330,7 +353,7 @@ impl<'a, W: Width> Flight<'a, W> {
 #[inline(never)]
 fn start_within<W: Width>(
     w: W,
-    body: &StageBody,
+    (stage, body): (&Stage, u32),
     (origin, direction): (Vector<W::R>, Vector<W::R>),
     start_slack: W::R,
     within: W::M,
@@ -338,11 +361,10 @@ fn start_within<W: Width>(
     w.run(
         #[inline(always)]
         || {
-            let span = body.span(origin, direction);
-            let cosine = |t, face| body.cosine(origin, direction, t, face);
-            let slack = start_slack + body.slack;
-            let behind_entry = -span.enter * cosine(span.enter, span.enter_face);
-            let before_exit = span.exit * cosine(span.exit, span.exit_face);
+            let (span, [at_enter, at_exit]) = stage.span_and_cosines(w, body, origin, direction);
+            let slack = start_slack + stage.body(body).slack;
+            let behind_entry = -span.enter * at_enter;
+            let before_exit = span.exit * at_exit;
             let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
             let inside = within & !at_entry & !before_exit.le(slack);
             StartWithin { at_entry, inside }

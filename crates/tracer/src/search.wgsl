@@ -18,6 +18,8 @@ struct Nearest {
     t: f32,
     body: u32,
     slack: f32,
+    // The least parameter of any other hit, less the slack there as far as it may count along the ray.
+    others: f32,
 }
 
 struct Best {
@@ -77,21 +79,36 @@ fn is_closer(t: f32, index: u32, than: Nearest) -> bool {
     return t < than.t;
 }
 
+// The nearer one of a hit with a body and the nearest so far.
+fn nearer(t: f32, index: u32, than: Nearest) -> Nearest {
+    let slack = bodies[index].slack;
+    if is_closer(t, index, than) {
+        return Nearest(t, index, slack, min(than.others, than.t - GRAZING * than.slack));
+    }
+    return Nearest(than.t, than.body, than.slack, min(than.others, t - GRAZING * slack));
+}
+
 fn offer(index: u32, ray: Ray, media: ptr<function, Media>, best: ptr<function, Best>) {
     let met = meeting(index, ray, media);
     if met.entering {
-        if is_closer(met.enter, index, (*best).entering) {
-            (*best).entering = Nearest(met.enter, index, bodies[index].slack);
-        }
-        let t = (*best).entering.t;
-        (*best).reach = min((*best).reach, t + slack_at(ray, t, frame.largest_slack));
+        (*best).entering = nearer(met.enter, index, (*best).entering);
+        (*best).reach = min((*best).reach, reach_of(ray, (*best).entering.t));
     }
     if met.leaving {
-        if is_closer(met.exit, index, (*best).leaving) {
-            (*best).leaving = Nearest(met.exit, index, bodies[index].slack);
-        }
-        (*best).reach = min((*best).reach, (*best).leaving.t);
+        (*best).leaving = nearer(met.exit, index, (*best).leaving);
+        (*best).reach = min((*best).reach, reach_of(ray, (*best).leaving.t));
     }
+}
+
+// No body beyond this parameter may coincide with a hit at `t`.
+fn reach_of(ray: Ray, t: f32) -> f32 {
+    return t + GRAZING * slack_at(ray, t, frame.largest_slack);
+}
+
+// Whether the nearest hit may coincide with another.
+fn is_contested(ray: Ray, nearest: Nearest) -> bool {
+    let t = nearest.t;
+    return t < INFINITY && nearest.others <= t + GRAZING * slack_at(ray, t, nearest.slack);
 }
 
 // Of hits that coincide within rounding, the one that leads out comes before the one that leads in.
@@ -109,7 +126,7 @@ fn first_of(best: Best, ray: Ray) -> Hit {
 
 // The nearest body that a ray meets.
 fn nearest(ray: Ray, media: ptr<function, Media>) -> Hit {
-    let none = Nearest(INFINITY, 0u, 0.0);
+    let none = Nearest(INFINITY, 0u, 0.0, INFINITY);
     var best = Best(none, none, INFINITY);
     var walk = walk_from(ray);
     loop {
@@ -126,7 +143,67 @@ fn nearest(ray: Ray, media: ptr<function, Media>) -> Hit {
             offer(index, ray, media, &best);
         }
     }
+    if is_contested(ray, best.entering) {
+        best.entering = first_of_coincident(ray, media, best.entering, false);
+    }
+    if is_contested(ray, best.leaving) {
+        best.leaving = first_of_coincident(ray, media, best.leaving, true);
+    }
     return first_of(best, ray);
+}
+
+// Twin of search/coincident.rs: of the bodies that are entered, or left, where the nearest one is, the one that comes first
+// in the scene.
+fn first_of_coincident(ray: Ray, media: ptr<function, Media>, nearest: Nearest, leaving: bool) -> Nearest {
+    let reach = reach_of(ray, nearest.t);
+    var first = nearest;
+    var walk = walk_from(ray);
+    loop {
+        let leaf = walk_next(&walk, ray, reach);
+        if leaf.count == 0u {
+            break;
+        }
+        for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
+            first = first_of_two(index, ray, media, nearest, first, leaving);
+        }
+    }
+    if HAS_PLANES {
+        for (var index = frame.bounded; index < frame.bodies; index++) {
+            first = first_of_two(index, ray, media, nearest, first, leaving);
+        }
+    }
+    return first;
+}
+
+// `first`, or a body that comes before it in the scene and is crossed where the nearest one is.
+fn first_of_two(
+    index: u32,
+    ray: Ray,
+    media: ptr<function, Media>,
+    nearest: Nearest,
+    first: Nearest,
+    leaving: bool,
+) -> Nearest {
+    if index == nearest.body || scene_order[index].x > scene_order[first.body].x {
+        return first;
+    }
+    let met = meeting(index, ray, media);
+    let is_met = select(met.entering, met.leaving, leaving);
+    let t = select(met.enter, met.exit, leaving);
+    let slack = bodies[index].slack;
+    let cosine = max(crossing_cosine(index, ray, leaving), crossing_cosine(nearest.body, ray, leaving));
+    let across = (t - nearest.t) * cosine;
+    if !is_met || across > slack_at(ray, nearest.t, max(slack, nearest.slack)) {
+        return first;
+    }
+    return Nearest(t, index, slack, nearest.others);
+}
+
+// |cos| of the angle between the ray and the normal where it enters or leaves a body.
+fn crossing_cosine(index: u32, ray: Ray, leaving: bool) -> f32 {
+    let span = body_span(index, ray.origin, ray.direction);
+    let t = select(span.enter, span.exit, leaving);
+    return body_cosine(index, ray.origin, ray.direction, t, select(span.enter_face, span.exit_face, leaving));
 }
 
 // What the surface of one body lets through on the way to a light at `distance`.

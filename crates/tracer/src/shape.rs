@@ -11,7 +11,7 @@ mod plane;
 mod slab;
 mod sphere;
 
-use crate::lanes::{Mask as _, Real};
+use crate::lanes::{Float, Mask as _};
 use crate::vector::Vector;
 
 /// Which canonical shape, as it stands in the stage.
@@ -32,7 +32,7 @@ pub enum ShapeKind {
     Ellipsoid = 5,
 }
 
-/// A part of a shape's surface with one formula for its normal: a small whole number, kept as a [`Real`] since rays side
+/// A part of a shape's surface with one formula for its normal: a small whole number, kept as a [`Float`] since rays side
 /// by side may meet different faces.
 pub type Face = f32;
 
@@ -48,7 +48,7 @@ pub const UPPER_CAP: Face = 2.0;
 /// When the line misses, `exit` is still the best parameter for a ray that is known to start inside: near a tangent,
 /// rounding can make a chord of length almost zero look like a miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span<R: Real = f32> {
+pub struct Span<R: Float = f32> {
     /// Parameter at which the line enters; may be negative or -∞.
     pub enter: R,
     /// Parameter at which it leaves; may be +∞.
@@ -61,7 +61,7 @@ pub struct Span<R: Real = f32> {
     pub hit: R::Mask,
 }
 
-impl<R: Real> Span<R> {
+impl<R: Float> Span<R> {
     /// The chord of a circle or ball of the squared radius `radius_squared`: `closest` is the parameter of the line's
     /// closest approach to the center, where it is √`offset_squared` away from it, and `inverse_dd` the inverse square
     /// of the direction's length.
@@ -96,19 +96,27 @@ impl<R: Real> Span<R> {
     }
 }
 
-/// A canonical shape with the one parameter that a transform cannot express.
+/// A canonical shape with the one parameter that a transform cannot express, in the precision of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Canonical {
+pub struct Canonical<T = f32> {
     /// Which shape.
     pub kind: ShapeKind,
     /// Ratio k of top to base radius, 0 to 1; cones only.
-    pub cone_ratio: f32,
+    pub cone_ratio: T,
 }
 
 impl Canonical {
+    /// The shape for numbers side by side.
+    #[inline(always)]
+    pub(crate) fn like<R: Float>(&self, number: R) -> Canonical<R> {
+        Canonical { kind: self.kind, cone_ratio: number.like(self.cone_ratio) }
+    }
+}
+
+impl<R: Float> Canonical<R> {
     /// Where the line `origin + t·direction` (in the shape's frame, direction of any length) crosses the shape.
     #[inline(always)]
-    pub fn span<R: Real>(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    pub fn span(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => sphere::span(origin, direction),
             ShapeKind::Cube => cube::span(origin, direction),
@@ -120,11 +128,11 @@ impl Canonical {
 
     /// The point of `face` nearest to `point`, which lies on it but for rounding.
     #[inline(always)]
-    pub fn pull_to_surface<R: Real>(&self, face: R, point: Vector<R>) -> Vector<R> {
+    pub fn pull_to_surface(&self, face: R, point: Vector<R>) -> Vector<R> {
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => sphere::pull_to_surface(point),
             ShapeKind::Cube => cube::pull_to_surface(face, point),
-            ShapeKind::Cylinder => cone::pull_to_surface(1.0, face, point),
+            ShapeKind::Cylinder => cone::pull_to_surface(face.like(1.0), face, point),
             ShapeKind::Cone => cone::pull_to_surface(self.cone_ratio, face, point),
             ShapeKind::Plane => plane::pull_to_surface(point),
         }
@@ -132,24 +140,26 @@ impl Canonical {
 
     /// Outward normal of `face` at `point` on it, of any length above 0.
     #[inline(always)]
-    pub fn normal<R: Real>(&self, face: R, point: Vector<R>) -> Vector<R> {
+    pub fn normal(&self, face: R, point: Vector<R>) -> Vector<R> {
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => point,
             ShapeKind::Cube => cube::normal(face),
-            ShapeKind::Cylinder => cone::normal(1.0, face, point),
+            ShapeKind::Cylinder => cone::normal(face.like(1.0), face, point),
             ShapeKind::Cone => cone::normal(self.cone_ratio, face, point),
             ShapeKind::Plane => Vector::splat(face, [0.0, 1.0, 0.0]),
         }
     }
 
     /// Whether `point` lies in the shape or on its surface.
-    pub fn contains(&self, point: Vector<f32>) -> bool {
+    #[inline(always)]
+    pub fn contains(&self, point: Vector<R>) -> R::Mask {
+        let (zero, one) = (point.y.like(0.0), point.y.like(1.0));
         match self.kind {
-            ShapeKind::Sphere | ShapeKind::Ellipsoid => point.length_squared() <= 1.0,
-            ShapeKind::Cube => point.map(f32::abs).largest() <= 1.0,
-            ShapeKind::Cylinder => cone::contains(1.0, point),
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => point.length_squared().le(one),
+            ShapeKind::Cube => point.map(R::abs).largest().le(one),
+            ShapeKind::Cylinder => cone::contains(one, point),
             ShapeKind::Cone => cone::contains(self.cone_ratio, point),
-            ShapeKind::Plane => point.y <= 0.0,
+            ShapeKind::Plane => point.y.le(zero),
         }
     }
 }

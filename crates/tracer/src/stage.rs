@@ -8,6 +8,7 @@ mod camera;
 mod cast;
 mod checker;
 mod curve;
+mod double;
 mod edit;
 mod floor;
 mod hull;
@@ -20,6 +21,7 @@ mod only;
 mod outlook;
 mod sight;
 mod sky;
+mod space;
 mod sphere;
 mod texture;
 
@@ -27,11 +29,15 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::{Camera, Color, Scene, Tracing};
+use glam::{DVec3, Vec3, Vec3A};
 use rayon::prelude::*;
 
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, One, Width};
+use crate::ray::Ray;
+use crate::shape::Span;
+use crate::vector::Vector;
 
-pub(crate) use body::StageBody;
+pub(crate) use body::{StageBody, SurfacePoint};
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::{
     Bvh, Entry, Node, Pending, Row, STREAM, StreamParts, StreamRays, TINY as BOX_TINY, Visit, VisitStream,
@@ -43,6 +49,7 @@ pub(crate) use camera::{Homogeneous, RaysNear};
 use cast::Cast;
 pub(crate) use checker::StageChecker;
 pub(crate) use curve::{Curve, STEPS as CURVE_STEPS};
+use double::{DoubleBodies, DoubleBody};
 pub use edit::StageEdit;
 pub(crate) use floor::Floors;
 pub(crate) use image::StageImage;
@@ -53,6 +60,7 @@ pub(crate) use material::{Law, StageMaterial};
 pub(crate) use outlook::Outlook;
 pub(crate) use sight::{Sight, Sights};
 pub(crate) use sky::StageSky;
+use space::RenderSpace;
 pub(crate) use sphere::BoundingSphere;
 pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, Texture};
 
@@ -70,6 +78,11 @@ pub struct Stage {
     pub(crate) hierarchy: Hierarchy,
     /// Around each bounded body.
     pub(crate) spheres: Vec<BoundingSphere>,
+    /// The exact numbers of bodies that do not fit single precision.
+    doubles: Arc<DoubleBodies>,
+    pub(crate) space: RenderSpace,
+    /// The largest extent of the bodies in single precision, meters.
+    largest_extent: f64,
     // Shared with the stages of some of the bodies.
     pub(crate) materials: Arc<Vec<StageMaterial>>,
     pub(crate) checkers: Arc<Vec<StageChecker>>,
@@ -181,15 +194,26 @@ impl Stage {
         Self::prepare_for(scene, Search::Quickest)
     }
 
-    /// The same with a choice of how bodies are found, for measuring what it is worth.
+    /// Prepares `scene` with a choice of how bodies are found, for measuring what it is worth.
     ///
     /// # Errors
     /// As for [`Self::prepare`].
     pub fn prepare_for(scene: &Scene, search: Search) -> Result<Self, StageError> {
+        Self::prepare_seen(scene, &scene.camera, search)
+    }
+
+    /// Prepares `scene` to be seen by a camera that may be another than its own.
+    ///
+    /// Numbers are exact for pictures from where this camera is; [`Self::suits`] tells whether they are for another.
+    ///
+    /// # Errors
+    /// As for [`Self::prepare`].
+    pub fn prepare_seen(scene: &Scene, camera: &Camera, search: Search) -> Result<Self, StageError> {
         if scene.bodies.len() > Self::MAX_BODIES {
             return Err(StageError::TooManyBodies(scene.bodies.len()));
         }
-        let Cast { mut entries, planes, chunks, materials, checkers } = Cast::of(scene)?;
+        let space = RenderSpace::of(scene, camera);
+        let Cast { mut entries, planes, chunks, materials, checkers, doubles } = Cast::of(scene, &space)?;
         let hierarchy = Hierarchy::over(&mut entries, search);
         let bounds = hierarchy.bounds(&entries);
         let scene_indices: Vec<u32> =
@@ -200,6 +224,7 @@ impl Stage {
         let surroundings = Surroundings::new(
             bounds_of_free_ways(bounds, bodies.iter().skip(bounded as usize), &materials),
             planes.iter().map(|&index| &scene.bodies[index as usize]),
+            &space,
         );
         let Tracing { generations, threshold } = scene.tracing;
         let sky = StageSky::new(&scene.environment);
@@ -212,6 +237,9 @@ impl Stage {
             hierarchy,
             spheres: bodies[..bounded as usize].par_iter().map(StageBody::bounding_sphere).collect(),
             largest_slack: bodies.par_iter().map(|body| body.slack).reduce(|| 0.0, f32::max),
+            largest_extent: bodies.par_iter().map(StageBody::extent).reduce(|| 0.0, f64::max),
+            doubles: Arc::new(DoubleBodies::new(doubles)),
+            space,
             bodies,
             scene_indices,
             has_transparency: materials.iter().any(StageMaterial::is_transparent),
@@ -222,8 +250,13 @@ impl Stage {
             disperses: materials.iter().any(|material| material.dispersion.is_some()),
             materials: materials.into(),
             checkers: checkers.into(),
-            lights: scene.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect(),
-            camera: StageCamera::new(&scene.camera, surroundings),
+            lights: scene
+                .lights
+                .iter()
+                .filter(|light| !light.hidden)
+                .map(|light| StageLight::new(light, &space))
+                .collect(),
+            camera: StageCamera::new(&scene.camera, surroundings, space.origin),
             sky,
             ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
@@ -286,6 +319,28 @@ impl Stage {
         self.camera.replaced_by(camera)
     }
 
+    /// Whether pictures through a camera are as exact in this stage of `scene` as in one prepared for it.
+    pub fn suits(&self, scene: &Scene, camera: &Camera) -> bool {
+        let is_double = |scene_index: usize| self.doubles.get(scene_index as u32).is_some();
+        self.space.suits(scene, camera, self.largest_extent, is_double)
+    }
+
+    /// A point of the space of the rays in the world, meters: rays are traced about an origin near what is seen, where
+    /// single precision is exact.
+    pub fn world_from_render(&self, point: impl Into<Vec3>) -> DVec3 {
+        self.space.origin + point.into().as_dvec3()
+    }
+
+    /// A point of the world in the space of the rays, meters.
+    pub(crate) fn render_from_world(&self, point: DVec3) -> DVec3 {
+        self.space.render_from_world(point)
+    }
+
+    /// A ray from a free point of the world in a direction of length 1.
+    pub fn ray_from_point(&self, point: DVec3, direction: impl Into<Vec3A>) -> Ray {
+        Ray::from_point(self.space.render_from_world(point).as_vec3a(), direction)
+    }
+
     /// The place in [`Scene::bodies`] of the stage's body `index`.
     pub fn scene_index(&self, index: u32) -> Option<usize> {
         self.scene_indices.get(index as usize).map(|&scene_index| scene_index as usize)
@@ -332,6 +387,94 @@ impl Stage {
 
     pub(crate) fn body(&self, index: u32) -> &StageBody {
         &self.bodies[index as usize]
+    }
+
+    /// Whether some body is in double precision: then little is known of where bodies lie before they are tested.
+    pub(crate) fn has_doubles(&self) -> bool {
+        !self.doubles.is_empty()
+    }
+
+    /// The body at this place in double precision, if it is.
+    fn double(&self, index: u32) -> Option<&DoubleBody> {
+        self.doubles.get(*self.scene_indices.get(index as usize)?)
+    }
+
+    /// Where lines of the space of the rays, of directions of length 1, cross a body.
+    #[inline(always)]
+    pub(crate) fn span<W: Width>(
+        &self,
+        w: W,
+        (index, body): (u32, &StageBody),
+        origin: Vector<W::R>,
+        direction: Vector<W::R>,
+    ) -> Span<W::R> {
+        if body.is_double()
+            && let Some(double) = self.double(index)
+        {
+            return double.span(w, &origin, &direction);
+        }
+        body.span(origin, direction)
+    }
+
+    /// Where such lines cross a face of a body at `t`, as [`StageBody::point_on_face`].
+    #[inline(always)]
+    pub(crate) fn point_on_face<W: Width>(
+        &self,
+        w: W,
+        (index, body): (u32, &StageBody),
+        line: (Vector<W::R>, Vector<W::R>),
+        t: W::R,
+        leaving: W::M,
+        face: W::R,
+    ) -> SurfacePoint<W::R> {
+        if body.is_double()
+            && let Some(double) = self.double(index)
+        {
+            return double.surface_point(w, &line.0, &line.1, leaving);
+        }
+        body.point_on_face(line, t, leaving, face)
+    }
+
+    /// Where a line crosses a body's surface at `t`, on the way out if it is `leaving`.
+    pub(crate) fn surface_point(
+        &self,
+        index: u32,
+        (origin, direction): (Vector<f32>, Vector<f32>),
+        t: f32,
+        leaving: bool,
+    ) -> SurfacePoint<f32> {
+        let body = self.body(index);
+        let span = self.span(One, (index, body), origin, direction);
+        let face = if leaving { span.exit_face } else { span.enter_face };
+        self.point_on_face(One, (index, body), (origin, direction), t, leaving, face)
+    }
+
+    /// Where lines cross a body, and |cos| of the angles between them and the normals where they enter and leave.
+    #[inline(always)]
+    pub(crate) fn span_and_cosines<W: Width>(
+        &self,
+        w: W,
+        index: u32,
+        origin: Vector<W::R>,
+        direction: Vector<W::R>,
+    ) -> (Span<W::R>, [W::R; 2]) {
+        let body = self.body(index);
+        if body.is_double()
+            && let Some(double) = self.double(index)
+        {
+            return (double.span(w, &origin, &direction), double.cosines(w, &origin, &direction));
+        }
+        let span = body.span(origin, direction);
+        let cosine = |t, face| body.cosine(origin, direction, t, face);
+        (span, [cosine(span.enter, span.enter_face), cosine(span.exit, span.exit_face)])
+    }
+
+    /// Whether a point of the space of the rays lies in a body.
+    pub(crate) fn contains(&self, index: u32, point: Vector<f32>) -> bool {
+        match self.double(index) {
+            Some(double) => double.contains(point),
+            None => self.body(index).contains(point),
+        }
     }
 
     /// The sphere around a bounded body.

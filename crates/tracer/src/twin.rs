@@ -12,6 +12,7 @@ mod pictures;
 use std::fmt::Write as _;
 
 use crate::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
+use crate::search::GRAZING;
 use crate::shape::{SLAB_TINY, ShapeKind};
 use crate::stage::{BOX_TINY, BOX_WIDEN, BoundingSphere, TEXTURE_LEVEL};
 use crate::surface::MOST_LIGHT;
@@ -179,6 +180,7 @@ fn constants(special: &Specialization) -> Constants {
     ];
     let numbers = vec![
         ("POINT_ROUNDING", POINT_ROUNDING),
+        ("GRAZING", GRAZING),
         ("SPHERE_ROUNDING", BoundingSphere::ROUNDING),
         ("SLAB_TINY", SLAB_TINY),
         ("BOX_TINY", BOX_TINY),

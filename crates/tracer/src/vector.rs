@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use glam::{Vec3, Vec3A};
 
-use crate::lanes::Real;
+use crate::lanes::Float;
 use crate::surface::MOST_LIGHT;
 
 /// A point or direction, or a color, for each of the numbers side by side.
@@ -18,7 +18,7 @@ pub struct Vector<R> {
     pub z: R,
 }
 
-impl<R: Real> Vector<R> {
+impl<R: Float> Vector<R> {
     #[inline(always)]
     pub(crate) fn new(x: R, y: R, z: R) -> Self {
         Self { x, y, z }
@@ -135,7 +135,7 @@ impl From<Vector<f32>> for Vec3A {
     }
 }
 
-impl<R: Real> Add for Vector<R> {
+impl<R: Float> Add for Vector<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -144,7 +144,7 @@ impl<R: Real> Add for Vector<R> {
     }
 }
 
-impl<R: Real> Sub for Vector<R> {
+impl<R: Float> Sub for Vector<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -153,7 +153,7 @@ impl<R: Real> Sub for Vector<R> {
     }
 }
 
-impl<R: Real> Mul<R> for Vector<R> {
+impl<R: Float> Mul<R> for Vector<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -162,7 +162,7 @@ impl<R: Real> Mul<R> for Vector<R> {
     }
 }
 
-impl<R: Real> Neg for Vector<R> {
+impl<R: Float> Neg for Vector<R> {
     type Output = Self;
 
     #[inline(always)]

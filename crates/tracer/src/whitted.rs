@@ -20,7 +20,7 @@ use catoptric_scene::Tracing;
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
-use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, Ray, Rays};
 use crate::render::Control;
@@ -293,7 +293,7 @@ impl<'a> Whitted<'a> {
     fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, from: &Origin<'_>, inside: &Inside) -> Hits<W> {
         if let Origin::Stream { streams, at } = from {
             let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, Along::Anything);
-            return streams.rays.hits(w, *at, &flight);
+            return streams.rays.hits(w, *at, &flight, &mut self.parts);
         }
         let whence = self.views.whence(matches!(from, Origin::Eye), inside.sole(beams.lanes.bits()));
         if self.views.along(whence).is_free() {

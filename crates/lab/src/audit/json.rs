@@ -42,6 +42,7 @@ impl Audit {
         })
     }
 
+    /// One ray with all its numbers.
     fn ray(&self, node: &Node) -> Value {
         let ray = &node.ray;
         let media: Vec<Value> = ray.media.iter().map(|&body| self.body(body)).collect();
@@ -54,7 +55,7 @@ impl Audit {
             "coefficient": node.coefficient.to_array(),
             "weight": ray.weight.to_array(),
             "through": ray.through.to_array(),
-            "origin": ray.ray.origin.to_array(),
+            "origin": ray.origin.to_array().map(number),
             "direction": ray.ray.direction.to_array(),
             "media": media,
             "ior": ray.ior,
@@ -62,7 +63,7 @@ impl Audit {
                 "body": self.body(hit.body),
                 "distance": ray.distance(),
                 "leaving": hit.hit.leaving,
-                "position": hit.position.to_array(),
+                "position": hit.position.to_array().map(number),
                 "normal": hit.normal.to_array(),
                 "incidence_degrees": node.incidence.map(f64::to_degrees),
                 "refraction_degrees": node.refraction.map(f64::to_degrees),
@@ -158,4 +159,10 @@ fn branch(branch: &Branch) -> Value {
         "fate": fate,
         "ray": ray,
     })
+}
+
+/// A number with as many digits as single precision needs, if it fits that.
+fn number(number: f64) -> Value {
+    let single = number as f32;
+    if f64::from(single) == number { json!(single) } else { json!(number) }
 }

@@ -38,12 +38,12 @@ pub(super) fn short(number: f64) -> String {
 }
 
 /// A point or direction with four significant digits.
-pub(super) fn short_vector(vector: Vec3) -> String {
+pub(super) fn short_vector(vector: impl Into<DVec3>) -> String {
+    let vector = vector.into();
     let mut text = String::from("(");
     for (index, part) in vector.to_array().into_iter().enumerate() {
         // What is small beside the others is nothing.
-        let part = f64::from(part);
-        let part = if part.abs() < 1e-5 * f64::from(vector.abs().max_element()) { 0.0 } else { part };
+        let part = if part.abs() < 1e-5 * vector.abs().max_element() { 0.0 } else { part };
         let _ = write!(text, "{}{}", if index == 0 { "" } else { ", " }, short(part));
     }
     text + ")"

@@ -194,8 +194,8 @@ impl Page<'_> {
             node.kind.in_words(),
             node.ray.generation
         );
-        let origin = short_vector(node.ray.ray.origin.into());
-        let direction = short_vector(node.ray.ray.direction.into());
+        let origin = short_vector(node.ray.origin);
+        let direction = short_vector(Vec3::from(node.ray.ray.direction));
         let through = match node.ray.media.first() {
             Some(&body) => format!("in {}, index {}", self.audit.names.body(body), exact(node.ray.ior)),
             None => "in air".to_owned(),

@@ -2,8 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use catoptric_scene::{Body, Light, List, Material, MaterialChoice, Scene, Tracing};
-use catoptric_tracer::{Ray, RayKind, Stage, TracedRay, Whitted};
+use catoptric_scene::{Body, Camera, Light, List, Material, MaterialChoice, Scene, Tracing};
+use catoptric_tracer::{RayKind, Stage, TracedRay, Whitted};
 use glam::{DVec3, Vec3};
 
 /// A stage of a few bodies, for a few rays.
@@ -58,15 +58,17 @@ impl Probe {
         let bodies: List<Body> = bodies.into_iter().filter_map(own).collect();
         let point = |light: &Light| Light { position: light.position - origin, radius: 0.0, ..light.clone() };
         let tracing = Tracing { generations: Tracing::MAX_GENERATIONS, threshold: 0.0 };
-        let alone =
-            Scene { bodies, lights: light.map(point).into_iter().collect(), tracing, ..Scene::default() };
+        let seen = scene.camera;
+        let camera = Camera { position: seen.position - origin, target: seen.target - origin, ..seen };
+        let lights = light.map(point).into_iter().collect();
+        let alone = Scene { bodies, lights, tracing, camera, ..Scene::default() };
         Some(Self { stage: Stage::prepare(&alone).ok()?, origin })
     }
 
     /// The first rays of the tree from a point in a direction; their places are those of the stage.
     pub(super) fn tree(&self, from: DVec3, direction: DVec3, most: usize) -> Vec<TracedRay> {
         let direction = direction.normalize_or_zero().as_vec3();
-        let ray = Ray::from_point((from - self.origin).as_vec3(), direction);
+        let ray = self.stage.ray_from_point(from - self.origin, direction);
         Whitted::new(&self.stage, &AtomicBool::new(false)).tree(ray, most)
     }
 
@@ -101,8 +103,7 @@ impl Probe {
     }
 
     fn line(&self, ray: &TracedRay) -> Line {
-        let [point, direction] =
-            [ray.ray.origin, ray.ray.direction].map(|vector| Vec3::from(vector).as_dvec3());
+        let (point, direction) = (ray.origin, Vec3::from(ray.ray.direction).as_dvec3());
         // In double precision, single precision's unit vectors are not quite that.
         Line { point: point + self.origin, direction: direction.normalize_or_zero() }
     }

@@ -39,7 +39,7 @@ fn assert_sound(audit: &Audit) {
                     assert!(ray.parent.unwrap() < place && parent.children.contains(&place));
                     let weight = parent.ray.weight * parent.ray.through * node.coefficient;
                     assert_eq!(ray.weight, weight, "ray {place}: its weight");
-                    assert_eq!(Vec3::from(ray.ray.origin), parent.ray.hit.unwrap().position);
+                    assert_eq!(ray.origin, parent.ray.hit.unwrap().position);
                 }
                 None => assert_eq!((place, ray.weight, node.kind), (0, Vec3::ONE, NodeKind::Primary)),
             }

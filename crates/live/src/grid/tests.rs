@@ -23,7 +23,7 @@ fn grid(scene: &Scene) -> Vec<GridLine> {
 fn ground(camera: &Camera, at: DVec2) -> DVec3 {
     let stage = Stage::prepare(&Scene { camera: *camera, ..Scene::default() }).unwrap();
     let ray = stage.camera().ray(at, SIZE);
-    let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+    let (origin, direction) = (stage.world_from_render(ray.origin), ray.direction.as_dvec3());
     origin - origin.y / direction.y * direction
 }
 
@@ -75,7 +75,7 @@ fn bodies_hide_what_is_behind_them_and_a_floor_hides_nothing() {
             let at = line.from.lerp(line.to, share).as_dvec2();
             let ray = stage.camera().ray(at, SIZE);
             if let Some(hit) = stage.nearest(&ray) {
-                let ground = ground(&ball.camera, at).distance(ray.origin.as_dvec3());
+                let ground = ground(&ball.camera, at).distance(stage.world_from_render(ray.origin));
                 // A pixel at the ball's rim may be off.
                 let rim = (0..8).any(|k| {
                     let turn = f64::from(k) * std::f64::consts::FRAC_PI_4;

@@ -26,9 +26,10 @@ pub(super) fn color(texts: &Texts, color: Vec3) -> String {
 }
 
 /// A point or a direction. What is small beside the others is nothing.
-pub(super) fn vector(texts: &Texts, vector: Vec3) -> String {
+pub(super) fn vector(texts: &Texts, vector: impl Into<DVec3>) -> String {
+    let vector = vector.into();
     let least = 1e-5 * vector.abs().max_element();
-    let parts = vector.to_array().map(|part| if part.abs() < least { 0.0 } else { f64::from(part) });
+    let parts = vector.to_array().map(|part| if part.abs() < least { 0.0 } else { part });
     format!("({})", list(texts, parts.map(|part| short(texts, part))))
 }
 

@@ -130,8 +130,8 @@ impl Writer<'_> {
         let inside = node.ray.media.first().map(|body| body_name(self.texts, self.scene, *body));
         let medium = inside.unwrap_or_else(|| self.texts.get("audit-air").to_owned());
         let arguments = [
-            ("origin", vector(self.texts, node.ray.ray.origin.into()).into()),
-            ("direction", vector(self.texts, node.ray.ray.direction.into()).into()),
+            ("origin", vector(self.texts, node.ray.origin).into()),
+            ("direction", vector(self.texts, Vec3::from(node.ray.ray.direction)).into()),
             ("medium", medium.into()),
             ("index", short(self.texts, node.ray.ior.into()).into()),
         ];

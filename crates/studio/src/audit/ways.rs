@@ -54,12 +54,12 @@ pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &Pin) -> (Vec<Way>, us
     let mut ends: Vec<f64> = Vec::with_capacity(tree.nodes.len());
     let mut ways = Vec::new();
     for (place, node) in tree.nodes.iter().enumerate() {
-        let origin = node.ray.parent.map_or(eye, |_| node.ray.ray.origin.as_dvec3());
+        let origin = node.ray.parent.map_or(eye, |_| node.ray.origin);
         let direction = node.ray.ray.direction.as_dvec3();
         let end = match node.ray.hit {
-            Some(hit) => hit.position.as_dvec3(),
+            Some(hit) => hit.position,
             // A primary ray begins near the bodies, wherever the eye is.
-            None => node.ray.ray.origin.as_dvec3() + far * direction,
+            None => node.ray.origin + far * direction,
         };
         let start = node.ray.parent.and_then(|parent| ends.get(parent)).copied().unwrap_or(0.0);
         let path = [start, start + f64::from(node.ray.ior) * origin.distance(end)];
@@ -87,7 +87,7 @@ pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &Pin) -> (Vec<Way>, us
 
 fn shadows(ways: &mut Vec<Way>, node: &Node, place: usize, lights: &[&Light], start: f64) {
     let (Some(hit), Some(answer)) = (node.ray.hit, node.answer()) else { return };
-    let from = hit.position.as_dvec3();
+    let from = hit.position;
     for term in &answer.lights {
         let (Some(shadow), Some(light)) = (&term.shadow, lights.get(term.light)) else { continue };
         let opaque = shadow.crossings.iter().find(|crossing| crossing.filter.is_none());

@@ -119,7 +119,7 @@ impl Sight {
             Some(hit) if hit.hit.leaving || is_plane(cx.editor.scene(), hit.body) => {
                 Target::Surroundings(hit.body)
             }
-            Some(hit) => Target::Body { index: hit.body, point: hit.position.as_dvec3() },
+            Some(hit) => Target::Body { index: hit.body, point: hit.position },
             None => Target::Nothing,
         }
     }

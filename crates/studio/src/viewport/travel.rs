@@ -142,7 +142,7 @@ impl Travel {
         let at = sight.at(pointer);
         let reach = present.position.distance(present.target);
         let ray = sight.lens.ray(at);
-        let met = sight.body_at(at).map(|hit| hit.position.as_dvec3());
+        let met = sight.body_at(at).map(|hit| hit.position);
         // Towards the horizon, the camera would be thrown there.
         let met = met.filter(|point| point.distance(present.position) < 4.0 * reach);
         let point = met.unwrap_or_else(|| {

@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Sub};
 
 use super::wide::widest_fuses;
-use super::{Eight, Mask, Real, Width, Word};
+use super::{Eight, Float, Mask, Real, Width, Word};
 
 /// One number.
 #[derive(Clone, Copy, Debug)]
@@ -138,10 +138,9 @@ impl Eight for Plain {
     }
 }
 
-impl Real for f32 {
+impl Float for f32 {
     const LANES: usize = 1;
     type Mask = bool;
-    type Word = u32;
 
     #[inline(always)]
     fn like(self, value: f32) -> f32 {
@@ -202,6 +201,10 @@ impl Real for f32 {
     fn select(mask: bool, yes: f32, no: f32) -> f32 {
         if mask { yes } else { no }
     }
+}
+
+impl Real for f32 {
+    type Word = u32;
 
     #[inline(always)]
     fn to_word(self) -> u32 {

@@ -5,7 +5,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use super::{Mask, Real, Width, Word};
+use super::{Float, Mask, Real, Width, Word};
 
 /// Twice the numbers of `W`.
 #[derive(Clone, Copy, Debug)]
@@ -137,10 +137,9 @@ macro_rules! each {
     )*};
 }
 
-impl<R: Real> Real for Two<R> {
+impl<R: Real> Float for Two<R> {
     const LANES: usize = 2 * R::LANES;
     type Mask = Two<R::Mask>;
-    type Word = Two<R::Word>;
 
     each! {
         times_plus(factor, term) -> Self;
@@ -153,7 +152,6 @@ impl<R: Real> Real for Two<R> {
         lt(other) -> Two<R::Mask>;
         le(other) -> Two<R::Mask>;
         eq(other) -> Two<R::Mask>;
-        to_word() -> Two<R::Word>;
     }
 
     #[inline(always)]
@@ -164,6 +162,14 @@ impl<R: Real> Real for Two<R> {
     #[inline(always)]
     fn select(mask: Two<R::Mask>, yes: Self, no: Self) -> Self {
         Self(R::select(mask.0, yes.0, no.0), R::select(mask.1, yes.1, no.1))
+    }
+}
+
+impl<R: Real> Real for Two<R> {
+    type Word = Two<R::Word>;
+
+    each! {
+        to_word() -> Two<R::Word>;
     }
 
     #[inline(always)]

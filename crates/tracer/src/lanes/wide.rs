@@ -8,7 +8,7 @@ use fearless_simd::{
 };
 
 use super::eight::OfSimd;
-use super::{MOST_LANES, Mask, Pair, Real, Width, Word, Work};
+use super::{Float, MOST_LANES, Mask, Pair, Real, Width, Word, Work};
 
 /// A width that the processor has.
 #[derive(Clone, Copy, Debug)]
@@ -273,10 +273,9 @@ impl<S: Simd> Neg for WideReal<S> {
     }
 }
 
-impl<S: Simd> Real for WideReal<S> {
+impl<S: Simd> Float for WideReal<S> {
     const LANES: usize = S::f32s::LEN;
     type Mask = WideMask<S>;
-    type Word = WideWord<S>;
 
     #[inline(always)]
     fn like(self, value: f32) -> Self {
@@ -337,6 +336,10 @@ impl<S: Simd> Real for WideReal<S> {
     fn select(mask: WideMask<S>, yes: Self, no: Self) -> Self {
         Self(mask.0.select(yes.0, no.0))
     }
+}
+
+impl<S: Simd> Real for WideReal<S> {
+    type Word = WideWord<S>;
 
     #[inline(always)]
     fn to_word(self) -> WideWord<S> {

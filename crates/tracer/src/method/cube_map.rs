@@ -59,7 +59,7 @@ pub struct CubeMap {
 }
 
 impl CubeMap {
-    /// Renders what surrounds `center` in `stage`, in faces of `size`² pixels.
+    /// Renders what surrounds `center`, in the space of the rays, in `stage`, in faces of `size`² pixels.
     ///
     /// # Errors
     /// When the size is 0 or too large, memory is short, or the work is cancelled.
@@ -76,8 +76,8 @@ impl CubeMap {
         let projection = Projection::Perspective { fov_degrees: 2.0 * half_angle.to_degrees() };
         let settings = RenderSettings { width: side, height: side, samples: 1 };
         for (face, pixels) in FACES.iter().zip(map.pixels.chunks_mut((side * side) as usize)) {
-            let target = center + face.forward;
-            let camera = Camera { position: center, target, up: face.up, projection };
+            let position = stage.space.origin + center;
+            let camera = Camera { position, target: position + face.forward, up: face.up, projection };
             let rendering = render_through(stage, &stage.camera_for(&camera), settings, control)?;
             counts += rendering.counts;
             pixels.iter_mut().zip(rendering.picture.pixels()).for_each(|(to, from)| *to = *from);
@@ -110,7 +110,7 @@ impl CubeMap {
         6 * side * side
     }
 
-    /// The point that is surrounded, meters.
+    /// The point that is surrounded, in the space of the rays, meters.
     pub fn center(&self) -> DVec3 {
         self.center
     }

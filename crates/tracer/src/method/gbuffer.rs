@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use super::canvas::Frame;
 use super::fronts::Fronts;
-use super::probe::{Point, Probe, color_of, exact, vector};
+use super::probe::{Point, Probe, color_at, exact, vector};
 use super::{LightModel, MethodError};
 use crate::counts::RayCounts;
 use crate::ray::{NO_BODY, Ray, Start};
@@ -173,7 +173,7 @@ impl GBuffer {
                 Layer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
                 Layer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
                 Layer::Coefficients => Vector::new(material.diffuse, material.specular, material.reflection),
-                Layer::Body => color_of_number(stage.scene_index(texel.start.body)?),
+                Layer::Body => color_at_number(stage.scene_index(texel.start.body)?),
                 _ => texel.color,
             })
         };
@@ -196,13 +196,13 @@ pub(super) fn seen(
     let ray = camera.ray(at, size);
     let rays = ray.alone();
     let Some(hit) = probe.primary(&ray) else { return Texel { normal: rays.direction, ..Texel::EMPTY } };
-    let point = stage.body(hit.body).surface_point(rays.origin, rays.direction, hit.t, hit.leaving);
+    let point = stage.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
     Texel {
         start: Start { body: hit.body, inwards: hit.leaving },
         depth: camera.homogeneous(exact(point.in_world).extend(1.0), size).depth as f32,
         position: point.in_world,
         normal: point.normal,
-        color: color_of(stage, hit.body, point.in_body),
+        color: color_at(stage, hit.body, &point),
     }
 }
 
@@ -223,7 +223,7 @@ pub(super) fn light_of(
 }
 
 /// Colors that are far apart for neighboring numbers: hues a golden section of the circle apart.
-fn color_of_number(number: usize) -> Vector<f32> {
+fn color_at_number(number: usize) -> Vector<f32> {
     const GOLDEN: f64 = 0.618_033_988_749_895;
     let hue = (number as f64 * GOLDEN).fract() as f32 * 6.0;
     // The ramps of red, green and blue around the circle of hues.

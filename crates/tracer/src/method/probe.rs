@@ -8,7 +8,7 @@ use crate::lanes::One;
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, Ray, Rays, Start};
 use crate::search::{Along, Flight, Hit, MediumIntervals, ShadowMemory, found_in};
-use crate::stage::{Pending, Stage, StageCamera};
+use crate::stage::{Pending, Stage, StageCamera, SurfacePoint};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
@@ -138,10 +138,20 @@ impl<'a> Probe<'a> {
     }
 }
 
-/// The color C of a body at a point of its own frame.
-pub(super) fn color_of(stage: &Stage, body: u32, in_body: Vector<f32>) -> Vector<f32> {
+/// The color C of a body at a point of its surface.
+pub(super) fn color_at(stage: &Stage, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
+    color_of(stage, body, point.in_body, point.on_checker(stage.body(body)))
+}
+
+/// The color C of a body at a point of its own frame, which its checkerboard sees as `on_checker`.
+pub(super) fn color_of(
+    stage: &Stage,
+    body: u32,
+    in_body: Vector<f32>,
+    on_checker: Vector<f32>,
+) -> Vector<f32> {
     let body = stage.body(body);
-    let checker = stage.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(in_body));
+    let checker = stage.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(on_checker));
     match checker {
         Some(checker) => Vector::splat(0.0, checker.color),
         None => stage.material(body).color_at(One, body, in_body, true),

@@ -118,7 +118,7 @@ impl Job<'_> {
         } else {
             LocalLight { on_color: first, highlight: second }
         };
-        light.with_color(color_of(self.stage, start.body, fragment.in_body))
+        light.with_color(color_of(self.stage, start.body, fragment.in_body, fragment.in_body))
     }
 
     fn light(&self, probe: &mut Probe<'_>, start: Start, at: DVec3, normal: Vector<f32>) -> LocalLight {

@@ -1,15 +1,24 @@
 //! The nearest hits so far.
 
 use super::{Hits, Meeting};
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::ray::POINT_ROUNDING;
 use crate::stage::Stage;
 
+/// Hits that coincide may lie so many times the bound of rounding apart along a ray: it is a bound across the surface, which
+/// the ray may graze. Rounding is far less than its bound, so that more than a thousandfold is allowed for.
+pub(crate) const GRAZING: f32 = 64.0;
+
 /// The nearest hits so far of one direction through the surface.
+#[derive(Clone, Copy)]
 pub(super) struct Nearest<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     pub(super) face: W::R,
+    /// [`GRAZING`] times its slack before the nearest hit.
+    pub(super) own: W::R,
+    /// The least parameter that is so much before any other hit.
+    pub(super) others: W::R,
 }
 
 /// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
@@ -26,7 +35,7 @@ impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn new(w: W, start_slack: W::R) -> Self {
         let (infinity, zero) = (w.real(f32::INFINITY), w.real(0.0));
-        let none = || Nearest { t: infinity, body: w.word(0), face: zero };
+        let none = || Nearest { t: infinity, body: w.word(0), face: zero, own: infinity, others: infinity };
         Self { leaving: none(), entering: none(), reach: w.real(f32::MAX), start_slack }
     }
 
@@ -34,15 +43,28 @@ impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn enter(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
         self.entering.offer(w, stage, index, (meeting.enter, meeting.enter_face), meeting.entering);
-        let farthest = w.real(stage.largest_slack);
-        self.reach = self.reach.min(self.entering.t + self.slack_at(self.entering.t, farthest));
+        self.shorten(w, stage, self.entering.t);
     }
 
     /// Takes note of hits that lead out of a body.
     #[inline(always)]
     pub(super) fn leave(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
         self.leaving.offer(w, stage, index, (meeting.exit, meeting.exit_face), meeting.leaving);
-        self.reach = self.reach.min(self.leaving.t);
+        self.shorten(w, stage, self.leaving.t);
+    }
+
+    /// Bodies that may coincide with a hit at `t` have to be seen, those behind need not.
+    #[inline(always)]
+    fn shorten(&mut self, w: W, stage: &Stage, t: W::R) {
+        self.reach = self.reach.min(t + self.slack_at(t, w.real(stage.largest_slack)) * GRAZING);
+    }
+
+    /// The rays whose nearest hit in one direction through the surface may coincide with another.
+    #[inline(always)]
+    pub(super) fn contested(&self, w: W, nearest: &Nearest<W>) -> W::M {
+        let t = nearest.t;
+        let until = t + (t - nearest.own) + self.slack_at(t, w.real(0.0)) * GRAZING;
+        nearest.others.le(until) & t.lt(w.real(f32::INFINITY))
     }
 
     /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
@@ -57,7 +79,7 @@ impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn first(&self, w: W, stage: &Stage) -> Hits<W> {
         let infinity = w.real(f32::INFINITY);
-        let Nearest { t, body, face } = self.entering;
+        let Nearest { t, body, face, .. } = self.entering;
         let leaves = self.leaving.t.lt(infinity);
         let mut hits: Hits<W> =
             Hits { t, body, leaving: leaves & !leaves, face, hit: t.lt(infinity) | leaves };
@@ -87,6 +109,10 @@ impl<W: Width> Nearest<W> {
         if equal.any() {
             closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
         }
+        let own = t - GRAZING * stage.body(index).slack;
+        let loser = W::R::select(closer, self.own, W::R::select(lanes, own, self.others));
+        self.others = self.others.min(loser);
+        self.own = W::R::select(closer, own, self.own);
         self.t = W::R::select(closer, t, self.t);
         self.body = W::W::select(closer, w.word(index), self.body);
         self.face = W::R::select(closer, face, self.face);

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::absorption::MediumIntervals;
 use super::{Flight, ForEach, Hit, Meeting, Relation};
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width};
 use crate::media::MediaTable;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
 use crate::stage::{Hierarchy, Pending, StageBody, Visit};
@@ -98,7 +98,7 @@ impl<'a, W: Width> Flight<'a, W> {
         if !lanes.any() {
             return None;
         }
-        let Meeting { entering, enter, leaving, exit, .. } = self.meeting(body, lanes, inside)?;
+        let Meeting { entering, enter, leaving, exit, .. } = self.meeting((index, body), lanes, inside)?;
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
         Some(Crossed { in_front, enter, within: leaving, behind, exit })

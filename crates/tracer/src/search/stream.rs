@@ -4,11 +4,11 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of};
-use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width};
+use super::{Along, Best, Flight, GRAZING, Hits, MediumIntervals, Nearest, Through, all_of};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width};
 use crate::media::{Inside, MediaTable};
 use crate::ray::{POINT_ROUNDING, Rays};
-use crate::stage::{Hierarchy, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
+use crate::stage::{Hierarchy, Pending, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
 use crate::vector::Vector;
 
 /// Rays that are searched for together, and what they met.
@@ -26,6 +26,8 @@ struct NearestRows {
     t: Row<f32>,
     body: Row<u32>,
     face: Row<f32>,
+    own: Row<f32>,
+    others: Row<f32>,
 }
 
 /// Shadow rays of a stream's hits to one light.
@@ -58,6 +60,8 @@ impl NearestRows {
             t: w.load(&self.t[at..]),
             body: w.load_words(&self.body[at..]),
             face: w.load(&self.face[at..]),
+            own: w.load(&self.own[at..]),
+            others: w.load(&self.others[at..]),
         }
     }
 }
@@ -74,7 +78,9 @@ impl RayStream {
         let never = w.real(f32::INFINITY);
         self.rays.set(w, self.count, rays, media, never);
         for nearest in [&mut self.entering, &mut self.leaving] {
-            never.store(&mut nearest.t[self.count..]);
+            for row in [&mut nearest.t, &mut nearest.own, &mut nearest.others] {
+                never.store(&mut row[self.count..]);
+            }
         }
         self.count += lanes.bits().count_ones() as usize;
     }
@@ -104,14 +110,20 @@ impl RayStream {
 
     /// What the rays from number `at` on, which are in `flight`, met, planes included.
     #[inline(always)]
-    pub(crate) fn hits<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> Hits<W> {
+    pub(crate) fn hits<W: Width>(
+        &self,
+        w: W,
+        at: usize,
+        flight: &Flight<'_, W>,
+        parts: &mut Pending,
+    ) -> Hits<W> {
         let (_, reach) = self.rays.load(w, at);
         let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
         let mut best = Best { leaving, entering, reach, start_slack: flight.start_slack() };
         for index in flight.stage.planes() {
             flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
         }
-        best.first(w, flight.stage)
+        flight.settled(best, parts)
     }
 }
 
@@ -289,24 +301,16 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                 let Some(meeting) = flight.meets(index, body, lanes) else { continue };
                 let entering = meeting.entering & meeting.enter.le(reach);
                 let leaving = meeting.leaving & meeting.exit.le(reach);
+                let slack = flight.start_slack() + w.real(stage.largest_slack);
+                // As in `Best::shorten`.
+                let reach = |t: W::R| t + (slack + t * POINT_ROUNDING) * GRAZING;
                 if entering.any() {
-                    let farthest = w.real(stage.largest_slack);
-                    let reach =
-                        meeting.enter + (flight.start_slack() + farthest + meeting.enter * POINT_ROUNDING);
-                    self.stream.offer::<W>(
-                        stage,
-                        index,
-                        true,
-                        (meeting.enter, meeting.enter_face),
-                        reach,
-                        entering,
-                        numbers,
-                    );
+                    let met = (meeting.enter, meeting.enter_face, reach(meeting.enter));
+                    self.stream.offer::<W>(stage, index, true, met, entering, numbers);
                 }
                 if leaving.any() {
-                    let t = meeting.exit;
-                    let met = (t, meeting.exit_face);
-                    self.stream.offer::<W>(stage, index, false, met, t, leaving, numbers);
+                    let met = (meeting.exit, meeting.exit_face, reach(meeting.exit));
+                    self.stream.offer::<W>(stage, index, false, met, leaving, numbers);
                 }
             }
         }
@@ -316,19 +320,18 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
 impl RayStream {
     /// Takes note of hits with a body; see [`Best`].
     #[inline(always)]
-    #[allow(clippy::too_many_arguments, reason = "each is a vector of its own")]
     fn offer<W: Width>(
         &mut self,
         stage: &Stage,
         index: u32,
         is_entering: bool,
-        (t, face): (W::R, W::R),
-        reach: W::R,
+        (t, face, reach): (W::R, W::R, W::R),
         lanes: W::M,
         numbers: &[u32],
     ) {
         let Self { rays, entering, leaving, .. } = self;
         let nearest = if is_entering { entering } else { leaving };
+        let grazing = GRAZING * stage.body(index).slack;
         let [mut ts, mut faces, mut reaches] = [[0.0; MOST_LANES]; 3];
         t.store(&mut ts);
         face.store(&mut faces);
@@ -344,7 +347,11 @@ impl RayStream {
                     || (t == old
                         && t < f32::INFINITY
                         && stage.scene_order(index, nearest.body[place]).is_lt());
+                let own = t - grazing;
+                let loser = if is_nearer { nearest.own[place] } else { own };
+                nearest.others[place] = nearest.others[place].min(loser);
                 if is_nearer {
+                    nearest.own[place] = own;
                     (nearest.t[place], nearest.body[place]) = (t, index);
                     nearest.face[place] = faces[lane];
                     rays.shorten(ray, reaches[lane]);

@@ -10,7 +10,7 @@
 //! ```
 
 use super::{LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
-use crate::lanes::{Mask as _, Real};
+use crate::lanes::{Float, Mask as _};
 use crate::vector::Vector;
 
 /// The nappe's span cut by the layer between the caps.
@@ -19,7 +19,7 @@ use crate::vector::Vector;
 /// the quadratic are about 1 however far the ray comes from (Embree's `coneline_intersector` does the same with the
 /// middle). Near a pointed cone's apex, where both roots fall together, they are small, and so is their rounding.
 #[inline(always)]
-pub(super) fn span<R: Real>(ratio: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+pub(super) fn span<R: Float>(ratio: R, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
     let top = Vector::splat(origin.x, [0.0, 1.0, 0.0]);
     let shift = (top - origin).dot(direction) / direction.length_squared();
     let near = origin.plus_times(direction, shift);
@@ -36,7 +36,7 @@ pub(super) fn span<R: Real>(ratio: f32, origin: Vector<R>, direction: Vector<R>)
 /// the line is steeper than the cone and runs in both nappes outside the roots: the wanted half is the one in which
 /// r grows. For A = 0 one root is infinite.
 #[inline(always)]
-fn nappe<R: Real>(slope: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+fn nappe<R: Float>(slope: R, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
     let (zero, one, infinity) = (origin.x.like(0.0), origin.x.like(1.0), origin.x.like(f32::INFINITY));
     let radius = origin.y * slope + 1.0;
     let radius_change = direction.y * slope;
@@ -80,13 +80,13 @@ fn nappe<R: Real>(slope: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R
 
 /// A vector in the xz-plane made of length 1, or 0 if it has none.
 #[inline(always)]
-fn around<R: Real>(point: Vector<R>) -> Vector<R> {
+fn around<R: Float>(point: Vector<R>) -> Vector<R> {
     let zero = point.y.like(0.0);
     Vector::new(point.x, zero, point.z).normalize_or(Vector::new(zero, zero, zero))
 }
 
 #[inline(always)]
-pub(super) fn pull_to_surface<R: Real>(ratio: f32, face: R, point: Vector<R>) -> Vector<R> {
+pub(super) fn pull_to_surface<R: Float>(ratio: R, face: R, point: Vector<R>) -> Vector<R> {
     let (zero, one) = (face.like(0.0), face.like(1.0));
     let is_side = face.eq(face.like(SIDE));
     let y = point.y.max(zero).min(one);
@@ -101,18 +101,21 @@ pub(super) fn pull_to_surface<R: Real>(ratio: f32, face: R, point: Vector<R>) ->
 
 /// On the side, the gradient of x² + z² - r(y)²; at the apex, where it vanishes, the axis.
 #[inline(always)]
-pub(super) fn normal<R: Real>(ratio: f32, face: R, point: Vector<R>) -> Vector<R> {
+pub(super) fn normal<R: Float>(ratio: R, face: R, point: Vector<R>) -> Vector<R> {
     let (zero, one) = (face.like(0.0), face.like(1.0));
     let is_side = face.eq(face.like(SIDE));
     let around = around(point);
     let up = Vector::new(zero, one, zero);
-    let side = Vector::new(around.x, face.like(1.0 - ratio), around.z);
+    let side = Vector::new(around.x, one - ratio, around.z);
     let side = Vector::select(side.is_zero(), up, side);
     let cap = Vector::select(face.eq(face.like(LOWER_CAP)), -up, up);
     Vector::select(is_side, side, cap)
 }
 
-pub(super) fn contains(ratio: f32, point: Vector<f32>) -> bool {
-    let radius = 1.0 + (ratio - 1.0) * point.y;
-    (0.0..=1.0).contains(&point.y) && point.x * point.x + point.z * point.z <= radius * radius
+#[inline(always)]
+pub(super) fn contains<R: Float>(ratio: R, point: Vector<R>) -> R::Mask {
+    let (zero, one) = (ratio.like(0.0), ratio.like(1.0));
+    let radius = one + (ratio - one) * point.y;
+    let is_between_caps = zero.le(point.y) & point.y.le(one);
+    is_between_caps & (point.x * point.x + point.z * point.z).le(radius * radius)
 }

@@ -8,19 +8,19 @@
 //! ```
 
 use super::{LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
-use crate::lanes::Real;
+use crate::lanes::Float;
 use crate::vector::Vector;
 
 /// The circle's chord in the xz-plane (as for the sphere), cut by the layer between the caps.
 #[inline(always)]
-pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+pub(super) fn span<R: Float>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
     let caps = slab::closed(origin.y, direction.y, (0.0, LOWER_CAP), (1.0, UPPER_CAP));
     side([origin.x, origin.z], [direction.x, direction.z]).intersect(caps)
 }
 
 /// Where the line lies in the unbounded cylinder. A line along the axis lies in it everywhere or nowhere.
 #[inline(always)]
-fn side<R: Real>(origin: [R; 2], direction: [R; 2]) -> Span<R> {
+fn side<R: Float>(origin: [R; 2], direction: [R; 2]) -> Span<R> {
     let one = origin[0].like(1.0);
     let dd = dot(direction, direction);
     let is_along = dd.lt(one.like(f32::MIN_POSITIVE));
@@ -38,6 +38,6 @@ fn side<R: Real>(origin: [R; 2], direction: [R; 2]) -> Span<R> {
 }
 
 #[inline(always)]
-fn dot<R: Real>(a: [R; 2], b: [R; 2]) -> R {
+fn dot<R: Float>(a: [R; 2], b: [R; 2]) -> R {
     a[1].times_plus(b[1], a[0] * b[0])
 }

@@ -6,13 +6,13 @@
 //! ```
 
 use super::{SIDE, Span};
-use crate::lanes::Real;
+use crate::lanes::Float;
 use crate::vector::Vector;
 
 /// The span of a line that starts at y = `height` and rises by `rise` per unit of its parameter. A line parallel to
 /// the surface never crosses it.
 #[inline(always)]
-pub(crate) fn span<R: Real>(height: R, rise: R) -> Span<R> {
+pub(crate) fn span<R: Float>(height: R, rise: R) -> Span<R> {
     let (zero, infinity) = (height.like(0.0), height.like(f32::INFINITY));
     let crossing = -height / rise;
     let (sinks, rises) = (rise.lt(zero), rise.gt(zero));
@@ -27,6 +27,6 @@ pub(crate) fn span<R: Real>(height: R, rise: R) -> Span<R> {
 }
 
 #[inline(always)]
-pub(super) fn pull_to_surface<R: Real>(point: Vector<R>) -> Vector<R> {
+pub(super) fn pull_to_surface<R: Float>(point: Vector<R>) -> Vector<R> {
     Vector::new(point.x, point.y.like(0.0), point.z)
 }

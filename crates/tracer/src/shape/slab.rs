@@ -1,7 +1,7 @@
 //! The layer between two parallel planes.
 
 use super::{Face, Span};
-use crate::lanes::{Mask as _, Real};
+use crate::lanes::{Float, Mask as _};
 
 /// A direction's component below this counts as this: the line lies in the layer everywhere or nowhere, and 0/0 does
 /// not arise.
@@ -13,7 +13,7 @@ pub(crate) const TINY: f32 = 1e-30;
 /// A line along the layer lies in it everywhere or nowhere. Of the two planes themselves one belongs to the layer, so
 /// that a stack of layers has no gap.
 #[inline(always)]
-pub(super) fn half_open<R: Real>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
+pub(super) fn half_open<R: Float>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
     let tiny = direction.like(TINY);
     let is_along = direction.abs().lt(tiny);
     let inverse = origin.like(1.0) / R::select(is_along, tiny.copysign(direction), direction);
@@ -34,7 +34,7 @@ pub(super) fn half_open<R: Real>(origin: R, direction: R, low: (f32, Face), high
 
 /// The same with both planes.
 #[inline(always)]
-pub(super) fn closed<R: Real>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
+pub(super) fn closed<R: Float>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
     let mut span = half_open(origin, direction, low, high);
     let is_along = direction.abs().lt(direction.like(TINY));
     if is_along.any() {

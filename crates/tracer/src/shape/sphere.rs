@@ -7,12 +7,12 @@
 //! ```
 
 use super::Span;
-use crate::lanes::Real;
+use crate::lanes::Float;
 use crate::vector::Vector;
 
 /// The chord about the point of closest approach o' = o + t₀·d, t₀ = -(o·d)/(d·d).
 #[inline(always)]
-pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+pub(super) fn span<R: Float>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
     let one = origin.x.like(1.0);
     let inverse_dd = one / direction.length_squared();
     let closest = -origin.dot(direction) * inverse_dd;
@@ -23,7 +23,7 @@ pub(super) fn span<R: Real>(origin: Vector<R>, direction: Vector<R>) -> Span<R> 
 /// The same for a sphere of any radius and a direction of length 1: nothing is divided. `origin` is relative to the
 /// center.
 #[inline(always)]
-pub(crate) fn world_span<R: Real>(radius: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+pub(crate) fn world_span<R: Float>(radius: f32, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
     let closest = -origin.dot(direction);
     let offset = origin.plus_times(direction, closest);
     let one = closest.like(1.0);
@@ -31,6 +31,6 @@ pub(crate) fn world_span<R: Real>(radius: f32, origin: Vector<R>, direction: Vec
 }
 
 #[inline(always)]
-pub(super) fn pull_to_surface<R: Real>(point: Vector<R>) -> Vector<R> {
+pub(super) fn pull_to_surface<R: Float>(point: Vector<R>) -> Vector<R> {
     point.normalize_or(Vector::splat(point.x, [0.0, 1.0, 0.0]))
 }

@@ -4,9 +4,11 @@ use bytemuck::{Pod, Zeroable};
 use catoptric_scene::{Body, Shape};
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::double::DoubleBody;
 use super::hull::Hull;
+use super::space::RenderSpace;
 use super::{BoundingSphere, Bounds};
-use crate::lanes::Real;
+use crate::lanes::Float;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
 use crate::shape::{Canonical, ShapeKind, Span, plane_span, sphere_span};
 use crate::vector::Vector;
@@ -38,14 +40,35 @@ pub(crate) struct StageBody {
     /// 1 if each axis of the frame is parallel to the same one of the world, else 0.
     pub aligned: u8,
     /// 1 if light passes through, else 0.
-    pub transparent: u16,
+    pub transparent: u8,
+    /// 1 if it is intersected in double precision, by a [`DoubleBody`]; the numbers here are its rough ones.
+    pub double: u8,
+}
+
+/// A body made ready for a stage: opaque, without a checker, of the first material.
+pub(super) struct PreparedBody {
+    pub(super) body: StageBody,
+    /// `None` for a plane.
+    pub(super) bounds: Option<Bounds>,
+    /// Its exact numbers, if those of single precision will not do.
+    pub(super) double: Option<Box<DoubleBody>>,
 }
 
 impl StageBody {
-    /// An opaque body without a checker, of the first material; and its bounds, if it has any.
-    pub(super) fn new(body: &Body) -> (Self, Option<Bounds>) {
-        let world_from_body = world_from_canonical(body);
+    /// The body in the space of a stage's rays.
+    pub(super) fn prepare(body: &Body, space: &RenderSpace) -> PreparedBody {
+        let mut world_from_body = world_from_canonical(body);
         let (kind, cone_ratio) = canonical(body, &world_from_body);
+        let mut is_double = space.needs_double(body, &world_from_body);
+        if kind == ShapeKind::Plane {
+            match space.frame_near(body, &world_from_body) {
+                Some((near, _)) => world_from_body = near,
+                None => is_double = true,
+            }
+        }
+        // From here on the world is that of the rays.
+        world_from_body.translation = space.render_from_world(world_from_body.translation);
+        let double = is_double.then(|| Box::new(DoubleBody::new(body, kind, &world_from_body)));
         let mut inverse = inverse_linear(&world_from_body.matrix3);
         if kind == ShapeKind::Plane {
             // How far up from it is no matter: the row is kept as the normal.
@@ -63,15 +86,20 @@ impl StageBody {
             body_from_world,
             world_from_body: world_from_body_rows,
             origin: world_from_body.translation.as_vec3().to_array(),
-            slack: POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
+            slack: match &double {
+                Some(double) => double.slack() as f32,
+                None => POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
+            },
             parameter: if kind == ShapeKind::Sphere { radius } else { cone_ratio },
             material: 0,
             checker: NO_BODY,
             kind: kind as u8,
             aligned: u8::from([body_from_world, world_from_body_rows].iter().all(is_diagonal)),
             transparent: 0,
+            double: u8::from(is_double),
         };
-        (prepared, Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio)))
+        let bounds = Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio));
+        PreparedBody { body: prepared, bounds, double }
     }
 
     /// The bounds of the body as it is kept; `None` for a plane.
@@ -134,6 +162,21 @@ impl StageBody {
         Canonical { kind, cone_ratio: self.parameter }
     }
 
+    /// The longest axis of the frame, meters; 0 for what is not [in single precision](Self::is_double) or has no end.
+    pub(super) fn extent(&self) -> f64 {
+        if self.is_double() || self.canonical().kind == ShapeKind::Plane {
+            return 0.0;
+        }
+        let DMat3 { x_axis, y_axis, z_axis } = self.linear();
+        x_axis.length().max(y_axis.length()).max(z_axis.length())
+    }
+
+    /// Whether the body is intersected in double precision.
+    #[inline(always)]
+    pub(crate) fn is_double(&self) -> bool {
+        self.double != 0
+    }
+
     /// Whether light passes through the body.
     #[inline(always)]
     pub(crate) fn is_transparent(&self) -> bool {
@@ -142,7 +185,7 @@ impl StageBody {
 
     /// Where a line of the world, of a direction of length 1, crosses the body.
     #[inline(always)]
-    pub(crate) fn span<R: Real>(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    pub(crate) fn span<R: Float>(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
         let canonical = self.canonical();
         let local = self.relative(origin);
         match canonical.kind {
@@ -151,15 +194,15 @@ impl StageBody {
                 let [_, up, _] = self.body_from_world;
                 plane_span(along(up, local), along(up, direction))
             }
-            _ => canonical.span(self.vector_in_body(local), self.vector_in_body(direction)),
+            _ => canonical.like(local.x).span(self.vector_in_body(local), self.vector_in_body(direction)),
         }
     }
 
     /// |cos| of the angle between a line of the world and the normal of the face that it crosses at `t`.
     #[inline(always)]
-    pub(crate) fn cosine<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, t: R, face: R) -> R {
+    pub(crate) fn cosine<R: Float>(&self, origin: Vector<R>, direction: Vector<R>, t: R, face: R) -> R {
         let point = self.point_in_body(origin).plus_times(self.vector_in_body(direction), t);
-        let normal = self.normal_in_world(self.canonical().normal(face, point));
+        let normal = self.normal_in_world(self.canonical().like(face).normal(face, point));
         normal.normalize_or(Vector::splat(t, [0.0; 3])).dot(direction).abs()
     }
 
@@ -169,30 +212,30 @@ impl StageBody {
     }
 
     #[inline(always)]
-    fn relative<R: Real>(&self, point: Vector<R>) -> Vector<R> {
+    fn relative<R: Float>(&self, point: Vector<R>) -> Vector<R> {
         let [x, y, z] = self.origin;
         Vector::new(point.x - x, point.y - y, point.z - z)
     }
 
     #[inline(always)]
-    fn point_in_body<R: Real>(&self, point: Vector<R>) -> Vector<R> {
+    fn point_in_body<R: Float>(&self, point: Vector<R>) -> Vector<R> {
         self.vector_in_body(self.relative(point))
     }
 
     /// The linear part of the way into the body's frame.
     #[inline(always)]
-    fn vector_in_body<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+    fn vector_in_body<R: Float>(&self, v: Vector<R>) -> Vector<R> {
         if self.aligned == 1 { scale(&self.body_from_world, v) } else { mul(&self.body_from_world, v) }
     }
 
     #[inline(always)]
-    fn vector_in_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+    fn vector_in_world<R: Float>(&self, v: Vector<R>) -> Vector<R> {
         if self.aligned == 1 { scale(&self.world_from_body, v) } else { mul(&self.world_from_body, v) }
     }
 
     /// Normals go back by the inverse transpose.
     #[inline(always)]
-    fn normal_in_world<R: Real>(&self, v: Vector<R>) -> Vector<R> {
+    fn normal_in_world<R: Float>(&self, v: Vector<R>) -> Vector<R> {
         if self.aligned == 1 {
             scale(&self.body_from_world, v)
         } else {
@@ -200,25 +243,12 @@ impl StageBody {
         }
     }
 
-    /// The point where a line of the world, of a direction of length 1, crosses the body's surface at parameter `t`, on
+    /// The point where a line of the world, of a direction of length 1, crosses this face of the body at parameter `t`, on
     /// the way out where it is `leaving`, pulled onto the surface, and the normal there, facing the line's start.
-    pub(crate) fn surface_point<R: Real>(
-        &self,
-        origin: Vector<R>,
-        direction: Vector<R>,
-        t: R,
-        leaving: R::Mask,
-    ) -> SurfacePoint<R> {
-        let span = self.span(origin, direction);
-        let face = R::select(leaving, span.exit_face, span.enter_face);
-        self.point_on_face((origin, direction), t, leaving, face)
-    }
-
-    /// The same where the face is known from [`Self::span`].
     ///
     /// All is computed in the body's frame, where numbers are small.
     #[inline(always)]
-    pub(crate) fn point_on_face<R: Real>(
+    pub(crate) fn point_on_face<R: Float>(
         &self,
         (origin, direction): (Vector<R>, Vector<R>),
         t: R,
@@ -244,6 +274,7 @@ impl StageBody {
             let normal = Vector::splat(t, self.body_from_world[1]);
             return SurfacePoint { in_body, in_world, normal: Vector::select(leaving, -normal, normal) };
         }
+        let canonical = canonical.like(t);
         let in_body = canonical.pull_to_surface(face, origin.plus_times(direction, t));
         let in_world = self.vector_in_world(in_body).plus_all(self.origin);
         let normal = self.normal_in_world(canonical.normal(face, in_body));
@@ -261,22 +292,30 @@ pub(crate) struct SurfacePoint<R> {
     pub normal: Vector<R>,
 }
 
+impl<R: Float> SurfacePoint<R> {
+    /// The point as the [checkerboard](super::StageChecker) of its body wants it.
+    #[inline(always)]
+    pub(crate) fn on_checker(&self, body: &StageBody) -> Vector<R> {
+        if body.is_double() { self.in_world } else { self.in_body }
+    }
+}
+
 /// The product of a matrix given by rows with a vector.
 #[inline(always)]
-pub(super) fn mul<R: Real>(rows: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
+pub(super) fn mul<R: Float>(rows: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
     Vector::new(along(rows[0], v), along(rows[1], v), along(rows[2], v))
 }
 
 /// The same of a diagonal matrix. Adding 0 takes the sign from a zero, as the other terms would: a line along a layer
 /// has one side of it only.
 #[inline(always)]
-pub(super) fn scale<R: Real>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
+pub(super) fn scale<R: Float>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
     scale_plus([a[0], b[1], c[2]], v, [0.0; 3])
 }
 
 /// The product with these factors, component by component, and a vector added to it.
 #[inline(always)]
-pub(super) fn scale_plus<R: Real>(factors: [f32; 3], v: Vector<R>, term: [f32; 3]) -> Vector<R> {
+pub(super) fn scale_plus<R: Float>(factors: [f32; 3], v: Vector<R>, term: [f32; 3]) -> Vector<R> {
     let (factors, term) = (Vector::splat(v.x, factors), Vector::splat(v.x, term));
     Vector::new(
         v.x.times_plus(factors.x, term.x),
@@ -293,13 +332,13 @@ pub(super) fn is_diagonal(rows: &[[f32; 3]; 3]) -> bool {
 }
 
 #[inline(always)]
-fn along<R: Real>([x, y, z]: [f32; 3], v: Vector<R>) -> R {
+fn along<R: Float>([x, y, z]: [f32; 3], v: Vector<R>) -> R {
     v.dot(Vector::splat(v.x, [x, y, z]))
 }
 
 /// The product of the transpose of a matrix given by rows with a vector.
 #[inline(always)]
-fn mul_transposed<R: Real>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
+fn mul_transposed<R: Float>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
     let column = |axis: usize| along([a[axis], b[axis], c[axis]], v);
     Vector::new(column(0), column(1), column(2))
 }
@@ -309,7 +348,7 @@ pub(super) fn rows(matrix: &DMat3) -> [[f32; 3]; 3] {
 }
 
 /// The inverse, computed on columns scaled to length 1, so that neither tiny nor huge bodies overflow on the way.
-fn inverse_linear(matrix: &DMat3) -> DMat3 {
+pub(super) fn inverse_linear(matrix: &DMat3) -> DMat3 {
     let scale = DVec3::new(matrix.x_axis.length(), matrix.y_axis.length(), matrix.z_axis.length());
     let unit = DMat3::from_cols(matrix.x_axis / scale.x, matrix.y_axis / scale.y, matrix.z_axis / scale.z);
     DMat3::from_diagonal(scale.recip()) * unit.inverse()
@@ -337,17 +376,25 @@ pub(super) fn world_from_canonical(body: &Body) -> DAffine3 {
     }
 }
 
-fn canonical(body: &Body, transform: &DAffine3) -> (ShapeKind, f32) {
+/// The ratio of the smaller to the larger radius of a cone; 1 for a cylinder, 0 for others.
+pub(super) fn canonical_ratio(body: &Body) -> f64 {
     match body.shape {
-        Shape::Sphere { .. } if is_even(transform) => (ShapeKind::Sphere, 0.0),
-        Shape::Sphere { .. } => (ShapeKind::Ellipsoid, 0.0),
-        Shape::Cube { .. } => (ShapeKind::Cube, 0.0),
-        Shape::Cylinder { .. } => (ShapeKind::Cylinder, 1.0),
-        Shape::Cone { radius, top_radius, .. } => {
-            (ShapeKind::Cone, (radius.min(top_radius) / radius.max(top_radius)) as f32)
-        }
-        Shape::Plane => (ShapeKind::Plane, 0.0),
+        Shape::Cylinder { .. } => 1.0,
+        Shape::Cone { radius, top_radius, .. } => radius.min(top_radius) / radius.max(top_radius),
+        Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Plane => 0.0,
     }
+}
+
+fn canonical(body: &Body, transform: &DAffine3) -> (ShapeKind, f32) {
+    let kind = match body.shape {
+        Shape::Sphere { .. } if is_even(transform) => ShapeKind::Sphere,
+        Shape::Sphere { .. } => ShapeKind::Ellipsoid,
+        Shape::Cube { .. } => ShapeKind::Cube,
+        Shape::Cylinder { .. } => ShapeKind::Cylinder,
+        Shape::Cone { .. } => ShapeKind::Cone,
+        Shape::Plane => ShapeKind::Plane,
+    };
+    (kind, canonical_ratio(body) as f32)
 }
 
 /// Whether a rotated scaling is the same in all directions, but for the rounding of double precision.
@@ -371,7 +418,8 @@ mod tests {
 
     fn body(shape: Shape, position: DVec3, scale: DVec3, rotation_degrees: DVec3) -> StageBody {
         let anchor = Anchor::Frame { position, rotation_degrees };
-        StageBody::new(&Body { shape, placement: Placement { anchor, scale }, ..Body::default() }).0
+        let body = Body { shape, placement: Placement { anchor, scale }, ..Body::default() };
+        StageBody::prepare(&body, &RenderSpace::default()).body
     }
 
     proptest! {
@@ -402,7 +450,7 @@ mod tests {
                 let all = |span: Span| [span.enter, span.exit, span.enter_face, span.exit_face];
                 prop_assert_eq!(all(span), all(other));
                 let [here, there] = [aligned, any].map(|body| {
-                    let point = body.surface_point(eye, direction, span.enter, false);
+                    let point = body.point_on_face((eye, direction), span.enter, false, span.enter_face);
                     [point.in_body, point.in_world, point.normal].map(|v| [v.x, v.y, v.z])
                 });
                 prop_assert_eq!(here, there);

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use bytemuck::Zeroable as _;
 use catoptric_scene::{Body, Camera, Projection};
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4, Vec3};
 
 use super::Bounds;
+use super::space::RenderSpace;
 use crate::lanes::Real;
 use crate::ray::Ray;
 use crate::twin::TileRays;
@@ -16,6 +17,8 @@ use crate::vector::Vector;
 /// direction moves the hit point far, and one frame is small.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StageCamera {
+    /// The origin of the space of the rays in the world, and the eye in that space, meters.
+    origin: DVec3,
     position: DVec3,
     /// Unit vectors to the right, up, and against the view.
     u: DVec3,
@@ -36,7 +39,11 @@ pub(super) struct Surroundings {
 
 impl Surroundings {
     /// Around bodies with these bounds, and planes.
-    pub(super) fn new<'a>(bounds: Bounds, planes: impl Iterator<Item = &'a Body>) -> Self {
+    pub(super) fn new<'a>(
+        bounds: Bounds,
+        planes: impl Iterator<Item = &'a Body>,
+        space: &RenderSpace,
+    ) -> Self {
         let (center, radius) = if bounds == Bounds::EMPTY {
             (DVec3::ZERO, f64::INFINITY)
         } else {
@@ -45,7 +52,7 @@ impl Surroundings {
         let plane = |body: &Body| {
             let frame = body.placement.world_from_body();
             let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
-            (frame.translation, normal.normalize_or(DVec3::Y))
+            (space.render_from_world(frame.translation), normal.normalize_or(DVec3::Y))
         };
         Self { center, radius, planes: planes.map(plane).collect() }
     }
@@ -87,7 +94,8 @@ enum Window {
 }
 
 impl StageCamera {
-    pub(super) fn new(camera: &Camera, surroundings: Surroundings) -> Self {
+    /// A camera of the world in the space of rays with this origin, where the surroundings are known.
+    pub(super) fn new(camera: &Camera, surroundings: Surroundings, origin: DVec3) -> Self {
         let w = (camera.position - camera.target).normalize_or(DVec3::Z);
         let u = camera.up.cross(w).try_normalize().unwrap_or_else(|| w.any_orthonormal_vector());
         let window = match camera.projection {
@@ -96,10 +104,10 @@ impl StageCamera {
             }
             Projection::Parallel { height } => Window::Parallel { height },
         };
-        Self { position: camera.position, u, v: w.cross(u), w, window, surroundings }
+        Self { origin, position: camera.position - origin, u, v: w.cross(u), w, window, surroundings }
     }
 
-    /// The ray through the point (x, y) of a picture of `size` pixels, x to the right and y down from the upper left
+    /// The ray through the point (x, y) of a picture of `size` pixels, in the space of the rays, x to the right and y down from the upper left
     /// corner: the center of the first pixel is (0.5, 0.5).
     ///
     /// When the eye is away from the bodies, the ray starts closer to them, where nothing has been passed yet: in
@@ -159,7 +167,7 @@ impl StageCamera {
     /// Where a point of the world lies in a picture of `size` pixels, and its depth, the distance along the view: the
     /// inverse of [`Self::ray`]. `None` for a point that is not before the eye.
     pub fn project(&self, point: DVec3, size: DVec2) -> Option<(DVec2, f64)> {
-        let offset = point - self.position;
+        let offset = point - self.origin - self.position;
         let depth = -offset.dot(self.w);
         let scale = match self.window {
             Window::Perspective { distance } => distance / depth,
@@ -170,7 +178,7 @@ impl StageCamera {
         (depth > 0.0 && at.is_finite()).then_some((at, depth))
     }
 
-    /// Where a point of the world (w = 1) or a direction (w = 0) lies in a picture of `size` pixels, in homogeneous
+    /// Where a point of the space of the rays (w = 1) or a direction (w = 0) lies in a picture of `size` pixels, in homogeneous
     /// coordinates: (x·w', y·w', w'), and its depth. All four are linear, before the eye and behind it; w' is the depth
     /// for a perspective and w for a parallel projection.
     pub(crate) fn homogeneous(&self, point: DVec4, size: DVec2) -> Homogeneous {
@@ -213,10 +221,15 @@ impl StageCamera {
 
     /// The same surroundings seen by another camera.
     pub(super) fn replaced_by(&self, camera: &Camera) -> Self {
-        Self::new(camera, self.surroundings.clone())
+        Self::new(camera, self.surroundings.clone(), self.origin)
     }
 
-    /// The eye, if all rays start there.
+    /// A point of the space of the rays in the world, meters.
+    pub fn world_from_render(&self, point: impl Into<Vec3>) -> DVec3 {
+        self.origin + point.into().as_dvec3()
+    }
+
+    /// The eye in the space of the rays, if all rays start there.
     pub fn eye(&self) -> Option<Vector<f32>> {
         matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3().into())
     }

@@ -3,7 +3,10 @@
 use catoptric_scene::{Body, List, Scene};
 use rayon::prelude::*;
 
+use super::body::PreparedBody;
+use super::double::DoubleBody;
 use super::material::{MaterialTable, NamedMaterials};
+use super::space::RenderSpace;
 use super::{Entry, StageBody, StageChecker, StageError, StageMaterial};
 use crate::ray::NO_BODY;
 
@@ -16,6 +19,8 @@ pub(super) struct Cast {
     pub(super) chunks: Chunks,
     pub(super) materials: Vec<StageMaterial>,
     pub(super) checkers: Vec<StageChecker>,
+    /// Those in double precision, by their places in the scene, in order.
+    pub(super) doubles: Vec<(u32, DoubleBody)>,
 }
 
 /// So many bodies that are neighbors in the scene are prepared by one thread.
@@ -38,15 +43,17 @@ struct Chunk<'a> {
     planes: Vec<u32>,
     materials: MaterialTable<'a>,
     checkers: Vec<StageChecker>,
+    doubles: Vec<(u32, DoubleBody)>,
 }
 
 impl Cast {
-    /// Prepares the bodies of a scene.
-    pub(super) fn of(scene: &Scene) -> Result<Self, StageError> {
+    /// Prepares the bodies of a scene for rays in `space`.
+    pub(super) fn of(scene: &Scene, space: &RenderSpace) -> Result<Self, StageError> {
         let named = MaterialTable::named(scene);
         let slices: Vec<&[Body]> = scene.bodies.slices().collect();
         let chunks = slices.par_chunks(SLICES).enumerate();
-        let chunks: Vec<_> = chunks.map(|(chunk, slices)| Chunk::of(slices, chunk * CHUNK, &named)).collect();
+        let chunks: Vec<_> =
+            chunks.map(|(chunk, slices)| Chunk::of(slices, chunk * CHUNK, (&named, space))).collect();
         // Of several undefined materials the first is told.
         let chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut table = MaterialTable::default();
@@ -56,6 +63,7 @@ impl Cast {
             chunks: Chunks(Vec::with_capacity(chunks.len())),
             materials: Vec::new(),
             checkers: Vec::new(),
+            doubles: Vec::new(),
         };
         for chunk in chunks {
             let numbering = Numbering {
@@ -65,6 +73,7 @@ impl Cast {
             cast.entries.extend(chunk.entries);
             cast.planes.extend(chunk.planes);
             cast.checkers.extend(chunk.checkers);
+            cast.doubles.extend(chunk.doubles);
             cast.chunks.0.push((chunk.bodies, numbering));
         }
         cast.materials = table.into_prepared();
@@ -87,7 +96,11 @@ impl Chunks {
 
 impl<'a> Chunk<'a> {
     /// Prepares some bodies, the first of which is at the place `first`.
-    fn of(slices: &[&'a [Body]], first: usize, named: &NamedMaterials<'a>) -> Result<Self, StageError> {
+    fn of(
+        slices: &[&'a [Body]],
+        first: usize,
+        (named, space): (&NamedMaterials<'a>, &RenderSpace),
+    ) -> Result<Self, StageError> {
         let count = slices.iter().map(|slice| slice.len()).sum();
         let mut chunk = Self {
             bodies: Vec::with_capacity(count),
@@ -95,17 +108,19 @@ impl<'a> Chunk<'a> {
             planes: Vec::new(),
             materials: MaterialTable::default(),
             checkers: Vec::new(),
+            doubles: Vec::new(),
         };
         for (body, index) in slices.iter().copied().flatten().zip(first..) {
-            let (mut prepared, bounds) = StageBody::new(body);
+            let PreparedBody { body: mut prepared, bounds, double } = StageBody::prepare(body, space);
             if !body.hidden {
+                chunk.doubles.extend(double.map(|double| (index as u32, *double)));
                 let found = chunk.materials.find(named, &body.material);
                 let (material, source) = found.ok_or_else(|| undefined_material(index, body))?;
                 prepared.material = material;
-                prepared.transparent = u16::from(chunk.materials.prepared(material).is_transparent());
+                prepared.transparent = u8::from(chunk.materials.prepared(material).is_transparent());
                 if let Some(checker) = &source.checker {
                     prepared.checker = chunk.checkers.len() as u32;
-                    chunk.checkers.push(StageChecker::new(checker, body));
+                    chunk.checkers.push(StageChecker::new(checker, body, space, prepared.is_double()));
                 }
                 match bounds {
                     Some(bounds) => {

@@ -1,10 +1,11 @@
 //! Checkerboards, seen from a body.
 
-use catoptric_scene::{Body, Checker, CheckerSpace};
+use catoptric_scene::{Body, Checker, CheckerSpace, Shape};
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::body::{is_diagonal, mul, rows, scale_plus, world_from_canonical};
+use super::body::{inverse_linear, is_diagonal, mul, rows, scale_plus, world_from_canonical};
 use super::numbers;
+use super::space::RenderSpace;
 use crate::lanes::{Real, Word as _};
 use crate::vector::Vector;
 
@@ -30,11 +31,10 @@ impl StageChecker {
     /// A point on the border of two cells (a floor at y = 0) belongs to the one above.
     const BORDER: f32 = 1e-6;
 
-    pub(super) fn new(checker: &Checker, body: &Body) -> Self {
-        let transform = match checker.space {
-            CheckerSpace::World => world_from_canonical(body),
-            CheckerSpace::Body => meters_from_canonical(&world_from_canonical(body)),
-        };
+    /// The checkerboard of a body in a stage's space of rays; whether the body is there [in double
+    /// precision](super::StageBody::is_double).
+    pub(super) fn new(checker: &Checker, body: &Body, space: &RenderSpace, is_double: bool) -> Self {
+        let transform = pattern_from(checker.space, body, space, is_double);
         let origin = transform.translation / checker.size;
         let whole = origin.floor();
         let cells_from_body = rows(&(transform.matrix3 * checker.size.recip()));
@@ -55,23 +55,53 @@ impl StageChecker {
         [row(x, 0), row(y, 1), row(z, 2), [red, green, blue, f32::from(odd_origin)]]
     }
 
-    /// Whether a point of the body's frame lies in an odd cell; beyond 2²² cells, what single precision makes of that.
+    /// Whether a point lies in an odd cell, given in the body's frame, or for a body in double precision in the space of the
+    /// rays; beyond 2²² cells, what single precision makes of that.
     #[inline(always)]
-    pub(crate) fn is_odd<R: Real>(&self, in_body: Vector<R>) -> R::Mask {
+    pub(crate) fn is_odd<R: Real>(&self, point: Vector<R>) -> R::Mask {
         /// 1.5·2²³ leaves no room for a fraction: what is added to it stands in the low bits of the sum.
         const ROUND: f32 = 12_582_912.0;
         let offset = self.offset.map(|offset| offset + Self::BORDER);
         let cells = if self.aligned {
             let [a, b, c] = self.cells_from_body;
-            scale_plus([a[0], b[1], c[2]], in_body, offset)
+            scale_plus([a[0], b[1], c[2]], point, offset)
         } else {
-            mul(&self.cells_from_body, in_body).plus_all(offset)
+            mul(&self.cells_from_body, point).plus_all(offset)
         };
         let cells = cells.map(R::floor);
         let x = (cells.x + (ROUND + f32::from(self.odd_origin))).to_word();
         let y = (cells.y + ROUND).to_word();
         let z = (cells.z + ROUND).to_word();
         x.plus(y).plus(z).has(1)
+    }
+}
+
+/// From where points are known to the space of the checkerboard, meters.
+fn pattern_from(of: CheckerSpace, body: &Body, space: &RenderSpace, is_double: bool) -> DAffine3 {
+    let world_from_canonical = world_from_canonical(body);
+    if is_double {
+        // In the body's own frame single precision is too rough; in the space of the rays it is not.
+        let world_from_render = DAffine3::from_translation(space.origin);
+        return match of {
+            CheckerSpace::World => world_from_render,
+            CheckerSpace::Body => {
+                let canonical_from_world = DAffine3::from_mat3(inverse_linear(&world_from_canonical.matrix3))
+                    * DAffine3::from_translation(-world_from_canonical.translation);
+                meters_from_canonical(&world_from_canonical) * canonical_from_world * world_from_render
+            }
+        };
+    }
+    // The frame of a plane may have been moved within it.
+    let moved = match body.shape {
+        Shape::Plane => space.frame_near(body, &world_from_canonical),
+        _ => None,
+    };
+    let (frame, shift) = moved.unwrap_or((world_from_canonical, DVec3::ZERO));
+    match of {
+        CheckerSpace::World => frame,
+        CheckerSpace::Body => {
+            meters_from_canonical(&world_from_canonical) * DAffine3::from_translation(shift)
+        }
     }
 }
 

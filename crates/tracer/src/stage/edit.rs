@@ -5,8 +5,10 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 
+use super::body::PreparedBody;
 use super::bvh::Path;
 use super::camera::Surroundings;
+use super::space::RenderSpace;
 use super::{
     BoundingSphere, Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageLight,
     StageMaterial, StageSky, bounds_of_free_ways, numbers,
@@ -44,7 +46,11 @@ impl Stage {
     pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<StageEdit> {
         let Hierarchy::Many(bvh) = &self.hierarchy else { return None };
         let is_known = before.bodies.len() == after.bodies.len() && before.materials == after.materials;
-        if !is_known || changed.len() > after.bodies.len() / 64 + 1 || self.added > Self::MOST_ADDED {
+        if !is_known
+            || !self.suits(after, &after.camera)
+            || changed.len() > after.bodies.len() / 64 + 1
+            || self.added > Self::MOST_ADDED
+        {
             return None;
         }
         let mut edit = StageEdit::default();
@@ -59,12 +65,15 @@ impl Stage {
                 return None;
             }
             let (place, path) = self.find(old, index as u32)?;
-            let (body, bounds) = StageBody::new(new);
+            let PreparedBody { body, bounds, double } = StageBody::prepare(new, &self.space);
+            if double.is_some() || self.doubles.get(index as u32).is_some() {
+                return None;
+            }
             if let (Some(path), Some(bounds)) = (&path, bounds) {
                 cost += bvh.growth(path, bounds);
             }
             let material = after.material(&new.material)?;
-            edit.changes.push(Change::new(place, path, body, material, new));
+            edit.changes.push(Change::new(place, path, body, material, (new, &self.space)));
         }
         bvh.allows(cost).then_some(edit)
     }
@@ -85,17 +94,23 @@ impl Stage {
                 changes.nodes.extend(path.iter().map(|(node, _)| node));
                 sort_leaf(&mut self.bodies, &mut self.spheres, &mut self.scene_indices, leaf.clone());
                 let indices = self.scene_indices.get(range(&leaf)).unwrap_or_default();
-                let boxes = indices.iter().filter_map(|&index| bounds_of(after, index));
+                let boxes = indices.iter().filter_map(|&index| bounds_of(after, index, &self.space));
                 bvh.refit(path, boxes.fold(Bounds::EMPTY, Bounds::union));
             }
             let own_planes = self.bodies.iter().skip(self.bounded as usize);
             let bounds = bounds_of_free_ways(bvh.bounds(), own_planes, &self.materials);
             let planes = self.scene_indices.get(self.bounded as usize..).unwrap_or_default();
             let planes = planes.iter().filter_map(|&index| after.bodies.get(index as usize));
-            self.camera = StageCamera::new(&after.camera, Surroundings::new(bounds, planes));
+            let surroundings = Surroundings::new(bounds, planes, &self.space);
+            self.camera = StageCamera::new(&after.camera, surroundings, self.space.origin);
         }
         self.log.add(changes);
-        self.lights = after.lights.iter().filter(|light| !light.hidden).map(StageLight::new).collect();
+        self.lights = after
+            .lights
+            .iter()
+            .filter(|light| !light.hidden)
+            .map(|light| StageLight::new(light, &self.space))
+            .collect();
         self.sky = StageSky::new(&after.environment);
         self.is_full |= self.lights.iter().any(|light| light.radius > 0.0) || self.sky.is_full();
         self.ambient = numbers(after.environment.ambient);
@@ -111,7 +126,9 @@ impl Stage {
             let place = indices.iter().position(|&at| at == index)?;
             Some(places.start + place as u32)
         };
-        let Some(bounds) = StageBody::new(body).1 else { return Some((place_in(self.planes())?, None)) };
+        let Some(bounds) = StageBody::prepare(body, &self.space).bounds else {
+            return Some((place_in(self.planes())?, None));
+        };
         match &self.hierarchy {
             Hierarchy::Few => Some((place_in(0..self.bounded)?, None)),
             Hierarchy::Many(bvh) => {
@@ -136,6 +153,7 @@ impl Stage {
             self.absorbs |= change.material.absorbs();
             self.disperses |= change.material.dispersion.is_some();
             self.largest_slack = self.largest_slack.max(body.slack);
+            self.largest_extent = self.largest_extent.max(body.extent());
         }
     }
 
@@ -167,10 +185,16 @@ impl Stage {
 }
 
 impl Change {
-    fn new(place: u32, path: Option<Path>, mut body: StageBody, of: &Material, source: &Body) -> Self {
+    fn new(
+        place: u32,
+        path: Option<Path>,
+        mut body: StageBody,
+        of: &Material,
+        (source, space): (&Body, &RenderSpace),
+    ) -> Self {
         let material = StageMaterial::new(of);
-        body.transparent = u16::from(material.is_transparent());
-        let checker = of.checker.as_ref().map(|checker| StageChecker::new(checker, source));
+        body.transparent = u8::from(material.is_transparent());
+        let checker = of.checker.as_ref().map(|checker| StageChecker::new(checker, source, space, false));
         Self { place, body, material, checker, path }
     }
 }
@@ -182,8 +206,8 @@ fn is_alike(one: &Body, other: &Body) -> bool {
     (*hidden && other.hidden) || (is_same && other.hidden == *hidden)
 }
 
-fn bounds_of(scene: &Scene, index: u32) -> Option<Bounds> {
-    StageBody::new(scene.bodies.get(index as usize)?).1
+fn bounds_of(scene: &Scene, index: u32, space: &RenderSpace) -> Option<Bounds> {
+    StageBody::prepare(scene.bodies.get(index as usize)?, space).bounds
 }
 
 /// Puts the bodies of a leaf in order again, one of which may have got another shape.

@@ -1,8 +1,9 @@
 //! Lights of the stage.
 
 use super::numbers;
+use super::space::RenderSpace;
 use crate::facets::frame;
-use crate::lanes::{Real, Width};
+use crate::lanes::{Float as _, Real, Width};
 use crate::surface::{MOST_LIGHT, mend_unit};
 use crate::vector::Vector;
 use crate::whitted::Throw;
@@ -11,7 +12,7 @@ use catoptric_scene::{Falloff, Light};
 /// A light: where it is and what it sends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StageLight {
-    /// World position, meters.
+    /// Position in the space of the rays, meters.
     pub position: [f32; 3],
     /// Color times intensity, I_j.
     pub power: [f32; 3],
@@ -35,10 +36,10 @@ pub(crate) enum StageFalloff {
 }
 
 impl StageLight {
-    pub(super) fn new(light: &Light) -> Self {
+    pub(super) fn new(light: &Light, space: &RenderSpace) -> Self {
         let power = numbers(light.color).map(|part| part * light.intensity as f32);
         Self {
-            position: light.position.as_vec3().to_array(),
+            position: space.render_from_world(light.position).as_vec3().to_array(),
             power,
             falloff: match light.falloff {
                 Falloff::None => StageFalloff::None,

@@ -28,7 +28,8 @@ impl Outlook {
 
     pub(super) fn of(stage: &Stage) -> Self {
         let bodies = stage.bounded as usize;
-        if bodies > Stage::FEW {
+        // What lies where is not known well enough in single precision of bodies in double.
+        if bodies > Stage::FEW || stage.has_doubles() {
             return Self::default();
         }
         let from_light = |light: &StageLight| match light.radius {
@@ -112,7 +113,10 @@ mod tests {
         #[test]
         fn nothing_within_a_body_is_missed((own, inside) in body(), other in body()) {
             let target = own.placement.world_from_body().transform_point3(inside);
-            prop_assert_eq!(within(vec![glass(own), moved(other, target)]), [0, 1]);
+            let bodies = vec![glass(own), moved(other, target)];
+            let stage = Stage::prepare(&Scene { bodies: bodies.clone().into(), ..Scene::default() }).unwrap();
+            prop_assume!(!stage.has_doubles());
+            prop_assert_eq!(within(bodies), [0, 1]);
         }
 
         /// It saves time, and that is all.

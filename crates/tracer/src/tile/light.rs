@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Block, Place};
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::surface::MOST_OF_PIXEL;
 use crate::vector::Vector;
 use crate::whitted::Beams;

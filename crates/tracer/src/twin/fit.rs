@@ -65,6 +65,9 @@ impl Sky {
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
+    /// Some body is huge beside what is seen, or extremely flat, and is intersected in double precision.
+    #[error("a body is so large or so flat that it needs double precision, which the GPU does not have")]
+    DoublePrecision,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
     EyeMedia(usize),
@@ -109,6 +112,9 @@ impl Specialization {
     /// # Errors
     /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
     pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
+        if stage.has_doubles() {
+            return Err(Unsupported::DoublePrecision);
+        }
         let physical = Physical::of(stage);
         let is_textured = |material: &StageMaterial| material.texture.is_some();
         let around_eye = eye_media(stage, camera).len();

@@ -5,7 +5,7 @@ use std::ops::Range;
 use bytemuck::{Zeroable, zeroed_vec};
 
 use super::encounter::Encounter;
-use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real, Width, Word};
 use crate::media::{AIR, Inside};
 use crate::ray::{NO_START, Rays};
 use crate::search::Through;

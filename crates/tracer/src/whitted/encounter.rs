@@ -1,9 +1,9 @@
 //! The points that rays met, with all that shading needs.
 
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::ray::{INWARDS, NO_BODY, Rays};
 use crate::search::Hits;
-use crate::stage::{Curve, Law, Stage, StageBody, StageMaterial};
+use crate::stage::{Curve, Law, Stage, StageMaterial};
 use crate::surface::fresnel;
 use crate::vector::Vector;
 
@@ -104,11 +104,11 @@ impl<W: Width> Encounter<W> {
             if left == 0 {
                 all.only = only_of(index, hits.leaving.bits() & same.bits(), same.bits());
             }
-            all.look_at::<FULL, true>(w, stage, stage.body(index), rays, hits, same);
+            all.look_at::<FULL, true>(w, stage, index, rays, hits, same);
         }
         while left != 0 {
             let (index, same) = next(&mut left);
-            all.look_at::<FULL, false>(w, stage, stage.body(index), rays, hits, same);
+            all.look_at::<FULL, false>(w, stage, index, rays, hits, same);
         }
         all
     }
@@ -120,20 +120,26 @@ impl<W: Width> Encounter<W> {
         &mut self,
         w: W,
         stage: &Stage,
-        body: &StageBody,
+        index: u32,
         rays: &Rays<W>,
         hits: &Hits<W>,
         lanes: W::M,
     ) {
+        let body = stage.body(index);
         let material = stage.material(body);
         let zero = w.real(0.0);
-        let point = body.point_on_face((rays.origin, rays.direction), hits.t, hits.leaving, hits.face);
+        let line = (rays.origin, rays.direction);
+        let point = stage.point_on_face(w, (index, body), line, hits.t, hits.leaving, hits.face);
         let mut color = Vector::splat(zero, material.color);
         if FULL {
             color = material.color_at(w, body, point.in_body, lanes);
         }
         if let Some(checker) = stage.checkers.get(body.checker as usize) {
-            color = Vector::select(checker.is_odd(point.in_body), Vector::splat(zero, checker.color), color);
+            color = Vector::select(
+                checker.is_odd(point.on_checker(body)),
+                Vector::splat(zero, checker.color),
+                color,
+            );
         }
         let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
         let real = |own: f32, old| if FIRST { w.real(own) } else { W::R::select(lanes, w.real(own), old) };

@@ -4,7 +4,7 @@ use super::beams::Beams;
 use super::encounter::Encounter;
 use super::{SomeUse, Whitted};
 use crate::facets::{seen_facet, sent_on, sent_through, unhidden};
-use crate::lanes::{Mask as _, Real as _, Width};
+use crate::lanes::{Float as _, Mask as _, Width};
 use crate::surface::fresnel;
 use crate::vector::Vector;
 

@@ -1,6 +1,6 @@
 //! What is written down of a ray of the tree.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::pick::SurfaceHit;
 use crate::ray::Ray;
@@ -19,8 +19,10 @@ pub enum RayKind {
 /// One ray of a tree, with every number that its light is made of, in the renderer's single precision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TracedRay {
-    /// The ray itself.
+    /// The ray itself, in the space of the rays.
     pub ray: Ray,
+    /// Where it starts in the world, meters.
+    pub origin: DVec3,
     /// Why it was sent.
     pub kind: RayKind,
     /// The place in the tree of the ray at whose end it starts; `None` for the first.

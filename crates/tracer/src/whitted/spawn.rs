@@ -3,7 +3,7 @@
 use super::encounter::Encounter;
 use super::gloss::Ground;
 use super::{Beams, Crossed, Offspring, Whitted};
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::media::AIR;
 use crate::ray::Rays;
 use crate::surface::{fresnel, mend_unit, reflect, refract};

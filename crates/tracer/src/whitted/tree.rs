@@ -286,6 +286,7 @@ impl<'a> Whitted<'a> {
         let media = bodies.filter_map(|body| self.stage.scene_index(body)).collect();
         TracedRay {
             ray,
+            origin: self.stage.world_from_render(ray.origin),
             kind,
             parent,
             generation: beam.generation,
@@ -322,9 +323,10 @@ impl<'a> Whitted<'a> {
         }
         let body = self.stage.body(at.body);
         let material = self.stage.material(body);
-        let point = body.surface_point(beam.rays.origin, beam.rays.direction, at.t, at.leaves());
+        let line = (beam.rays.origin, beam.rays.direction);
+        let point = self.stage.surface_point(at.body, line, at.t, at.leaves());
         let checker = self.stage.checkers.get(body.checker as usize);
-        let odd = checker.filter(|checker| checker.is_odd(point.in_body));
+        let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
         let own = material.color_at(One, body, point.in_body, true);
         SurfaceAnswer {
             color: odd.map_or(own, |checker| Vector::splat(0.0, checker.color)).into(),

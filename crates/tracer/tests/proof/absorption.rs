@@ -84,7 +84,7 @@ proptest! {
         let place = rays.iter().position(|ray| ray.hit.is_some_and(|hit| hit.body == floor)).unwrap();
         let answer = rays[place].answer.as_ref().unwrap();
         let shadow = answer.lights[0].shadow.as_ref().unwrap();
-        let at = rays[place].hit.unwrap().position.as_dvec3();
+        let at = rays[place].hit.unwrap().position;
         let exact = left_on_the_way(&rays[place + 1..], at, distance);
         let passed = shadow.passed.as_dvec3();
         let allowed = 2e-4 + 2e-3 * exact.max_element();

@@ -4,10 +4,12 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
 
 mod absorption;
+mod coincident;
 mod common;
 mod contacts;
 mod driver;
 mod edits;
+mod extremes;
 mod film;
 mod invariance;
 mod limits;

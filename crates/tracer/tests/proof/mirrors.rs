@@ -279,7 +279,7 @@ fn alhazens_point_is_found_by_tracing() {
     let stage = mirror_ball(1.0);
     let aim = |degrees: f64| {
         let path = chain(&stage, ray(eye, at_angle(degrees) - eye));
-        let at = path[0].hit.unwrap().position.as_dvec3();
+        let at = path[0].hit.unwrap().position;
         (at, direction(&path[1]).cross(lamp - at).z)
     };
     // The reflected ray passes the lamp on one side for points too high, on the other for those too low.

@@ -276,7 +276,7 @@ proptest! {
             prop_assert!(error < 2e-4, "turned by {error:e}");
         }
         let end = back.last().unwrap();
-        prop_assert!(glam::Vec3::from(end.ray.origin).distance(there[0].hit.unwrap().position) < 2e-4);
+        prop_assert!(end.origin.distance(there[0].hit.unwrap().position) < 2e-4);
     }
 }
 

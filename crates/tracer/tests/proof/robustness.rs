@@ -104,11 +104,11 @@ proptest! {
         let hit = stage.nearest(&start);
         prop_assume!(hit.is_some());
         let hit = hit.unwrap();
-        let to_light = (far - hit.position.as_dvec3()).normalize();
+        let to_light = (far - hit.position).normalize();
         let cos = to_light.dot(hit.normal.as_dvec3());
         let expected = cos.max(0.0);
         // The light's own place is rounded: to 1e-7 of its distance from the world's origin.
-        let rounding = 4e-7 * (1.0 + far.length() / far.distance(hit.position.as_dvec3()));
+        let rounding = 4e-7 * (1.0 + far.length() / far.distance(hit.position));
         let light = f64::from(light_along(&stage, start).x);
         prop_assert!((light - expected).abs() < 1e-5 + rounding, "{light} instead of {expected}");
     }
@@ -121,7 +121,7 @@ proptest! {
         let Anchor::Frame { position, .. } = placement.anchor else { unreachable!() };
         if let Some(hit) = stage.nearest(&start) {
             let body_from_world = placement.world_from_body().inverse();
-            let own = body_from_world.transform_point3(hit.position.as_dvec3());
+            let own = body_from_world.transform_point3(hit.position);
             let off = textbook::implicit(&shape, own).abs() * placement.scale.min_element();
             let rounding = 1e-7 * (position.length() + placement.scale.length());
             prop_assert!(off < 2.0 * rounding, "off the surface by {off:e}, rounding {rounding:e}");

@@ -50,7 +50,7 @@ fn weights_are_products_of_coefficients_and_generations_count_from_the_eye() {
                 _ => Vec3::splat(material.reflection() as f32),
             };
             assert!((ray.weight - parent.weight * coefficient).length() < 1e-6);
-            assert_eq!(ray.ray.origin, hit.position.into());
+            assert_eq!(ray.origin, hit.position);
             seen += 1;
         }
     }

@@ -85,7 +85,7 @@ impl Case<'_> {
             return Some(Reason::Thickness);
         }
         // The right point: is it lit otherwise for the eye than for the mirror?
-        let to_eye = vector(self.camera.toward_viewer(hit.position.as_dvec3()));
+        let to_eye = vector(self.camera.toward_viewer(self.stage.render_from_world(hit.position)));
         let for_eye = witness.local(self.stage, mirrored, Some(to_eye), LightModel::Phong, true);
         let for_mirror = witness.local(self.stage, mirrored, None, LightModel::Phong, true);
         largest([(Reason::Highlight, for_eye - for_mirror), (Reason::Sampling, had.found - for_eye)])
@@ -101,7 +101,7 @@ impl Case<'_> {
         /// Of the depth: two points of one body that are this close are the same, seen through rounding.
         const SAME: f64 = 1e-3;
         let size = self.frame.size();
-        let projected = self.camera.project(hit.position.as_dvec3(), size);
+        let projected = self.camera.project(hit.position, size);
         let (at, depth) = projected.filter(|(at, _)| self.frame.holds(*at)).ok_or(Reason::LeftScreen)?;
         let shown = seen(self.stage, self.camera, &mut witness.probe, at, size);
         let behind = depth - f64::from(shown.depth);

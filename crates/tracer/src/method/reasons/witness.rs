@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::Case;
 use crate::method::LightModel;
-use crate::method::probe::{Point, Probe, color_of, exact, vector};
+use crate::method::probe::{Point, Probe, color_at, exact, vector};
 use crate::ray::{Ray, Start};
 use crate::render::Control;
 use crate::stage::Stage;
@@ -96,8 +96,8 @@ impl<'a> Witness<'a> {
     ) -> Vec3 {
         let Some(hit) = ray.hit else { return stage.sky.along(ray.ray.alone().direction).into() };
         let rays = ray.ray.alone();
-        let body = stage.body(hit.hit.body);
-        let found = body.surface_point(rays.origin, rays.direction, hit.hit.t, hit.hit.leaving);
+        let line = (rays.origin, rays.direction);
+        let found = stage.surface_point(hit.hit.body, line, hit.hit.t, hit.hit.leaving);
         let point = Point {
             start: Start { body: hit.hit.body, inwards: hit.hit.leaving },
             position: found.in_world,
@@ -105,6 +105,6 @@ impl<'a> Witness<'a> {
             to_viewer: viewer.unwrap_or_else(|| -vector(exact(rays.direction))),
         };
         let light = self.probe.light(&point, model, shadows);
-        light.with_color(color_of(stage, hit.hit.body, found.in_body)).into()
+        light.with_color(color_at(stage, hit.hit.body, &found)).into()
     }
 }

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 
 use crate::method::mesh::{Mesh, Patch};
 use crate::method::probe::vector;
-use crate::ray::Start;
+use crate::ray::{NO_BODY, Start};
 use crate::shape::ShapeKind;
 use crate::stage::{Stage, StageBody, StageCamera};
 use crate::vector::Vector;
@@ -73,8 +73,8 @@ impl Faces {
         let first = self.vertices.len() as u32;
         self.add_vertices(body, index, &mesh);
         // Of a body that is seen from outside only the side that faces the eye is seen.
-        let hides_inside =
-            camera.eye().is_some_and(|eye| !body.contains(eye)) && body.canonical().kind != ShapeKind::Plane;
+        let hides_inside = camera.eye().is_some_and(|eye| !stage.contains(index, eye))
+            && body.canonical().kind != ShapeKind::Plane;
         for corners in &mesh.faces {
             let corners = corners.map(|corner| corner + first);
             let Some(mut face) = self.face(corners, index) else { continue };
@@ -100,12 +100,17 @@ impl Faces {
         // Normals go back by the inverse transpose.
         let normal_from_body = matrix(body.body_from_world);
         let origin = DVec3::from(body.origin.map(f64::from));
-        self.vertices.extend(mesh.vertices.iter().map(|vertex| WorldVertex {
-            position: origin + world_from_body * vertex.point,
-            normal: (normal_from_body * vertex.normal).normalize_or(DVec3::Y),
-            in_body: vector(vertex.point),
-            body: index,
-            seen: [false; 2],
+        // The checkerboard of a body in double precision looks at points of the world.
+        let is_checkered = body.is_double() && body.checker != NO_BODY;
+        self.vertices.extend(mesh.vertices.iter().map(|vertex| {
+            let position = origin + world_from_body * vertex.point;
+            WorldVertex {
+                position,
+                normal: (normal_from_body * vertex.normal).normalize_or(DVec3::Y),
+                in_body: vector(if is_checkered { position } else { vertex.point }),
+                body: index,
+                seen: [false; 2],
+            }
         }));
     }
 

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::alone::{Lone, LonePart, Order, VisitAlone};
 use super::{Bvh, Node, WIDEN};
-use crate::lanes::{Eight as _, MOST_LANES, Mask as _, Real as _, Width};
+use crate::lanes::{Eight as _, Float as _, MOST_LANES, Mask as _, Real as _, Width};
 use crate::vector::Vector;
 
 /// What is done with the leaves.

@@ -17,7 +17,7 @@ use bytemuck::Zeroable;
 use super::alone::{Lone, LonePart, Order, VisitAlone};
 use super::packet::inverse_of;
 use super::{Bounds, Bvh, Node, WIDEN};
-use crate::lanes::{Eight as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use crate::lanes::{Eight as _, Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::ray::Rays;
 use crate::vector::Vector;
 

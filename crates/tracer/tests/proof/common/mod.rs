@@ -143,7 +143,7 @@ pub(crate) fn ray(from: DVec3, direction: DVec3) -> Ray {
 /// A ray that has left the surface of `hit` in some direction on the side it came from.
 pub(crate) fn ray_from_hit(hit: &SurfaceHit, direction: Vec3) -> Ray {
     let start = Start { body: hit.hit.body, inwards: hit.hit.leaving };
-    Ray { origin: hit.position.into(), direction: direction.into(), start }
+    Ray { origin: hit.position.as_vec3a(), direction: direction.into(), start }
 }
 
 /// All rays of the tree, however many.

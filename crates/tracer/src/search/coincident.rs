@@ -1,0 +1,121 @@
+//! Surfaces that coincide: of bodies that are entered, or left, at the same place the first in the scene counts.
+
+use std::ops::Range;
+
+use super::{Along, Flight, GRAZING, Nearest};
+use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word as _};
+use crate::ray::{POINT_ROUNDING, Rays, slack_at};
+use crate::stage::{Pending, Visit};
+use crate::vector::Vector;
+
+/// Where one ray crosses the surface of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Crossing {
+    t: f32,
+    face: f32,
+    body: u32,
+}
+
+/// The nearest bodies that rays enter, or leave if they are `leaving`, those of `lanes` put in order by the rule for surfaces
+/// that coincide: within the bound of rounding, measured across the surfaces, the body that comes first in the scene counts. They are rare, and are looked
+/// at ray by ray, so that the outcome depends neither on the width nor on the order in which bodies are met.
+#[cold]
+#[inline(never)]
+pub(super) fn settle<W: Width>(
+    flight: &Flight<'_, W>,
+    nearest: Nearest<W>,
+    leaving: bool,
+    lanes: W::M,
+    parts: &mut Pending,
+) -> Nearest<W> {
+    let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
+    let [mut bodies, mut starts] = [[0; MOST_LANES]; 2];
+    nearest.t.store(&mut ts);
+    nearest.face.store(&mut faces);
+    nearest.body.store(&mut bodies);
+    flight.start.store(&mut starts);
+    let [origins, directions] = [flight.origin, flight.direction].map(rows);
+    let mut left = lanes.bits();
+    while left != 0 {
+        let lane = left.trailing_zeros() as usize % MOST_LANES;
+        left &= left - 1;
+        let vector = |rows: &[[f32; MOST_LANES]; 3]| Vector::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+        let rays = Rays { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
+        let inside = flight.inside.of_lane(lane);
+        let alone = Flight::new(One, flight.stage, &rays, true, &inside, Along::Anything);
+        let first = Crossing { t: ts[lane], face: faces[lane], body: bodies[lane] };
+        let counts = alone.first_of_coincident(first, leaving, parts);
+        (ts[lane], faces[lane], bodies[lane]) = (counts.t, counts.face, counts.body);
+    }
+    let w = flight.w;
+    Nearest { t: w.load(&ts), body: w.load_words(&bodies), face: w.load(&faces), ..nearest }
+}
+
+/// The components of vectors side by side.
+fn rows<R: Real>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
+    let mut rows = [[0.0; MOST_LANES]; 3];
+    vector.x.store(&mut rows[0]);
+    vector.y.store(&mut rows[1]);
+    vector.z.store(&mut rows[2]);
+    rows
+}
+
+impl Flight<'_, One> {
+    /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
+    fn first_of_coincident(&self, nearest: Crossing, leaving: bool, parts: &mut Pending) -> Crossing {
+        let slack_there = slack_at(self.origin) + nearest.t * POINT_ROUNDING;
+        let slack = |body: u32| self.stage.body(body).slack;
+        let reach = nearest.t + GRAZING * (slack_there + self.stage.largest_slack);
+        let mut crossings = Vec::new();
+        let mut visitor = Crossings { flight: self, leaving, reach, crossings: &mut crossings };
+        self.visit(parts, &mut visitor);
+        self.visit_planes(&mut visitor);
+        let own_slack = slack(nearest.body);
+        let own_cosine = self.cosine(nearest.body, leaving);
+        let coincides = |crossing: &Crossing| {
+            let across = (crossing.t - nearest.t) * own_cosine.max(self.cosine(crossing.body, leaving));
+            across <= slack_there + own_slack.max(slack(crossing.body))
+        };
+        let others = crossings.into_iter().filter(|other| other.body != nearest.body && coincides(other));
+        others.fold(nearest, |first, other| {
+            if self.stage.scene_order(other.body, first.body).is_lt() { other } else { first }
+        })
+    }
+
+    /// |cos| of the angle between the ray and the normal where it enters or leaves a body.
+    fn cosine(&self, body: u32, leaving: bool) -> f32 {
+        let cosines = self.stage.span_and_cosines(One, body, self.origin, self.direction).1;
+        cosines[usize::from(leaving)]
+    }
+}
+
+/// Writes down where a ray enters bodies, or leaves them.
+struct Crossings<'f, 'a> {
+    flight: &'f Flight<'a, One>,
+    leaving: bool,
+    reach: f32,
+    crossings: &'f mut Vec<Crossing>,
+}
+
+impl Visit<One> for Crossings<'_, '_> {
+    const NEAREST_FIRST: bool = false;
+
+    fn reach(&self) -> f32 {
+        self.reach
+    }
+
+    fn leaf(&mut self, bodies: Range<u32>, lanes: bool) {
+        for index in bodies {
+            let body = self.flight.stage.body(index);
+            let Some(meeting) = self.flight.meets(index, body, lanes) else { continue };
+            let (is_met, t, face) = if self.leaving {
+                (meeting.leaving, meeting.exit, meeting.exit_face)
+            } else {
+                (meeting.entering, meeting.enter, meeting.enter_face)
+            };
+            if is_met && t <= self.reach {
+                self.crossings.push(Crossing { t, face, body: index });
+            }
+        }
+    }
+}
