@@ -16,6 +16,7 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     if let Ok(stage) = Stage::prepare(scene) {
         notes.extend(of_bound(scene, &DepthBound::of(scene, &stage)));
         notes.extend(on_work(&stage, RenderSettings { width: 1280, height: 720, samples: 1 }));
+        notes.extend(stage.target_beside(scene).map(of_target));
     }
     let more = notes.len().saturating_sub(MOST);
     notes.truncate(MOST);
@@ -74,6 +75,13 @@ fn magnitude(number: f64) -> String {
         Some((unit, name)) => format!("{}{name}", rounded(number / unit)),
         None => rounded(number),
     }
+}
+
+fn of_target(distance: f64) -> String {
+    format!(
+        "the camera's target is {distance:.3e} m away from the nearest body: edges may be off by parts of a pixel; put the \
+         target where something is seen"
+    )
 }
 
 fn of_excess(excess: &Excess) -> String {

@@ -319,6 +319,12 @@ impl Stage {
         self.camera.replaced_by(camera)
     }
 
+    /// How far all bodies of `scene`, which the stage was prepared from, are from the camera's target, meters, if a parallel or
+    /// very narrow view is aimed so far beside them that the rounding of single precision shows in its picture.
+    pub fn target_beside(&self, scene: &Scene) -> Option<f64> {
+        self.space.target_beside(scene)
+    }
+
     /// Whether pictures through a camera are as exact in this stage of `scene` as in one prepared for it.
     pub fn suits(&self, scene: &Scene, camera: &Camera) -> bool {
         let is_double = |scene_index: usize| self.doubles.get(scene_index as u32).is_some();

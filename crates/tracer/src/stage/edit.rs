@@ -42,15 +42,12 @@ impl Stage {
     /// tracing may be too.
     ///
     /// `None` when this would not be right or not wise, and `after` has to be prepared anew: bodies were added,
-    /// removed, hidden or shown, named materials changed, very many bodies did, or the hierarchy would become a poor one.
+    /// removed, hidden or shown, named materials changed, very many bodies did, the hierarchy would become a poor one, or a
+    /// body needs double precision. Whether the stage [suits](Self::suits) the camera is asked apart.
     pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<StageEdit> {
         let Hierarchy::Many(bvh) = &self.hierarchy else { return None };
         let is_known = before.bodies.len() == after.bodies.len() && before.materials == after.materials;
-        if !is_known
-            || !self.suits(after, &after.camera)
-            || changed.len() > after.bodies.len() / 64 + 1
-            || self.added > Self::MOST_ADDED
-        {
+        if !is_known || changed.len() > after.bodies.len() / 64 + 1 || self.added > Self::MOST_ADDED {
             return None;
         }
         let mut edit = StageEdit::default();

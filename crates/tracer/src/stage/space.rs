@@ -63,6 +63,16 @@ impl RenderSpace {
         point - self.origin
     }
 
+    /// How far all bodies are from where numbers are exact, meters, if so far that pictures show it: a parallel or very narrow
+    /// view was aimed at a point far from all that is seen.
+    pub(super) fn target_beside(&self, scene: &Scene) -> Option<f64> {
+        if self.view.per_meter > 0.0 {
+            return None;
+        }
+        let nearest = self.view.nearest(scene);
+        (nearest.is_finite() && nearest > MOST_HEIGHTS * self.view.least).then_some(nearest)
+    }
+
     /// Whether pictures through another camera are as exact in this space. `largest` is the largest extent of the bodies
     /// in single precision, `is_double` tells of the others by their place in the scene.
     pub(super) fn suits(
@@ -150,13 +160,17 @@ impl Scale {
         if coordinate <= MOST_HEIGHTS * self.least || self.per_meter == 0.0 {
             return coordinate <= MOST_HEIGHTS * self.least;
         }
+        coordinate <= MOST_HEIGHTS * self.height_at(self.nearest(scene))
+    }
+
+    /// About how far the nearest body is from the focus, meters.
+    fn nearest(&self, scene: &Scene) -> f64 {
         let nearest_of = |bodies: &[Body]| {
             let seen = bodies.iter().filter(|body| !body.hidden);
             seen.map(|body| self.distance_to(body)).fold(f64::INFINITY, f64::min)
         };
         let slices: Vec<&[Body]> = scene.bodies.slices().collect();
-        let nearest = slices.into_par_iter().map(nearest_of).reduce(|| f64::INFINITY, f64::min);
-        coordinate <= MOST_HEIGHTS * self.height_at(nearest)
+        slices.into_par_iter().map(nearest_of).reduce(|| f64::INFINITY, f64::min)
     }
 
     /// How far a body's surface is from the focus at least, meters: a rough bound for bodies that are far away.
@@ -254,6 +268,19 @@ mod tests {
             let far = scene(vec![ball(1.0, DVec3::Y + offset)], eye, DVec3::Y + offset);
             assert_eq!(RenderSpace::of(&far, &far.camera).origin, eye);
         }
+    }
+
+    #[test]
+    fn a_target_beside_everything_is_told() {
+        let eye = DVec3::new(0.0, 0.0, 8.0);
+        let mut scene = scene(vec![ball(1.0, DVec3::ZERO)], eye, DVec3::ZERO);
+        let beside = |scene: &Scene| RenderSpace::of(scene, &scene.camera).target_beside(scene);
+        scene.camera.target.z = -1e7;
+        assert_eq!(beside(&scene), None, "numbers are exact at the eye of a wide view");
+        scene.camera.projection = Projection::Parallel { height: 3.0 };
+        assert_eq!(beside(&scene), Some(1e7 - 1.0));
+        scene.camera.target.z = -100.0;
+        assert_eq!(beside(&scene), None);
     }
 
     #[test]
