@@ -143,11 +143,22 @@ fn nearest(ray: Ray, media: ptr<function, Media>) -> Hit {
             offer(index, ray, media, &best);
         }
     }
-    if is_contested(ray, best.entering) {
-        best.entering = first_of_coincident(ray, media, best.entering, false);
-    }
-    if is_contested(ray, best.leaving) {
-        best.leaving = first_of_coincident(ray, media, best.leaving, true);
+    // One place calls what is rare: shaders are compiled with all calls unfolded.
+    var contested = select(0u, 1u, is_contested(ray, best.entering))
+        | select(0u, 2u, is_contested(ray, best.leaving));
+    while contested != 0u {
+        let leaving = (contested & 1u) == 0u;
+        var nearest = best.entering;
+        if leaving {
+            nearest = best.leaving;
+        }
+        let first = first_of_coincident(ray, media, nearest, leaving);
+        if leaving {
+            best.leaving = first;
+            break;
+        }
+        best.entering = first;
+        contested &= 2u;
     }
     return first_of(best, ray);
 }
