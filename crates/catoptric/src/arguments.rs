@@ -16,11 +16,13 @@ use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
+use crate::output::{Kind, PictureKind};
+
 pub(crate) use method::MethodArguments;
 
 /// A laboratory for reflections from geometric bodies.
 #[derive(Debug, Parser)]
-#[command(name = "catoptric", version, propagate_version = true)]
+#[command(name = "catoptric", version, propagate_version = true, disable_help_subcommand = true)]
 #[command(after_help = "\
 Examples:
   catoptric render whitted -o whitted.png --samples 16
@@ -58,6 +60,8 @@ pub(crate) enum Command {
     Completions(CompletionsArguments),
     /// Print the manual page
     Man(ManArguments),
+    /// Print help on the program or a command
+    Help(HelpArguments),
 }
 
 /// How linear light becomes what a PNG shows.
@@ -85,9 +89,12 @@ pub(crate) struct StudioArguments {
 pub(crate) struct RenderArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The picture to write; its extension decides: .png (display) or .exr (linear light)
+    /// The picture to write; its extension decides: .png (display) or .exr (linear light); - for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// The format to write, png or exr, whatever the name of the file says; streams get a PNG by default
+    #[arg(long, value_name = "FORMAT", value_parser = picture_format)]
+    pub format: Option<PictureKind>,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720")]
     pub size: Size,
@@ -214,8 +221,8 @@ pub(crate) struct CompareArguments {
         required_unless_present = "pictures"
     )]
     pub methods: Vec<Variant>,
-    /// Picture files to compare too: .png or .exr, all of one size
-    #[arg(long, value_name = "FILES", value_delimiter = ',')]
+    /// Picture files to compare too, separated by commas: .png or .exr, all of one size; may be given again
+    #[arg(long, value_name = "FILES")]
     pub pictures: Vec<PathBuf>,
     /// The directory for the report, the pictures and the numbers
     #[arg(short, long, value_name = "DIR", default_value = "compared")]
@@ -288,12 +295,15 @@ pub(crate) struct MeasureArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ConvertArguments {
-    /// A picture (.png, .exr) or a scene (.toml)
+    /// A picture (.png, .exr) or a scene (.toml); - for standard input
     #[arg(value_name = "IN")]
     pub from: PathBuf,
-    /// What to write; its extension decides
+    /// What to write; its extension decides; - for standard output
     #[arg(value_name = "OUT")]
     pub to: PathBuf,
+    /// The format to write, png, exr or toml, whatever the name of the file says
+    #[arg(long, value_name = "FORMAT", value_parser = format)]
+    pub format: Option<Kind>,
     #[command(flatten)]
     pub development: DevelopmentArguments,
 }
@@ -315,6 +325,12 @@ pub(crate) struct CompletionsArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ManArguments {
+    /// The command to explain, such as render; without it, the program
+    pub command: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct HelpArguments {
     /// The command to explain, such as render; without it, the program
     pub command: Option<String>,
 }
@@ -385,6 +401,14 @@ impl FromStr for Pixel {
         let (x, y) = numbers.ok_or("give column and row, such as 640,360")?;
         Ok(Self { x, y })
     }
+}
+
+fn format(text: &str) -> Result<Kind, String> {
+    Kind::named(text).ok_or_else(|| format!("give {}", Kind::NAMES))
+}
+
+fn picture_format(text: &str) -> Result<PictureKind, String> {
+    PictureKind::named(text).ok_or_else(|| format!("give {}", PictureKind::NAMES))
 }
 
 fn maps() -> impl clap::builder::TypedValueParser<Value = MapKind> {

@@ -6,7 +6,8 @@ use std::path::Path;
 use anyhow::{Result, anyhow};
 use catoptric_scene::{Example, Loaded, load};
 
-use crate::console::{color_on, say};
+use crate::console::{color_on, say_colored};
+use crate::files::CommandFiles;
 
 /// A scene as the user named it.
 pub(crate) struct Named {
@@ -20,7 +21,7 @@ impl Named {
     pub(crate) fn warn(&self) {
         let Loaded { text, warnings, .. } = &self.loaded;
         if !warnings.is_empty() {
-            say(&warnings.render(&self.name, text, color_on(&std::io::stderr())));
+            say_colored(&warnings.render(&self.name, text, color_on(&std::io::stderr())));
         }
     }
 }
@@ -45,25 +46,29 @@ pub(crate) fn source(path: &Path) -> Result<Source<'_>> {
     }
 }
 
-/// Loads the scene file at `path`, or the built-in scene of that name.
-pub(crate) fn scene(path: &Path) -> Result<Named> {
+/// Loads the scene file at `path`, `-` being standard input, or the built-in scene of that name. The file and its
+/// pictures are added to what the command reads.
+pub(crate) fn scene(path: &Path, files: &mut CommandFiles) -> Result<Named> {
     match source(path)? {
         Source::Example(example) => Ok(Named { name: example.name.to_owned(), loaded: example.load()? }),
-        Source::File(path) => file(path),
+        Source::File(path) => file(path, files),
     }
 }
 
 /// Refuses a file that cannot be read at all, as loading it would.
 pub(crate) fn check_readable(path: &Path) -> Result<()> {
     if path.is_dir() || File::open(path).is_err() {
-        file(path)?;
+        load(path)?;
     }
     Ok(())
 }
 
-/// Loads the scene file at `path`.
-pub(crate) fn file(path: &Path) -> Result<Named> {
-    Ok(Named { name: path.display().to_string(), loaded: load(path)? })
+/// Loads the scene file at `path`; see [`scene`].
+pub(crate) fn file(path: &Path, files: &mut CommandFiles) -> Result<Named> {
+    files.add_input(path)?;
+    let loaded = load(path)?;
+    files.add_pictures(&loaded.scene, path)?;
+    Ok(Named { name: path.display().to_string(), loaded })
 }
 
 /// The error that there is no built-in scene of this name.
@@ -83,5 +88,10 @@ fn missing(what: &str, name: &str) -> anyhow::Error {
 }
 
 fn looks_like_path(path: &Path) -> bool {
-    path.extension().is_some() || path.components().count() > 1
+    path.extension().is_some() || path.components().count() > 1 || is_stdin(path)
+}
+
+/// Whether standard input is meant, not a file.
+fn is_stdin(path: &Path) -> bool {
+    path.as_os_str() == "-"
 }

@@ -85,7 +85,7 @@ fn on_request(act: impl FnMut() + Send + 'static) -> io::Result<()> {
 
 /// Does `work`, which creates or replaces the file at `path`, undisturbed by interruptions.
 pub(crate) fn while_writing<T, E>(path: &Path, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    if is_device(path) {
+    if catoptric_files::is_stream(path) {
         // Nothing to tidy up, and it may block for ever.
         return work();
     }
@@ -103,10 +103,6 @@ pub(crate) fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
 
 fn written() -> MutexGuard<'static, Vec<PathBuf>> {
     WRITTEN.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn is_device(path: &Path) -> bool {
-    path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
 fn leave(written: &[PathBuf]) -> ! {

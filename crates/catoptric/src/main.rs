@@ -1,10 +1,12 @@
 //! The program: arguments → work → output.
 
+mod allocator;
 mod arguments;
 mod backend;
 mod canvas;
 mod commands;
 mod console;
+mod files;
 mod input;
 mod interrupt;
 mod memory;
@@ -13,22 +15,24 @@ mod output;
 mod progress;
 mod stats;
 
-use std::io::Write as _;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use anyhow::Result;
-use catoptric_scene::LoadError;
+use catoptric_scene::{LoadError, visible};
 use clap::Parser as _;
 
 use arguments::{Arguments, Command};
 use commands::Outcome;
 
-/// Gives memory back soon after it was used. The C library of Linux keeps up to 64 MB for each of many threads: the studio
-/// grew to several times what it needed.
 #[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+static ALLOCATOR: allocator::Allocator = allocator::Allocator;
+
+/// The exit status after an error.
+const STATUS_ERROR: u8 = 2;
 
 fn main() -> ExitCode {
+    allocator::listen();
     interrupt::listen();
     let outcome = match Arguments::try_parse() {
         Ok(Arguments { command: Some(command) }) => run(&command),
@@ -38,11 +42,11 @@ fn main() -> ExitCode {
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Failed) => ExitCode::from(1),
-        Ok(Outcome::WrongInput) => ExitCode::from(2),
+        Ok(Outcome::WrongInput) => ExitCode::from(STATUS_ERROR),
         Ok(Outcome::Interrupted) => ExitCode::from(interrupt::INTERRUPTED),
         Err(error) => {
             report(&error);
-            ExitCode::from(2)
+            ExitCode::from(STATUS_ERROR)
         }
     }
 }
@@ -60,16 +64,27 @@ fn run(command: &Command) -> Result<Outcome> {
         Command::Examples(arguments) => commands::examples::run(arguments),
         Command::Completions(arguments) => commands::manual::completions(arguments),
         Command::Man(arguments) => commands::manual::man(arguments),
+        Command::Help(arguments) => commands::manual::help(arguments),
     }
 }
 
 /// Prints what the arguments call for instead of work: help, the version, or what is wrong with them.
 fn explain(answer: &clap::Error) -> Result<Outcome> {
-    let printed = answer.print();
+    let words = answer.render();
+    // Arguments stand in it as they are; with colors of their own, all colors are left out.
+    let is_plain = |argument: OsString| !argument.to_string_lossy().contains(catoptric_scene::is_active);
+    let is_colored = std::env::args_os().all(is_plain);
     if answer.use_stderr() {
+        match is_colored && console::color_on(&std::io::stderr()) {
+            true => console::say_colored(words.ansi().to_string().trim_end()),
+            false => console::say(words.to_string().trim_end()),
+        }
         return Ok(Outcome::WrongInput);
     }
-    console::unless_closed(printed.and_then(|()| std::io::stdout().flush()))?;
+    match is_colored && console::color_on(&std::io::stdout()) {
+        true => console::print_colored(&words.ansi().to_string())?,
+        false => console::print(&words.to_string())?,
+    }
     Ok(Outcome::Done)
 }
 
@@ -78,8 +93,8 @@ fn report(error: &anyhow::Error) {
     match error.downcast_ref::<LoadError>() {
         Some(LoadError::Diagnostics { path, text, diagnostics }) => {
             let color = console::color_on(&std::io::stderr());
-            console::say(&diagnostics.render(&path.to_string_lossy(), text, color));
+            console::say_colored(&diagnostics.render(&path.to_string_lossy(), text, color));
         }
-        _ => console::say(&format!("error: {}", commands::in_words(error))),
+        _ => console::say(&format!("error: {}", visible(&commands::in_words(error)))),
     }
 }

@@ -2,7 +2,7 @@
 
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, Excess, ExcessKind, excesses};
 use catoptric_lab::work::RayEstimate;
-use catoptric_scene::Scene;
+use catoptric_scene::{Scene, quoted_name};
 use catoptric_tracer::{Control, RenderSettings, Stage};
 use glam::UVec2;
 
@@ -86,7 +86,7 @@ fn of_target(distance: f64) -> String {
 
 fn of_excess(excess: &Excess) -> String {
     let name =
-        excess.name.as_ref().map_or_else(|| "a body's own material".to_owned(), |name| format!("\"{name}\""));
+        excess.name.as_ref().map_or_else(|| "a body's own material".to_owned(), |name| quoted_name(name));
     let amount = rounded(excess.amount);
     match excess.kind {
         ExcessKind::Surface { channel, diffuse, reflection, transmission } => format!(
@@ -107,7 +107,7 @@ fn of_excess(excess: &Excess) -> String {
 fn of_bound(scene: &Scene, bound: &DepthBound) -> Option<String> {
     let enough = bound.generations.filter(|&enough| enough > scene.tracing.generations)?;
     let name = |place: &usize| match scene.bodies.get(*place) {
-        Some(body) if !body.name.is_empty() => format!("\"{}\"", body.name),
+        Some(body) if !body.name.is_empty() => quoted_name(&body.name),
         _ => format!("body {}", place + 1),
     };
     let cycle: Vec<String> = bound.cycle.iter().map(name).collect();

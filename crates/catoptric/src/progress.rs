@@ -2,12 +2,14 @@
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+use catoptric_scene::visible;
 use catoptric_tracer::Control;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
+use terminal_size::{Width, terminal_size_of};
 
 use crate::console::is_able;
 
@@ -36,7 +38,10 @@ impl Progress {
         if !self.shown {
             return work();
         }
-        show(ProgressBar::new(pixels), "{bar:40} {percent:>3} %  {elapsed} elapsed{left}");
+        show(ProgressBar::new(pixels), |state| {
+            let left = (state.pos() > 0).then(|| state.eta());
+            fitted(columns(), state, format!("{:>3.0} %", 100.0 * state.fraction()), left)
+        });
         let finished = AtomicBool::new(false);
         let result = thread::scope(|scope| {
             let watcher = scope.spawn(|| watch(control, &finished));
@@ -56,13 +61,16 @@ impl Progress {
         if !self.shown {
             return work(&mut |_, _| {});
         }
-        show(ProgressBar::new(total as u64), "{bar:40} {pos} of {len}  {elapsed} elapsed{msg}");
+        let time_left = Arc::new(Mutex::new(None));
+        let known = Arc::clone(&time_left);
+        show(ProgressBar::new(total as u64), move |state| {
+            let left = *known.lock().unwrap_or_else(PoisonError::into_inner);
+            fitted(columns(), state, format!("{} of {total}", state.pos()), left)
+        });
         let result = work(&mut |done, left| {
+            *time_left.lock().unwrap_or_else(PoisonError::into_inner) = left;
             with_shown(|bar| {
                 bar.set_position(done as u64);
-                if let Some(left) = left {
-                    bar.set_message(format!(", {:#} left", HumanDuration(left)));
-                }
                 bar.tick();
             });
         });
@@ -75,7 +83,8 @@ impl Progress {
         if !self.shown {
             return work();
         }
-        show(ProgressBar::new_spinner().with_message(format!("writing {what}")), "{msg}");
+        let line = format!("writing {}", visible(what));
+        show(ProgressBar::new_spinner(), move |_| cut(&line, columns()));
         with_shown(ProgressBar::tick);
         let result = work();
         clear();
@@ -104,18 +113,58 @@ pub(crate) fn clear() {
     }
 }
 
-fn show(bar: ProgressBar, template: &str) {
-    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    bar.set_style(style.with_key("left", time_left));
+/// Shows a bar as the line that `line` makes of its state.
+fn show(bar: ProgressBar, line: impl Fn(&ProgressState) -> String + Clone + Send + Sync + 'static) {
+    let write = move |state: &ProgressState, out: &mut dyn fmt::Write| {
+        // A bar that cannot be drawn is no reason to stop.
+        let _ = out.write_str(&line(state));
+    };
+    let style = ProgressStyle::with_template("{line}").unwrap_or_else(|_| ProgressStyle::default_bar());
+    bar.set_style(style.with_key("line", write));
     *SHOWN.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar);
 }
 
-/// The time left, once there is something to tell it by.
-fn time_left(state: &ProgressState, out: &mut dyn fmt::Write) {
-    if state.pos() > 0 {
-        // A bar that cannot be drawn is no reason to stop.
-        let _ = write!(out, ", {:#} left", HumanDuration(state.eta()));
+/// How many columns a line can have, so that the cursor stays in it.
+fn columns() -> usize {
+    const USUAL: u16 = 80;
+    let width = terminal_size_of(std::io::stderr()).map_or(USUAL, |(Width(width), _)| width);
+    usize::from(width).saturating_sub(1)
+}
+
+/// A bar, a count and the times, as far as they fit into so many columns.
+fn fitted(columns: usize, state: &ProgressState, count: String, left: Option<Duration>) -> String {
+    let elapsed = format!("{count}  {:#} elapsed", HumanDuration(state.elapsed()));
+    let whole = left.map(|left| format!("{elapsed}, {:#} left", HumanDuration(left)));
+    line_of(columns, state.fraction(), &[whole, Some(elapsed), Some(count)])
+}
+
+/// The first of the texts that fits beside a bar, or by itself, into so many columns; the bar takes what is left.
+fn line_of(columns: usize, fraction: f32, texts: &[Option<String>]) -> String {
+    const BAR: std::ops::RangeInclusive<usize> = 10..=40;
+    let texts = || texts.iter().flatten();
+    let room_beside = |text: &str| columns.checked_sub(text.chars().count() + 1);
+    if let Some((text, room)) =
+        texts().find_map(|text| Some((text, room_beside(text).filter(|room| room >= BAR.start())?)))
+    {
+        let width = room.min(*BAR.end());
+        let full = ((fraction.clamp(0.0, 1.0) * width as f32) as usize).min(width);
+        return format!("{}{} {text}", "█".repeat(full), "░".repeat(width - full));
     }
+    let last = texts().next_back().map_or("", String::as_str);
+    texts().find(|text| text.chars().count() <= columns).map_or_else(|| cut(last, columns), Clone::clone)
+}
+
+/// The text, or its beginning and end if it has more characters than there are columns.
+fn cut(text: &str, columns: usize) -> String {
+    let count = text.chars().count();
+    if count <= columns {
+        return text.to_owned();
+    }
+    // Letters of two columns may stand in a path; a line of half as many characters surely fits.
+    let room = (if text.is_ascii() { columns } else { columns / 2 }).saturating_sub(1);
+    let before: String = text.chars().take(room.div_ceil(2)).collect();
+    let after: String = text.chars().skip(count - room / 2).collect();
+    if columns == 0 { String::new() } else { format!("{before}…{after}") }
 }
 
 fn with_shown(draw: impl FnOnce(&ProgressBar)) {
@@ -138,5 +187,43 @@ fn watch(control: &Control, finished: &AtomicBool) {
             bar.set_position(control.pixels_done());
         });
         thread::park_timeout(INTERVAL);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_fits_into_every_terminal() {
+        let texts = ["12 of 300  4s elapsed, 2m left", "12 of 300  4s elapsed", "12 of 300"];
+        let texts = texts.map(|text| Some(text.to_owned()));
+        for columns in 0..200 {
+            for fraction in [0.0, 0.5, 1.0, f32::NAN] {
+                let line = line_of(columns, fraction, &texts);
+                assert!(line.chars().count() <= columns, "{columns}: {line}");
+                assert!(columns < 9 || line.ends_with("left") || line.contains("12 of 300"), "{line}");
+            }
+        }
+        assert_eq!(
+            line_of(80, 0.5, &texts),
+            format!("{}{} 12 of 300  4s elapsed, 2m left", "█".repeat(20), "░".repeat(20))
+        );
+        assert_eq!(
+            line_of(41, 0.5, &texts),
+            format!("{}{} 12 of 300  4s elapsed, 2m left", "█".repeat(5), "░".repeat(5))
+        );
+        assert_eq!(line_of(21, 0.0, &texts), format!("{} 12 of 300", "░".repeat(11)));
+        assert_eq!(line_of(9, 0.0, &texts), "12 of 300");
+    }
+
+    #[test]
+    fn a_long_name_is_cut_in_its_middle() {
+        assert_eq!(cut("writing a.png", 40), "writing a.png");
+        assert_eq!(cut("writing a/long/path.png", 12), "writin…h.png");
+        for columns in 0..30 {
+            assert!(cut("writing a/long/path.png", columns).chars().count() <= columns);
+            assert!(cut("writing 世界世界世界世界.png", columns).chars().count() <= columns.max(1));
+        }
     }
 }

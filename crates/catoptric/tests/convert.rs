@@ -64,6 +64,16 @@ fn a_scene_in_another_folder_keeps_its_pictures() {
     folder.good("convert one/a.toml two/c.toml");
     folder.good("render two/c.toml -o c.exr --size 16x12");
     assert!(folder.read("a.exr") == folder.read("c.exr"));
+    let paths = |name: &str| String::from_utf8(folder.read(name)).unwrap();
+    assert!(paths("two/c.toml").contains("\"../one/pictures/a.png\""));
+    folder.good("convert one/a.toml d.toml");
+    assert!(paths("d.toml").contains("\"one/pictures/a.png\""));
+    // Moved together, they find each other still.
+    std::fs::create_dir(folder.path("moved")).unwrap();
+    for name in ["one", "two"] {
+        std::fs::rename(folder.path(name), folder.path("moved").join(name)).unwrap();
+    }
+    folder.good("check moved/two/c.toml");
 }
 
 #[test]

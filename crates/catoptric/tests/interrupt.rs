@@ -100,6 +100,55 @@ fn reading_and_opening_can_be_interrupted() {
     }
 }
 
+/// A folder is made with the first file in it.
+#[test]
+fn no_empty_folder_is_left() {
+    if !signals_work() {
+        return;
+    }
+    let folder = Folder::new();
+    for line in [
+        "compare hall-of-mirrors --methods whitted,ssr --size 4000x4000 -o new/folder",
+        "render hall-of-mirrors -o a.png --size 4000x4000 --method ssr --layers new/folder",
+    ] {
+        for name in ["INT", "KILL"] {
+            let ran = interrupted(&folder, line, name);
+            assert!(matches!(ran.status, Some(130) | None), "{name} {line}: {ran:?}");
+            assert!(folder.names().is_empty(), "{name} {line}: {:?}", folder.names());
+        }
+    }
+}
+
+/// What is left by a program that could not tidy up, the next one takes away.
+#[test]
+fn what_killed_programs_leave_is_removed() {
+    if !signals_work() {
+        return;
+    }
+    let folder = Folder::new();
+    folder.write("nothing.toml", NOTHING);
+    let is_temporary = |name: &String| name.starts_with(".catoptric-") && name.ends_with(".tmp");
+    let line = "render nothing.toml -q -o a.exr --size 3000x2000 --threads 1";
+    let mut left = 0;
+    for step in 0..12 {
+        let mut child = folder.command(line.split(' ')).spawn().unwrap();
+        let start = Instant::now();
+        // Once the file is begun, or after a while in which it has begun and ended.
+        while !folder.names().iter().any(is_temporary) && start.elapsed() < Duration::from_secs(5) {
+            sleep(Duration::from_millis(1));
+        }
+        sleep(Duration::from_millis(10 * step));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let count = folder.names().iter().filter(|name| is_temporary(name)).count();
+        assert!(count <= 1, "the next program removes what the last one left");
+        left += count;
+    }
+    folder.good("render nothing.toml -q -o c.png --size 8x8");
+    assert!(!folder.names().iter().any(is_temporary), "{:?}", folder.names());
+    println!("{left} left and removed");
+}
+
 /// Whenever the signal comes, the picture is there whole or not at all, and no temporary stays.
 #[test]
 fn writing_is_finished_or_not_begun() {

@@ -216,7 +216,7 @@ fn wrong_arguments_are_refused_before_anything_is_written() {
         ("render . -o a.png", "it is a folder"),
         ("render whitted", "--output <FILE>"),
         ("render whitted -o a.jpg", "a name that ends in .png or .exr"),
-        ("render whitted -o -", "a name that ends in .png or .exr"),
+        ("render whitted -o whitted", "a name that ends in .png or .exr"),
         ("render whitted -o no/a.png", "there is no directory no"),
         ("render whitted -o old.png --stats old.png", "cannot write old.png"),
         ("render whitted -o a.png --stats ./a.png", "cannot write ./a.png"),

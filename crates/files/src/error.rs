@@ -3,8 +3,10 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::descriptor::is_dash;
+
 /// Why a file could not be written. The file that was there before, if any, is untouched
-/// (for a device or a pipe, which has no before, some bytes may have gone out).
+/// (a device, a pipe or a shared descriptor may have got some of the bytes).
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
     /// The path names no file, like `..` or the empty path.
@@ -55,8 +57,25 @@ pub enum WriteError {
         /// The path asked for.
         path: PathBuf,
     },
+    /// The path names a descriptor that is not open.
+    #[error(
+        "cannot write {}: this program was not given such an open descriptor; redirect it in the shell, as in `3>FILE`",
+        path.display()
+    )]
+    NoDescriptor {
+        /// The path asked for.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The program at the other end of a pipe has ended, or has closed it.
+    #[error("cannot write all of {}: what reads from there has ended before", shown(path))]
+    ReaderGone {
+        /// The path asked for.
+        path: PathBuf,
+    },
     /// The system refused while the file was looked at, written or renamed.
-    #[error("cannot write {}; check the free space and the permissions", path.display())]
+    #[error("cannot write {}; check the free space and the permissions", shown(path))]
     Io {
         /// The path asked for.
         path: PathBuf,
@@ -68,6 +87,15 @@ pub enum WriteError {
 impl WriteError {
     /// Wraps what the system said about `path`.
     pub(crate) fn io(path: &Path, source: io::Error) -> WriteError {
-        WriteError::Io { path: path.to_owned(), source }
+        let path = path.to_owned();
+        match source.kind() {
+            io::ErrorKind::BrokenPipe => WriteError::ReaderGone { path },
+            _ => WriteError::Io { path, source },
+        }
     }
+}
+
+/// The path for a message; `-` is hard to see.
+fn shown(path: &Path) -> String {
+    if is_dash(path) { "standard output".to_owned() } else { path.display().to_string() }
 }

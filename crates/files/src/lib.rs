@@ -1,37 +1,39 @@
-//! Files written whole or not at all.
+//! Files written whole or not at all, streams written through, and what tells files apart.
 //!
-//! The new content goes to a temporary file in the target's own directory, is synchronized to the disk and
+//! The new content of a plain file goes to a temporary file in the target's own directory, is synchronized to the disk and
 //! renamed over the target, which POSIX and Windows do in one step. So a reader sees the old file or the
 //! new one. Hard links to the old file keep the old content; its permissions pass to the new one.
+//!
+//! What is no plain file is never replaced: a pipe or device is opened and written to, and a path that names an open
+//! descriptor (`-`, `/dev/stdout`, `/dev/fd/3`, a link to one) is written through that descriptor, so that a shell's `>>`
+//! appends and several programs can share a file.
 
+mod descriptor;
 mod error;
+mod identity;
+mod input;
+mod target;
+mod temporary;
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Cursor, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::io::{self, BufWriter, Cursor, IsTerminal as _, Seek, Write};
+use std::path::Path;
 
 use tempfile::NamedTempFile;
 
+use target::{Target, directory_of};
+
 pub use error::WriteError;
+pub use identity::FileId;
+pub use input::{directory_of_file, read_bytes};
 
 /// What the content is written to.
 pub trait Sink: Write + Seek {}
 impl<T: Write + Seek> Sink for T {}
 
-/// Where the bytes will go.
-#[derive(Debug)]
-enum Target {
-    /// A plain file, existing (then with its permissions) or not, reached through any symbolic links.
-    File { path: PathBuf, directory: PathBuf, permissions: Option<fs::Permissions> },
-    /// Something that must not be renamed over: `/dev/stdout`, a pipe.
-    Device { path: PathBuf },
-}
-
-/// Symbolic links followed at most, as many as Linux follows.
-const LINKS: usize = 40;
-
 /// Asks, before minutes of work, whether `path` can be written: it names a file, its directory exists and
-/// lets files be created (one is created for a moment, and removed), and an existing file is not protected.
+/// lets files be created (one is created for a moment, and removed), and an existing file is not protected; or it names
+/// a pipe, a device, or a descriptor that is open. `-` is standard output.
 ///
 /// ```
 /// use std::path::Path;
@@ -42,13 +44,67 @@ const LINKS: usize = 40;
 /// # Errors
 /// What stands in the way, where, and what to do. The disk can still run full later.
 pub fn check_writable(path: &Path) -> Result<(), WriteError> {
-    match find(path)? {
-        Target::File { directory, .. } => temporary(path, &directory).map(drop),
-        Target::Device { .. } => Ok(()),
+    match Target::of(path)? {
+        Target::File { directory, .. } => temporary::create(path, &directory).map(drop),
+        Target::Descriptor(descriptor) => descriptor
+            .duplicate()
+            .map(drop)
+            .map_err(|source| WriteError::NoDescriptor { path: path.to_owned(), source }),
+        Target::Stream { .. } => Ok(()),
     }
 }
 
-/// Writes these bytes to a file, whole or not at all; an existing file is replaced.
+/// Asks whether files can be written into the directory at `path`, which need not be there yet. Nothing stays behind.
+///
+/// # Errors
+/// What stands in the way, where, and what to do.
+pub fn check_directory(path: &Path) -> Result<(), WriteError> {
+    if path.as_os_str().is_empty() || descriptor::is_dash(path) {
+        return Err(WriteError::NoName { path: path.to_owned() });
+    }
+    let mut existing = path;
+    while fs::symlink_metadata(existing).is_err() {
+        match existing.parent() {
+            Some(_) => existing = directory_of(existing),
+            None => break,
+        }
+    }
+    if !existing.is_dir() {
+        return Err(WriteError::NoDirectory { path: path.to_owned(), directory: existing.to_owned() });
+    }
+    temporary::create(path, existing).map(drop)
+}
+
+/// Whether what is written to `path` goes through a descriptor, a pipe or a device, and replaces no file.
+pub fn is_stream(path: &Path) -> bool {
+    matches!(Target::of(path), Ok(Target::Descriptor(_) | Target::Stream { .. }))
+}
+
+/// Whether what is written to `path` appears on a terminal.
+pub fn is_terminal(path: &Path) -> bool {
+    match Target::of(path) {
+        Ok(Target::Descriptor(descriptor)) => descriptor.duplicate().is_ok_and(|file| file.is_terminal()),
+        Ok(Target::Stream { path }) => {
+            // Opening a pipe would wait for its reader.
+            is_character_device(&path)
+                && File::options().write(true).open(&path).is_ok_and(|file| file.is_terminal())
+        }
+        Ok(Target::File { .. }) | Err(_) => false,
+    }
+}
+
+#[cfg(unix)]
+fn is_character_device(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    fs::metadata(path).is_ok_and(|found| found.file_type().is_char_device())
+}
+
+#[cfg(not(unix))]
+fn is_character_device(_path: &Path) -> bool {
+    false
+}
+
+/// Writes these bytes to a file, whole or not at all; an existing file is replaced. See [`write_whole`].
 ///
 /// # Errors
 /// What [`check_writable`] finds, a full disk, or a failing system. The old file, if any, is untouched then.
@@ -56,27 +112,43 @@ pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     write_whole(path, |sink| sink.write_all(bytes))
 }
 
-/// Lets `fill` write the new content of the file at `path`.
+/// Lets `fill` write the new content of the file at `path`. What is no plain file, or names an open descriptor (`-` is
+/// standard output), gets the same bytes, all at once when `fill` has ended.
 ///
 /// # Errors
-/// As for [`write_bytes`], and what `fill` returns; nothing has changed then.
+/// As for [`write_bytes`], and what `fill` returns; nothing has changed then. A stream may have got a part of the bytes.
 pub fn write_whole(
     path: &Path,
     fill: impl FnOnce(&mut dyn Sink) -> io::Result<()>,
 ) -> Result<(), WriteError> {
-    let written = match find(path)? {
-        Target::Device { path: device } => {
-            let mut bytes = Cursor::new(Vec::new());
-            fill(&mut bytes).and_then(|()| write_through(&device, bytes.get_ref()))
-        }
+    let written = match Target::of(path)? {
         Target::File { path: target, directory, permissions } => {
-            let file = temporary(path, &directory)?;
+            let file = temporary::create(path, &directory)?;
             fill_to_disk(file.as_file(), fill)
                 .and_then(|()| finish(file, &target, permissions))
                 .map(|()| sync_directory(&directory))
         }
+        Target::Descriptor(descriptor) => {
+            let opened = descriptor.duplicate();
+            let stream =
+                opened.map_err(|source| WriteError::NoDescriptor { path: path.to_owned(), source })?;
+            write_through(stream, fill)
+        }
+        // Opened last: it may wait for a reader. Appended to, in case that it is a file of another process.
+        Target::Stream { path } => {
+            File::options().append(true).open(path).and_then(|stream| write_through(stream, fill))
+        }
     };
     written.map_err(|source| WriteError::io(path, source))
+}
+
+/// Writes the content to something that is no plain file, or shared with others.
+fn write_through(mut stream: File, fill: impl FnOnce(&mut dyn Sink) -> io::Result<()>) -> io::Result<()> {
+    // Encoders go back, which a stream cannot.
+    let mut bytes = Cursor::new(Vec::new());
+    fill(&mut bytes)?;
+    stream.write_all(bytes.get_ref())?;
+    stream.flush()
 }
 
 /// Writes the content down to the disk.
@@ -100,75 +172,6 @@ fn finish(file: NamedTempFile, target: &Path, permissions: Option<fs::Permission
         file.as_file().set_permissions(permissions)?;
     }
     file.persist(target).map(drop).map_err(|error| error.error)
-}
-
-/// Writes to something that is no plain file.
-fn write_through(device: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::options().write(true).open(device)?;
-    file.write_all(bytes)?;
-    file.flush()
-}
-
-/// A new temporary file in this directory, removed when dropped; the umask decides who may read it.
-fn temporary(path: &Path, directory: &Path) -> Result<NamedTempFile, WriteError> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".catoptric-").suffix(".tmp");
-    #[cfg(unix)]
-    let permissions = <fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666);
-    #[cfg(unix)]
-    builder.permissions(permissions);
-    builder.tempfile_in(directory).map_err(|error| WriteError::Closed {
-        path: path.to_owned(),
-        directory: directory.to_owned(),
-        // The whole error names the temporary file, of which nobody has heard.
-        source: error.kind().into(),
-    })
-}
-
-/// Follows symbolic links and looks at what is there.
-fn find(path: &Path) -> Result<Target, WriteError> {
-    let target = follow_links(path)?;
-    let permissions = match fs::metadata(&target) {
-        Ok(found) if found.is_dir() => return Err(WriteError::IsDirectory { path: path.to_owned() }),
-        Ok(found) if !found.is_file() => return Ok(Target::Device { path: target }),
-        Ok(found) if found.permissions().readonly() => {
-            return Err(WriteError::Protected { path: path.to_owned() });
-        }
-        Ok(found) => Some(found.permissions()),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) if error.kind() == io::ErrorKind::NotADirectory => None,
-        Err(error) => return Err(WriteError::io(path, error)),
-    };
-    if target.file_name().is_none() || ends_with_separator(&target) {
-        return Err(WriteError::NoName { path: path.to_owned() });
-    }
-    let directory = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
-    };
-    if directory.is_dir() {
-        Ok(Target::File { path: target, directory, permissions })
-    } else {
-        Err(WriteError::NoDirectory { path: path.to_owned(), directory })
-    }
-}
-
-/// The path that the symbolic links lead to, whether or not something is there.
-fn follow_links(path: &Path) -> Result<PathBuf, WriteError> {
-    let mut target = path.to_owned();
-    for _ in 0..LINKS {
-        match fs::read_link(&target) {
-            // An absolute destination replaces the parent.
-            Ok(destination) => target = target.parent().unwrap_or(Path::new("")).join(destination),
-            Err(_) => return Ok(target),
-        }
-    }
-    Err(WriteError::Circle { path: path.to_owned() })
-}
-
-/// Whether the path was meant as a directory, like `out/`; `Path` itself overlooks that.
-fn ends_with_separator(path: &Path) -> bool {
-    path.as_os_str().as_encoded_bytes().last().is_some_and(|&byte| std::path::is_separator(char::from(byte)))
 }
 
 #[cfg(test)]

@@ -177,7 +177,7 @@ pub fn answers_for(scene: &Scene, body: Option<usize>) -> Answers {
     lenses::answer(&setting, &mut found);
     let lights = scene.lights.iter().enumerate().map(|(place, light)| match light.name.as_str() {
         "" => format!("light {}", place + 1),
-        name => format!("\"{name}\""),
+        name => catoptric_scene::quoted_name(name),
     });
     let mut answers = Answers {
         answers: found.answers,

@@ -1,6 +1,6 @@
 //! Reports: pages, tables and plots, in English or Russian.
 
-mod html;
+pub(crate) mod html;
 mod language;
 mod page;
 

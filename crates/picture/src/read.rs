@@ -16,6 +16,9 @@ use std::path::{Path, PathBuf};
 use crate::format::PictureFormat;
 use crate::picture::{Picture, SizeError};
 
+/// The most bytes that are read from a stream: those of [`Picture::MAX_PIXELS`] in 32-bit floats, uncompressed.
+const LONGEST_STREAM: u64 = Picture::MAX_PIXELS * 12 + (1 << 20);
+
 /// Why bytes are not a picture that can be read.
 #[derive(Debug, thiserror::Error)]
 pub enum DecodeError {
@@ -113,8 +116,8 @@ pub enum ReadError {
         /// The system's reason.
         source: io::Error,
     },
-    /// The path is a directory, a pipe or a device.
-    #[error("cannot read {} as a picture: it is not a plain file", path.display())]
+    /// The path is a directory.
+    #[error("cannot read {} as a picture: it is a directory and not a plain file", path.display())]
     NotAFile {
         /// The path asked for.
         path: PathBuf,
@@ -176,6 +179,8 @@ impl ReadOptions {
     /// - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light.
     /// - Radiance HDR: linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
     ///
+    /// Pipes and devices are read to their end first; `-` is standard input.
+    ///
     /// Corrupt and hostile files are errors: sizes are checked against the limits and, where the format has a bound,
     /// against the file's length before memory is taken, and a decoder that panics is caught. Memory is that of
     /// the picture with its codes, and a few rows or tiles.
@@ -184,13 +189,16 @@ impl ReadOptions {
     /// Names the file and what is wrong with it.
     pub fn read(&self, path: &Path) -> Result<Picture, ReadError> {
         let open = |source| ReadError::Open { path: path.to_owned(), source };
-        let found = std::fs::metadata(path).map_err(open)?;
-        if !found.is_file() {
-            return Err(ReadError::NotAFile { path: path.to_owned() });
-        }
-        let file = BufReader::with_capacity(1 << 16, File::open(path).map_err(open)?);
-        self.decode_from(file, found.len())
-            .map_err(|source| ReadError::Decode { path: path.to_owned(), source })
+        let decoded = match std::fs::metadata(path) {
+            Ok(found) if found.is_file() && path.as_os_str() != "-" => {
+                let file = BufReader::with_capacity(1 << 16, File::open(path).map_err(open)?);
+                self.decode_from(file, found.len())
+            }
+            Ok(found) if found.is_dir() => return Err(ReadError::NotAFile { path: path.to_owned() }),
+            // Formats are read back and forth, which a stream cannot.
+            _ => self.decode(&catoptric_files::read_bytes(path, LONGEST_STREAM).map_err(open)?),
+        };
+        decoded.map_err(|source| ReadError::Decode { path: path.to_owned(), source })
     }
 
     /// The picture in the bytes of a file; see [`Self::read`].

@@ -1,10 +1,9 @@
 //! Scene files on disk.
 
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 
-use catoptric_files::{WriteError, write_bytes};
+use catoptric_files::{WriteError, directory_of_file, write_bytes};
 
 use crate::Scene;
 use crate::format::{Diagnostics, LONGEST_TEXT, Reading, read_bytes};
@@ -55,47 +54,41 @@ pub fn load(path: impl AsRef<Path>) -> Result<Loaded, LoadError> {
     }
 }
 
-/// Reads a scene file, and the pictures that it names, as far as it can be understood, whatever is wrong in it. With the reading comes the text that its
-/// places refer to.
+/// Reads a scene file, and the pictures that it names, as far as it can be understood, whatever is wrong in it. With the
+/// reading comes the text that its places refer to.
+///
+/// The paths of pictures begin at the folder of the file; those of a scene from a stream (`-`, `/dev/stdin`, a pipe) where
+/// the program was started.
 ///
 /// # Errors
 /// When the file cannot be read at all.
 pub fn load_partly(path: impl AsRef<Path>) -> Result<(Reading, String), LoadError> {
     let path = path.as_ref();
     let (mut reading, text) = read_bytes(read_file(path)?);
-    reading.open_images(path.parent(), &text);
+    reading.open_images(directory_of_file(path), &text);
     Ok((reading, text))
 }
 
 fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {
-    let refused = |reason: String| LoadError::Io { path: path.to_owned(), reason, source: None };
-    let failed = |error: io::Error| {
+    catoptric_files::read_bytes(path, LONGEST_TEXT as u64).map_err(|error| {
         let reason = match error.kind() {
             io::ErrorKind::NotFound => "there is no such file; check its name".to_owned(),
             io::ErrorKind::PermissionDenied => {
                 "this is not permitted; check the rights of the file".to_owned()
             }
+            io::ErrorKind::IsADirectory => "it is a folder; name a scene file in it".to_owned(),
+            io::ErrorKind::FileTooLarge => {
+                format!("it is longer than {} MiB, the longest a scene can be", LONGEST_TEXT >> 20)
+            }
+            io::ErrorKind::OutOfMemory => {
+                "there is not enough memory for it; close other programs".to_owned()
+            }
             _ => error.to_string(),
         };
-        LoadError::Io { path: path.to_owned(), reason, source: Some(error) }
-    };
-    let metadata = fs::metadata(path).map_err(failed)?;
-    if metadata.is_dir() {
-        return Err(refused("it is a folder; name a scene file in it".to_owned()));
-    }
-    let too_long =
-        || refused(format!("it is longer than {} MiB, the longest a scene can be", LONGEST_TEXT >> 20));
-    let limit = LONGEST_TEXT as u64;
-    if metadata.len() > limit {
-        return Err(too_long());
-    }
-    let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or_default());
-    // A pipe or a growing file can bring more than its metadata say.
-    File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(failed)?;
-    if bytes.len() > LONGEST_TEXT {
-        return Err(too_long());
-    }
-    Ok(bytes)
+        // What was found out here is no error of the system.
+        let source = error.raw_os_error().is_some().then_some(error);
+        LoadError::Io { path: path.to_owned(), reason, source }
+    })
 }
 
 /// Writes `text` to the file at `path`, whole or not at all: a crash leaves the old file or the new one, never half of

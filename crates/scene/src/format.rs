@@ -2,6 +2,7 @@
 
 mod build;
 mod check;
+mod decimal;
 mod diagnostic;
 pub mod keys;
 mod nearest;

@@ -15,6 +15,7 @@ mod image;
 mod light;
 mod list;
 mod material;
+mod text;
 
 pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
 pub use camera::{Camera, Projection};
@@ -30,6 +31,7 @@ pub use image::{HasImages, Image, ImageError, ImageFault, ImageSource};
 pub use light::{Falloff, Light};
 pub use list::{Counted, List, ListIter, ListIterMut, Slices};
 pub use material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};
+pub use text::{is_active, quoted_name, visible, visible_lines};
 
 /// A whole scene: everything that decides what a picture shows, except its size.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -131,6 +131,46 @@ fn a_path_that_moves_to_another_folder_leads_to_the_same_file() {
 }
 
 #[test]
+fn a_relative_path_can_stay_relative() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    for name in ["a", "b", "t", "b/c", "b/t"] {
+        fs::create_dir(at(name)).unwrap();
+    }
+    fs::write(at("t/wood.png"), "").unwrap();
+    fs::write(at("b/t/wood.png"), "another").unwrap();
+    let moved = |to: &str| Image::moved_relative_path("../t/wood.png", &at("a"), &at(to));
+    assert_eq!(moved("b"), None, "both folders have the way in common");
+    assert_eq!(moved("b/c").as_deref(), Some("../../t/wood.png"));
+    assert_eq!(moved("").as_deref(), Some("t/wood.png"));
+    assert_eq!(moved("t"), None, "up and down again");
+    assert_eq!(moved("not/yet/there").as_deref(), Some("../../../t/wood.png"));
+    let whole = at("t/wood.png").to_str().unwrap().to_owned();
+    assert_eq!(Image::moved_relative_path(&whole, &at("a"), &at("b")), None, "as it was written");
+    assert_eq!(Image::moved_relative_path("builtin:grid", &at("a"), &at("b")), None);
+}
+
+/// `..` after a symbolic link leads to the folder above the link's destination.
+#[cfg(unix)]
+#[test]
+fn a_path_that_moves_past_a_link_leads_to_the_same_file() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    for name in ["a", "deep", "deep/er"] {
+        fs::create_dir(at(name)).unwrap();
+    }
+    std::os::unix::fs::symlink(at("deep/er"), at("link")).unwrap();
+    fs::write(at("a/wood.png"), "").unwrap();
+    let moved = Image::moved_relative_path("wood.png", &at("a"), &at("link")).unwrap();
+    assert_eq!(moved, "../../a/wood.png");
+    assert!(at("link").join(&moved).exists());
+    // By a link that is on the way as the user wrote it, it stays.
+    std::os::unix::fs::symlink(at("a"), at("textures")).unwrap();
+    let moved = Image::moved_relative_path("../textures/wood.png", &at("deep"), &at("deep/er"));
+    assert_eq!(moved.as_deref(), Some("../../textures/wood.png"));
+}
+
+#[test]
 fn pictures_that_cannot_be_opened_are_told_where_they_are_named() {
     let folder = folder();
     fs::write(folder.path().join("no.png"), "no picture").unwrap();

@@ -7,15 +7,16 @@ use catoptric_tracer::{Control, RenderSettings, Stage};
 
 use super::Outcome;
 use crate::arguments::AuditArguments;
-use crate::console::print;
+use crate::console::{json_text, print};
+use crate::files::CommandFiles;
 use crate::input;
-use crate::output::{check_output, is_stdout, write_text};
 
 pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
-    for path in arguments.dot.iter().chain(&arguments.svg).filter(|path| !is_stdout(path)) {
-        check_output(path, &[&arguments.scene])?;
+    let mut files = CommandFiles::default();
+    for path in arguments.dot.iter().chain(&arguments.svg) {
+        files.add_output(path)?;
     }
-    let input = input::scene(&arguments.scene)?;
+    let input = input::scene(&arguments.scene, &mut files)?;
     input.warn();
     let scene = &input.loaded.scene;
     let stage = Stage::prepare(scene).with_context(|| input.name.clone())?;
@@ -25,11 +26,8 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
     };
     if arguments.exact {
         let answers = exact::answers(scene);
-        let text = if arguments.json {
-            format!("{:#}\n", exact::to_json(&answers))
-        } else {
-            exact::to_text(&answers)
-        };
+        let text =
+            if arguments.json { json_text(&exact::to_json(&answers)) } else { exact::to_text(&answers) };
         print(&text)?;
     }
     if let Some(pixel) = arguments.pixel {
@@ -41,17 +39,17 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
         let settings = AuditSettings { picture, ..AuditSettings::default() };
         let pixel = glam::UVec2::new(pixel.x, pixel.y);
         let audit = audit(scene, &stage, stage.camera(), pixel, &settings, &Control::default())?;
-        write(&audit, arguments)?;
+        write(&audit, arguments, &files)?;
     }
     Ok(Outcome::Done)
 }
 
-fn write(audit: &Audit, arguments: &AuditArguments) -> Result<()> {
+fn write(audit: &Audit, arguments: &AuditArguments, files: &CommandFiles) -> Result<()> {
     let (path, text) = match (&arguments.dot, &arguments.svg) {
         (Some(path), _) => (path, audit.to_dot(arguments.depth)),
         (_, Some(path)) => (path, audit.to_svg(arguments.depth)),
-        _ if arguments.json => return print(&format!("{:#}\n", audit.to_json())),
+        _ if arguments.json => return print(&json_text(&audit.to_json())),
         _ => return print(&audit.to_text(arguments.depth)),
     };
-    if is_stdout(path) { print(&text) } else { write_text(path, &text) }
+    files.write(path, text.as_bytes())
 }

@@ -3,43 +3,46 @@
 use std::path::Path;
 
 use anyhow::Result;
-use catoptric_scene::{Diagnostics, LoadError, Scene, Severity};
+use catoptric_scene::{Diagnostics, LoadError, Scene, Severity, visible};
 
 use super::{Outcome, in_words};
 use crate::arguments::CheckArguments;
-use crate::console::{color_on, count, print};
+use crate::console::{color_on, count, print_colored};
+use crate::files::{CommandFiles, OutputIsInput};
 use crate::{input, notes};
 
 pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
     let color = color_on(&std::io::stdout());
     let mut outcome = Outcome::Done;
     for path in &arguments.scenes {
-        let (good, report) = check(path, color);
+        let (good, report) = check(path, color)?;
         if !good {
             outcome = Outcome::WrongInput;
         }
-        print(&report)?;
+        print_colored(&report)?;
     }
     Ok(outcome)
 }
 
 /// Whether the scene can be used, and a report on it: its findings, notes, and a line with the verdict.
-fn check(path: &Path, color: bool) -> (bool, String) {
-    let name = path.display().to_string();
-    match input::scene(path) {
+fn check(path: &Path, color: bool) -> Result<(bool, String)> {
+    let name = visible(&path.display().to_string()).into_owned();
+    Ok(match input::scene(path, &mut CommandFiles::default()) {
         Ok(input::Named { loaded, .. }) => {
             let found = findings(&loaded.warnings, &name, &loaded.text, color);
             let notes = notes::on_scene(&name, &loaded.scene);
             (true, format!("{found}{notes}{name}: {}\n", praise(&loaded.scene, &loaded.warnings)))
         }
+        // Nothing may be printed then.
+        Err(error) if error.is::<OutputIsInput>() => return Err(error),
         Err(error) => match error.downcast_ref::<LoadError>() {
             Some(LoadError::Diagnostics { text, diagnostics, .. }) => {
                 let found = findings(diagnostics, &name, text, color);
                 (false, format!("{found}{name}: {}\n", blame(diagnostics)))
             }
-            _ => (false, format!("error: {}\n{name}: not read\n", in_words(&error))),
+            _ => (false, format!("error: {}\n{name}: not read\n", visible(&in_words(&error)))),
         },
-    }
+    })
 }
 
 fn findings(diagnostics: &Diagnostics, name: &str, text: &str, color: bool) -> String {

@@ -1,65 +1,72 @@
 //! `catoptric compare`
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use catoptric_lab::Machine;
 use catoptric_lab::compare::{Compared, Contender, Job, compare, draw_all, reason_picture};
 use catoptric_lab::report::{Settings, page};
 use catoptric_picture::{BitDepth, Development, HeatMap, Picture, ToneCurve, encode_png, heat_map, read};
+use catoptric_scene::visible;
 use catoptric_tracer::{Control, RenderSettings};
 use serde_json::{Value, json};
 
 use super::Outcome;
 use crate::arguments::CompareArguments;
 use crate::backend::threads;
-use crate::console::print;
+use crate::console::{json_text, print};
+use crate::files::CommandFiles;
 use crate::input::{self, Named};
-use crate::output::{prepare_directory, write_file, write_text};
 use crate::progress::Progress;
+
+const REPORT: &str = "report.html";
+const METRICS: &str = "metrics.json";
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
     Picture::check_size(arguments.size.width, arguments.size.height)?;
-    let input = arguments.scene.as_deref().map(input::scene).transpose()?;
+    let mut files = CommandFiles::default();
+    let input = arguments.scene.as_deref().map(|scene| input::scene(scene, &mut files)).transpose()?;
     if let Some(input) = &input
         && !arguments.quiet
     {
         input.warn();
     }
-    let files = read_pictures(arguments)?;
-    if arguments.methods.len() + files.len() < 2 {
+    let pictures = read_pictures(arguments, &mut files)?;
+    if arguments.methods.len() + pictures.len() < 2 {
         bail!("a comparison takes two pictures or more; name more methods or pictures");
     }
-    prepare_directory(&arguments.output, "report.html")?;
+    files.add_directory(&arguments.output, names(arguments, &pictures))?;
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let mut contenders = match &input {
         Some(input) => draw(arguments, input, &pool)?,
         None => Vec::new(),
     };
-    contenders.extend(files);
+    contenders.extend(pictures);
     let progress = Progress::new(arguments.quiet);
     let folder = arguments.output.to_string_lossy();
     let compared = progress.of_writing(&folder, || -> Result<Compared> {
         let compared = compare(contenders, arguments.tolerance)?;
         let settings = settings(arguments, input.as_ref(), pool.current_num_threads());
         let html = page(&compared, &Machine::here(), &settings)?;
-        write_text(&arguments.output.join("report.html"), &html)?;
-        write_pictures(&compared, &arguments.output, &settings.development)?;
-        write_text(&arguments.output.join("metrics.json"), &format!("{:#}\n", as_json(&compared)))?;
+        let write = |name: &str, bytes: &[u8]| files.write(&arguments.output.join(name), bytes);
+        write(REPORT, html.as_bytes())?;
+        write_pictures(&compared, &settings.development, &write)?;
+        write(METRICS, json_text(&as_json(&compared)).as_bytes())?;
         Ok(compared)
     })?;
     if !arguments.quiet {
-        let report = arguments.output.join("report.html");
+        let report = arguments.output.join(REPORT);
         print(&format!("{}report: {}\n", summary(&compared), report.display()))?;
     }
     Ok(Outcome::Done)
 }
 
 /// The picture files, before anything is drawn: what cannot be read is told at once.
-fn read_pictures(arguments: &CompareArguments) -> Result<Vec<Contender>> {
+fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Result<Vec<Contender>> {
     let mut contenders: Vec<Contender> = Vec::new();
-    for path in &arguments.pictures {
-        let picture = read(path)?;
+    for path in arguments.pictures.iter().flat_map(|list| listed_files(list)) {
+        files.add_input(&path)?;
+        let picture = read(&path)?;
         let size = match (contenders.first(), &arguments.scene) {
             (_, Some(_)) => [arguments.size.width, arguments.size.height],
             (Some(first), None) => [first.picture.width(), first.picture.height()],
@@ -114,12 +121,47 @@ fn settings(arguments: &CompareArguments, input: Option<&Named>, threads: usize)
     }
 }
 
+/// The files of a list with commas between them. A comma may be a part of a name: as many pieces of the list make one name
+/// as name a file that exists.
+fn listed_files(list: &Path) -> Vec<PathBuf> {
+    let Some(text) = list.to_str() else { return vec![list.to_owned()] };
+    let ends =
+        |rest: &str| rest.match_indices(',').map(|(end, _)| end).chain([rest.len()]).collect::<Vec<_>>();
+    let mut files = Vec::new();
+    let mut rest = Some(text);
+    while let Some(list) = rest {
+        let ends = ends(list);
+        let whole =
+            ends.iter().rev().find(|&&end| list.get(..end).is_some_and(|name| Path::new(name).exists()));
+        let end = whole.or(ends.first()).copied().unwrap_or(list.len());
+        files.push(PathBuf::from(list.get(..end).unwrap_or_default()));
+        rest = list.get(end + 1..);
+    }
+    files
+}
+
+/// The names of all files that a comparison can write.
+fn names(arguments: &CompareArguments, pictures: &[Contender]) -> Vec<String> {
+    let methods = arguments.methods.iter().map(ToString::to_string);
+    let contenders = methods.chain(pictures.iter().map(|picture| picture.name.clone())).enumerate();
+    let mut names = vec![REPORT.to_owned(), METRICS.to_owned()];
+    for (index, name) in contenders {
+        let stem = file_stem(index, &name);
+        names.extend(["", "-difference", "-flip", "-reasons"].map(|kind| format!("{stem}{kind}.png")));
+    }
+    names
+}
+
 /// The pictures and maps of the page as files of their own.
-fn write_pictures(compared: &Compared, folder: &Path, development: &Development) -> Result<()> {
+fn write_pictures(
+    compared: &Compared,
+    development: &Development,
+    write_bytes: &dyn Fn(&str, &[u8]) -> Result<()>,
+) -> Result<()> {
     let plain = Development { exposure_stops: 0.0, tone_curve: ToneCurve::None };
     let write = |name: String, picture: &Picture, development: &Development| -> Result<()> {
         let png = encode_png(&development.develop(picture, BitDepth::Eight)?)?;
-        write_file(&folder.join(name), &png)
+        write_bytes(&name, &png)
     };
     for (index, contender) in compared.contenders.iter().enumerate() {
         write(format!("{}.png", file_stem(index, &contender.name)), &contender.picture, development)?;
@@ -191,17 +233,41 @@ fn as_json(compared: &Compared) -> Value {
 
 /// A line for each picture.
 fn summary(compared: &Compared) -> String {
-    let width = compared.contenders.iter().map(|contender| contender.name.chars().count()).max().unwrap_or(0);
+    let names = compared.contenders.iter().map(|contender| visible(&contender.name).chars().count());
+    let width = names.max().unwrap_or(0);
     let mut text = String::new();
     for (other, metrics) in compared.others() {
         let ssim = metrics.ssim.map_or_else(|| "none".to_owned(), |ssim| format!("{ssim:.4}"));
         text.push_str(&format!(
             "{:width$}  RMSE {:.4}  SSIM {ssim}  FLIP {:.4}  wrong {:.2} %\n",
-            other.name,
+            visible(&other.name),
             metrics.difference.rmse,
             metrics.flip,
             100.0 * metrics.difference.share_above
         ));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commas_part_names_and_stand_in_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+        for name in ["a", "b,c", "b", ",", "d,e,f", "d"] {
+            std::fs::write(at(name), "").unwrap();
+        }
+        let listed = |names: &[&str]| {
+            let names: Vec<String> = names.iter().map(|name| at(name)).collect();
+            let found = listed_files(Path::new(&names.join(",")));
+            found == names.iter().map(PathBuf::from).collect::<Vec<_>>()
+        };
+        assert!(listed(&["a"]) && listed(&["a", "a", "a"]) && listed(&["b,c"]) && listed(&["b", "a"]));
+        assert!(listed(&["a", "b,c", ",", "d,e,f", "d", "none", "a"]));
+        assert_eq!(listed_files(Path::new("no,such")), [Path::new("no"), Path::new("such")]);
+        assert_eq!(listed_files(Path::new("no,")), [Path::new("no"), Path::new("")]);
+    }
 }

@@ -1,44 +1,73 @@
 //! `catoptric convert`
 
+use std::path::Path;
+
 use anyhow::{Result, bail};
+use catoptric_files::{directory_of_file, is_stream};
 use catoptric_picture::read;
 use catoptric_scene::{HasImages as _, Image, write};
 
 use super::Outcome;
 use crate::arguments::ConvertArguments;
+use crate::files::CommandFiles;
 use crate::input;
-use crate::output::{Kind, check_output, write_picture, write_text};
+use crate::output::{Kind, PictureKind};
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<Outcome> {
-    let ConvertArguments { from, to, development } = arguments;
-    match (Kind::of(from), Kind::of(to)) {
-        (Some(Kind::Scene), Some(Kind::Scene)) => {
-            check_output(to, &[from])?;
-            let input = input::file(from)?;
-            input.warn();
-            let mut scene = input.loaded.scene;
-            scene.edit_images(&mut |image| {
-                if let Some(path) = Image::moved_path(image.path(), from.parent(), to.parent()) {
-                    *image = image.with_path(path);
-                }
-            });
-            write_text(to, &write(&scene))?;
-        }
-        (Some(Kind::Scene), Some(Kind::Picture(_))) => {
+    let ConvertArguments { from, to, format, development } = arguments;
+    let mut files = CommandFiles::default();
+    match (Kind::of(from), kind_to_write(from, to, *format)?) {
+        (Some(Kind::Scene), Kind::Scene) => write_scene(from, to, &mut files)?,
+        // The name of a stream says nothing of what it brings.
+        (None, Kind::Scene) if is_stream(from) => write_scene(from, to, &mut files)?,
+        (Some(Kind::Scene), Kind::Picture(_)) => {
             bail!("{} is a scene: `catoptric render` makes a picture of it", from.display())
         }
-        (_, Some(Kind::Picture(kind))) => {
-            check_output(to, &[from])?;
-            write_picture(to, kind, &read(from)?, development)?;
+        (_, Kind::Picture(kind)) => {
+            files.add_picture_output(to)?;
+            files.add_input(from)?;
+            files.write_picture(to, kind, &read(from)?, development)?;
         }
-        (_, Some(Kind::Scene)) => bail!(
+        (_, Kind::Scene) => bail!(
             "cannot make a scene of {}: only a file that ends in .toml is one; `catoptric examples` writes the \
              built-in scenes",
             from.display()
         ),
-        (_, None) => {
-            bail!("cannot tell the format of {}: give a name that ends in .png, .exr or .toml", to.display())
-        }
     }
     Ok(Outcome::Done)
+}
+
+/// What to write: `format` if it is given, else what the extension of `to` says. The name of a stream may say nothing:
+/// then a scene becomes a scene, and a picture a PNG.
+fn kind_to_write(from: &Path, to: &Path, format: Option<Kind>) -> Result<Kind> {
+    match (format, Kind::of(to)) {
+        (Some(kind), _) | (None, Some(kind)) => Ok(kind),
+        (None, None) if !is_stream(to) => bail!(
+            "cannot tell the format of {}: give a name that ends in .png, .exr or .toml, or --format",
+            to.display()
+        ),
+        (None, None) => match Kind::of(from) {
+            Some(Kind::Scene) => Ok(Kind::Scene),
+            _ => Ok(Kind::Picture(PictureKind::Png)),
+        },
+    }
+}
+
+fn write_scene(from: &Path, to: &Path, files: &mut CommandFiles) -> Result<()> {
+    files.add_output(to)?;
+    let input = input::file(from, files)?;
+    input.warn();
+    let mut scene = input.loaded.scene;
+    let (old, new) = (folder_of(from), folder_of(to));
+    scene.edit_images(&mut |image| {
+        if let Some(path) = Image::moved_relative_path(image.path(), old, new) {
+            *image = image.with_path(path);
+        }
+    });
+    files.write(to, write(&scene).as_bytes())
+}
+
+/// Where the paths of pictures begin: in a stream, where the program was started.
+fn folder_of(scene: &Path) -> &Path {
+    directory_of_file(scene).filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

@@ -1,24 +1,25 @@
 //! `catoptric diff`
 
+use std::path::Path;
+
 use anyhow::{Context as _, Result, bail};
-use catoptric_picture::{
-    BitDepth, CompareError, Comparison, Development, Difference, Flip, HeatMap, Picture, heat_map, read,
-    ssim, write_png,
-};
+use catoptric_files::FileId;
+use catoptric_picture::{CompareError, Comparison, Difference, Flip, HeatMap, Picture, heat_map, read, ssim};
 use serde_json::json;
 
 use super::Outcome;
-use crate::arguments::DiffArguments;
-use crate::console::print;
-use crate::interrupt::while_writing;
-use crate::output::{Kind, PictureKind, check_output};
+use crate::arguments::{DevelopmentArguments, DiffArguments};
+use crate::console::{json_text, print};
+use crate::files::CommandFiles;
+use crate::output::PictureKind;
 
 pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
+    let mut files = CommandFiles::default();
+    files.add_input(&arguments.a)?;
+    files.add_input(&arguments.b)?;
     if let Some(path) = &arguments.heat {
-        if Kind::of(path) != Some(Kind::Picture(PictureKind::Png)) {
-            bail!("a heat map is a PNG picture: give {} a name that ends in .png", path.display());
-        }
-        check_output(path, &[&arguments.a, &arguments.b])?;
+        check_heat(path)?;
+        files.add_picture_output(path)?;
     }
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     let names = || format!("cannot compare {} and {}", arguments.a.display(), arguments.b.display());
@@ -27,8 +28,7 @@ pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
     if let Some(path) = &arguments.heat {
         let options = HeatMap { clamp: comparison.clamp, ..HeatMap::default() };
         let map = heat_map(&a, &b, &options).with_context(names)?;
-        let developed = Development::default().develop(&map, BitDepth::Eight)?;
-        while_writing(path, || write_png(path, &developed))?;
+        files.write_picture(path, PictureKind::Png, &map, &DevelopmentArguments::plain())?;
     }
     let perceived = Perceived::of(&a, &b).with_context(names)?;
     let equal = difference.share_above <= arguments.allow;
@@ -39,6 +39,18 @@ pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
         as_text(&difference, &perceived, arguments, size, equal)
     })?;
     Ok(if equal { Outcome::Done } else { Outcome::Failed })
+}
+
+/// Refuses a heat map that would not be a PNG, or that would run into the numbers.
+fn check_heat(path: &Path) -> Result<()> {
+    if !matches!(PictureKind::for_output(path, None), Ok(PictureKind::Png)) {
+        bail!("a heat map is a PNG picture: give {} a name that ends in .png", path.display());
+    }
+    let output = FileId::of_output(path);
+    if output.is_some() && output == FileId::of_output(Path::new("-")) {
+        bail!("cannot write the heat map to {}: the numbers go there; give another name", path.display());
+    }
+    Ok(())
 }
 
 /// How different the pictures look.
@@ -83,7 +95,7 @@ fn as_json(
         "worst_pixel": difference.worst,
         "equal": equal,
     });
-    format!("{value:#}\n")
+    json_text(&value)
 }
 
 fn as_text(

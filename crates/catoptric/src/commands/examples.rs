@@ -6,8 +6,9 @@ use catoptric_scene::Example;
 use super::Outcome;
 use crate::arguments::ExamplesArguments;
 use crate::console::print;
+use crate::files::CommandFiles;
 use crate::input::no_such_example;
-use crate::output::{Kind, write_text};
+use crate::output::Kind;
 
 pub(crate) fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
     let Some(name) = &arguments.name else {
@@ -21,7 +22,11 @@ pub(crate) fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
              `catoptric render {name} -o {0}`",
             path.display()
         ),
-        Some(path) => write_text(path, example.text)?,
+        Some(path) => {
+            let mut files = CommandFiles::default();
+            files.add_output(path)?;
+            files.write(path, example.text.as_bytes())?;
+        }
         None => print(example.text)?,
     }
     Ok(Outcome::Done)

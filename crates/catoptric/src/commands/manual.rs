@@ -4,8 +4,8 @@ use anyhow::{Result, bail};
 use clap::CommandFactory as _;
 
 use super::Outcome;
-use crate::arguments::{Arguments, CompletionsArguments, ManArguments};
-use crate::console::print;
+use crate::arguments::{Arguments, CompletionsArguments, HelpArguments, ManArguments};
+use crate::console::{color_on, print, print_colored};
 
 pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<Outcome> {
     let mut script = Vec::new();
@@ -14,19 +14,40 @@ pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-pub(crate) fn man(arguments: &ManArguments) -> Result<Outcome> {
-    let mut program = Arguments::command().disable_help_subcommand(true);
+/// Explains the program or a command as its option `--help` does.
+pub(crate) fn help(arguments: &HelpArguments) -> Result<Outcome> {
+    let mut command = chosen(arguments.command.as_deref(), |_| true)?;
+    let words = command.render_long_help();
+    if color_on(&std::io::stdout()) {
+        print_colored(&words.ansi().to_string())?;
+    } else {
+        print(&words.to_string())?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// The command of this name, one of those that `is_meant` accepts, or the whole program.
+fn chosen(name: Option<&str>, is_meant: impl Fn(&str) -> bool) -> Result<clap::Command> {
+    let mut program = Arguments::command();
     // Hands the version on to the commands.
     program.build();
+    let Some(name) = name else { return Ok(program) };
+    match program.find_subcommand(name).filter(|command| is_meant(command.get_name())) {
+        Some(command) => Ok(command.clone()),
+        None => {
+            let names = program.get_subcommands().map(clap::Command::get_name);
+            let names: Vec<&str> = names.filter(|name| is_meant(name)).collect();
+            bail!("there is no command \"{name}\"; choose one of: {}", names.join(", "))
+        }
+    }
+}
+
+pub(crate) fn man(arguments: &ManArguments) -> Result<Outcome> {
+    // The pages are the help.
+    let command = chosen(arguments.command.as_deref(), |name| name != "help")?;
     let command = match &arguments.command {
-        None => program.clone(),
-        Some(name) => match program.find_subcommand(name) {
-            Some(command) => command.clone().name(format!("catoptric-{name}")),
-            None => {
-                let names: Vec<&str> = program.get_subcommands().map(clap::Command::get_name).collect();
-                bail!("there is no command \"{name}\"; choose one of: {}", names.join(", "))
-            }
-        },
+        Some(name) => command.name(format!("catoptric-{name}")),
+        None => command,
     };
     let mut page = Vec::new();
     let source = concat!("Catoptric ", env!("CARGO_PKG_VERSION"));

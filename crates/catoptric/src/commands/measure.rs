@@ -1,17 +1,18 @@
 //! `catoptric measure`
 
+use std::fs;
 use std::sync::Arc;
 
 use anyhow::{Context as _, Result};
 use catoptric_lab::measure::{Axis, MeasureError, Plan, measure};
-use catoptric_lab::report::study;
+use catoptric_lab::report::{Study, study};
 use catoptric_picture::Picture;
 use catoptric_tracer::{Control, RenderSettings};
 
 use super::Outcome;
 use crate::arguments::MeasureArguments;
 use crate::console::{print, say};
-use crate::output::{prepare_directory, write_file};
+use crate::files::CommandFiles;
 use crate::progress::Progress;
 use crate::{input, interrupt};
 
@@ -19,11 +20,16 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let axes = Axis::read(&arguments.vary, threads).context("--vary")?;
     Picture::check_size(arguments.size.width, arguments.size.height)?;
-    let input = input::scene(&arguments.scene)?;
+    let mut files = CommandFiles::default();
+    let input = input::scene(&arguments.scene, &mut files)?;
     if !arguments.quiet {
         input.warn();
     }
-    prepare_directory(&arguments.output, "report.md")?;
+    files.add_directory(&arguments.output, Study::NAMES.map(str::to_owned))?;
+    // At once: what was measured must not be lost for want of a place when the sweep is interrupted.
+    let is_new_directory = !arguments.output.exists();
+    fs::create_dir_all(&arguments.output)
+        .with_context(|| format!("cannot make the directory {}", arguments.output.display()))?;
     let plan = Plan {
         scene: input.loaded.scene,
         name: input.name,
@@ -46,6 +52,10 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
     let progress = Progress::new(arguments.quiet);
     let measured = progress
         .of_steps(total, |tell| measure(&plan, &control, &mut |progress| tell(progress.done, progress.left)));
+    if measured.is_err() && is_new_directory {
+        // It is empty.
+        let _ = fs::remove_dir(&arguments.output);
+    }
     let measured = match measured {
         Err(MeasureError::Cancelled) => {
             say("interrupted; nothing was written");
@@ -55,7 +65,7 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
     };
     let study = study(&measured, arguments.language)?;
     for (name, bytes) in &study.files {
-        write_file(&arguments.output.join(name), bytes)?;
+        files.write(&arguments.output.join(name), bytes)?;
     }
     if !arguments.quiet {
         let report = arguments.output.join("report.md");

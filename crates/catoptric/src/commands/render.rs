@@ -7,7 +7,7 @@ use anyhow::{Context as _, Result};
 use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
-use catoptric_picture::{Picture, ToneCurve};
+use catoptric_picture::Picture;
 use catoptric_tracer::method::{Drawing, Layer, Method};
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
@@ -15,15 +15,17 @@ use super::Outcome;
 use crate::arguments::{DevelopmentArguments, RenderArguments};
 use crate::backend::{Drawer, Drawn, threads};
 use crate::canvas::Canvas;
-use crate::console::{count, print, say};
-use crate::output::{Kind, PictureKind, check_output, is_stdout, milliseconds, write_picture, write_text};
+use crate::console::{count, json_text, say};
+use crate::files::CommandFiles;
+use crate::output::{PictureKind, milliseconds};
 use crate::progress::Progress;
 use crate::stats::{Stats, Times};
 use crate::{input, memory, notes};
 
 pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let method = arguments.method.chosen()?;
-    let kind = refuse_early(arguments)?;
+    let mut files = CommandFiles::default();
+    let kind = refuse_early(arguments, &mut files)?;
     let drawer = Drawer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
     let progress = Progress::new(arguments.quiet);
     let mut times = Times::default();
@@ -34,7 +36,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let canvas = if arguments.map.is_none() { drawer.canvas(&method, settings, &pool)? } else { None };
 
     let start = Instant::now();
-    let input = input::scene(&arguments.scene)?;
+    let input = input::scene(&arguments.scene, &mut files)?;
     times.read = milliseconds(start);
     if !arguments.quiet {
         warn_of_scene(&input);
@@ -52,7 +54,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     times.prepare = milliseconds(start);
 
     if let Some(map) = arguments.map {
-        return show_map(arguments, kind, map, &stage, settings, &pool, progress);
+        return show_map(arguments, (&files, kind), map, &stage, settings, &pool, progress);
     }
     let control = Control::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
@@ -67,10 +69,10 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     fallen_back.iter().filter(|_| !arguments.quiet).for_each(warn_of_fallback);
 
     (times.develop, times.write) = progress.of_writing(&arguments.output.to_string_lossy(), || {
-        write_picture(&arguments.output, kind, &drawing.picture, &arguments.development)
+        files.write_picture(&arguments.output, kind, &drawing.picture, &arguments.development)
     })?;
     if let Some(folder) = &arguments.method.layers {
-        progress.of_writing(&folder.to_string_lossy(), || write_layers(folder, &stage, &drawing))?;
+        progress.of_writing(&folder.to_string_lossy(), || write_layers(&files, folder, &stage, &drawing))?;
     }
     let stats = Stats {
         scene: &input.name,
@@ -91,7 +93,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         rays: drawing.counts,
         peak_memory_bytes: memory::peak_bytes(),
     };
-    finish(arguments, &stats, progress)?;
+    finish(arguments, &files, &stats, progress)?;
     if progress.is_shown() {
         advise(&stage, settings, &pool);
     }
@@ -101,7 +103,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
 /// Writes a map instead of the picture: in colors with a legend, or as an EXR of its numbers.
 fn show_map(
     arguments: &RenderArguments,
-    kind: PictureKind,
+    (files, kind): (&CommandFiles, PictureKind),
     map_kind: MapKind,
     stage: &Stage,
     picture: RenderSettings,
@@ -119,7 +121,7 @@ fn show_map(
     };
     let plain = DevelopmentArguments::plain();
     progress.of_writing(&arguments.output.to_string_lossy(), || {
-        write_picture(&arguments.output, kind, &shown, &plain)
+        files.write_picture(&arguments.output, kind, &shown, &plain)
     })?;
     if !arguments.quiet && map.incomplete > 0 {
         say(&format!(
@@ -157,32 +159,33 @@ fn advise(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
 }
 
 /// Refuses what can be refused before the work begins; returns the kind of picture to write.
-fn refuse_early(arguments: &RenderArguments) -> Result<PictureKind> {
-    let kind = Kind::of_picture(&arguments.output)?;
+fn refuse_early(arguments: &RenderArguments, files: &mut CommandFiles) -> Result<PictureKind> {
+    let kind = PictureKind::for_output(&arguments.output, arguments.format)?;
     Picture::check_size(arguments.size.width, arguments.size.height)?;
-    check_output(&arguments.output, &[&arguments.scene])?;
-    if let Some(path) = &arguments.stats
-        && !is_stdout(path)
-    {
-        check_output(path, &[&arguments.scene, &arguments.output])?;
+    files.add_picture_output(&arguments.output)?;
+    if let Some(path) = &arguments.stats {
+        files.add_output(path)?;
     }
     if let Some(folder) = &arguments.method.layers {
-        std::fs::create_dir_all(folder)
-            .with_context(|| format!("cannot make the folder {} for the layers", folder.display()))?;
+        files.add_directory(folder, Layer::ALL.map(layer_file))?;
     }
     Ok(kind)
 }
 
+fn layer_file(layer: Layer) -> String {
+    format!("{}.png", layer.name())
+}
+
 /// Writes the buffers behind the picture: `depth.png` and the like, and of each cube map `cube-map-3.png`, 3 being the
 /// number of its body in the scene.
-fn write_layers(folder: &Path, stage: &Stage, drawing: &Drawing) -> Result<()> {
-    let plain = DevelopmentArguments { exposure: 0.0, tone_curve: ToneCurve::None, bits: "8".to_owned() };
+fn write_layers(files: &CommandFiles, folder: &Path, stage: &Stage, drawing: &Drawing) -> Result<()> {
+    let plain = DevelopmentArguments::plain();
     let write = |name: String, picture: &Picture| {
-        write_picture(&folder.join(name), PictureKind::Png, picture, &plain).map(|_| ())
+        files.write_picture(&folder.join(name), PictureKind::Png, picture, &plain).map(|_| ())
     };
     for layer in Layer::ALL {
         if let Some(picture) = drawing.layer(stage, layer)? {
-            write(format!("{}.png", layer.name()), &picture)?;
+            write(layer_file(layer), &picture)?;
         }
     }
     for (body, map) in drawing.maps(stage) {
@@ -192,14 +195,14 @@ fn write_layers(folder: &Path, stage: &Stage, drawing: &Drawing) -> Result<()> {
 }
 
 /// Writes the statistics, and on a terminal says in a line what was done.
-fn finish(arguments: &RenderArguments, stats: &Stats<'_>, progress: Progress) -> Result<()> {
+fn finish(
+    arguments: &RenderArguments,
+    files: &CommandFiles,
+    stats: &Stats<'_>,
+    progress: Progress,
+) -> Result<()> {
     if let Some(path) = &arguments.stats {
-        let text = format!("{:#}\n", stats.to_json());
-        if is_stdout(path) {
-            print(&text)?;
-        } else {
-            write_text(path, &text)?;
-        }
+        files.write(path, json_text(&stats.to_json()).as_bytes())?;
     }
     if progress.is_shown() {
         say(&format!(

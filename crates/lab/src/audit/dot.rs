@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use catoptric_scene::visible;
+
 use super::drawing::{self, Drawn};
 use super::numbers::{exact_color, short_color};
 use super::{Audit, RayTree};
@@ -36,7 +38,7 @@ impl Audit {
         for place in places {
             let Some(node) = tree.nodes.get(place) else { continue };
             let color = drawing::color(node.kind);
-            let body = drawing::end_of(self, node).replace('\\', "\\\\").replace('"', "\\\"");
+            let body = label(&drawing::end_of(self, node));
             let _ = writeln!(
                 text,
                 "  {} [label=\"{} {}\\n{body}\\nbrings {}\" color=\"{color}\"];",
@@ -60,5 +62,20 @@ impl Audit {
             let _ =
                 writeln!(text, "  {} [label=\"{hidden} more rays\" shape=plaintext];", name(usize::MAX - 1));
         }
+    }
+}
+
+/// Text within the quotes of a label, where Graphviz reads escape sequences and the entities of HTML.
+fn label(text: &str) -> String {
+    visible(text).replace('&', "&amp;").replace('\\', "\\\\").replace('"', "\\\"")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn nothing_in_a_label_is_a_command() {
+        assert_eq!(label("a\\N\"b\" &#27;\n"), "a\\\\N\\\"b\\\" &amp;#27;\\\\u000A");
     }
 }

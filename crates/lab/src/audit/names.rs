@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use catoptric_scene::Scene;
+use catoptric_scene::{Scene, quoted_name};
 
 /// The names of a scene's bodies and lights, as a person would say them: those of the file, or what they are.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,7 +19,7 @@ impl Names {
         let lights = scene.lights.iter().enumerate().filter(|(_, light)| !light.hidden);
         let name = |(number, light): (usize, &catoptric_scene::Light)| match light.name.as_str() {
             "" => format!("light {}", number + 1),
-            name => format!("\"{name}\""),
+            name => quoted_name(name),
         };
         Self { bodies: BTreeMap::new(), lights: lights.map(name).collect() }
     }
@@ -27,7 +27,7 @@ impl Names {
     /// Looks up the name of a body.
     pub(super) fn meet(&mut self, scene: &Scene, body: usize) {
         let name = || match scene.bodies.get(body) {
-            Some(found) if !found.name.is_empty() => format!("\"{}\"", found.name),
+            Some(found) if !found.name.is_empty() => quoted_name(&found.name),
             Some(found) => format!("{} {}", found.shape.key(), body + 1),
             None => format!("body {}", body + 1),
         };

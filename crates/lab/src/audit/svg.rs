@@ -10,6 +10,7 @@ use super::drawing::{self, Drawn};
 use super::layout::tidy;
 use super::numbers::{exact, exact_color, short_color};
 use super::{Audit, Node, NodeKind, Proof, RayTree};
+use crate::report::html::escape;
 
 /// Size of a node's card, and the distances between cards, in pixels.
 const CARD: [f64; 2] = [200.0, 58.0];
@@ -181,7 +182,7 @@ impl<'a> Drawing<'a> {
              <text x=\"16\" y=\"34\" font-size=\"13.5\" font-weight=\"600\" fill=\"#1d2129\">{}</text>\n\
              <text x=\"16\" y=\"50\" font-size=\"10.5\" fill=\"#5a6270\">{share}{}</text>\n\
              <rect x=\"{}\" y=\"19\" width=\"20\" height=\"20\" rx=\"5\" fill=\"{}\" stroke=\"#0002\"/>",
-            escaped(&format!(
+            escape(&format!(
                 "ray {}: weight {}, brings {}",
                 place + 1,
                 exact_color(node.ray.weight),
@@ -190,7 +191,7 @@ impl<'a> Drawing<'a> {
             place + 1,
             node.kind.in_words(),
             node.ray.generation,
-            escaped(&name),
+            escape(&name),
             endings(node.answer()),
             width - 30.0,
             css(node.radiance),
@@ -284,8 +285,4 @@ fn shortened(name: &str) -> String {
     }
     let kept: String = name.chars().take(MOST - 1).collect();
     kept + "…"
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use catoptric_scene::Scene;
+use catoptric_scene::{Scene, quoted_name};
 use glam::DVec3;
 use serde_json::{Value, json};
 
@@ -17,7 +17,7 @@ impl Answers {
         places.sort_unstable();
         places.dedup();
         let name = |place: usize| match scene.bodies.get(place) {
-            Some(body) if !body.name.is_empty() => format!("\"{}\"", body.name),
+            Some(body) if !body.name.is_empty() => quoted_name(&body.name),
             Some(body) => format!("{} {}", body.shape.key(), place + 1),
             None => format!("body {}", place + 1),
         };

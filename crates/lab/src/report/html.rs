@@ -2,19 +2,21 @@
 
 use std::fmt::Write as _;
 
-/// Text as XML has it.
+use catoptric_scene::visible;
+
+/// Text as XML has it: no markup, no character that XML cannot say, none that turns the direction of the text around it.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
+    for character in visible(text).chars() {
         match character {
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),
             '>' => escaped.push_str("&gt;"),
             '"' => escaped.push_str("&quot;"),
+            // In attributes between single quotes, should there be any.
+            '\'' => escaped.push_str("&#39;"),
             // XML cannot say these at all.
-            '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => {
-                escaped.push('\u{fffd}');
-            }
+            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
             other => escaped.push(other),
         }
     }
@@ -49,10 +51,10 @@ mod tests {
 
     #[test]
     fn no_text_breaks_the_markup() {
-        let wild = "a<b>&\"c\"\u{1}\u{fffe}</table>";
+        let wild = "a<b>&\"c\"'\u{1}\u{fffe}\u{9b}\u{202e}\n</table>";
         let html = table(wild, &[wild.to_owned()], &[vec![wild.to_owned(), wild.to_owned()]]);
         let document = roxmltree::Document::parse(&html).unwrap();
         let caption = document.descendants().find(|node| node.has_tag_name("caption")).unwrap();
-        assert_eq!(caption.text(), Some("a<b>&\"c\"\u{fffd}\u{fffd}</table>"));
+        assert_eq!(caption.text(), Some("a<b>&\"c\"'\\u0001\u{fffd}\\u009B\\u202E\\u000A</table>"));
     }
 }

@@ -7,7 +7,7 @@ use catoptric_picture::{BitDepth, Development, encode_png};
 use super::language::Language;
 use super::plot::{Curve, Mark, Plot, PlotAxis};
 use super::raster::{RasterError, rasterize};
-use super::tables::{Table, csv_line, tex};
+use super::tables::{Table, csv_line, markdown, tex};
 use super::texts::fill;
 use crate::machine::Machine;
 use crate::measure::{Fit, Law, Measured, Parameter, Point, Series, Summary, series};
@@ -19,6 +19,12 @@ pub struct Study {
     pub files: Vec<(&'static str, Vec<u8>)>,
     /// The laws in words, a line for each curve.
     pub laws: Vec<String>,
+}
+
+impl Study {
+    /// The names that files can have.
+    pub const NAMES: [&'static str; 8] =
+        ["runs.csv", "points.csv", "time.png", "time.svg", "rays.png", "rays.svg", "report.md", "report.tex"];
 }
 
 /// Pixels for each unit of a plot's size.
@@ -195,7 +201,11 @@ impl Chapter<'_> {
     }
 
     fn filled(&self, text: &str) -> String {
-        fill(text, &[("parameter", self.language.depending_on(self.first())), ("scene", &self.measured.name)])
+        self.filled_with(text, &self.measured.name)
+    }
+
+    fn filled_with(&self, text: &str, scene: &str) -> String {
+        fill(text, &[("parameter", self.language.depending_on(self.first())), ("scene", scene)])
     }
 
     fn law_formula(&self, fit: &Fit) -> String {
@@ -440,8 +450,9 @@ impl Chapter<'_> {
         text
     }
 
-    fn figures(&self) -> Vec<(&'static str, String)> {
-        let mut figures = vec![("time", self.filled(self.language.plot_caption()))];
+    /// The plots and their captions, in which the scene is called `scene`.
+    fn figures(&self, scene: &str) -> Vec<(&'static str, String)> {
+        let mut figures = vec![("time", self.filled_with(self.language.plot_caption(), scene))];
         if self.first() == Parameter::Generations {
             figures.push(("rays", self.language.rays_caption().to_owned()));
         }
@@ -450,12 +461,14 @@ impl Chapter<'_> {
 
     fn markdown(&self) -> String {
         let language = self.language;
-        let mut text = format!("# {}\n\n## {}\n\n", self.filled(language.study_title()), language.setup());
+        let scene = markdown(&self.measured.name);
+        let title = self.filled_with(language.study_title(), &scene);
+        let mut text = format!("# {title}\n\n## {}\n\n", language.setup());
         for paragraph in self.setup() {
             let _ = write!(text, "{paragraph}\n\n");
         }
         let _ = write!(text, "{}\n## {}\n\n", self.machine_table().markdown(), language.results_head());
-        for ((name, caption), number) in self.figures().into_iter().zip(1..) {
+        for ((name, caption), number) in self.figures(&scene).into_iter().zip(1..) {
             let figure = language.figure().replace("{n}", &number.to_string());
             let _ = write!(text, "![{caption}]({name}.svg)\n\n*{figure}. {caption}*\n\n");
         }
@@ -485,7 +498,7 @@ impl Chapter<'_> {
             self.machine_table().latex("machine"),
             tex(language.results_head())
         );
-        for (name, caption) in self.figures() {
+        for (name, caption) in self.figures(&self.measured.name) {
             let _ = write!(
                 text,
                 "\\begin{{figure}}[htbp]\n  \\centering\n  \\includegraphics[width=\\linewidth]{{{name}.png}}\n  \

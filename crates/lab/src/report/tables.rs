@@ -1,5 +1,7 @@
 //! Tables for Markdown, LaTeX and spreadsheets.
 
+use catoptric_scene::visible;
+
 /// A table: the first column is text or the parameter, the others are numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
@@ -12,14 +14,13 @@ impl Table {
     /// The table in Markdown, with its caption above.
     pub(crate) fn markdown(&self) -> String {
         let line = |cells: &[String]| {
-            let cells: Vec<String> =
-                cells.iter().map(|cell| cell.replace('|', "\\|").replace('\n', " ")).collect();
+            let cells: Vec<String> = cells.iter().map(|cell| visible(cell).replace('|', "\\|")).collect();
             format!("| {} |\n", cells.join(" | "))
         };
         let rule: Vec<String> =
             (0..self.heads.len()).map(|index| if index == 0 { ":---" } else { "---:" }.to_owned()).collect();
         let rows: String = self.rows.iter().map(|row| line(row)).collect();
-        format!("*{}*\n\n{}{}{rows}", self.caption, line(&self.heads), line(&rule))
+        format!("*{}*\n\n{}{}{rows}", markdown(&self.caption), line(&self.heads), line(&rule))
     }
 
     /// The table in LaTeX, with `booktabs`.
@@ -40,10 +41,25 @@ impl Table {
     }
 }
 
+/// Text as Markdown has it: nothing in it is markup.
+pub(crate) fn markdown(text: &str) -> String {
+    let mut result = String::with_capacity(text.len());
+    for character in visible(text).chars() {
+        if matches!(
+            character,
+            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '#' | '|' | '!' | '~' | '&' | '$'
+        ) {
+            result.push('\\');
+        }
+        result.push(character);
+    }
+    result
+}
+
 /// Text as LaTeX has it: nothing in it is a command, and what its fonts may lack is written in mathematics.
 pub(crate) fn tex(text: &str) -> String {
     let mut result = String::with_capacity(text.len());
-    for character in text.chars() {
+    for character in visible(text).chars() {
         let command = match character {
             '\\' => "\\textbackslash{}",
             '{' => "\\{",
@@ -55,6 +71,14 @@ pub(crate) fn tex(text: &str) -> String {
             '%' => "\\%",
             '~' => "\\textasciitilde{}",
             '^' => "\\textasciicircum{}",
+            // In the oldest encoding of fonts these are other characters; Babel makes a command of the first.
+            '"' => "\\char34{}",
+            '<' => "\\textless{}",
+            '>' => "\\textgreater{}",
+            '|' => "\\textbar{}",
+            // After the end of a row these would belong to it.
+            '[' => "{[}",
+            '*' => "{*}",
             '\u{a0}' => "~",
             '−' => "$-$",
             '×' => "$\\times$",
@@ -113,7 +137,15 @@ mod tests {
         assert_eq!(lines.len(), 5);
         assert!(lines[2].starts_with("| a\\|b") && lines[3] == "| :--- | ---: |", "{markdown}");
         let latex = table.latex("t");
-        assert!(latex.contains("a|b\\textbackslash{}c \\& 50 \\% of \\$x\\_1\\textasciicircum{}2\\$ \\{\\} \\textasciitilde{} 10$^-$$^5$ & 1 \\\\\n"), "{latex}");
+        assert!(latex.contains("a\\textbar{}b\\textbackslash{}c \\& 50 \\% of \\$x\\_1\\textasciicircum{}2\\$ \\{\\} \\textasciitilde{} 10$^-$$^5$ & 1 \\\\\n"), "{latex}");
+    }
+
+    #[test]
+    fn nothing_in_a_text_is_a_command_of_latex() {
+        assert_eq!(
+            tex("[x]* \"a\" <b>\u{1b}\n"),
+            "{[}x]{*} \\char34{}a\\char34{} \\textless{}b\\textgreater{}\\textbackslash{}u001B\\textbackslash{}u000A"
+        );
     }
 
     #[test]

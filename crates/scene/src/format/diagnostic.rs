@@ -1,9 +1,11 @@
 //! Findings about a scene file: where, what, and what is allowed.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
 use crate::image::{ImageError, ImageSource};
+use crate::text::visible;
 
 /// How much a finding matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +68,7 @@ impl Diagnostic {
             span,
             line: 0,
             column: 0,
-            message: message.into(),
+            message: shown(message),
             label: String::new(),
             help: None,
             related: None,
@@ -80,20 +82,29 @@ impl Diagnostic {
 
     /// The same with words beside the mark.
     pub(crate) fn label(mut self, label: impl Into<String>) -> Self {
-        self.label = label.into();
+        self.label = shown(label);
         self
     }
 
     /// The same with help.
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.help = Some(shown(help));
         self
     }
 
     /// The same with another place that explains it.
     pub(crate) fn related(mut self, span: Range<usize>, message: impl Into<String>) -> Self {
-        self.related = Some(Related { span, line: 0, column: 0, message: message.into() });
+        self.related = Some(Related { span, line: 0, column: 0, message: shown(message) });
         self
+    }
+}
+
+/// Words of a finding: whatever of the file they repeat, they are one line that does nothing but be seen.
+fn shown(words: impl Into<String>) -> String {
+    let words = words.into();
+    match visible(&words) {
+        Cow::Borrowed(_) => words,
+        Cow::Owned(words) => words,
     }
 }
 

@@ -9,8 +9,8 @@ use crate::Scene;
 use crate::format::build::Build;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
-use crate::format::quote::quoted;
-use crate::format::toml::{Assignment, Header, Key, Line, Lines, Statement, Value, ValueKind, parse};
+use crate::format::quote::{path_to_copy, quoted};
+use crate::format::toml::{Assignment, Header, Key, Line, Lines, Span, Statement, Value, ValueKind, parse};
 use crate::format::tree::{Defined, Schema, Table};
 use crate::material::NamedMaterial;
 use toml_parser::lexer::TokenKind;
@@ -97,6 +97,17 @@ pub fn read_bytes(bytes: Vec<u8>) -> (Reading, String) {
             diagnostics.locate(&text);
             (Reading { scene: Scene::default(), diagnostics }, text)
         }
+    }
+}
+
+/// A header of a list where a table belongs.
+fn not_a_list(path: &[Key<'_>], span: Span) -> Diagnostic {
+    let keys = || path.iter().map(|key| key.text.as_ref());
+    let name: Vec<&str> = keys().collect();
+    let found = Diagnostic::error(span.range(), format!("{} is not a list", quoted(&name.join("."))));
+    match path_to_copy(keys()) {
+        Some(path) => found.help(format!("write `[{path}]`")),
+        None => found.help("write its name in single brackets"),
     }
 }
 
@@ -191,15 +202,8 @@ impl<'t> Reader<'t> {
         self.place = match ListKind::from_key(&first.text) {
             Some(kind) => self.list_header(kind, path, is_list),
             None => {
-                if is_list {
-                    let name: Vec<&str> = path.iter().map(|key| key.text.as_ref()).collect();
-                    let name = name.join(".");
-                    if keys::ROOT.find(&first.text).is_some() {
-                        self.found.push(
-                            Diagnostic::error(span.range(), format!("{} is not a list", quoted(&name)))
-                                .help(format!("write `[{name}]`")),
-                        );
-                    }
+                if is_list && keys::ROOT.find(&first.text).is_some() {
+                    self.found.push(not_a_list(&path, span));
                 }
                 match self.root.open(&path) {
                     Ok(()) => Place::Table(path),

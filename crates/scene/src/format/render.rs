@@ -5,6 +5,7 @@ use std::ops::Range;
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::text::{is_active, visible};
 
 /// At most so many bytes of a line are shown on either side of the mark's beginning.
 const MOST_SHOWN: usize = 160;
@@ -18,8 +19,9 @@ impl Diagnostics {
         let renderer = if color { Renderer::styled().hyperlink(false) } else { Renderer::plain() };
         let renderer = renderer.term_width(WIDTH);
         let mut out = String::new();
+        let file_name = visible(file_name);
         for diagnostic in self {
-            out.push_str(&render_one(diagnostic, file_name, text, &renderer));
+            out.push_str(&render_one(diagnostic, &file_name, text, &renderer));
             out.push_str("\n\n");
         }
         if self.omitted() > 0 {
@@ -55,25 +57,28 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
 }
 
 /// The part of one line that is shown.
-struct Marked<'a> {
-    line: &'a str,
+struct Marked {
+    line: String,
     mark: Range<usize>,
 }
 
-impl<'a> Marked<'a> {
-    fn new(text: &'a str, span: &Range<usize>) -> Self {
+impl Marked {
+    fn new(text: &str, span: &Range<usize>) -> Self {
         let start = floor_boundary(text, span.start.min(text.len()));
         let end = floor_boundary(text, span.end.clamp(start, text.len()));
         let from = window_start(text, start);
         let to = window_end(text, start);
-        let line = text.get(from..to).unwrap_or_default();
-        Self { line, mark: start - from..end.min(to).max(start) - from }
+        let end = end.min(to).max(start);
+        let [before, marked, after] =
+            [from..start, start..end, end..to].map(|part| seen(text.get(part).unwrap_or_default()));
+        let mark = before.len()..before.len() + marked.len();
+        Self { line: before + &marked + &after, mark }
     }
 
-    fn snippet(&self, file_name: &'a str, line: usize, label: &'a str) -> Snippet<'a, Annotation<'a>> {
+    fn snippet<'a>(&'a self, file_name: &'a str, line: usize, label: &'a str) -> Snippet<'a, Annotation<'a>> {
         let annotation = AnnotationKind::Primary.span(self.mark.clone());
         let annotation = if label.is_empty() { annotation } else { annotation.label(label) };
-        Snippet::source(self.line).line_start(line).path(file_name).annotation(annotation)
+        Snippet::source(self.line.as_str()).line_start(line).path(file_name).annotation(annotation)
     }
 
     /// Corrects the column, which is counted from the beginning of what is shown.
@@ -84,6 +89,19 @@ impl<'a> Marked<'a> {
         }
         rendered.replacen(&format!(":{line}:{shown}"), &format!(":{line}:{column}"), 1)
     }
+}
+
+/// A part of a line, each character of which that would do something replaced by a picture of it: one for one, so that
+/// columns stay true.
+fn seen(part: &str) -> String {
+    let picture = |character: char| match character {
+        '\t' => character,
+        '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(character)).unwrap_or('\u{fffd}'),
+        '\u{7f}' => '\u{2421}',
+        active if is_active(active) => '\u{fffd}',
+        other => other,
+    };
+    part.chars().map(picture).collect()
 }
 
 /// Beginning of the shown part: of the line, or [`MOST_SHOWN`] bytes before `at`.

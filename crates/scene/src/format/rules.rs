@@ -4,9 +4,9 @@ use glam::DVec3;
 
 use crate::format::spec::Limits;
 
-/// Two points, or a direction and a line, that differ by less than this part of their size are taken as the same: no
-/// direction can be told from them in single precision.
-const RELATIVE: f64 = 1e-7;
+/// Directions are parallel if the sine of the angle between them is less than this: some thousand times the error of
+/// rounding of their product in double precision, in which cameras are placed.
+const PARALLEL: f64 = 1e-12;
 
 /// A broken rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,10 +21,14 @@ pub(crate) struct Broken {
 
 /// A camera needs a direction of view, and an upward direction across it.
 pub(crate) fn camera(position: DVec3, target: DVec3, up: DVec3) -> Option<Broken> {
-    if are_same(position, target) {
+    // The difference of two doubles is exact, or off by one rounding: it gives a direction wherever both points are.
+    if let Some(how) = are_too_near(position, target) {
         return Some(Broken {
             key: "target",
-            message: "`target` and `position` of the camera are the same point",
+            message: match how {
+                Nearness::Same => "`target` and `position` of the camera are the same point",
+                Nearness::Near => "`target` and `position` of the camera are less than 1e-9 meters apart",
+            },
             help: "the camera looks from `position` towards `target`; move one of them",
         });
     }
@@ -39,7 +43,7 @@ pub(crate) fn camera(position: DVec3, target: DVec3, up: DVec3) -> Option<Broken
     let view = target - position;
     let view = (view / view.abs().max_element()).normalize();
     let up = (up / up.abs().max_element()).normalize();
-    if view.cross(up).length() < RELATIVE {
+    if view.cross(up).length() < PARALLEL {
         return Some(Broken {
             key: "up",
             message: "`up` is parallel to the direction of view",
@@ -52,8 +56,12 @@ pub(crate) fn camera(position: DVec3, target: DVec3, up: DVec3) -> Option<Broken
 /// An axis needs two different points at a distance that can be a height.
 pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<Broken> {
     let help = "`base` and `top` are the ends of the axis; move one of them";
-    if are_same(base, top) {
-        return Some(Broken { key: "top", message: "`base` and `top` are the same point", help });
+    if let Some(how) = are_too_near(base, top) {
+        let message = match how {
+            Nearness::Same => "`base` and `top` are the same point",
+            Nearness::Near => "`base` and `top` are less than 1e-9 meters apart",
+        };
+        return Some(Broken { key: "top", message, help });
     }
     if !Limits::LENGTH.contains(base.distance(top)) {
         return Some(Broken { key: "top", message: "`base` and `top` are more than 1e9 meters apart", help });
@@ -61,9 +69,20 @@ pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<Broken> {
     None
 }
 
-fn are_same(a: DVec3, b: DVec3) -> bool {
-    let size = a.abs().max(b.abs()).max_element();
-    (a - b).abs().max_element() <= (size * RELATIVE).max(Limits::LENGTH.min)
+/// How near two points are that should be apart.
+enum Nearness {
+    /// No number differs.
+    Same,
+    /// Nearer than any length can be.
+    Near,
+}
+
+fn are_too_near(a: DVec3, b: DVec3) -> Option<Nearness> {
+    match a.distance(b) {
+        _ if a == b => Some(Nearness::Same),
+        distance if distance < Limits::LENGTH.min => Some(Nearness::Near),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -71,13 +90,27 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rules_are_relative() {
+    fn points_are_apart_wherever_they_are() {
         let up = DVec3::Y;
         assert_eq!(camera(DVec3::Z, DVec3::ZERO, up), None);
         assert_eq!(camera(DVec3::Z * 1e-6, DVec3::ZERO, up * 1e-6), None);
         let key = |broken: Option<Broken>| broken.map(|broken| broken.key);
         assert_eq!(key(camera(DVec3::Z, DVec3::Z, up)), Some("target"));
-        assert_eq!(key(camera(DVec3::Z * 1e8, DVec3::Z * (1e8 + 1.0), up)), Some("target"));
+        let message = |broken: Option<Broken>| broken.map(|broken| broken.message).unwrap_or_default();
+        for far in [1e5, 1e8, 1e9] {
+            let at = DVec3::new(far, -far, far);
+            for step in [DVec3::X, DVec3::Z * 1e-3, DVec3::NEG_ONE] {
+                assert_eq!(
+                    (camera(at, at + step, DVec3::new(0.1, 0.3, 0.2)), axis(at + step, at)),
+                    (None, None)
+                );
+            }
+            assert!(message(camera(at, at, up)).ends_with("the same point"));
+            assert!(message(axis(at, at)).ends_with("the same point"));
+        }
+        assert!(message(camera(DVec3::ZERO, DVec3::Z * 1e-10, up)).ends_with("less than 1e-9 meters apart"));
+        assert!(message(axis(DVec3::ZERO, DVec3::Z * 1e-10)).ends_with("less than 1e-9 meters apart"));
+        assert_eq!(camera(DVec3::Y * 3.0, DVec3::ZERO, DVec3::new(1e-9, 1.0, 0.0)), None);
         assert_eq!(key(camera(DVec3::Z, DVec3::ZERO, DVec3::ZERO)), Some("up"));
         assert_eq!(key(camera(DVec3::Y * 3.0, DVec3::ZERO, up * 1e9)), Some("up"));
         assert_eq!(key(axis(DVec3::ONE, DVec3::ONE)), Some("top"));

@@ -5,10 +5,11 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::color::Color;
+use crate::format::decimal;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::nearest::nearest;
 use crate::format::number::short_number;
-use crate::format::quote::{listed, quoted};
+use crate::format::quote::{listed, quoted, quoted_value};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec, When};
 use crate::format::toml::{Value, ValueKind};
 use crate::format::tree::Table;
@@ -136,7 +137,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
                     let message =
                         format!("`{name}` is {}, but must be {}", quoted(text), key.kind.described());
                     let label = match nearest(text, words.iter().copied()) {
-                        Some(word) => format!("did you mean `{word}`?"),
+                        Some(word) => format!("did you mean {}?", quoted_value(word)),
                         None => format!("unknown {name}"),
                     };
                     self.found.push(Diagnostic::error(value.span.range(), message).label(label));
@@ -161,6 +162,13 @@ impl<'b, 't> Fields<'_, 'b, 't> {
 
     /// Reports a value of the wrong type.
     pub(crate) fn wrong_type<T>(&mut self, key: &KeySpec, value: &Value<'_>) -> Option<T> {
+        if let Some(list) = self.with_points(key, value) {
+            let message = format!("`{}` has decimal commas, but must be {}", key.name, key.kind.described());
+            self.found.push(
+                Diagnostic::error(value.span.range(), message).help(decimal::help(&format!("`{list}`"))),
+            );
+            return None;
+        }
         let what = match &value.kind {
             ValueKind::Array(values) => match values.len() {
                 1 => "a list of one value".to_owned(),
@@ -169,6 +177,15 @@ impl<'b, 't> Fields<'_, 'b, 't> {
             kind => kind.described().to_owned(),
         };
         self.wrong(key, value, &format!("`{}` is {what}", key.name))
+    }
+
+    /// A list that would be right with points in the place of its decimal commas.
+    fn with_points(&self, key: &KeySpec, value: &Value<'_>) -> Option<String> {
+        const COMPONENTS: usize = 3;
+        let is_list = matches!(value.kind, ValueKind::Array(_));
+        let takes_list = matches!(key.kind, Kind::Vector(_) | Kind::NumberOrVector(_) | Kind::Color(_));
+        let list = self.text.get(value.span.range()).filter(|_| is_list && takes_list)?;
+        decimal::list_with_points(list, COMPONENTS)
     }
 
     /// Reports the wrong values among the keys that depend on `choice`, but for those in `except`. For choices whose

@@ -4,6 +4,7 @@ use crate::Scene;
 use crate::format::keys;
 use crate::format::number::push_number;
 use crate::format::record::{self, Datum, Record};
+use crate::text::{is_active, push_escape};
 
 /// The canonical text of a scene.
 ///
@@ -106,8 +107,13 @@ pub(super) fn key_text(name: &str) -> String {
     if !name.is_empty() && name.bytes().all(is_bare) {
         return name.to_owned();
     }
+    text_value(name)
+}
+
+/// A text as a value.
+pub(super) fn text_value(text: &str) -> String {
     let mut out = String::new();
-    push_text(&mut out, name);
+    push_text(&mut out, text);
     out
 }
 
@@ -121,7 +127,8 @@ fn push_text(out: &mut String, text: &str) {
             '\n' => out.push_str("\\n"),
             '\r' => out.push_str("\\r"),
             '\t' => out.push_str("\\t"),
-            '\0'..='\u{1f}' | '\u{7f}' => out.push_str(&format!("\\u{:04X}", u32::from(character))),
+            // TOML demands it of some; of the others, so that printing the file does nothing but show it.
+            active if is_active(active) => push_escape(out, active),
             _ => out.push(character),
         }
     }

@@ -161,6 +161,8 @@ pub(crate) fn write_failure_in_words(texts: &Texts, error: &WriteError) -> Strin
         }
         WriteError::Protected { path } => texts.with("write-protected", &[("path", value(path))]),
         WriteError::Circle { path } => texts.with("write-circle", &[("path", value(path))]),
+        WriteError::NoDescriptor { path, .. } => texts.with("write-no-descriptor", &[("path", value(path))]),
+        WriteError::ReaderGone { path } => texts.with("write-reader-gone", &[("path", value(path))]),
         WriteError::Io { path, source } => {
             let key = match source.kind() {
                 io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "write-full",

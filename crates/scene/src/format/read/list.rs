@@ -1,10 +1,9 @@
 //! The lists of lights and bodies, which are built element by element.
 
-use super::{Place, Reader};
+use super::{Place, Reader, not_a_list};
 use crate::format::build::Build;
 use crate::format::diagnostic::Diagnostic;
 use crate::format::keys;
-use crate::format::quote::quoted;
 use crate::format::spec::TableSpec;
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
 use crate::format::tree::{Defined, Schema, Table};
@@ -80,12 +79,9 @@ impl<'t> Reader<'t> {
             return Place::Element(kind, path);
         }
         if is_list {
-            let parts: Vec<&str> = path.iter().map(|key| key.text.as_ref()).collect();
-            let parts = parts.join(".");
-            let message = format!("{} is not a list", quoted(&format!("{name}.{parts}")));
-            self.found.push(
-                Diagnostic::error(first.span.range(), message).help(format!("write `[{name}.{parts}]`")),
-            );
+            let mut whole = vec![first.clone()];
+            whole.extend(path.iter().cloned());
+            self.found.push(not_a_list(&whole, first.span));
         }
         let Some(table) = self.list(kind).open.as_mut() else {
             let message = format!("`{name}` is a list, and has no element yet");

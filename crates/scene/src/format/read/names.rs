@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::format::nearest::nearest;
-use crate::format::quote::{listed, quoted};
+use crate::format::quote::{key_to_copy, listed, quoted, quoted_value};
 use crate::format::toml::Span;
 use crate::material::MaterialChoice;
 use crate::{Color, Light, Scene, Surroundings};
@@ -54,12 +54,15 @@ pub(super) fn check_materials(
 }
 
 fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: impl Fn() -> I) -> Diagnostic {
-    let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted).collect();
+    let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted_value).collect();
     let help = match names().take(MOST_LISTED + 1).count() {
-        0 if name.len() > 40 => "define it with `[materials.NAME]`".to_owned(),
-        0 => format!(
-            "define it with `[materials.{name}]`, or write a material of its own: `{{ color = [r, g, b] }}`"
-        ),
+        0 => {
+            let own = "write a material of its own: `{ color = [0.8, 0.8, 0.8] }`";
+            match key_to_copy(name).filter(|_| !name.is_empty()) {
+                Some(key) => format!("define it with `[materials.{key}]`, or {own}"),
+                None => own.to_owned(),
+            }
+        }
         count => {
             if count > MOST_LISTED {
                 listing.push("…".to_owned());
@@ -72,7 +75,7 @@ fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: imp
         }
     };
     let label = match nearest(name, names()) {
-        Some(nearest) => format!("did you mean {}?", quoted(nearest)),
+        Some(nearest) => format!("did you mean {}?", quoted_value(nearest)),
         None => "not defined".to_owned(),
     };
     Diagnostic::error(span.range(), format!("the material {} is not defined", quoted(name)))

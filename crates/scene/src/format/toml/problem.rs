@@ -4,6 +4,7 @@ use toml_parser::ParseError;
 use toml_parser::decoder::Encoding;
 
 use super::Span;
+use crate::format::decimal;
 use crate::format::diagnostic::Diagnostic;
 use crate::format::quote::quoted;
 
@@ -13,6 +14,10 @@ const VALUES: &str = "a value is a number, a \"text\", a [list] or a { table }";
 pub(super) fn from_parser(error: &ParseError, text: &str, key: Option<Span>) -> Diagnostic {
     let context = error.context().map_or(0..0, |span| span.start()..span.end());
     let found = error.unexpected().map_or(context.clone(), |span| span.start()..span.end());
+    let places = [Some(found.start), key.map(|key| key.range().start), Some(word_before(text, found.start))];
+    if let Some(problem) = places.into_iter().flatten().find_map(|at| decimal_comma(text, at)) {
+        return problem;
+    }
     match error.description() {
         "unclosed array" => Diagnostic::error(context, "this list is not closed")
             .label("opened here")
@@ -42,10 +47,10 @@ pub(super) fn from_parser(error: &ParseError, text: &str, key: Option<Span>) -> 
                 .help("a line is `key = value`, `[table]`, `[[list]]` or `# a comment`")
         }
         "unexpected key or value" => {
-            let help = if is_decimal_comma(text, found.start) {
-                "a decimal number is written with a point: 1.5"
-            } else {
-                "write each key on a line of its own, and comments after `#`"
+            let number = decimal::number_before(text, found.start + 1);
+            let help = match number.filter(|_| is_decimal_comma(text, found.start)) {
+                Some((_, number)) => decimal::help(&number),
+                None => "write each key on a line of its own, and comments after `#`".to_owned(),
             };
             Diagnostic::error(rest_of_line(text, found.start), "the line should end here")
                 .label("too much")
@@ -82,6 +87,9 @@ pub(super) fn from_value(
     let inner = error.unexpected().map_or(span.range(), |inner| inner.start()..inner.end());
     let description = error.description();
     if raw.is_empty() {
+        if let Some(problem) = decimal_comma(text, word_before(text, span.range().start)) {
+            return problem;
+        }
         let help = if is_comment(text, span) {
             "# begins a comment; write a color in quotes: \"#ff0000\""
         } else {
@@ -91,6 +99,9 @@ pub(super) fn from_value(
     }
     if encoding.is_none() {
         let is_number = raw.starts_with(|first: char| first.is_ascii_digit() || "+-._".contains(first));
+        if let Some(problem) = decimal_comma(text, span.range().start) {
+            return problem;
+        }
         let whole = Diagnostic::error(span.range(), format!("{} is not a value", quoted(raw)));
         return match description {
             _ if raw.contains(['"', '\'']) => whole.label("a quote is missing").help(VALUES),
@@ -183,6 +194,24 @@ fn lacks_digit(raw: &str) -> bool {
     number.split_once('.').is_some_and(|(before, after)| {
         (before.is_empty() || after.is_empty()) && is_digits(before) && is_digits(after)
     })
+}
+
+/// A number with a decimal comma within brackets, whose digits from `at` on were taken for a value or key of their own.
+fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
+    let (start, number) = decimal::number_before(text, at)?;
+    let end = start + number.len();
+    let written = text.get(start..end)?;
+    Some(
+        Diagnostic::error(start..end, format!("{} is not a number", quoted(written)))
+            .label("a decimal comma")
+            .help(decimal::help(&number)),
+    )
+}
+
+/// Where the word before `at` begins: in an inline table, the digits after a decimal comma are a key whose value is missed.
+fn word_before(text: &str, at: usize) -> usize {
+    let before = text.get(..at).unwrap_or_default().trim_end();
+    before.trim_end_matches(|letter: char| letter.is_ascii_alphanumeric()).len()
 }
 
 /// Whether a decimal comma stands at `at`: it parts two groups of digits, and is the only comma after the `=`.
