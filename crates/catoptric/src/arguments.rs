@@ -10,13 +10,13 @@ use catoptric_lab::Variant;
 use catoptric_lab::maps::MapKind;
 use catoptric_lab::measure::Plan;
 use catoptric_lab::report::Language;
-use catoptric_picture::{Picture, ToneCurve};
+use catoptric_picture::{Picture, PictureFormat, ToneCurve};
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
-use crate::output::{Kind, PictureKind};
+use crate::output::{Kind, format_names};
 
 pub(crate) use method::MethodArguments;
 
@@ -64,18 +64,18 @@ pub(crate) enum Command {
     Help(HelpArguments),
 }
 
-/// How linear light becomes what a PNG shows.
+/// How linear light becomes what a display shows.
 #[derive(Debug, Args)]
 pub(crate) struct DevelopmentArguments {
-    /// Exposure in stops: each doubles the light (PNG only)
+    /// Exposure in stops: each doubles the light; linear formats (.exr, .hdr) stay as they are
     #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = finite)]
     pub exposure: f64,
-    /// How light beyond white is fitted in (PNG only)
+    /// How light beyond white is fitted in; linear formats stay as they are
     #[arg(long, value_name = "CURVE", default_value_t = ToneCurve::None, value_parser = tone_curves())]
     pub tone_curve: ToneCurve,
-    /// Bits per channel of a PNG
-    #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
-    pub bits: String,
+    /// Bits per channel of a PNG (8 or 16) or a TIFF (16, 8, or 32 for linear light in floats)
+    #[arg(long, value_name = "BITS", value_parser = ["8", "16", "32"])]
+    pub bits: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -89,12 +89,16 @@ pub(crate) struct StudioArguments {
 pub(crate) struct RenderArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The picture to write; its extension decides: .png (display) or .exr (linear light); - for standard output
+    /// The picture to write; its extension decides: .png, .jpg, .webp, .tif (display), .exr or .hdr (linear light); - for
+    /// standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// The format to write, png or exr, whatever the name of the file says; streams get a PNG by default
+    /// The format to write, such as png or exr, whatever the name of the file says; streams get a PNG by default
     #[arg(long, value_name = "FORMAT", value_parser = picture_format)]
-    pub format: Option<PictureKind>,
+    pub format: Option<PictureFormat>,
+    /// The quality of a JPEG, 1 to 100; 92 by default
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=100))]
+    pub quality: Option<u8>,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720")]
     pub size: Size,
@@ -178,10 +182,13 @@ pub(crate) struct AuditArguments {
 #[command(after_help = "\
 Exit status: 0 equal within the tolerance, 1 different, 2 they cannot be compared.")]
 pub(crate) struct DiffArguments {
-    /// A picture: .png or .exr
+    /// A picture of any format that is read
     pub a: PathBuf,
     /// Another picture of the same size
     pub b: PathBuf,
+    /// The layer to read of EXR pictures with several
+    #[arg(long, value_name = "NAME")]
+    pub layer: Option<String>,
     /// Write a picture of where they differ
     #[arg(long, value_name = "OUT.png")]
     pub heat: Option<PathBuf>,
@@ -224,6 +231,9 @@ pub(crate) struct CompareArguments {
     /// Picture files to compare too, separated by commas: .png or .exr, all of one size; may be given again
     #[arg(long, value_name = "FILES")]
     pub pictures: Vec<PathBuf>,
+    /// The layer to read of EXR pictures with several
+    #[arg(long, value_name = "NAME", requires = "pictures")]
+    pub layer: Option<String>,
     /// The directory for the report, the pictures and the numbers
     #[arg(short, long, value_name = "DIR", default_value = "compared")]
     pub output: PathBuf,
@@ -295,15 +305,21 @@ pub(crate) struct MeasureArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ConvertArguments {
-    /// A picture (.png, .exr) or a scene (.toml); - for standard input
+    /// A picture of any format that is read, or a scene (.toml); - for standard input
     #[arg(value_name = "IN")]
     pub from: PathBuf,
     /// What to write; its extension decides; - for standard output
     #[arg(value_name = "OUT")]
     pub to: PathBuf,
-    /// The format to write, png, exr or toml, whatever the name of the file says
+    /// The format to write, such as png, exr or toml, whatever the name of the file says
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     pub format: Option<Kind>,
+    /// The layer to read of an EXR with several
+    #[arg(long, value_name = "NAME")]
+    pub layer: Option<String>,
+    /// The quality of a JPEG, 1 to 100; 92 by default
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=100))]
+    pub quality: Option<u8>,
     #[command(flatten)]
     pub development: DevelopmentArguments,
 }
@@ -404,11 +420,12 @@ impl FromStr for Pixel {
 }
 
 fn format(text: &str) -> Result<Kind, String> {
-    Kind::named(text).ok_or_else(|| format!("give {}", Kind::NAMES))
+    Kind::named(text).ok_or_else(|| format!("give {} or toml", format_names()))
 }
 
-fn picture_format(text: &str) -> Result<PictureKind, String> {
-    PictureKind::named(text).ok_or_else(|| format!("give {}", PictureKind::NAMES))
+fn picture_format(text: &str) -> Result<PictureFormat, String> {
+    let written = PictureFormat::of_extension(text).filter(|format| format.is_written());
+    written.ok_or_else(|| format!("give one of {}", format_names()))
 }
 
 fn maps() -> impl clap::builder::TypedValueParser<Value = MapKind> {

@@ -7,12 +7,11 @@ use std::{fmt, fs};
 
 use anyhow::{Context as _, Result, anyhow, bail};
 use catoptric_files::{FileId, WriteError, check_directory, check_writable, directory_of_file, is_terminal};
-use catoptric_picture::{Picture, write_exr, write_png};
+use catoptric_picture::{Picture, SampleDepth, SaveOptions};
 use catoptric_scene::Scene;
 
-use crate::arguments::DevelopmentArguments;
 use crate::interrupt;
-use crate::output::{PictureKind, milliseconds};
+use crate::output::milliseconds;
 
 /// The files that a command reads and writes.
 #[derive(Debug, Default)]
@@ -148,24 +147,16 @@ impl CommandFiles {
     pub(crate) fn write_picture(
         &self,
         path: &Path,
-        kind: PictureKind,
+        options: &SaveOptions,
         picture: &Picture,
-        arguments: &DevelopmentArguments,
     ) -> Result<(f64, f64)> {
+        options.check_size(picture.width(), picture.height())?;
         let start = Instant::now();
-        match kind {
-            PictureKind::Png => {
-                let developed = arguments.development().develop(picture, arguments.depth())?;
-                let develop = milliseconds(start);
-                let start = Instant::now();
-                self.write_by(path, || write_png(path, &developed))?;
-                Ok((develop, milliseconds(start)))
-            }
-            PictureKind::Exr => {
-                self.write_by(path, || write_exr(path, picture))?;
-                Ok((0.0, milliseconds(start)))
-            }
-        }
+        let prepared = options.prepare(picture)?;
+        let develop = if options.depth() == SampleDepth::Linear { 0.0 } else { milliseconds(start) };
+        let start = Instant::now();
+        self.write_by(path, || prepared.write(path))?;
+        Ok((develop, milliseconds(start)))
     }
 
     /// Has `write` write the file, and the directory made if it is one of those that are.

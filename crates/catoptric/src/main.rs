@@ -9,6 +9,7 @@ mod console;
 mod files;
 mod input;
 mod interrupt;
+mod layers;
 mod memory;
 mod notes;
 mod output;

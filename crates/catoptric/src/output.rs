@@ -5,36 +5,24 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use catoptric_files::is_stream;
-use catoptric_picture::{BitDepth, Development, ToneCurve};
+use catoptric_picture::{Development, PictureFormat, SampleDepth, SaveOptions};
 
 use crate::arguments::DevelopmentArguments;
 
 /// What a file holds, by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    Picture(PictureKind),
+    Picture(PictureFormat),
     Scene,
 }
 
-/// A kind of picture file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PictureKind {
-    Png,
-    Exr,
-}
-
 impl Kind {
-    /// The formats that can be written, as `--format` and extensions name them.
-    pub(crate) const NAMES: &'static str = "png, exr or toml";
-
     /// The kind that an extension or `--format` names.
     pub(crate) fn named(name: &str) -> Option<Self> {
-        match name.to_ascii_lowercase().as_str() {
-            "png" => Some(Self::Picture(PictureKind::Png)),
-            "exr" => Some(Self::Picture(PictureKind::Exr)),
-            "toml" => Some(Self::Scene),
-            _ => None,
+        if name.eq_ignore_ascii_case("toml") {
+            return Some(Self::Scene);
         }
+        PictureFormat::of_extension(name).map(Self::Picture)
     }
 
     /// The kind of the file at `path`, if its extension is known.
@@ -43,44 +31,51 @@ impl Kind {
     }
 }
 
-impl PictureKind {
-    /// The formats that can be written.
-    pub(crate) const NAMES: &'static str = "png or exr";
+/// The formats of pictures that can be written, as `--format` names them.
+pub(crate) fn format_names() -> String {
+    PictureFormat::all_extensions(true).collect::<Vec<_>>().join(", ")
+}
 
-    /// The format that `--format` names.
-    pub(crate) fn named(name: &str) -> Option<Self> {
-        match Kind::named(name)? {
-            Kind::Picture(kind) => Some(kind),
-            Kind::Scene => None,
-        }
-    }
-
-    /// The kind of picture to write to `path`: `format` if it is given, else what the extension says. PNG for a pipe, a
-    /// device or a descriptor whose name says nothing.
-    pub(crate) fn for_output(path: &Path, format: Option<Self>) -> Result<Self> {
-        match (format, Kind::of(path)) {
-            (Some(kind), _) | (None, Some(Kind::Picture(kind))) => Ok(kind),
-            (None, None) if is_stream(path) => Ok(Self::Png),
-            _ => bail!(
-                "cannot tell the picture format of {}: give a name that ends in .png or .exr, or --format",
-                path.display()
-            ),
-        }
+/// The format of the picture to write to `path`: `format` if it is given, else what the extension says. PNG for a pipe, a
+/// device or a descriptor whose name says nothing.
+pub(crate) fn format_for_output(path: &Path, format: Option<PictureFormat>) -> Result<PictureFormat> {
+    match (format, PictureFormat::of_path(path)) {
+        (Some(format), _) | (None, Some(format)) => Ok(format),
+        (None, None) if is_stream(path) => Ok(PictureFormat::Png),
+        _ => bail!(
+            "cannot tell the picture format of {}: give a name that ends in {}, or --format",
+            path.display(),
+            PictureFormat::extensions_in_words(true)
+        ),
     }
 }
 
 impl DevelopmentArguments {
-    /// Nothing asked for.
-    pub(crate) fn plain() -> Self {
-        Self { exposure: 0.0, tone_curve: ToneCurve::None, bits: "8".to_owned() }
-    }
-
     pub(crate) fn development(&self) -> Development {
         Development { exposure_stops: self.exposure, tone_curve: self.tone_curve }
     }
 
-    pub(crate) fn depth(&self) -> BitDepth {
-        if self.bits == "16" { BitDepth::Sixteen } else { BitDepth::Eight }
+    /// How to save a picture in this format; formats that hold linear light only leave the bits aside.
+    ///
+    /// # Errors
+    /// When the format is only read, or has no such depth.
+    pub(crate) fn save_options(&self, format: PictureFormat, quality: Option<u8>) -> Result<SaveOptions> {
+        let depth = match self.bits.as_deref() {
+            Some("8") => Some(SampleDepth::EIGHT),
+            Some("16") => Some(SampleDepth::SIXTEEN),
+            Some(_) => Some(SampleDepth::Linear),
+            None => None,
+        };
+        let is_linear = format.depths() == [SampleDepth::Linear];
+        let mut options = SaveOptions::new(format, depth.filter(|_| !is_linear))?;
+        options.development = self.development();
+        if let Some(quality) = quality {
+            if format != PictureFormat::Jpeg {
+                bail!("only JPEG has a quality; leave --quality out, or write a name that ends in .jpg");
+            }
+            options.quality = quality;
+        }
+        Ok(options)
     }
 }
 

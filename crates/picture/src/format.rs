@@ -103,7 +103,11 @@ impl PictureFormat {
 
     /// The format of the name's extension, in any case.
     pub fn of_path(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?;
+        Self::of_extension(path.extension()?.to_str()?)
+    }
+
+    /// The format of an extension without a dot, in any case.
+    pub fn of_extension(extension: &str) -> Option<Self> {
         let fits = |format: &Self| format.extensions().iter().any(|own| own.eq_ignore_ascii_case(extension));
         Self::ALL.into_iter().find(fits)
     }

@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result, bail};
 use catoptric_lab::Machine;
 use catoptric_lab::compare::{Compared, Contender, Job, compare, draw_all, reason_picture};
 use catoptric_lab::report::{Settings, page};
-use catoptric_picture::{BitDepth, Development, HeatMap, Picture, ToneCurve, encode_png, heat_map, read};
+use catoptric_picture::{BitDepth, Development, HeatMap, Picture, ToneCurve, encode_png, heat_map};
 use catoptric_scene::visible;
 use catoptric_tracer::{Control, RenderSettings};
 use serde_json::{Value, json};
@@ -17,6 +17,7 @@ use crate::backend::threads;
 use crate::console::{json_text, print};
 use crate::files::CommandFiles;
 use crate::input::{self, Named};
+use crate::layers::LayerReader;
 use crate::progress::Progress;
 
 const REPORT: &str = "report.html";
@@ -64,9 +65,10 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
 /// The picture files, before anything is drawn: what cannot be read is told at once.
 fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Result<Vec<Contender>> {
     let mut contenders: Vec<Contender> = Vec::new();
+    let mut layers = LayerReader::new(arguments.layer.as_deref());
     for path in arguments.pictures.iter().flat_map(|list| listed_files(list)) {
         files.add_input(&path)?;
-        let picture = read(&path)?;
+        let picture = layers.read(&path)?;
         let size = match (contenders.first(), &arguments.scene) {
             (_, Some(_)) => [arguments.size.width, arguments.size.height],
             (Some(first), None) => [first.picture.width(), first.picture.height()],
@@ -85,6 +87,7 @@ fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Resu
         }
         contenders.push(Contender { name: path.display().to_string(), picture, drawn: None });
     }
+    layers.finish()?;
     Ok(contenders)
 }
 

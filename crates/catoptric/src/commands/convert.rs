@@ -4,17 +4,17 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use catoptric_files::{directory_of_file, is_stream};
-use catoptric_picture::read;
+use catoptric_picture::{PictureFormat, ReadOptions};
 use catoptric_scene::{HasImages as _, Image, write};
 
 use super::Outcome;
 use crate::arguments::ConvertArguments;
 use crate::files::CommandFiles;
 use crate::input;
-use crate::output::{Kind, PictureKind};
+use crate::output::Kind;
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<Outcome> {
-    let ConvertArguments { from, to, format, development } = arguments;
+    let ConvertArguments { from, to, format, layer, quality, development } = arguments;
     let mut files = CommandFiles::default();
     match (Kind::of(from), kind_to_write(from, to, *format)?) {
         (Some(Kind::Scene), Kind::Scene) => write_scene(from, to, &mut files)?,
@@ -23,10 +23,12 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<Outcome> {
         (Some(Kind::Scene), Kind::Picture(_)) => {
             bail!("{} is a scene: `catoptric render` makes a picture of it", from.display())
         }
-        (_, Kind::Picture(kind)) => {
+        (_, Kind::Picture(format)) => {
+            let options = development.save_options(format, *quality)?;
             files.add_picture_output(to)?;
             files.add_input(from)?;
-            files.write_picture(to, kind, &read(from)?, development)?;
+            let picture = ReadOptions { layer: layer.clone(), ..ReadOptions::default() }.read(from)?;
+            files.write_picture(to, &options, &picture)?;
         }
         (_, Kind::Scene) => bail!(
             "cannot make a scene of {}: only a file that ends in .toml is one; `catoptric examples` writes the \
@@ -43,12 +45,13 @@ fn kind_to_write(from: &Path, to: &Path, format: Option<Kind>) -> Result<Kind> {
     match (format, Kind::of(to)) {
         (Some(kind), _) | (None, Some(kind)) => Ok(kind),
         (None, None) if !is_stream(to) => bail!(
-            "cannot tell the format of {}: give a name that ends in .png, .exr or .toml, or --format",
-            to.display()
+            "cannot tell the format of {}: give a name that ends in {} or .toml, or --format",
+            to.display(),
+            PictureFormat::extensions_in_words(true).replace(" or ", ", ")
         ),
         (None, None) => match Kind::of(from) {
             Some(Kind::Scene) => Ok(Kind::Scene),
-            _ => Ok(Kind::Picture(PictureKind::Png)),
+            _ => Ok(Kind::Picture(PictureFormat::Png)),
         },
     }
 }

@@ -4,14 +4,17 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
 use catoptric_files::FileId;
-use catoptric_picture::{CompareError, Comparison, Difference, Flip, HeatMap, Picture, heat_map, read, ssim};
+use catoptric_picture::{
+    CompareError, Comparison, Difference, Flip, HeatMap, Picture, PictureFormat, SaveOptions, heat_map, ssim,
+};
 use serde_json::json;
 
 use super::Outcome;
-use crate::arguments::{DevelopmentArguments, DiffArguments};
+use crate::arguments::DiffArguments;
 use crate::console::{json_text, print};
 use crate::files::CommandFiles;
-use crate::output::PictureKind;
+use crate::layers::LayerReader;
+use crate::output::format_for_output;
 
 pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
     let mut files = CommandFiles::default();
@@ -21,14 +24,16 @@ pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
         check_heat(path)?;
         files.add_picture_output(path)?;
     }
-    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    let mut layers = LayerReader::new(arguments.layer.as_deref());
+    let (a, b) = (layers.read(&arguments.a)?, layers.read(&arguments.b)?);
+    layers.finish()?;
     let names = || format!("cannot compare {} and {}", arguments.a.display(), arguments.b.display());
     let comparison = Comparison { clamp: !arguments.unclamped, bound: arguments.tolerance };
     let difference = comparison.compare(&a, &b).with_context(names)?;
     if let Some(path) = &arguments.heat {
         let options = HeatMap { clamp: comparison.clamp, ..HeatMap::default() };
         let map = heat_map(&a, &b, &options).with_context(names)?;
-        files.write_picture(path, PictureKind::Png, &map, &DevelopmentArguments::plain())?;
+        files.write_picture(path, &SaveOptions::new(PictureFormat::Png, None)?, &map)?;
     }
     let perceived = Perceived::of(&a, &b).with_context(names)?;
     let equal = difference.share_above <= arguments.allow;
@@ -43,7 +48,7 @@ pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
 
 /// Refuses a heat map that would not be a PNG, or that would run into the numbers.
 fn check_heat(path: &Path) -> Result<()> {
-    if !matches!(PictureKind::for_output(path, None), Ok(PictureKind::Png)) {
+    if !matches!(format_for_output(path, None), Ok(PictureFormat::Png)) {
         bail!("a heat map is a PNG picture: give {} a name that ends in .png", path.display());
     }
     let output = FileId::of_output(path);

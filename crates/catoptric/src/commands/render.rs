@@ -7,17 +7,17 @@ use anyhow::{Context as _, Result};
 use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
-use catoptric_picture::Picture;
+use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions};
 use catoptric_tracer::method::{Drawing, Layer, Method};
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
 use super::Outcome;
-use crate::arguments::{DevelopmentArguments, RenderArguments};
+use crate::arguments::RenderArguments;
 use crate::backend::{Drawer, Drawn, threads};
 use crate::canvas::Canvas;
 use crate::console::{count, json_text, say};
 use crate::files::CommandFiles;
-use crate::output::{PictureKind, milliseconds};
+use crate::output::{format_for_output, milliseconds};
 use crate::progress::Progress;
 use crate::stats::{Stats, Times};
 use crate::{input, memory, notes};
@@ -25,7 +25,7 @@ use crate::{input, memory, notes};
 pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let method = arguments.method.chosen()?;
     let mut files = CommandFiles::default();
-    let kind = refuse_early(arguments, &mut files)?;
+    let options = refuse_early(arguments, &mut files)?;
     let drawer = Drawer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
     let progress = Progress::new(arguments.quiet);
     let mut times = Times::default();
@@ -54,7 +54,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     times.prepare = milliseconds(start);
 
     if let Some(map) = arguments.map {
-        return show_map(arguments, (&files, kind), map, &stage, settings, &pool, progress);
+        return show_map(arguments, (&files, options), map, &stage, settings, &pool, progress);
     }
     let control = Control::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
@@ -69,7 +69,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     fallen_back.iter().filter(|_| !arguments.quiet).for_each(warn_of_fallback);
 
     (times.develop, times.write) = progress.of_writing(&arguments.output.to_string_lossy(), || {
-        files.write_picture(&arguments.output, kind, &drawing.picture, &arguments.development)
+        pool.install(|| files.write_picture(&arguments.output, &options, &drawing.picture))
     })?;
     if let Some(folder) = &arguments.method.layers {
         progress.of_writing(&folder.to_string_lossy(), || write_layers(&files, folder, &stage, &drawing))?;
@@ -100,10 +100,10 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-/// Writes a map instead of the picture: in colors with a legend, or as an EXR of its numbers.
+/// Writes a map instead of the picture: in colors with a legend, or its numbers where the format is linear.
 fn show_map(
     arguments: &RenderArguments,
-    (files, kind): (&CommandFiles, PictureKind),
+    (files, mut options): (&CommandFiles, SaveOptions),
     map_kind: MapKind,
     stage: &Stage,
     picture: RenderSettings,
@@ -115,13 +115,13 @@ fn show_map(
     let pixels = u64::from(picture.width) * u64::from(picture.height);
     let map = progress
         .of_tracing(&control, pixels, || pool.install(|| map(stage, stage.camera(), &settings, &control)))?;
-    let shown = match kind {
-        PictureKind::Png => map.to_picture()?,
-        PictureKind::Exr => map.to_numbers()?,
+    let shown = match options.depth() {
+        SampleDepth::Coded(_) => map.to_picture()?,
+        SampleDepth::Linear => map.to_numbers()?,
     };
-    let plain = DevelopmentArguments::plain();
+    options.development = Development::default();
     progress.of_writing(&arguments.output.to_string_lossy(), || {
-        files.write_picture(&arguments.output, kind, &shown, &plain)
+        files.write_picture(&arguments.output, &options, &shown)
     })?;
     if !arguments.quiet && map.incomplete > 0 {
         say(&format!(
@@ -158,10 +158,12 @@ fn advise(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
     }
 }
 
-/// Refuses what can be refused before the work begins; returns the kind of picture to write.
-fn refuse_early(arguments: &RenderArguments, files: &mut CommandFiles) -> Result<PictureKind> {
-    let kind = PictureKind::for_output(&arguments.output, arguments.format)?;
+/// Refuses what can be refused before the work begins; returns how to save the picture.
+fn refuse_early(arguments: &RenderArguments, files: &mut CommandFiles) -> Result<SaveOptions> {
+    let format = format_for_output(&arguments.output, arguments.format)?;
+    let options = arguments.development.save_options(format, arguments.quality)?;
     Picture::check_size(arguments.size.width, arguments.size.height)?;
+    options.check_size(arguments.size.width, arguments.size.height)?;
     files.add_picture_output(&arguments.output)?;
     if let Some(path) = &arguments.stats {
         files.add_output(path)?;
@@ -169,7 +171,7 @@ fn refuse_early(arguments: &RenderArguments, files: &mut CommandFiles) -> Result
     if let Some(folder) = &arguments.method.layers {
         files.add_directory(folder, Layer::ALL.map(layer_file))?;
     }
-    Ok(kind)
+    Ok(options)
 }
 
 fn layer_file(layer: Layer) -> String {
@@ -179,9 +181,9 @@ fn layer_file(layer: Layer) -> String {
 /// Writes the buffers behind the picture: `depth.png` and the like, and of each cube map `cube-map-3.png`, 3 being the
 /// number of its body in the scene.
 fn write_layers(files: &CommandFiles, folder: &Path, stage: &Stage, drawing: &Drawing) -> Result<()> {
-    let plain = DevelopmentArguments::plain();
+    let options = SaveOptions::new(PictureFormat::Png, None)?;
     let write = |name: String, picture: &Picture| {
-        files.write_picture(&folder.join(name), PictureKind::Png, picture, &plain).map(|_| ())
+        files.write_picture(&folder.join(name), &options, picture).map(|_| ())
     };
     for layer in Layer::ALL {
         if let Some(picture) = drawing.layer(stage, layer)? {
