@@ -78,8 +78,9 @@ fn magnitude(number: f64) -> String {
 }
 
 fn of_target(distance: f64) -> String {
+    let distance = if distance < 1e5 { rounded(distance) } else { format!("{distance:.1e}") };
     format!(
-        "the camera's target is {distance:.3e} m away from the nearest body: edges may be off by parts of a pixel; put the \
+        "the camera's target is {distance} m away from the nearest body: edges may be off by parts of a pixel; put the \
          target where something is seen"
     )
 }
