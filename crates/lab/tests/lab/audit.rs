@@ -282,5 +282,5 @@ fn names_are_harmless_in_every_format() {
     let audit = look(&scene, RenderSettings { width: 9, height: 9, samples: 1 }, UVec2::new(4, 4));
     let svg = audit.to_svg(None);
     assert!(svg.contains("&lt;b&quot;&amp;") && !svg.contains("<b"), "{svg}");
-    assert!(audit.to_dot(None).contains("<b\\\"&\\\\"));
+    assert!(audit.to_dot(None).contains("<b\\\"&amp;\\\\"));
 }

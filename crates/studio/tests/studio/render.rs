@@ -141,7 +141,7 @@ fn exr_keeps_every_bit_and_deep_png_every_step() {
     open_dialog(&mut harness);
     open_list(&mut harness, "File");
     choose(&mut harness, "EXR");
-    assert!(is_seen(&harness, "EXR keeps the linear light"));
+    assert!(is_seen(&harness, "This kind of file keeps the linear light"));
     enter(&mut harness, "Width", 64.0);
     pick(&mut harness, "Samples: 1");
     pick(&mut harness, "Generations: Own");

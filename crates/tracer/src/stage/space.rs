@@ -19,6 +19,9 @@ const NEAREST: f64 = 1.0 / 64.0;
 /// origin, not the eye.
 const NARROW: f64 = 1e-3;
 
+/// Views wider than a right angle are no coarser in their middle for that.
+const WIDEST: f64 = 2.0;
+
 /// A curved body may be so many times as long as it is thick.
 const MOST_FLAT: f64 = 1024.0;
 
@@ -140,7 +143,7 @@ impl Scale {
         let way = camera.position.distance(camera.target);
         match camera.projection {
             Projection::Perspective { fov_degrees } => {
-                let per_meter = 2.0 * (0.5 * fov_degrees.to_radians()).tan();
+                let per_meter = (2.0 * (0.5 * fov_degrees.to_radians()).tan()).min(WIDEST);
                 if per_meter < NARROW {
                     return Self { focus: camera.target, per_meter: 0.0, least: per_meter * way };
                 }

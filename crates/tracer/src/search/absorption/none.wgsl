@@ -1,4 +1,4 @@
-// Twin of absorption.rs for stages in which nothing is absorbed.
+// For stages in which bodies take no light on its way.
 
 fn forget_intervals() {}
 

@@ -128,9 +128,7 @@ impl<'a> Oracle<'a> {
         let placed = &self.bodies[hit.body];
         let material = placed.material;
         let mut light = self.local(material, at, n, -direction);
-        if generation >= self.scene.tracing.generations {
-            return light;
-        }
+        let is_last = generation >= self.scene.tracing.generations;
         let reflected = || {
             let mirrored = (direction - 2.0 * n.dot(direction) * n).normalize();
             self.trace(at, mirrored, generation + 1, media)
@@ -144,15 +142,18 @@ impl<'a> Oracle<'a> {
             }
             let index = |media: &[usize]| media.last().map_or(1.0, |&body| self.bodies[body].material.ior);
             match snell(direction, n, index(media), index(&beyond)) {
-                // A ray that goes straight on is the same ray still.
+                // A ray that goes straight on is the same ray still, in the last generation, too.
                 Some(bent) => {
-                    let next = generation + u32::from(index(media) != index(&beyond));
-                    light += placed.filter() * self.trace(at, bent, next, &beyond);
+                    let is_bent = index(media) != index(&beyond);
+                    if !(is_last && is_bent) {
+                        let next = generation + u32::from(is_bent);
+                        light += placed.filter() * self.trace(at, bent, next, &beyond);
+                    }
                 }
                 None => reflection = 1.0,
             }
         }
-        if reflection > 0.0 {
+        if reflection > 0.0 && !is_last {
             light += reflection * reflected();
         }
         light
