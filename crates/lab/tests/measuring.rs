@@ -218,7 +218,7 @@ fn a_study_holds_all_in_both_languages() {
         assert_eq!(decode(png).unwrap().width(), 1440);
         let markdown = text(&study, "report.md");
         assert!(markdown.contains("![") && markdown.contains("(time.svg)") && markdown.contains(median));
-        assert!(markdown.contains("sphere\\_flake") && markdown.contains("Processor\\_1 \\& 50 %"));
+        assert!(markdown.contains("sphere\\_flake") && markdown.contains("Processor_1 & 50 %"));
         assert!(!markdown.contains("{scene}") && !markdown.contains("{points}") && !markdown.contains("{n}"));
         let latex = text(&study, "report.tex");
         assert!(latex.contains("sphere\\_flake") && latex.contains("Processor\\_1 \\& 50 \\%"));

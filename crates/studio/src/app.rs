@@ -343,8 +343,13 @@ impl Studio {
         let mut kept = std::mem::take(&mut self.panes);
         let viewport = layout.tiles.find_pane(&Pane::Viewport);
         let rows = layout::fit(&mut layout, ui.available_width(), panes::GAP);
-        layout.ui(&mut Docked { cx: self.cx(), panes: &mut kept, viewport }, ui);
+        let mut docked = Docked { cx: self.cx(), panes: &mut kept, viewport, closed: Vec::new() };
+        layout.ui(&mut docked, ui);
+        let closed = docked.closed;
         layout::take_over(&mut layout, &rows);
+        for pane in closed {
+            layout::set_visible(&mut layout, pane, false);
+        }
         self.layout = layout;
         self.panes = kept;
         if !layout::is_in_front(&self.layout, Pane::Viewport) {

@@ -39,6 +39,8 @@ pub(crate) struct Docked<'a> {
     pub(crate) panes: &'a mut Panes,
     /// The viewport's tile, which needs no title while it stands alone.
     pub(crate) viewport: Option<TileId>,
+    /// The panels whose tabs are closed: they are hidden after the frame, since a layout must not change while it is drawn.
+    pub(crate) closed: Vec<Pane>,
 }
 
 impl egui_tiles::Behavior<Pane> for Docked<'_> {
@@ -92,13 +94,9 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
         let (response, is_closed) = tabs::tab_ui(ui, self.cx.texts, id, &name, state);
         if is_closed {
             // Panels are hidden by themselves, so that each of a group can be shown again.
-            for pane in tabs::panes_of(tiles, tile) {
-                if let Some(tile) = tiles.find_pane(&pane) {
-                    tiles.set_visible(tile, false);
-                }
-                // The tool and its panel are open together.
-                self.cx.view.is_auditing &= pane != Pane::Audit;
-            }
+            self.closed.extend(tabs::panes_of(tiles, tile));
+            // The tool and its panel are open together.
+            self.cx.view.is_auditing &= !self.closed.contains(&Pane::Audit);
         }
         response
     }

@@ -328,7 +328,8 @@ impl Stage {
     /// Whether pictures through a camera are as exact in this stage of `scene` as in one prepared for it.
     pub fn suits(&self, scene: &Scene, camera: &Camera) -> bool {
         let is_double = |scene_index: usize| self.doubles.get(scene_index as u32).is_some();
-        self.space.suits(scene, camera, self.largest_extent, is_double)
+        let largest = if self.has_doubles() { f64::INFINITY } else { self.largest_extent };
+        self.space.suits(scene, camera, largest, is_double)
     }
 
     /// A point of the space of the rays in the world, meters: rays are traced about an origin near what is seen, where

@@ -76,8 +76,9 @@ impl RenderSpace {
         (nearest.is_finite() && nearest > MOST_HEIGHTS * self.view.least).then_some(nearest)
     }
 
-    /// Whether pictures through another camera are as exact in this space. `largest` is the largest extent of the bodies
-    /// in single precision, `is_double` tells of the others by their place in the scene.
+    /// Whether pictures through another camera are as exact in this space, and the same where the world's origin is near.
+    /// `largest` is the largest extent of the bodies if all are in single precision, else infinite; `is_double` tells of
+    /// those that are not by their place in the scene.
     pub(super) fn suits(
         &self,
         scene: &Scene,
@@ -86,7 +87,8 @@ impl RenderSpace {
         is_double: impl Fn(usize) -> bool,
     ) -> bool {
         let view = Scale::of(camera);
-        if !view.allows(scene, (view.focus - self.origin).abs().max_element()) {
+        let is_near = |origin: DVec3| view.allows(scene, (view.focus - origin).abs().max_element());
+        if !is_near(self.origin) || (self.origin != DVec3::ZERO && is_near(DVec3::ZERO)) {
             return false;
         }
         if largest <= MOST_HEIGHTS * view.least || scene.bodies.len() > FEW_TO_CHECK {
@@ -96,7 +98,8 @@ impl RenderSpace {
         let bodies = scene.bodies.iter().enumerate();
         let mut fits = bodies.map(|(index, body)| {
             let transform = super::body::world_from_canonical(body);
-            body.hidden || is_double(index) || !space.needs_double(body, &transform)
+            let is_plane = body.shape == Shape::Plane;
+            body.hidden || is_plane || is_double(index) == space.needs_double(body, &transform)
         });
         fits.all(|fits| fits)
     }
