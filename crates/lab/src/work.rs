@@ -37,7 +37,7 @@ impl RayEstimate {
         Self::within(stage, camera, size, (stage.generations(), stage.threshold()), control)
     }
 
-    /// The same with other limits than the stage's: of generations, and the weight below which rays are not traced.
+    /// Estimates the rays under other limits than the stage's: of generations, and the weight below which rays are not traced.
     ///
     /// # Errors
     /// When `control` is cancelled.

@@ -377,7 +377,7 @@ fn way(folder: &Path, file: &Path) -> Option<String> {
     ways.filter(|way| way.is_relative()).find(leads_there).map(|way| path_text(&way))
 }
 
-/// The same whole path by names alone: each `..` takes the name before it away.
+/// An absolute path without `..`, by names alone: each takes the name before it away.
 fn without_steps_up(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for part in path.components() {

@@ -204,7 +204,7 @@ impl Inside {
         }
     }
 
-    /// The same of one of the rays by itself.
+    /// The bodies that one of the rays is inside of, as those of a ray by itself.
     pub(crate) fn of_lane(&self, lane: usize) -> Self {
         let of_lane = |&(body, rays): &(u32, u32)| (rays >> lane & 1 == 1).then_some((body, 1));
         Self { bodies: self.bodies.iter().filter_map(of_lane).collect() }

@@ -103,7 +103,7 @@ struct Compressor {
     deflate: Compress,
     /// The bytes of the rows as a file has them: little-endian, of each row all of blue, then green, then red.
     bytes: Vec<u8>,
-    /// The same in the order in which they are compressed.
+    /// The bytes of `bytes` in the order in which they are compressed.
     sorted: Vec<u8>,
 }
 

@@ -16,8 +16,8 @@ pub(crate) struct Double<const N: usize>(pub(crate) [f64; N]);
 pub(crate) struct DoubleMask<const N: usize>([u64; N]);
 
 macro_rules! operators {
-    ($($operator:ident, $method:ident, $act:tt);*) => {$(
-        impl<const N: usize> $operator for Double<N> {
+    ($lanes:ident: $($operator:ident, $method:ident, $act:tt);*) => {$(
+        impl<const N: usize> $operator for $lanes<N> {
             type Output = Self;
 
             #[inline(always)]
@@ -44,22 +44,6 @@ macro_rules! operators_of_all {
     )*};
 }
 
-macro_rules! logic {
-    ($($operator:ident, $method:ident, $act:tt);*) => {$(
-        impl<const N: usize> $operator for DoubleMask<N> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(mut self, other: Self) -> Self {
-                for lane in 0..N {
-                    self.0[lane] $act other.0[lane];
-                }
-                self
-            }
-        }
-    )*};
-}
-
 macro_rules! compare {
     ($($name:ident, $act:tt);*) => {$(
         #[inline(always)]
@@ -73,9 +57,9 @@ macro_rules! compare {
     )*};
 }
 
-operators!(Add, add, +=; Sub, sub, -=; Mul, mul, *=; Div, div, /=);
+operators!(Double: Add, add, +=; Sub, sub, -=; Mul, mul, *=; Div, div, /=);
 operators_of_all!(Add, add, +; Sub, sub, -; Mul, mul, *);
-logic!(BitAnd, bitand, &=; BitOr, bitor, |=);
+operators!(DoubleMask: BitAnd, bitand, &=; BitOr, bitor, |=);
 
 impl<const N: usize> Neg for Double<N> {
     type Output = Self;

@@ -48,7 +48,7 @@ pub(super) struct Probe<'a> {
     table: MediaTable,
     /// The transparent bodies around the start of the primary ray; a reflected ray stays in them.
     inside: Inside,
-    /// The same in the order entered, a list of the table.
+    /// The list of `table` that holds the bodies of `inside` in the order in which they were entered.
     media: u32,
     parts: Pending,
     intervals: MediumIntervals,
