@@ -16,6 +16,7 @@ use glam::DVec3;
 use crate::document::{Editor, Label, Refused};
 use crate::fragment;
 use crate::selection::{Item, Selection};
+use crate::spot::Spot;
 use flags::Flag;
 use list::Move;
 pub(crate) use outcome::{Outcome, subject};
@@ -24,13 +25,12 @@ pub(crate) use outcome::{Outcome, subject};
 /// redo. Locked bodies and lights stay as they are, where nothing else is said.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Adds a body of default size that stands on the ground y = 0 at or beside a place, in a color of its own, and
-    /// selects it.
+    /// Adds a body in a color of its own and selects it.
     AddBody {
         /// Its shape.
         shape: ShapeKind,
-        /// Where, meters; the height does not count.
-        at: DVec3,
+        /// Where it stands, and how large it is.
+        spot: Spot,
         /// What to call it, made unique by a number; the shape's key when empty.
         name: String,
     },
@@ -289,7 +289,7 @@ impl Action {
         folder: Option<&Path>,
     ) -> Result<Outcome, ActionError> {
         match self {
-            Self::AddBody { shape, at, name } => Ok(add::body(scene, *shape, *at, name.trim())),
+            Self::AddBody { shape, spot, name } => Ok(add::body(scene, *shape, spot, name.trim())),
             Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),
             Self::AddMaterial { name } => Ok(add::named_material(scene, name.trim())),
             Self::Duplicate => list::duplicate(scene, selection),

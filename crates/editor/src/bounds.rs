@@ -81,6 +81,33 @@ pub fn of_body(body: &Body) -> Option<Bounds> {
     })
 }
 
+/// Whether a plane parts two bodies: they have nothing but their surfaces in common then. Tried are planes across the axes
+/// of both, the products of these and the line between the middles, as for boxes (Gottschalk et al. 1996, OBBTree,
+/// sec. 5); two bodies may be apart and not be found to be. Planes are apart from nothing.
+pub fn are_apart(one: &Body, other: &Body) -> bool {
+    /// Bodies that stand on each other overlap by rounding: this part of their sizes does not count.
+    const CONTACT: f64 = 1e-9;
+    let axes = |body: &Body| {
+        let rotation = body.placement.rotation();
+        [rotation.x_axis, rotation.y_axis, rotation.z_axis]
+    };
+    let (own, others) = (axes(one), axes(other));
+    let crosses = own.into_iter().flat_map(|a| others.map(|b| a.cross(b)));
+    let middle = |body: &Body| ball_of_body(body).map(|ball| ball.center);
+    let between = middle(one).zip(middle(other)).map(|(from, to)| to - from);
+    // The line between the middles parts most.
+    let directions = between.into_iter().chain(own).chain(others).chain(crosses);
+    let mut directions = directions.filter_map(DVec3::try_normalize).flat_map(|d| [d, -d]);
+    directions.any(|direction| {
+        let ends = [(one, direction), (other, -direction), (one, -direction), (other, direction)];
+        let [Some(front), Some(facing), Some(back), Some(rear)] = ends.map(|(body, d)| reach(body, d)) else {
+            return false;
+        };
+        let gap = -facing - front;
+        gap >= -CONTACT * (front + back).min(facing + rear)
+    })
+}
+
 /// A ball around a body, the smallest one where a cylinder's or cone's cross section is a circle; `None` for a plane.
 fn ball_of_body(body: &Body) -> Option<Ball> {
     let world_from_body = body.placement.world_from_body();
@@ -210,6 +237,24 @@ mod tests {
             ball(Shape::Cone { radius: 1.0, top_radius: 3.0, height: 1.0 }, DVec3::new(1.0, 0.5, 1.0));
         assert_eq!(funnel.radius, 3.0);
         assert!((funnel.center.distance(DVec3::X) - 0.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn bodies_that_touch_are_apart_and_those_that_overlap_are_not() {
+        let at =
+            |shape, position: [f64; 3], turn: [f64; 3]| body(shape, position.into(), turn.into(), DVec3::ONE);
+        let ball = at(Shape::SPHERE, [0.0; 3], [0.0; 3]);
+        let wall = |x| at(Shape::Cube { size: DVec3::new(0.2, 20.0, 20.0) }, [x, x, 0.0], [0.0, 0.0, 45.0]);
+        let near = (1.1) / 2f64.sqrt();
+        assert!(are_apart(&ball, &wall(near)) && are_apart(&wall(near), &ball));
+        assert!(!are_apart(&ball, &wall(near - 1e-3)));
+        // Along the diagonal, where the boxes of both overlap.
+        let step = (4.0f64 / 3.0).sqrt();
+        assert!(are_apart(&ball, &at(Shape::SPHERE, [step; 3], [10.0, 20.0, 30.0])));
+        assert!(!are_apart(&ball, &at(Shape::SPHERE, [0.99 * step; 3], [0.0; 3])));
+        let rod = |y| at(Shape::CYLINDER, [0.0, y, 0.0], [0.0; 3]);
+        assert!(are_apart(&rod(0.0), &rod(1.0)) && !are_apart(&rod(0.0), &rod(0.99)));
+        assert!(!are_apart(&ball, &at(Shape::Plane, [0.0, -9.0, 0.0], [0.0; 3])));
     }
 
     #[test]

@@ -5,12 +5,12 @@
 //! ([`Action`]), and saving that keeps a file's comments. There is no user interface here, and no thread.
 //!
 //! ```
-//! use catoptric_editor::{Action, Editor, Item};
+//! use catoptric_editor::{Action, Editor, Item, Spot};
 //! use catoptric_scene::{Scene, ShapeKind};
 //! use glam::DVec3;
 //!
 //! let mut editor = Editor::new(Scene::default());
-//! editor.apply(Action::AddBody { shape: ShapeKind::Sphere, at: DVec3::X, name: "Ball".to_owned() })?;
+//! editor.apply(Action::AddBody { shape: ShapeKind::Sphere, spot: Spot::at(DVec3::X), name: "Ball".to_owned() })?;
 //! assert_eq!(editor.selection().primary(), Some(Item::Body(0)));
 //! editor.apply(Action::Undo)?;
 //! assert!(!editor.is_changed());
@@ -26,7 +26,9 @@ mod names;
 pub mod navigate;
 pub mod recovery;
 mod selection;
+mod spot;
 
 pub use action::{Action, ActionError};
 pub use document::{Editor, Label, Refused, Writing};
 pub use selection::{Item, Selection};
+pub use spot::Spot;

@@ -84,6 +84,8 @@ pub enum Command {
     Show(Shows),
     /// Choose what the gizmo does.
     Tool(Tool),
+    /// Drags in the picture move a light by its highlight or its shadow, or no longer do.
+    AimLight,
     /// Gizmo along the world's axes or the body's own.
     ToggleGizmoSpace,
     /// Look into a pixel.

@@ -217,6 +217,7 @@ fn view() -> Vec<Entry> {
     entries.push(Entry::Do(Command::ToggleCard));
     entries.push(Entry::Line);
     entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool)));
+    entries.push(Entry::Do(Command::AimLight));
     entries.extend(commands_of([Command::ToggleGizmoSpace, Command::ToggleGrid, Command::ToggleHandles]));
     entries.push(Entry::Line);
     entries.push(Entry::Sub("menu-panels", icons::ICON_DASHBOARD, panels_ui));

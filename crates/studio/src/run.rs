@@ -26,11 +26,11 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         | Command::Quit => documents::run(context, studio, command),
         Command::AddBody(shape) => {
             let name = studio.texts.get(shape_name(shape)).to_owned();
-            apply(studio, Action::AddBody { shape, at: viewport::place_for_new(studio), name });
+            apply(studio, Action::AddBody { shape, spot: viewport::spot_for_body(studio, shape), name });
         }
         Command::AddLight => {
             let name = studio.texts.get("name-light").to_owned();
-            apply(studio, Action::AddLight { at: viewport::place_for_new_light(studio), name });
+            apply(studio, Action::AddLight { at: viewport::place_for_light(studio), name });
         }
         Command::AddMaterial => {
             let name = studio.texts.get("name-material").to_owned();
@@ -61,7 +61,8 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
                 studio.view.shows = shows;
             }
         }
-        Command::Tool(tool) => (studio.view.tool, studio.view.is_auditing) = (tool, false),
+        Command::Tool(tool) => studio.view.take_tool(tool),
+        Command::AimLight => studio.view.toggle_aiming(),
         Command::Audit(_)
         | Command::Map(_)
         | Command::ToggleExact

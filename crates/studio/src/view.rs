@@ -13,6 +13,8 @@ pub(crate) struct View {
     pub(crate) tool: Tool,
     /// Whether clicks in the picture pin pixels for the audit, instead of selecting.
     pub(crate) is_auditing: bool,
+    /// Whether drags in the picture move a light by its highlight or its shadow, instead of bodies.
+    pub(crate) is_aiming: bool,
     /// Gizmo along the body's own axes instead of the world's.
     pub(crate) is_gizmo_local: bool,
     /// The camera of the free view; `None` looks through the scene's camera, which navigation then moves.
@@ -53,6 +55,18 @@ impl View {
     /// The camera through which the viewport looks.
     pub(crate) fn camera(&self, scene: &catoptric_scene::Scene) -> Camera {
         self.free_camera.unwrap_or(scene.camera)
+    }
+
+    /// Chooses what the gizmo does, and lets the pointer hold things again.
+    pub(crate) fn take_tool(&mut self, tool: Tool) {
+        self.tool = tool;
+        (self.is_auditing, self.is_aiming) = (false, false);
+    }
+
+    /// Lets drags aim lights, or no longer.
+    pub(crate) fn toggle_aiming(&mut self) {
+        self.is_aiming = !self.is_aiming;
+        self.is_auditing = false;
     }
 
     /// Leaves the scene's camera where it is and looks around freely from there, or looks through it again.

@@ -1,5 +1,6 @@
 //! The panel of the picture: the traced scene itself, with what can be seen and held drawn over it.
 
+mod aim;
 mod answers;
 mod carry;
 mod compass;
@@ -14,8 +15,10 @@ mod lens;
 mod load;
 mod marks;
 mod menu;
+mod offscreen;
 mod picture;
 mod pixels;
+mod placing;
 mod rays;
 mod sight;
 mod toolbar;
@@ -36,14 +39,12 @@ use crate::outliner::item_name;
 use crate::{picture_frame, theme};
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
-pub(crate) use jumps::{
-    frame, look_along, look_through, place_for_new, place_for_new_light, set_camera, set_scene_camera,
-    toggle_free,
-};
+pub(crate) use jumps::{frame, look_along, look_through, set_camera, set_scene_camera, toggle_free};
 pub(crate) use labels::beside_pointer as note_beside;
 pub(crate) use lens::Lens;
 use picture::Picture;
 pub(crate) use picture::why;
+pub(crate) use placing::{place_for_light, spot_for_body};
 use sight::{Sight, Target};
 use travel::Travel;
 
@@ -113,7 +114,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
-    let sight = Sight::new(cx, rect, camera);
+    let sight = Sight::new(cx.live, rect, camera);
     if frame.as_deref().is_some_and(picture::is_apart) {
         // Nothing can be picked in it, and nothing belongs over it.
         viewport.hands = Hands::default();
@@ -217,8 +218,9 @@ fn over_picture(
     palette: &theme::Palette,
 ) {
     let over = viewport.hands.over;
-    let hovered = if let Some(Target::Mark(item)) = over { Some(item) } else { None };
+    let hovered = if let Some(Target::Mark(item) | Target::Arrow(item)) = over { Some(item) } else { None };
     handles::draw(painter, sight, cx, hovered, palette);
+    offscreen::draw(painter, sight, cx, hovered, palette);
     let pulled: Option<(Gizmo, Handle)> = match &viewport.hands.hand {
         Hand::Pull(held) => {
             gizmo::draw::ghost(painter, sight, &held.by, palette);
@@ -269,11 +271,12 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
     let amount = match &viewport.hands.hand {
         Hand::Carry(held) => held.amount,
         Hand::Pull(held) => held.amount,
+        Hand::Aim(held) => held.amount,
         _ => None,
     };
     let scene = cx.editor.scene();
     let over = match viewport.hands.over {
-        Some(Target::Mark(item)) => Some(item),
+        Some(Target::Mark(item) | Target::Arrow(item)) => Some(item),
         Some(Target::Body { index, .. }) => Some(Item::Body(index)),
         _ => None,
     };
@@ -287,7 +290,14 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
         (over.filter(|_| cx.maps.kind.is_none()), pointer, Popup::is_any_open(ui.ctx()))
     {
         if rest >= REST {
-            labels::beside_pointer(&painter, sight.rect, pointer, &item_name(cx.texts, scene, item), palette);
+            let name = item_name(cx.texts, scene, item);
+            let text = match viewport.hands.over {
+                Some(Target::Arrow(_)) => {
+                    cx.texts.with("viewport-out-of-view", &[("name", name.into_owned().into())])
+                }
+                _ => name.into_owned(),
+            };
+            labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
         } else {
             let left = std::time::Duration::from_secs_f32(REST - rest);
             ui.ctx().request_repaint_after(left);
@@ -296,6 +306,15 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
     if cx.view.is_measuring {
         let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
         let text = cx.t("viewport-measuring");
+        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
+    }
+    if cx.view.is_aiming && !cx.view.is_flying {
+        let text = match &viewport.hands.hand {
+            Hand::Aim(held) if held.by.is_by_shadow() => cx.t("viewport-aim-shadow"),
+            Hand::Aim(_) => cx.t("viewport-aim-highlight"),
+            _ => cx.t("viewport-aim-hint"),
+        };
+        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
         labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
     }
     if cx.view.is_flying {

@@ -1,14 +1,12 @@
 //! New bodies, lights and materials.
 
-use catoptric_scene::{
-    Body, Color, Light, Material, MaterialChoice, NamedMaterial, Placement, Scene, Shape, ShapeKind,
-};
+use catoptric_scene::{Body, Color, Light, Material, MaterialChoice, NamedMaterial, Scene, ShapeKind};
 use glam::DVec3;
 
 use super::outcome::Outcome;
-use crate::bounds::{self, Bounds};
 use crate::names::Names;
 use crate::selection::{Item, Selection};
+use crate::spot::Spot;
 
 /// Colors of new bodies, sRGB: of equal weight, each told from the others at a glance.
 const PALETTE: [[u8; 3]; 8] = [
@@ -22,25 +20,13 @@ const PALETTE: [[u8; 3]; 8] = [
     [0x8a, 0x97, 0xa8],
 ];
 
-/// Rings of places about the wanted one that are tried for a new body.
-const RINGS: u32 = 8;
-
-pub(super) fn body(scene: &Scene, shape: ShapeKind, at: DVec3, name: &str) -> Outcome {
+pub(super) fn body(scene: &Scene, shape: ShapeKind, spot: &Spot, name: &str) -> Outcome {
     let mut names = Names::of(scene.bodies.iter().map(|body| body.name.as_str()));
-    let mut body = Body {
+    let body = Body {
         name: names.take(if name.is_empty() { shape.key() } else { name }),
-        shape: shape.shape(),
-        placement: Placement::at(at.with_y(0.0).map(to_millimeters)),
         material: MaterialChoice::Inline(Box::new(material(scene, shape))),
-        ..Body::default()
+        ..spot.body(shape)
     };
-    if let Some(bounds) = bounds::of_body(&body) {
-        let up = DVec3::NEG_Y * bounds.min.y;
-        body.placement = body.placement.moved_by(up);
-        if let Some(aside) = free_place(scene, Bounds { min: bounds.min + up, max: bounds.max + up }) {
-            body.placement = body.placement.moved_by(aside);
-        }
-    }
     let mut scene = scene.clone();
     let selection = Selection::one(Item::Body(scene.bodies.len()));
     let subject = body.name.clone();
@@ -54,7 +40,7 @@ pub(super) fn light(scene: &Scene, at: DVec3, name: &str) -> Outcome {
     let mut scene = scene.clone();
     let selection = Selection::one(Item::Light(scene.lights.len()));
     let subject = name.clone();
-    scene.lights.push(Light { name, position: at.map(to_millimeters), ..Light::default() });
+    scene.lights.push(Light { name, position: at, ..Light::default() });
     Outcome { scene, selection, subject }
 }
 
@@ -66,11 +52,6 @@ pub(super) fn named_material(scene: &Scene, name: &str) -> Outcome {
     let subject = name.clone();
     scene.materials.push(NamedMaterial { name, material: Material::default() });
     Outcome { scene, selection, subject }
-}
-
-/// Places come from a mouse; files should not show its every digit.
-fn to_millimeters(meters: f64) -> f64 {
-    (meters * 1e3).round() * 1e-3
 }
 
 /// Of the palette's colors, the one that the fewest bodies have or come near to; with some gloss, but for planes.
@@ -94,27 +75,4 @@ fn material(scene: &Scene, shape: ShapeKind) -> Material {
         return matte;
     }
     Material { diffuse: 0.75, specular: 0.4, shininess: 60.0, reflection: Some(0.15), ..matte }
-}
-
-/// How far aside a body with these bounds meets no other that is seen; `None` when that is far away.
-fn free_place(scene: &Scene, bounds: Bounds) -> Option<DVec3> {
-    let others: Vec<Bounds> = scene
-        .bodies
-        .iter()
-        .filter(|body| !body.hidden && body.shape != Shape::Plane)
-        .filter_map(bounds::of_body)
-        .collect();
-    let step = 1.25 * bounds.size().x.max(bounds.size().z);
-    let ring = |ring: u32| {
-        let count = (6 * ring).max(1);
-        (0..count).map(move |index| {
-            let angle = std::f64::consts::TAU * f64::from(index) / f64::from(count);
-            let aside = step * f64::from(ring) * DVec3::new(angle.cos(), 0.0, angle.sin());
-            aside.map(to_millimeters)
-        })
-    };
-    (0..=RINGS).flat_map(ring).find(|aside| {
-        let there = Bounds { min: bounds.min + *aside, max: bounds.max + *aside };
-        !others.iter().any(|other| other.overlaps(&there))
-    })
 }

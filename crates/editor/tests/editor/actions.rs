@@ -1,33 +1,32 @@
 //! Known answers of the actions on bodies and lights.
 
-use catoptric_editor::{Action, ActionError, Item, Selection, bounds};
+use catoptric_editor::{Action, ActionError, Item, Selection, Spot, bounds};
 use catoptric_scene::{Anchor, Placement, Shape, ShapeKind};
 use glam::DVec3;
 
 use crate::common::{act, bodies, editor, gray, label, names, refuse, selected, selecting};
 
-fn add(shape: ShapeKind, at: DVec3) -> Action {
-    Action::AddBody { shape, at, name: String::new() }
+fn add(shape: ShapeKind, spot: Spot) -> Action {
+    Action::AddBody { shape, spot, name: String::new() }
 }
 
 #[test]
-fn new_bodies_stand_on_the_ground_beside_others() {
+fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
     let mut editor = editor();
-    let at = DVec3::new(0.12345, 7.0, 20.0);
+    let foot = DVec3::new(0.123, 7.0, 20.0);
     for (shape, height) in [
-        (ShapeKind::Sphere, 1.0),
-        (ShapeKind::Cube, 0.5),
+        (ShapeKind::Sphere, 2.0),
+        (ShapeKind::Cube, 1.0),
         (ShapeKind::Cylinder, 0.0),
         (ShapeKind::Cone, 0.0),
-        (ShapeKind::Sphere, 1.0),
+        (ShapeKind::Sphere, 2.0),
     ] {
-        act(&mut editor, &add(shape, at));
+        act(&mut editor, &add(shape, Spot { size: 2.0, ..Spot::at(foot) }));
         let body = editor.scene().bodies.last().unwrap();
-        assert_eq!(body.placement.origin().y, height);
-        assert_eq!(bounds::of_body(body).unwrap().min.y, 0.0);
+        assert_eq!(body.placement, Placement::at(foot + height * DVec3::Y));
+        assert_eq!(bounds::of_body(body).unwrap().min.y, 7.0);
     }
     let scene = editor.scene();
-    assert_eq!(scene.bodies[4].placement, Placement::at(DVec3::new(0.123, 1.0, 20.0)));
     assert_eq!(names(&editor)[4..], ["sphere", "cube", "cylinder", "cone", "sphere 2"]);
     assert_eq!(selected(&editor), [Item::Body(8)]);
     assert_eq!(editor.undo_label().unwrap().subject, "sphere 2");
@@ -36,22 +35,19 @@ fn new_bodies_stand_on_the_ground_beside_others() {
         let color = scene.material(&body.material).unwrap().color;
         assert!(!colors.contains(&color), "number {index}");
         colors.push(color);
-        let bounds = bounds::of_body(body).unwrap();
-        for other in scene.bodies.iter().skip(4).take(index) {
-            assert!(!bounds.overlaps(&bounds::of_body(other).unwrap()));
-        }
     }
-    act(&mut editor, &Action::AddBody { shape: ShapeKind::Plane, at, name: " Пол ".to_owned() });
+    let name = " Пол ".to_owned();
+    act(&mut editor, &Action::AddBody { shape: ShapeKind::Plane, spot: Spot::at(foot), name });
     let plane = editor.scene().bodies.last().unwrap();
-    assert_eq!((plane.name.as_str(), plane.placement.origin()), ("Пол", DVec3::new(0.123, 0.0, 20.0)));
-    let far = DVec3::new(f64::NAN, 0.0, 0.0);
+    assert_eq!((plane.name.as_str(), plane.placement.origin()), ("Пол", foot));
+    let far = Spot::at(DVec3::new(f64::NAN, 0.0, 0.0));
     assert!(matches!(refuse(&mut editor, &add(ShapeKind::Cube, far)), ActionError::Refused(_)));
 }
 
 #[test]
 fn new_lights_and_materials_are_selected() {
     let mut editor = editor();
-    act(&mut editor, &Action::AddLight { at: DVec3::new(1.0, 2.00049, 3.0), name: "left".to_owned() });
+    act(&mut editor, &Action::AddLight { at: DVec3::new(1.0, 2.0, 3.0), name: "left".to_owned() });
     let light = editor.scene().lights.last().unwrap();
     assert_eq!((light.name.as_str(), light.position), ("left 2", DVec3::new(1.0, 2.0, 3.0)));
     assert_eq!(selected(&editor), [Item::Light(2)]);

@@ -99,7 +99,11 @@ fn copied_planes_do_not_lie_in_each_other() {
     let mut editor = Editor::new(Scene::default());
     act(
         &mut editor,
-        &Action::AddBody { shape: catoptric_scene::ShapeKind::Plane, at: DVec3::ZERO, name: String::new() },
+        &Action::AddBody {
+            shape: catoptric_scene::ShapeKind::Plane,
+            spot: catoptric_editor::Spot::at(DVec3::ZERO),
+            name: String::new(),
+        },
     );
     act(&mut editor, &Action::Duplicate);
     assert_eq!(editor.scene().bodies[1].placement.origin(), DVec3::Y * 0.5);

@@ -1,6 +1,6 @@
 //! Anything in any order.
 
-use catoptric_editor::{Action, ActionError, Editor, Item, Selection, navigate};
+use catoptric_editor::{Action, ActionError, Editor, Item, Selection, Spot, navigate};
 use catoptric_scene::{Example, Material, MaterialChoice, Scene, Shape, ShapeKind};
 use glam::DVec3;
 
@@ -82,7 +82,8 @@ impl Chance {
         let scene = editor.scene();
         match self.below(36) {
             0 | 1 => {
-                Action::AddBody { shape: ShapeKind::ALL[self.below(5)], at: self.vector(), name: self.name() }
+                let spot = Spot { size: self.number(), ..Spot::at(self.vector()) };
+                Action::AddBody { shape: ShapeKind::ALL[self.below(5)], spot, name: self.name() }
             }
             2 => Action::AddLight { at: self.vector(), name: self.name() },
             3 => Action::AddMaterial { name: self.name() },

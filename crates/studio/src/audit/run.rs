@@ -18,6 +18,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
     match act {
         AuditAct::Tool => {
             studio.view.is_auditing = !studio.view.is_auditing;
+            studio.view.is_aiming = false;
             // The tool and its panel are open together.
             layout::set_visible(&mut studio.layout, Pane::Audit, studio.view.is_auditing);
         }

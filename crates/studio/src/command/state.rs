@@ -114,6 +114,7 @@ impl Situation<'_> {
             Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
             Command::FrameAll => !self.editor.scene().bodies.is_empty(),
             Command::CameraFromView => self.view.free_camera.is_some(),
+            Command::AimLight => self.view.is_aiming || !self.editor.scene().lights.is_empty(),
             Command::Audit(act) => self.can_audit(*act),
             _ => true,
         }
@@ -148,7 +149,8 @@ impl Situation<'_> {
             }
             Command::Method(kind) => self.settings.methods.kind() == *kind,
             Command::Show(shows) => self.view.shows == *shows,
-            Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing,
+            Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing && !self.view.is_aiming,
+            Command::AimLight => self.view.is_aiming,
             Command::Audit(AuditAct::Tool) => self.view.is_auditing,
             Command::Audit(AuditAct::Play) => self.audit.light.is_running,
             Command::ToggleExact => self.exact.is_on,

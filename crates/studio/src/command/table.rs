@@ -146,6 +146,7 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Tool(Tool::Move) => "command-tool-move", ICON_OPEN_WITH, plain(Key::W);
         Command::Tool(Tool::Rotate) => "command-tool-rotate", ICON_AUTORENEW, plain(Key::E);
         Command::Tool(Tool::Scale) => "command-tool-scale", ICON_ZOOM_OUT_MAP, plain(Key::R);
+        Command::AimLight => "command-aim-light", ICON_HIGHLIGHT, shift(Key::L);
         Command::ToggleGizmoSpace => "command-toggle-gizmo-space", ICON_PUBLIC, plain(Key::X);
         Command::ToggleGrid => "command-toggle-grid", ICON_GRID_4X4, plain(Key::G);
         Command::ToggleCard => "command-toggle-card", ICON_MEMORY;

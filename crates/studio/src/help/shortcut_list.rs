@@ -28,6 +28,7 @@ const GESTURES: [(&str, &str); 17] = [
     ("gesture-fly", "gesture-fly-does"),
     ("gesture-audit", "gesture-audit-does"),
     ("gesture-audit-shift", "gesture-audit-shift-does"),
+    ("gesture-aim", "gesture-aim-does"),
 ];
 
 /// Draws the list.

@@ -148,7 +148,7 @@ fn frustum(camera: &Camera, least: f64) -> [Vec<DVec3>; 3] {
 }
 
 /// A light's color at full brightness, as a display shows it.
-fn shown_color(light: &Light) -> Color32 {
+pub(crate) fn shown_color(light: &Light) -> Color32 {
     let linear = light.color.to_array();
     let most = linear.iter().copied().fold(0.0, f64::max);
     let [red, green, blue] = linear.map(|part| {

@@ -5,6 +5,7 @@ use catoptric_scene::Camera;
 use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 use glam::DVec2;
 
+use super::aim::Aim;
 use super::carry::Carry;
 use super::gizmo::change::Change;
 use super::gizmo::pull::{Amount, Care, Pull};
@@ -34,6 +35,8 @@ pub(crate) enum Hand {
     Carry(Box<Held<Carry>>),
     /// It pulls a handle of the gizmo.
     Pull(Box<Held<Pull>>),
+    /// It moves a light by its highlight or its shadow.
+    Aim(Box<Held<Aim>>),
     /// It has given up; the button is still down.
     GivenUp,
 }
@@ -99,6 +102,8 @@ impl Hands {
         if let Some(pos) = response.interact_pointer_pos() {
             if button(PointerButton::Primary) && cx.view.is_auditing {
                 super::pixels::click(ui, cx, sight, pos);
+            } else if button(PointerButton::Primary) && cx.view.is_aiming {
+                self.click_to_aim(ui, cx, sight, pos);
             } else if button(PointerButton::Primary) {
                 self.click(ui, cx, sight, pos);
             } else if button(PointerButton::Secondary) {
@@ -126,6 +131,10 @@ impl Hands {
         self.click = None;
         let turns = if modifiers.shift || is_middle { Hand::Pan } else { Hand::Orbit };
         let at = sight.at(origin);
+        if is_primary && cx.view.is_aiming {
+            self.hand = aim(cx, sight, at, true).unwrap_or(turns);
+            return;
+        }
         // While pixels are pinned, drags look at their rays from all sides.
         let holds = is_primary && !cx.view.is_auditing;
         self.hand = match holds.then(|| sight.target(cx, gizmo, at)) {
@@ -185,6 +194,11 @@ impl Hands {
                     held.amount = Some(carried(way));
                 }
             }
+            Hand::Aim(held) => {
+                if let Some(place) = held.by.to(sight, sight.at(pos)) {
+                    held.amount = held.load.bring_to(cx.editor, place).map(carried);
+                }
+            }
             Hand::Pull(held) => {
                 held.at += step;
                 if let Some((change, amount)) = held.by.to(&sight.lens, held.at, care) {
@@ -218,6 +232,20 @@ impl Hands {
             None => selection.clear(),
         }
         cx.editor.select(selection);
+    }
+
+    /// Puts the highlight of the light that is aimed where a click is; clicks on lights choose them.
+    fn click_to_aim(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
+        let at = sight.at(pos);
+        if matches!(sight.target(cx, None, at), Target::Mark(_) | Target::Arrow(_)) {
+            return self.click(ui, cx, sight, pos);
+        }
+        if let Some(Hand::Aim(held)) = aim(cx, sight, at, false)
+            && let Some(place) = held.by.to(sight, at)
+        {
+            held.load.bring_to(cx.editor, place);
+            cx.editor.settle();
+        }
     }
 
     /// The menu is about what is under the pointer.
@@ -263,9 +291,10 @@ impl Hands {
         match (&self.hand, self.over) {
             (Hand::Orbit | Hand::Look, _) => Some(CursorIcon::AllScroll),
             (Hand::Pan, _) => Some(CursorIcon::Move),
-            (Hand::Carry(_) | Hand::Pull(_), _) => Some(CursorIcon::Grabbing),
+            (Hand::Carry(_) | Hand::Pull(_) | Hand::Aim(_), _) => Some(CursorIcon::Grabbing),
             (Hand::GivenUp, _) => None,
-            (Hand::Open, Some(_)) if cx.view.is_auditing => Some(CursorIcon::Crosshair),
+            (Hand::Open, Some(Target::Arrow(_))) => Some(CursorIcon::PointingHand),
+            (Hand::Open, Some(_)) if cx.view.is_auditing || cx.view.is_aiming => Some(CursorIcon::Crosshair),
             (Hand::Open, Some(Target::Handle(_))) => Some(CursorIcon::Grab),
             (Hand::Open, Some(Target::Mark(item))) => Some(grab_or_point(item.is_locked(scene))),
             (Hand::Open, Some(Target::Body { index, .. })) => {
@@ -318,6 +347,22 @@ fn carry(
     Some(Hand::Carry(Box::new(Held { by, load, at, amount: None })))
 }
 
+/// Takes hold of a light by what it does at a place: the selected one, or else the first that is shown and not locked.
+fn aim(cx: &mut Cx<'_>, sight: &Sight, at: DVec2, by_shadow: bool) -> Option<Hand> {
+    let scene = cx.editor.scene();
+    let is_free = |item: &Item| !item.is_locked(scene) && !item.is_hidden(scene);
+    let all = (0..scene.lights.len()).map(Item::Light);
+    let selected = cx.editor.selection().lights().map(Item::Light).find(is_free);
+    let item = selected.or_else(|| all.into_iter().find(is_free))?;
+    let Item::Light(light) = item else { return None };
+    let by = Aim::begin(sight, scene, light, at, by_shadow)?;
+    if cx.editor.selection().primary() != Some(item) {
+        cx.editor.select(item);
+    }
+    let load = Load::take(cx.editor.scene(), &item.into(), false, "edit-aim-light")?;
+    Some(Hand::Aim(Box::new(Held { by, load, at, amount: None })))
+}
+
 /// Takes hold of a handle.
 fn pull(cx: &Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>, handle: Handle, at: DVec2) -> Option<Hand> {
     let gizmo = *gizmo?;
@@ -334,7 +379,7 @@ fn pull(cx: &Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>, handle: Handle, at: D
 
 /// The gizmo at what is selected and can be moved; its center is in the middle of the things' places.
 pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
-    if !cx.settings.shows_handles || cx.view.is_auditing {
+    if !cx.settings.shows_handles || cx.view.is_auditing || cx.view.is_aiming {
         return None;
     }
     let scene = cx.editor.scene();

@@ -1,29 +1,11 @@
-//! Moves of the camera that commands ask for, and where new things go.
+//! Moves of the camera that commands ask for.
 
 use catoptric_editor::navigate::{self, Axis};
 use catoptric_editor::{Label, bounds};
 use catoptric_scene::Camera;
-use glam::DVec3;
 
 use super::glide::Glide;
 use crate::app::Studio;
-
-/// Where a new body is to stand: on the ground, where the view looks.
-pub(crate) fn place_for_new(studio: &Studio) -> DVec3 {
-    let target = studio.view.camera(studio.editor.scene()).target;
-    DVec3::new(target.x, 0.0, target.z).map(to_grid)
-}
-
-/// Where a new light is to hang: above where the view looks.
-pub(crate) fn place_for_new_light(studio: &Studio) -> DVec3 {
-    let camera = studio.view.camera(studio.editor.scene());
-    (camera.target + 0.5 * camera.target.distance(camera.position) * DVec3::Y).map(to_grid)
-}
-
-/// Places that nobody has chosen exactly are told in tenths of a meter.
-fn to_grid(meters: f64) -> f64 {
-    (meters * 10.0).round() / 10.0
-}
 
 /// Moves the camera of the view: the free one, or else the scene's as one step of the history.
 pub(crate) fn set_camera(studio: &mut Studio, key: &'static str, camera: Camera) {

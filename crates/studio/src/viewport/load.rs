@@ -48,6 +48,14 @@ impl Load {
         Some(Self { bodies, lights, camera, label })
     }
 
+    /// Brings the first light of it to a place; the move, meters, if there is a light.
+    pub(crate) fn bring_to(&self, editor: &mut Editor, place: DVec3) -> Option<DVec3> {
+        let (_, start) = self.lights.first()?;
+        let step = place - *start;
+        self.apply(editor, &Change::Move(step));
+        Some(step)
+    }
+
     /// Has `change` done to it, from how it was when it was taken. What the scene does not allow is left undone.
     pub(crate) fn apply(&self, editor: &mut Editor, change: &Change) {
         let label = || self.label.clone();

@@ -3,14 +3,16 @@
 use std::sync::Arc;
 
 use catoptric_editor::Item;
+use catoptric_live::Live;
 use catoptric_scene::{Camera, Scene};
-use catoptric_tracer::{Stage, StageCamera, SurfaceHit};
+use catoptric_tracer::{Stage, StageCamera, Start, SurfaceHit};
 use egui::{Pos2, Rect, pos2};
 use glam::{DVec2, DVec3};
 
 use super::gizmo::{Gizmo, Handle};
 use super::lens::Lens;
 use super::load::place_of;
+use super::offscreen;
 use crate::context::Cx;
 use crate::view::Seen;
 
@@ -35,6 +37,8 @@ pub(crate) enum Target {
     Handle(Handle),
     /// The handle of a light or of the camera.
     Mark(Item),
+    /// The arrow at the picture's edge towards one that is out of view.
+    Arrow(Item),
     /// A body, at a point.
     Body { index: usize, point: DVec3 },
     /// A plane, or a body that surrounds the camera: something to stand on, not to take hold of.
@@ -45,9 +49,9 @@ pub(crate) enum Target {
 
 impl Sight {
     /// The picture of `camera` in `rect`.
-    pub(crate) fn new(cx: &Cx<'_>, rect: Rect, camera: Camera) -> Self {
+    pub(crate) fn new(live: &Live, rect: Rect, camera: Camera) -> Self {
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
-        let stage = cx.live.stage().map(|(_, stage)| {
+        let stage = live.stage().map(|(_, stage)| {
             let seen = stage.camera_for(&camera);
             (stage, seen)
         });
@@ -93,6 +97,38 @@ impl Sight {
         hits.into_iter().map(|hit| hit.body).collect()
     }
 
+    /// The bodies around the eye, found along the ray at a place: each is left on its way.
+    pub(crate) fn rooms_at(&self, at: DVec2) -> Vec<usize> {
+        let Some((stage, camera)) = &self.stage else { return Vec::new() };
+        let hits = stage.hits_along(&camera.ray(at, self.lens.size()));
+        hits.into_iter().filter(|hit| hit.hit.leaving).map(|hit| hit.body).collect()
+    }
+
+    /// What lies between a point and a surface point, and how far from the first: the nearest body.
+    pub(crate) fn between(&self, from: DVec3, surface: DVec3) -> Option<SurfaceHit> {
+        /// Nearer to the surface than this part of the way, it is the surface itself.
+        const ARRIVED: f64 = 1e-3;
+        let (stage, _) = self.stage.as_ref()?;
+        let direction = (surface - from).normalize_or_zero();
+        let hit = stage.nearest(&stage.ray_from_point(from, direction.as_vec3()))?;
+        let way = surface.distance(from);
+        (hit.position.distance(from) < way * (1.0 - ARRIVED)).then_some(hit)
+    }
+
+    /// How far a ray gets from a surface before it meets another body, meters; `None` when it meets none.
+    pub(crate) fn free_way(&self, from: &SurfaceHit, direction: DVec3) -> Option<f64> {
+        let (stage, _) = self.stage.as_ref()?;
+        let mut ray = stage.ray_from_point(from.position, direction.as_vec3());
+        // Bodies are convex: seen from outside, the surface itself is in nobody's way.
+        ray.start = Start { body: from.hit.body, inwards: from.hit.leaving };
+        stage.nearest(&ray).map(|hit| hit.position.distance(from.position))
+    }
+
+    /// Whether nothing stands between a point and a surface point.
+    pub(crate) fn is_clear(&self, from: DVec3, surface: DVec3) -> bool {
+        self.between(from, surface).is_none()
+    }
+
     /// The lights, and the camera in the free view, under a place, the nearest in the picture first.
     pub(crate) fn marks_at(&self, cx: &Cx<'_>, at: DVec2) -> Vec<Item> {
         let mut near: Vec<(Item, f64)> = marks(cx)
@@ -115,6 +151,9 @@ impl Sight {
         if let Some(item) = self.marks_at(cx, at).first() {
             return Target::Mark(*item);
         }
+        if let Some(item) = offscreen::arrow_at(cx, self, self.pos(at)) {
+            return Target::Arrow(item);
+        }
         match self.body_at(at) {
             Some(hit) if hit.hit.leaving || is_plane(cx.editor.scene(), hit.body) => {
                 Target::Surroundings(hit.body)
@@ -126,7 +165,8 @@ impl Sight {
 
     /// All things under a place, in the order in which clicks choose them.
     pub(crate) fn things_at(&self, cx: &Cx<'_>, at: DVec2) -> Vec<Item> {
-        let marks = self.marks_at(cx, at);
+        let mut marks = self.marks_at(cx, at);
+        marks.extend(offscreen::arrow_at(cx, self, self.pos(at)));
         let count = cx.editor.scene().bodies.len();
         let bodies = self.bodies_at(at).into_iter().filter(|index| *index < count);
         marks.into_iter().chain(bodies.map(Item::Body)).collect()

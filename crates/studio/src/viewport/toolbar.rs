@@ -72,6 +72,7 @@ fn tools(ui: &mut Ui, cx: &mut Cx<'_>) {
     for tool in [Tool::Move, Tool::Rotate, Tool::Scale] {
         command_button(ui, cx, Command::Tool(tool));
     }
+    command_button(ui, cx, Command::AimLight);
     command_button(ui, cx, Command::Audit(AuditAct::Tool));
     gap(ui);
     command_button(ui, cx, Command::ToggleGizmoSpace);

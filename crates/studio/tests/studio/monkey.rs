@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use catoptric_editor::{Action, Item, Label};
+use catoptric_editor::{Action, Item, Label, Spot};
 use catoptric_scene::{Example, MaterialChoice, ShapeKind};
 use catoptric_studio::{Command, Start, Studio};
 use egui::{
@@ -240,7 +240,10 @@ impl Monkey {
             *self.dice.one(&[Item::Camera, Item::Body(0), Item::Body(7), Item::Light(0), Item::Material(1)]);
         let name = (*self.dice.one(&["", "a", "шар", "a\"b\n", "sphere 2"])).to_owned();
         match self.dice.below(22) {
-            0 => Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), at: self.dice.vector(), name },
+            0 => {
+                let spot = Spot { size: self.dice.number(), ..Spot::at(self.dice.vector()) };
+                Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), spot, name }
+            }
             1 => Action::AddLight { at: self.dice.vector(), name },
             2 => Action::AddMaterial { name },
             3 => Action::Rename { item, name },

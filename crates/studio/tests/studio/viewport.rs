@@ -1,9 +1,11 @@
 //! Hands and keys in the picture. Bodies are found where the tracer shows them.
 
+mod aim;
 mod angle;
 mod handles;
 mod hands;
 mod looking;
+mod placing;
 
 use catoptric_editor::{Item, Selection};
 use catoptric_scene::{Anchor, Scene};

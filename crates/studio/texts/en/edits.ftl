@@ -51,6 +51,7 @@ edit-dolly = Dolly the camera
 edit-fly = Fly the camera
 edit-move = Move
 edit-rotate = Rotate
+edit-aim-light = Aim the light
 edit-scale = Scale
 
 # Values of the inspector

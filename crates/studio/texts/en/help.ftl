@@ -33,6 +33,8 @@ gesture-audit = Click with the audit tool
 gesture-audit-does = Pins the pixel, or chooses a ray that is drawn there
 gesture-audit-shift = Shift + click with the audit tool
 gesture-audit-shift-does = Pins the pixel, also under a ray
+gesture-aim = Drag while aiming a light
+gesture-aim-does = Brings the light’s highlight there, or drags its shadow
 
 # The terms of optics.
 glossary-color = Color

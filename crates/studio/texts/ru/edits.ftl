@@ -51,6 +51,7 @@ edit-dolly = Приближение камеры
 edit-fly = Полёт камеры
 edit-move = Перемещение
 edit-rotate = Поворот
+edit-aim-light = Наведение света
 edit-scale = Масштаб
 
 # Значения панели свойств

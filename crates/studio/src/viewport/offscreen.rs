@@ -1,0 +1,123 @@
+//! Arrows at the edge of the picture towards lights, and in the free view the camera, that are out of view.
+
+use catoptric_editor::Item;
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
+use glam::DVec3;
+
+use super::handles;
+use super::load::place_of;
+use super::sight::{Sight, marks};
+use crate::context::Cx;
+use crate::theme::Palette;
+
+/// Room that the bar over the picture takes, and that is kept from its other edges, points.
+const TOP: f32 = 58.0;
+const MARGIN: f32 = 20.0;
+/// Radius of an arrow's disc, and how near to its middle the pointer takes it, points.
+const DISC: f32 = 7.0;
+const REACH: f32 = 14.0;
+
+/// An arrow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Arrow {
+    /// What it points to.
+    pub(crate) item: Item,
+    /// Its middle in the window.
+    pub(crate) center: Pos2,
+    /// Where it points in the picture; of length 1.
+    direction: Vec2,
+}
+
+/// The arrows of all that is out of view. Those that would cover each other stand side by side.
+pub(crate) fn arrows(cx: &Cx<'_>, sight: &Sight) -> Vec<Arrow> {
+    let mut arrows: Vec<Arrow> = Vec::new();
+    let room = room(sight.rect);
+    for item in marks(cx) {
+        let place = place_of(cx.editor.scene(), item);
+        let Some(direction) = place.and_then(|place| direction_to(sight, place)) else { continue };
+        let along = vec2(-direction.y, direction.x);
+        let edge = edge_point(room, direction);
+        // To one side and the other, ever farther.
+        let steps =
+            (0..64).map(|step: i16| f32::from((step + 1) / 2) * if step % 2 == 0 { 1.0 } else { -1.0 });
+        let is_free = |center: &Pos2| arrows.iter().all(|other| other.center.distance(*center) > 2.0 * REACH);
+        let center = steps.map(|step| room.clamp(edge + step * REACH * along)).find(is_free);
+        arrows.push(Arrow { item, center: center.unwrap_or(edge), direction });
+    }
+    arrows
+}
+
+/// The arrow under a place of the window.
+pub(crate) fn arrow_at(cx: &Cx<'_>, sight: &Sight, pos: Pos2) -> Option<Item> {
+    let near = |arrow: &Arrow| arrow.center.distance(pos);
+    let arrows = arrows(cx, sight).into_iter().filter(|arrow| near(arrow) <= REACH);
+    arrows.min_by(|a, b| near(a).total_cmp(&near(b))).map(|arrow| arrow.item)
+}
+
+/// Where in the picture an arrow must point for something to come into view; `None` for what is in view.
+fn direction_to(sight: &Sight, place: DVec3) -> Option<Vec2> {
+    let at = sight.point(place);
+    if at.is_some_and(|at| sight.rect.contains(at)) {
+        return None;
+    }
+    let [right, up, _] = sight.lens.axes();
+    let offset = place - sight.lens.position();
+    let direction = vec2(offset.dot(right) as f32, -offset.dot(up) as f32);
+    // What is right behind the eye can be reached by a turn to any side.
+    Some(if direction.length() > 0.0 { direction.normalized() } else { Vec2::DOWN })
+}
+
+fn room(rect: Rect) -> Rect {
+    let top = TOP.min(0.3 * rect.height());
+    let margin = MARGIN.min(0.2 * rect.width()).min(0.2 * rect.height());
+    Rect::from_min_max(rect.min + vec2(margin, top), rect.max - Vec2::splat(margin))
+}
+
+/// Where the line from the middle of `room` in a direction meets its edge.
+fn edge_point(room: Rect, direction: Vec2) -> Pos2 {
+    let half = 0.5 * room.size();
+    let factor = |half: f32, part: f32| if part == 0.0 { f32::INFINITY } else { half / part.abs() };
+    let reach = factor(half.x, direction.x).min(factor(half.y, direction.y));
+    room.clamp(room.center() + reach.min(1e6) * direction)
+}
+
+/// Draws the arrows; `hovered` is under the pointer.
+pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>, hovered: Option<Item>, palette: &Palette) {
+    let scene = cx.editor.scene();
+    for Arrow { item, center, direction } in arrows(cx, sight) {
+        let fill = match item {
+            Item::Light(index) => scene.lights.get(index).map_or(Color32::WHITE, handles::shown_color),
+            _ => Color32::from_gray(214),
+        };
+        let fill = if item.is_hidden(scene) { fill.gamma_multiply(0.4) } else { fill };
+        let is_selected = cx.editor.selection().contains(item);
+        let dark = Color32::from_black_alpha(170);
+        let across = vec2(-direction.y, direction.x);
+        let tip = center + (DISC + 9.0) * direction;
+        let base = center + (DISC + 1.5) * direction;
+        let head = vec![tip, base + 6.0 * across, base - 6.0 * across];
+        painter.add(Shape::convex_polygon(head, fill, Stroke::new(1.4, dark)));
+        painter.circle(center, DISC, fill, Stroke::new(1.4, dark));
+        if is_selected || hovered == Some(item) {
+            let color = if is_selected { palette.accent } else { Color32::from_white_alpha(190) };
+            painter.circle_stroke(center, DISC + 3.0, Stroke::new(3.4, Color32::from_black_alpha(80)));
+            painter.circle_stroke(center, DISC + 3.0, Stroke::new(1.8, color));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::pos2;
+
+    use super::*;
+
+    #[test]
+    fn arrows_stand_at_the_edge_in_their_direction() {
+        let room = Rect::from_min_max(pos2(10.0, 20.0), pos2(110.0, 60.0));
+        assert_eq!(edge_point(room, Vec2::RIGHT), pos2(110.0, 40.0));
+        assert_eq!(edge_point(room, Vec2::UP), pos2(60.0, 20.0));
+        let corner = edge_point(room, vec2(5.0, 2.0).normalized());
+        assert!(corner.distance(pos2(110.0, 60.0)) < 1e-3, "{corner:?}");
+    }
+}

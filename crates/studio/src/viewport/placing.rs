@@ -1,0 +1,68 @@
+//! Where new things appear: in the picture, on what its middle shows, clear of other things, at a size that suits it.
+
+mod body;
+mod light;
+
+use catoptric_scene::{Camera, Scene};
+use egui::{Rect, vec2};
+use glam::{DVec2, DVec3};
+
+use super::sight::Sight;
+use crate::app::Studio;
+
+pub(crate) use body::spot_for_body;
+pub(crate) use light::place_for_light;
+
+/// Points that lie farther off than so many distances to the subject are no places for new things.
+const FARTHEST: f64 = 4.0;
+
+/// The view into which something is placed.
+struct Scenery<'a> {
+    scene: &'a Scene,
+    sight: Sight,
+    /// The point that the middle of the picture shows, or the camera's target.
+    subject: DVec3,
+    /// The bodies around the eye, as places in [`Scene::bodies`].
+    rooms: Vec<usize>,
+}
+
+impl<'a> Scenery<'a> {
+    fn new(studio: &'a Studio) -> Self {
+        let scene = studio.editor.scene();
+        let camera = studio.view.camera(scene);
+        let rect = studio.panes.viewport.rect().filter(|rect| rect.width() >= 1.0 && rect.height() >= 1.0);
+        // Before the first frame, any window will do.
+        let rect = rect.unwrap_or(Rect::from_min_size(egui::Pos2::ZERO, vec2(800.0, 600.0)));
+        let sight = Sight::new(&studio.live, rect, camera);
+        let middle = 0.5 * sight.lens.size();
+        let reach = camera.position.distance(camera.target);
+        let subject = sight.body_at(middle).map(|hit| hit.position);
+        let subject = subject.filter(|point| point.distance(camera.position) < FARTHEST * reach);
+        let rooms = sight.rooms_at(middle);
+        Self { scene, subject: subject.unwrap_or(camera.target), sight, rooms }
+    }
+
+    fn camera(&self) -> &Camera {
+        &self.sight.camera
+    }
+
+    /// How far off the subject is, meters.
+    fn reach(&self) -> f64 {
+        self.camera().position.distance(self.subject)
+    }
+
+    /// The point at a place of the picture whose depth is that of the subject times `factor`.
+    fn point_at(&self, at: DVec2, factor: f64) -> DVec3 {
+        let lens = &self.sight.lens;
+        let [_, _, forward] = lens.axes();
+        let ray = lens.ray(at);
+        ray.at(factor * lens.depth(self.subject) / ray.direction.dot(forward))
+    }
+
+    /// Whether nothing stands between the eye and a point.
+    fn is_seen(&self, point: DVec3) -> bool {
+        let Some(at) = self.sight.lens.project(point) else { return false };
+        let met = self.sight.body_at(at).map(|hit| self.sight.lens.depth(hit.position));
+        met.is_none_or(|depth| depth > self.sight.lens.depth(point))
+    }
+}
