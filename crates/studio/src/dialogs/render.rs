@@ -38,7 +38,7 @@ pub(crate) struct RenderDialog {
     method: MethodKind,
     size: Size,
     estimate: Estimate,
-    /// Why what was typed last has not been taken.
+    /// Why a text that waits in one of the fields is no number for it.
     refused: Option<Refusal>,
     /// Bytes of memory that were free when the dialog was opened.
     free_memory: Option<u64>,
@@ -71,6 +71,7 @@ impl Dialog for RenderDialog {
     fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
         let texts = &studio.texts;
         let scene = studio.editor.scene();
+        self.refused = None;
         Grid::new("render fields").num_columns(2).spacing([18.0, 10.0]).show(ui, |ui| {
             self.size.rows_ui(ui, texts, &mut self.choices, &mut self.refused);
             samples_row(ui, texts, &mut self.choices.samples, &mut self.refused);
@@ -130,7 +131,8 @@ impl RenderDialog {
             note(ui, ICON_INFO.codepoint, texts.get("render-note-linear"), palette.weak);
         }
         if let Some(refused) = &self.refused {
-            note(ui, ICON_INFO.codepoint, &refused.explained(texts), palette.warning);
+            note(ui, ICON_WARNING.codepoint, &refused.explained(texts), palette.error);
+            return false;
         }
         if let Some(problem) = self.problem(texts) {
             note(ui, ICON_WARNING.codepoint, &problem, palette.error);
@@ -210,15 +212,12 @@ fn whole_ui(
     };
     let entered = field.show(ui);
     entered.response.on_hover_text(whole.tip);
-    if entered.refusal.is_some() || entered.is_taken_back {
-        *refused = entered.refusal;
+    if entered.waiting.is_some() {
+        *refused = entered.waiting;
     }
     let Some(value) = entered.value else { return false };
     // Dragging gives fractions; nothing that is typed lies beyond the limits.
     let value = (value.round() as u32).clamp(1, whole.most);
-    if !entered.is_taken_back {
-        *refused = None;
-    }
     std::mem::replace(number, value) != value
 }
 

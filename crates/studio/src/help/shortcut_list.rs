@@ -10,7 +10,7 @@ use crate::widgets::key_caps;
 
 /// What the mouse and the keys do in the picture: the message with what is done by hand, and the one with what
 /// happens.
-const GESTURES: [(&str, &str); 17] = [
+const GESTURES: [(&str, &str); 18] = [
     ("gesture-click", "gesture-click-does"),
     ("gesture-click-again", "gesture-click-again-does"),
     ("gesture-shift-click", "gesture-shift-click-does"),

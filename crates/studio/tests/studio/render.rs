@@ -548,4 +548,11 @@ fn sizes_are_computed_or_refused_whole() {
         assert_eq!(value(&harness).as_deref(), Some(kept), "{text}");
     }
     assert!(harness.query_by_label_contains("“x” (character 4)").is_some(), "it says why");
+    press(&mut harness, "Render");
+    assert!(!harness.state().is_rendering(), "the size from before is not what was asked for");
+    // Another number takes the place of the text.
+    open_list(&mut harness, "Size");
+    choose(&mut harness, "Full HD: 1920 × 1080");
+    assert!(harness.query_by_label_contains("“x” (character 4)").is_none());
+    assert!(!harness.get_by_role_and_label(Role::Button, "Render").accesskit_node().is_disabled());
 }

@@ -55,6 +55,8 @@ pub(crate) struct Entered {
     pub(crate) is_taken_back: bool,
     /// Why what was typed has been refused, once it is left.
     pub(crate) refusal: Option<Refusal>,
+    /// Why the text that waits in the field to be corrected was refused.
+    pub(crate) waiting: Option<Refusal>,
 }
 
 /// What is being typed.
@@ -171,6 +173,7 @@ impl NumberField<'_> {
             has_begun: false,
             is_taken_back: left.is_taken_back,
             refusal: left.refusal,
+            waiting: draft.map(|draft| draft.refusal),
         }
     }
 
@@ -209,7 +212,7 @@ impl NumberField<'_> {
         self.tell_assistive_technology(ui, &response);
         ui.data_mut(|data| data.insert_temp(typing_id(id), Typing { pass, ..typing }));
         let value = value.filter(|value| value.to_bits() != self.value.to_bits() || self.is_mixed);
-        Entered { response, value, has_begun, is_taken_back, refusal: None }
+        Entered { response, value, has_begun, is_taken_back, refusal: None, waiting: None }
     }
 
     /// Begins to type, with the text that was refused, if there is one, or with the number in full.
