@@ -200,6 +200,11 @@ impl Studio {
         self.panes.viewport.rect()
     }
 
+    /// The camera that the picture is seen through: the scene's, or that of the free view.
+    pub fn view_camera(&self) -> Camera {
+        self.view.camera(self.editor.scene())
+    }
+
     /// Where a panel is in the window, points, while it is seen.
     pub fn pane_rect(&self, pane: Pane) -> Option<egui::Rect> {
         self.layout.tiles.rect(self.layout.tiles.find_pane(&pane)?)
@@ -281,6 +286,7 @@ impl Studio {
             texts: &self.texts,
             settings: &mut self.settings,
             view: &mut self.view,
+            held_keys: &self.keys.held,
             audit: &mut self.audit,
             maps: &mut self.maps,
             exact: &mut self.exact,

@@ -18,6 +18,7 @@ mod picture;
 mod pixels;
 mod rays;
 mod sight;
+mod steering;
 mod toolbar;
 mod travel;
 mod wire;
@@ -45,6 +46,7 @@ pub(crate) use lens::Lens;
 use picture::Picture;
 pub(crate) use picture::why;
 use sight::{Sight, Target};
+use steering::Listener;
 use travel::Travel;
 
 /// What the viewport keeps from frame to frame.
@@ -67,6 +69,13 @@ impl Viewport {
     /// Where the picture is in the window.
     pub(crate) fn rect(&self) -> Option<Rect> {
         self.rect
+    }
+
+    /// Another document has come: whatever hands and keys were doing to the last one ends.
+    pub(crate) fn begin_document(&mut self) {
+        self.hands = Hands::default();
+        self.travel.stop();
+        self.glide = None;
     }
 
     /// Width over height.
@@ -151,6 +160,14 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
 /// What hands and keys do.
 fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response): (&Sight, &Response)) {
     let Viewport { hands, travel, .. } = viewport;
+    let listener = if cx.view.is_flying || hands.flies_beside(ui, response) {
+        Listener::Flight
+    } else if listens(ui, response) {
+        Listener::Picture
+    } else {
+        Listener::Nobody
+    };
+    travel.listen(ui, cx, listener);
     if cx.view.is_flying {
         hands.hand = Hand::Open;
         hands.over = None;
@@ -162,7 +179,7 @@ fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response):
         if response.contains_pointer() {
             travel.wheel(ui, cx, sight);
         }
-        if listens(ui, response) {
+        if listener == Listener::Picture {
             keys(ui, cx);
             travel.keys(ui, cx, sight);
         }

@@ -3,6 +3,7 @@
 mod angle;
 mod handles;
 mod hands;
+mod held_keys;
 mod looking;
 
 use catoptric_editor::{Item, Selection};
