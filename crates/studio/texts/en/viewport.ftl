@@ -34,4 +34,5 @@ viewport-camera-here = Put the camera here
     .tip = Moves the scene’s camera to where you are looking from, as one step that can be undone.
 viewport-camera-back = Back to the camera
     .tip = Looks through the scene’s camera again.
+viewport-audit-hint = Click a pixel to see all its rays and their arithmetic
 viewport-fly-hint = Flying: W A S D – move · Q E – down, up · mouse – look · wheel – speed · Shift – faster · Esc – end
