@@ -6,8 +6,10 @@ use super::ways::Way;
 const DURATION: f64 = 6.0;
 /// The shortest and the longest run that can be chosen, seconds.
 pub(crate) const DURATIONS: std::ops::RangeInclusive<f64> = 0.5..=120.0;
-/// What is seen before the first and after the last event, as a part of the way between them.
+/// What is seen before the first and after the last event, as a part of the way between them,
 const LEAD: f64 = 0.05;
+/// and at most as a part of the shortest way before the first one.
+const LEAD_IN: f64 = 0.5;
 /// The whole over its finest part from which equal shares of the time are equal factors of the way.
 const LOGARITHMIC: f64 = 30.0;
 
@@ -36,11 +38,9 @@ impl LightSpan {
         let between = if last > first { last - first } else { first };
         let lengths = ways.iter().filter(|way| !way.is_open && way.path[1] > first);
         let lengths = lengths.map(|way| way.path[1] - way.path[0]).filter(|length| *length > 0.0);
-        Self {
-            start: (first - LEAD * between).max(0.0),
-            end: last + LEAD * between,
-            finest: lengths.fold(between, f64::min),
-        }
+        let finest = lengths.fold(between, f64::min);
+        let lead_in = (LEAD * between).min(LEAD_IN * finest);
+        Self { start: (first - lead_in).max(0.0), end: last + LEAD * between, finest }
     }
 
     /// The length of the span, meters.
@@ -165,6 +165,10 @@ mod tests {
         ]);
         assert!((span.start - 999.5).abs() < 1e-9 && (span.end - 1010.5).abs() < 1e-9, "{span:?}");
         assert!(!span.is_logarithmic());
+        // Where the last event is far away, it does not begin long before the first.
+        let far =
+            LightSpan::of_ways(&[way([0.0, 7.0], false), way([7.0, 9.0], false), way([9.0, 180.0], false)]);
+        assert!((far.start - 6.0).abs() < 1e-9, "{far:?}");
         let thin =
             LightSpan::of_ways(&[way([0.0, 5.0], false), way([5.0, 5.001], false), way([5.0, 25.0], false)]);
         assert!(thin.is_logarithmic() && (thin.finest() - 1e-3).abs() < 1e-9, "{thin:?}");
@@ -184,7 +188,7 @@ mod tests {
         }
         assert_eq!(even.path(0.25), 13.0);
         // Half of the time for the geometric mean of the unit and the whole.
-        assert!((steep.path(0.5) - 5.0 - 0.7071).abs() < 1e-3, "{}", steep.path(0.5));
+        assert!((steep.path(0.5) - 5.0 - 0.5f64.sqrt()).abs() < 1e-3, "{}", steep.path(0.5));
     }
 
     #[test]
