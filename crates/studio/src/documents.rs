@@ -21,6 +21,7 @@ use std::rc::Weak;
 use std::time::SystemTime;
 
 use catoptric_editor::Editor;
+use catoptric_editor::navigate::CachedCameraRange;
 use catoptric_scene::Example;
 use egui::{Context, ViewportCommand};
 
@@ -182,6 +183,8 @@ pub(crate) fn example_title(example: &Example, language: Language) -> &'static s
 /// Puts another document into the window.
 fn show(studio: &mut Studio, editor: Editor) {
     let editor = editor.succeeding(&studio.editor);
+    // It shares the bodies, which are freed elsewhere.
+    studio.view.range = CachedCameraRange::default();
     let before = std::mem::replace(&mut studio.editor, editor);
     studio.panes.outliner.stop_renaming();
     studio.panes.viewport.begin_document();

@@ -19,8 +19,9 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
         AuditAct::Tool => {
             studio.view.is_auditing = !studio.view.is_auditing;
             // The panel comes with the first pixel, and goes with the tool.
-            let is_open = studio.view.is_auditing && studio.audit.pin.is_some();
-            layout::set_visible(&mut studio.layout, Pane::Audit, is_open);
+            if !studio.view.is_auditing || studio.audit.pin.is_some() {
+                layout::set_visible(&mut studio.layout, Pane::Audit, studio.view.is_auditing);
+            }
         }
         AuditAct::Release => studio.audit.release(),
         AuditAct::View => {

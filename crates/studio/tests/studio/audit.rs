@@ -228,6 +228,12 @@ fn a_pixel_at_the_lower_edge_stays_in_view() {
     assert_eq!(audit.harness.state().visible_rect(), Some(whole));
     audit.run(Command::Audit(AuditAct::Tool));
     assert!(audit.is_panel_seen());
+    // A panel that was opened before the tool stays.
+    audit.run(Command::Audit(AuditAct::Release));
+    audit.run(Command::Audit(AuditAct::Tool));
+    audit.run(Command::TogglePane(Pane::Audit));
+    audit.press("Choose the audit tool");
+    assert!(audit.harness.query_by_label_contains("Click a pixel of the picture").is_some());
 }
 
 #[test]
