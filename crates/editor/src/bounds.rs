@@ -109,7 +109,7 @@ pub fn are_apart(one: &Body, other: &Body) -> bool {
 }
 
 /// A ball around a body, the smallest one where a cylinder's or cone's cross section is a circle; `None` for a plane.
-fn ball_of_body(body: &Body) -> Option<Ball> {
+pub(crate) fn ball_of_body(body: &Body) -> Option<Ball> {
     let world_from_body = body.placement.world_from_body();
     let scale = body.placement.scale;
     let wide = scale.x.max(scale.z);

@@ -44,6 +44,8 @@ struct Gesture {
     label: Label,
     start: Arc<Scene>,
     selection: Selection,
+    /// Whether all of it is navigation: see [`Editor::navigate`].
+    is_navigation: bool,
 }
 
 /// An open document.
@@ -157,6 +159,7 @@ impl Editor {
             difference,
             selection_before: gesture.selection,
             selection_after: self.selection.clone(),
+            is_navigation: gesture.is_navigation,
         });
         true
     }

@@ -18,6 +18,8 @@ pub(crate) struct Step {
     pub(crate) difference: Difference,
     pub(crate) selection_before: Selection,
     pub(crate) selection_after: Selection,
+    /// Whether it only looked around: see [`crate::Editor::navigate`].
+    pub(crate) is_navigation: bool,
 }
 
 /// All steps since the document was opened, and how many of them are done.
@@ -41,6 +43,12 @@ impl History {
 
     pub(crate) fn done(&self) -> usize {
         self.done
+    }
+
+    /// Whether nothing but navigation has moved the camera, in the steps that are done.
+    pub(crate) fn has_only_navigated(&self) -> bool {
+        let mut done = self.steps.iter().take(self.done);
+        done.all(|step| step.is_navigation || !step.difference.moves_camera())
     }
 
     /// The step that would be undone next.

@@ -1,12 +1,16 @@
 //! Moves of the camera. All are pure, and for a valid camera and any numbers give a valid camera: a move that cannot
 //! be made leaves the camera as it is.
 
+mod range;
+
 use std::f64::consts::FRAC_PI_2;
 
 use catoptric_scene::format::keys;
 use catoptric_scene::format::spec::{KeySpec, Limits};
 use catoptric_scene::{Camera, Projection};
 use glam::{DMat3, DQuat, DVec3};
+
+pub use range::{CachedCameraRange, CameraRange};
 
 /// How near to the pole the view can be turned, radians. Nearer than that, the picture would spin under the hand.
 const NEAREST_POLE: f64 = 0.002;

@@ -227,6 +227,9 @@ fn audit(harness: &mut Harness<'_, Studio>, look: &Look) {
     let place = |[x, y]: [f32; 2]| rect.min + egui::vec2(x, y) * rect.size();
     drag(harness, &[place(look.pixel)]);
     wait(harness, Duration::from_secs(1));
+    // The panel covers a part of the picture by now.
+    let rect = harness.state().visible_rect().unwrap();
+    let place = |[x, y]: [f32; 2]| rect.min + egui::vec2(x, y) * rect.size();
     if let Some([from, to]) = look.turn {
         let steps: Vec<Pos2> = (0..=10).map(|step| place(from).lerp(place(to), step as f32 / 10.0)).collect();
         drag(harness, &steps);

@@ -195,9 +195,24 @@ impl Studio {
         self.panes.materials.pictured()
     }
 
-    /// Where the picture is in the window, points, once it has been drawn.
+    /// Where the whole picture is in the window, points, once it has been drawn; a panel may cover a part of it.
     pub fn viewport_rect(&self) -> Option<egui::Rect> {
         self.panes.viewport.rect()
+    }
+
+    /// Where the picture is seen in the window, points.
+    pub fn visible_rect(&self) -> Option<egui::Rect> {
+        self.panes.viewport.visible_rect()
+    }
+
+    /// The camera that the picture is seen through: the scene's, or that of the free view.
+    pub fn view_camera(&self) -> Camera {
+        self.view.camera(self.editor.scene())
+    }
+
+    /// The audited pixel, as column and row of a picture of so many columns and rows.
+    pub fn audited_pixel(&self) -> Option<[[u32; 2]; 2]> {
+        self.audit.pin().map(|pin| [pin.pixel.into(), pin.size.into()])
     }
 
     /// Where a panel is in the window, points, while it is seen.
@@ -235,6 +250,7 @@ impl Studio {
         audit::keep_up(ui.ctx(), &mut self.cx());
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
+        audit::open_panel(ui.ctx(), self);
         crate::first_steps::first_steps_ui(ui.ctx(), self);
         pictures::pictures_ui(ui, self);
         crate::dialogs::dialogs_ui(ui, self);
@@ -281,6 +297,7 @@ impl Studio {
             texts: &self.texts,
             settings: &mut self.settings,
             view: &mut self.view,
+            held_keys: &self.keys.held,
             audit: &mut self.audit,
             maps: &mut self.maps,
             exact: &mut self.exact,

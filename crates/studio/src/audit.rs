@@ -29,7 +29,7 @@ pub(crate) use hidden::{Part, SEEN};
 pub(crate) use numbers::{color_text, short};
 pub(crate) use panel::panel_ui;
 pub(crate) use rows::{kind_color, tag};
-pub(crate) use run::run;
+pub(crate) use run::{open_panel, run};
 pub(crate) use ways::{Way, WayKind, pixel_at};
 
 use crate::latest::Latest;
@@ -52,6 +52,8 @@ pub(crate) struct Pin {
 #[derive(Default)]
 pub(crate) struct Auditing {
     pin: Option<Pin>,
+    /// A pixel was pinned in this frame: the panel is to be seen.
+    wants_panel: bool,
     found: Option<Arc<Found>>,
     failure: Option<AuditError>,
     /// The state of the document that was looked into last, and how it came about.
@@ -109,6 +111,7 @@ impl Auditing {
     pub(crate) fn pin_to(&mut self, pin: Pin) {
         self.release();
         self.pin = Some(pin);
+        self.wants_panel = true;
     }
 
     /// Looks into no pixel.
@@ -201,8 +204,8 @@ pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>) {
     cx.audit.poll();
     let Some(pin) = cx.audit.pin else { return };
     if cx.audit.light.is_running {
-        let longest = cx.audit.found.as_ref().map_or(0.0, |found| found.longest);
-        cx.audit.light.move_on(context.input(|input| input.time), longest);
+        let span = cx.audit.found.as_ref().map(|found| found.span).unwrap_or_default();
+        cx.audit.light.move_on(context.input(|input| input.time), &span);
         context.request_repaint();
     }
     if cx.view.is_measuring {

@@ -7,6 +7,7 @@ use crate::audit::Auditing;
 use crate::card::Card;
 use crate::command::Command;
 use crate::exact::Exact;
+use crate::held_keys::HeldKeys;
 use crate::images::Images;
 use crate::maps::Maps;
 use crate::settings::Settings;
@@ -23,6 +24,8 @@ pub(crate) struct Cx<'a> {
     pub(crate) settings: &'a mut Settings,
     /// How the document is looked at.
     pub(crate) view: &'a mut View,
+    /// The keys that are held.
+    pub(crate) held_keys: &'a HeldKeys,
     /// The pixel that is looked into.
     pub(crate) audit: &'a mut Auditing,
     /// The map over the picture.

@@ -21,6 +21,7 @@ use std::rc::Weak;
 use std::time::SystemTime;
 
 use catoptric_editor::Editor;
+use catoptric_editor::navigate::CachedCameraRange;
 use catoptric_scene::Example;
 use egui::{Context, ViewportCommand};
 
@@ -46,7 +47,7 @@ pub(crate) struct Documents {
     number: u64,
     /// Grows when the document is saved or reverted.
     saves: u64,
-    changed: Option<((u64, u64, u64), bool)>,
+    unsaved: Option<((u64, u64, u64), bool)>,
     /// When the document's own file may be replaced.
     may: Option<May>,
     /// Whether the document is only the part of its file that could be read.
@@ -147,16 +148,16 @@ pub(crate) fn outlive_window(studio: &mut Studio) {
     studio.documents.title.clear();
 }
 
-/// Whether the document has changes that no file has. Cheap, unlike [`Editor::is_changed`] in a large scene.
-pub(crate) fn is_changed(studio: &mut Studio) -> bool {
+/// Whether the document has work that no file has. Cheap, unlike [`Editor::has_unsaved_work`] in a large scene.
+pub(crate) fn has_unsaved_work(studio: &mut Studio) -> bool {
     let documents = &mut studio.documents;
     let state = (documents.number, documents.saves, studio.editor.revision());
-    match documents.changed {
-        Some((known, changed)) if known == state => changed,
+    match documents.unsaved {
+        Some((known, is_unsaved)) if known == state => is_unsaved,
         _ => {
-            let changed = studio.editor.is_changed();
-            documents.changed = Some((state, changed));
-            changed
+            let is_unsaved = studio.editor.has_unsaved_work();
+            documents.unsaved = Some((state, is_unsaved));
+            is_unsaved
         }
     }
 }
@@ -182,8 +183,11 @@ pub(crate) fn example_title(example: &Example, language: Language) -> &'static s
 /// Puts another document into the window.
 fn show(studio: &mut Studio, editor: Editor) {
     let editor = editor.succeeding(&studio.editor);
+    // It shares the bodies, which are freed elsewhere.
+    studio.view.range = CachedCameraRange::default();
     let before = std::mem::replace(&mut studio.editor, editor);
     studio.panes.outliner.stop_renaming();
+    studio.panes.viewport.begin_document();
     if before.scene().bodies.len() > MANY {
         // Freeing it takes longer than a frame.
         job::let_go(before);
@@ -291,7 +295,7 @@ fn take_answer(context: &Context, studio: &mut Studio) {
 
 fn show_title(context: &Context, studio: &mut Studio) {
     let name = name(studio);
-    let key = if is_changed(studio) { "window-title-changed" } else { "window-title" };
+    let key = if has_unsaved_work(studio) { "window-title-changed" } else { "window-title" };
     let title = studio.texts.with(key, &[("name", name.into())]);
     if title != studio.documents.title {
         context.send_viewport_cmd(ViewportCommand::Title(title.clone()));

@@ -42,7 +42,7 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
     if studio.pictures.has_windows() {
         return;
     }
-    let Some(view) = studio.viewport_rect() else { return };
+    let Some(view) = studio.visible_rect() else { return };
     if view.width() < 360.0 || view.height() < 260.0 {
         return;
     }

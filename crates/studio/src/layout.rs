@@ -136,6 +136,24 @@ fn bring_forward(tree: &mut Tree<Pane>, pane: Pane) {
     }
 }
 
+/// Shows `pane`. If that opens the drawer, it takes the part `share` of the height, within what both need.
+pub(crate) fn open_below_picture(tree: &mut Tree<Pane>, pane: Pane, share: f32) {
+    /// The parts of the height in which a list can be read, and which leaves half to the picture.
+    const SHARES: std::ops::RangeInclusive<f32> = 0.32..=0.5;
+    let drawer = drawer_of(tree, pane);
+    let is_open = Pane::ALL.iter().any(|other| drawer_of(tree, *other) == drawer && is_visible(tree, *other));
+    set_visible(tree, pane, true);
+    if !is_open && Pane::DRAWER.contains(&pane) {
+        let share = share.clamp(*SHARES.start(), *SHARES.end());
+        set_height(tree, pane, |_, others| share / (1.0 - share) * others);
+    }
+}
+
+/// The group of tabs in which `pane` is.
+fn drawer_of(tree: &Tree<Pane>, pane: Pane) -> Option<TileId> {
+    tree.tiles.parent_of(tree.tiles.find_pane(&pane)?)
+}
+
 /// Puts a panel where it belongs: into the drawer, or beside all others.
 fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
     let tile = tree.tiles.insert_pane(pane);
@@ -152,8 +170,12 @@ fn put_back(tree: &mut Tree<Pane>, pane: Pane) {
 fn make_room(tree: &mut Tree<Pane>, pane: Pane) {
     /// The drawer's height over that of what it shares the window with.
     const SHARE: f32 = 1.05;
-    let Some(tile) = tree.tiles.find_pane(&pane) else { return };
-    let Some(tabs) = tree.tiles.parent_of(tile) else { return };
+    set_height(tree, pane, |own, others| own.max(SHARE * others));
+}
+
+/// Gives the drawer with `pane` another height, from its own and that of what it shares the window with.
+fn set_height(tree: &mut Tree<Pane>, pane: Pane, height: impl FnOnce(f32, f32) -> f32) {
+    let Some(tabs) = drawer_of(tree, pane) else { return };
     let Some(Tile::Container(Container::Linear(linear))) =
         tree.tiles.parent_of(tabs).and_then(|parent| tree.tiles.get_mut(parent))
     else {
@@ -164,9 +186,8 @@ fn make_room(tree: &mut Tree<Pane>, pane: Pane) {
     }
     let others: f32 =
         linear.children.iter().filter(|&&other| other != tabs).map(|&other| linear.shares[other]).sum();
-    if linear.shares[tabs] < SHARE * others {
-        linear.shares.set_share(tabs, SHARE * others);
-    }
+    let height = height(linear.shares[tabs], others);
+    linear.shares.set_share(tabs, height);
 }
 
 /// Whether a remembered layout can be used: every panel once, but for those that older versions did not have.
@@ -203,6 +224,31 @@ mod tests {
             let drawer = |pane| tree.tiles.parent_of(tree.tiles.find_pane(&pane).unwrap());
             assert_eq!(drawer(pane), drawer(Pane::Problems));
         }
+    }
+
+    #[test]
+    fn a_drawer_that_opens_has_the_height_asked_for() {
+        let part = |tree: &Tree<Pane>| {
+            let tabs = drawer_of(tree, Pane::Audit).unwrap();
+            let Some(Tile::Container(Container::Linear(linear))) =
+                tree.tiles.parent_of(tabs).and_then(|parent| tree.tiles.get(parent))
+            else {
+                panic!("no column")
+            };
+            let sum: f32 = linear.children.iter().map(|&child| linear.shares[child]).sum();
+            linear.shares[tabs] / sum
+        };
+        for (asked, given) in [(0.4, 0.4), (0.05, 0.32), (0.9, 0.5)] {
+            let mut tree = default_layout();
+            open_below_picture(&mut tree, Pane::Audit, asked);
+            assert!(is_in_front(&tree, Pane::Audit) && (part(&tree) - given).abs() < 1e-4, "{asked}");
+        }
+        // One that is open already keeps its height.
+        let mut tree = default_layout();
+        set_visible(&mut tree, Pane::Compare, true);
+        let before = part(&tree);
+        open_below_picture(&mut tree, Pane::Audit, 0.4);
+        assert!((part(&tree) - before).abs() < 1e-6);
     }
 
     #[test]

@@ -14,6 +14,7 @@ mod documents;
 mod exact;
 mod exports;
 mod first_steps;
+mod held_keys;
 mod help;
 mod history;
 pub mod host;

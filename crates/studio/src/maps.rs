@@ -128,22 +128,30 @@ fn poll(context: &Context, maps: &mut Maps) {
 }
 
 /// The legend, and the value under the pointer.
-pub(crate) fn legend_ui(ui: &mut Ui, cx: &Cx<'_>, rect: Rect) {
+///
+/// `rect` is the whole picture, `visible` what is seen of it.
+pub(crate) fn legend_ui(ui: &mut Ui, cx: &Cx<'_>, rect: Rect, visible: Rect) {
     let Some((key, map)) = cx.maps.shown.as_ref().filter(|_| cx.maps.kind.is_some()) else { return };
     let is_whole = key.step == 1;
     let [width, height] = key.size.map(f64::from);
     let done = cx.maps.work.pixels_done().filter(|_| !is_whole);
     let progress = done.map(|done| (done as f64 / (width * height).max(1.0)).min(1.0) as f32);
     let pointer = ui.input(|input| input.pointer.hover_pos());
-    let is_over = |pos: &Pos2| rect.contains(*pos) && ui.ctx().layer_id_at(*pos) == Some(ui.layer_id());
+    let is_over = |pos: &Pos2| visible.contains(*pos) && ui.ctx().layer_id_at(*pos) == Some(ui.layer_id());
     let value = pointer.filter(is_over).and_then(|pos| {
         let share = (pos - rect.min) / rect.size();
         map.value(UVec2::new((share.x * map.width as f32) as u32, (share.y * map.height as f32) as u32))
     });
-    legend::legend_ui(ui, cx.texts, rect, map, value, progress);
+    legend::legend_ui(ui, cx.texts, visible, map, value, progress);
     if let (Some(pos), Some(value), false) = (pointer, value, cx.view.is_auditing) {
         let palette = crate::theme::palette(ui.visuals());
-        viewport::note_beside(&ui.painter_at(rect), rect, pos, &number(cx.texts, map.kind, value), palette);
+        viewport::note_beside(
+            &ui.painter_at(visible),
+            visible,
+            pos,
+            &number(cx.texts, map.kind, value),
+            palette,
+        );
     }
 }
 

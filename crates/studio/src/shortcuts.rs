@@ -5,10 +5,13 @@ use egui::{Context, Event, Key, KeyboardShortcut, ModifierNames, Modifiers, Popu
 
 use crate::app::Studio;
 use crate::command::{Command, Zoom};
+use crate::held_keys::HeldKeys;
 
 /// What is remembered about keys from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct Keys {
+    /// The keys that are held.
+    pub(crate) held: HeldKeys,
     /// A command has asked for the clipboard in this frame; its text comes with the next one, whatever has the focus
     /// then. No text comes when the clipboard holds none.
     pub(crate) is_paste_asked: bool,
@@ -31,6 +34,10 @@ struct Listeners {
 /// know; while flying, letters and digits belong to the flight; behind a dialog and during a drag there are none.
 pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     let context = ui.ctx().clone();
+    context.input_mut(|input| {
+        let now = input.time;
+        studio.keys.held.take_up(&mut input.events, now);
+    });
     let mut commands = Vec::new();
     let is_behind =
         studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());

@@ -1,5 +1,6 @@
 //! How the document is looked at: what is neither part of the scene nor remembered.
 
+use catoptric_editor::navigate::CachedCameraRange;
 use catoptric_live::Shows;
 use catoptric_picture::Development;
 use catoptric_scene::Camera;
@@ -21,6 +22,8 @@ pub(crate) struct View {
     pub(crate) free_camera: Option<Camera>,
     /// The eye on its way after a jump of the camera: what the picture shows meanwhile. No part of the document.
     pub(crate) eased: Option<Camera>,
+    /// How near and how far navigation brings the camera.
+    pub(crate) range: CachedCameraRange,
     /// Whether the keys fly the camera.
     pub(crate) is_flying: bool,
     /// What of the drawing is seen.

@@ -4,6 +4,7 @@ mod aim;
 mod answers;
 mod carry;
 mod compass;
+mod covered;
 mod dashes;
 mod gizmo;
 mod glide;
@@ -21,6 +22,7 @@ mod pixels;
 mod placing;
 mod rays;
 mod sight;
+mod steering;
 mod toolbar;
 mod travel;
 mod wire;
@@ -37,6 +39,8 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::outliner::item_name;
 use crate::{picture_frame, theme};
+use covered::CoveredPicture;
+pub(crate) use covered::ROOM as ROOM_BELOW_PIXEL;
 use gizmo::{Gizmo, Handle};
 use hands::{Hand, Hands};
 pub(crate) use jumps::{frame, look_along, look_through, set_camera, set_scene_camera, toggle_free};
@@ -46,6 +50,7 @@ use picture::Picture;
 pub(crate) use picture::why;
 pub(crate) use placing::{place_for_light, spot_for_body};
 use sight::{Sight, Target};
+use steering::Listener;
 use travel::Travel;
 
 /// What the viewport keeps from frame to frame.
@@ -54,6 +59,9 @@ pub(crate) struct Viewport {
     picture: Picture,
     size_in_pixels: Option<[u32; 2]>,
     rect: Option<Rect>,
+    /// The part of it that no panel covers.
+    visible: Option<Rect>,
+    covered: Option<CoveredPicture>,
     hands: Hands,
     travel: Travel,
     glide: Option<glide::Glide>,
@@ -65,9 +73,28 @@ impl Viewport {
         self.size_in_pixels
     }
 
-    /// Where the picture is in the window.
+    /// Where the whole picture is in the window; a panel may cover a part of it.
     pub(crate) fn rect(&self) -> Option<Rect> {
         self.rect
+    }
+
+    /// Where the picture is seen in the window.
+    pub(crate) fn visible_rect(&self) -> Option<Rect> {
+        self.visible
+    }
+
+    /// Keeps the picture at its size and place while a panel opens over a part of it, with `shown` in view.
+    pub(crate) fn keep_in_place(&mut self, context: &egui::Context, shown: egui::Pos2) {
+        let window = context.content_rect().size();
+        self.covered = self.rect.map(|whole| CoveredPicture::new(whole, shown, window));
+    }
+
+    /// Another document has come: whatever hands and keys were doing to the last one ends.
+    pub(crate) fn begin_document(&mut self) {
+        self.hands = Hands::default();
+        self.travel.stop();
+        self.glide = None;
+        self.covered = None;
     }
 
     /// Width over height.
@@ -80,10 +107,23 @@ impl Viewport {
         self.picture = Picture::default();
     }
 
-    fn measure(&mut self, ui: &Ui, rect: Rect) {
-        self.rect = Some(rect);
+    /// Finds out where the picture is in its tile of the layout.
+    fn measure(&mut self, ui: &Ui, cx: &Cx<'_>, tile: Rect) -> Rect {
+        // Without a pixel to keep in view, and through the scene's camera, all of the picture counts.
+        if cx.audit.pin().is_none() || cx.view.free_camera.is_none() {
+            self.covered = None;
+        }
+        let window = ui.ctx().content_rect().size();
+        let kept = self.covered.as_mut().and_then(|covered| covered.place(tile, window));
+        if kept.is_none() {
+            self.covered = None;
+        }
+        // A pixel of the picture is one of the screen.
+        let rect = kept.unwrap_or(tile).round_to_pixels(ui.ctx().pixels_per_point());
+        (self.rect, self.visible) = (Some(rect), Some(rect.intersect(tile)));
         let pixels = (rect.size() * ui.ctx().pixels_per_point()).round().max(egui::Vec2::ZERO);
         self.size_in_pixels = Some([pixels.x as u32, pixels.y as u32]);
+        rect
     }
 
     /// Where the eye is on its way to where the camera has jumped.
@@ -102,10 +142,10 @@ impl Viewport {
 
 /// Draws the picture and does what hands and keys do in it.
 pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport) {
-    let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-    // A pixel of the picture is one of the screen.
-    let rect = rect.round_to_pixels(ui.ctx().pixels_per_point());
-    viewport.measure(ui, rect);
+    let (tile, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+    let tile = tile.round_to_pixels(ui.ctx().pixels_per_point());
+    let rect = viewport.measure(ui, cx, tile);
+    ui.shrink_clip_rect(tile);
     viewport.ease(ui, cx);
     let seen_before = cx.view.seen.take();
     let painter = ui.painter_at(rect);
@@ -114,13 +154,13 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
-    let sight = Sight::new(cx.live, rect, camera);
+    let sight = Sight::new(cx.live, rect, tile, camera);
     if frame.as_deref().is_some_and(picture::is_apart) {
         // Nothing can be picked in it, and nothing belongs over it.
         viewport.hands = Hands::default();
         viewport.travel.settle(ui, cx);
         tell(ui, cx, &response);
-        toolbar::toolbar_ui(ui, cx, rect);
+        toolbar::toolbar_ui(ui, cx, tile);
         return;
     }
     act(ui, cx, viewport, (&sight, &response));
@@ -143,15 +183,23 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     over_picture(&painter, cx, viewport, &sight, palette);
     answers::answers_ui(ui, cx, &sight);
     tell(ui, cx, &response);
-    toolbar::toolbar_ui(ui, cx, rect);
+    toolbar::toolbar_ui(ui, cx, tile);
     compass::compass_ui(ui, cx, &sight);
-    crate::maps::legend_ui(ui, cx, rect);
+    crate::maps::legend_ui(ui, cx, rect, sight.visible);
     notes(ui, cx, viewport, &sight);
 }
 
 /// What hands and keys do.
 fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response): (&Sight, &Response)) {
     let Viewport { hands, travel, .. } = viewport;
+    let listener = if cx.view.is_flying || hands.flies_beside(ui, response) {
+        Listener::Flight
+    } else if listens(ui, response) {
+        Listener::Picture
+    } else {
+        Listener::Nobody
+    };
+    travel.listen(ui, cx, listener);
     if cx.view.is_flying {
         hands.hand = Hand::Open;
         hands.over = None;
@@ -163,7 +211,7 @@ fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response):
         if response.contains_pointer() {
             travel.wheel(ui, cx, sight);
         }
-        if listens(ui, response) {
+        if listener == Listener::Picture {
             keys(ui, cx);
             travel.keys(ui, cx, sight);
         }
@@ -265,7 +313,7 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
     /// How long the pointer rests before it is told what it is over, seconds.
     const REST: f32 = 0.5;
     let palette = theme::palette(ui.visuals());
-    let painter = ui.painter_at(sight.rect);
+    let painter = ui.painter_at(sight.visible);
     let (pointer, rest) =
         ui.input(|input| (input.pointer.latest_pos(), input.pointer.time_since_last_movement()));
     let amount = match &viewport.hands.hand {
@@ -285,7 +333,7 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
     } else if let (Some(amount), Some(pointer)) = (amount, pointer) {
         let grain = sight.lens.meters_per_point(sight.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
-        labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
+        labels::beside_pointer(&painter, sight.visible, pointer, &text, palette);
     } else if let (Some(item), Some(pointer), false) =
         (over.filter(|_| cx.maps.kind.is_none()), pointer, Popup::is_any_open(ui.ctx()))
     {
@@ -297,34 +345,41 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
                 }
                 _ => name.into_owned(),
             };
-            labels::beside_pointer(&painter, sight.rect, pointer, &text, palette);
+            labels::beside_pointer(&painter, sight.visible, pointer, &text, palette);
         } else {
             let left = std::time::Duration::from_secs_f32(REST - rest);
             ui.ctx().request_repaint_after(left);
         }
     }
     if cx.view.is_measuring {
-        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
+        let at = sight.visible.center_bottom() - vec2(0.0, 14.0);
         let text = cx.t("viewport-measuring");
-        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
+        labels::plate(&painter, sight.visible, at, Align2::CENTER_BOTTOM, text, palette);
     }
-    if cx.view.is_aiming && !cx.view.is_flying {
-        let text = match &viewport.hands.hand {
-            Hand::Aim(held) if held.by.is_by_shadow() => cx.t("viewport-aim-shadow"),
-            Hand::Aim(_) => cx.t("viewport-aim-highlight"),
-            _ => cx.t("viewport-aim-hint"),
-        };
-        let at = sight.rect.center_bottom() - vec2(0.0, 14.0);
-        labels::plate(&painter, sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
-    }
-    if cx.view.is_flying {
+    hint(&painter, cx, &viewport.hands.hand, sight, palette);
+}
+
+/// Says what to do next in a mode of the picture.
+fn hint(painter: &egui::Painter, cx: &Cx<'_>, hand: &Hand, sight: &Sight, palette: &theme::Palette) {
+    let text = if cx.view.is_flying {
         // Lines break between the keys, not within what is said of one.
         let parts = cx.t("viewport-fly-hint").split(" · ").map(|part| part.replace(' ', "\u{a0}"));
-        let text = parts.collect::<Vec<_>>().join("  ·  ");
-        // Below the bar, where no other panel floats, and beside the compass.
-        let room = sight.rect.shrink2(vec2(compass::WIDTH, 0.0));
-        let below = if cx.view.free_camera.is_some() { 100.0 } else { 58.0 };
-        let at = room.center_top() + vec2(0.0, below);
-        labels::plate(&painter, room, at, Align2::CENTER_TOP, &text, palette);
-    }
+        parts.collect::<Vec<_>>().join("  ·  ")
+    } else if cx.view.is_auditing && cx.audit.pin().is_none() {
+        cx.t("viewport-audit-hint").to_owned()
+    } else if cx.view.is_aiming {
+        let key = match hand {
+            Hand::Aim(held) if held.by.is_by_shadow() => "viewport-aim-shadow",
+            Hand::Aim(_) => "viewport-aim-highlight",
+            _ => "viewport-aim-hint",
+        };
+        cx.t(key).to_owned()
+    } else {
+        return;
+    };
+    // Below the bar, where no other panel floats, and beside the compass.
+    let room = sight.visible.shrink2(vec2(compass::WIDTH, 0.0));
+    let below = if cx.view.free_camera.is_some() { 100.0 } else { 58.0 };
+    let at = room.center_top() + vec2(0.0, below);
+    labels::plate(painter, room, at, Align2::CENTER_TOP, &text, palette);
 }

@@ -130,6 +130,21 @@ impl Editor {
         self.change_value(label, |scene| &mut scene.camera, &Part::Camera, edit)
     }
 
+    /// Moves the camera by looking around, as with [`Self::change_camera`]: it can be undone, and pictures show it. In a
+    /// document without a file it is no [work](Self::has_unsaved_work).
+    ///
+    /// # Errors
+    /// As for [`Self::change`].
+    pub fn navigate(&mut self, label: Label, camera: Camera) -> Result<bool, Refused> {
+        let open = self.gesture.as_ref().filter(|gesture| gesture.label == label);
+        let is_navigation = open.is_none_or(|gesture| gesture.is_navigation);
+        let has_changed = self.change_camera(label, |own| *own = camera)?;
+        if let Some(gesture) = self.gesture.as_mut().filter(|_| has_changed) {
+            gesture.is_navigation = is_navigation;
+        }
+        Ok(has_changed)
+    }
+
     /// Changes the environment.
     ///
     /// # Errors
@@ -169,7 +184,8 @@ impl Editor {
         self.revision += 1;
         let selection_before = std::mem::replace(&mut self.selection, selection);
         let selection_after = self.selection.clone();
-        self.history.push(Step { label, difference, selection_before, selection_after });
+        let is_navigation = false;
+        self.history.push(Step { label, difference, selection_before, selection_after, is_navigation });
         Ok(true)
     }
 
@@ -277,10 +293,15 @@ impl Editor {
         is_copied.then(|| Arc::clone(&self.scene))
     }
 
-    /// Opens a gesture, unless one is open.
+    /// Opens a gesture, unless one is open. Either is no navigation, as far as it is known here.
     fn open_at(&mut self, label: Label, start: Option<Arc<Scene>>) {
-        if let (None, Some(start)) = (&self.gesture, start) {
-            self.gesture = Some(Gesture { label, start, selection: self.selection.clone() });
+        match (&mut self.gesture, start) {
+            (Some(gesture), _) => gesture.is_navigation = false,
+            (None, Some(start)) => {
+                let selection = self.selection.clone();
+                self.gesture = Some(Gesture { label, start, selection, is_navigation: false });
+            }
+            (None, None) => {}
         }
     }
 }

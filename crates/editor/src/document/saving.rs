@@ -6,7 +6,7 @@ use std::sync::Arc;
 use catoptric_scene::{Scene, update, write};
 
 use super::images::{move_images, share_pixels};
-use super::{Editor, Label, Refused};
+use super::{Editor, Gesture, Label, Refused};
 
 /// A scene to be written, apart from the editor, so that another thread can make its text.
 #[derive(Clone, Debug)]
@@ -83,6 +83,25 @@ impl Editor {
         self.saved.as_ref().is_none_or(|saved| !Arc::ptr_eq(saved, &self.scene) && *saved != self.scene)
     }
 
+    /// Whether something would be lost with the document: a change that no file has, other than looking around in a
+    /// document that never had a file, such as an example. A file's own camera is a part of it as everything else.
+    pub fn has_unsaved_work(&self) -> bool {
+        match &self.saved {
+            Some(saved) if self.path.is_none() => {
+                let is_moved = saved.camera != self.scene.camera;
+                differ_beyond_cameras(saved, &self.scene) || is_moved && !self.has_only_navigated()
+            }
+            _ => self.is_changed(),
+        }
+    }
+
+    /// Whether nothing but [`Self::navigate`] has moved the camera to where it is.
+    fn has_only_navigated(&self) -> bool {
+        let is_moving = |gesture: &&Gesture| gesture.start.camera != self.scene.camera;
+        let gesture = self.gesture.as_ref().filter(is_moving);
+        gesture.is_none_or(|gesture| gesture.is_navigation) && self.history.has_only_navigated()
+    }
+
     /// Tells that no file has this document as it is, such as one that was recovered: it is changed until it is saved.
     pub fn mark_unsaved(&mut self) {
         self.saved = None;
@@ -120,4 +139,17 @@ impl Editor {
         self.title = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         self.path = Some(path);
     }
+}
+
+/// Whether two scenes differ in anything but their cameras.
+fn differ_beyond_cameras(one: &Arc<Scene>, other: &Arc<Scene>) -> bool {
+    if Arc::ptr_eq(one, other) {
+        return false;
+    }
+    let Scene { camera: _, environment, tracing, materials, lights, bodies } = &**one;
+    *environment != other.environment
+        || *tracing != other.tracing
+        || *materials != other.materials
+        || *lights != other.lights
+        || *bodies != other.bodies
 }

@@ -52,6 +52,11 @@ impl Difference {
             && self.bodies.is_empty()
     }
 
+    /// Whether the two have different cameras.
+    pub(crate) fn moves_camera(&self) -> bool {
+        self.camera.is_some()
+    }
+
     /// Makes the scene before of the one after.
     pub(crate) fn undo(&self, scene: &mut Scene) {
         self.take::<BEFORE>(scene);

@@ -307,3 +307,80 @@ fn a_recovered_document_is_changed_until_it_is_saved() {
     editor.mark_unsaved();
     assert!(editor.is_changed());
 }
+
+/// A camera that looks from elsewhere.
+fn seen_from(x: f64) -> catoptric_scene::Camera {
+    catoptric_scene::Camera { position: DVec3::new(x, 2.0, 9.0), ..Default::default() }
+}
+
+#[test]
+fn looking_around_without_a_file_is_no_work() {
+    let mut editor = editor();
+    editor.navigate(label("edit-orbit"), seen_from(1.0)).unwrap();
+    assert!(editor.is_changed() && !editor.has_unsaved_work(), "in the gesture");
+    editor.settle();
+    editor.navigate(label("edit-pan"), seen_from(2.0)).unwrap();
+    editor.settle();
+    assert!(editor.is_changed() && !editor.has_unsaved_work());
+    assert_eq!(editor.steps_done(), 2);
+    // Anything else is work, and taken back it is none again.
+    move_a_bit(&mut editor, "edit-move");
+    assert!(editor.has_unsaved_work());
+    editor.settle();
+    editor.navigate(label("edit-orbit"), seen_from(3.0)).unwrap();
+    editor.settle();
+    assert!(editor.has_unsaved_work(), "navigation after work");
+    editor.undo();
+    editor.undo();
+    assert!(editor.is_changed() && !editor.has_unsaved_work());
+    editor.redo();
+    assert!(editor.has_unsaved_work());
+    editor.undo();
+    editor.undo();
+    editor.undo();
+    assert!(!editor.is_changed() && !editor.has_unsaved_work());
+    editor.redo();
+    assert!(!editor.has_unsaved_work());
+}
+
+#[test]
+fn a_camera_that_is_set_on_purpose_is_work() {
+    let mut editor = editor();
+    editor.navigate(label("edit-orbit"), seen_from(1.0)).unwrap();
+    editor.settle();
+    editor.change_camera(label("edit-camera-position"), |own| *own = seen_from(2.0)).unwrap();
+    assert!(editor.has_unsaved_work());
+    editor.settle();
+    editor.navigate(label("edit-orbit"), seen_from(3.0)).unwrap();
+    editor.settle();
+    assert!(editor.has_unsaved_work(), "it still lies under the navigation");
+    editor.go_to_step(1);
+    assert!(!editor.has_unsaved_work());
+    // One label for both is one gesture, and no mere navigation.
+    editor.navigate(label("edit-both"), seen_from(4.0)).unwrap();
+    editor.change_camera(label("edit-both"), |own| *own = seen_from(5.0)).unwrap();
+    editor.navigate(label("edit-both"), seen_from(6.0)).unwrap();
+    assert!(editor.has_unsaved_work());
+    editor.abandon();
+    assert!(!editor.has_unsaved_work());
+}
+
+#[test]
+fn a_file_has_its_camera_and_a_recovered_document_is_work() {
+    let scene = read(TEXT).scene;
+    let mut own = Editor::open("mine.toml", TEXT, scene.clone());
+    own.navigate(label("edit-orbit"), seen_from(1.0)).unwrap();
+    own.settle();
+    assert!(own.has_unsaved_work());
+    own.undo();
+    assert!(!own.has_unsaved_work());
+    assert!(Editor::unsaved(None, "Lens", TEXT, scene.clone()).has_unsaved_work());
+    // An example that was saved has a file from then on.
+    let mut example = Editor::untitled("Lens", TEXT, scene);
+    example.navigate(label("edit-orbit"), seen_from(1.0)).unwrap();
+    let text = example.writing().text();
+    save(&mut example, "lens.toml", &text);
+    assert!(!example.has_unsaved_work());
+    example.navigate(label("edit-orbit"), seen_from(2.0)).unwrap();
+    assert!(example.has_unsaved_work());
+}

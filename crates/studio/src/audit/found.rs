@@ -7,6 +7,7 @@ use catoptric_scene::Scene;
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
 use super::Pin;
+use super::clock::LightSpan;
 use super::ways::{self, Way};
 
 /// What was found out about a pixel.
@@ -21,8 +22,8 @@ pub(crate) struct Found {
     pub(crate) ways: Vec<Way>,
     /// How many ways there would be besides.
     pub(crate) ways_left_out: usize,
-    /// The longest optical path, meters.
-    pub(crate) longest: f64,
+    /// The optical paths along which something happens.
+    pub(crate) span: LightSpan,
     /// How it was before the last change of the scene.
     pub(crate) before: Option<Before>,
 }
@@ -62,12 +63,12 @@ impl Order {
         let audit = audit(&scene, &stage, &camera, pin.pixel, &settings, control)?;
         let tree = audit.trees.first();
         let (ways, ways_left_out) = tree.map(|tree| ways::of_tree(tree, &scene, &pin)).unwrap_or_default();
-        let longest = ways.iter().map(|way| way.path[1]).fold(0.0, f64::max);
+        let span = LightSpan::of_ways(&ways);
         let before = before.map(|(old, scene)| {
             let twins = tree.zip(old.trees.first()).map(|(new, old)| twins(new, old)).unwrap_or_default();
             Before { audit: old, scene, twins }
         });
-        Ok(Found { serial, pin, scene, audit: Arc::new(audit), ways, ways_left_out, longest, before })
+        Ok(Found { serial, pin, scene, audit: Arc::new(audit), ways, ways_left_out, span, before })
     }
 }
 

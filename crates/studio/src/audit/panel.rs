@@ -6,10 +6,12 @@ use catoptric_lab::audit::Proof;
 use egui::{RichText, Slider, Ui};
 use egui_material_icons::icons;
 
+use super::clock::LightSpan;
 use super::rows::chip_color;
 use super::{Found, clock, rows};
 use crate::command::{AuditAct, Command};
 use crate::context::Cx;
+use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::explained_icon_button;
 use crate::widgets::number::{Unit, evaluate, shown};
@@ -109,31 +111,50 @@ fn controls_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<Found>) {
     });
 }
 
-/// Slow light: run, stop, how fast, and how far it has come.
+/// Slow light: run, stop, how far it has come, and how long it takes.
 fn light_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
     button(ui, cx, AuditAct::Play);
     ui.spacing_mut().slider_width = 90.0;
-    let name = cx.texts.get("audit-front");
-    let mut front = cx.audit.light.front.unwrap_or(found.longest);
-    let unit = format!(" {}", cx.t("audit-meters"));
-    // The slider rounds to as many digits as it shows, and would take that for a move of the hand.
-    let slider = Slider::new(&mut front, 0.0..=found.longest.max(1e-3)).suffix(unit);
+    front_ui(ui, cx, found.span);
+    duration_ui(ui, cx);
+}
+
+/// How far slow light has come. The slider counts shares of the time, and shows the path from the eye.
+fn front_ui(ui: &mut Ui, cx: &mut Cx<'_>, span: LightSpan) {
     let texts = cx.texts;
-    let read = |unit: Unit| move |typed: &str| evaluate(typed, unit, texts.language().decimal_sign()).ok();
-    let slider = slider.custom_formatter(|front, _| texts.localized(format!("{front:.2}")));
-    let slider = slider.custom_parser(read(Unit::Meters));
-    let response = ui.add(slider).accessible_name(name);
+    let mut share = cx.audit.light.front.map_or(1.0, |front| span.share(front));
+    // Digits enough for the shortest way.
+    let decimals = (1.0 - span.finest().log10()).ceil().clamp(2.0, 9.0) as usize;
+    // The slider rounds to as many digits as it shows, and would take that for a move of the hand.
+    let slider = Slider::new(&mut share, 0.0..=1.0)
+        .suffix(format!(" {}", cx.t("audit-meters")))
+        .custom_formatter(move |share, _| texts.localized(format!("{:.decimals$}", span.path(share))))
+        .custom_parser(move |typed| read(texts, Unit::Meters, typed).map(|path| span.share(path)));
+    let response = ui.add(slider).accessible_name(texts.get("audit-front"));
     if response.changed() {
         cx.audit.light.is_running = false;
-        cx.audit.light.front = Some(front).filter(|front| *front < found.longest);
+        cx.audit.light.front = Some(span.path(share)).filter(|_| share < 1.0);
     }
-    response.on_hover_text(cx.texts.tip("audit-front").unwrap_or_default());
-    let name = cx.texts.get("audit-speed");
-    let unit = format!(" {}", cx.t("audit-meters-a-second"));
-    let slider = Slider::new(&mut cx.audit.light.speed, clock::SPEEDS).logarithmic(true).max_decimals(1);
-    let slider = slider.custom_formatter(|speed, _| shown(texts, speed, 1)).custom_parser(read(Unit::None));
-    let response = ui.add(slider.suffix(unit)).accessible_name(name);
-    response.on_hover_text(cx.texts.tip("audit-speed").unwrap_or_default());
+    response.on_hover_text(texts.tip("audit-front").unwrap_or_default());
+}
+
+/// How long slow light takes.
+fn duration_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
+    let texts = cx.texts;
+    let unit = format!(" {}", cx.t("audit-seconds"));
+    let slider = Slider::new(&mut cx.audit.light.duration, clock::DURATIONS).logarithmic(true);
+    let slider = slider
+        .max_decimals(1)
+        .suffix(unit)
+        .custom_formatter(|seconds, _| shown(texts, seconds, 1))
+        .custom_parser(move |typed| read(texts, Unit::None, typed));
+    let response = ui.add(slider).accessible_name(texts.get("audit-duration"));
+    response.on_hover_text(texts.tip("audit-duration").unwrap_or_default());
+}
+
+/// The number that was typed.
+fn read(texts: &Texts, unit: Unit, typed: &str) -> Option<f64> {
+    evaluate(typed, unit, texts.language().decimal_sign()).ok()
 }
 
 fn button(ui: &mut Ui, cx: &mut Cx<'_>, act: AuditAct) {

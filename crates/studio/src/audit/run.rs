@@ -8,19 +8,21 @@ use super::saving;
 use crate::app::Studio;
 use crate::command::AuditAct;
 use crate::layout::{self, Pane};
-use crate::viewport;
+use crate::viewport::{self, ROOM_BELOW_PIXEL};
 
 /// Does `act`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
     let found = studio.audit.found.clone();
     let generations = found.as_ref().map_or(0, |found| found.generations());
-    let longest = found.as_ref().map_or(0.0, |found| found.longest);
+    let span = found.as_ref().map(|found| found.span).unwrap_or_default();
     match act {
         AuditAct::Tool => {
             studio.view.is_auditing = !studio.view.is_auditing;
             studio.view.is_aiming = false;
-            // The tool and its panel are open together.
-            layout::set_visible(&mut studio.layout, Pane::Audit, studio.view.is_auditing);
+            // The panel comes with the first pixel, and goes with the tool.
+            if !studio.view.is_auditing || studio.audit.pin.is_some() {
+                layout::set_visible(&mut studio.layout, Pane::Audit, studio.view.is_auditing);
+            }
         }
         AuditAct::Release => studio.audit.release(),
         AuditAct::View => {
@@ -39,7 +41,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
             studio.audit.step = None;
             studio.audit.light.end();
         }
-        AuditAct::Play => studio.audit.light.toggle(longest),
+        AuditAct::Play => studio.audit.light.toggle(&span),
         AuditAct::Copy => {
             if let Some(found) = found {
                 let text = found.audit.to_text(None);
@@ -53,5 +55,20 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
             }
         }
     }
+    context.request_repaint();
+}
+
+/// Shows the panel if a pixel was pinned in this frame. The picture stays where it is, so that the pixel stays under the
+/// pointer, and the panel lies below the pixel where there is room for it.
+pub(crate) fn open_panel(context: &Context, studio: &mut Studio) {
+    if !std::mem::take(&mut studio.audit.wants_panel) || layout::is_in_front(&studio.layout, Pane::Audit) {
+        return;
+    }
+    let (Some(pin), Some(rect)) = (studio.audit.pin, studio.viewport_rect()) else { return };
+    let share = (pin.pixel.as_dvec2() + 0.5) / pin.size.as_dvec2();
+    let place = rect.lerp_inside(egui::vec2(share.x as f32, share.y as f32));
+    studio.panes.viewport.keep_in_place(context, place);
+    let below = (rect.bottom() - place.y - ROOM_BELOW_PIXEL) / rect.height().max(1.0);
+    layout::open_below_picture(&mut studio.layout, Pane::Audit, below);
     context.request_repaint();
 }

@@ -11,7 +11,7 @@ use catoptric_editor::recovery::{Orphan, Session, Snapshot, orphans};
 use egui::Context;
 
 use super::recover::Found;
-use super::{is_changed, name};
+use super::{has_unsaved_work, name};
 use crate::app::Studio;
 
 /// So long after a change it is written, with what is changed meanwhile.
@@ -140,11 +140,11 @@ impl Keeper {
     }
 }
 
-/// Keeps the document if it has changed: once a frame.
+/// Keeps the document if it has unsaved work: once a frame.
 pub(super) fn keep(context: &Context, studio: &mut Studio) {
     take_reports(studio);
     let state = (studio.documents.number, studio.editor.revision());
-    let changed = is_changed(studio);
+    let changed = has_unsaved_work(studio);
     let keeper = &mut studio.documents.keeper;
     keeper.discard_restored(|number| number != state.0 || !changed);
     if !changed {
@@ -218,7 +218,7 @@ fn take_reports(studio: &mut Studio) {
 /// Keeps the document at once, and waits a moment for that: what comes next may end the program.
 pub(super) fn keep_now(studio: &mut Studio) {
     let state = (studio.documents.number, studio.editor.revision());
-    if !is_changed(studio) || studio.documents.keeper.thread.is_none() {
+    if !has_unsaved_work(studio) || studio.documents.keeper.thread.is_none() {
         return;
     }
     let start = Instant::now();
@@ -233,7 +233,7 @@ pub(super) fn keep_now(studio: &mut Studio) {
 
 /// The studio is being left. Unless changes are given up on purpose, they stay for the next start.
 pub(super) fn finish(studio: &mut Studio) {
-    let changed = is_changed(studio);
+    let changed = has_unsaved_work(studio);
     let leave_behind = changed && (studio.documents.keeper.is_held || !studio.documents.is_leaving);
     let state = (studio.documents.number, studio.editor.revision());
     if leave_behind && studio.documents.keeper.kept != Some(state) {

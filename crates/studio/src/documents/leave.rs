@@ -8,7 +8,7 @@ use egui::{Context, ViewportCommand};
 
 use super::disk::Opened;
 use super::recover::{self, Recovered};
-use super::{is_changed, name, open, save, show_example, show_fresh, show_opened};
+use super::{has_unsaved_work, name, open, save, show_example, show_fresh, show_opened};
 use crate::app::Studio;
 use crate::dialogs::question::Question;
 use crate::pictures;
@@ -30,7 +30,7 @@ pub(crate) enum Next {
     Quit,
 }
 
-/// Goes on to `next`; asks first if the document has changes.
+/// Goes on to `next`; asks first if the document has unsaved work.
 pub(crate) fn replace(context: &Context, studio: &mut Studio, next: Next) {
     studio.editor.settle();
     if matches!(next, Next::Quit) && pictures::hold(studio) {
@@ -39,7 +39,7 @@ pub(crate) fn replace(context: &Context, studio: &mut Studio, next: Next) {
     if let Some(saving) = &mut studio.documents.saving {
         // What is being saved decides whether there is something to ask.
         saving.then(next);
-    } else if is_changed(studio) {
+    } else if has_unsaved_work(studio) {
         ask(studio, next);
     } else {
         go(context, studio, next);
@@ -94,7 +94,7 @@ pub(super) fn mind_close(context: &Context, studio: &mut Studio) {
         return;
     }
     let is_asked = studio.documents.asked_to_save.strong_count() > 0;
-    if is_asked || studio.documents.saving.is_some() || is_changed(studio) {
+    if is_asked || studio.documents.saving.is_some() || has_unsaved_work(studio) {
         context.send_viewport_cmd(ViewportCommand::CancelClose);
         if !is_asked {
             replace(context, studio, Next::Quit);

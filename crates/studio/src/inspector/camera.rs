@@ -146,9 +146,8 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     };
     let texts = sheet.texts();
     section(ui, "camera", texts.get("thing-camera"), "", true, |ui| {
-        if is_free {
-            header::hint(ui, texts.get("camera-free-note"));
-        }
+        let note = if is_free { "camera-free-note" } else { "camera-view-note" };
+        header::hint(ui, texts.get(note));
         sheet.vector(ui, &POSITION);
         sheet.vector(ui, &TARGET);
         sheet.vector(ui, &UP);

@@ -15,7 +15,7 @@ pub(crate) fn card_ui(ui: &Ui, studio: &mut Studio) {
     let Some(running) = &studio.pictures.running else { return };
     let context = ui.ctx();
     let whole = context.content_rect();
-    let picture = studio.viewport_rect().map_or(whole, |rect| rect.intersect(whole));
+    let picture = studio.visible_rect().map_or(whole, |rect| rect.intersect(whole));
     let title = title(&studio.texts, running);
     let is_cancelled = Area::new(Id::unique("render progress"))
         .accessible_name(&title)

@@ -141,7 +141,7 @@ fn ask_to_drop(studio: &mut Studio, number: u64) {
 }
 
 fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) -> Option<Press> {
-    let whole = studio.viewport_rect().unwrap_or_else(|| context.content_rect());
+    let whole = studio.visible_rect().unwrap_or_else(|| context.content_rect());
     let title = {
         let [width, height] = super::size_of(&finished.picture);
         studio.texts.with("picture-title", &[("size", told::size(width, height).into())])

@@ -29,7 +29,7 @@ pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
     exact::keep_up(ui.ctx(), cx, sight.camera);
     let Some(body) = exact::body_of(cx) else { return };
     let Some(answers) = cx.exact.answers(body) else { return };
-    let painter = ui.painter_at(sight.rect);
+    let painter = ui.painter_at(sight.visible);
     let mut pen = Pen { ui, cx, sight, painter: &painter, plates: Vec::new() };
     answers.answers.iter().for_each(|answer| pen.answer(answer));
     let mut remarks: Vec<String> =
@@ -109,8 +109,8 @@ impl Pen<'_> {
     /// Words at the lower edge of the picture, about no point of it.
     fn remark(&mut self, text: &str) {
         let palette = theme::palette(&Visuals::dark());
-        let at = self.sight.rect.center_bottom() - vec2(0.0, 16.0);
-        let plate = labels::plate(self.painter, self.sight.rect, at, Align2::CENTER_BOTTOM, text, palette);
+        let at = self.sight.visible.center_bottom() - vec2(0.0, 16.0);
+        let plate = labels::plate(self.painter, self.sight.visible, at, Align2::CENTER_BOTTOM, text, palette);
         self.listen(plate, text);
     }
 
@@ -198,7 +198,7 @@ impl Pen<'_> {
             Some(off) => texts.with("exact-off", &[("difference", off.into())]),
             None => texts.get("exact-elsewhere").to_owned(),
         };
-        if let Some(at) = self.sight.point(point).filter(|at| self.sight.rect.contains(*at)) {
+        if let Some(at) = self.sight.point(point).filter(|at| self.sight.visible.contains(*at)) {
             self.label(at, &format!("{title}\n{off}"));
         }
     }
@@ -215,7 +215,8 @@ impl Pen<'_> {
         let steps = (0..8_u8).map(|step| place.translate(vec2(0.0, STEP * f32::from(step))));
         let place = steps.into_iter().find(is_free).unwrap_or(place);
         let palette = theme::palette(&Visuals::dark());
-        let plate = labels::plate(self.painter, self.sight.rect, place.min, Align2::LEFT_TOP, text, palette);
+        let plate =
+            labels::plate(self.painter, self.sight.visible, place.min, Align2::LEFT_TOP, text, palette);
         let end = pos2(plate.left(), plate.center().y);
         if !plate.contains(point) && end.x > point.x {
             self.painter

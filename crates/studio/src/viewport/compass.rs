@@ -51,8 +51,8 @@ impl End {
 /// Draws the compass.
 pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
     let palette = theme::palette(&Visuals::dark());
-    let center = sight.rect.right_top() + vec2(-0.5 * WIDTH, 0.5 * WIDTH);
-    if !fits(sight.rect) {
+    let center = sight.visible.right_top() + vec2(-0.5 * WIDTH, 0.5 * WIDTH);
+    if !fits(sight.visible) {
         return;
     }
     let [right, up, forward] = sight.lens.axes();

@@ -44,7 +44,8 @@ impl Pen<'_> {
         if self.is_selected {
             self.drop_line(light.position);
         }
-        let Some(center) = self.sight.point(light.position).filter(|at| self.sight.rect.contains(*at)) else {
+        let Some(center) = self.sight.point(light.position).filter(|at| self.sight.visible.contains(*at))
+        else {
             return;
         };
         let faint = if light.hidden { 0.4 } else { 1.0 };

@@ -148,14 +148,19 @@ impl Hands {
         .unwrap_or(turns);
     }
 
+    /// Whether the right button is down in the picture, so that the keys of flight count.
+    pub(crate) fn flies_beside(&self, ui: &Ui, response: &Response) -> bool {
+        let is_down = ui.input(|input| input.pointer.secondary_down());
+        let is_here = response.is_pointer_button_down_on() || response.dragged();
+        is_down && is_here && !matches!(self.hand, Hand::GivenUp)
+    }
+
     /// The keys of flight count while the right button is down.
     fn fly_beside(&mut self, ui: &Ui, cx: &mut Cx<'_>, response: &Response, travel: &mut Travel) {
-        let is_down = ui.input(|input| input.pointer.secondary_down());
         if ui.input(|input| input.pointer.button_pressed(PointerButton::Secondary)) {
             self.has_flown = false;
         }
-        let is_here = response.is_pointer_button_down_on() || response.dragged();
-        if is_down && is_here && !matches!(self.hand, Hand::GivenUp) && travel.fly_keys(ui, cx) {
+        if self.flies_beside(ui, response) && travel.fly_keys(ui, cx) {
             self.has_flown = true;
             if matches!(self.hand, Hand::Orbit) {
                 self.hand = Hand::Look;

@@ -7,12 +7,19 @@ use catoptric_scene::Camera;
 use super::glide::Glide;
 use crate::app::Studio;
 
-/// Moves the camera of the view: the free one, or else the scene's as one step of the history.
+/// Moves the camera of the view, as far as the scene's range goes: the free one, or else the scene's as one step of the
+/// history.
 pub(crate) fn set_camera(studio: &mut Studio, key: &'static str, camera: Camera) {
     let before = studio.view.camera(studio.editor.scene());
+    let camera = studio.view.range.of_scene(studio.editor.scene()).limit(&before, camera);
     match &mut studio.view.free_camera {
         Some(free) => *free = camera,
-        None => set_scene_camera(studio, key, camera),
+        None => {
+            studio.editor.settle();
+            // A camera that navigation made is valid.
+            let _ = studio.editor.navigate(Label::new(key, ""), camera);
+            studio.editor.settle();
+        }
     }
     glide_from(studio, before);
 }

@@ -31,7 +31,7 @@ pub(crate) struct Arrow {
 /// The arrows of all that is out of view. Those that would cover each other stand side by side.
 pub(crate) fn arrows(cx: &Cx<'_>, sight: &Sight) -> Vec<Arrow> {
     let mut arrows: Vec<Arrow> = Vec::new();
-    let room = room(sight.rect);
+    let room = room(sight.visible);
     for item in marks(cx) {
         let place = place_of(cx.editor.scene(), item);
         let Some(direction) = place.and_then(|place| direction_to(sight, place)) else { continue };
@@ -57,7 +57,7 @@ pub(crate) fn arrow_at(cx: &Cx<'_>, sight: &Sight, pos: Pos2) -> Option<Item> {
 /// Where in the picture an arrow must point for something to come into view; `None` for what is in view.
 fn direction_to(sight: &Sight, place: DVec3) -> Option<Vec2> {
     let at = sight.point(place);
-    if at.is_some_and(|at| sight.rect.contains(at)) {
+    if at.is_some_and(|at| sight.visible.contains(at)) {
         return None;
     }
     let [right, up, _] = sight.lens.axes();

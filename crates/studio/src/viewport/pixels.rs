@@ -39,17 +39,18 @@ pub(crate) fn click(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
 /// Tells of the ray or the pixel under the pointer.
 pub(crate) fn note(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, palette: &Palette) {
     let pointer = ui.input(|input| input.pointer.hover_pos());
-    let is_over = |pos: &Pos2| sight.rect.contains(*pos) && ui.ctx().layer_id_at(*pos) == Some(ui.layer_id());
+    let is_over =
+        |pos: &Pos2| sight.visible.contains(*pos) && ui.ctx().layer_id_at(*pos) == Some(ui.layer_id());
     let Some(pos) = pointer.filter(is_over) else { return };
     if cx.view.is_moving || Popup::is_any_open(ui.ctx()) {
         return;
     }
-    let painter = ui.painter_at(sight.rect);
+    let painter = ui.painter_at(sight.visible);
     if let Some(place) = rays::node_at(sight, cx, pos)
         && let Some(node) = cx.audit.found().and_then(|found| found.node(place))
     {
         let text = audit::tag(cx.texts, place, node);
-        labels::beside_pointer(&painter, sight.rect, pos, &text, palette);
+        labels::beside_pointer(&painter, sight.visible, pos, &text, palette);
         return;
     }
     let Some((pixel, size)) = pixel_at(ui, sight, pos) else { return };
@@ -67,5 +68,5 @@ pub(crate) fn note(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, palette: &Palette) {
         ("light", light.unwrap_or_else(|| "…".to_owned()).into()),
     ];
     let text = cx.texts.with("audit-hover", &arguments);
-    labels::beside_pointer(&painter, sight.rect, pos, &text, palette);
+    labels::beside_pointer(&painter, sight.visible, pos, &text, palette);
 }

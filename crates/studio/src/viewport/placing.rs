@@ -30,11 +30,14 @@ impl<'a> Scenery<'a> {
     fn new(studio: &'a Studio) -> Self {
         let scene = studio.editor.scene();
         let camera = studio.view.camera(scene);
-        let rect = studio.panes.viewport.rect().filter(|rect| rect.width() >= 1.0 && rect.height() >= 1.0);
+        let viewport = &studio.panes.viewport;
+        let rects = viewport.rect().zip(viewport.visible_rect());
+        let rects = rects.filter(|(_, visible)| visible.width() >= 1.0 && visible.height() >= 1.0);
         // Before the first frame, any window will do.
-        let rect = rect.unwrap_or(Rect::from_min_size(egui::Pos2::ZERO, vec2(800.0, 600.0)));
-        let sight = Sight::new(&studio.live, rect, camera);
-        let middle = 0.5 * sight.lens.size();
+        let any = Rect::from_min_size(egui::Pos2::ZERO, vec2(800.0, 600.0));
+        let (rect, visible) = rects.unwrap_or((any, any));
+        let sight = Sight::new(&studio.live, rect, visible, camera);
+        let middle = sight.at(visible.center());
         let reach = camera.position.distance(camera.target);
         let subject = sight.body_at(middle).map(|hit| hit.position);
         let subject = subject.filter(|point| point.distance(camera.position) < FARTHEST * reach);
@@ -49,6 +52,17 @@ impl<'a> Scenery<'a> {
     /// How far off the subject is, meters.
     fn reach(&self) -> f64 {
         self.camera().position.distance(self.subject)
+    }
+
+    /// The corners of what is seen of the picture: the upper left and the lower right one.
+    fn corners(&self) -> [DVec2; 2] {
+        [self.sight.at(self.sight.visible.min), self.sight.at(self.sight.visible.max)]
+    }
+
+    /// A place of the picture by its shares of the width and height that are seen.
+    fn place(&self, shares: DVec2) -> DVec2 {
+        let [least, most] = self.corners();
+        least + shares * (most - least)
     }
 
     /// The point at a place of the picture whose depth is that of the subject times `factor`.

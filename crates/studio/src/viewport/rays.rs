@@ -264,12 +264,12 @@ impl Pen<'_> {
             return;
         };
         let middle = self.sight.pos(from).lerp(self.sight.pos(to), 0.5);
-        if self.sight.rect.contains(middle) {
+        if self.sight.visible.contains(middle) {
             let text = audit::tag(cx.texts, place, node);
             let palette = theme::palette(&Visuals::dark());
             labels::plate(
                 self.painter,
-                self.sight.rect,
+                self.sight.visible,
                 middle + vec2(0.0, -14.0),
                 Align2::CENTER_BOTTOM,
                 &text,

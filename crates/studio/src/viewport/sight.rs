@@ -21,8 +21,10 @@ const REACH: f64 = 12.0;
 
 /// The picture that is shown, for finding things in it.
 pub(crate) struct Sight {
-    /// The panel, points of the window.
+    /// Where the whole picture is, points of the window.
     pub(crate) rect: Rect,
+    /// The part of it that no panel covers.
+    pub(crate) visible: Rect,
     /// The camera of the picture.
     pub(crate) camera: Camera,
     pub(crate) lens: Lens,
@@ -48,14 +50,14 @@ pub(crate) enum Target {
 }
 
 impl Sight {
-    /// The picture of `camera` in `rect`.
-    pub(crate) fn new(live: &Live, rect: Rect, camera: Camera) -> Self {
+    /// The picture of `camera` in `rect`, as far as `tile` shows it.
+    pub(crate) fn new(live: &Live, rect: Rect, tile: Rect, camera: Camera) -> Self {
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
         let stage = live.stage().map(|(_, stage)| {
             let seen = stage.camera_for(&camera);
             (stage, seen)
         });
-        Self { rect, camera, lens: Lens::new(&camera, size), stage }
+        Self { rect, visible: tile.intersect(rect), camera, lens: Lens::new(&camera, size), stage }
     }
 
     /// A place of the window in the picture.

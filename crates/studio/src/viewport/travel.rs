@@ -2,10 +2,11 @@
 
 use catoptric_editor::{Label, navigate};
 use catoptric_scene::{Camera, Scene, Shape};
-use egui::{Event, Key, Modifiers, Ui, Vec2, ViewportCommand, viewport::CursorGrab};
+use egui::{Key, Modifiers, Ui, Vec2, ViewportCommand, viewport::CursorGrab};
 use glam::DVec3;
 
 use super::sight::Sight;
+use super::steering::{Heading, Listener, Steering};
 use crate::command::Command;
 use crate::context::Cx;
 
@@ -31,21 +32,25 @@ pub(crate) struct Travel {
     pub(crate) speed: f64,
     /// Whether the pointer is caught by the flight.
     is_caught: bool,
+    /// The keys that steer.
+    steering: Steering,
 }
 
 impl Default for Travel {
     fn default() -> Self {
-        Self { open_until: None, speed: 1.0, is_caught: false }
+        Self { open_until: None, speed: 1.0, is_caught: false, steering: Steering::default() }
     }
 }
 
-/// Moves the view's camera: the free one, or the scene's as a part of the gesture `key`.
-pub(crate) fn steer(cx: &mut Cx<'_>, key: &'static str, camera: Camera) {
+/// Moves the view's camera as far as the scene's range goes: the free one, or the scene's as a part of the gesture
+/// `key`.
+pub(crate) fn steer(cx: &mut Cx<'_>, key: &'static str, to: Camera) {
+    let to = cx.view.range.of_scene(cx.editor.scene()).limit(&camera(cx), to);
     match &mut cx.view.free_camera {
-        Some(free) => *free = camera,
+        Some(free) => *free = to,
         None => {
             // A camera that navigation made is valid.
-            let _ = cx.editor.change_camera(Label::new(key, ""), |own| *own = camera);
+            let _ = cx.editor.navigate(Label::new(key, ""), to);
         }
     }
 }
@@ -135,10 +140,11 @@ impl Travel {
             ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta(), input.pointer.hover_pos()));
         let Some(pointer) = pointer else { return };
         let factor = (-f64::from(way) * WHEEL).exp() / f64::from(zoom.max(0.01));
+        let present = camera(cx);
+        let factor = cx.view.range.of_scene(cx.editor.scene()).allowed_factor(&present, factor);
         if (factor - 1.0).abs() < 1e-6 {
             return;
         }
-        let present = camera(cx);
         let at = sight.at(pointer);
         let reach = present.position.distance(present.target);
         let ray = sight.lens.ray(at);
@@ -154,17 +160,23 @@ impl Travel {
         cx.view.is_moving = true;
     }
 
-    /// The keys that move the camera while nothing else listens to them.
+    /// Takes up the keys of this frame, and for whom they are.
+    pub(crate) fn listen(&mut self, ui: &Ui, cx: &Cx<'_>, listener: Listener) {
+        self.steering.update(ui, cx.held_keys, listener);
+    }
+
+    /// Ends whatever moves the camera: another document has come.
+    pub(crate) fn stop(&mut self) {
+        self.open_until = None;
+        self.steering.clear();
+    }
+
+    /// Moves the camera by the keys that are held for the picture.
     pub(crate) fn keys(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
-        let (arrows, dolly, is_shift) = ui.input(|input| {
-            let plain = !input.modifiers.command && !input.modifiers.alt && !input.modifiers.ctrl;
-            let held = |key| if plain { held(input, key) } else { 0.0 };
-            let arrows =
-                [held(Key::ArrowRight) - held(Key::ArrowLeft), held(Key::ArrowUp) - held(Key::ArrowDown)];
-            let closer = held(Key::PageUp).max(held(Key::Plus)).max(held(Key::Equals));
-            let farther = held(Key::PageDown).max(held(Key::Minus));
-            (arrows, closer - farther, input.modifiers.shift)
-        });
+        let seconds = |way, opposite| self.steering.seconds(way, opposite);
+        let arrows = [seconds(Heading::Right, Heading::Left), seconds(Heading::Up, Heading::Down)];
+        let dolly = seconds(Heading::Forward, Heading::Back);
+        let is_shift = ui.input(|input| input.modifiers.shift);
         let [right, up] = arrows;
         let present = camera(cx);
         if (right != 0.0 || up != 0.0) && is_shift {
@@ -184,21 +196,19 @@ impl Travel {
 
     /// Flies with W, A, S, D, Q and E; returns whether one of them was held.
     pub(crate) fn fly_keys(&mut self, ui: &Ui, cx: &mut Cx<'_>) -> bool {
-        let (step, is_fast) = ui.input(|input| {
-            let held = |key| held(input, key);
-            let step = DVec3::new(
-                held(Key::D) - held(Key::A),
-                held(Key::E) - held(Key::Q),
-                held(Key::W) - held(Key::S),
-            );
-            (step, input.modifiers.shift)
-        });
+        let seconds = |way, opposite| self.steering.seconds(way, opposite);
+        let step = DVec3::new(
+            seconds(Heading::Right, Heading::Left),
+            seconds(Heading::Up, Heading::Down),
+            seconds(Heading::Forward, Heading::Back),
+        );
         if step == DVec3::ZERO {
             return false;
         }
         let present = camera(cx);
-        let pace = present.position.distance(present.target).clamp(0.2, 1e6) * 0.45 * self.speed;
-        let pace = if is_fast { 4.0 * pace } else { pace };
+        let range = cx.view.range.of_scene(cx.editor.scene());
+        let pace = range.flight_distance(&present) * 0.45 * self.speed;
+        let pace = if ui.input(|input| input.modifiers.shift) { 4.0 * pace } else { pace };
         steer(cx, "edit-fly", navigate::fly(&present, pace * step, 0.0, 0.0));
         self.keep_open(ui);
         cx.view.is_moving = true;
@@ -248,19 +258,5 @@ impl Travel {
             self.open_until = None;
             cx.editor.settle();
         }
-    }
-}
-
-/// For how many seconds of this frame a key has been held. A tap counts as a moment, however short it is.
-fn held(input: &egui::InputState, key: Key) -> f64 {
-    const TAP: f64 = 0.05;
-    let is_pressed = input.events.iter().any(|event| {
-        matches!(event, Event::Key { key: pressed, pressed: true, repeat: false, .. } if *pressed == key)
-    });
-    let passed = f64::from(input.stable_dt.min(0.1));
-    match (is_pressed, input.key_down(key)) {
-        (true, _) => TAP.max(passed),
-        (false, true) => passed,
-        (false, false) => 0.0,
     }
 }

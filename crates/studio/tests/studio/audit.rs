@@ -3,7 +3,7 @@
 use catoptric_editor::Label;
 use catoptric_scene::{Color, Environment};
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{AuditAct, Command, Language, Start, Studio};
+use catoptric_studio::{AuditAct, Command, Language, Pane, Start, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -52,6 +52,23 @@ impl Auditor {
         (rect.min + vec2(x, y) * rect.size()).round() + Vec2::splat(0.25)
     }
 
+    /// A place in what is seen of the picture.
+    fn visible_place(&self, x: f32, y: f32) -> Pos2 {
+        let rect = self.harness.state().visible_rect().unwrap();
+        (rect.min + vec2(x, y) * rect.size()).round() + Vec2::splat(0.25)
+    }
+
+    /// Column and row of the picture at a place of the window.
+    fn pixel_at(&self, pos: Pos2) -> [u32; 2] {
+        let at = pos - self.harness.state().viewport_rect().unwrap().min;
+        [at.x.floor() as u32, at.y.floor() as u32]
+    }
+
+    fn is_panel_seen(&self) -> bool {
+        let pane = self.harness.state().pane_rect(Pane::Audit);
+        pane.is_some() && self.harness.query_by_label("Slow light").is_some()
+    }
+
     fn click(&mut self, pos: Pos2) {
         let event = |pressed| Event::PointerButton {
             pos,
@@ -68,8 +85,8 @@ impl Auditor {
 
     /// Turns the wheel over the list.
     fn scroll(&mut self, points: f32) {
-        let rect = self.harness.state().viewport_rect().unwrap();
-        self.harness.event(Event::PointerMoved(rect.center_bottom() + vec2(0.0, 200.0)));
+        let rect = self.harness.state().pane_rect(Pane::Audit).unwrap();
+        self.harness.event(Event::PointerMoved(rect.center()));
         self.harness.event(Event::MouseWheel {
             unit: egui::MouseWheelUnit::Point,
             delta: vec2(0.0, points),
@@ -157,13 +174,76 @@ fn a_pixel_is_pinned_and_its_rays_are_read() {
 }
 
 #[test]
+fn the_panel_opens_with_the_first_pixel_which_stays_under_the_pointer() {
+    for (x, y) in [(0.3, 0.2), (0.5, 0.5), (0.7, 0.6)] {
+        let mut audit = Auditor::new();
+        let whole = audit.harness.state().viewport_rect().unwrap();
+        assert!(!audit.is_panel_seen() && audit.harness.state().visible_rect() == Some(whole));
+        assert!(
+            audit.harness.query_by_label_contains("Click a pixel").is_none(),
+            "it is painted over the picture"
+        );
+        let view = |audit: &Auditor| {
+            let frame = audit.harness.state().live().latest().unwrap();
+            (frame.camera, frame.view_size)
+        };
+        let (pos, before) = (audit.place(x, y), view(&audit));
+        let pixel = audit.pixel_at(pos);
+        audit.pin(pos);
+        audit.wait_for_picture();
+        let seen = audit.harness.state().visible_rect().unwrap();
+        assert!(audit.is_panel_seen() && seen.height() < 0.75 * whole.height(), "{seen}");
+        assert!(seen.contains(pos), "{pos} in {seen}");
+        let [pinned, _] = audit.harness.state().audited_pixel().unwrap();
+        assert_eq!((pinned, audit.pixel_at(pos)), (pixel, pixel));
+        assert_eq!(view(&audit), before, "the picture is the same, and no other was traced");
+        // Another pixel moves nothing either.
+        let rect = audit.harness.state().viewport_rect();
+        let other = audit.visible_place(0.2, 0.9);
+        audit.pin(other);
+        assert_eq!(audit.harness.state().viewport_rect(), rect);
+        assert_eq!(audit.harness.state().audited_pixel().unwrap()[0], audit.pixel_at(other));
+        // At the end the picture is fitted to its panel again.
+        audit.run(Command::Audit(AuditAct::Release));
+        assert_eq!(audit.harness.state().viewport_rect(), Some(seen));
+    }
+}
+
+#[test]
+fn a_pixel_at_the_lower_edge_stays_in_view() {
+    let mut audit = Auditor::new();
+    let whole = audit.harness.state().viewport_rect().unwrap();
+    let pos = audit.place(0.5, 0.97);
+    let pixel = audit.pixel_at(pos);
+    audit.pin(pos);
+    let studio = audit.harness.state();
+    let (rect, seen) = (studio.viewport_rect().unwrap(), studio.visible_rect().unwrap());
+    let at = rect.min + vec2(pixel[0] as f32, pixel[1] as f32);
+    assert!(seen.contains(at), "{at} in {seen}");
+    assert_eq!(rect.size(), whole.size());
+    assert_eq!(studio.audited_pixel().unwrap()[0], pixel);
+    // With the tool the panel goes, and comes again.
+    audit.run(Command::Audit(AuditAct::Tool));
+    assert!(!audit.is_panel_seen());
+    assert_eq!(audit.harness.state().visible_rect(), Some(whole));
+    audit.run(Command::Audit(AuditAct::Tool));
+    assert!(audit.is_panel_seen());
+    // A panel that was opened before the tool stays.
+    audit.run(Command::Audit(AuditAct::Release));
+    audit.run(Command::Audit(AuditAct::Tool));
+    audit.run(Command::TogglePane(Pane::Audit));
+    audit.press("Choose the audit tool");
+    assert!(audit.harness.query_by_label_contains("Click a pixel of the picture").is_some());
+}
+
+#[test]
 fn a_ray_is_chosen_in_space_while_the_camera_of_the_audit_stays() {
     let mut audit = Auditor::new();
     audit.pin(audit.place(0.4, 0.45));
     let pixel = audit.row("Pixel ");
     let camera = audit.harness.state().editor().scene().camera;
     // A drag turns the view, with the free camera.
-    let (from, to) = (audit.place(0.9, 0.6), audit.place(0.66, 0.72));
+    let (from, to) = (audit.visible_place(0.9, 0.6), audit.visible_place(0.66, 0.72));
     let button = |pos, pressed| Event::PointerButton {
         pos,
         button: PointerButton::Primary,

@@ -251,6 +251,59 @@ fn a_new_scene_is_ready_to_work_in_and_replaces_changes_only_after_a_question() 
 }
 
 #[test]
+fn looking_around_in_an_example_raises_no_alarm() {
+    let host = TestHost::new();
+    let mut harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    harness.run_steps(3);
+    let before = harness.state().editor().scene().camera;
+    run(&mut harness, Command::FrameAll);
+    assert_ne!(harness.state().editor().scene().camera, before, "a render shows what is seen");
+    let title = |harness: &mut Kit| {
+        // The title is told when it changes.
+        let mut told = None;
+        for _ in 0..4 {
+            for command in &harness.output().viewport_output[&ViewportId::ROOT].commands {
+                if let ViewportCommand::Title(title) = command {
+                    told = Some(title.clone());
+                }
+            }
+            harness.step();
+        }
+        told
+    };
+    assert_eq!(title(&mut harness), None, "no mark");
+    // Longer than it takes until changes are kept.
+    let start = std::time::Instant::now();
+    while start.elapsed() < std::time::Duration::from_millis(900) {
+        harness.step();
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    assert!(recovery::kept(&host).is_empty());
+    run(&mut harness, Command::OpenExample("whitted"));
+    assert_eq!(harness.state().editor().title(), "whitted", "without a question");
+    run(&mut harness, Command::FrameAll);
+    assert!(closes(&mut harness));
+    // With work under it, it is another thing.
+    let mut harness = studio_with(TestHost::new(), Start::Example("four-bodies".to_owned()));
+    harness.run_steps(3);
+    rename(&mut harness, "orb");
+    assert!(title(&mut harness).is_some_and(|title| title.starts_with(['*', '•', '●'])));
+    run(&mut harness, Command::FrameAll);
+    assert!(!closes(&mut harness));
+    assert!(has(&harness, "Don’t save"));
+}
+
+#[test]
+fn turning_the_view_of_a_file_changes_the_file() {
+    let (mut harness, path) = with_file(&TestHost::new(), SCENE);
+    run(&mut harness, Command::FrameAll);
+    assert!(!closes(&mut harness));
+    press(&mut harness, "Save");
+    wait_for_close(&mut harness);
+    assert!(read(&path).contains("[camera]"));
+}
+
+#[test]
 fn what_is_edited_while_the_file_is_written_is_not_taken_for_saved() {
     let (mut harness, path) = with_file(&TestHost::new(), SCENE);
     rename(&mut harness, "orb");

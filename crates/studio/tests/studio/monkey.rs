@@ -24,6 +24,8 @@ use crate::kit::{TestHost, studio_with_any_letters};
 const STEPS: u64 = 1500;
 /// After so many steps a new document is begun, and memory compared.
 const ROUND: u64 = 500;
+/// After so many steps the monkey rests, and so must the camera.
+const REST: u64 = 25;
 /// Growth of memory over all rounds but the first that would mean a leak.
 const GROWTH: u64 = 96 << 20;
 
@@ -72,6 +74,8 @@ struct Monkey {
     dice: Dice,
     host: TestHost,
     harness: Harness<'static, Studio>,
+    /// How often a faulty key has moved the camera.
+    steered: usize,
     /// What was done, for the message of a failure.
     log: Vec<String>,
 }
@@ -80,7 +84,7 @@ impl Monkey {
     fn new(seed: u64) -> Self {
         let host = TestHost::new();
         let harness = studio_with_any_letters(host.clone(), Start::Example("four-bodies".to_owned()));
-        Self { dice: Dice(seed), host, harness, log: Vec::new() }
+        Self { dice: Dice(seed), host, harness, steered: 0, log: Vec::new() }
     }
 
     fn step(&mut self) {
@@ -88,7 +92,8 @@ impl Monkey {
             0..20 => self.command(),
             20..45 => self.widget(),
             45..60 => self.drag(),
-            60..75 => self.keys(),
+            60..71 => self.keys(),
+            71..75 => self.faulty_keys(),
             75..90 => self.edit(),
             90..95 => self.wheel(),
             95..97 => self.resize(),
@@ -212,6 +217,84 @@ impl Monkey {
             *self.dice.one(&[Modifiers::NONE, Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND]);
         self.harness.key_press_modifiers(modifiers, key);
         format!("press {key:?} with {modifiers:?}")
+    }
+
+    /// Keys whose releases have another name, or are lost with the focus or to the system.
+    fn faulty_keys(&mut self) -> String {
+        const KEYS: &[(Key, Key, Key)] = &[
+            (Key::Plus, Key::Equals, Key::Equals),
+            (Key::Plus, Key::CloseBracket, Key::OpenBracket),
+            (Key::Questionmark, Key::Num7, Key::Num7),
+            (Key::PageUp, Key::PageUp, Key::PageUp),
+            (Key::ArrowLeft, Key::ArrowLeft, Key::ArrowLeft),
+            (Key::W, Key::Z, Key::W),
+            (Key::D, Key::D, Key::D),
+        ];
+        let (key, physical, released) = *self.dice.one(KEYS);
+        let modifiers = *self.dice.one(&[Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND]);
+        let stroke = |key, pressed, modifiers| Event::Key {
+            key,
+            physical_key: Some(physical),
+            pressed,
+            repeat: false,
+            modifiers,
+        };
+        self.harness.event(Event::ModifiersChanged(modifiers));
+        self.harness.event(stroke(key, true, modifiers));
+        let how = self.dice.below(4);
+        match how {
+            0 => {
+                self.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+                self.harness.event(stroke(released, false, Modifiers::NONE));
+            }
+            1 => {
+                for focused in [false, true] {
+                    self.harness.input_mut().focused = focused;
+                    self.harness.event(Event::WindowFocused(focused));
+                    self.harness.step();
+                }
+            }
+            // The release is lost, but the key has repeated.
+            _ => {
+                self.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+                for _ in 0..how {
+                    self.harness.event(stroke(key, true, Modifiers::NONE));
+                }
+            }
+        }
+        format!("faulty {key:?} at {physical:?} with {modifiers:?}, {how}")
+    }
+
+    /// Steers with a key of which something is wrong, over a picture that listens if that can be had; then stops. The
+    /// camera stands still within a few frames. A file that is being opened may bring another one.
+    fn rest(&mut self, seed: u64) {
+        const FRAMES: usize = 32;
+        for _ in 0..6 {
+            self.harness.key_press(Key::Escape);
+            self.harness.step();
+        }
+        if self.dice.below(3) == 0 {
+            self.harness.state_mut().run(Command::ToggleFly);
+            self.harness.step();
+        }
+        let before = self.harness.state().view_camera();
+        let act = self.faulty_keys();
+        self.log.push(act);
+        self.harness.step();
+        self.steered += usize::from(self.harness.state().view_camera() != before);
+        let mut still = 0;
+        let mut last = self.harness.state().view_camera();
+        for _ in 0..FRAMES {
+            self.harness.step();
+            let now = self.harness.state().view_camera();
+            still = if now == last { still + 1 } else { 0 };
+            last = now;
+            if still == 8 {
+                return;
+            }
+        }
+        let tail = self.log[self.log.len().saturating_sub(12)..].join("\n");
+        panic!("seed {seed}, step {}: the camera moves by itself: {last:?}\n{tail}", self.log.len());
     }
 
     /// Changes the document behind the back of the window.
@@ -413,7 +496,13 @@ fn a_monkey_finds_nothing_to_break() {
         }
         monkey.step();
         monkey.check(seed);
+        if step % REST == REST - 1 {
+            monkey.rest(seed);
+        }
     }
+    // Otherwise it would be no wonder that the camera rests.
+    assert!(steps < STEPS || monkey.steered > 5, "{} keys have steered", monkey.steered);
+    println!("{} keys have steered", monkey.steered);
     // The first round fills caches: fonts, thumbnails.
     if let [_, second, .., last] = at_rest[..] {
         assert!(last < second + GROWTH, "memory grew from {second} to {last} bytes");

@@ -4,6 +4,7 @@ mod aim;
 mod angle;
 mod handles;
 mod hands;
+mod held_keys;
 mod looking;
 mod placing;
 

@@ -31,11 +31,11 @@ audit-proof-incomplete = not all rays are listed
     .tip = There are more rays than are written down; the value is that of the rendered pixel.
 audit-generations = Generations 1 to { $shown } of { $count }
 audit-front = Path
-    .tip = How far slow light has come from the eye: the optical path, meters times the index of refraction. The renderer follows rays from the eye; light itself runs the other way.
-audit-speed = Speed
-    .tip = How fast slow light runs in air. In glass it is slower by the index of refraction.
+    .tip = How far slow light has come from the eye: the optical path, meters times the index of refraction. It begins just before the first surface and ends just after the last event; where lengths differ greatly, it speeds up on the way. The renderer follows rays from the eye; light itself runs the other way.
+audit-duration = Duration
+    .tip = How long slow light takes for the whole path. In glass it is slower than in air by the index of refraction.
 audit-meters = m
-audit-meters-a-second = m/s
+audit-seconds = s
 audit-not-drawn = { $count ->
     [one] { $count } way of the least weight is not drawn
    *[other] { $count } ways of the least weight are not drawn

@@ -340,6 +340,7 @@ falloff-constant = constant
 # Camera
 section-view = Direction of view
 section-projection = Projection
+camera-view-note = The picture and every render show what this camera sees. Turning the view moves it; the free view looks around without it.
 camera-free-note = The picture shows the free view, not this camera.
 camera-position = Position
     .tip = Where the eye of the camera is.

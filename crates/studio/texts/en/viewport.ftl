@@ -38,4 +38,5 @@ viewport-aim-hint = Drag on a surface: the light’s highlight comes there. Begi
 viewport-aim-highlight = The highlight follows the pointer
 viewport-aim-shadow = The shadow follows the pointer
 viewport-out-of-view = { $name }: out of view. A click selects it.
+viewport-audit-hint = Click a pixel to see all its rays and their arithmetic
 viewport-fly-hint = Flying: W A S D – move · Q E – down, up · mouse – look · wheel – speed · Shift – faster · Esc – end

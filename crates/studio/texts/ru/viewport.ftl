@@ -38,4 +38,5 @@ viewport-aim-hint = Ведите по поверхности: блик исто�
 viewport-aim-highlight = Блик следует за указателем
 viewport-aim-shadow = Тень следует за указателем
 viewport-out-of-view = { $name }: вне кадра. Щелчок выделит.
+viewport-audit-hint = Щёлкните пиксель, чтобы увидеть все его лучи и вычисления
 viewport-fly-hint = Полёт: W A S D — движение · Q E — вниз, вверх · мышь — взгляд · колесо — скорость · Shift — быстрее · Esc — завершить

@@ -77,13 +77,12 @@ impl Scenery<'_> {
 
     /// Places of the picture from its middle outwards: Vogel's sunflower (1979), evenly spread.
     fn places(&self) -> impl Iterator<Item = DVec2> {
-        let size = self.sight.lens.size();
         let bodies = u32::try_from(self.scene.bodies.len()).unwrap_or(u32::MAX).max(1);
         let count = PLACES.min(MOST_TESTS / bodies).max(1);
         (0..count).map(move |index| {
             let (angle, radius) =
                 (2.399_963 * f64::from(index), (f64::from(index) / f64::from(count)).sqrt());
-            size * (0.5 + 0.45 * radius * DVec2::from_angle(angle % TAU))
+            self.place(0.5 + 0.45 * radius * DVec2::from_angle(angle % TAU))
         })
     }
 
@@ -166,17 +165,16 @@ impl Scenery<'_> {
     /// Whether the picture shows all of the box around a body, with its middle not hidden.
     fn is_in_picture(&self, body: &Body) -> bool {
         let Some(bounds) = bounds::of_body(body) else { return true };
-        let size = self.sight.lens.size();
-        let bar = BAR.min(0.2 * size.y);
+        let [least, most] = self.corners();
+        let bar = BAR.min(0.2 * (most.y - least.y));
         let mut corners = (0..8).map(|corner| {
             let is_far = glam::BVec3::new(corner & 1 != 0, corner & 2 != 0, corner & 4 != 0);
             DVec3::select(is_far, bounds.max, bounds.min)
         });
         corners.all(|corner| {
-            self.sight
-                .lens
-                .project(corner)
-                .is_some_and(|at| at.x > 4.0 && at.x < size.x - 4.0 && at.y > bar && at.y < size.y - 4.0)
+            self.sight.lens.project(corner).is_some_and(|at| {
+                at.x > least.x + 4.0 && at.x < most.x - 4.0 && at.y > least.y + bar && at.y < most.y - 4.0
+            })
         }) && self.is_seen(bounds.center())
     }
 

@@ -23,10 +23,14 @@ const BAR: f64 = 70.0;
 /// The best place for a new light: in the picture, with free sight of what the picture's middle shows.
 pub(crate) fn place_for_light(studio: &Studio) -> DVec3 {
     let scenery = Scenery::new(studio);
-    let size = scenery.sight.lens.size();
+    let [least, most] = scenery.corners();
+    let bar = least.y + BAR.min(0.4 * (most.y - least.y));
     let grid = decimal_below(0.15 * scenery.reach());
     let mut places = DEPTHS.into_iter().flat_map(|depth| {
-        PLACES.map(|[x, y]| (DVec2::new(x * size.x, (y * size.y).max(BAR.min(0.4 * size.y))), depth))
+        PLACES.map(|[x, y]| {
+            let at = scenery.place(DVec2::new(x, y));
+            (at.with_y(at.y.max(bar)), depth)
+        })
     });
     let place = places.find_map(|(at, depth)| {
         let place = scenery.point_at(at, depth).map(|part| rounded(part, grid));
@@ -46,7 +50,7 @@ impl Scenery<'_> {
     }
 
     fn lights_subject(&self, place: DVec3) -> bool {
-        let Some(hit) = self.sight.body_at(0.5 * self.sight.lens.size()) else {
+        let Some(hit) = self.sight.body_at(self.place(DVec2::splat(0.5))) else {
             // There is no surface: light from above is as good as any.
             return place.y > self.subject.y;
         };

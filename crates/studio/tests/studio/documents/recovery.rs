@@ -9,7 +9,7 @@ use super::*;
 const CHILD: &str = "CATOPTRIC_TEST_CHILD_FOLDER";
 
 /// The documents that are kept against a crash.
-fn kept(host: &TestHost) -> Vec<String> {
+pub(super) fn kept(host: &TestHost) -> Vec<String> {
     let Ok(entries) = std::fs::read_dir(host.path("recovery")) else { return Vec::new() };
     entries
         .map(|entry| entry.unwrap().path())

@@ -12,7 +12,7 @@ fn assert_at(one: &Camera, other: &Camera) {
     assert!(distance < 1e-9, "{one:?} instead of {other:?}");
 }
 
-fn distance(camera: &Camera) -> f64 {
+pub(super) fn distance(camera: &Camera) -> f64 {
     camera.position.distance(camera.target)
 }
 
@@ -34,6 +34,7 @@ fn dragging_beside_the_bodies_orbits_in_one_step() {
     assert!(camera.position.x < before.camera.position.x && camera.position.y > before.camera.position.y);
     assert_eq!(hand.scene().bodies, before.bodies);
     assert_eq!(hand.steps(), 1);
+    assert!(!hand.harness.state().editor().has_unsaved_work(), "looking at an example is no work");
     hand.undo();
     assert_same(hand.scene(), &before);
     // The right button orbits over bodies, too.
