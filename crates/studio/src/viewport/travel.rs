@@ -140,9 +140,13 @@ impl Travel {
             ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta(), input.pointer.hover_pos()));
         let Some(pointer) = pointer else { return };
         let factor = (-f64::from(way) * WHEEL).exp() / f64::from(zoom.max(0.01));
+        let is_rest = |factor: f64| (factor - 1.0).abs() < 1e-6;
+        if is_rest(factor) {
+            return;
+        }
         let present = camera(cx);
         let factor = cx.view.range.of_scene(cx.editor.scene()).allowed_factor(&present, factor);
-        if (factor - 1.0).abs() < 1e-6 {
+        if is_rest(factor) {
             return;
         }
         let at = sight.at(pointer);
