@@ -15,7 +15,7 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     let mut notes: Vec<String> = excesses(scene).iter().map(of_excess).collect();
     if let Ok(stage) = Stage::prepare(scene) {
         notes.extend(of_bound(scene, &DepthBound::of(scene, &stage)));
-        let work = Work::of(&stage, RenderSettings { width: 1280, height: 720, samples: 1 });
+        let work = RayForecast::of(&stage, RenderSettings { width: 1280, height: 720, samples: 1 });
         notes.extend(work.and_then(|work| work.warning));
         notes.extend(stage.target_beside(scene).map(of_target));
     }
@@ -28,14 +28,14 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
 }
 
 /// The rays of a picture, as far as they can be told before it is traced.
-pub(crate) struct Work {
+pub(crate) struct RayForecast {
     /// About so many, of all kinds.
     pub(crate) rays: f64,
     /// What to say of them, if they are very many.
     pub(crate) warning: Option<String>,
 }
 
-impl Work {
+impl RayForecast {
     /// Estimates the rays on the threads of the current rayon pool; `None` where no tree forks: then it has no more rays
     /// than generations, but for those to lights.
     pub(crate) fn of(stage: &Stage, settings: RenderSettings) -> Option<Self> {

@@ -34,7 +34,12 @@ impl Progress {
     }
 
     /// Does `work` while a bar shows how much of `expected` `control` says is done.
-    pub(crate) fn of_tracing<T>(self, control: &Control, expected: Expected, work: impl FnOnce() -> T) -> T {
+    pub(crate) fn of_tracing<T>(
+        self,
+        control: &Control,
+        expected: WorkEstimate,
+        work: impl FnOnce() -> T,
+    ) -> T {
         if !self.shown {
             return work();
         }
@@ -174,7 +179,7 @@ fn with_shown(draw: impl FnOnce(&ProgressBar)) {
 }
 
 /// Moves the bar until the work is finished; short work shows none.
-fn watch(control: &Control, expected: Expected, finished: &AtomicBool) {
+fn watch(control: &Control, expected: WorkEstimate, finished: &AtomicBool) {
     const INTERVAL: Duration = Duration::from_millis(100);
     thread::park_timeout(INTERVAL);
     let mut most = 0;
@@ -191,14 +196,14 @@ const STEPS: u64 = 10_000;
 
 /// How much is to be done for a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Expected {
+pub(crate) struct WorkEstimate {
     /// Pixels to go through, unless the work announces others.
     pub(crate) pixels: u64,
     /// About so many rays, if they were estimated: pixels whose rays fork without end take most of the time.
     pub(crate) rays: Option<f64>,
 }
 
-impl Expected {
+impl WorkEstimate {
     /// The most that an estimate says is done before all pixels are.
     const MOST_OF_ESTIMATE: f64 = 0.99;
 
@@ -227,7 +232,7 @@ mod tests {
 
     #[test]
     fn the_share_is_that_of_the_rays_where_they_are_estimated() {
-        let by_rays = Expected { pixels: 100, rays: Some(1e6) };
+        let by_rays = WorkEstimate { pixels: 100, rays: Some(1e6) };
         // One tile holds all: no pixel is done, but half of the rays are.
         assert_eq!(by_rays.share(0.0, 500_000), 0.5);
         assert_eq!(by_rays.share(0.9, 100_000), 0.1);
@@ -236,17 +241,17 @@ mod tests {
         assert_eq!(by_rays.share(1.0, 300_000), 1.0);
         // Cards count pixels only, and so does work without an estimate.
         assert_eq!(by_rays.share(0.25, 0), 0.25);
-        assert_eq!(Expected { pixels: 100, rays: None }.share(0.25, 500_000), 0.25);
-        assert_eq!(Expected { pixels: 100, rays: Some(0.0) }.share(0.0, 1), 0.99);
+        assert_eq!(WorkEstimate { pixels: 100, rays: None }.share(0.25, 500_000), 0.25);
+        assert_eq!(WorkEstimate { pixels: 100, rays: Some(0.0) }.share(0.0, 1), 0.99);
     }
 
     #[test]
     fn work_that_is_not_begun_is_not_done() {
         let control = Control::default();
-        assert_eq!(Expected { pixels: 0, rays: None }.share_done(&control), 0.0);
+        assert_eq!(WorkEstimate { pixels: 0, rays: None }.share_done(&control), 0.0);
         control.add_pixels(30);
-        assert_eq!(Expected { pixels: 40, rays: None }.share_done(&control), 0.75);
-        assert_eq!(Expected { pixels: 20, rays: Some(1e9) }.share_done(&control), 1.0);
+        assert_eq!(WorkEstimate { pixels: 40, rays: None }.share_done(&control), 0.75);
+        assert_eq!(WorkEstimate { pixels: 20, rays: Some(1e9) }.share_done(&control), 1.0);
     }
 
     #[test]

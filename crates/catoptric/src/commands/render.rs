@@ -18,7 +18,7 @@ use crate::canvas::Canvas;
 use crate::console::{count, json_text, say};
 use crate::files::CommandFiles;
 use crate::output::{format_for_output, milliseconds};
-use crate::progress::{Expected, Progress};
+use crate::progress::{Progress, WorkEstimate};
 use crate::stats::{Stats, Times};
 use crate::{input, memory, notes};
 
@@ -61,7 +61,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let estimates = !arguments.quiet && method == Method::Whitted;
     let rays = if estimates { warn_of_work(&stage, settings, &pool) } else { None };
     let start = Instant::now();
-    let drawn = progress.of_tracing(&control, Expected { pixels, rays }, || {
+    let drawn = progress.of_tracing(&control, WorkEstimate { pixels, rays }, || {
         drawer.draw(&stage, &method, (settings, canvas), &pool, &control)
     })?;
     times.trace = milliseconds(start);
@@ -113,7 +113,7 @@ fn show_map(
     let settings = MapSettings { kind: map_kind, picture, exposure_stops: arguments.development.exposure };
     let control = Control::default();
     let pixels = u64::from(picture.width) * u64::from(picture.height);
-    let map = progress.of_tracing(&control, Expected { pixels, rays: None }, || {
+    let map = progress.of_tracing(&control, WorkEstimate { pixels, rays: None }, || {
         pool.install(|| map(stage, stage.camera(), &settings, &control))
     })?;
     let shown = match options.depth() {
@@ -145,7 +145,7 @@ fn show_map(
 
 /// Says it before very many rays are traced. The rays of the picture, if trees can fork.
 fn warn_of_work(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) -> Option<f64> {
-    let work = pool.install(|| notes::Work::of(stage, settings))?;
+    let work = pool.install(|| notes::RayForecast::of(stage, settings))?;
     if let Some(warning) = &work.warning {
         say(&format!("warning: {warning}"));
     }

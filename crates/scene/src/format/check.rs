@@ -6,7 +6,7 @@ use std::fmt;
 use crate::Scene;
 use crate::body::{Anchor, Body, Shape};
 use crate::camera::Camera;
-use crate::format::message::{Collection, Component, Found, Message, Subject};
+use crate::format::message::{Collection, Component, FoundValue, Message, Subject};
 use crate::format::quote::quoted;
 use crate::format::record::{self, Datum, Record};
 use crate::format::rules;
@@ -90,8 +90,8 @@ impl Scene {
     pub fn check(&self) -> Vec<Problem> {
         let mut check = Check { problems: Vec::new() };
         check.camera(&self.camera);
-        check.record(&Of::part(Part::Environment), &record::environment(&self.environment));
-        check.record(&Of::part(Part::Tracing), &record::tracing(&self.tracing));
+        check.record(&NamedPart::unnamed(Part::Environment), &record::environment(&self.environment));
+        check.record(&NamedPart::unnamed(Part::Tracing), &record::tracing(&self.tracing));
         for (index, named) in self.materials.iter().enumerate() {
             check.material(index, named);
         }
@@ -113,9 +113,11 @@ impl Scene {
         match *part {
             Part::Camera => check.camera(&self.camera),
             Part::Environment => {
-                check.record(&Of::part(Part::Environment), &record::environment(&self.environment));
+                check.record(&NamedPart::unnamed(Part::Environment), &record::environment(&self.environment));
             }
-            Part::Tracing => check.record(&Of::part(Part::Tracing), &record::tracing(&self.tracing)),
+            Part::Tracing => {
+                check.record(&NamedPart::unnamed(Part::Tracing), &record::tracing(&self.tracing));
+            }
             Part::Material(index) => {
                 if let Some(named) = self.materials.get(index) {
                     check.material(index, named);
@@ -161,14 +163,14 @@ fn named_alike(things: Collection, name: &str, first: usize, second: usize) -> M
 }
 
 /// The part that is looked at, with its name.
-struct Of<'a> {
+struct NamedPart<'a> {
     part: Part,
     name: &'a str,
 }
 
-impl Of<'static> {
+impl NamedPart<'static> {
     /// A part without a name.
-    fn part(part: Part) -> Self {
+    fn unnamed(part: Part) -> Self {
         Self { part, name: "" }
     }
 }
@@ -178,14 +180,14 @@ struct Check {
 }
 
 impl Check {
-    fn add(&mut self, of: &Of<'_>, key: &'static str, message: Message) {
+    fn add(&mut self, of: &NamedPart<'_>, key: &'static str, message: Message) {
         let name = (!of.name.is_empty()).then(|| quoted(of.name));
         self.problems.push(Problem { part: of.part.clone(), key, name, message });
     }
 
     fn camera(&mut self, camera: &Camera) {
         let before = self.problems.len();
-        let of = Of::part(Part::Camera);
+        let of = NamedPart::unnamed(Part::Camera);
         self.record(&of, &record::camera(camera));
         if self.problems.len() > before {
             return;
@@ -196,7 +198,7 @@ impl Check {
     }
 
     fn material(&mut self, index: usize, named: &NamedMaterial) {
-        let of = Of { part: Part::Material(index), name: &named.name };
+        let of = NamedPart { part: Part::Material(index), name: &named.name };
         self.record(&of, &record::material(&named.material));
         if named.name.is_empty() {
             self.add(&of, "name", Message::UnnamedMaterial);
@@ -204,11 +206,11 @@ impl Check {
     }
 
     fn light(&mut self, index: usize, light: &Light) {
-        self.record(&Of { part: Part::Light(index), name: &light.name }, &record::light(light));
+        self.record(&NamedPart { part: Part::Light(index), name: &light.name }, &record::light(light));
     }
 
     fn body(&mut self, index: usize, body: &Body) {
-        let of = Of { part: Part::Body(index), name: &body.name };
+        let of = NamedPart { part: Part::Body(index), name: &body.name };
         let before = self.problems.len();
         self.record(&of, &record::body(body));
         let Anchor::Axis { base, top } = body.placement.anchor else { return };
@@ -223,7 +225,7 @@ impl Check {
     }
 
     /// Holds every value against the limits of its key.
-    fn record(&mut self, of: &Of<'_>, record: &Record<'_>) {
+    fn record(&mut self, of: &NamedPart<'_>, record: &Record<'_>) {
         for (name, datum) in &record.values {
             let Some((_, key)) = record.table.0.find(name) else { continue };
             match datum {
@@ -243,12 +245,12 @@ impl Check {
         }
     }
 
-    fn number(&mut self, of: &Of<'_>, key: &'static KeySpec, value: f64, which: Component) {
+    fn number(&mut self, of: &NamedPart<'_>, key: &'static KeySpec, value: f64, which: Component) {
         let limits: Option<Limits> = key.kind.limits();
         let Some(limits) = limits.filter(|limits| !limits.contains(value)) else { return };
         let message = Message::OutOfRange {
             subject: Subject::component(which, key.name),
-            value: Found::Value(value.into()),
+            value: FoundValue::Value(value.into()),
             requirement: limits.requirement(value),
         };
         self.add(of, key.name, message);
@@ -269,7 +271,7 @@ impl Check {
 
     fn undefined(&mut self, index: usize, body: &Body) {
         let Some(name) = body.material.name() else { return };
-        let of = Of { part: Part::Body(index), name: &body.name };
+        let of = NamedPart { part: Part::Body(index), name: &body.name };
         self.add(&of, "material", Message::Undefined { name: quoted(name) });
     }
 
@@ -286,7 +288,7 @@ impl Check {
         }
         let mut users = names.enumerate().filter(|(_, other)| *other == name).map(|(index, _)| index + 1);
         if let (Some(first), Some(second)) = (users.next(), users.next()) {
-            self.add(&Of::part(part.clone()), "name", named_alike(things, name, first, second));
+            self.add(&NamedPart::unnamed(part.clone()), "name", named_alike(things, name, first, second));
         }
     }
 
@@ -301,7 +303,7 @@ impl Check {
             let first = *first_at.entry(name).or_insert(index);
             if first != index {
                 let message = named_alike(things, name, first + 1, index + 1);
-                self.add(&Of::part(part(index)), "name", message);
+                self.add(&NamedPart::unnamed(part(index)), "name", message);
             }
         }
     }

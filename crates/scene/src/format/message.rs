@@ -8,7 +8,9 @@ mod phrase;
 mod syntax;
 
 pub(crate) use catalog::Message;
-pub(crate) use phrase::{Collection, Component, Enumeration, Found, Link, Meaning, Requirement, Subject};
+pub(crate) use phrase::{
+    Collection, Component, Enumeration, FoundValue, Link, Meaning, Requirement, Subject,
+};
 
 #[cfg(test)]
 mod tests;

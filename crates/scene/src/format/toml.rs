@@ -13,7 +13,7 @@ pub(crate) use lines::{Line, Lines};
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::format::message::Found;
+use crate::format::message::FoundValue;
 use crate::format::tree::Table;
 
 /// Bytes of the text. Texts are shorter than 4 GiB.
@@ -79,15 +79,15 @@ pub(crate) enum ValueKind<'t> {
 
 impl ValueKind<'_> {
     /// What it is, for a message.
-    pub(crate) fn found(&self) -> Found {
+    pub(crate) fn found(&self) -> FoundValue {
         match self {
-            Self::Invalid => Found::Invalid,
-            Self::Text(_) => Found::Text,
-            Self::Number { .. } => Found::Number,
-            Self::Boolean(_) => Found::Boolean,
-            Self::DateTime => Found::Date,
-            Self::Array(_) => Found::List,
-            Self::Inline(_) | Self::Table(_) => Found::Table,
+            Self::Invalid => FoundValue::Invalid,
+            Self::Text(_) => FoundValue::Text,
+            Self::Number { .. } => FoundValue::Number,
+            Self::Boolean(_) => FoundValue::Boolean,
+            Self::DateTime => FoundValue::Date,
+            Self::Array(_) => FoundValue::List,
+            Self::Inline(_) | Self::Table(_) => FoundValue::Table,
         }
     }
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::color::Color;
 use crate::format::decimal;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
-use crate::format::message::{Component, Enumeration, Found, Meaning, Message, Subject};
+use crate::format::message::{Component, Enumeration, FoundValue, Meaning, Message, Subject};
 use crate::format::nearest::nearest;
 use crate::format::quote::{quoted, quoted_value};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec, When};
@@ -47,7 +47,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         let limits = key.kind.limits()?;
         match value.kind {
             ValueKind::Number { is_integer: false, .. } if matches!(key.kind, Kind::Integer(_)) => {
-                self.wrong(key, value, Found::Written(self.source(value)))
+                self.wrong(key, value, FoundValue::Written(self.source(value)))
             }
             ValueKind::Number { value: number, .. } => {
                 self.within(key, value, number, limits, Component::Whole)
@@ -77,7 +77,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         if let ValueKind::Text(text) = &value.kind {
             let color = color_from_hex(text);
             if color.is_none() {
-                let finding = wrong_value(key, value, Found::Written(quoted(text)));
+                let finding = wrong_value(key, value, FoundValue::Written(quoted(text)));
                 self.found.push(finding.with_label(Message::NotAColor).with_help(Message::ColorIs));
             }
             return color;
@@ -107,7 +107,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     fn path(&mut self, name: &str) -> Option<(&'b str, Range<usize>)> {
         let (key, value) = self.given(name)?;
         match &value.kind {
-            ValueKind::Text(path) if path.is_empty() => self.wrong(key, value, Found::Empty),
+            ValueKind::Text(path) if path.is_empty() => self.wrong(key, value, FoundValue::Empty),
             ValueKind::Text(path) => Some((path.as_ref(), value.span.range())),
             _ => self.wrong_type(key, value),
         }
@@ -136,7 +136,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
                         Some(word) => Message::DidYouMean { word: quoted_value(word) },
                         None => Message::UnknownWord { key: key.name },
                     };
-                    let finding = wrong_value(key, value, Found::Written(quoted(text)));
+                    let finding = wrong_value(key, value, FoundValue::Written(quoted(text)));
                     self.found.push(finding.with_label(label));
                     Err(())
                 }
@@ -166,7 +166,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
             return None;
         }
         let found = match &value.kind {
-            ValueKind::Array(values) => Found::ListOf(values.len()),
+            ValueKind::Array(values) => FoundValue::ListOf(values.len()),
             kind => kind.found(),
         };
         self.wrong(key, value, found)
@@ -298,14 +298,14 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
         let message = Message::OutOfRange {
             subject: Subject::component(part, key.name),
-            value: Found::Written(self.source(value)),
+            value: FoundValue::Written(self.source(value)),
             requirement: limits.requirement(number),
         };
         self.found.push(Diagnostic::error(value.span.range(), message).with_help(key_help(key)));
         None
     }
 
-    fn wrong<T>(&mut self, key: &'static KeySpec, value: &Value<'_>, found: Found) -> Option<T> {
+    fn wrong<T>(&mut self, key: &'static KeySpec, value: &Value<'_>, found: FoundValue) -> Option<T> {
         let finding = wrong_value(key, value, found);
         self.found.push(if matches!(key.kind, Kind::Choice(_)) {
             finding
@@ -336,7 +336,7 @@ impl Kind {
 }
 
 /// A value that is not of the kind that its key takes.
-fn wrong_value(key: &KeySpec, value: &Value<'_>, found: Found) -> Diagnostic {
+fn wrong_value(key: &KeySpec, value: &Value<'_>, found: FoundValue) -> Diagnostic {
     let message = Message::WrongValue { subject: Subject::key(key.name), found, expected: key.kind };
     Diagnostic::error(value.span.range(), message)
 }

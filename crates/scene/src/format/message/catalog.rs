@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::format::message::phrase::{
-    Collection, Enumeration, Found, Meaning, Phrase as _, Requirement, Subject,
+    Collection, Enumeration, FoundValue, Meaning, Phrase as _, Requirement, Subject,
 };
 use crate::format::message::syntax::SyntaxFault;
 use crate::format::spec::{Kind, TableSpec};
@@ -107,7 +107,7 @@ messages! {
     WriteBeforeElement { name: &'static str }:
         "write `[[{name}]]` before the keys of each element",
         "пишите `[[{name}]]` перед ключами каждого элемента";
-    WrongElement { list: &'static str, found: Found }:
+    WrongElement { list: &'static str, found: FoundValue }:
         "an element of `{list}` is {found}, but must be a table",
         "элемент списка `{list}` — {found}, а ожидается таблица";
     GivenTwice { key: String }:
@@ -154,10 +154,10 @@ messages! {
         "записывайте тела и источники света как `[[bodies]]` и `[[lights]]`";
 
     // Values.
-    WrongValue { subject: Subject, found: Found, expected: Kind }:
+    WrongValue { subject: Subject, found: FoundValue, expected: Kind }:
         "{subject} is {found}, but must be {expected}",
         "{subject} — {found}, а ожидается {expected}";
-    OutOfRange { subject: Subject, value: Found, requirement: Requirement }:
+    OutOfRange { subject: Subject, value: FoundValue, requirement: Requirement }:
         "{subject} is {value}, but must be {requirement}",
         "{subject} равно {value}, а должно быть {requirement}";
     KeyMeans { meaning: Meaning }:

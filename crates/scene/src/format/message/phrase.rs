@@ -39,7 +39,7 @@ impl Phrase for Number {
 
 /// What stands where something else should.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Found {
+pub(crate) enum FoundValue {
     /// Something that is reported already.
     Invalid,
     /// A text.
@@ -64,7 +64,7 @@ pub(crate) enum Found {
     Value(Number),
 }
 
-impl Phrase for Found {
+impl Phrase for FoundValue {
     fn phrase(&self, language: Language) -> Cow<'_, str> {
         let (english, russian) = match self {
             Self::Invalid => ("something else", "что-то другое"),

@@ -78,7 +78,7 @@ fn what_the_library_adds_is_told_as_it_is() {
 
 #[test]
 fn counts_have_their_plural_form() {
-    let said = |count| Found::ListOf(count).phrase(Language::Russian).into_owned();
+    let said = |count| FoundValue::ListOf(count).phrase(Language::Russian).into_owned();
     assert_eq!(said(0), "список из 0 значений");
     assert_eq!(said(1), "список из одного значения");
     assert_eq!(said(2), "список из 2 значений");
@@ -93,7 +93,7 @@ fn numbers_have_the_decimal_sign_of_the_language() {
     let fov = keys::CAMERA.key("fov").unwrap();
     let message = Message::OutOfRange {
         subject: Subject::key("fov"),
-        value: Found::Written("`300.5`".to_owned()),
+        value: FoundValue::Written("`300.5`".to_owned()),
         requirement: fov.limits().unwrap().requirement(300.5),
     };
     assert_eq!(message.text(Language::English), "`fov` is `300.5`, but must be at most 179.9");
