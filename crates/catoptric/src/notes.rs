@@ -15,7 +15,8 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     let mut notes: Vec<String> = excesses(scene).iter().map(of_excess).collect();
     if let Ok(stage) = Stage::prepare(scene) {
         notes.extend(of_bound(scene, &DepthBound::of(scene, &stage)));
-        notes.extend(on_work(&stage, RenderSettings { width: 1280, height: 720, samples: 1 }));
+        let work = RayForecast::of(&stage, RenderSettings { width: 1280, height: 720, samples: 1 });
+        notes.extend(work.and_then(|work| work.warning));
         notes.extend(stage.target_beside(scene).map(of_target));
     }
     let more = notes.len().saturating_sub(MOST);
@@ -26,32 +27,46 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     notes.iter().map(|note| format!("{name}: note: {note}\n")).collect()
 }
 
-/// What to say of the rays of a picture, if they are very many: estimated on the threads of the current rayon pool.
-pub(crate) fn on_work(stage: &Stage, settings: RenderSettings) -> Option<String> {
-    // Without a fork a tree has no more rays than generations, but for those to lights.
-    if !stage.forks() {
-        return None;
+/// The rays of a picture, as far as they can be told before it is traced.
+pub(crate) struct RayForecast {
+    /// About so many, of all kinds.
+    pub(crate) rays: f64,
+    /// What to say of them, if they are very many.
+    pub(crate) warning: Option<String>,
+}
+
+impl RayForecast {
+    /// Estimates the rays on the threads of the current rayon pool; `None` where no tree forks: then it has no more rays
+    /// than generations, but for those to lights.
+    pub(crate) fn of(stage: &Stage, settings: RenderSettings) -> Option<Self> {
+        if !stage.forks() {
+            return None;
+        }
+        let size = UVec2::new(settings.width, settings.height);
+        let estimate = RayEstimate::of(stage, stage.camera(), size, &Control::default()).ok()?;
+        let pixels = u64::from(size.x) * u64::from(size.y);
+        let rays = estimate.of_picture(pixels, settings.samples);
+        let warning = if estimate.is_worth_a_warning() { warning(stage, settings, &estimate) } else { None };
+        Some(Self { rays, warning })
     }
+}
+
+/// What to say of very many rays.
+fn warning(stage: &Stage, settings: RenderSettings, estimate: &RayEstimate) -> Option<String> {
     let RenderSettings { width, height, samples } = settings;
-    let (size, control) = (UVec2::new(width, height), Control::default());
-    let estimate = RayEstimate::of(stage, stage.camera(), size, &control).ok()?;
-    if !estimate.is_worth_a_warning() {
-        return None;
-    }
     let pixels = u64::from(width) * u64::from(height);
-    let rays = estimate.of_picture(pixels, samples);
-    let of_pixel = estimate.of_picture(1, samples);
     let mut warning = format!(
         "with {} generations and the threshold {} a picture of {width}x{height} takes about {} rays, {} for each pixel",
         stage.generations(),
         stage.threshold(),
-        magnitude(rays),
-        magnitude(of_pixel)
+        magnitude(estimate.of_picture(pixels, samples)),
+        magnitude(estimate.of_picture(1, samples))
     );
     let threshold = RayEstimate::ADVISED_THRESHOLD;
     if f64::from(stage.threshold()) < threshold {
         let limits = (stage.generations(), threshold as f32);
-        let with = RayEstimate::within(stage, stage.camera(), size, limits, &control).ok()?;
+        let size = UVec2::new(width, height);
+        let with = RayEstimate::within(stage, stage.camera(), size, limits, &Control::default()).ok()?;
         warning += &format!(
             "; `threshold = {threshold}` would take {}",
             magnitude(with.of_picture(pixels, samples))

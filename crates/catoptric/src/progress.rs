@@ -33,18 +33,23 @@ impl Progress {
         self.shown
     }
 
-    /// Does `work` while a bar shows `control`'s progress to `pixels`.
-    pub(crate) fn of_tracing<T>(self, control: &Control, pixels: u64, work: impl FnOnce() -> T) -> T {
+    /// Does `work` while a bar shows how much of `expected` `control` says is done.
+    pub(crate) fn of_tracing<T>(
+        self,
+        control: &Control,
+        expected: WorkEstimate,
+        work: impl FnOnce() -> T,
+    ) -> T {
         if !self.shown {
             return work();
         }
-        show(ProgressBar::new(pixels), |state| {
+        show(ProgressBar::new(STEPS), |state| {
             let left = (state.pos() > 0).then(|| state.eta());
             fitted(columns(), state, format!("{:>3.0} %", 100.0 * state.fraction()), left)
         });
         let finished = AtomicBool::new(false);
         let result = thread::scope(|scope| {
-            let watcher = scope.spawn(|| watch(control, &finished));
+            let watcher = scope.spawn(|| watch(control, expected, &finished));
             let _end = End { finished: &finished, watcher: watcher.thread().clone() };
             work()
         });
@@ -174,25 +179,80 @@ fn with_shown(draw: impl FnOnce(&ProgressBar)) {
 }
 
 /// Moves the bar until the work is finished; short work shows none.
-fn watch(control: &Control, finished: &AtomicBool) {
+fn watch(control: &Control, expected: WorkEstimate, finished: &AtomicBool) {
     const INTERVAL: Duration = Duration::from_millis(100);
     thread::park_timeout(INTERVAL);
+    let mut most = 0;
     while !finished.load(Ordering::Relaxed) {
-        with_shown(|bar| {
-            // Some work announces more as it goes on.
-            let expected = control.pixels_expected();
-            if expected > 0 {
-                bar.set_length(expected);
-            }
-            bar.set_position(control.pixels_done());
-        });
+        // Some work announces more as it goes on; the bar never goes back.
+        most = most.max((expected.share_done(control) * STEPS as f64) as u64);
+        with_shown(|bar| bar.set_position(most));
         thread::park_timeout(INTERVAL);
+    }
+}
+
+/// Steps of a bar that counts shares of the work.
+const STEPS: u64 = 10_000;
+
+/// How much is to be done for a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct WorkEstimate {
+    /// Pixels to go through, unless the work announces others.
+    pub(crate) pixels: u64,
+    /// About so many rays, if they were estimated: pixels whose rays fork without end take most of the time.
+    pub(crate) rays: Option<f64>,
+}
+
+impl WorkEstimate {
+    /// The most that an estimate says is done before all pixels are.
+    const MOST_OF_ESTIMATE: f64 = 0.99;
+
+    /// The share of the work that is done, from 0 to 1: 1 when all pixels are.
+    fn share_done(self, control: &Control) -> f64 {
+        let announced = control.pixels_expected();
+        let pixels = if announced > 0 { announced } else { self.pixels };
+        let of_pixels = (control.pixels_done() as f64 / pixels.max(1) as f64).min(1.0);
+        self.share(of_pixels, control.rays_done())
+    }
+
+    /// The share of the work with this share of the pixels and so many rays done. A card tells of no rays.
+    fn share(self, of_pixels: f64, rays_done: u64) -> f64 {
+        match self.rays {
+            Some(rays) if rays_done > 0 && of_pixels < 1.0 => {
+                (rays_done as f64 / rays.max(1.0)).min(Self::MOST_OF_ESTIMATE)
+            }
+            _ => of_pixels,
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_share_is_that_of_the_rays_where_they_are_estimated() {
+        let by_rays = WorkEstimate { pixels: 100, rays: Some(1e6) };
+        // One tile holds all: no pixel is done, but half of the rays are.
+        assert_eq!(by_rays.share(0.0, 500_000), 0.5);
+        assert_eq!(by_rays.share(0.9, 100_000), 0.1);
+        // An estimate that is too small does not say that all is done; the last pixel does.
+        assert_eq!(by_rays.share(0.9, 5_000_000), 0.99);
+        assert_eq!(by_rays.share(1.0, 300_000), 1.0);
+        // Cards count pixels only, and so does work without an estimate.
+        assert_eq!(by_rays.share(0.25, 0), 0.25);
+        assert_eq!(WorkEstimate { pixels: 100, rays: None }.share(0.25, 500_000), 0.25);
+        assert_eq!(WorkEstimate { pixels: 100, rays: Some(0.0) }.share(0.0, 1), 0.99);
+    }
+
+    #[test]
+    fn work_that_is_not_begun_is_not_done() {
+        let control = Control::default();
+        assert_eq!(WorkEstimate { pixels: 0, rays: None }.share_done(&control), 0.0);
+        control.add_pixels(30);
+        assert_eq!(WorkEstimate { pixels: 40, rays: None }.share_done(&control), 0.75);
+        assert_eq!(WorkEstimate { pixels: 20, rays: Some(1e9) }.share_done(&control), 1.0);
+    }
 
     #[test]
     fn a_line_fits_into_every_terminal() {

@@ -106,9 +106,7 @@ impl Image {
     /// What is wrong with the file.
     pub fn open_source(source: &ImageSource, folder: Option<&Path>) -> Result<Self, ImageError> {
         let found = match source.path.strip_prefix(Self::BUILT_IN) {
-            Some(_) if source.layer.is_some() => {
-                Err(ImageFault::Unreadable("a built-in picture has no layers; remove `layer`".to_owned()))
-            }
+            Some(_) if source.layer.is_some() => Err(ImageFault::BuiltInLayer),
             Some(name) => built_in::picture(name).ok_or(ImageFault::NotBuiltIn),
             None => read_or_share(&file_of(&source.path, folder), source.layer()),
         };
@@ -241,9 +239,15 @@ pub enum ImageFault {
     /// It should come with the program, but does not.
     #[error("there is no built-in picture of this name; there are {}", Image::BUILT_IN_NAMES.join(", "))]
     NotBuiltIn,
+    /// It comes with the program, and has no layers.
+    #[error("a built-in picture has no layers; remove `layer`")]
+    BuiltInLayer,
     /// There is no such file.
     #[error("there is no file {}; check the path, which begins at the scene's folder", .0.display())]
     Missing(PathBuf),
+    /// It is a folder, a pipe or a device.
+    #[error("it is not a plain file; save the picture in one")]
+    NotAFile,
     /// It has too many pixels.
     #[error("it has {width}x{height} pixels, but may have as many as 8192x4096; make it smaller")]
     TooLarge {
@@ -253,8 +257,51 @@ pub enum ImageFault {
         height: u32,
     },
     /// The file cannot be read as a picture.
-    #[error("{0}")]
-    Unreadable(String),
+    #[error("{reason}")]
+    Unreadable {
+        /// What the decoder or the system says of it, in English.
+        reason: String,
+        /// What is wrong, as far as it is known.
+        kind: UnreadableKind,
+    },
+}
+
+/// Why a file cannot be read as a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum UnreadableKind {
+    /// It is empty.
+    Empty,
+    /// It is of no format that is read.
+    UnknownFormat,
+    /// It is truncated or corrupt.
+    Damaged,
+    /// It has several layers, and it is open which of them is the picture.
+    ManyLayers {
+        /// Their names.
+        layers: Vec<String>,
+    },
+    /// It has no layer of the name that was asked for.
+    NoSuchLayer {
+        /// The names of those that there are; none if there are no named layers.
+        layers: Vec<String>,
+    },
+    /// Something else, which is known in English only.
+    Other,
+}
+
+impl From<&DecodeError> for UnreadableKind {
+    fn from(error: &DecodeError) -> Self {
+        match error {
+            DecodeError::Empty => Self::Empty,
+            DecodeError::UnknownFormat => Self::UnknownFormat,
+            DecodeError::TooShort { .. } | DecodeError::Corrupt { .. } | DecodeError::Breakdown { .. } => {
+                Self::Damaged
+            }
+            DecodeError::ManyLayers { layers } => Self::ManyLayers { layers: layers.clone() },
+            DecodeError::NoSuchLayer { layers, .. } => Self::NoSuchLayer { layers: layers.clone() },
+            _ => Self::Other,
+        }
+    }
 }
 
 /// Something with pictures in it.
@@ -411,11 +458,11 @@ static KEPT: LazyLock<Mutex<HashMap<FileLayer, Kept>>> = LazyLock::new(Mutex::de
 fn read_or_share(file: &Path, layer: Option<&str>) -> Result<Arc<Picture>, ImageFault> {
     let metadata = std::fs::metadata(file).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => ImageFault::Missing(file.to_owned()),
-        _ => ImageFault::Unreadable(error.to_string()),
+        _ => ImageFault::Unreadable { reason: error.to_string(), kind: UnreadableKind::Other },
     })?;
     if !metadata.is_file() {
         // Opening a pipe would wait, in the studio too, until someone writes into it.
-        return Err(ImageFault::Unreadable("it is not a plain file; save the picture in one".to_owned()));
+        return Err(ImageFault::NotAFile);
     }
     let state = (metadata.modified().ok(), metadata.len());
     let layer = layer.map(str::to_owned);
@@ -438,8 +485,10 @@ fn read_or_share(file: &Path, layer: Option<&str>) -> Result<Arc<Picture>, Image
                     ),
                 ..
             } => ImageFault::TooLarge { width, height },
-            ReadError::Decode { source, .. } => ImageFault::Unreadable(source.to_string()),
-            other => ImageFault::Unreadable(other.to_string()),
+            ReadError::Decode { source, .. } => {
+                ImageFault::Unreadable { reason: source.to_string(), kind: (&source).into() }
+            }
+            other => ImageFault::Unreadable { reason: other.to_string(), kind: UnreadableKind::Other },
         })?;
     picture.pixels_mut().iter_mut().flatten().for_each(|part| *part = sane(*part));
     let picture = Arc::new(picture);

@@ -12,6 +12,7 @@ mod examples;
 mod file;
 pub mod format;
 mod image;
+mod language;
 mod light;
 mod list;
 mod material;
@@ -27,7 +28,8 @@ pub use format::{
     Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
     read, read_bytes, update, write, write_fragment,
 };
-pub use image::{HasImages, Image, ImageError, ImageFault, ImageSource};
+pub use image::{HasImages, Image, ImageError, ImageFault, ImageSource, UnreadableKind};
+pub use language::Language;
 pub use light::{Falloff, Light};
 pub use list::{Counted, List, ListIter, ListIterMut, Slices};
 pub use material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};

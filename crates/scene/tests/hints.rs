@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
 use catoptric_scene::{
-    Body, Diagnostic, Material, MaterialChoice, NamedMaterial, Scene, is_active, read, write,
+    Body, Diagnostic, Language, Material, MaterialChoice, NamedMaterial, Scene, is_active, read, write,
 };
 use proptest::prelude::*;
 
@@ -45,12 +45,15 @@ proptest! {
         let text = write(&scene_with(&name));
         let found = errors(&text);
         prop_assert_eq!(found.len(), 1, "{:?}", found);
-        let help = found[0].help.as_deref().unwrap();
-        let header = advised(help, "define it with `", "`, or write").unwrap();
+        let help = found[0].help(Language::English).unwrap();
+        let header = advised(&help, "define it with `", "`, or write").unwrap();
+        let russian = found[0].help(Language::Russian).unwrap();
+        let told = advised(&russian, "определите его: `", "`, или напишите");
+        prop_assert_eq!(told.as_ref(), Some(&header));
         let mended = format!("{text}\n{header}\n");
         prop_assert_eq!(errors(&mended), [], "{}", mended);
         prop_assert_eq!(&read(&mended).scene.materials[0].name, &name);
-        let own = advised(help, "of its own: `", "`").unwrap();
+        let own = advised(&help, "of its own: `", "`").unwrap();
         let mended = replaced(&text, &found[0], &own);
         prop_assert_eq!(errors(&mended), [], "{}", mended);
     }
@@ -62,8 +65,11 @@ proptest! {
         let text = write(&scene);
         let found = errors(&text);
         prop_assert_eq!(found.len(), 1, "{:?}", found);
-        if let Some(label) = found[0].label.strip_prefix("did you mean `") {
-            let value = label.strip_suffix("`?").unwrap();
+        let label = found[0].label(Language::English).unwrap();
+        if let Some(value) = label.strip_prefix("did you mean `") {
+            let value = value.strip_suffix("`?").unwrap();
+            let russian = found[0].label(Language::Russian).unwrap();
+            prop_assert_eq!(russian, format!("возможно, `{value}`?"));
             let mended = replaced(&text, &found[0], value);
             prop_assert_eq!(errors(&mended), [], "{}", mended);
         }
@@ -77,8 +83,8 @@ proptest! {
         });
         let header = key.lines().find(|line| line.starts_with("[materials.")).unwrap();
         let text = format!("format = \"catoptric/1\"\n[{header}]\n");
-        let finding = errors(&text).into_iter().find(|finding| finding.message.ends_with("is not a list")).unwrap();
-        let advice = finding.help.unwrap();
+        let finding = errors(&text).into_iter().find(|finding| finding.message(Language::English).ends_with("is not a list")).unwrap();
+        let advice = finding.help(Language::English).unwrap();
         let advice = advice.strip_prefix("write `").unwrap().strip_suffix('`').unwrap();
         let mended = text.replace(&format!("[{header}]"), advice);
         prop_assert!(!read(&mended).diagnostics.has_errors(), "{}", mended);
@@ -113,7 +119,8 @@ fn a_misspelled_word_can_be_replaced_as_advised() {
         "fromat = \"catoptric/1\"\n[[lights]]\n",
     ] {
         let found = errors(text);
-        let advice = advised(&found[0].label, "did you mean `", "`?").unwrap_or_else(|| panic!("{found:?}"));
+        let label = found[0].label(Language::English).unwrap_or_default();
+        let advice = advised(&label, "did you mean `", "`?").unwrap_or_else(|| panic!("{found:?}"));
         let mended = replaced(text, &found[0], &advice);
         assert_eq!(errors(&mended), [], "{mended}");
     }
@@ -122,7 +129,7 @@ fn a_misspelled_word_can_be_replaced_as_advised() {
 #[test]
 fn decimal_commas_can_be_replaced_as_advised() {
     let advice = |finding: &Diagnostic| {
-        let help = finding.help.clone().unwrap_or_default();
+        let help = finding.help(Language::English).unwrap_or_default();
         help.strip_prefix("a decimal number is written with a point: ")
             .map(|rest| rest.trim_matches('`').to_owned())
     };

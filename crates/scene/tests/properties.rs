@@ -3,7 +3,7 @@
 
 mod common;
 
-use catoptric_scene::{Scene, read, read_bytes, update, write};
+use catoptric_scene::{Language, Scene, read, read_bytes, update, write};
 use proptest::prelude::*;
 
 const SMALL: &str = include_str!("common/small.toml");
@@ -17,7 +17,7 @@ fn read_anything(bytes: Vec<u8>) {
     for diagnostic in &reading.diagnostics {
         assert!(diagnostic.line > 0 && diagnostic.column > 0);
         assert!(diagnostic.span.start <= text.len());
-        assert!(!diagnostic.message.is_empty());
+        assert!(!diagnostic.message(Language::English).is_empty());
     }
     // What is left of a broken file is a scene without problems.
     let problems = reading.scene.check();

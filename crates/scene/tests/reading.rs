@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail like that")]
 
-use catoptric_scene::{Anchor, Color, Falloff, LONGEST_TEXT, MaterialChoice, Projection, Scene, Shape, read};
+use catoptric_scene::{
+    Anchor, Color, Falloff, LONGEST_TEXT, Language, MaterialChoice, Projection, Scene, Shape, read,
+};
 use glam::DVec3;
 
 const SMALL: &str = include_str!("common/small.toml");
@@ -102,7 +104,8 @@ fn flags_are_true_or_false() {
     let updated = catoptric_scene::update(text, &edited);
     assert_eq!(updated, text.replace("locked = true\n", "").replace("hidden = false", "hidden = true"));
     let found = read("format = \"catoptric/1\"\n[[bodies]]\nhidden = 1\n").diagnostics;
-    let messages: Vec<&str> = found.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
+    let messages: Vec<String> =
+        found.iter().map(|diagnostic| diagnostic.message(Language::English)).collect();
     assert_eq!(messages, ["`hidden` is a number, but must be `true` or `false`"]);
 }
 

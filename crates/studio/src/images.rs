@@ -202,7 +202,7 @@ pub(crate) fn give(studio: &mut Studio, usage: ImageUse, path: &str) {
     };
     studio.editor.settle();
     if let Err(refused) = result {
-        studio.toasts.warning(refused.to_string());
+        studio.toasts.warning(inspector::explain(&studio.texts, &refused));
     }
 }
 
@@ -221,13 +221,15 @@ pub(crate) fn name<'a>(texts: &'a Texts, path: &'a str) -> std::borrow::Cow<'a, 
 fn in_words(texts: &Texts, error: &ImageError) -> String {
     let reason = match &error.fault {
         ImageFault::NotBuiltIn => texts.get("picture-not-built-in").to_owned(),
+        ImageFault::BuiltInLayer => texts.get("picture-built-in-layer").to_owned(),
+        ImageFault::NotAFile => texts.get("picture-not-a-file").to_owned(),
         ImageFault::Missing(file) => {
             texts.with("picture-missing", &[("path", file.display().to_string().into())])
         }
         ImageFault::TooLarge { width, height } => {
             texts.with("picture-too-large", &[("size", format!("{width}×{height}").into())])
         }
-        ImageFault::Unreadable(reason) => reason.clone(),
+        fault @ ImageFault::Unreadable { .. } => fault.text(texts.language().into()),
     };
     let name = name(texts, error.image.path()).into_owned();
     texts.with("picture-not-opened", &[("name", name.into()), ("reason", reason.into())])

@@ -16,6 +16,7 @@ use egui_material_icons::icons;
 
 use crate::context::Cx;
 use crate::theme::{self, Palette};
+use crate::viewport::why;
 use crate::widgets::paint_line_in;
 use excerpt::Excerpt;
 
@@ -57,7 +58,7 @@ impl Problems {
 /// Lists the findings with their lines; a click shows the text.
 pub(crate) fn problems_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &mut Problems) {
     check_scene(cx, problems);
-    let fault = cx.live.status().error.map(|error| error.to_string());
+    let fault = cx.live.status().error.map(|error| why(cx.texts, &error));
     let has_live = fault.is_some() || !problems.live.is_empty();
     if problems.findings.is_empty() && !has_live {
         ui.centered_and_justified(|ui| ui.weak(cx.t("problems-none")));
@@ -101,7 +102,8 @@ fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &Problems, fault: Option<Stri
         ui.label(RichText::new(fault).color(color));
     }
     for problem in &problems.live {
-        if ui.selectable_label(false, RichText::new(&problem.message).color(color)).clicked()
+        let message = problem.message(cx.texts.language().into());
+        if ui.selectable_label(false, RichText::new(message).color(color)).clicked()
             && let Some(item) = item(&problem.part)
         {
             cx.editor.select(item);
@@ -159,7 +161,7 @@ fn tops(findings: &Diagnostics, line: f32) -> Vec<f32> {
     let mut tops = vec![0.0];
     let mut top = 0.0;
     for finding in findings {
-        let lines = if finding.help.is_some() { 3.0 } else { 2.0 };
+        let lines = if finding.has_help() { 3.0 } else { 2.0 };
         top += lines * (line + 1.0) + 2.0 * PADDING;
         tops.push(top);
     }
@@ -176,7 +178,9 @@ fn finding_ui(
     is_selected: bool,
     palette: &Palette,
 ) -> bool {
-    let id = ui.scope_id().with(("finding", finding.span.start, finding.line, &finding.message));
+    let language = cx.texts.language().into();
+    let text = finding.message(language);
+    let id = ui.scope_id().with(("finding", finding.span.start, finding.line, &text));
     let response = ui.interact(rect, id, Sense::click());
     let severity = match finding.severity {
         Severity::Error => cx.t("problem-error"),
@@ -185,7 +189,7 @@ fn finding_ui(
     response.widget_info(|| {
         let place = [("line", finding.line.into()), ("column", finding.column.into())];
         let place = cx.texts.with("problem-place", &place);
-        let name = format!("{place}: {severity}: {}", finding.message);
+        let name = format!("{place}: {severity}: {text}");
         WidgetInfo::selected(egui::accesskit::Role::Button, true, is_selected, name)
     });
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
@@ -200,7 +204,8 @@ fn finding_ui(
     };
     let body = FontId::proportional(13.5);
     let mono = FontId::monospace(12.5);
-    let lines = if finding.help.is_some() { 3.0 } else { 2.0 };
+    let help = finding.help(language);
+    let lines = if help.is_some() { 3.0 } else { 2.0 };
     let step = (rect.height() - 2.0 * PADDING) / lines;
     let line = Rect::from_min_size(rect.min + vec2(6.0, PADDING), vec2(rect.width() - 12.0, step));
     let mark = painter.text(line.left_center(), Align2::LEFT_CENTER, icon, FontId::proportional(15.0), color);
@@ -208,7 +213,7 @@ fn finding_ui(
     let place = format!("{}:{}", finding.line, finding.column);
     let place = painter.text(line.left_center(), Align2::LEFT_CENTER, place, mono.clone(), palette.weak);
     let message = line.with_min_x(place.max.x + 8.0);
-    paint_line_in(ui, message, &finding.message, body.clone(), palette.text);
+    paint_line_in(ui, message, &text, body.clone(), palette.text);
     let line = line.translate(vec2(0.0, step));
     if let Some(excerpt) = excerpt {
         let mut job = marked(&excerpt.line, &excerpt.mark, &mono, palette.weak, color);
@@ -217,18 +222,12 @@ fn finding_ui(
         let corner = pos2(line.left(), line.center().y - galley.size().y / 2.0);
         painter.galley(corner, galley, palette.weak);
     }
-    if let Some(help) = &finding.help {
+    if let Some(help) = &help {
         paint_line_in(ui, line.translate(vec2(0.0, step)), help, body, palette.weak);
     }
     if response.hovered() {
-        let mut full = finding.message.clone();
-        for more in [Some(&finding.label), finding.help.as_ref()].into_iter().flatten() {
-            if !more.is_empty() {
-                full.push('\n');
-                full.push_str(more);
-            }
-        }
-        return response.on_hover_text(full).clicked();
+        let full: Vec<String> = [Some(text), finding.label(language), help].into_iter().flatten().collect();
+        return response.on_hover_text(full.join("\n")).clicked();
     }
     response.clicked()
 }

@@ -92,6 +92,16 @@ impl Language {
     }
 }
 
+/// The language of what the document says of itself.
+impl From<Language> for catoptric_scene::Language {
+    fn from(language: Language) -> Self {
+        match language {
+            Language::English => Self::English,
+            Language::Russian => Self::Russian,
+        }
+    }
+}
+
 /// The sign that a language writes before decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DecimalSign {

@@ -32,10 +32,11 @@ pub struct Control {
     pub(crate) cancel: AtomicBool,
     pixels_done: AtomicU64,
     pixels_expected: AtomicU64,
+    rays_done: AtomicU64,
 }
 
 impl Control {
-    /// Asks the render to stop; it does so within a tile.
+    /// Asks the render to stop; it does so within a pixel, some ten thousand rays later.
     pub fn cancel(&self) {
         self.cancel.store(true, Ordering::Relaxed);
     }
@@ -63,6 +64,17 @@ impl Control {
     /// Pixels to be gone through, as far as is known by now; 0 for [`render`], which goes through those of the picture.
     pub fn pixels_expected(&self) -> u64 {
         self.pixels_expected.load(Ordering::Relaxed)
+    }
+
+    /// Counts rays that were traced.
+    pub(crate) fn add_rays(&self, rays: u64) {
+        self.rays_done.fetch_add(rays, Ordering::Relaxed);
+    }
+
+    /// Rays of all kinds that the processor traced so far for pictures by Whitted's tree, those of unfinished pixels among
+    /// them; some ten thousand of each thread may not be counted yet.
+    pub fn rays_done(&self) -> u64 {
+        self.rays_done.load(Ordering::Relaxed)
     }
 
     /// Pixels finished so far.

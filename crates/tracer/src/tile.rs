@@ -108,6 +108,9 @@ impl Place {
 /// Traces tiles and groups of them; reusable from one to the next by one thread.
 pub(crate) struct TileTracer<'a> {
     whitted: Whitted<'a>,
+    control: &'a Control,
+    /// The rays that `control` knows of.
+    rays_told: u64,
     /// The rays that wait, by their distance in the tree from the eye.
     levels: Vec<Level>,
     /// Made when they are needed.
@@ -126,6 +129,8 @@ impl<'a> TileTracer<'a> {
     pub(crate) fn new(stage: &'a Stage, camera: &'a StageCamera, control: &'a Control) -> Self {
         Self {
             whitted: Whitted::through(stage, camera, &control.cancel),
+            control,
+            rays_told: 0,
             levels: Vec::new(),
             streams: None,
             light: TileLight::default(),
@@ -158,10 +163,20 @@ impl<'a> TileTracer<'a> {
         } else {
             lanes.run(Sample::<false> { tracer: self, place, size, sample, rows })
         };
+        self.tell_rays(1);
         if !is_finished {
             self.levels.iter_mut().for_each(Level::clear);
         }
         is_finished
+    }
+
+    /// Tells the control of the rays since the last time, if there are so many.
+    fn tell_rays(&mut self, least: u64) {
+        let rays = self.whitted.counts().total();
+        if rays - self.rays_told >= least {
+            self.control.add_rays(rays - self.rays_told);
+            self.rays_told = rays;
+        }
     }
 }
 
@@ -194,6 +209,9 @@ impl TileTracer<'_> {
     /// So many rays of a level may wait where they are traced packet by packet; then the level behind it is traced, so that
     /// memory is bounded, and little of it is touched for the first time. By streams, as many as fill one.
     const MOST_WAITING: usize = 448;
+
+    /// Rays between two reports of a thread: some milliseconds, so that threads do not meet at the count.
+    const RAYS_AT_ONCE: u64 = 1 << 14;
 
     /// Packets of a level between two looks at how many rays wait elsewhere.
     const AT_ONCE: usize = 16;
@@ -305,6 +323,7 @@ impl TileTracer<'_> {
             if self.is_cancelled() {
                 return false;
             }
+            self.tell_rays(Self::RAYS_AT_ONCE);
             if self.waiting(at) == 0 {
                 let waits = |&level: &usize| self.waiting(level) > 0;
                 let Some(next) = (at..self.levels.len()).find(waits).or_else(|| (0..at).rev().find(waits))

@@ -18,7 +18,7 @@ use crate::canvas::Canvas;
 use crate::console::{count, json_text, say};
 use crate::files::CommandFiles;
 use crate::output::{format_for_output, milliseconds};
-use crate::progress::Progress;
+use crate::progress::{Progress, WorkEstimate};
 use crate::stats::{Stats, Times};
 use crate::{input, memory, notes};
 
@@ -58,12 +58,12 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     }
     let control = Control::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
-    if !arguments.quiet && method == Method::Whitted {
-        warn_of_work(&stage, settings, &pool);
-    }
+    let estimates = !arguments.quiet && method == Method::Whitted;
+    let rays = if estimates { warn_of_work(&stage, settings, &pool) } else { None };
     let start = Instant::now();
-    let drawn = progress
-        .of_tracing(&control, pixels, || drawer.draw(&stage, &method, (settings, canvas), &pool, &control))?;
+    let drawn = progress.of_tracing(&control, WorkEstimate { pixels, rays }, || {
+        drawer.draw(&stage, &method, (settings, canvas), &pool, &control)
+    })?;
     times.trace = milliseconds(start);
     let Drawn { drawing, on_card, fallen_back } = drawn;
     fallen_back.iter().filter(|_| !arguments.quiet).for_each(warn_of_fallback);
@@ -113,8 +113,9 @@ fn show_map(
     let settings = MapSettings { kind: map_kind, picture, exposure_stops: arguments.development.exposure };
     let control = Control::default();
     let pixels = u64::from(picture.width) * u64::from(picture.height);
-    let map = progress
-        .of_tracing(&control, pixels, || pool.install(|| map(stage, stage.camera(), &settings, &control)))?;
+    let map = progress.of_tracing(&control, WorkEstimate { pixels, rays: None }, || {
+        pool.install(|| map(stage, stage.camera(), &settings, &control))
+    })?;
     let shown = match options.depth() {
         SampleDepth::Coded(_) => map.to_picture()?,
         SampleDepth::Linear => map.to_numbers()?,
@@ -142,11 +143,13 @@ fn show_map(
     Ok(Outcome::Done)
 }
 
-/// Says it before very many rays are traced.
-fn warn_of_work(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
-    if let Some(warning) = pool.install(|| notes::on_work(stage, settings)) {
+/// Says it before very many rays are traced. The rays of the picture, if trees can fork.
+fn warn_of_work(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) -> Option<f64> {
+    let work = pool.install(|| notes::RayForecast::of(stage, settings))?;
+    if let Some(warning) = &work.warning {
         say(&format!("warning: {warning}"));
     }
+    Some(work.rays)
 }
 
 /// Says how many generations the scene needs.

@@ -7,6 +7,7 @@ use crate::body::{Anchor, Body, Placement, Shape};
 use crate::camera::{Camera, Projection};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
+use crate::format::message::{Meaning, Message};
 use crate::format::rules::{self, Broken};
 use crate::format::spec::TableSpec;
 use crate::format::toml::{Span, Value, ValueKind};
@@ -69,7 +70,7 @@ impl<'t> Build<'_, 't> {
         };
         if let Some(broken) = rules::camera(camera.position, camera.target, camera.up) {
             if all_known {
-                report(&mut fields, &broken, &["target", "position", "up"]);
+                report(&mut fields, broken, &["target", "position", "up"]);
             }
             camera = Camera { projection, ..default };
         }
@@ -78,7 +79,7 @@ impl<'t> Build<'_, 't> {
 
     pub(crate) fn environment(&mut self, table: &Table<'t>) -> Environment {
         let mut fields = self.fields(&keys::ENVIRONMENT, table);
-        check_company(&mut fields, "write either the one or the other");
+        check_company(&mut fields, &Message::EitherOr);
         let default = Environment::default();
         let mut environment = Environment {
             background: fields.color("background").unwrap_or(default.background),
@@ -116,7 +117,7 @@ impl<'t> Build<'_, 't> {
         let mut fields = self.fields(&keys::MATERIAL, table);
         let default = Material::default();
         let model = fields.choice("model");
-        check_company(&mut fields, "write either the one or the other");
+        check_company(&mut fields, &Message::EitherOr);
         let mut material = Material {
             model: model.ok().flatten().and_then(Model::of_key).unwrap_or_default(),
             color: fields.color("color").unwrap_or(default.color),
@@ -283,14 +284,11 @@ fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
     // A body of an unknown shape with a base is meant to be one of those that take it.
     let takes_axis = matches!(shape, Ok(Shape::Cylinder { .. } | Shape::Cone { .. }) | Err(()));
     if takes_axis && (fields.has("base") || fields.has("top")) {
-        check_company(
-            fields,
-            "`base` and `top` set position, rotation and height; write either them or those",
-        );
+        check_company(fields, &Message::AxisOrFrame);
         let (base, top) = (fields.vector("base"), fields.vector("top"));
         if let (Some(base), Some(top)) = (base, top) {
             match rules::axis(base, top) {
-                Some(broken) => report(fields, &broken, &["top"]),
+                Some(broken) => report(fields, broken, &["top"]),
                 None => return Anchor::Axis { base, top },
             }
         }
@@ -304,19 +302,18 @@ fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
 
 /// Reports keys that lack the key they need, or stand beside one that excludes them.
 /// `help` is what to do about the latter.
-fn check_company(fields: &mut Fields<'_, '_, '_>, help: &str) {
+fn check_company(fields: &mut Fields<'_, '_, '_>, help: &Message) {
     let mut reported: Vec<&str> = Vec::new();
     for key in fields.spec.keys {
         let Some(span) = fields.key_span(key.name).filter(|_| fields.has_meaning(key)) else { continue };
         if let Some(other) = key.requires.filter(|other| !fields.has(other)) {
-            let message = format!("`{}` needs `{other}`", key.name);
-            let help = match fields.spec.find(other) {
-                Some((_, other)) => format!("`{}` is {}", other.name, other.doc),
-                None => String::new(),
-            };
-            fields.found.push(
-                Diagnostic::error(span.clone(), message).label(format!("`{other}` is missing")).help(help),
-            );
+            let finding = Diagnostic::error(span.clone(), Message::Needs { key: key.name, other })
+                .with_label(Message::Missing { key: other });
+            let meaning = fields.spec.key(other).map(|key| Meaning { key, has_range: false });
+            fields.found.push(match meaning {
+                Some(meaning) => finding.with_help(Message::KeyMeans { meaning }),
+                None => finding,
+            });
         }
         for &other in key.excludes {
             let Some(other_span) = fields.key_span(other) else { continue };
@@ -324,22 +321,21 @@ fn check_company(fields: &mut Fields<'_, '_, '_>, help: &str) {
                 continue;
             }
             reported.push(other);
-            let message = format!("`{other}` cannot stand beside `{}`", key.name);
             fields.found.push(
-                Diagnostic::error(other_span, message)
-                    .label(format!("`{}` sets this already", key.name))
-                    .help(help)
-                    .related(span.clone(), format!("`{}` stands here", key.name)),
+                Diagnostic::error(other_span, Message::CannotStandBeside { key: other, other: key.name })
+                    .with_label(Message::SetAlready { key: key.name })
+                    .with_help(help.clone())
+                    .with_related(span.clone(), Message::StandsHere { key: key.name }),
             );
         }
     }
 }
 
 /// Reports a broken rule at its key, or at the first of `others` that is given.
-fn report(fields: &mut Fields<'_, '_, '_>, broken: &Broken, others: &[&str]) {
+fn report(fields: &mut Fields<'_, '_, '_>, broken: Broken, others: &[&str]) {
     let span = fields
         .key_span(broken.key)
         .or_else(|| others.iter().find_map(|key| fields.key_span(key)))
         .unwrap_or_default();
-    fields.found.push(Diagnostic::error(span, broken.message).help(broken.help));
+    fields.found.push(Diagnostic::error(span, broken.message).with_help(broken.help));
 }

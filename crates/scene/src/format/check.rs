@@ -6,11 +6,12 @@ use std::fmt;
 use crate::Scene;
 use crate::body::{Anchor, Body, Shape};
 use crate::camera::Camera;
-use crate::format::number::short_number;
+use crate::format::message::{Collection, Component, FoundValue, Message, Subject};
 use crate::format::quote::quoted;
 use crate::format::record::{self, Datum, Record};
 use crate::format::rules;
 use crate::format::spec::{KeySpec, Kind, Limits};
+use crate::language::Language;
 use crate::light::Light;
 use crate::material::NamedMaterial;
 
@@ -38,13 +39,46 @@ pub struct Problem {
     pub part: Part,
     /// The key of the value that is wrong, as files call it.
     pub key: &'static str,
-    /// What is wrong, with the name of the part: ``body `floor`: …``.
-    pub message: String,
+    /// The name of the part, between backquotes; `None` for what has none.
+    name: Option<String>,
+    /// What is wrong.
+    message: Message,
 }
 
+impl Problem {
+    /// What is wrong, with the name of the part: ``body `floor`: …``.
+    pub fn message(&self, language: Language) -> String {
+        let what = self.message.text(language);
+        if matches!(self.message, Message::NumbersOfName { .. }) {
+            what
+        } else {
+            format!("{}: {what}", self.title(language))
+        }
+    }
+
+    /// What the part is called: ``body `floor` ``, or `body 3` when it has no name.
+    fn title(&self, language: Language) -> String {
+        let (english, russian, index) = match self.part {
+            Part::Camera => ("the camera", "камера", None),
+            Part::Environment => ("the environment", "окружение", None),
+            Part::Tracing => ("the tracing", "трассировка", None),
+            Part::Material(index) => ("material", "материал", Some(index)),
+            Part::Light(index) => ("light", "источник света", Some(index)),
+            Part::Body(index) => ("body", "тело", Some(index)),
+        };
+        let kind = language.pick(english, russian);
+        match (index, &self.name) {
+            (None, _) => kind.to_owned(),
+            (Some(_), Some(name)) => format!("{kind} {name}"),
+            (Some(index), None) => format!("{kind} {}", index + 1),
+        }
+    }
+}
+
+/// In English.
 impl fmt::Display for Problem {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&self.message)
+        out.write_str(&self.message(Language::English))
     }
 }
 
@@ -56,8 +90,8 @@ impl Scene {
     pub fn check(&self) -> Vec<Problem> {
         let mut check = Check { problems: Vec::new() };
         check.camera(&self.camera);
-        check.record(&Part::Environment, "the environment", &record::environment(&self.environment));
-        check.record(&Part::Tracing, "the tracing", &record::tracing(&self.tracing));
+        check.record(&NamedPart::unnamed(Part::Environment), &record::environment(&self.environment));
+        check.record(&NamedPart::unnamed(Part::Tracing), &record::tracing(&self.tracing));
         for (index, named) in self.materials.iter().enumerate() {
             check.material(index, named);
         }
@@ -79,28 +113,30 @@ impl Scene {
         match *part {
             Part::Camera => check.camera(&self.camera),
             Part::Environment => {
-                check.record(part, "the environment", &record::environment(&self.environment));
+                check.record(&NamedPart::unnamed(Part::Environment), &record::environment(&self.environment));
             }
-            Part::Tracing => check.record(part, "the tracing", &record::tracing(&self.tracing)),
+            Part::Tracing => {
+                check.record(&NamedPart::unnamed(Part::Tracing), &record::tracing(&self.tracing));
+            }
             Part::Material(index) => {
                 if let Some(named) = self.materials.get(index) {
                     check.material(index, named);
                     let names = self.materials.iter().map(|other| other.name.as_str());
-                    check.other_uses("materials", names, &named.name, part);
+                    check.other_uses(Collection::Materials, names, &named.name, part);
                 }
             }
             Part::Light(index) => {
                 if let Some(light) = self.lights.get(index) {
                     check.light(index, light);
                     let names = self.lights.iter().map(|other| other.name.as_str());
-                    check.other_uses("lights", names, &light.name, part);
+                    check.other_uses(Collection::Lights, names, &light.name, part);
                 }
             }
             Part::Body(index) => {
                 if let Some(body) = self.bodies.get(index) {
                     check.body(index, body);
                     let names = self.bodies.iter().map(|other| other.name.as_str());
-                    check.other_uses("bodies", names, &body.name, part);
+                    check.other_uses(Collection::Bodies, names, &body.name, part);
                     if self.material(&body.material).is_none() {
                         check.undefined(index, body);
                     }
@@ -121,13 +157,22 @@ impl Camera {
     }
 }
 
-/// ``body `floor` ``, or `body 3` when it has no name.
-fn title(kind: &str, name: &str, index: usize) -> String {
-    if name.is_empty() { format!("{kind} {}", index + 1) } else { format!("{kind} {}", quoted(name)) }
+fn named_alike(things: Collection, name: &str, first: usize, second: usize) -> Message {
+    let (first, second) = (first.to_string(), second.to_string());
+    Message::NumbersOfName { things, name: quoted(name), first, second }
 }
 
-fn named_alike(what: &str, name: &str, first: usize, second: usize) -> String {
-    format!("two {what} have the name {}: numbers {first} and {second}", quoted(name))
+/// The part that is looked at, with its name.
+struct NamedPart<'a> {
+    part: Part,
+    name: &'a str,
+}
+
+impl NamedPart<'static> {
+    /// A part without a name.
+    fn unnamed(part: Part) -> Self {
+        Self { part, name: "" }
+    }
 }
 
 struct Check {
@@ -135,88 +180,87 @@ struct Check {
 }
 
 impl Check {
-    fn add(&mut self, part: Part, key: &'static str, message: String) {
-        self.problems.push(Problem { part, key, message });
+    fn add(&mut self, of: &NamedPart<'_>, key: &'static str, message: Message) {
+        let name = (!of.name.is_empty()).then(|| quoted(of.name));
+        self.problems.push(Problem { part: of.part.clone(), key, name, message });
     }
 
     fn camera(&mut self, camera: &Camera) {
         let before = self.problems.len();
-        self.record(&Part::Camera, "the camera", &record::camera(camera));
+        let of = NamedPart::unnamed(Part::Camera);
+        self.record(&of, &record::camera(camera));
         if self.problems.len() > before {
             return;
         }
         if let Some(broken) = rules::camera(camera.position, camera.target, camera.up) {
-            self.add(Part::Camera, broken.key, format!("the camera: {}", broken.message));
+            self.add(&of, broken.key, broken.message);
         }
     }
 
     fn material(&mut self, index: usize, named: &NamedMaterial) {
-        let title = format!("material {}", quoted(&named.name));
-        self.record(&Part::Material(index), &title, &record::material(&named.material));
+        let of = NamedPart { part: Part::Material(index), name: &named.name };
+        self.record(&of, &record::material(&named.material));
         if named.name.is_empty() {
-            let message = format!("material {}: the name is empty", index + 1);
-            self.add(Part::Material(index), "name", message);
+            self.add(&of, "name", Message::UnnamedMaterial);
         }
     }
 
     fn light(&mut self, index: usize, light: &Light) {
-        self.record(&Part::Light(index), &title("light", &light.name, index), &record::light(light));
+        self.record(&NamedPart { part: Part::Light(index), name: &light.name }, &record::light(light));
     }
 
     fn body(&mut self, index: usize, body: &Body) {
-        let title = title("body", &body.name, index);
+        let of = NamedPart { part: Part::Body(index), name: &body.name };
         let before = self.problems.len();
-        self.record(&Part::Body(index), &title, &record::body(body));
+        self.record(&of, &record::body(body));
         let Anchor::Axis { base, top } = body.placement.anchor else { return };
         if !matches!(body.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
-            let message = format!("{title}: a {} cannot be placed by `base` and `top`", body.shape.key());
-            self.add(Part::Body(index), "base", message);
+            self.add(&of, "base", Message::NoAxis { shape: body.shape.key() });
             return;
         }
         let is_in_range = self.problems.len() == before;
         if let Some(broken) = rules::axis(base, top).filter(|_| is_in_range) {
-            self.add(Part::Body(index), broken.key, format!("{title}: {}", broken.message));
+            self.add(&of, broken.key, broken.message);
         }
     }
 
     /// Holds every value against the limits of its key.
-    fn record(&mut self, part: &Part, title: &str, record: &Record<'_>) {
+    fn record(&mut self, of: &NamedPart<'_>, record: &Record<'_>) {
         for (name, datum) in &record.values {
             let Some((_, key)) = record.table.0.find(name) else { continue };
             match datum {
-                Datum::Table(inner) => self.record(part, title, inner),
+                Datum::Table(inner) => self.record(of, inner),
                 Datum::Text(path) if matches!(key.kind, Kind::File) && path.is_empty() => {
-                    let message =
-                        format!("{title}: `{}` is empty, but must be the path of a picture", key.name);
-                    self.add(part.clone(), key.name, message);
+                    self.add(of, key.name, Message::EmptyPath { key: key.name });
                 }
                 Datum::Text(_) | Datum::Flag(_) => {}
-                Datum::Number(value) => self.number(part, title, key, *value, ""),
-                Datum::Integer(value) => self.number(part, title, key, f64::from(*value), ""),
+                Datum::Number(value) => self.number(of, key, *value, Component::Whole),
+                Datum::Integer(value) => self.number(of, key, f64::from(*value), Component::Whole),
                 Datum::Vector(values) => {
-                    for (value, which) in values.iter().zip(["first ", "second ", "third "]) {
-                        self.number(part, title, key, *value, which);
+                    for (value, which) in values.iter().zip(Component::IN_ORDER) {
+                        self.number(of, key, *value, which);
                     }
                 }
             }
         }
     }
 
-    fn number(&mut self, part: &Part, title: &str, key: &'static KeySpec, value: f64, which: &str) {
+    fn number(&mut self, of: &NamedPart<'_>, key: &'static KeySpec, value: f64, which: Component) {
         let limits: Option<Limits> = key.kind.limits();
         let Some(limits) = limits.filter(|limits| !limits.contains(value)) else { return };
-        let of = if which.is_empty() { String::new() } else { format!("the {which}number of ") };
-        let requirement = limits.requirement(value);
-        let message =
-            format!("{title}: {of}`{}` is {}, but must be {requirement}", key.name, short_number(value));
-        self.add(part.clone(), key.name, message);
+        let message = Message::OutOfRange {
+            subject: Subject::component(which, key.name),
+            value: FoundValue::Value(value.into()),
+            requirement: limits.requirement(value),
+        };
+        self.add(of, key.name, message);
     }
 
     fn names(&mut self, scene: &Scene) {
         let materials = scene.materials.iter().map(|named| named.name.as_str());
-        self.unique("materials", materials, Part::Material);
-        self.unique("lights", scene.lights.iter().map(|light| light.name.as_str()), Part::Light);
-        self.unique("bodies", scene.bodies.iter().map(|body| body.name.as_str()), Part::Body);
+        self.unique(Collection::Materials, materials, Part::Material);
+        self.unique(Collection::Lights, scene.lights.iter().map(|light| light.name.as_str()), Part::Light);
+        self.unique(Collection::Bodies, scene.bodies.iter().map(|body| body.name.as_str()), Part::Body);
         let defined: HashSet<&str> = scene.materials.iter().map(|named| named.name.as_str()).collect();
         for (index, body) in scene.bodies.iter().enumerate() {
             if body.material.name().is_some_and(|name| !defined.contains(name)) {
@@ -227,28 +271,39 @@ impl Check {
 
     fn undefined(&mut self, index: usize, body: &Body) {
         let Some(name) = body.material.name() else { return };
-        let title = title("body", &body.name, index);
-        let message = format!("{title}: the material {} is not defined", quoted(name));
-        self.add(Part::Body(index), "material", message);
+        let of = NamedPart { part: Part::Body(index), name: &body.name };
+        self.add(&of, "material", Message::Undefined { name: quoted(name) });
     }
 
     /// Reports a name that several have, of which `part` is one.
-    fn other_uses<'a>(&mut self, what: &str, names: impl Iterator<Item = &'a str>, name: &str, part: &Part) {
+    fn other_uses<'a>(
+        &mut self,
+        things: Collection,
+        names: impl Iterator<Item = &'a str>,
+        name: &str,
+        part: &Part,
+    ) {
         if name.is_empty() {
             return;
         }
         let mut users = names.enumerate().filter(|(_, other)| *other == name).map(|(index, _)| index + 1);
         if let (Some(first), Some(second)) = (users.next(), users.next()) {
-            self.add(part.clone(), "name", named_alike(what, name, first, second));
+            self.add(&NamedPart::unnamed(part.clone()), "name", named_alike(things, name, first, second));
         }
     }
 
-    fn unique<'a>(&mut self, what: &str, names: impl Iterator<Item = &'a str>, part: impl Fn(usize) -> Part) {
+    fn unique<'a>(
+        &mut self,
+        things: Collection,
+        names: impl Iterator<Item = &'a str>,
+        part: impl Fn(usize) -> Part,
+    ) {
         let mut first_at: HashMap<&str, usize> = HashMap::new();
         for (index, name) in names.enumerate().filter(|(_, name)| !name.is_empty()) {
             let first = *first_at.entry(name).or_insert(index);
             if first != index {
-                self.add(part(index), "name", named_alike(what, name, first + 1, index + 1));
+                let message = named_alike(things, name, first + 1, index + 1);
+                self.add(&NamedPart::unnamed(part(index)), "name", message);
             }
         }
     }

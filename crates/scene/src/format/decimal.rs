@@ -1,10 +1,5 @@
 //! Decimal commas, which half the world writes and TOML reads as the end of a number.
 
-/// What to do about a decimal comma; `example` is the number, or the list, as it should be.
-pub(crate) fn help(example: &str) -> String {
-    format!("a decimal number is written with a point: {example}")
-}
-
 /// A list such as `[0,5, 1, 2,25]` with points in the place of its decimal commas, if that makes it a list of `count`
 /// numbers in one way only.
 pub(crate) fn list_with_points(list: &str, count: usize) -> Option<String> {

@@ -1,11 +1,11 @@
 //! Findings about a scene file: where, what, and what is allowed.
 
-use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
+use crate::format::message::Message;
 use crate::image::{ImageError, ImageSource};
-use crate::text::visible;
+use crate::language::Language;
 
 /// How much a finding matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,14 +19,19 @@ pub enum Severity {
 impl Severity {
     /// `error` or `warning`.
     pub const fn word(self) -> &'static str {
+        self.word_in(Language::English)
+    }
+
+    /// The word for it in a language.
+    pub const fn word_in(self, language: Language) -> &'static str {
         match self {
-            Self::Error => "error",
-            Self::Warning => "warning",
+            Self::Error => language.pick("error", "ошибка"),
+            Self::Warning => language.pick("warning", "предупреждение"),
         }
     }
 }
 
-/// One finding.
+/// One finding. Its texts are put into words in the language that they are asked for in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Error or warning.
@@ -37,12 +42,9 @@ pub struct Diagnostic {
     pub line: usize,
     /// Column of the mark in characters, from 1.
     pub column: usize,
-    /// What was found and what is wrong with it.
-    pub message: String,
-    /// What stands beside the mark; may be empty.
-    pub label: String,
-    /// What is allowed, or what to do.
-    pub help: Option<String>,
+    pub(crate) message: Message,
+    pub(crate) label: Option<Message>,
+    pub(crate) help: Option<Message>,
     /// Another place that explains this one.
     pub related: Option<Related>,
 }
@@ -56,62 +58,76 @@ pub struct Related {
     pub line: usize,
     /// Column of the mark in characters, from 1.
     pub column: usize,
+    message: Message,
+}
+
+impl Related {
     /// What stands there.
-    pub message: String,
+    pub fn message(&self, language: Language) -> String {
+        self.message.text(language)
+    }
 }
 
 impl Diagnostic {
+    /// What was found and what is wrong with it.
+    pub fn message(&self, language: Language) -> String {
+        self.message.text(language)
+    }
+
+    /// What stands beside the mark, if anything does.
+    pub fn label(&self, language: Language) -> Option<String> {
+        self.label.as_ref().map(|label| label.text(language))
+    }
+
+    /// Whether it says what is allowed, or what to do.
+    pub fn has_help(&self) -> bool {
+        self.help.is_some()
+    }
+
+    /// What is allowed, or what to do.
+    pub fn help(&self, language: Language) -> Option<String> {
+        self.help.as_ref().map(|help| help.text(language))
+    }
+
+    /// `LINE:COLUMN: error: message`, as `Display` writes it in English.
+    pub fn line_of_text(&self, language: Language) -> String {
+        let severity = self.severity.word_in(language);
+        format!("{}:{}: {severity}: {}", self.line, self.column, self.message(language))
+    }
+
     /// A finding whose line and column are still to be found.
-    pub(crate) fn new(severity: Severity, span: Range<usize>, message: impl Into<String>) -> Self {
-        Self {
-            severity,
-            span,
-            line: 0,
-            column: 0,
-            message: shown(message),
-            label: String::new(),
-            help: None,
-            related: None,
-        }
+    pub(crate) fn new(severity: Severity, span: Range<usize>, message: Message) -> Self {
+        Self { severity, span, line: 0, column: 0, message, label: None, help: None, related: None }
     }
 
     /// An error whose line and column are still to be found.
-    pub(crate) fn error(span: Range<usize>, message: impl Into<String>) -> Self {
+    pub(crate) fn error(span: Range<usize>, message: Message) -> Self {
         Self::new(Severity::Error, span, message)
     }
 
     /// The same with words beside the mark.
-    pub(crate) fn label(mut self, label: impl Into<String>) -> Self {
-        self.label = shown(label);
+    pub(crate) fn with_label(mut self, label: Message) -> Self {
+        self.label = Some(label);
         self
     }
 
     /// The same with help.
-    pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(shown(help));
+    pub(crate) fn with_help(mut self, help: Message) -> Self {
+        self.help = Some(help);
         self
     }
 
     /// The same with another place that explains it.
-    pub(crate) fn related(mut self, span: Range<usize>, message: impl Into<String>) -> Self {
-        self.related = Some(Related { span, line: 0, column: 0, message: shown(message) });
+    pub(crate) fn with_related(mut self, span: Range<usize>, message: Message) -> Self {
+        self.related = Some(Related { span, line: 0, column: 0, message });
         self
     }
 }
 
-/// Words of a finding: whatever of the file they repeat, they are one line that does nothing but be seen.
-fn shown(words: impl Into<String>) -> String {
-    let words = words.into();
-    match visible(&words) {
-        Cow::Borrowed(_) => words,
-        Cow::Owned(words) => words,
-    }
-}
-
-/// `LINE:COLUMN: error: message`.
+/// `LINE:COLUMN: error: message`, in English.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{}:{}: {}: {}", self.line, self.column, self.severity.word(), self.message)
+        out.write_str(&self.line_of_text(Language::English))
     }
 }
 
@@ -155,7 +171,7 @@ impl Diagnostics {
     pub(crate) fn report_images(&mut self, errors: &[ImageError], text: &str) {
         for (image, span) in std::mem::take(&mut self.images) {
             if let Some(error) = errors.iter().find(|error| error.image == image) {
-                self.push(Diagnostic::error(span, error.to_string()));
+                self.push(Diagnostic::error(span, Message::NoImage { error: error.clone() }));
             }
         }
         self.locate(text);
@@ -230,7 +246,7 @@ impl<'a> IntoIterator for &'a Diagnostics {
     }
 }
 
-/// One finding per line, without the lines of the file.
+/// One finding per line in English, without the lines of the file.
 impl fmt::Display for Diagnostics {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, diagnostic) in self.list.iter().enumerate() {
@@ -294,7 +310,7 @@ mod tests {
     fn findings_are_counted_beyond_the_most() {
         let mut diagnostics = Diagnostics::default();
         for index in 0..Diagnostics::MOST + 5 {
-            diagnostics.push(Diagnostic::error(index..index, "wrong"));
+            diagnostics.push(Diagnostic::error(index..index, Message::NotAColor));
         }
         assert_eq!((diagnostics.len(), diagnostics.omitted()), (Diagnostics::MOST, 5));
         assert!(diagnostics.to_string().ends_with("\n… and 5 more"));

@@ -3,6 +3,8 @@
 //! The reader's checks and hints, the writer's order of keys, the validation of scenes in memory and the JSON schema
 //! all come from here; a test holds the defaults against those of the document's types.
 
+pub(crate) mod russian;
+
 use crate::Tracing;
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
 use crate::material::{METAL_NAMES, SUBSTANCE_NAMES};

@@ -9,9 +9,12 @@ use crate::Scene;
 use crate::format::build::Build;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
+use crate::format::message::{Message, Subject};
 use crate::format::quote::{path_to_copy, quoted};
+use crate::format::spec::Kind;
 use crate::format::toml::{Assignment, Header, Key, Line, Lines, Span, Statement, Value, ValueKind, parse};
 use crate::format::tree::{Defined, Schema, Table};
+use crate::language::Language;
 use crate::material::NamedMaterial;
 use toml_parser::lexer::TokenKind;
 
@@ -68,8 +71,8 @@ pub struct Warned<T> {
 pub fn read(text: &str) -> Reading {
     if text.len() > LONGEST_TEXT {
         let mut diagnostics = Diagnostics::default();
-        let help = format!("the longest text that can be read has {LONGEST_TEXT} bytes");
-        diagnostics.push(Diagnostic::error(0..0, "the text is too long").help(help));
+        let help = Message::LongestText { bytes: LONGEST_TEXT.to_string() };
+        diagnostics.push(Diagnostic::error(0..0, Message::TextTooLong).with_help(help));
         diagnostics.locate("");
         return Reading { scene: Scene::default(), diagnostics };
     }
@@ -86,13 +89,11 @@ pub fn read_bytes(bytes: Vec<u8>) -> (Reading, String) {
             let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
             let byte = error.as_bytes().get(at).copied().unwrap_or_default();
             let mut diagnostics = Diagnostics::default();
+            let place = at..at + char::REPLACEMENT_CHARACTER.len_utf8();
             diagnostics.push(
-                Diagnostic::error(
-                    at..at + char::REPLACEMENT_CHARACTER.len_utf8(),
-                    "the file is not UTF-8 text",
-                )
-                .label(format!("the byte 0x{byte:02x} does not belong here"))
-                .help("save the file as UTF-8"),
+                Diagnostic::error(place, Message::NotUtf8)
+                    .with_label(Message::ByteOutOfPlace { byte: format!("0x{byte:02x}") })
+                    .with_help(Message::SaveAsUtf8),
             );
             diagnostics.locate(&text);
             (Reading { scene: Scene::default(), diagnostics }, text)
@@ -104,11 +105,11 @@ pub fn read_bytes(bytes: Vec<u8>) -> (Reading, String) {
 fn not_a_list(path: &[Key<'_>], span: Span) -> Diagnostic {
     let keys = || path.iter().map(|key| key.text.as_ref());
     let name: Vec<&str> = keys().collect();
-    let found = Diagnostic::error(span.range(), format!("{} is not a list", quoted(&name.join("."))));
-    match path_to_copy(keys()) {
-        Some(path) => found.help(format!("write `[{path}]`")),
-        None => found.help("write its name in single brackets"),
-    }
+    let message = Message::NotAList { name: quoted(&name.join(".")) };
+    Diagnostic::error(span.range(), message).with_help(match path_to_copy(keys()) {
+        Some(path) => Message::Write { text: format!("[{path}]") },
+        None => Message::WriteInSingleBrackets,
+    })
 }
 
 /// Which table assignments go to.
@@ -172,8 +173,8 @@ impl<'t> Reader<'t> {
             Line::Tokens(tokens) => tokens,
             Line::TooLong(span) => {
                 self.syntax.push(
-                    Diagnostic::error(span.range(), "this value is too long")
-                        .help("write bodies and lights as `[[bodies]]` and `[[lights]]`"),
+                    Diagnostic::error(span.range(), Message::ValueTooLong)
+                        .with_help(Message::WriteWithHeaders),
                 );
                 return;
             }
@@ -252,7 +253,7 @@ impl<'t> Reader<'t> {
         let is_known = self.version();
         if !is_known {
             // A file of another version has other keys; only its syntax can be judged.
-            self.found.retain(|diagnostic| diagnostic.message.contains("`format`"));
+            self.found.retain(|diagnostic| diagnostic.message(Language::English).contains("`format`"));
         }
         self.found.append(&mut self.syntax);
         if !self.found.has_errors() {
@@ -283,10 +284,13 @@ impl<'t> Reader<'t> {
                 ValueKind::Table(table) => build.material(table),
                 ValueKind::Invalid => Default::default(),
                 other => {
-                    let message =
-                        format!("{} is {}, but must be a table", quoted(&entry.key.text), other.described());
-                    let help = "a material is a table: `[materials.NAME]`";
-                    build.found.push(Diagnostic::error(entry.value.span.range(), message).help(help));
+                    let message = Message::WrongValue {
+                        subject: Subject::quoted(quoted(&entry.key.text)),
+                        found: other.found(),
+                        expected: Kind::Table(&keys::MATERIAL),
+                    };
+                    let finding = Diagnostic::error(entry.value.span.range(), message);
+                    build.found.push(finding.with_help(Message::MaterialIsTable));
                     Default::default()
                 }
             };
@@ -298,7 +302,8 @@ impl<'t> Reader<'t> {
 
     /// Whether a key was reported that was probably meant to be `format`.
     fn misspells_format(&self) -> bool {
-        self.found.iter().any(|diagnostic| diagnostic.label == "did you mean `format`?")
+        let hint = Some(Message::DidYouMean { word: "`format`".to_owned() });
+        self.found.iter().any(|diagnostic| diagnostic.label == hint)
     }
 
     /// Checks the version; false when the file is of another one.
@@ -313,12 +318,17 @@ impl<'t> Reader<'t> {
                 true
             }
             Some(Value { kind: ValueKind::Text(version), span }) => {
-                let message = format!("`format` is {}, which this program does not know", quoted(version));
-                self.found.push(Diagnostic::error(span.range(), message).help(format!("known is {known}")));
+                let message = Message::UnknownVersion { version: quoted(version) };
+                let finding = Diagnostic::error(span.range(), message);
+                self.found.push(finding.with_help(Message::KnownVersions { known }));
                 false
             }
             Some(Value { kind, span }) => {
-                let message = format!("`format` is {}, but must be {known}", kind.described());
+                let message = Message::WrongValue {
+                    subject: Subject::key("format"),
+                    found: kind.found(),
+                    expected: Kind::Version(keys::VERSIONS),
+                };
                 self.found.push(Diagnostic::error(span.range(), message));
                 true
             }
@@ -326,8 +336,8 @@ impl<'t> Reader<'t> {
             None => {
                 let start = if self.text.starts_with('\u{feff}') { 3 } else { 0 };
                 self.found.push(
-                    Diagnostic::error(start..start, "the key `format` is missing")
-                        .help(format!("begin the file with the line `format = {known}`")),
+                    Diagnostic::error(start..start, Message::FormatMissing)
+                        .with_help(Message::BeginWithFormat { known }),
                 );
                 true
             }

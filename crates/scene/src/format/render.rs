@@ -5,16 +5,19 @@ use std::ops::Range;
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::language::Language;
 use crate::text::{is_active, visible};
 
 /// At most so many bytes of a line are shown on either side of the mark's beginning.
 const MOST_SHOWN: usize = 160;
+/// The command line speaks English.
+const LANGUAGE: Language = Language::English;
 /// Width of a rendered line in columns.
 const WIDTH: usize = 140;
 
 impl Diagnostics {
     /// The findings with the marked lines of `text`, which must be the text that was read. `file_name` is only shown.
-    /// With `color`, terminal colors are used.
+    /// With `color`, terminal colors are used. In English.
     pub fn render(&self, file_name: &str, text: &str, color: bool) -> String {
         let renderer = if color { Renderer::styled().hyperlink(false) } else { Renderer::plain() };
         let renderer = renderer.term_width(WIDTH);
@@ -40,15 +43,16 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
         Severity::Warning => Level::WARNING,
     };
     let marked = Marked::new(text, &diagnostic.span);
-    let snippet = marked.snippet(file_name, diagnostic.line, &diagnostic.label);
-    let mut main = level.primary_title(diagnostic.message.as_str()).element(snippet);
-    if let Some(help) = &diagnostic.help {
-        main = main.element(Level::HELP.message(help.as_str()));
+    let label = diagnostic.label(LANGUAGE).unwrap_or_default();
+    let snippet = marked.snippet(file_name, diagnostic.line, &label);
+    let mut main = level.primary_title(diagnostic.message(LANGUAGE)).element(snippet);
+    if let Some(help) = diagnostic.help(LANGUAGE) {
+        main = main.element(Level::HELP.message(help));
     }
     let mut out = marked.with_true_column(renderer.render(&[main]), diagnostic.line, diagnostic.column);
     if let Some(related) = &diagnostic.related {
         let marked = Marked::new(text, &related.span);
-        let title = Level::NOTE.secondary_title(related.message.as_str());
+        let title = Level::NOTE.secondary_title(related.message(LANGUAGE));
         let group: Group<'_> = title.element(marked.snippet(file_name, related.line, ""));
         out.push('\n');
         out.push_str(&marked.with_true_column(renderer.render(&[group]), related.line, related.column));
@@ -127,10 +131,15 @@ fn floor_boundary(text: &str, at: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::format::message::Message;
 
     fn rendered(text: &str, span: Range<usize>) -> String {
         let mut diagnostics = Diagnostics::default();
-        diagnostics.push(Diagnostic::error(span, "it is wrong").label("this").help("make it right"));
+        diagnostics.push(
+            Diagnostic::error(span, Message::NotAColor)
+                .with_label(Message::Here)
+                .with_help(Message::SaveAsUtf8),
+        );
         diagnostics.locate(text);
         diagnostics.render("a.toml", text, false)
     }
@@ -138,13 +147,13 @@ mod tests {
     #[test]
     fn a_finding_shows_its_line() {
         let expected = "\
-error: it is wrong
+error: not a color
  --> a.toml:2:5
   |
 2 | b = 2
-  |     ^ this
+  |     ^ here
   |
-  = help: make it right
+  = help: save the file as UTF-8
 ";
         assert_eq!(rendered("a = 1\nb = 2\nc = 3\n", 10..11), expected);
     }
@@ -156,14 +165,14 @@ error: it is wrong
         let out = rendered(&text, place..place + 1);
         assert!(out.len() < 2000, "{out}");
         assert!(out.contains(&format!("--> a.toml:1:{}\n", place + 1)), "{out}");
-        assert!(out.contains("^ this"), "{out}");
+        assert!(out.contains("^ here"), "{out}");
     }
 
     #[test]
     fn places_beyond_the_text_are_clamped() {
         for span in [0..0, 5..9, 90..99, 2..3] {
-            assert!(rendered("жжж", span).contains("it is wrong"));
+            assert!(rendered("жжж", span).contains("not a color"));
         }
-        assert!(rendered("", 0..0).contains("it is wrong"));
+        assert!(rendered("", 0..0).contains("not a color"));
     }
 }

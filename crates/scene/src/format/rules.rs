@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::format::message::Message;
 use crate::format::spec::Limits;
 
 /// Directions are parallel if the sine of the angle between them is less than this: some thousand times the error of
@@ -9,14 +10,14 @@ use crate::format::spec::Limits;
 const PARALLEL: f64 = 1e-12;
 
 /// A broken rule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Broken {
     /// The key that is marked.
     pub(crate) key: &'static str,
     /// What is wrong.
-    pub(crate) message: &'static str,
+    pub(crate) message: Message,
     /// What to do.
-    pub(crate) help: &'static str,
+    pub(crate) help: Message,
 }
 
 /// A camera needs a direction of view, and an upward direction across it.
@@ -26,45 +27,37 @@ pub(crate) fn camera(position: DVec3, target: DVec3, up: DVec3) -> Option<Broken
         return Some(Broken {
             key: "target",
             message: match how {
-                Nearness::Same => "`target` and `position` of the camera are the same point",
-                Nearness::Near => "`target` and `position` of the camera are less than 1e-9 meters apart",
+                Nearness::Same => Message::TargetIsPosition,
+                Nearness::Near => Message::TargetIsNear,
             },
-            help: "the camera looks from `position` towards `target`; move one of them",
+            help: Message::CameraLooks,
         });
     }
     if up.abs().max_element() < Limits::LENGTH.min {
-        return Some(Broken {
-            key: "up",
-            message: "`up` is zero, but must be a direction",
-            help: "`up` is the direction that points up in the picture, mostly `[0.0, 1.0, 0.0]`",
-        });
+        return Some(Broken { key: "up", message: Message::UpIsZero, help: Message::UpPoints });
     }
     // Scaled first, so that no square overflows or vanishes.
     let view = target - position;
     let view = (view / view.abs().max_element()).normalize();
     let up = (up / up.abs().max_element()).normalize();
     if view.cross(up).length() < PARALLEL {
-        return Some(Broken {
-            key: "up",
-            message: "`up` is parallel to the direction of view",
-            help: "choose another `up`, for example `[0.0, 0.0, -1.0]` for a camera that looks straight down",
-        });
+        return Some(Broken { key: "up", message: Message::UpIsParallel, help: Message::ChooseUp });
     }
     None
 }
 
 /// An axis needs two different points at a distance that can be a height.
 pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<Broken> {
-    let help = "`base` and `top` are the ends of the axis; move one of them";
+    let help = Message::AxisEnds;
     if let Some(how) = are_too_near(base, top) {
         let message = match how {
-            Nearness::Same => "`base` and `top` are the same point",
-            Nearness::Near => "`base` and `top` are less than 1e-9 meters apart",
+            Nearness::Same => Message::BaseIsTop,
+            Nearness::Near => Message::BaseIsNearTop,
         };
         return Some(Broken { key: "top", message, help });
     }
     if !Limits::LENGTH.contains(base.distance(top)) {
-        return Some(Broken { key: "top", message: "`base` and `top` are more than 1e9 meters apart", help });
+        return Some(Broken { key: "top", message: Message::BaseIsFarFromTop, help });
     }
     None
 }
@@ -96,7 +89,7 @@ mod tests {
         assert_eq!(camera(DVec3::Z * 1e-6, DVec3::ZERO, up * 1e-6), None);
         let key = |broken: Option<Broken>| broken.map(|broken| broken.key);
         assert_eq!(key(camera(DVec3::Z, DVec3::Z, up)), Some("target"));
-        let message = |broken: Option<Broken>| broken.map(|broken| broken.message).unwrap_or_default();
+        let message = |broken: Option<Broken>| broken.map(|broken| broken.message);
         for far in [1e5, 1e8, 1e9] {
             let at = DVec3::new(far, -far, far);
             for step in [DVec3::X, DVec3::Z * 1e-3, DVec3::NEG_ONE] {
@@ -105,11 +98,11 @@ mod tests {
                     (None, None)
                 );
             }
-            assert!(message(camera(at, at, up)).ends_with("the same point"));
-            assert!(message(axis(at, at)).ends_with("the same point"));
+            assert_eq!(message(camera(at, at, up)), Some(Message::TargetIsPosition));
+            assert_eq!(message(axis(at, at)), Some(Message::BaseIsTop));
         }
-        assert!(message(camera(DVec3::ZERO, DVec3::Z * 1e-10, up)).ends_with("less than 1e-9 meters apart"));
-        assert!(message(axis(DVec3::ZERO, DVec3::Z * 1e-10)).ends_with("less than 1e-9 meters apart"));
+        assert_eq!(message(camera(DVec3::ZERO, DVec3::Z * 1e-10, up)), Some(Message::TargetIsNear));
+        assert_eq!(message(axis(DVec3::ZERO, DVec3::Z * 1e-10)), Some(Message::BaseIsNearTop));
         assert_eq!(camera(DVec3::Y * 3.0, DVec3::ZERO, DVec3::new(1e-9, 1.0, 0.0)), None);
         assert_eq!(key(camera(DVec3::Z, DVec3::ZERO, DVec3::ZERO)), Some("up"));
         assert_eq!(key(camera(DVec3::Y * 3.0, DVec3::ZERO, up * 1e9)), Some("up"));

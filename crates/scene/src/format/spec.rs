@@ -1,5 +1,7 @@
 //! The shape of the table of the format: what can be said about a key.
 
+use crate::format::message::Requirement;
+
 /// One table of the format: the root, the camera, a material, a body …
 #[derive(Debug)]
 pub struct TableSpec {
@@ -10,6 +12,15 @@ pub struct TableSpec {
     /// Its keys in the order of writing.
     pub keys: &'static [KeySpec],
 }
+
+/// A table of the format is equal only to itself.
+impl PartialEq for TableSpec {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Eq for TableSpec {}
 
 impl TableSpec {
     /// The key called `name`.
@@ -50,6 +61,15 @@ pub struct KeySpec {
     /// Whether the key is written even at its default.
     pub always_written: bool,
 }
+
+/// A key of the format is equal only to itself.
+impl PartialEq for KeySpec {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Eq for KeySpec {}
 
 impl KeySpec {
     /// A key that always applies, excludes nothing, has no default and is written when it is not at its default.
@@ -133,7 +153,7 @@ impl KeySpec {
 }
 
 /// What a value can be.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// One of the versions of the format.
     Version(&'static [&'static str]),
@@ -174,6 +194,9 @@ pub struct Limits {
     pub max: f64,
 }
 
+/// No limit is NaN.
+impl Eq for Limits {}
+
 impl Limits {
     /// Sizes, scales and other lengths that cannot vanish.
     pub const LENGTH: Self = Self::new(1e-9, 1e9);
@@ -192,19 +215,18 @@ impl Limits {
         value >= self.min && value <= self.max
     }
 
-    /// What a value outside of the range should have been: `greater than 0`, `at least 0.01`, `a finite number` …
-    pub fn requirement(&self, value: f64) -> String {
-        use crate::format::number::short_number;
+    /// What a value outside of the range should have been: greater than 0, at least 0.01, a finite number …
+    pub(crate) fn requirement(&self, value: f64) -> Requirement {
         if !value.is_finite() {
-            "a finite number".to_owned()
+            Requirement::Finite
         } else if value <= 0.0 && self.min > 0.0 && self.min < 1e-6 {
-            "greater than 0".to_owned()
+            Requirement::Positive
         } else if value < 0.0 && self.min == 0.0 {
-            "0 or more".to_owned()
+            Requirement::NotNegative
         } else if value < self.min {
-            format!("at least {}", short_number(self.min))
+            Requirement::AtLeast(self.min.into())
         } else {
-            format!("at most {}", short_number(self.max))
+            Requirement::AtMost(self.max.into())
         }
     }
 }

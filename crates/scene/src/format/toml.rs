@@ -13,6 +13,7 @@ pub(crate) use lines::{Line, Lines};
 use std::borrow::Cow;
 use std::ops::Range;
 
+use crate::format::message::FoundValue;
 use crate::format::tree::Table;
 
 /// Bytes of the text. Texts are shorter than 4 GiB.
@@ -77,16 +78,16 @@ pub(crate) enum ValueKind<'t> {
 }
 
 impl ValueKind<'_> {
-    /// With its article: `a number`, `a text` …
-    pub(crate) fn described(&self) -> &'static str {
+    /// What it is, for a message.
+    pub(crate) fn found(&self) -> FoundValue {
         match self {
-            Self::Invalid => "something else",
-            Self::Text(_) => "a text",
-            Self::Number { .. } => "a number",
-            Self::Boolean(_) => "a truth value",
-            Self::DateTime => "a date",
-            Self::Array(_) => "a list",
-            Self::Inline(_) | Self::Table(_) => "a table",
+            Self::Invalid => FoundValue::Invalid,
+            Self::Text(_) => FoundValue::Text,
+            Self::Number { .. } => FoundValue::Number,
+            Self::Boolean(_) => FoundValue::Boolean,
+            Self::DateTime => FoundValue::Date,
+            Self::Array(_) => FoundValue::List,
+            Self::Inline(_) | Self::Table(_) => FoundValue::Table,
         }
     }
 }

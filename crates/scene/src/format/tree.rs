@@ -6,10 +6,12 @@ use std::collections::HashMap;
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys::{ROOT, TABLES};
+use crate::format::message::{Enumeration, Message};
 use crate::format::nearest::nearest;
-use crate::format::quote::{listed, quoted};
+use crate::format::quote::quoted;
 use crate::format::spec::{KeySpec, Kind, TableSpec};
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
+use crate::format::typed::key_help;
 
 /// Which keys a table can have.
 #[derive(Clone, Copy, Debug)]
@@ -114,11 +116,10 @@ impl<'t> Table<'t> {
     /// The table `key` of this one, made if need be; `by` is how it is reached.
     fn step(&mut self, key: &Key<'t>, by: Defined) -> Result<&mut Self, Box<Diagnostic>> {
         let Some(schema) = self.child_schema(key)? else {
-            let message = format!("{} is not a table", quoted(&key.text));
-            let help = self.spec_of(&key.text).map(crate::format::typed::key_help);
+            let message = Message::NotATable { name: quoted(&key.text) };
             let diagnostic = Diagnostic::error(key.span.range(), message);
-            return Err(match help {
-                Some(help) => diagnostic.help(help).into(),
+            return Err(match self.spec_of(&key.text).map(key_help) {
+                Some(help) => diagnostic.with_help(help).into(),
                 None => diagnostic.into(),
             });
         };
@@ -211,7 +212,7 @@ impl<'t> Table<'t> {
     fn child_schema(&self, key: &Key<'t>) -> Result<Option<Schema>, Box<Diagnostic>> {
         match self.schema {
             Schema::Names(_) if key.text.is_empty() => {
-                Err(Diagnostic::error(key.span.range(), "a name must not be empty").into())
+                Err(Diagnostic::error(key.span.range(), Message::EmptyName).into())
             }
             Schema::Names(spec) => Ok(Some(Schema::Keys(spec))),
             Schema::Keys(spec) => match spec.find(&key.text) {
@@ -228,31 +229,26 @@ impl<'t> Table<'t> {
 
 /// A key or table that stood already at `first`.
 fn twice(key: &Key<'_>, first: Span) -> Diagnostic {
-    Diagnostic::error(key.span.range(), format!("{} is given twice", quoted(&key.text)))
-        .label("the second time")
-        .help("leave one of them")
-        .related(first.range(), "the first time")
+    Diagnostic::error(key.span.range(), Message::GivenTwice { key: quoted(&key.text) })
+        .with_label(Message::SecondTime)
+        .with_help(Message::LeaveOne)
+        .with_related(first.range(), Message::FirstTime)
 }
 
 /// A key that the format does not know.
-pub(crate) fn unknown_key(key: &Key<'_>, spec: &TableSpec) -> Diagnostic {
-    let names: Vec<String> = spec.keys.iter().map(|key| format!("`{}`", key.name)).collect();
-    let message = format!("{} has no key {}", spec.name, quoted(&key.text));
-    let diagnostic = Diagnostic::error(key.span.range(), message).help(format!(
-        "the keys of {} are {}",
-        spec.name,
-        listed(&names, " and ")
-    ));
+pub(crate) fn unknown_key(key: &Key<'_>, spec: &'static TableSpec) -> Diagnostic {
+    let message = Message::NoSuchKey { table: spec, key: quoted(&key.text) };
+    let help = Message::KeysAre { table: spec, keys: Enumeration::of_keys(spec.keys.iter()) };
+    let diagnostic = Diagnostic::error(key.span.range(), message).with_help(help);
     if let Some(name) = nearest(&key.text, spec.keys.iter().map(|key| key.name)) {
-        return diagnostic.label(format!("did you mean `{name}`?"));
+        return diagnostic.with_label(Message::DidYouMean { word: format!("`{name}`") });
     }
     let elsewhere = |other: &&&TableSpec| other.name != spec.name && other.find(&key.text).is_some();
     match TABLES.iter().find(elsewhere) {
-        Some(other) if other.name == ROOT.name => diagnostic.label("unknown key").help(format!(
-            "{} belongs to the whole file: write it before the first header",
-            quoted(&key.text)
-        )),
-        Some(other) => diagnostic.label(format!("a key of {}", other.name)),
-        None => diagnostic.label("unknown key"),
+        Some(other) if other.name == ROOT.name => diagnostic
+            .with_label(Message::UnknownKey)
+            .with_help(Message::BelongsToFile { key: quoted(&key.text) }),
+        Some(other) => diagnostic.with_label(Message::KeyOf { table: other }),
+        None => diagnostic.with_label(Message::UnknownKey),
     }
 }

@@ -7,9 +7,9 @@ use glam::DVec3;
 use crate::color::Color;
 use crate::format::decimal;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
+use crate::format::message::{Component, Enumeration, FoundValue, Meaning, Message, Subject};
 use crate::format::nearest::nearest;
-use crate::format::number::short_number;
-use crate::format::quote::{listed, quoted, quoted_value};
+use crate::format::quote::{quoted, quoted_value};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec, When};
 use crate::format::toml::{Value, ValueKind};
 use crate::format::tree::Table;
@@ -47,9 +47,11 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         let limits = key.kind.limits()?;
         match value.kind {
             ValueKind::Number { is_integer: false, .. } if matches!(key.kind, Kind::Integer(_)) => {
-                self.wrong(key, value, &format!("`{name}` is {}", self.source(value)))
+                self.wrong(key, value, FoundValue::Written(self.source(value)))
             }
-            ValueKind::Number { value: number, .. } => self.within(key, value, number, limits, ""),
+            ValueKind::Number { value: number, .. } => {
+                self.within(key, value, number, limits, Component::Whole)
+            }
             _ => self.wrong_type(key, value),
         }
     }
@@ -57,14 +59,14 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     /// Three numbers.
     pub(crate) fn vector(&mut self, name: &str) -> Option<DVec3> {
         let (key, value) = self.given(name)?;
-        self.three(key, value, ["the x of ", "the y of ", "the z of "]).map(DVec3::from_array)
+        self.three(key, value, Component::OF_VECTOR).map(DVec3::from_array)
     }
 
     /// One number, which stands for three equal ones, or three.
     pub(crate) fn number_or_vector(&mut self, name: &str) -> Option<DVec3> {
         let (key, value) = self.given(name)?;
         if let ValueKind::Number { value: number, .. } = value.kind {
-            return self.within(key, value, number, key.kind.limits()?, "").map(DVec3::splat);
+            return self.within(key, value, number, key.kind.limits()?, Component::Whole).map(DVec3::splat);
         }
         self.vector(name)
     }
@@ -75,16 +77,12 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         if let ValueKind::Text(text) = &value.kind {
             let color = color_from_hex(text);
             if color.is_none() {
-                let message = format!("`{name}` is {}, but must be {}", quoted(text), key.kind.described());
-                self.found.push(
-                    Diagnostic::error(value.span.range(), message)
-                        .label("not a color")
-                        .help("a color is `[r, g, b]` in linear light, or \"#rrggbb\" with six hexadecimal digits in sRGB"),
-                );
+                let finding = wrong_value(key, value, FoundValue::Written(quoted(text)));
+                self.found.push(finding.with_label(Message::NotAColor).with_help(Message::ColorIs));
             }
             return color;
         }
-        self.three(key, value, ["the red of ", "the green of ", "the blue of "]).map(Color::from)
+        self.three(key, value, Component::OF_COLOR).map(Color::from)
     }
 
     /// A text.
@@ -109,7 +107,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     fn path(&mut self, name: &str) -> Option<(&'b str, Range<usize>)> {
         let (key, value) = self.given(name)?;
         match &value.kind {
-            ValueKind::Text(path) if path.is_empty() => self.wrong(key, value, &format!("`{name}` is empty")),
+            ValueKind::Text(path) if path.is_empty() => self.wrong(key, value, FoundValue::Empty),
             ValueKind::Text(path) => Some((path.as_ref(), value.span.range())),
             _ => self.wrong_type(key, value),
         }
@@ -134,13 +132,12 @@ impl<'b, 't> Fields<'_, 'b, 't> {
             ValueKind::Text(text) => match words.iter().find(|word| *word == text) {
                 Some(word) => Ok(Some(word)),
                 None => {
-                    let message =
-                        format!("`{name}` is {}, but must be {}", quoted(text), key.kind.described());
                     let label = match nearest(text, words.iter().copied()) {
-                        Some(word) => format!("did you mean {}?", quoted_value(word)),
-                        None => format!("unknown {name}"),
+                        Some(word) => Message::DidYouMean { word: quoted_value(word) },
+                        None => Message::UnknownWord { key: key.name },
                     };
-                    self.found.push(Diagnostic::error(value.span.range(), message).label(label));
+                    let finding = wrong_value(key, value, FoundValue::Written(quoted(text)));
+                    self.found.push(finding.with_label(label));
                     Err(())
                 }
             },
@@ -161,22 +158,18 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     }
 
     /// Reports a value of the wrong type.
-    pub(crate) fn wrong_type<T>(&mut self, key: &KeySpec, value: &Value<'_>) -> Option<T> {
+    pub(crate) fn wrong_type<T>(&mut self, key: &'static KeySpec, value: &Value<'_>) -> Option<T> {
         if let Some(list) = self.with_points(key, value) {
-            let message = format!("`{}` has decimal commas, but must be {}", key.name, key.kind.described());
-            self.found.push(
-                Diagnostic::error(value.span.range(), message).help(decimal::help(&format!("`{list}`"))),
-            );
+            let message = Message::DecimalCommas { key: key.name, expected: key.kind };
+            let help = Message::DecimalPoint { example: format!("`{list}`") };
+            self.found.push(Diagnostic::error(value.span.range(), message).with_help(help));
             return None;
         }
-        let what = match &value.kind {
-            ValueKind::Array(values) => match values.len() {
-                1 => "a list of one value".to_owned(),
-                count => format!("a list of {count} values"),
-            },
-            kind => kind.described().to_owned(),
+        let found = match &value.kind {
+            ValueKind::Array(values) => FoundValue::ListOf(values.len()),
+            kind => kind.found(),
         };
-        self.wrong(key, value, &format!("`{}` is {what}", key.name))
+        self.wrong(key, value, found)
     }
 
     /// A list that would be right with points in the place of its decimal commas.
@@ -228,26 +221,29 @@ impl<'b, 't> Fields<'_, 'b, 't> {
             if values.contains(&chosen) {
                 continue;
             }
-            let allowed: Vec<String> = values.iter().map(|value| format!("\"{value}\"")).collect();
-            let message = format!("`{}` is only for `{choice}` {}", key.name, listed(&allowed, " or "));
-            let label =
-                format!("here `{choice}` is \"{chosen}\"{}", if is_default { ", the default" } else { "" });
-            let mut help = format!("remove `{}`, or change `{choice}`", key.name);
+            let (key, values) = (key.name, Enumeration::of_values(values));
+            let label = match is_default {
+                true => Message::ChosenByDefault { choice, chosen },
+                false => Message::ChosenHere { choice, chosen },
+            };
             let own = self.own_keys(choice, chosen);
-            if !own.is_empty() {
-                help.push_str(&format!("; with \"{chosen}\" stand {}", listed(&own, " and ")));
-            }
-            self.found.push(Diagnostic::error(entry.key.span.range(), message).label(label).help(help));
+            let help = match own.is_empty() {
+                true => Message::RemoveOrChange { key, choice },
+                false => Message::RemoveOrChangeChosen { key, choice, chosen, own },
+            };
+            let message = Message::OnlyFor { key, choice, values };
+            let finding = Diagnostic::error(entry.key.span.range(), message);
+            self.found.push(finding.with_label(label).with_help(help));
         }
     }
 
     /// The keys that depend on `choice` and apply for `chosen`.
-    fn own_keys(&self, choice: &str, chosen: &str) -> Vec<String> {
+    fn own_keys(&self, choice: &str, chosen: &str) -> Enumeration {
         let applies = |key: &&KeySpec| match key.when {
             When::Choice { choice: other, values } => other == choice && values.contains(&chosen),
             When::Always => false,
         };
-        self.spec.keys.iter().filter(applies).map(|key| format!("`{}`", key.name)).collect()
+        Enumeration::of_keys(self.spec.keys.iter().filter(applies))
     }
 
     /// The word that a choice has, and whether by default; `None` when it is wrong.
@@ -261,16 +257,24 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
     }
 
-    fn three(&mut self, key: &'static KeySpec, value: &'b Value<'t>, parts: [&str; 3]) -> Option<[f64; 3]> {
+    fn three(
+        &mut self,
+        key: &'static KeySpec,
+        value: &'b Value<'t>,
+        parts: [Component; 3],
+    ) -> Option<[f64; 3]> {
         let limits = key.kind.limits()?;
         let ValueKind::Array(values) = &value.kind else { return self.wrong_type(key, value) };
         let [a, b, c] = values.as_slice() else { return self.wrong_type(key, value) };
-        let mut component = |value: &'b Value<'t>, part: &str| match value.kind {
+        let mut component = |value: &'b Value<'t>, part: Component| match value.kind {
             ValueKind::Number { value: number, .. } => self.within(key, value, number, limits, part),
             _ => {
-                let found =
-                    format!("{part}`{}` is {}, but must be a number", key.name, value.kind.described());
-                self.found.push(Diagnostic::error(value.span.range(), found).help(key_help(key)));
+                let message = Message::WrongValue {
+                    subject: Subject::component(part, key.name),
+                    found: value.kind.found(),
+                    expected: Kind::Number(limits),
+                };
+                self.found.push(Diagnostic::error(value.span.range(), message).with_help(key_help(key)));
                 None
             }
         };
@@ -283,32 +287,30 @@ impl<'b, 't> Fields<'_, 'b, 't> {
 
     fn within(
         &mut self,
-        key: &KeySpec,
+        key: &'static KeySpec,
         value: &Value<'t>,
         number: f64,
         limits: Limits,
-        part: &str,
+        part: Component,
     ) -> Option<f64> {
         if limits.contains(number) {
             return Some(number);
         }
-        let message = format!(
-            "{part}`{}` is {}, but must be {}",
-            key.name,
-            self.source(value),
-            limits.requirement(number)
-        );
-        self.found.push(Diagnostic::error(value.span.range(), message).help(key_help(key)));
+        let message = Message::OutOfRange {
+            subject: Subject::component(part, key.name),
+            value: FoundValue::Written(self.source(value)),
+            requirement: limits.requirement(number),
+        };
+        self.found.push(Diagnostic::error(value.span.range(), message).with_help(key_help(key)));
         None
     }
 
-    fn wrong<T>(&mut self, key: &KeySpec, value: &Value<'_>, found: &str) -> Option<T> {
-        let message = format!("{found}, but must be {}", key.kind.described());
-        let diagnostic = Diagnostic::error(value.span.range(), message);
+    fn wrong<T>(&mut self, key: &'static KeySpec, value: &Value<'_>, found: FoundValue) -> Option<T> {
+        let finding = wrong_value(key, value, found);
         self.found.push(if matches!(key.kind, Kind::Choice(_)) {
-            diagnostic
+            finding
         } else {
-            diagnostic.help(key_help(key))
+            finding.with_help(key_help(key))
         });
         None
     }
@@ -331,37 +333,17 @@ impl Kind {
             _ => None,
         }
     }
+}
 
-    /// With its article: `a number`, `three numbers` …
-    pub(crate) fn described(&self) -> String {
-        match self {
-            Self::Version(words) | Self::Choice(words) => {
-                let words: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
-                listed(&words, " or ")
-            }
-            Self::Text => "a text in quotes".to_owned(),
-            Self::File => "the path of a picture in quotes".to_owned(),
-            Self::Flag => "`true` or `false`".to_owned(),
-            Self::Number(_) => "a number".to_owned(),
-            Self::Integer(_) => "a whole number".to_owned(),
-            Self::Vector(_) => "three numbers".to_owned(),
-            Self::NumberOrVector(_) => "a number or three numbers".to_owned(),
-            Self::Color(_) => "three numbers or \"#rrggbb\"".to_owned(),
-            Self::Table(_) => "a table".to_owned(),
-            Self::NameOrTable(_) => "a name in quotes or a table".to_owned(),
-            Self::Named(_) => "a table of named tables".to_owned(),
-            Self::List(_) => "a list of tables".to_owned(),
-        }
-    }
+/// A value that is not of the kind that its key takes.
+fn wrong_value(key: &KeySpec, value: &Value<'_>, found: FoundValue) -> Diagnostic {
+    let message = Message::WrongValue { subject: Subject::key(key.name), found, expected: key.kind };
+    Diagnostic::error(value.span.range(), message)
 }
 
 /// What a key means and which values it can have.
-pub(crate) fn key_help(key: &KeySpec) -> String {
-    let mut help = format!("`{}` is {}", key.name, key.doc);
-    if let Some(limits) = key.kind.limits() {
-        help.push_str(&format!(" ({} to {})", short_number(limits.min), short_number(limits.max)));
-    }
-    help
+pub(crate) fn key_help(key: &'static KeySpec) -> Message {
+    Message::KeyMeans { meaning: Meaning { key, has_range: true } }
 }
 
 /// A color from `#rrggbb`.

@@ -8,7 +8,7 @@ use std::time::SystemTime;
 
 use catoptric_editor::Writing;
 use catoptric_files::WriteError;
-use catoptric_scene::{Diagnostics, LONGEST_TEXT, LoadError, Scene, load_partly, save};
+use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadError, Scene, load_partly, save};
 use fluent_bundle::FluentValue;
 
 use crate::texts::Texts;
@@ -46,7 +46,7 @@ pub(crate) enum ReadFailure {
     Folder,
     TooLong,
     /// Nothing in it is a scene; the first findings.
-    Nothing(String),
+    Nothing(Vec<Diagnostic>),
     Other(String),
 }
 
@@ -56,8 +56,7 @@ pub(crate) fn read(path: &Path) -> Result<Opened, ReadFailure> {
     let stamp = Stamp::of(path);
     let (reading, text) = load_partly(path).map_err(|error| read_failure(path, error))?;
     if reading.diagnostics.has_errors() && reading.scene == Scene::default() {
-        let first: Vec<String> = reading.diagnostics.iter().take(3).map(ToString::to_string).collect();
-        return Err(ReadFailure::Nothing(first.join("\n")));
+        return Err(ReadFailure::Nothing(reading.diagnostics.iter().take(3).cloned().collect()));
     }
     let (scene, findings) = (reading.scene, reading.diagnostics);
     Ok(Opened { path: path.to_owned(), text: text.into(), scene, findings, stamp })
@@ -87,7 +86,9 @@ impl ReadFailure {
                 texts.with("read-too-long", &[("path", path), ("limit", (LONGEST_TEXT >> 20).into())])
             }
             Self::Nothing(found) => {
-                texts.with("read-nothing", &[("path", path), ("found", found.as_str().into())])
+                let language = texts.language().into();
+                let found: Vec<String> = found.iter().map(|found| found.line_of_text(language)).collect();
+                texts.with("read-nothing", &[("path", path), ("found", found.join("\n").into())])
             }
             Self::Other(reason) => {
                 texts.with("read-other", &[("path", path), ("reason", reason.as_str().into())])
@@ -211,7 +212,7 @@ mod tests {
                 ReadFailure::Denied,
                 ReadFailure::Folder,
                 ReadFailure::TooLong,
-                ReadFailure::Nothing("1:1: error".to_owned()),
+                ReadFailure::Nothing(catoptric_scene::read("fov").diagnostics.iter().cloned().collect()),
                 ReadFailure::Other("broken".to_owned()),
             ];
             for failure in failures {

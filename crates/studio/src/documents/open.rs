@@ -14,6 +14,7 @@ use crate::app::Studio;
 use crate::dialogs::Message;
 use crate::host::FileKind;
 use crate::images::{self, ImageUse};
+use crate::inspector;
 
 /// A file that is being read.
 pub(super) struct Reading {
@@ -107,7 +108,7 @@ fn after_revert(studio: &mut Studio, reverted: Result<(), Refused>) {
             studio.toasts.info(text);
         }
         Err(refused) => {
-            studio.toasts.warning(refused.to_string());
+            studio.toasts.warning(inspector::explain(&studio.texts, &refused));
         }
     }
 }

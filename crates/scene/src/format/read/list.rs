@@ -4,7 +4,9 @@ use super::{Place, Reader, not_a_list};
 use crate::format::build::Build;
 use crate::format::diagnostic::Diagnostic;
 use crate::format::keys;
-use crate::format::spec::TableSpec;
+use crate::format::message::{Message, Subject};
+use crate::format::quote::quoted;
+use crate::format::spec::{Kind, TableSpec};
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
 use crate::format::tree::{Defined, Schema, Table};
 
@@ -65,9 +67,9 @@ impl<'t> Reader<'t> {
         let first = path.remove(0);
         if path.is_empty() {
             if !is_list {
-                let message = format!("`{name}` is a list");
-                self.found
-                    .push(Diagnostic::error(first.span.range(), message).help(format!("write `[[{name}]]`")));
+                let help = Message::Write { text: format!("[[{name}]]") };
+                let finding = Diagnostic::error(first.span.range(), Message::IsAList { name });
+                self.found.push(finding.with_help(help));
             }
             if let Some(value) = self.list(kind).value.take() {
                 self.found.push(twice(&first, value));
@@ -84,9 +86,8 @@ impl<'t> Reader<'t> {
             self.found.push(not_a_list(&whole, first.span));
         }
         let Some(table) = self.list(kind).open.as_mut() else {
-            let message = format!("`{name}` is a list, and has no element yet");
-            let help = format!("begin an element with `[[{name}]]` before this");
-            self.found.push(Diagnostic::error(first.span.range(), message).help(help));
+            let finding = Diagnostic::error(first.span.range(), Message::NoElementYet { name });
+            self.found.push(finding.with_help(Message::BeginElement { name }));
             return Place::Nowhere;
         };
         match table.open(&path) {
@@ -103,10 +104,10 @@ impl<'t> Reader<'t> {
         let name = kind.key();
         let Assignment { path, value } = assignment;
         let Some(first) = path.first() else { return };
-        let help = format!("write `[[{name}]]` before the keys of each element");
+        let help = Message::WriteBeforeElement { name };
         if path.len() > 1 {
-            let message = format!("`{name}` is a list");
-            return self.found.push(Diagnostic::error(first.span.range(), message).help(help));
+            let finding = Diagnostic::error(first.span.range(), Message::IsAList { name });
+            return self.found.push(finding.with_help(help));
         }
         let list = self.list(kind);
         if let Some(earlier) = list.value.or(list.header) {
@@ -117,16 +118,20 @@ impl<'t> Reader<'t> {
             ValueKind::Array(values) => values,
             ValueKind::Invalid => return,
             other => {
-                let message = format!("`{name}` is {}, but must be a list of tables", other.described());
-                return self.found.push(Diagnostic::error(value.span.range(), message).help(help));
+                let message = Message::WrongValue {
+                    subject: Subject::key(name),
+                    found: other.found(),
+                    expected: Kind::List(kind.spec()),
+                };
+                return self.found.push(Diagnostic::error(value.span.range(), message).with_help(help));
             }
         };
         for value in values {
-            self.element(kind, value, &help);
+            self.element(kind, value);
         }
     }
 
-    fn element(&mut self, kind: ListKind, value: Value<'t>, help: &str) {
+    fn element(&mut self, kind: ListKind, value: Value<'t>) {
         match value.kind {
             ValueKind::Inline(assignments) => {
                 let schema = Schema::Keys(kind.spec());
@@ -135,9 +140,9 @@ impl<'t> Reader<'t> {
                 self.close(kind);
             }
             other => {
-                let message =
-                    format!("an element of `{}` is {}, but must be a table", kind.key(), other.described());
-                self.found.push(Diagnostic::error(value.span.range(), message).help(help));
+                let message = Message::WrongElement { list: kind.key(), found: other.found() };
+                let finding = Diagnostic::error(value.span.range(), message);
+                self.found.push(finding.with_help(Message::WriteBeforeElement { name: kind.key() }));
             }
         }
     }
@@ -168,8 +173,8 @@ impl<'t> Reader<'t> {
 }
 
 fn twice(key: &Key<'_>, first: Span) -> Diagnostic {
-    Diagnostic::error(key.span.range(), format!("`{}` is given twice", key.text))
-        .label("the second time")
-        .help("write the list either as a value or with headers")
-        .related(first.range(), "the first time")
+    Diagnostic::error(key.span.range(), Message::GivenTwice { key: quoted(&key.text) })
+        .with_label(Message::SecondTime)
+        .with_help(Message::ListInOneWay)
+        .with_related(first.range(), Message::FirstTime)
 }

@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::format::message::{Collection, Enumeration, Link, Message};
 use crate::format::nearest::nearest;
-use crate::format::quote::{key_to_copy, listed, quoted, quoted_value};
+use crate::format::quote::{key_to_copy, quoted, quoted_value};
 use crate::format::toml::Span;
 use crate::material::MaterialChoice;
 use crate::{Color, Light, Scene, Surroundings};
@@ -56,44 +57,37 @@ pub(super) fn check_materials(
 fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: impl Fn() -> I) -> Diagnostic {
     let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted_value).collect();
     let help = match names().take(MOST_LISTED + 1).count() {
-        0 => {
-            let own = "write a material of its own: `{ color = [0.8, 0.8, 0.8] }`";
-            match key_to_copy(name).filter(|_| !name.is_empty()) {
-                Some(key) => format!("define it with `[materials.{key}]`, or {own}"),
-                None => own.to_owned(),
-            }
+        0 => match key_to_copy(name).filter(|_| !name.is_empty()) {
+            Some(key) => Message::Define { key },
+            None => Message::OwnMaterial,
+        },
+        1 => Message::OnlyDefined { name: listing.concat() },
+        count if count > MOST_LISTED => {
+            listing.push("…".to_owned());
+            Message::Defined { names: Enumeration::new(listing, Link::Space) }
         }
-        count => {
-            if count > MOST_LISTED {
-                listing.push("…".to_owned());
-                format!("defined are {}", listed(&listing, " "))
-            } else if count == 1 {
-                format!("the only defined material is {}", listing.concat())
-            } else {
-                format!("defined are {}", listed(&listing, " and "))
-            }
-        }
+        _ => Message::Defined { names: Enumeration::new(listing, Link::And) },
     };
     let label = match nearest(name, names()) {
-        Some(nearest) => format!("did you mean {}?", quoted_value(nearest)),
-        None => "not defined".to_owned(),
+        Some(nearest) => Message::DidYouMean { word: quoted_value(nearest) },
+        None => Message::NotDefined,
     };
-    Diagnostic::error(span.range(), format!("the material {} is not defined", quoted(name)))
-        .label(label)
-        .help(help)
+    Diagnostic::error(span.range(), Message::Undefined { name: quoted(name) })
+        .with_label(label)
+        .with_help(help)
 }
 
 /// Reports second uses of names, and takes these names away.
 pub(super) fn check_unique(scene: &mut Scene, places: &Places, found: &mut Diagnostics) {
     let lights = scene.lights.iter().map(|light| light.name.as_str());
-    let again = second_uses(lights, &places.lights, "lights", found);
+    let again = second_uses(lights, &places.lights, Collection::Lights, found);
     for index in again {
         if let Some(light) = scene.lights.get_mut(index) {
             light.name.clear();
         }
     }
     let bodies = scene.bodies.iter().map(|body| body.name.as_str());
-    let again = second_uses(bodies, &places.bodies, "bodies", found);
+    let again = second_uses(bodies, &places.bodies, Collection::Bodies, found);
     for index in again {
         if let Some(body) = scene.bodies.get_mut(index) {
             body.name.clear();
@@ -115,7 +109,7 @@ pub(super) fn remove_unknown(scene: &mut Scene, places: &Places) {
 fn second_uses<'a>(
     names: impl Iterator<Item = &'a str>,
     places: &[Span],
-    what: &str,
+    things: Collection,
     found: &mut Diagnostics,
 ) -> Vec<usize> {
     let mut first_at: HashMap<&str, usize> = HashMap::new();
@@ -131,10 +125,10 @@ fn second_uses<'a>(
         again.push(index);
         let place = |index: usize| places.get(index).copied().unwrap_or_default().range();
         found.push_with(|| {
-            Diagnostic::error(place(index), format!("two {what} have the name {}", quoted(name)))
-                .label("the second one")
-                .help("give one of them another name, or none")
-                .related(place(first), "the first one")
+            Diagnostic::error(place(index), Message::NameTwice { things, name: quoted(name) })
+                .with_label(Message::SecondOne)
+                .with_help(Message::Rename)
+                .with_related(place(first), Message::FirstOne)
         });
     }
     again
@@ -148,16 +142,14 @@ pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], is_used: &[bool],
         || environment.ambient != Color::BLACK
         || environment.surroundings != Surroundings::Even;
     if !has_light && !scene.bodies.is_empty() {
-        found.push(
-            Diagnostic::new(Severity::Warning, 0..0, "the scene has no lights and no ambient light")
-                .help("add a light with `[[lights]]`, or the bodies will be black"),
-        );
+        let warning = Diagnostic::new(Severity::Warning, 0..0, Message::NoLight);
+        found.push(warning.with_help(Message::AddLight));
     }
     for ((named, span), is_used) in scene.materials.iter().zip(defined_at).zip(is_used) {
         if !is_used {
-            let message = format!("the material {} is not used", quoted(&named.name));
+            let message = Message::Unused { name: quoted(&named.name) };
             let warning = Diagnostic::new(Severity::Warning, span.clone(), message);
-            found.push(warning.help("give it to a body with `material`, or remove it"));
+            found.push(warning.with_help(Message::UseOrRemove));
         }
     }
 }

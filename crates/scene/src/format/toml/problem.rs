@@ -1,14 +1,15 @@
 //! Syntax errors in words.
 
+use std::ops::Range;
+
 use toml_parser::ParseError;
 use toml_parser::decoder::Encoding;
 
 use super::Span;
 use crate::format::decimal;
 use crate::format::diagnostic::Diagnostic;
+use crate::format::message::Message;
 use crate::format::quote::quoted;
-
-const VALUES: &str = "a value is a number, a \"text\", a [list] or a { table }";
 
 /// An error of the structure. `key` is the place of the statement's key.
 pub(super) fn from_parser(error: &ParseError, text: &str, key: Option<Span>) -> Diagnostic {
@@ -18,61 +19,55 @@ pub(super) fn from_parser(error: &ParseError, text: &str, key: Option<Span>) -> 
     if let Some(problem) = places.into_iter().flatten().find_map(|at| decimal_comma(text, at)) {
         return problem;
     }
+    let not_closed = |message, label| Diagnostic::error(context.clone(), message).with_label(label);
+    let at_first = |message| Diagnostic::error(first_character(text, found.start), message);
     match error.description() {
-        "unclosed array" => Diagnostic::error(context, "this list is not closed")
-            .label("opened here")
-            .help("write `]` after its last value"),
-        "unclosed inline table" => Diagnostic::error(context, "this table is not closed")
-            .label("opened here")
-            .help("write `}` after its last value"),
-        "unclosed table" => Diagnostic::error(context, "this header is not closed")
-            .label("`]` is missing")
-            .help("a header is `[name]`"),
-        "unclosed array table" => Diagnostic::error(context, "this header is not closed")
-            .label("`]]` is missing")
-            .help("a header of a list is `[[name]]`"),
+        "unclosed array" => not_closed(Message::ListNotClosed, Message::OpenedHere)
+            .with_help(Message::CloseAfterLast { bracket: "]" }),
+        "unclosed inline table" => not_closed(Message::TableNotClosed, Message::OpenedHere)
+            .with_help(Message::CloseAfterLast { bracket: "}" }),
+        "unclosed table" => {
+            not_closed(Message::HeaderNotClosed, Message::Missing { key: "]" }).with_help(Message::HeaderIs)
+        }
+        "unclosed array table" => not_closed(Message::HeaderNotClosed, Message::Missing { key: "]]" })
+            .with_help(Message::ListHeaderIs),
         "key with no value" | "missing value for key" => {
-            let diagnostic =
-                Diagnostic::error(key.map_or(found.clone(), Span::range), "this key has no value");
+            let place = key.map_or(found.clone(), Span::range);
+            let diagnostic = Diagnostic::error(place, Message::NoValue);
             if text.get(found.start..).is_some_and(|rest| rest.starts_with(':')) {
                 return diagnostic
-                    .label("`=` is missing")
-                    .help("between a key and its value stands `=`, not `:`");
+                    .with_label(Message::Missing { key: "=" })
+                    .with_help(Message::EqualsNotColon);
             }
-            diagnostic.label("`=` and a value are missing").help(VALUES)
+            diagnostic.with_label(Message::EqualsAndValueMissing).with_help(Message::ValueIs)
         }
-        "missing value" => Diagnostic::error(found, "a value is missing").help(VALUES),
+        "missing value" => Diagnostic::error(found, Message::ValueMissing).with_help(Message::ValueIs),
         "invalid key-value pair" | "missing table open" | "invalid table" => {
-            Diagnostic::error(first_character(text, found.start), "a line cannot begin like this")
-                .help("a line is `key = value`, `[table]`, `[[list]]` or `# a comment`")
+            at_first(Message::LineBegins).with_help(Message::LineIs)
         }
         "unexpected key or value" => {
             let number = decimal::number_before(text, found.start + 1);
             let help = match number.filter(|_| is_decimal_comma(text, found.start)) {
-                Some((_, number)) => decimal::help(&number),
-                None => "write each key on a line of its own, and comments after `#`".to_owned(),
+                Some((_, example)) => Message::DecimalPoint { example },
+                None => Message::OneKeyPerLine,
             };
-            Diagnostic::error(rest_of_line(text, found.start), "the line should end here")
-                .label("too much")
-                .help(help)
+            Diagnostic::error(rest_of_line(text, found.start), Message::LineEnds)
+                .with_label(Message::TooMuch)
+                .with_help(help)
         }
         "missing comma between array elements" | "missing comma between key-value pairs" => {
-            Diagnostic::error(found, "a comma is missing").label("before this")
+            Diagnostic::error(found, Message::CommaMissing).with_label(Message::BeforeThis)
         }
-        "extra comma in array" | "extra comma in inline table" => {
-            Diagnostic::error(first_character(text, found.start), "a value is missing before this comma")
-        }
+        "extra comma in array" | "extra comma in inline table" => at_first(Message::ValueMissingBeforeComma),
         "missing assignment between key-value pairs" => {
-            Diagnostic::error(found, "`=` is missing").label("before this")
+            Diagnostic::error(found, Message::Missing { key: "=" }).with_label(Message::BeforeThis)
         }
-        "missing array opening" => Diagnostic::error(first_character(text, found.start), "`]` without `[`"),
-        "missing inline table opening" => {
-            Diagnostic::error(first_character(text, found.start), "`}` without `{`")
-        }
+        "missing array opening" => at_first(Message::NotOpened { closing: "]", opening: "[" }),
+        "missing inline table opening" => at_first(Message::NotOpened { closing: "}", opening: "{" }),
         "cannot recurse further; max recursion depth met" => {
-            Diagnostic::error(found, "brackets are nested too deep").label("one level too deep")
+            Diagnostic::error(found, Message::TooDeep).with_label(Message::OneLevelTooDeep)
         }
-        other => Diagnostic::error(found, other.to_owned()),
+        _ => Diagnostic::error(found, Message::Syntax { fault: error.into() }),
     }
 }
 
@@ -85,75 +80,71 @@ pub(super) fn from_value(
     span: Span,
 ) -> Diagnostic {
     let inner = error.unexpected().map_or(span.range(), |inner| inner.start()..inner.end());
-    let description = error.description();
     if raw.is_empty() {
         if let Some(problem) = decimal_comma(text, word_before(text, span.range().start)) {
             return problem;
         }
-        let help = if is_comment(text, span) {
-            "# begins a comment; write a color in quotes: \"#ff0000\""
-        } else {
-            VALUES
-        };
-        return Diagnostic::error(span.range(), "a value is missing").label("here").help(help);
+        let help = if is_comment(text, span) { Message::QuoteColor } else { Message::ValueIs };
+        return Diagnostic::error(span.range(), Message::ValueMissing)
+            .with_label(Message::Here)
+            .with_help(help);
     }
     if encoding.is_none() {
-        let is_number = raw.starts_with(|first: char| first.is_ascii_digit() || "+-._".contains(first));
-        if let Some(problem) = decimal_comma(text, span.range().start) {
-            return problem;
-        }
-        let whole = Diagnostic::error(span.range(), format!("{} is not a value", quoted(raw)));
-        return match description {
-            _ if raw.contains(['"', '\'']) => whole.label("a quote is missing").help(VALUES),
-            _ if is_number && raw.contains(' ') => whole.label("is a comma missing?").help(VALUES),
-            _ if raw.starts_with('(') => whole.help("a vector stands in square brackets: [0.0, 1.0, 0.0]"),
-            _ if lacks_digit(raw) => {
-                Diagnostic::error(span.range(), format!("{} is not a number", quoted(raw)))
-                    .label("a digit is missing")
-                    .help("a number has digits before and after the point: 0.5, 27.0")
-            }
-            "string values must be quoted" if is_number => whole.label("not a number").help(VALUES),
-            "invalid float" => whole.label("not a number"),
-            _ if is_number => {
-                Diagnostic::error(inner, format!("{} is not a number: {description}", quoted(raw)))
-            }
-            _ => whole.help("a text stands in quotes: \"text\""),
-        };
+        return decimal_comma(text, span.range().start)
+            .unwrap_or_else(|| from_unquoted(error, raw, inner, span));
     }
-    match description {
-        "missing escaped value" => Diagnostic::error(inner, "unknown escape sequence in a text")
-            .help("a backslash is written `\\\\`, a quote `\\\"`, a new line `\\n`"),
-        "too few unicode value digits" | "invalid value" => {
-            Diagnostic::error(inner, "not a Unicode character")
-                .help("`\\u` is followed by four hexadecimal digits, `\\U` by eight")
+    match error.description() {
+        "missing escaped value" => {
+            Diagnostic::error(inner, Message::UnknownEscape).with_help(Message::EscapesAre)
         }
-        _ if is_open(raw) => Diagnostic::error(first_line(raw, span), "this text is not closed")
-            .label("opened here")
-            .help("write the closing quote"),
-        _ => Diagnostic::error(inner, "a character that a text cannot hold")
-            .help("write it as an escape sequence, for example `\\t` or `\\u0007`"),
+        "too few unicode value digits" | "invalid value" => {
+            Diagnostic::error(inner, Message::NotUnicode).with_help(Message::UnicodeIs)
+        }
+        _ if is_open(raw) => Diagnostic::error(first_line(raw, span), Message::TextNotClosed)
+            .with_label(Message::OpenedHere)
+            .with_help(Message::CloseQuote),
+        _ => Diagnostic::error(inner, Message::BadCharacter).with_help(Message::EscapeCharacter),
+    }
+}
+
+/// An error of a value without quotes.
+fn from_unquoted(error: &ParseError, raw: &str, inner: Range<usize>, span: Span) -> Diagnostic {
+    let is_number = raw.starts_with(|first: char| first.is_ascii_digit() || "+-._".contains(first));
+    let whole = Diagnostic::error(span.range(), Message::NotAValue { raw: quoted(raw) });
+    match error.description() {
+        _ if raw.contains(['"', '\'']) => whole.with_label(Message::QuoteMissing).with_help(Message::ValueIs),
+        _ if is_number && raw.contains(' ') => {
+            whole.with_label(Message::IsCommaMissing).with_help(Message::ValueIs)
+        }
+        _ if raw.starts_with('(') => whole.with_help(Message::VectorIs),
+        _ if lacks_digit(raw) => Diagnostic::error(span.range(), Message::NotANumber { raw: quoted(raw) })
+            .with_label(Message::DigitMissing)
+            .with_help(Message::NumberIs),
+        "string values must be quoted" if is_number => {
+            whole.with_label(Message::NoNumber).with_help(Message::ValueIs)
+        }
+        "invalid float" => whole.with_label(Message::NoNumber),
+        _ if is_number => {
+            Diagnostic::error(inner, Message::BadNumber { raw: quoted(raw), fault: error.into() })
+        }
+        _ => whole.with_help(Message::TextIs),
     }
 }
 
 /// An error of a key, `raw` at `span`.
 pub(super) fn from_key(error: &ParseError, raw: &str, span: Span) -> Diagnostic {
     if raw.is_empty() {
-        return Diagnostic::error(span.range(), "a key is missing").label("before this");
+        return Diagnostic::error(span.range(), Message::KeyMissing).with_label(Message::BeforeThis);
     }
     if is_open(raw) {
-        return Diagnostic::error(span.range(), "this key is not closed").help("write the closing quote");
+        return Diagnostic::error(span.range(), Message::KeyNotClosed).with_help(Message::CloseQuote);
     }
     if raw.starts_with(['"', '\'']) {
-        return Diagnostic::error(
-            span.range(),
-            format!("{} is not a key: {}", quoted(raw), error.description()),
-        );
+        let message = Message::BadKey { raw: quoted(raw), fault: error.into() };
+        return Diagnostic::error(span.range(), message);
     }
-    let diagnostic = Diagnostic::error(span.range(), format!("{} is not a key", quoted(raw)));
-    if raw.ends_with(':') {
-        return diagnostic.help("between a key and its value stands `=`");
-    }
-    diagnostic.help("a key is made of the letters A to Z and a to z, digits, `_` and `-`; others need quotes")
+    let diagnostic = Diagnostic::error(span.range(), Message::NotAKey { raw: quoted(raw) });
+    diagnostic.with_help(if raw.ends_with(':') { Message::EqualsBetween } else { Message::KeyIs })
 }
 
 /// The first error of each line: what follows on the same line is mostly its consequence.
@@ -202,9 +193,9 @@ fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
     let end = start + number.len();
     let written = text.get(start..end)?;
     Some(
-        Diagnostic::error(start..end, format!("{} is not a number", quoted(written)))
-            .label("a decimal comma")
-            .help(decimal::help(&number)),
+        Diagnostic::error(start..end, Message::NotANumber { raw: quoted(written) })
+            .with_label(Message::DecimalComma)
+            .with_help(Message::DecimalPoint { example: number }),
     )
 }
 
@@ -235,18 +226,18 @@ fn is_comment(text: &str, span: Span) -> bool {
     rest.trim_start_matches([' ', '\t']).starts_with('#')
 }
 
-fn first_line(raw: &str, span: Span) -> std::ops::Range<usize> {
+fn first_line(raw: &str, span: Span) -> Range<usize> {
     let range = span.range();
     let length = raw.find(['\n', '\r']).unwrap_or(raw.len());
     range.start..range.start + length
 }
 
-fn first_character(text: &str, at: usize) -> std::ops::Range<usize> {
+fn first_character(text: &str, at: usize) -> Range<usize> {
     let length = text.get(at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
     at..at + length
 }
 
-fn rest_of_line(text: &str, at: usize) -> std::ops::Range<usize> {
+fn rest_of_line(text: &str, at: usize) -> Range<usize> {
     let rest = text.get(at..).unwrap_or_default();
     let line = rest.split(['\n', '\r']).next().unwrap_or_default();
     at..at + line.trim_end().len()

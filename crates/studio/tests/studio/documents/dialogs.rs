@@ -3,7 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use catoptric_studio::Language;
 use egui::{DroppedFile, Key};
+use egui_kittest::kittest::NodeT as _;
 
 use super::*;
 
@@ -76,6 +78,50 @@ fn warnings_are_listed_too() {
     let host = TestHost::new();
     let (harness, _) = with_file(&host, &text);
     assert!(tells(&harness, "in a.toml"), "there is a finding");
+}
+
+/// The findings of the panel, each as its button is called.
+fn findings(harness: &Kit) -> Vec<String> {
+    let buttons =
+        harness.query_all_by_role(Role::Button).filter_map(|button| button.accesskit_node().label());
+    let is_finding = |label: &String| label.contains(": error: ") || label.contains(": ошибка: ");
+    buttons.filter(is_finding).collect()
+}
+
+#[test]
+fn findings_are_told_in_the_language_of_the_window() {
+    let (mut harness, _) = with_file(&TestHost::new(), DAMAGED);
+    assert_eq!(
+        findings(&harness),
+        [
+            "line 11, column 8: error: `size` is a text, but must be a number or three numbers",
+            "line 15, column 9: error: `shape` is `banana`, but must be \"sphere\", \"cube\", \"cylinder\", \
+             \"cone\" or \"plane\"",
+        ]
+    );
+    // The same findings, in the other language, without reading the file again.
+    run(&mut harness, Command::Language(Language::Russian));
+    assert_eq!(
+        findings(&harness),
+        [
+            "строка 11, столбец 8: ошибка: `size` — текст, а ожидается число или три числа",
+            "строка 15, столбец 9: ошибка: `shape` — `banana`, а ожидается \"sphere\", \"cube\", \"cylinder\", \
+             \"cone\" или \"plane\"",
+        ]
+    );
+    assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
+}
+
+#[test]
+fn a_file_without_a_scene_is_refused_in_the_language_of_the_window() {
+    let host = TestHost::new();
+    let (mut harness, _) = with_file(&host, SCENE);
+    run(&mut harness, Command::Language(Language::Russian));
+    std::fs::write(host.path("other.toml"), "[package]\nname = 'x'\n").unwrap();
+    run(&mut harness, Command::OpenFile(host.path("other.toml")));
+    wait_until(&mut harness, "the file is refused", |studio| !studio.is_opening());
+    harness.run_steps(2);
+    assert!(tells(&harness, "1:2: ошибка: у сцены нет ключа `package`"));
 }
 
 #[test]

@@ -1,0 +1,193 @@
+//! The tables and keys of the format in Russian.
+
+use super::{BODY, CAMERA, CHECKER, ENVIRONMENT, LIGHT, MATERIAL, ROOT, SKY, TRACING};
+use crate::format::spec::{KeySpec, TableSpec};
+
+/// A table in Russian.
+struct RussianTable {
+    table: &'static TableSpec,
+    /// What it is called, in the genitive.
+    genitive: &'static str,
+    /// What its keys mean, as [`KeySpec::doc`].
+    docs: &'static [(&'static str, &'static str)],
+}
+
+/// What a table is called, in the genitive: `тела`.
+pub(crate) fn genitive(table: &TableSpec) -> &'static str {
+    TABLES.iter().find(|known| known.table == table).map_or(table.name, |known| known.genitive)
+}
+
+/// What a key means; in English if it is no key of the format.
+pub(crate) fn doc(key: &KeySpec) -> &'static str {
+    let table = TABLES.iter().find(|known| known.table.keys.iter().any(|own| own == key));
+    let docs = table.map_or([].as_slice(), |known| known.docs);
+    docs.iter().find(|(name, _)| *name == key.name).map_or(key.doc, |(_, doc)| *doc)
+}
+
+static TABLES: [RussianTable; 9] = [
+    RussianTable {
+        table: &ROOT,
+        genitive: "сцены",
+        docs: &[
+            ("format", "версия формата файла"),
+            ("camera", "откуда снято изображение"),
+            ("environment", "что окружает тела"),
+            ("tracing", "как далеко прослеживаются лучи"),
+            ("materials", "материалы с именами, общие для нескольких тел"),
+            ("lights", "источники света"),
+            ("bodies", "тела"),
+        ],
+    },
+    RussianTable {
+        table: &CAMERA,
+        genitive: "камеры",
+        docs: &[
+            ("position", "точка наблюдения, метры"),
+            ("target", "точка в центре изображения, метры"),
+            ("up", "направление вверх на изображении"),
+            ("projection", "проекция"),
+            ("fov", "вертикальный угол обзора, градусы"),
+            ("height", "высота окна, метры"),
+        ],
+    },
+    RussianTable {
+        table: &ENVIRONMENT,
+        genitive: "окружения",
+        docs: &[
+            ("background", "свет, который приносит луч, ничего не встретивший"),
+            ("ambient", "фоновое освещение"),
+            ("sky", "небо вместо фона"),
+            ("picture", "картинка всего вокруг вместо фона"),
+            ("layer", LAYER),
+            ("rotation", "поворот картинки вокруг оси y, градусы"),
+            ("strength", "множитель света неба или картинки"),
+        ],
+    },
+    RussianTable {
+        table: &SKY,
+        genitive: "неба",
+        docs: &[
+            ("zenith", "свет прямо сверху"),
+            ("horizon", "свет от горизонта"),
+            ("nadir", "свет прямо снизу"),
+        ],
+    },
+    RussianTable {
+        table: &TRACING,
+        genitive: "трассировки",
+        docs: &[
+            ("generations", "число поколений лучей, считая с первичного луча"),
+            (
+                "threshold",
+                "вес, ниже которого луч не прослеживается; при 0 прослеживается всё, что несёт свет",
+            ),
+        ],
+    },
+    RussianTable {
+        table: &MATERIAL,
+        genitive: "материала",
+        docs: &[
+            ("model", "что поверхность делает со светом"),
+            ("color", "цвет тела"),
+            ("ambient", "коэффициент фонового освещения"),
+            ("diffuse", "коэффициент диффузного отражения"),
+            ("specular", "коэффициент блика"),
+            ("shininess", "показатель степени блика"),
+            (
+                "reflection",
+                "коэффициент зеркального отражения; если его нет, он равен `specular`, а у зеркала 1",
+            ),
+            ("transmission", "коэффициент пропускания; при 0 тело непрозрачно"),
+            ("ior", "показатель преломления относительно воздуха"),
+            ("tint", "окраска проходящего света"),
+            ("substance", "вещество прозрачного тела"),
+            ("dispersion", "по-разному ли преломляются цвета"),
+            ("abbe", "число Аббе: чем оно больше, тем слабее дисперсия"),
+            (
+                "attenuation_color",
+                "цвет, который белый свет приобретает на пути `attenuation_distance` в теле",
+            ),
+            ("attenuation_distance", "путь, после которого у света цвет `attenuation_color`, метры"),
+            ("metal", "измеренный металл"),
+            ("n", "показатель преломления для красного, зелёного и синего света"),
+            ("k", "показатель экстинкции для красного, зелёного и синего света"),
+            ("roughness", "шероховатость отражающей поверхности; 0 — гладкая"),
+            ("texture", "картинка на теле вместо его цвета"),
+            ("layer", LAYER),
+            ("checker", "второй цвет: шахматная раскраска"),
+        ],
+    },
+    RussianTable {
+        table: &CHECKER,
+        genitive: "шахматной раскраски",
+        docs: &[
+            ("color", "цвет нечётных клеток"),
+            ("size", "длина ребра клетки, метры"),
+            (
+                "space",
+                "относительно чего клетки неподвижны; клетки тела движутся и поворачиваются вместе с ним",
+            ),
+        ],
+    },
+    RussianTable {
+        table: &LIGHT,
+        genitive: "источника света",
+        docs: &[
+            ("name", "имя, своё у каждого источника"),
+            ("position", "место источника, метры"),
+            ("color", "цвет источника"),
+            ("intensity", "множитель цвета"),
+            ("falloff", "ослабление света с расстоянием d: 1, 1/(d + K) или 1/d²"),
+            ("falloff_constant", "K линейного ослабления 1/(d + K), метры"),
+            ("radius", "радиус светящегося шара, метры; 0 — точка"),
+            ("hidden", "выключен ли источник"),
+            ("locked", "закреплён ли источник в студии; на изображения это не влияет"),
+        ],
+    },
+    RussianTable {
+        table: &BODY,
+        genitive: "тела",
+        docs: &[
+            ("name", "имя, своё у каждого тела"),
+            ("shape", "форма тела"),
+            ("radius", "радиус (у конуса — основания), метры"),
+            ("top_radius", "радиус верхнего основания, метры; при 0 конус острый"),
+            ("size", "длина ребра или длины трёх рёбер, метры"),
+            ("height", "высота, метры"),
+            ("base", "центр нижнего основания, метры"),
+            ("top", "центр верхнего основания или вершина, метры"),
+            ("position", "место начала собственных координат тела, метры"),
+            ("rotation", "повороты вокруг неподвижных осей X, затем Y, затем Z, градусы"),
+            ("scale", "множитель размера или три множителя"),
+            ("material", "имя материала или собственный материал"),
+            ("hidden", "скрыто ли тело: его не видно, оно не отражается и не отбрасывает тени"),
+            ("locked", "закреплено ли тело в студии; на изображения это не влияет"),
+        ],
+    },
+];
+
+const LAYER: &str = "слой картинки, если в её файле их несколько";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_table_and_key_has_russian_words() {
+        for spec in super::super::TABLES {
+            let known = TABLES.iter().find(|known| known.table == spec).unwrap();
+            let names =
+                |docs: &[(&'static str, &str)]| docs.iter().map(|(name, _)| *name).collect::<Vec<_>>();
+            let keys: Vec<&str> = spec.keys.iter().map(|key| key.name).collect();
+            assert_eq!(names(known.docs), keys, "{}", spec.name);
+            for key in spec.keys {
+                assert_ne!(doc(key), key.doc, "{} of {}", key.name, spec.name);
+            }
+        }
+        assert_eq!(
+            (genitive(&BODY), doc(BODY.key("radius").unwrap())),
+            ("тела", "радиус (у конуса — основания), метры")
+        );
+        assert_eq!(doc(LIGHT.key("radius").unwrap()), "радиус светящегося шара, метры; 0 — точка");
+    }
+}

@@ -1,0 +1,342 @@
+//! The arguments of messages that each language says in its own way.
+
+use std::borrow::Cow;
+
+use crate::format::keys::russian;
+use crate::format::number::short_number;
+use crate::format::quote::listed;
+use crate::format::spec::{KeySpec, Kind, TableSpec};
+use crate::language::{Language, russian_genitive};
+
+/// An argument of a message.
+pub(crate) trait Phrase {
+    /// The argument in words.
+    fn phrase(&self, language: Language) -> Cow<'_, str>;
+}
+
+/// What is the same in every language: keys, names, parts of the file.
+impl Phrase for str {
+    fn phrase(&self, _language: Language) -> Cow<'_, str> {
+        self.into()
+    }
+}
+
+/// A number for people.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Number(String);
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self(short_number(value))
+    }
+}
+
+impl Phrase for Number {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        language.number(&self.0)
+    }
+}
+
+/// What stands where something else should.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum FoundValue {
+    /// Something that is reported already.
+    Invalid,
+    /// A text.
+    Text,
+    /// A number.
+    Number,
+    /// A truth value.
+    Boolean,
+    /// A date.
+    Date,
+    /// A list.
+    List,
+    /// A list with so many values.
+    ListOf(usize),
+    /// A table.
+    Table,
+    /// An empty text.
+    Empty,
+    /// What the file says, between backquotes.
+    Written(String),
+    /// A number of a scene in memory.
+    Value(Number),
+}
+
+impl Phrase for FoundValue {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        let (english, russian) = match self {
+            Self::Invalid => ("something else", "что-то другое"),
+            Self::Text => ("a text", "текст"),
+            Self::Number => ("a number", "число"),
+            Self::Boolean => ("a truth value", "логическое значение"),
+            Self::Date => ("a date", "дата"),
+            Self::List => ("a list", "список"),
+            Self::ListOf(1) => ("a list of one value", "список из одного значения"),
+            Self::ListOf(count) => {
+                return match language {
+                    Language::English => format!("a list of {count} values"),
+                    Language::Russian => {
+                        format!("список из {count} {}", russian_genitive(*count, "значения", "значений"))
+                    }
+                }
+                .into();
+            }
+            Self::Table => ("a table", "таблица"),
+            Self::Empty => ("empty", "пустой текст"),
+            Self::Written(written) => return written.as_str().into(),
+            Self::Value(number) => return number.phrase(language),
+        };
+        language.pick(english, russian).into()
+    }
+}
+
+/// What a value should be, with its article in English: `a number`, `three numbers` …
+impl Phrase for Kind {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        let (english, russian) = match self {
+            Self::Version(words) | Self::Choice(words) => {
+                return Enumeration::of_values(words).phrase(language).into_owned().into();
+            }
+            Self::Text => ("a text in quotes", "текст в кавычках"),
+            Self::File => ("the path of a picture in quotes", "путь к картинке в кавычках"),
+            Self::Flag => ("`true` or `false`", "`true` или `false`"),
+            Self::Number(_) => ("a number", "число"),
+            Self::Integer(_) => ("a whole number", "целое число"),
+            Self::Vector(_) => ("three numbers", "три числа"),
+            Self::NumberOrVector(_) => ("a number or three numbers", "число или три числа"),
+            Self::Color(_) => ("three numbers or \"#rrggbb\"", "три числа или \"#rrggbb\""),
+            Self::Table(_) => ("a table", "таблица"),
+            Self::NameOrTable(_) => ("a name in quotes or a table", "имя в кавычках или таблица"),
+            Self::Named(_) => ("a table of named tables", "таблица именованных таблиц"),
+            Self::List(_) => ("a list of tables", "список таблиц"),
+        };
+        language.pick(english, russian).into()
+    }
+}
+
+/// A table: in English with its article, in Russian in the genitive.
+impl Phrase for TableSpec {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        match language {
+            Language::English => self.name,
+            Language::Russian => russian::genitive(self),
+        }
+        .into()
+    }
+}
+
+/// The part of a value that is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Component {
+    /// All of it.
+    Whole,
+    /// A coordinate of a vector.
+    X,
+    /// A coordinate of a vector.
+    Y,
+    /// A coordinate of a vector.
+    Z,
+    /// A component of a color.
+    Red,
+    /// A component of a color.
+    Green,
+    /// A component of a color.
+    Blue,
+    /// A number of a vector or a color.
+    First,
+    /// A number of a vector or a color.
+    Second,
+    /// A number of a vector or a color.
+    Third,
+}
+
+impl Component {
+    /// The numbers of a vector.
+    pub(crate) const OF_VECTOR: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    /// The numbers of a color.
+    pub(crate) const OF_COLOR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
+    /// The numbers of a vector or a color.
+    pub(crate) const IN_ORDER: [Self; 3] = [Self::First, Self::Second, Self::Third];
+
+    /// What stands before the key.
+    const fn before_key(self, language: Language) -> &'static str {
+        let (english, russian) = match self {
+            Self::Whole => ("", ""),
+            Self::X => ("the x of ", "значение x в "),
+            Self::Y => ("the y of ", "значение y в "),
+            Self::Z => ("the z of ", "значение z в "),
+            Self::Red => ("the red of ", "значение красного в "),
+            Self::Green => ("the green of ", "значение зелёного в "),
+            Self::Blue => ("the blue of ", "значение синего в "),
+            Self::First => ("the first number of ", "первое значение в "),
+            Self::Second => ("the second number of ", "второе значение в "),
+            Self::Third => ("the third number of ", "третье значение в "),
+        };
+        language.pick(english, russian)
+    }
+}
+
+/// The value of a key, or a number of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Subject {
+    component: Component,
+    /// Between backquotes.
+    key: String,
+}
+
+impl Subject {
+    /// The value of `key`.
+    pub(crate) fn key(key: &str) -> Self {
+        Self::component(Component::Whole, key)
+    }
+
+    /// A number of the value of `key`.
+    pub(crate) fn component(component: Component, key: &str) -> Self {
+        Self { component, key: format!("`{key}`") }
+    }
+
+    /// The value of a name that stands between backquotes already.
+    pub(crate) fn quoted(name: String) -> Self {
+        Self { component: Component::Whole, key: name }
+    }
+}
+
+impl Phrase for Subject {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        format!("{}{}", self.component.before_key(language), self.key).into()
+    }
+}
+
+/// What stands before the last word of an enumeration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Link {
+    /// All of them.
+    And,
+    /// One of them.
+    Or,
+    /// Not all are told.
+    Space,
+}
+
+/// Words with commas between them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Enumeration {
+    words: Vec<String>,
+    link: Link,
+}
+
+impl Enumeration {
+    /// These words, as they are.
+    pub(crate) fn new(words: Vec<String>, link: Link) -> Self {
+        Self { words, link }
+    }
+
+    /// One of these values in quotes.
+    pub(crate) fn of_values(values: &[&str]) -> Self {
+        Self::new(values.iter().map(|value| format!("\"{value}\"")).collect(), Link::Or)
+    }
+
+    /// All of these keys between backquotes.
+    pub(crate) fn of_keys<'a>(keys: impl Iterator<Item = &'a KeySpec>) -> Self {
+        Self::new(keys.map(|key| format!("`{}`", key.name)).collect(), Link::And)
+    }
+
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.words.is_empty()
+    }
+}
+
+impl Phrase for Enumeration {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        let link = match self.link {
+            Link::And => language.pick(" and ", " и "),
+            Link::Or => language.pick(" or ", " или "),
+            Link::Space => " ",
+        };
+        listed(&self.words, link).into()
+    }
+}
+
+/// What a number outside of its range should have been.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Requirement {
+    /// Neither infinite nor no number.
+    Finite,
+    /// Greater than 0.
+    Positive,
+    /// 0 or more.
+    NotNegative,
+    /// This or more.
+    AtLeast(Number),
+    /// This or less.
+    AtMost(Number),
+}
+
+impl Phrase for Requirement {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        match self {
+            Self::Finite => language.pick("a finite number", "конечным числом").into(),
+            Self::Positive => language.pick("greater than 0", "больше 0").into(),
+            Self::NotNegative => language.pick("0 or more", "не меньше 0").into(),
+            Self::AtLeast(number) => {
+                format!("{} {}", language.pick("at least", "не меньше"), number.phrase(language)).into()
+            }
+            Self::AtMost(number) => {
+                format!("{} {}", language.pick("at most", "не больше"), number.phrase(language)).into()
+            }
+        }
+    }
+}
+
+/// What a key means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Meaning {
+    /// The key.
+    pub(crate) key: &'static KeySpec,
+    /// Whether the range of its numbers is told too.
+    pub(crate) has_range: bool,
+}
+
+impl Phrase for Meaning {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        let name = self.key.name;
+        let mut text = match language {
+            Language::English => format!("`{name}` is {}", self.key.doc),
+            Language::Russian => format!("`{name}` — {}", russian::doc(self.key)),
+        };
+        if let Some(limits) = self.key.limits().filter(|_| self.has_range) {
+            let (min, max) = (Number::from(limits.min), Number::from(limits.max));
+            let (min, max) = (min.phrase(language), max.phrase(language));
+            text.push_str(&match language {
+                Language::English => format!(" ({min} to {max})"),
+                Language::Russian => format!(" (от {min} до {max})"),
+            });
+        }
+        text.into()
+    }
+}
+
+/// Things of a scene that have names of their own: the plural in English, in Russian the form after "два".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Collection {
+    /// Materials.
+    Materials,
+    /// Lights.
+    Lights,
+    /// Bodies.
+    Bodies,
+}
+
+impl Phrase for Collection {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        match self {
+            Self::Materials => language.pick("materials", "материала"),
+            Self::Lights => language.pick("lights", "источника света"),
+            Self::Bodies => language.pick("bodies", "тела"),
+        }
+        .into()
+    }
+}
