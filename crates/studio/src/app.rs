@@ -22,6 +22,7 @@ use crate::host::Host;
 use crate::images::Images;
 use crate::layout::{self, Pane};
 use crate::maps::Maps;
+use crate::menu::MenuFocus;
 use crate::notices::Toasts;
 use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
@@ -53,6 +54,7 @@ pub struct Studio {
     pub(crate) palette: Palette,
     pub(crate) help: Help,
     pub(crate) first_steps: FirstSteps,
+    pub(crate) menu_focus: MenuFocus,
     pub(crate) keys: shortcuts::Keys,
     pub(crate) toasts: Toasts,
     pub(crate) host: Box<dyn Host>,
@@ -121,6 +123,7 @@ impl Studio {
             palette: Palette::default(),
             help: Help::default(),
             first_steps: FirstSteps::default(),
+            menu_focus: MenuFocus::default(),
             keys: shortcuts::Keys::default(),
             toasts: Toasts::default(),
             host,

@@ -114,6 +114,8 @@ pub enum Command {
     Language(Language),
     /// Find a command by typing.
     Palette,
+    /// Give the keyboard to the menu bar.
+    FocusMenu,
     /// The list of shortcuts.
     Shortcuts,
     /// The terms of optics, explained.

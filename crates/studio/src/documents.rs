@@ -15,9 +15,11 @@ mod recover;
 mod remember;
 mod save;
 mod start;
+mod watch;
 
 use std::path::PathBuf;
 use std::rc::Weak;
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use catoptric_editor::Editor;
@@ -49,6 +51,10 @@ pub(crate) struct Documents {
     changed: Option<((u64, u64, u64), bool)>,
     /// When the document's own file may be replaced.
     may: Option<May>,
+    /// The text of its file as it was read or written last.
+    text_on_disk: Option<Arc<str>>,
+    /// What other programs do to its file.
+    outside: watch::Outside,
     /// Whether the document is only the part of its file that could be read.
     is_partial: bool,
     /// The example that it is, or was made of.
@@ -103,6 +109,7 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     open::take_dropped(context, studio);
     leave::mind_close(context, studio);
     recover::poll(context, studio);
+    watch::keep(context, studio);
     keeper::keep(context, studio);
     remember::keep(context, studio);
     recent::keep(context, studio);
@@ -191,6 +198,7 @@ fn show(studio: &mut Studio, editor: Editor) {
     let documents = &mut studio.documents;
     documents.number += 1;
     documents.may = None;
+    documents.text_on_disk = None;
     documents.is_partial = false;
     documents.example = None;
     studio.view.free_camera = None;
@@ -218,6 +226,7 @@ fn show_opened(studio: &mut Studio, opened: Opened) {
     let Opened { path, text, scene, findings, stamp } = opened;
     show(studio, Editor::open(path.clone(), text.clone(), scene));
     studio.documents.may = stamp.map(May::Update);
+    studio.documents.text_on_disk = Some(Arc::clone(&text));
     studio.documents.is_partial = findings.has_errors();
     studio.settings.remember_recent(&path);
     studio.settings.last = Some(LastScene::File(path));

@@ -11,6 +11,7 @@ mod inspector;
 mod kit;
 mod lab;
 mod materials;
+mod menu;
 mod monkey;
 mod outliner;
 mod render;
