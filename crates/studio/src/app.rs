@@ -34,7 +34,8 @@ use crate::view::View;
 use crate::viewport::Lens;
 use crate::window::Interruption;
 use crate::{
-    compare, documents, exports, images, measure, menu, panes, picture_frame, shortcuts, status_bar,
+    compare, documents, example_note, exports, images, measure, menu, panes, picture_frame, shortcuts,
+    status_bar,
 };
 
 /// The whole window.
@@ -250,6 +251,7 @@ impl Studio {
             // What it did is seen in the next frame, and a text to be pasted comes with it.
             ui.ctx().request_repaint();
         }
+        example_note::keep(self);
         card::keep_up(self);
         documents::keep(ui.ctx(), self);
         images::keep(ui.ctx(), self);

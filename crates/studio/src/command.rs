@@ -116,6 +116,8 @@ pub enum Command {
     Palette,
     /// Give the keyboard to the menu bar.
     FocusMenu,
+    /// What to notice in the example that is open.
+    ExampleNote,
     /// The list of shortcuts.
     Shortcuts,
     /// The terms of optics, explained.

@@ -28,9 +28,9 @@ use egui::{Context, ViewportCommand};
 
 use crate::app::Studio;
 use crate::command::Command;
+use crate::example_note::example_title;
 use crate::host::{FileKind, FileQuestion};
 use crate::settings::LastScene;
-use crate::texts::Language;
 use ask::{Answer, Asking, Chosen};
 use disk::{May, Opened};
 pub(crate) use leave::Next;
@@ -86,6 +86,11 @@ impl Documents {
     /// Which document of this window it is.
     pub(crate) fn number(&self) -> u64 {
         self.number
+    }
+
+    /// The example that the document is, or was made of, until it is saved as a file.
+    pub(crate) fn example(&self) -> Option<&'static Example> {
+        self.example
     }
 
     /// Whether a file is being read.
@@ -175,14 +180,6 @@ pub(crate) fn name(studio: &Studio) -> String {
         (None, Some(example)) => example_title(example, studio.texts.language()).to_owned(),
         _ if title.is_empty() => studio.texts.get("document-untitled").to_owned(),
         _ => title.to_owned(),
-    }
-}
-
-/// The example's title in a language.
-pub(crate) fn example_title(example: &Example, language: Language) -> &'static str {
-    match language {
-        Language::English => example.title(),
-        Language::Russian => example.russian_title(),
     }
 }
 

@@ -17,7 +17,8 @@ use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
 use crate::command::{AuditAct, Command, CompareAct, MeasureAct, Situation, Tool, Zoom};
-use crate::documents::{example_title, recent};
+use crate::documents::recent;
+use crate::example_note::example_title;
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
@@ -306,7 +307,8 @@ fn lab() -> Vec<Entry> {
 fn help() -> Vec<Entry> {
     let mut entries: Vec<Entry> = commands_of([Command::Palette]).collect();
     entries.push(Entry::Line);
-    entries.extend(commands_of([Command::FirstSteps, Command::Terms, Command::Shortcuts]));
+    entries.extend(commands_of([Command::FirstSteps, Command::ExampleNote]));
+    entries.extend(commands_of([Command::Terms, Command::Shortcuts]));
     entries.push(Entry::Line);
     entries.push(Entry::Do(Command::About));
     entries

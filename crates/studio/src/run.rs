@@ -82,6 +82,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         }
         Command::Rename => rename(studio),
         Command::Palette => Palette::open(context, studio),
+        Command::ExampleNote => crate::example_note::toggle(studio),
         Command::FocusMenu => studio.menu_focus.toggle(context),
         Command::Shortcuts => Help::open(context, studio, Page::Shortcuts),
         Command::Terms => Help::open(context, studio, Page::Terms),

@@ -200,6 +200,7 @@ pub(super) static ROWS: &[Row] = rows! {
     }
     Help: {
         Command::Palette => "command-palette", ICON_TERMINAL, ctrl(Key::P), ctrl_shift(Key::P);
+        Command::ExampleNote => "command-example-note", ICON_TIPS_AND_UPDATES;
         Command::FocusMenu => "command-focus-menu", ICON_TOOLBAR, plain(Key::F10);
         Command::Shortcuts => "command-shortcuts", ICON_KEYBOARD, plain(Key::F1);
         Command::Terms => "command-terms", ICON_MENU_BOOK;

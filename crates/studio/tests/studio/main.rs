@@ -5,6 +5,7 @@ mod audit;
 mod card;
 mod commands;
 mod documents;
+mod example_note;
 mod experiments;
 mod fit;
 mod inspector;

@@ -274,6 +274,8 @@ command-zoom-normal = Normal interface size
 # Help.
 command-palette = Find a command…
     .tip = Finds commands, examples, files and things of the scene by some letters of their names.
+command-example-note = What to notice
+    .tip = Says below the picture what to notice in the example that is open.
 command-focus-menu = Menu bar
     .tip = Gives the keyboard to the menu bar: arrows walk, Enter chooses, Esc leaves. Alt pressed and released by itself does the same.
 command-shortcuts = Shortcuts

@@ -159,3 +159,7 @@ banner-dismiss = Dismiss
 examples-title = Examples
 examples-search = Search the examples
 examples-none = No matching examples.
+
+# The note below the picture
+example-note-title = { $name }: what to notice
+example-note-close = Close the note

@@ -167,3 +167,7 @@ banner-dismiss = Скрыть
 examples-title = Примеры
 examples-search = Поиск по примерам
 examples-none = Подходящих примеров нет.
+
+# Заметка под изображением
+example-note-title = { $name }: на что смотреть
+example-note-close = Закрыть заметку
