@@ -21,6 +21,7 @@ use crate::help::Help;
 use crate::host::Host;
 use crate::images::Images;
 use crate::layout::{self, Pane};
+use crate::manual::Manual;
 use crate::maps::Maps;
 use crate::menu::MenuFocus;
 use crate::notices::Toasts;
@@ -54,6 +55,7 @@ pub struct Studio {
     pub(crate) dialogs: Dialogs,
     pub(crate) palette: Palette,
     pub(crate) help: Help,
+    pub(crate) manual: Manual,
     pub(crate) first_steps: FirstSteps,
     pub(crate) menu_focus: MenuFocus,
     pub(crate) keys: shortcuts::Keys,
@@ -123,6 +125,7 @@ impl Studio {
             dialogs: Dialogs::default(),
             palette: Palette::default(),
             help: Help::default(),
+            manual: Manual::default(),
             first_steps: FirstSteps::default(),
             menu_focus: MenuFocus::default(),
             keys: shortcuts::Keys::default(),
@@ -240,6 +243,7 @@ impl Studio {
         Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         crate::first_steps::first_steps_ui(ui.ctx(), self);
+        crate::manual::manual_ui(ui.ctx(), self);
         pictures::pictures_ui(ui, self);
         crate::dialogs::dialogs_ui(ui, self);
         crate::palette::palette_ui(ui.ctx(), self);
@@ -299,8 +303,8 @@ impl Studio {
     /// Ends the open gesture when nothing is being dragged or typed any more: it becomes one step of the history.
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
-        // Lists have the focus while they are used, and nothing is typed into them.
-        let lists = [crate::outliner::list_id(), crate::materials::list_id()];
+        // Lists and pages have the focus while they are used, and nothing is typed into them.
+        let lists = [crate::outliner::list_id(), crate::materials::list_id(), crate::manual::page_id()];
         let is_used = ui.memory(egui::Memory::focused).is_some_and(|id| !lists.contains(&id));
         if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();

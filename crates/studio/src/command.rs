@@ -118,6 +118,8 @@ pub enum Command {
     FocusMenu,
     /// What to notice in the example that is open.
     ExampleNote,
+    /// The documents, to be read in the window.
+    Manual,
     /// The list of shortcuts.
     Shortcuts,
     /// The terms of optics, explained.

@@ -75,7 +75,7 @@ impl ExampleNote {
 /// Learns which example is open; once a frame. A document keeps its note when it is saved as a file.
 pub(crate) fn keep(studio: &mut Studio) {
     let document = studio.documents.number();
-    let is_busy = studio.dialogs.is_any_open() || studio.help.is_any_open();
+    let is_busy = studio.dialogs.is_any_open() || studio.help.is_any_open() || studio.manual.has_keys();
     let note = &mut studio.panes.example_note;
     note.is_esc_taken |= is_busy;
     if note.document != document {

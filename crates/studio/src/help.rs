@@ -33,7 +33,7 @@ impl Page {
     const fn icon(self) -> MaterialIcon {
         match self {
             Self::Shortcuts => icons::ICON_KEYBOARD,
-            Self::Terms => icons::ICON_MENU_BOOK,
+            Self::Terms => icons::ICON_DICTIONARY,
             Self::About => icons::ICON_INFO,
         }
     }

@@ -22,6 +22,7 @@ mod images;
 mod inspector;
 mod latest;
 mod layout;
+mod manual;
 mod maps;
 mod materials;
 mod measure;

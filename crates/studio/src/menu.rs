@@ -305,7 +305,7 @@ fn lab() -> Vec<Entry> {
 }
 
 fn help() -> Vec<Entry> {
-    let mut entries: Vec<Entry> = commands_of([Command::Palette]).collect();
+    let mut entries: Vec<Entry> = commands_of([Command::Manual, Command::Palette]).collect();
     entries.push(Entry::Line);
     entries.extend(commands_of([Command::FirstSteps, Command::ExampleNote]));
     entries.extend(commands_of([Command::Terms, Command::Shortcuts]));

@@ -11,6 +11,7 @@ mod fit;
 mod inspector;
 mod kit;
 mod lab;
+mod manual;
 mod materials;
 mod menu;
 mod monkey;

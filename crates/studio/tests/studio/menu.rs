@@ -88,7 +88,7 @@ fn enter_opens_a_menu_and_arrows_go_from_menu_to_menu() {
     press(&mut harness, Key::Enter);
     assert!(is_focused(&harness, "New scene"), "{:?}", focused(&harness));
     press(&mut harness, Key::ArrowLeft);
-    assert!(is_focused(&harness, "Find a command…"), "the last menu: {:?}", focused(&harness));
+    assert!(is_focused(&harness, "Manual"), "the last menu: {:?}", focused(&harness));
     assert!(harness.query_by_label("New scene").is_none());
     press(&mut harness, Key::ArrowRight);
     assert!(is_focused(&harness, "New scene"), "{:?}", focused(&harness));

@@ -274,6 +274,8 @@ command-zoom-normal = Normal interface size
 # Help.
 command-palette = Find a command…
     .tip = Finds commands, examples, files and things of the scene by some letters of their names.
+command-manual = Manual
+    .tip = All pages about the studio, scene files, materials, the model and the methods, with search. It needs no network.
 command-example-note = What to notice
     .tip = Says below the picture what to notice in the example that is open.
 command-focus-menu = Menu bar

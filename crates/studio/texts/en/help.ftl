@@ -90,6 +90,13 @@ glossary-parallax = Parallax
 glossary-flip = FLIP
     .tip = A measure of how different two pictures look to an eye that flips between them at 67 pixels per degree (Andersson et al. 2020).
 
+# The manual.
+manual-search = Search all pages
+manual-nothing = Nothing was found. All words must stand in one paragraph.
+manual-back = Back
+manual-copy = Copy
+manual-picture = Picture: { $name }
+
 # About.
 about-version = Version { $version }
 about-what = A laboratory for reflections from geometric bodies.
