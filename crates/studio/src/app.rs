@@ -21,7 +21,9 @@ use crate::help::Help;
 use crate::host::Host;
 use crate::images::Images;
 use crate::layout::{self, Pane};
+use crate::manual::Manual;
 use crate::maps::Maps;
+use crate::menu::MenuFocus;
 use crate::notices::Toasts;
 use crate::palette::Palette;
 use crate::panes::{Docked, Panes};
@@ -33,7 +35,8 @@ use crate::view::View;
 use crate::viewport::Lens;
 use crate::window::Interruption;
 use crate::{
-    compare, documents, exports, images, measure, menu, panes, picture_frame, shortcuts, status_bar,
+    compare, documents, example_note, exports, images, measure, menu, panes, picture_frame, shortcuts,
+    status_bar,
 };
 
 /// The whole window.
@@ -52,7 +55,9 @@ pub struct Studio {
     pub(crate) dialogs: Dialogs,
     pub(crate) palette: Palette,
     pub(crate) help: Help,
+    pub(crate) manual: Manual,
     pub(crate) first_steps: FirstSteps,
+    pub(crate) menu_focus: MenuFocus,
     pub(crate) keys: shortcuts::Keys,
     pub(crate) toasts: Toasts,
     pub(crate) host: Box<dyn Host>,
@@ -120,7 +125,9 @@ impl Studio {
             dialogs: Dialogs::default(),
             palette: Palette::default(),
             help: Help::default(),
+            manual: Manual::default(),
             first_steps: FirstSteps::default(),
+            menu_focus: MenuFocus::default(),
             keys: shortcuts::Keys::default(),
             toasts: Toasts::default(),
             host,
@@ -252,6 +259,7 @@ impl Studio {
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         audit::open_panel(ui.ctx(), self);
         crate::first_steps::first_steps_ui(ui.ctx(), self);
+        crate::manual::manual_ui(ui.ctx(), self);
         pictures::pictures_ui(ui, self);
         crate::dialogs::dialogs_ui(ui, self);
         crate::palette::palette_ui(ui.ctx(), self);
@@ -263,6 +271,7 @@ impl Studio {
             // What it did is seen in the next frame, and a text to be pasted comes with it.
             ui.ctx().request_repaint();
         }
+        example_note::keep(self);
         card::keep_up(self);
         documents::keep(ui.ctx(), self);
         images::keep(ui.ctx(), self);
@@ -311,8 +320,8 @@ impl Studio {
     /// Ends the open gesture when nothing is being dragged or typed any more: it becomes one step of the history.
     fn settle(&mut self, ui: &Ui) {
         let is_pointer_down = ui.input(|input| input.pointer.any_down());
-        // Lists have the focus while they are used, and nothing is typed into them.
-        let lists = [crate::outliner::list_id(), crate::materials::list_id()];
+        // Lists and pages have the focus while they are used, and nothing is typed into them.
+        let lists = [crate::outliner::list_id(), crate::materials::list_id(), crate::manual::page_id()];
         let is_used = ui.memory(egui::Memory::focused).is_some_and(|id| !lists.contains(&id));
         if !is_pointer_down && !self.view.is_moving && !is_used {
             self.editor.settle();

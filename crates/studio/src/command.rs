@@ -116,6 +116,12 @@ pub enum Command {
     Language(Language),
     /// Find a command by typing.
     Palette,
+    /// Give the keyboard to the menu bar.
+    FocusMenu,
+    /// What to notice in the example that is open.
+    ExampleNote,
+    /// The documents, to be read in the window.
+    Manual,
     /// The list of shortcuts.
     Shortcuts,
     /// The terms of optics, explained.

@@ -9,6 +9,7 @@ mod message;
 pub(crate) mod question;
 pub(crate) mod recovery;
 mod render;
+mod shield;
 
 use egui::{
     Align, Button, Context, Frame, Key, Layout, Margin, Modal, Modifiers, Popup, RichText, Stroke, Ui,
@@ -20,6 +21,7 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::thumbnails::Thumbnails;
 pub(crate) use message::Message;
+use shield::ClickShield;
 
 /// What becomes of a dialog after a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +53,8 @@ pub(crate) struct Dialogs {
     open: Vec<Opened>,
     /// Pictures of the examples.
     thumbnails: Thumbnails<usize>,
+    /// Where a dialog has just been closed by a click.
+    shield: Option<ClickShield>,
 }
 
 struct Opened {
@@ -80,6 +84,7 @@ impl Dialogs {
 /// Draws the open dialogs.
 pub(crate) fn dialogs_ui(ui: &mut Ui, studio: &mut Studio) {
     let mut open = std::mem::take(&mut studio.dialogs.open);
+    studio.dialogs.shield = studio.dialogs.shield.filter(|shield| shield.show(ui.ctx()));
     number_new(&mut open);
     let top = open.last().and_then(|opened| opened.number);
     open.retain_mut(|opened| {
@@ -138,11 +143,24 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: boo
         })
         .inner;
     let escape = || context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+    if flow == Flow::Close {
+        studio.dialogs.shield = ClickShield::raise(context).or(studio.dialogs.shield);
+    }
     if flow == Flow::Close || has_keys && escape() {
         context.request_repaint();
         return Flow::Close;
     }
     Flow::Stay
+}
+
+/// Whether Enter was pressed: it is then not taken for the default button of the dialog that is being drawn.
+fn withhold_enter(ui: &Ui) -> bool {
+    let enter_id = egui::Id::unique("enter decides");
+    ui.data_mut(|data| {
+        let enter = data.get_temp::<EnterDecides>(enter_id).is_some_and(|enter| enter.0);
+        data.insert_temp(enter_id, EnterDecides(false));
+        enter
+    })
 }
 
 /// Draws the row of buttons of a dialog, the first label at the right as the default, which Enter presses, the others

@@ -15,9 +15,11 @@ mod recover;
 mod remember;
 mod save;
 mod start;
+mod watch;
 
 use std::path::PathBuf;
 use std::rc::Weak;
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use catoptric_editor::Editor;
@@ -27,9 +29,9 @@ use egui::{Context, ViewportCommand};
 
 use crate::app::Studio;
 use crate::command::Command;
+use crate::example_note::example_title;
 use crate::host::{FileKind, FileQuestion};
 use crate::settings::LastScene;
-use crate::texts::Language;
 use ask::{Answer, Asking, Chosen};
 use disk::{May, Opened};
 pub(crate) use leave::Next;
@@ -50,6 +52,10 @@ pub(crate) struct Documents {
     unsaved: Option<((u64, u64, u64), bool)>,
     /// When the document's own file may be replaced.
     may: Option<May>,
+    /// The text of its file as it was read or written last.
+    text_on_disk: Option<Arc<str>>,
+    /// What other programs do to its file.
+    outside: watch::Outside,
     /// Whether the document is only the part of its file that could be read.
     is_partial: bool,
     /// The example that it is, or was made of.
@@ -83,6 +89,11 @@ impl Documents {
         self.number
     }
 
+    /// The example that the document is, or was made of, until it is saved as a file.
+    pub(crate) fn example(&self) -> Option<&'static Example> {
+        self.example
+    }
+
     /// Whether a file is being read.
     pub(crate) fn is_opening(&self) -> bool {
         self.reading.is_some()
@@ -104,6 +115,7 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     open::take_dropped(context, studio);
     leave::mind_close(context, studio);
     recover::poll(context, studio);
+    watch::keep(context, studio);
     keeper::keep(context, studio);
     remember::keep(context, studio);
     recent::keep(context, studio);
@@ -172,14 +184,6 @@ pub(crate) fn name(studio: &Studio) -> String {
     }
 }
 
-/// The example's title in a language.
-pub(crate) fn example_title(example: &Example, language: Language) -> &'static str {
-    match language {
-        Language::English => example.title(),
-        Language::Russian => example.russian_title(),
-    }
-}
-
 /// Puts another document into the window.
 fn show(studio: &mut Studio, editor: Editor) {
     let editor = editor.succeeding(&studio.editor);
@@ -195,6 +199,7 @@ fn show(studio: &mut Studio, editor: Editor) {
     let documents = &mut studio.documents;
     documents.number += 1;
     documents.may = None;
+    documents.text_on_disk = None;
     documents.is_partial = false;
     documents.example = None;
     studio.view.free_camera = None;
@@ -222,6 +227,7 @@ fn show_opened(studio: &mut Studio, opened: Opened) {
     let Opened { path, text, scene, findings, stamp } = opened;
     show(studio, Editor::open(path.clone(), text.clone(), scene));
     studio.documents.may = stamp.map(May::Update);
+    studio.documents.text_on_disk = Some(Arc::clone(&text));
     studio.documents.is_partial = findings.has_errors();
     studio.settings.remember_recent(&path);
     studio.settings.last = Some(LastScene::File(path));

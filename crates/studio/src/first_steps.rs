@@ -5,14 +5,20 @@ use std::sync::Arc;
 use catoptric_scene::{Camera, Scene};
 use egui::{Align, Align2, Area, Context, Frame, Id, Layout, Order, RichText, Ui};
 use egui_material_icons::icons;
+use glam::DVec3;
 
 use crate::app::Studio;
+use crate::command::{AuditAct, Command};
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
 
 /// The messages of the steps.
 const STEPS: [&str; 3] = ["first-move", "first-orbit", "first-reflection"];
+
+/// What there is to go on with when all steps are done.
+const NEXT: [(&str, Command); 2] =
+    [("first-gallery", Command::Examples), ("first-lab", Command::Audit(AuditAct::Tool))];
 
 /// Which steps have been done.
 #[derive(Debug, Default)]
@@ -32,6 +38,16 @@ impl FirstSteps {
     }
 }
 
+/// Cosine of the least angle that counts as a turn of the view, one degree.
+const LEAST_TURN: f64 = 0.999_848;
+
+/// Whether the view looks in another direction. The wheel, which scales the way to what is under the pointer, and a
+/// shift leave the direction as it is.
+fn is_turned(before: &Camera, now: &Camera) -> bool {
+    let direction = |camera: &Camera| (camera.target - camera.position).normalize_or(DVec3::NEG_Z);
+    direction(before).dot(direction(now)) < LEAST_TURN
+}
+
 /// Draws the hint, unless it has been dismissed.
 pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
     if studio.settings.is_hint_dismissed {
@@ -47,7 +63,7 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
         return;
     }
     let corner = view.left_bottom() + egui::vec2(14.0, -14.0);
-    let mut is_closed = false;
+    let mut done = Done::default();
     Area::new(Id::unique("first steps"))
         .order(Order::Middle)
         .pivot(Align2::LEFT_BOTTOM)
@@ -55,10 +71,19 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
         .show(context, |ui| {
             Frame::popup(ui.style()).inner_margin(12.0).show(ui, |ui| {
                 ui.set_width(304.0);
-                is_closed = card_ui(ui, &studio.texts, studio.first_steps.done);
+                done = card_ui(ui, &studio.texts, studio.first_steps.done);
             });
         });
-    studio.settings.is_hint_dismissed |= is_closed;
+    studio.settings.is_hint_dismissed |= done.is_closed;
+    studio.commands.extend(done.next);
+}
+
+/// What was pressed on the card.
+#[derive(Default)]
+struct Done {
+    is_closed: bool,
+    /// Where the hint leads on to.
+    next: Option<Command>,
 }
 
 /// Ticks the steps that have been done since the start; a scene that nothing was done to is a new start.
@@ -73,9 +98,7 @@ fn watch(studio: &mut Studio) {
         return;
     }
     let Some((start, start_camera)) = &steps.start else { return };
-    if camera.position != start_camera.position {
-        steps.done[1] = true;
-    }
+    steps.done[1] |= is_turned(start_camera, &camera);
     if is_same || start.bodies.len() != scene.bodies.len() {
         return;
     }
@@ -87,14 +110,15 @@ fn watch(studio: &mut Studio) {
     steps.done[2] |= pairs().any(|(before, now)| reflection(start, before) != reflection(scene, now));
 }
 
-/// Draws the card; returns whether it is to be closed.
-fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> bool {
+/// Draws the card.
+fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> Done {
     let palette = theme::palette(ui.visuals());
-    let mut is_closed = false;
+    let mut pressed = Done::default();
     ui.horizontal(|ui| {
         ui.label(RichText::new(texts.get("first-title")).strong());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            is_closed = icon_button(ui, icons::ICON_CLOSE, texts.get("first-dismiss"), false).clicked();
+            pressed.is_closed =
+                icon_button(ui, icons::ICON_CLOSE, texts.get("first-dismiss"), false).clicked();
         });
     });
     ui.add_space(2.0);
@@ -110,13 +134,35 @@ fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> bool {
         });
     }
     if done == [true; 3] {
-        ui.add_space(2.0);
-        ui.horizontal(|ui| {
-            ui.label(texts.get("first-done"));
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                is_closed |= ui.button(texts.get("close")).clicked();
-            });
+        ui.add_space(4.0);
+        ui.add(egui::Label::new(texts.get("first-done")).wrap());
+        ui.horizontal_wrapped(|ui| {
+            for (key, command) in NEXT {
+                let button = ui.button(texts.get(key));
+                if button.on_hover_text(texts.tip(key).unwrap_or_default()).clicked() {
+                    pressed = Done { is_closed: true, next: Some(command) };
+                }
+            }
+            pressed.is_closed |= ui.button(texts.get("close")).clicked();
         });
     }
-    is_closed
+    pressed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use catoptric_editor::navigate;
+
+    #[test]
+    fn the_wheel_and_shifts_are_no_turns() {
+        let camera = Camera::default();
+        let point = camera.target + DVec3::new(0.7, -0.4, 0.3);
+        for factor in [0.2, 0.9, 1.1, 5.0] {
+            assert!(!is_turned(&camera, &navigate::zoom_towards(&camera, point, factor)), "{factor}");
+        }
+        assert!(!is_turned(&camera, &navigate::pan(&camera, 1.0, 2.0)));
+        assert!(is_turned(&camera, &navigate::orbit(&camera, 0.1, 0.0)));
+        assert!(is_turned(&camera, &navigate::orbit(&camera, 0.0, 0.1)));
+    }
 }

@@ -33,7 +33,7 @@ impl Page {
     const fn icon(self) -> MaterialIcon {
         match self {
             Self::Shortcuts => icons::ICON_KEYBOARD,
-            Self::Terms => icons::ICON_MENU_BOOK,
+            Self::Terms => icons::ICON_DICTIONARY,
             Self::About => icons::ICON_INFO,
         }
     }
@@ -46,6 +46,11 @@ pub(crate) struct Help {
 }
 
 impl Help {
+    /// Whether it is open.
+    pub(crate) fn is_any_open(&self) -> bool {
+        self.page.is_some()
+    }
+
     /// Opens a page; what was being typed below ends.
     pub(crate) fn open(context: &Context, studio: &mut Studio, page: Page) {
         context.memory_mut(egui::Memory::stop_text_input);

@@ -1,24 +1,31 @@
 //! The menu bar.
 
+mod alt_key;
+mod focus;
+
 use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
 use catoptric_scene::{Example, ShapeKind};
 use catoptric_tracer::method::MethodKind;
-use egui::containers::menu::{MenuBar, MenuButton, MenuConfig, SubMenuButton};
-use egui::{Align, Button, Layout, ScrollArea, Style, TextWrapMode, Ui, vec2};
+use egui::containers::menu::{MenuBar, SubMenuButton};
+use egui::{
+    Align, Button, Id, Layout, Popup, Response, ScrollArea, SetOpenCommand, Style, TextWrapMode, Ui, Vec2,
+    vec2,
+};
 use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
 use crate::command::{AuditAct, Command, CompareAct, MeasureAct, Situation, Tool, Zoom};
-use crate::documents::example_title;
 use crate::documents::recent;
+use crate::example_note::example_title;
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
 use crate::widgets::icon_button;
 use crate::widgets::tip::tip_beside_entry;
 use crate::{methods, shortcuts, theme};
+pub(crate) use focus::MenuFocus;
 
 /// What the bar needs to show all menus beside each other, points; below it they are folded into one.
 const FULL_WIDTH: f32 = 520.0;
@@ -52,27 +59,58 @@ const MENUS: [Menu; 6] = [
 pub(crate) fn menu_ui(ui: &mut Ui, studio: &mut Studio) {
     let mut commands = Vec::new();
     let shown_before = ui.data(|data| data.get_temp(recent_id()));
-    let bar = MenuBar::new().config(MenuConfig::new().style(dress_menu as fn(&mut Style)));
-    bar.style(dress_bar as fn(&mut Style)).ui(ui, |ui| {
+    let mut focus = std::mem::take(&mut studio.menu_focus);
+    focus.begin(ui.ctx());
+    MenuBar::new().style(dress_bar as fn(&mut Style)).ui(ui, |ui| {
         if ui.available_width() < FULL_WIDTH {
-            let (response, _) = MenuButton::new(icons::ICON_MENU.rich_text()).ui(ui, |ui| {
+            let name = studio.texts.get("menu-all");
+            bar_button(ui, (icons::ICON_MENU.rich_text(), name), &mut focus, |ui, focus| {
                 for menu in &MENUS {
-                    SubMenuButton::new(studio.texts.get(menu.key))
-                        .ui(ui, |ui| entries_ui(ui, studio, (menu.entries)(), &mut commands));
+                    let (response, _) = SubMenuButton::new(studio.texts.get(menu.key))
+                        .ui(ui, |ui| entries_ui(ui, studio, (menu.entries)(), &mut commands, None));
+                    if !ui.is_sizing_pass() {
+                        focus.add_entry(&response, true);
+                    }
                 }
             });
-            response.accessible_name(studio.texts.get("menu-all"));
         } else {
             for menu in &MENUS {
-                ui.menu_button(studio.texts.get(menu.key), |ui| {
-                    entries_ui(ui, studio, (menu.entries)(), &mut commands);
+                let name = studio.texts.get(menu.key);
+                bar_button(ui, (egui::RichText::new(name), name), &mut focus, |ui, focus| {
+                    let focus = (!ui.is_sizing_pass()).then_some(focus);
+                    entries_ui(ui, studio, (menu.entries)(), &mut commands, focus);
                 });
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| right_ui(ui, studio, &mut commands));
     });
+    focus.end(ui.ctx());
+    studio.menu_focus = focus;
     look_up_recent(ui.ctx(), studio, shown_before);
     studio.commands.append(&mut commands);
+}
+
+/// A button of the bar with its menu. While a menu is open, moving the pointer over another button opens that one's.
+fn bar_button(
+    ui: &mut Ui,
+    (text, name): (egui::RichText, &str),
+    focus: &mut MenuFocus,
+    content: impl FnOnce(&mut Ui, &mut MenuFocus),
+) {
+    let open_id = Id::unique("open menu of the bar");
+    let response = ui.button(text).accessible_name(name);
+    focus.add_button(&response);
+    let popup_id = Popup::default_response_id(&response);
+    let mut popup = Popup::menu(&response).style(dress_menu as fn(&mut Style));
+    let is_entered =
+        response.hovered() && !response.clicked() && ui.input(|input| input.pointer.delta() != Vec2::ZERO);
+    let open: Option<Id> = ui.data(|data| data.get_temp(open_id));
+    if is_entered && open.is_some_and(|open| open != popup_id && Popup::is_id_open(ui.ctx(), open)) {
+        popup = popup.open_memory(Some(SetOpenCommand::Bool(true)));
+    }
+    if popup.show(|ui| content(ui, focus)).is_some() {
+        ui.data_mut(|data| data.insert_temp(open_id, popup_id));
+    }
 }
 
 /// Menus of this studio are airier than egui's.
@@ -114,17 +152,28 @@ fn right_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     }
 }
 
-fn entries_ui(ui: &mut Ui, studio: &Studio, entries: Vec<Entry>, commands: &mut Vec<Command>) {
+/// Draws the entries of a menu; those of the bar's own menus are told to `focus`.
+fn entries_ui(
+    ui: &mut Ui,
+    studio: &Studio,
+    entries: Vec<Entry>,
+    commands: &mut Vec<Command>,
+    mut focus: Option<&mut MenuFocus>,
+) {
     ui.set_min_width(230.0);
     for entry in entries {
-        match entry {
+        let is_submenu = matches!(entry, Entry::Sub(..));
+        let response = match entry {
             Entry::Do(command) => {
-                if item(ui, studio.situation(), &command) {
+                let response = item_response(ui, studio.situation(), &command);
+                if response.as_ref().is_some_and(Response::clicked) {
                     commands.push(command);
                 }
+                response
             }
             Entry::Line => {
                 ui.separator();
+                None
             }
             Entry::Sub(key, icon, content) => {
                 let text = studio.texts.get(key);
@@ -132,15 +181,22 @@ fn entries_ui(ui: &mut Ui, studio: &Studio, entries: Vec<Entry>, commands: &mut 
                     Button::new((icon.rich_text(), text)).right_text(SubMenuButton::arrow_atom(None));
                 let (response, _) =
                     SubMenuButton::from_button(button).ui(ui, |ui| content(ui, studio, commands));
-                response.accessible_name(text);
+                Some(response.accessible_name(text))
             }
+        };
+        if let (Some(focus), Some(response)) = (&mut focus, response) {
+            focus.add_entry(&response, is_submenu);
         }
     }
 }
 
-/// Draws a command as an entry of a menu; returns whether it was chosen.
+/// Draws a command as an entry of a menu, which closes with it; returns whether it was chosen.
 pub(crate) fn item(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> bool {
-    let Some(look) = command.look() else { return false };
+    item_response(ui, situation, command).is_some_and(|response| response.clicked())
+}
+
+fn item_response(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> Option<Response> {
+    let look = command.look()?;
     let name = situation.name(command);
     let is_on = situation.is_on(command);
     let icon = match (is_on, command.is_choice()) {
@@ -161,7 +217,11 @@ pub(crate) fn item(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> 
     if let Some(tip) = situation.tip(command) {
         response = tip_beside_entry(response, tip);
     }
-    response.clicked()
+    if response.clicked() {
+        // A click closes the menu by itself, a key does not.
+        ui.close();
+    }
+    Some(response)
 }
 
 fn commands_of<const N: usize>(commands: [Command; N]) -> impl Iterator<Item = Entry> {
@@ -246,16 +306,17 @@ fn lab() -> Vec<Entry> {
 }
 
 fn help() -> Vec<Entry> {
-    let mut entries: Vec<Entry> = commands_of([Command::Palette]).collect();
+    let mut entries: Vec<Entry> = commands_of([Command::Manual, Command::Palette]).collect();
     entries.push(Entry::Line);
-    entries.extend(commands_of([Command::FirstSteps, Command::Terms, Command::Shortcuts]));
+    entries.extend(commands_of([Command::FirstSteps, Command::ExampleNote]));
+    entries.extend(commands_of([Command::Terms, Command::Shortcuts]));
     entries.push(Entry::Line);
     entries.push(Entry::Do(Command::About));
     entries
 }
 
 fn do_ui<const N: usize>(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>, list: [Command; N]) {
-    entries_ui(ui, studio, commands_of(list).collect(), commands);
+    entries_ui(ui, studio, commands_of(list).collect(), commands, None);
 }
 
 fn select_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
@@ -324,8 +385,8 @@ fn zoom_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 }
 
 /// The pass in which the recent files were shown last.
-fn recent_id() -> egui::Id {
-    egui::Id::unique("recent files shown")
+fn recent_id() -> Id {
+    Id::unique("recent files shown")
 }
 
 /// Looks up which of the recent files are still there, whenever their menu has opened.
@@ -355,6 +416,7 @@ fn recent_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         let response = ui.add(button).accessible_name(name.as_ref());
         if tip_beside_entry(response, &path.display().to_string()).clicked() {
             commands.push(Command::OpenFile(path.clone()));
+            ui.close();
         }
     }
 }

@@ -8,6 +8,7 @@ use egui_tiles::{SimplificationOptions, TabState, Tabs, TileId, Tiles, UiRespons
 use crate::audit;
 use crate::compare::{Comparing, compare_ui};
 use crate::context::Cx;
+use crate::example_note::{ExampleNote, note_below};
 use crate::history::history_ui;
 use crate::inspector::{Inspector, inspector_ui};
 use crate::layout::{self, Pane};
@@ -31,6 +32,7 @@ pub(crate) struct Panes {
     pub(crate) compare: Comparing,
     pub(crate) measure: Measuring,
     pub(crate) materials: Browser,
+    pub(crate) example_note: ExampleNote,
 }
 
 /// The panels while the layout is drawn.
@@ -48,7 +50,8 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
         let cx = &mut self.cx;
         let panes = &mut *self.panes;
         if *pane == Pane::Viewport {
-            viewport_ui(ui, cx, &mut panes.viewport);
+            let texts = cx.texts;
+            note_below(ui, texts, &mut panes.example_note, |ui| viewport_ui(ui, cx, &mut panes.viewport));
             return UiResponse::None;
         }
         let fill = theme::palette(ui.visuals()).panel;

@@ -1,13 +1,14 @@
 //! The panel of what is wrong in the file: its findings, and the text that they speak of.
 
 mod excerpt;
+mod notes;
 mod source;
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use catoptric_editor::Item;
-use catoptric_scene::{Diagnostic, Diagnostics, Part, Problem, Severity};
+use catoptric_scene::{Diagnostic, Diagnostics, Part, Problem, Scene, Severity};
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{
     Align2, Color32, FontId, Rect, RichText, ScrollArea, Sense, TextFormat, Ui, WidgetInfo, pos2, vec2,
@@ -29,6 +30,8 @@ pub(crate) struct Problems {
     name: String,
     text: Arc<str>,
     findings: Diagnostics,
+    /// For each finding, whether it is only a note.
+    notes: Vec<bool>,
     excerpts: Vec<Excerpt>,
     selected: Option<usize>,
     /// Scroll the text to the selected finding.
@@ -39,14 +42,25 @@ pub(crate) struct Problems {
 }
 
 impl Problems {
-    /// Lists the findings of a file's `text`.
-    pub(crate) fn set(&mut self, name: &str, text: Arc<str>, findings: Diagnostics) {
+    /// Lists the findings of a file's `text`, which describes `scene`.
+    pub(crate) fn set(&mut self, name: &str, text: Arc<str>, findings: Diagnostics, scene: &Scene) {
         name.clone_into(&mut self.name);
+        self.notes = notes::notes(&findings, &text, scene);
         self.excerpts = findings.iter().map(|finding| Excerpt::new(&text, &finding.span)).collect();
         self.text = text;
         self.findings = findings;
         self.selected = (!self.findings.is_empty()).then_some(0);
         self.scrolls = true;
+    }
+
+    /// Whether the findings of the file are notes and nothing else.
+    pub(crate) fn has_only_notes(&self) -> bool {
+        self.findings.omitted() == 0 && self.notes.iter().all(|is_note| *is_note)
+    }
+
+    /// How many findings of the file are notes.
+    pub(crate) fn note_count(&self) -> usize {
+        self.notes.iter().filter(|is_note| **is_note).count()
     }
 
     /// Lists no findings of a file.
@@ -123,7 +137,12 @@ fn item(part: &Part) -> Option<Item> {
 fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut Problems) {
     let number = problems.findings.len() + problems.findings.omitted();
     let arguments = [("number", number.into()), ("name", problems.name.as_str().into())];
-    ui.label(RichText::new(cx.texts.with("problems-in", &arguments)).strong());
+    let heading = if problems.has_only_notes() {
+        cx.texts.with("notes-in", &arguments)
+    } else {
+        cx.texts.with("problems-in", &arguments)
+    };
+    ui.label(RichText::new(heading).strong());
     let line =
         ui.text_style_height(&egui::TextStyle::Body).max(ui.text_style_height(&egui::TextStyle::Monospace));
     let tops = tops(&problems.findings, line);
@@ -142,7 +161,8 @@ fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut Problems) {
             let rect = Rect::from_min_max(corner + vec2(0.0, top), pos2(corner.x + width, corner.y + bottom));
             let is_selected = problems.selected == Some(index);
             let excerpt = problems.excerpts.get(index);
-            if finding_ui(ui, cx, rect, finding, excerpt, is_selected, palette) {
+            let rank = Rank::of(finding, problems.notes.get(index) == Some(&true));
+            if finding_ui(ui, cx, rect, (finding, rank), excerpt, is_selected, palette) {
                 problems.selected = Some(index);
                 problems.scrolls = true;
             }
@@ -168,12 +188,46 @@ fn tops(findings: &Diagnostics, line: f32) -> Vec<f32> {
     tops
 }
 
+/// How much a finding matters to who sees the list.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Rank {
+    Error,
+    Warning,
+    Note,
+}
+
+impl Rank {
+    fn of(finding: &Diagnostic, is_note: bool) -> Self {
+        match finding.severity {
+            Severity::Error => Self::Error,
+            Severity::Warning if is_note => Self::Note,
+            Severity::Warning => Self::Warning,
+        }
+    }
+
+    const fn key(self) -> &'static str {
+        match self {
+            Self::Error => "problem-error",
+            Self::Warning => "problem-warning",
+            Self::Note => "problem-note",
+        }
+    }
+
+    fn sign(self, palette: &Palette) -> (&'static str, Color32) {
+        match self {
+            Self::Error => (icons::ICON_ERROR.codepoint, palette.error),
+            Self::Warning => (icons::ICON_WARNING.codepoint, palette.warning),
+            Self::Note => (icons::ICON_INFO.codepoint, palette.accent),
+        }
+    }
+}
+
 /// Draws a finding; returns whether it was clicked.
 fn finding_ui(
     ui: &Ui,
     cx: &Cx<'_>,
     rect: Rect,
-    finding: &Diagnostic,
+    (finding, rank): (&Diagnostic, Rank),
     excerpt: Option<&Excerpt>,
     is_selected: bool,
     palette: &Palette,
@@ -182,10 +236,7 @@ fn finding_ui(
     let text = finding.message(language);
     let id = ui.scope_id().with(("finding", finding.span.start, finding.line, &text));
     let response = ui.interact(rect, id, Sense::click());
-    let severity = match finding.severity {
-        Severity::Error => cx.t("problem-error"),
-        Severity::Warning => cx.t("problem-warning"),
-    };
+    let severity = cx.texts.get(rank.key());
     response.widget_info(|| {
         let place = [("line", finding.line.into()), ("column", finding.column.into())];
         let place = cx.texts.with("problem-place", &place);
@@ -198,10 +249,7 @@ fn finding_ui(
     } else if response.hovered() || response.has_focus() {
         painter.rect_filled(rect, 4.0, palette.button);
     }
-    let (icon, color) = match finding.severity {
-        Severity::Error => (icons::ICON_ERROR.codepoint, palette.error),
-        Severity::Warning => (icons::ICON_WARNING.codepoint, palette.warning),
-    };
+    let (icon, color) = rank.sign(palette);
     let body = FontId::proportional(13.5);
     let mono = FontId::monospace(12.5);
     let help = finding.help(language);

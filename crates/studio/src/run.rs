@@ -8,6 +8,7 @@ use crate::command::{Command, Zoom};
 use crate::first_steps::FirstSteps;
 use crate::help::{Help, Page};
 use crate::layout::Pane;
+use crate::manual::Manual;
 use crate::outliner::shape_name;
 use crate::palette::Palette;
 use crate::texts::Texts;
@@ -83,6 +84,9 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         }
         Command::Rename => rename(studio),
         Command::Palette => Palette::open(context, studio),
+        Command::Manual => Manual::open(context, studio),
+        Command::ExampleNote => crate::example_note::toggle(studio),
+        Command::FocusMenu => studio.menu_focus.toggle(context),
         Command::Shortcuts => Help::open(context, studio, Page::Shortcuts),
         Command::Terms => Help::open(context, studio, Page::Terms),
         Command::About => Help::open(context, studio, Page::About),

@@ -22,7 +22,7 @@ pub(crate) struct Keys {
 struct Listeners {
     /// A text is being typed.
     is_typing: bool,
-    /// A menu is open.
+    /// A menu is open, or the menu bar has the keyboard.
     is_menu_open: bool,
     /// The keys fly the camera.
     is_flying: bool,
@@ -47,7 +47,7 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     if !is_behind && !is_dragging {
         let listeners = Listeners {
             is_typing: context.text_edit_focused(),
-            is_menu_open: Popup::is_any_open(&context),
+            is_menu_open: Popup::is_any_open(&context) || studio.menu_focus.is_active(),
             // The right button flies, too, while it is down.
             is_flying: studio.view.is_flying || context.input(|input| input.pointer.secondary_down()),
         };
@@ -63,6 +63,9 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
         if !listeners.is_typing {
             collect_clipboard(&context, &mut commands);
         }
+    }
+    if studio.menu_focus.is_alt_tapped(&context) && !is_behind && !is_dragging {
+        commands.push(Command::FocusMenu);
     }
     if std::mem::take(&mut studio.keys.is_paste_asked) {
         take_paste(&context, &mut commands);

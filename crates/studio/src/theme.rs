@@ -76,6 +76,12 @@ pub(crate) fn palette(visuals: &Visuals) -> &'static Palette {
 
 /// Gives the window its fonts and both themes; once, at the start.
 pub(crate) fn install(context: &egui::Context) {
+    let mut fonts = egui::FontDefinitions::default();
+    if let Some(proportional) = fonts.families.get_mut(&egui::FontFamily::Proportional) {
+        // It has arrows and signs of mathematics that the others lack.
+        proportional.push("Hack".to_owned());
+    }
+    context.set_fonts(fonts);
     egui_material_icons::initialize(context);
     context.style_mut_of(egui::Theme::Dark, |style| dress(style, &DARK));
     context.style_mut_of(egui::Theme::Light, |style| dress(style, &LIGHT));

@@ -32,6 +32,8 @@ pub(crate) struct Situation<'a> {
     exact: &'a Exact,
     live: &'a Live,
     card: &'a Card,
+    /// Whether the note about the example is open; `None` without an example, and while the panels are being drawn.
+    example_note: Option<bool>,
     /// The panels; `None` while they are being drawn.
     layout: Option<&'a Tree<Pane>>,
 }
@@ -62,6 +64,7 @@ impl Studio {
             exact: &self.exact,
             live: &self.live,
             card: &self.card,
+            example_note: self.panes.example_note.is_open(),
             layout: Some(&self.layout),
         }
     }
@@ -81,6 +84,7 @@ impl Cx<'_> {
             exact: self.exact,
             live: self.live,
             card: self.card,
+            example_note: None,
             layout: None,
         }
     }
@@ -100,6 +104,7 @@ impl Situation<'_> {
                 matches!(selection.primary(), Some(Item::Body(_) | Item::Light(_) | Item::Material(_)))
             }
             Command::ToggleCard => self.card.is_there(),
+            Command::ExampleNote => self.example_note.is_some(),
             Command::Revert => self.editor.path().is_some(),
             Command::Show(shows) => methods::has(&self.settings.methods.method(), *shows),
             Command::Render => !self.view.is_measuring,
@@ -157,6 +162,7 @@ impl Situation<'_> {
             Command::Map(kind) => self.maps.kind == *kind,
             Command::Theme(theme) => self.settings.theme == *theme,
             Command::Language(language) => self.settings.language == *language,
+            Command::ExampleNote => self.example_note?,
             Command::TogglePane(pane) => layout::is_in_front(self.layout?, *pane),
             _ => return None,
         })

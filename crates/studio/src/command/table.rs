@@ -201,8 +201,11 @@ pub(super) static ROWS: &[Row] = rows! {
     }
     Help: {
         Command::Palette => "command-palette", ICON_TERMINAL, ctrl(Key::P), ctrl_shift(Key::P);
+        Command::Manual => "command-manual", ICON_MENU_BOOK, shift(Key::F1);
+        Command::ExampleNote => "command-example-note", ICON_TIPS_AND_UPDATES;
+        Command::FocusMenu => "command-focus-menu", ICON_TOOLBAR, plain(Key::F10);
         Command::Shortcuts => "command-shortcuts", ICON_KEYBOARD, plain(Key::F1);
-        Command::Terms => "command-terms", ICON_MENU_BOOK;
+        Command::Terms => "command-terms", ICON_DICTIONARY;
         Command::FirstSteps => "command-first-steps", ICON_SCHOOL;
         Command::About => "command-about", ICON_INFO;
     }

@@ -11,10 +11,10 @@ use egui_material_icons::icons;
 use super::{Dialog, Flow, buttons_if};
 use crate::app::Studio;
 use crate::command::Command;
-use crate::documents::example_title;
+use crate::example_note::{example_notice, example_title};
 use crate::texts::Texts;
-use crate::theme;
 use crate::widgets::paint_line_in;
+use crate::{scripts, theme};
 
 /// A card: its picture and the text below.
 const PICTURE: Vec2 = vec2(192.0, 108.0);
@@ -210,19 +210,8 @@ fn card_ui(ui: &mut Ui, studio: &Studio, index: usize, example: &Example, is_sel
     if is_selected || response.has_focus() {
         painter.rect_stroke(rect, 6.0, Stroke::new(1.5, palette.accent), StrokeKind::Outside);
     }
-    response.on_hover_text(notice(example, studio))
-}
-
-/// What to notice in an example: a line of the comments at its head.
-fn notice(example: &Example, studio: &Studio) -> String {
-    let start = match studio.texts.language() {
-        crate::texts::Language::English => "# What to notice: ",
-        crate::texts::Language::Russian => "# На что смотреть: ",
-    };
-    let mut lines = example.text.lines().skip_while(|line| !line.starts_with(start));
-    let mut words: Vec<&str> = lines.next().map(|line| line.trim_start_matches(start)).into_iter().collect();
-    words.extend(lines.map_while(|line| line.strip_prefix("# ")));
-    words.join(" ")
+    let notice = example_notice(example, studio.texts.language());
+    response.on_hover_text(scripts::job(&notice, 13.5, ui.visuals().text_color()))
 }
 
 #[cfg(test)]

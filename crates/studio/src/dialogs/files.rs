@@ -4,6 +4,7 @@
 //! what is typed narrows the list; the arrow keys choose from it.
 
 mod listing;
+mod new_folder;
 mod table;
 
 use std::cell::Cell;
@@ -25,6 +26,7 @@ use crate::documents::job::{Job, Progress};
 use crate::host::FileQuestion;
 use crate::texts::Texts;
 use listing::{Entry, Listing, list, split};
+use new_folder::{NewFolder, Outcome};
 pub(super) use table::age;
 
 /// Asks for a file.
@@ -47,6 +49,7 @@ pub(crate) struct FileDialog {
     selected: Option<String>,
     scrolls: bool,
     is_new: bool,
+    new_folder: Option<NewFolder>,
     /// Whether the question whether to replace a file has been answered so.
     is_done: Rc<Cell<bool>>,
 }
@@ -81,6 +84,7 @@ impl FileDialog {
             selected: None,
             scrolls: false,
             is_new: true,
+            new_folder: None,
             is_done: Rc::default(),
         }
     }
@@ -91,6 +95,7 @@ impl FileDialog {
             self.listing = None;
             self.reading = None;
             self.selected = None;
+            self.new_folder = None;
         }
     }
 
@@ -173,8 +178,25 @@ impl FileDialog {
             if !self.recent.is_empty() {
                 self.recent_ui(ui, texts);
             }
+            let icon = icons::ICON_CREATE_NEW_FOLDER.codepoint;
+            if icon_button(ui, icon, texts, "files-new-folder", self.new_folder.is_none()) {
+                self.new_folder = Some(NewFolder::new(texts.get("files-new-folder")));
+            }
             self.crumbs_ui(ui);
         });
+        self.new_folder_ui(ui, texts);
+    }
+
+    /// The row for a new folder, which is entered as soon as it is there.
+    fn new_folder_ui(&mut self, ui: &mut Ui, texts: &Texts) {
+        let Some(new_folder) = &mut self.new_folder else { return };
+        match new_folder.ui(ui, &self.folder, texts) {
+            Outcome::Stay => {}
+            Outcome::Close => self.new_folder = None,
+            Outcome::Made(folder) => self.go_to(folder),
+        }
+        // What is typed next is the name of the file.
+        self.is_new |= self.new_folder.is_none();
     }
 
     fn recent_ui(&mut self, ui: &mut Ui, texts: &Texts) {
@@ -184,6 +206,7 @@ impl FileDialog {
             for folder in &self.recent {
                 if ui.button(folder.display().to_string()).clicked() {
                     chosen = Some(folder.clone());
+                    ui.close();
                 }
             }
             chosen
@@ -330,7 +353,9 @@ impl Dialog for FileDialog {
             return Flow::Close;
         }
         self.read(ui);
-        self.walk(ui);
+        if self.new_folder.is_none() {
+            self.walk(ui);
+        }
         let texts = &studio.texts;
         self.top_ui(ui, texts);
         let opened = table::table_ui(ui, self, texts);

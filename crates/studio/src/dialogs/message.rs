@@ -25,7 +25,9 @@ impl Dialog for Message {
     }
 
     fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
-        ui.add(Label::new(&self.text).wrap().selectable(true));
+        let size = egui::TextStyle::Body.resolve(ui.style()).size;
+        let text = crate::scripts::job(&self.text, size, ui.visuals().text_color());
+        ui.add(Label::new(text).wrap().selectable(true));
         match buttons(ui, &[studio.texts.get("ok")]) {
             Some(_) => Flow::Close,
             None => Flow::Stay,

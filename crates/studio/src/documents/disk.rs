@@ -22,7 +22,7 @@ pub(crate) struct Stamp {
 
 impl Stamp {
     /// That of the file at `path`, if there is one.
-    fn of(path: &Path) -> Option<Self> {
+    pub(super) fn of(path: &Path) -> Option<Self> {
         let metadata = fs::metadata(path).ok()?;
         Some(Self { modified: metadata.modified().ok(), length: metadata.len() })
     }

@@ -10,6 +10,7 @@ use egui::{
 use egui_material_icons::icons;
 
 use super::ask::name_of;
+use super::watch;
 use crate::app::Studio;
 use crate::layout::{self, Pane};
 use crate::theme;
@@ -26,7 +27,7 @@ pub(super) struct Notice {
     has_shown_pane: bool,
 }
 
-/// Lists what was found in the document's file.
+/// Lists what was found in the document's file. Notes are listed without a banner: nothing is wrong.
 pub(super) fn show_findings(studio: &mut Studio, text: Arc<str>, findings: Diagnostics) {
     if findings.is_empty() {
         clear_findings(studio);
@@ -34,9 +35,15 @@ pub(super) fn show_findings(studio: &mut Studio, text: Arc<str>, findings: Diagn
     }
     let errors =
         findings.iter().filter(|finding| finding.severity == catoptric_scene::Severity::Error).count();
-    let warnings = findings.len() - errors;
-    studio.documents.notice.banner = Some((errors + findings.omitted(), warnings));
-    studio.panes.problems.set(studio.editor.title(), text, findings);
+    let (errors, others) = (errors + findings.omitted(), findings.len() - errors);
+    let problems = &mut studio.panes.problems;
+    problems.set(studio.editor.title(), text, findings, studio.editor.scene());
+    if problems.has_only_notes() {
+        studio.documents.notice.banner = None;
+        hide_pane(studio);
+        return;
+    }
+    studio.documents.notice.banner = Some((errors, others - problems.note_count()));
     studio.documents.notice.has_shown_pane |= !layout::is_visible(&studio.layout, Pane::Problems);
     layout::set_visible(&mut studio.layout, Pane::Problems, true);
 }
@@ -45,6 +52,11 @@ pub(super) fn show_findings(studio: &mut Studio, text: Arc<str>, findings: Diagn
 pub(super) fn clear_findings(studio: &mut Studio) {
     studio.documents.notice.banner = None;
     studio.panes.problems.clear();
+    hide_pane(studio);
+}
+
+/// Hides the panel of problems if only the document has opened it.
+fn hide_pane(studio: &mut Studio) {
     if std::mem::take(&mut studio.documents.notice.has_shown_pane) {
         layout::set_visible(&mut studio.layout, Pane::Problems, false);
     }
@@ -55,8 +67,9 @@ pub(super) fn has_shown_pane(studio: &Studio) -> bool {
     studio.documents.notice.has_shown_pane && layout::is_visible(&studio.layout, Pane::Problems)
 }
 
-/// Draws the banner about a file with problems, if there is one.
+/// Draws the banners about a file that another program has changed, and about one with problems.
 pub(crate) fn banner_ui(ui: &mut Ui, studio: &mut Studio) {
+    watch::banner_ui(ui, studio);
     let Some((errors, warnings)) = studio.documents.notice.banner else { return };
     let palette = theme::palette(ui.visuals());
     let (icon, color) =

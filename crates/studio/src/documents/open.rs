@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use catoptric_editor::Refused;
 use catoptric_scene::Image;
@@ -29,6 +30,8 @@ enum Purpose {
     Open,
     /// To revert the document with this number.
     Revert(u64),
+    /// To take into the document with this number what another program has written.
+    Reload(u64),
 }
 
 impl Reading {
@@ -51,13 +54,21 @@ pub(super) fn revert(context: &Context, studio: &mut Studio) {
         (None, Some(example)) => {
             if let Ok(loaded) = example.load() {
                 let reverted = studio.editor.revert(loaded.text, loaded.scene);
-                after_revert(studio, reverted);
+                after_revert(studio, reverted, "reverted");
             }
         }
         (None, None) => {
             let text = studio.texts.get("revert-no-file").to_owned();
             studio.toasts.info(text);
         }
+    }
+}
+
+/// Takes what another program has written into the document's file, as one step.
+pub(super) fn reload(context: &Context, studio: &mut Studio) {
+    if let Some(path) = studio.editor.path().map(Path::to_owned) {
+        let document = studio.documents.number;
+        read(context, studio, &path, Purpose::Reload(document));
     }
 }
 
@@ -86,25 +97,30 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
     match (result, reading.purpose) {
         (Err(failure), _) => failed(studio, &reading.path, &failure),
         (Ok(opened), Purpose::Open) => leave::replace(context, studio, Next::Show(Rc::new(opened))),
-        (Ok(opened), Purpose::Revert(document)) if studio.documents.number == document => {
+        (Ok(opened), Purpose::Revert(document) | Purpose::Reload(document))
+            if studio.documents.number == document =>
+        {
             let Opened { text, scene, findings, stamp, .. } = opened;
             let reverted = studio.editor.revert(text.clone(), scene);
             if reverted.is_ok() {
                 studio.documents.may = stamp.map(May::Update);
+                studio.documents.text_on_disk = Some(Arc::clone(&text));
                 studio.documents.is_partial = findings.has_errors();
                 notice::show_findings(studio, text, findings);
             }
-            after_revert(studio, reverted);
+            let done = if matches!(reading.purpose, Purpose::Reload(_)) { "reloaded" } else { "reverted" };
+            after_revert(studio, reverted, done);
         }
-        (Ok(_), Purpose::Revert(_)) => {}
+        (Ok(_), Purpose::Revert(_) | Purpose::Reload(_)) => {}
     }
 }
 
-fn after_revert(studio: &mut Studio, reverted: Result<(), Refused>) {
+/// Tells that the document is as its file is, with the message `done`, or why it cannot be.
+fn after_revert(studio: &mut Studio, reverted: Result<(), Refused>, done: &str) {
     studio.documents.saves += 1;
     match reverted {
         Ok(()) => {
-            let text = studio.texts.get("reverted").to_owned();
+            let text = studio.texts.get(done).to_owned();
             studio.toasts.info(text);
         }
         Err(refused) => {

@@ -1,6 +1,7 @@
 //! Saving.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use catoptric_editor::Writing;
@@ -115,8 +116,9 @@ fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Writte
     let name = name_of(&path);
     studio.toasts.success(studio.texts.with("saved", &[("name", name.into())]));
     if document == studio.documents.number {
-        studio.editor.mark_written(&writing, path.clone(), written.text);
+        studio.editor.mark_written(&writing, path.clone(), Arc::clone(&written.text));
         let documents = &mut studio.documents;
+        documents.text_on_disk = Some(written.text);
         documents.saves += 1;
         documents.may = written.stamp.map(May::Update);
         documents.is_partial = false;

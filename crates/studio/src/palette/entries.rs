@@ -69,7 +69,7 @@ fn examples(studio: &Studio) -> impl Iterator<Item = Entry> {
     let detail = studio.texts.get("palette-example");
     let language = studio.texts.language();
     Example::ALL.iter().map(move |example| Entry {
-        name: crate::documents::example_title(example, language).to_owned(),
+        name: crate::example_note::example_title(example, language).to_owned(),
         names: vec![example.title().to_owned(), example.russian_title().to_owned(), example.name.to_owned()],
         detail: detail.to_owned(),
         tip: None,

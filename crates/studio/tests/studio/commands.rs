@@ -379,10 +379,23 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
     let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
     settle(&mut harness);
     assert!(harness.query_by_label("First steps").is_some());
-    assert!(harness.query_by_label("That is all.").is_none());
+    assert!(harness.query_all_by_label_contains("That is all.").next().is_none());
     let label = || catoptric_editor::Label::new("edit-reset-placement", "sphere");
+    // The wheel comes closer, which is no turn.
+    let center = harness.state().viewport_rect().unwrap().center();
+    harness.hover_at(center);
+    let wheel = Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Line,
+        delta: egui::vec2(0.0, 3.0),
+        modifiers: Modifiers::NONE,
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+    };
+    let before = harness.state().editor().scene().camera.position;
+    harness.event(wheel);
+    harness.run_steps(30);
+    assert_ne!(harness.state().editor().scene().camera.position, before);
     let editor = harness.state_mut().editor_mut();
-    editor.change(label(), |scene| scene.camera.position.x += 1.0).unwrap();
     editor
         .change(label(), |scene| {
             scene.bodies[1].placement.anchor = catoptric_scene::Placement::default().anchor;
@@ -390,13 +403,53 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
         .unwrap();
     editor.change(label(), |scene| scene.materials[1].material.reflection = Some(0.9)).unwrap();
     settle(&mut harness);
-    assert!(harness.query_by_label("That is all.").is_some());
+    assert!(
+        harness.query_all_by_label_contains("That is all.").next().is_none(),
+        "the view is not turned yet"
+    );
+    let editor = harness.state_mut().editor_mut();
+    editor.change(label(), |scene| scene.camera.position.x += 1.0).unwrap();
+    settle(&mut harness);
+    assert!(harness.query_all_by_label_contains("That is all.").next().is_some());
     harness.get_by_label("Dismiss the hint").click();
     settle(&mut harness);
     assert!(harness.query_by_label("First steps").is_none());
     assert!(harness.state().settings().is_hint_dismissed);
     choose(&mut harness, "Help", "First steps");
     assert!(harness.query_by_label("Dismiss the hint").is_some());
+}
+
+/// A studio in which all first steps have been done.
+fn with_first_steps_done() -> Kit {
+    let host = TestHost::new();
+    std::fs::write(host.path("settings.json"), r#"{"language": "english"}"#).unwrap();
+    let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
+    settle(&mut harness);
+    let change = |scene: &mut catoptric_scene::Scene| {
+        scene.camera.position.x += 1.0;
+        scene.bodies[1].placement.anchor = catoptric_scene::Placement::default().anchor;
+        scene.materials[1].material.reflection = Some(0.9);
+    };
+    let label = catoptric_editor::Label::new("edit-reset-placement", "sphere");
+    harness.state_mut().editor_mut().change(label, change).unwrap();
+    settle(&mut harness);
+    harness
+}
+
+#[test]
+fn the_first_steps_lead_on_to_the_examples_and_the_laboratory() {
+    let mut harness = with_first_steps_done();
+    harness.get_by_label("Examples…").click();
+    settle(&mut harness);
+    assert!(harness.query_by_label("Search the examples").is_some());
+    let mut harness = with_first_steps_done();
+    harness.get_by_label("Laboratory").click();
+    settle(&mut harness);
+    assert!(harness.query_by_label("First steps").is_none());
+    harness.get_by_label("Lab").click();
+    settle(&mut harness);
+    let audit = harness.state().texts().get("command-audit").to_owned();
+    assert_eq!(toggled(&harness, &audit), Some(true.into()));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod dialogs;
 mod files;
+mod outside;
 mod recovery;
 
 use std::path::{Path, PathBuf};

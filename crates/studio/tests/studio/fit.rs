@@ -321,3 +321,28 @@ fn the_drawer_fits_a_small_window() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
+
+/// The manual, the note and the row for a new folder have room in the smallest window.
+#[test]
+fn what_opens_over_a_small_window_fits() {
+    let mut faults = Vec::new();
+    for language in ["english", "russian"] {
+        let mut window = open(language);
+        for command in [Command::Manual, Command::ExampleNote, Command::Open] {
+            window.state_mut().run(command.clone());
+            for zoom in ZOOMS {
+                show(&mut window, [800.0, 500.0], zoom, &[]);
+                window.run_steps(3);
+                let screen = window.ctx.content_rect();
+                let buttons = window.query_all_by_role(Role::Button).map(|node| node.rect());
+                let out = buttons.filter(|rect| rect.left() < -0.5 || rect.right() > screen.right() + 0.5);
+                faults.extend(out.map(|rect| format!("{language} {command:?} {zoom}: {rect} in {screen}")));
+            }
+            for _ in 0..3 {
+                window.key_press(egui::Key::Escape);
+                window.run_steps(2);
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}

@@ -276,6 +276,12 @@ command-zoom-normal = Normal interface size
 # Help.
 command-palette = Find a command…
     .tip = Finds commands, examples, files and things of the scene by some letters of their names.
+command-manual = Manual
+    .tip = All pages about the studio, scene files, materials, the model and the methods, with search. It needs no network.
+command-example-note = What to notice
+    .tip = Says below the picture what to notice in the example that is open.
+command-focus-menu = Menu bar
+    .tip = Gives the keyboard to the menu bar: arrows walk, Enter chooses, Esc leaves. Alt pressed and released by itself does the same.
 command-shortcuts = Shortcuts
     .tip = All commands with their keys, and what the mouse does.
 command-terms = Terms of optics

@@ -20,6 +20,14 @@ do-not-save = Don’t save
 files-up = Parent folder
 files-home = Home folder
 files-recent = Recent folders
+files-new-folder = New folder
+files-new-folder-name = Name of the new folder
+files-create = Create
+files-new-folder-exists = There is something of this name already. Choose another name.
+files-new-folder-denied = You may not create anything in this folder. Choose another place.
+files-new-folder-bad-name = This is no name of a folder. It must not be empty or contain a slash.
+files-new-folder-full = The disk has no room for a folder. Make room, or choose another place.
+files-new-folder-failed = The folder cannot be created here. Try another name or place.
 files-name = Name
 files-name-hint = A name, or a path
 files-all = All files
@@ -50,6 +58,7 @@ opening = Opening { $name }…
 saving = Saving { $name }…
 saved = Saved: { $name }
 reverted = The scene is again as it was saved. Undo brings your changes back.
+reloaded = The scene is as the other program has saved it. Undo brings yours back.
 revert-no-file = This scene has no file yet to go back to.
 
 # Changes that would be lost
@@ -59,6 +68,12 @@ replace-title = Replace “{ $name }”?
 replace-text = There is already a file { $path }. Its content would be lost.
 overwrite-title = Another program has changed “{ $name }”
 overwrite-text = The file { $path } is no longer the one that was opened here. Replacing it loses what the other program wrote; under another name, both stay.
+outside-changed = Another program has changed “{ $name }”.
+outside-changed-both = Another program has changed “{ $name }”; your changes here are not saved.
+outside-reload = Reload
+    .tip = Shows the file as it is now. Undo brings the present scene back.
+outside-keep = Keep mine
+    .tip = Leaves the scene as it is. Saving will ask before it replaces the file.
 partial-title = Only a part of “{ $name }” is open
 partial-text = What could not be read is missing from the scene. Replacing the file loses those parts and all its comments for good; under another name, the original stays and can still be mended.
 
@@ -123,6 +138,11 @@ problems-scene = Problems of the scene
 problems-text = Text of the file
 problem-error = error
 problem-warning = warning
+problem-note = note
+notes-in = { $number ->
+    [one] { $number } note on { $name }
+   *[other] { $number } notes on { $name }
+}
 problem-place = line { $line }, column { $column }
 banner-problems = { $number ->
     [one] The file has { $number } problem; what could be read is open.
@@ -139,3 +159,7 @@ banner-dismiss = Dismiss
 examples-title = Examples
 examples-search = Search the examples
 examples-none = No matching examples.
+
+# The note below the picture
+example-note-title = { $name }: what to notice
+example-note-close = Close the note

@@ -92,6 +92,13 @@ glossary-parallax = Parallax
 glossary-flip = FLIP
     .tip = A measure of how different two pictures look to an eye that flips between them at 67 pixels per degree (Andersson et al. 2020).
 
+# The manual.
+manual-search = Search all pages
+manual-nothing = Nothing was found. All words must stand in one paragraph.
+manual-back = Back
+manual-copy = Copy
+manual-picture = Picture: { $name }
+
 # About.
 about-version = Version { $version }
 about-what = A laboratory for reflections from geometric bodies.
@@ -105,4 +112,8 @@ first-dismiss = Dismiss the hint
 first-move = Drag a ball with the left mouse button: its reflections follow.
 first-orbit = Drag with the right button: the view turns about its target.
 first-reflection = Select a body and change its reflection coefficient at the right.
-first-done = That is all.
+first-done = That is all. Look at the examples next, or into a pixel.
+first-gallery = Examples…
+    .tip = A gallery of scenes. Each says what to notice in it.
+first-lab = Laboratory
+    .tip = A click in the picture then lists all rays behind a pixel and draws them in space.

@@ -262,3 +262,52 @@ fn a_file_that_was_being_read_while_the_scene_changed_is_shown_after_a_question(
     press(&mut harness, "Cancel");
     assert_eq!((title(harness.state()).as_str(), first_body(&harness).as_str()), ("a.toml", "orb"));
 }
+
+#[test]
+fn an_unused_material_opens_without_alarm_and_is_a_note() {
+    let (mut harness, _) =
+        with_file(&TestHost::new(), &format!("{SCENE}\n[materials.spare]\ncolor = [1, 0, 0]\n"));
+    assert!(!tells(&harness, "warning") && !tells(&harness, "is not used"), "no banner, no panel");
+    run(&mut harness, Command::TogglePane(catoptric_studio::Pane::Problems));
+    assert!(tells(&harness, "1 note on a.toml"));
+    assert!(tells(&harness, "note: the material `spare` is not used"));
+}
+
+#[test]
+fn a_note_beside_a_warning_is_not_counted_as_one() {
+    let text = format!("{SCENE}\n[materials.spare]\ncolor = [1, 0, 0]\n[environment]\nambient = [0, 0, 0]\n");
+    let (harness, _) = with_file(&TestHost::new(), &text);
+    assert!(tells(&harness, "there is 1 warning about it"));
+    assert!(tells(&harness, "2 problems in a.toml"));
+}
+
+#[test]
+fn the_second_click_of_a_double_click_stays_in_the_gallery() {
+    let (mut harness, _) = with_file(&TestHost::new(), SCENE);
+    run(&mut harness, Command::Examples);
+    let at = harness.get_by_role_and_label(Role::Button, "Four bodies").rect().center();
+    let button = |pressed| egui::Event::PointerButton {
+        pos: at,
+        button: egui::PointerButton::Primary,
+        pressed,
+        modifiers: egui::Modifiers::NONE,
+    };
+    harness.hover_at(at);
+    for pressed in [true, false, true, false] {
+        harness.event(button(pressed));
+        harness.step();
+    }
+    harness.run_steps(3);
+    assert_eq!(title(harness.state()), "four-bodies");
+    let viewport = harness.state().viewport_rect().unwrap();
+    assert!(viewport.contains(at), "the second click would reach the picture");
+    assert!(harness.state().editor().selection().is_empty(), "and nothing is selected");
+    // Later clicks reach it.
+    harness.run_steps(40);
+    for pressed in [true, false] {
+        harness.event(button(pressed));
+        harness.step();
+    }
+    harness.run_steps(2);
+    assert!(!harness.state().editor().selection().is_empty(), "a body is there");
+}

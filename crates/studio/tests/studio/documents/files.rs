@@ -104,3 +104,44 @@ fn folders_lead_up_and_back_and_esc_closes() {
     // Nothing is being asked any more: the question can be asked again.
     open(&mut harness, Command::Open, "deep.toml");
 }
+
+#[test]
+fn a_new_folder_is_made_and_entered() {
+    let host = TestHost::new();
+    let (mut harness, _) = with_file(&host, SCENE);
+    rename(&mut harness, "orb");
+    open(&mut harness, Command::SaveAs, "a.toml");
+    press(&mut harness, "New folder");
+    let field = |harness: &Kit| {
+        harness.get_by_role_and_label(Role::TextInput, "Name of the new folder").value().unwrap_or_default()
+    };
+    assert_eq!(field(&harness), "New folder", "a name is proposed");
+    // Its name is taken: this is said in place, and the dialog stays.
+    std::fs::create_dir(host.path("New folder")).unwrap();
+    harness.key_press(Key::Enter);
+    wait_for(&mut harness, "There is something of this name already");
+    harness.get_by_role_and_label(Role::TextInput, "Name of the new folder").type_text("mine");
+    harness.run_steps(2);
+    assert!(!tells(&harness, "There is something of this name already"));
+    press(&mut harness, "Create");
+    wait_for(&mut harness, "No matching files here");
+    assert!(host.path("mine").is_dir());
+    assert!(harness.query_by_role_and_label(Role::TextInput, "Name of the new folder").is_none());
+    // The name of the file is typed next, and lies in the new folder.
+    harness.key_press(Key::Enter);
+    wait_until(&mut harness, "it is saved", is_saved);
+    assert!(read(&host.path("mine/a.toml")).contains("\"orb\""));
+}
+
+#[test]
+fn esc_gives_up_the_new_folder_and_not_the_dialog() {
+    let host = TestHost::new();
+    let (mut harness, _) = with_file(&host, SCENE);
+    open(&mut harness, Command::Open, "a.toml");
+    press(&mut harness, "New folder");
+    harness.key_press(Key::Escape);
+    harness.run_steps(3);
+    assert!(harness.query_by_role_and_label(Role::TextInput, "Name of the new folder").is_none());
+    assert!(has(&harness, "All files"), "the dialog is open");
+    assert!(!host.path("New folder").exists());
+}
