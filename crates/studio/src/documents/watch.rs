@@ -12,7 +12,7 @@ use egui_material_icons::icons;
 
 use super::ask::name_of;
 use super::disk::{May, Stamp};
-use super::{is_changed, open};
+use super::{has_unsaved_work, open};
 use crate::app::Studio;
 use crate::theme;
 
@@ -152,7 +152,7 @@ pub(super) fn banner_ui(ui: &mut Ui, studio: &mut Studio) {
     if !studio.documents.outside.is_rewritten {
         return;
     }
-    let has_changes = is_changed(studio);
+    let has_changes = has_unsaved_work(studio);
     let texts = &studio.texts;
     let name = studio.editor.path().map(name_of).unwrap_or_default();
     let key = if has_changes { "outside-changed-both" } else { "outside-changed" };
