@@ -50,6 +50,11 @@ impl egui_tiles::Behavior<Pane> for Docked<'_> {
         let cx = &mut self.cx;
         let panes = &mut *self.panes;
         if *pane == Pane::Viewport {
+            if cx.view.is_auditing && cx.audit.pin().is_some() {
+                // The panel of the audit needs the room, and the picture must keep its place.
+                viewport_ui(ui, cx, &mut panes.viewport);
+                return UiResponse::None;
+            }
             let texts = cx.texts;
             note_below(ui, texts, &mut panes.example_note, |ui| viewport_ui(ui, cx, &mut panes.viewport));
             return UiResponse::None;

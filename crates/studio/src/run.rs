@@ -25,18 +25,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         | Command::Save
         | Command::SaveAs
         | Command::Quit => documents::run(context, studio, command),
-        Command::AddBody(shape) => {
-            let name = studio.texts.get(shape_name(shape)).to_owned();
-            apply(studio, Action::AddBody { shape, spot: viewport::spot_for_body(studio, shape), name });
-        }
-        Command::AddLight => {
-            let name = studio.texts.get("name-light").to_owned();
-            apply(studio, Action::AddLight { at: viewport::place_for_light(studio), name });
-        }
-        Command::AddMaterial => {
-            let name = studio.texts.get("name-material").to_owned();
-            apply(studio, Action::AddMaterial { name });
-        }
+        Command::AddBody(_) | Command::AddLight | Command::AddMaterial => add(studio, &command),
         Command::ChooseImage(usage) => images::ask(studio, usage),
         Command::Edit(action) => apply(studio, action),
         Command::Copy => copy(context, studio),
@@ -84,16 +73,45 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
         }
         Command::Rename => rename(studio),
         Command::Palette => Palette::open(context, studio),
+        Command::FocusMenu => studio.menu_focus.toggle(context),
+        Command::Manual
+        | Command::ExampleNote
+        | Command::Shortcuts
+        | Command::Terms
+        | Command::About
+        | Command::FirstSteps => explain(context, studio, &command),
+        Command::Examples | Command::Render => crate::dialogs::run(studio, &command),
+        Command::RenderShown => crate::pictures::start_shown(studio),
+        Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
+    }
+}
+
+/// Adds something to the scene where it is seen, with a name in the language of the window.
+fn add(studio: &mut Studio, command: &Command) {
+    let named = |key: &str| studio.texts.get(key).to_owned();
+    let action = match *command {
+        Command::AddBody(shape) => {
+            let (spot, name) = (viewport::spot_for_body(studio, shape), named(shape_name(shape)));
+            Action::AddBody { shape, spot, name }
+        }
+        Command::AddLight => {
+            Action::AddLight { at: viewport::place_for_light(studio), name: named("name-light") }
+        }
+        _ => Action::AddMaterial { name: named("name-material") },
+    };
+    apply(studio, action);
+}
+
+/// Opens what explains the studio or the scene.
+fn explain(context: &Context, studio: &mut Studio, command: &Command) {
+    match command {
         Command::Manual => Manual::open(context, studio),
         Command::ExampleNote => crate::example_note::toggle(studio),
-        Command::FocusMenu => studio.menu_focus.toggle(context),
         Command::Shortcuts => Help::open(context, studio, Page::Shortcuts),
         Command::Terms => Help::open(context, studio, Page::Terms),
         Command::About => Help::open(context, studio, Page::About),
         Command::FirstSteps => FirstSteps::open(studio),
-        Command::Examples | Command::Render => crate::dialogs::run(studio, &command),
-        Command::RenderShown => crate::pictures::start_shown(studio),
-        Command::CopyPicture => crate::pictures::copy_viewport(context, studio),
+        _ => {}
     }
 }
 
