@@ -69,6 +69,7 @@ struct Meeting<W: Width> {
 }
 
 /// Rays in flight.
+#[derive(Clone, Copy)]
 pub(crate) struct Flight<'a, W: Width> {
     w: W,
     stage: &'a Stage,
@@ -138,7 +139,7 @@ impl<'a, W: Width> Flight<'a, W> {
     /// The nearest body that each ray meets.
     #[inline(always)]
     pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
-        let mut best = Best::new(self.w, self.start_slack());
+        let mut best = Best::new(self.w, self.stage, self.start_slack());
         self.visit(parts, &mut ForNearest(self, &mut best));
         self.visit_planes(&mut ForNearest(self, &mut best));
         self.settled(best, parts)
@@ -147,13 +148,13 @@ impl<'a, W: Width> Flight<'a, W> {
     /// The first hits, after those that coincide were put in order.
     #[inline(always)]
     fn settled(&self, mut best: Best<W>, parts: &mut Pending) -> Hits<W> {
-        let entering = best.contested(self.w, &best.entering) & self.lanes;
+        let entering = best.entering.contested & self.lanes;
         if entering.any() {
-            best.entering = settle(self, best.entering, false, entering, parts);
+            best.entering = settle(*self, best.entering, false, entering, parts);
         }
-        let leaving = best.contested(self.w, &best.leaving) & self.lanes;
+        let leaving = best.leaving.contested & self.lanes;
         if leaving.any() {
-            best.leaving = settle(self, best.leaving, true, leaving, parts);
+            best.leaving = settle(*self, best.leaving, true, leaving, parts);
         }
         best.first(self.w, self.stage)
     }
@@ -272,7 +273,7 @@ impl<'a, W: Width> Flight<'a, W> {
     /// The first meeting of one ray with every body that it meets, in no particular order.
     pub(crate) fn each(&self, parts: &mut Pending, mut found: impl FnMut(Hit)) {
         let mut test = |index: u32| {
-            let mut best = Best::new(self.w, self.start_slack());
+            let mut best = Best::new(self.w, self.stage, self.start_slack());
             self.test(index, self.stage.body(index), self.lanes, &mut best);
             found_in(&best.first(self.w, self.stage)).into_iter().for_each(&mut found);
         };

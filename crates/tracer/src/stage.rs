@@ -418,7 +418,7 @@ impl Stage {
         if body.is_double()
             && let Some(double) = self.double(index)
         {
-            return double.span(w, &origin, &direction);
+            return double.span(w, origin, direction);
         }
         body.span(origin, direction)
     }
@@ -437,7 +437,7 @@ impl Stage {
         if body.is_double()
             && let Some(double) = self.double(index)
         {
-            return double.surface_point(w, &line.0, &line.1, leaving);
+            return double.surface_point(w, line.0, line.1, leaving);
         }
         body.point_on_face(line, t, leaving, face)
     }
@@ -469,7 +469,7 @@ impl Stage {
         if body.is_double()
             && let Some(double) = self.double(index)
         {
-            return (double.span(w, &origin, &direction), double.cosines(w, &origin, &direction));
+            return (double.span(w, origin, direction), double.cosines(w, origin, direction));
         }
         let span = body.span(origin, direction);
         let cosine = |t, face| body.cosine(origin, direction, t, face);

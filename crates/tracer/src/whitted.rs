@@ -284,7 +284,7 @@ impl<'a> Whitted<'a> {
         }
         let at_limit = at.transparent & hit & !below;
         if at_limit.any() {
-            self.pass_at_limit::<W, FULL>(w, beams, &at, at_limit, offspring);
+            self.pass_at_limit::<W, FULL>(w, *beams, at, at_limit, offspring);
         }
         Followed { light, hits, on_floor: at.on_floor }
     }

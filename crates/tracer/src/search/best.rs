@@ -1,7 +1,7 @@
 //! The nearest hits so far.
 
 use super::{Hits, Meeting};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real, Width, Word as _};
 use crate::ray::POINT_ROUNDING;
 use crate::stage::Stage;
 
@@ -15,10 +15,8 @@ pub(super) struct Nearest<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     pub(super) face: W::R,
-    /// [`GRAZING`] times its slack before the nearest hit.
-    pub(super) own: W::R,
-    /// The least parameter that is so much before any other hit.
-    pub(super) others: W::R,
+    /// Those that may coincide with the hit of another body.
+    pub(super) contested: W::M,
 }
 
 /// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
@@ -29,42 +27,51 @@ pub(super) struct Best<W: Width> {
     /// No body beyond this parameter can change the outcome any more; finite.
     pub(super) reach: W::R,
     pub(super) start_slack: W::R,
+    /// See [`margin`].
+    pub(super) margin: W::R,
+}
+
+/// How far apart hits that coincide may lie at the start of rays, [`GRAZING`] and the slacks of two bodies included.
+#[inline(always)]
+pub(super) fn margin<R: Real>(stage: &Stage, start_slack: R) -> R {
+    (start_slack + 2.0 * stage.largest_slack) * GRAZING
+}
+
+/// How far apart they may lie at `t`.
+#[inline(always)]
+pub(super) fn tolerance<R: Real>(t: R, margin: R) -> R {
+    t.times_plus(t.like(GRAZING * POINT_ROUNDING), margin)
+}
+
+/// Up to where bodies have to be seen that may coincide with a hit at `t`; those behind need not.
+#[inline(always)]
+pub(super) fn reach_for<R: Real>(t: R, margin: R) -> R {
+    t.times_plus(t.like(1.0 + GRAZING * POINT_ROUNDING), margin)
 }
 
 impl<W: Width> Best<W> {
     #[inline(always)]
-    pub(super) fn new(w: W, start_slack: W::R) -> Self {
-        let (infinity, zero) = (w.real(f32::INFINITY), w.real(0.0));
-        let none = || Nearest { t: infinity, body: w.word(0), face: zero, own: infinity, others: infinity };
-        Self { leaving: none(), entering: none(), reach: w.real(f32::MAX), start_slack }
+    pub(super) fn new(w: W, stage: &Stage, start_slack: W::R) -> Self {
+        let (infinity, zero, none) = (w.real(f32::INFINITY), w.real(0.0), w.mask(0));
+        let nearest = Nearest { t: infinity, body: w.word(0), face: zero, contested: none };
+        let margin = margin(stage, start_slack);
+        Self { leaving: nearest, entering: nearest, reach: w.real(f32::MAX), start_slack, margin }
     }
 
     /// Takes note of hits that lead into a body.
     #[inline(always)]
     pub(super) fn enter(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
-        self.entering.offer(w, stage, index, (meeting.enter, meeting.enter_face), meeting.entering);
-        self.shorten(w, stage, self.entering.t);
+        let met = (meeting.enter, meeting.enter_face);
+        self.entering.offer(w, stage, index, met, meeting.entering, self.margin);
+        self.reach = self.reach.min(reach_for(self.entering.t, self.margin));
     }
 
     /// Takes note of hits that lead out of a body.
     #[inline(always)]
     pub(super) fn leave(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
-        self.leaving.offer(w, stage, index, (meeting.exit, meeting.exit_face), meeting.leaving);
-        self.shorten(w, stage, self.leaving.t);
-    }
-
-    /// Bodies that may coincide with a hit at `t` have to be seen, those behind need not.
-    #[inline(always)]
-    fn shorten(&mut self, w: W, stage: &Stage, t: W::R) {
-        self.reach = self.reach.min(t + self.slack_at(t, w.real(stage.largest_slack)) * GRAZING);
-    }
-
-    /// The rays whose nearest hit in one direction through the surface may coincide with another.
-    #[inline(always)]
-    pub(super) fn contested(&self, w: W, nearest: &Nearest<W>) -> W::M {
-        let t = nearest.t;
-        let until = t + (t - nearest.own) + self.slack_at(t, w.real(0.0)) * GRAZING;
-        nearest.others.le(until) & t.lt(w.real(f32::INFINITY))
+        let met = (meeting.exit, meeting.exit_face);
+        self.leaving.offer(w, stage, index, met, meeting.leaving, self.margin);
+        self.reach = self.reach.min(reach_for(self.leaving.t, self.margin));
     }
 
     /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
@@ -103,16 +110,18 @@ impl<W: Width> Best<W> {
 impl<W: Width> Nearest<W> {
     /// Takes note of hits; of equal ones the body that comes first in the scene counts.
     #[inline(always)]
-    fn offer(&mut self, w: W, stage: &Stage, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
+    fn offer(&mut self, w: W, stage: &Stage, index: u32, (t, face): (W::R, W::R), lanes: W::M, margin: W::R) {
         let mut closer = lanes & t.lt(self.t);
-        let equal = lanes & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
-        if equal.any() {
-            closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
+        let near = lanes & (t - self.t).abs().le(tolerance(t, margin));
+        let mut contested = self.contested & !closer;
+        if near.any() {
+            contested = contested | near;
+            let equal = near & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
+            if equal.any() {
+                closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
+            }
         }
-        let own = t - GRAZING * stage.body(index).slack;
-        let loser = W::R::select(closer, self.own, W::R::select(lanes, own, self.others));
-        self.others = self.others.min(loser);
-        self.own = W::R::select(closer, own, self.own);
+        self.contested = contested;
         self.t = W::R::select(closer, t, self.t);
         self.body = W::W::select(closer, w.word(index), self.body);
         self.face = W::R::select(closer, face, self.face);

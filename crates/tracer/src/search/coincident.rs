@@ -22,7 +22,7 @@ struct Crossing {
 #[cold]
 #[inline(never)]
 pub(super) fn settle<W: Width>(
-    flight: &Flight<'_, W>,
+    flight: Flight<'_, W>,
     nearest: Nearest<W>,
     leaving: bool,
     lanes: W::M,

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use super::{Along, Best, Flight, GRAZING, Hits, MediumIntervals, Nearest, Through, all_of};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width};
+use super::best::{margin, reach_for, tolerance};
+use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{Inside, MediaTable};
 use crate::ray::{POINT_ROUNDING, Rays};
 use crate::stage::{Hierarchy, Pending, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
@@ -26,8 +27,8 @@ struct NearestRows {
     t: Row<f32>,
     body: Row<u32>,
     face: Row<f32>,
-    own: Row<f32>,
-    others: Row<f32>,
+    /// 1 for those that may coincide with the hit of another body, else 0.
+    contested: Row<u32>,
 }
 
 /// Shadow rays of a stream's hits to one light.
@@ -60,8 +61,7 @@ impl NearestRows {
             t: w.load(&self.t[at..]),
             body: w.load_words(&self.body[at..]),
             face: w.load(&self.face[at..]),
-            own: w.load(&self.own[at..]),
-            others: w.load(&self.others[at..]),
+            contested: w.load_words(&self.contested[at..]).is(1),
         }
     }
 }
@@ -78,9 +78,8 @@ impl RayStream {
         let never = w.real(f32::INFINITY);
         self.rays.set(w, self.count, rays, media, never);
         for nearest in [&mut self.entering, &mut self.leaving] {
-            for row in [&mut nearest.t, &mut nearest.own, &mut nearest.others] {
-                never.store(&mut row[self.count..]);
-            }
+            never.store(&mut nearest.t[self.count..]);
+            w.word(0).store(&mut nearest.contested[self.count..]);
         }
         self.count += lanes.bits().count_ones() as usize;
     }
@@ -119,7 +118,9 @@ impl RayStream {
     ) -> Hits<W> {
         let (_, reach) = self.rays.load(w, at);
         let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
-        let mut best = Best { leaving, entering, reach, start_slack: flight.start_slack() };
+        let start_slack = flight.start_slack();
+        let margin = margin(flight.stage, start_slack);
+        let mut best = Best { leaving, entering, reach, start_slack, margin };
         for index in flight.stage.planes() {
             flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
         }
@@ -301,15 +302,13 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                 let Some(meeting) = flight.meets(index, body, lanes) else { continue };
                 let entering = meeting.entering & meeting.enter.le(reach);
                 let leaving = meeting.leaving & meeting.exit.le(reach);
-                let slack = flight.start_slack() + w.real(stage.largest_slack);
-                // As in `Best::shorten`.
-                let reach = |t: W::R| t + (slack + t * POINT_ROUNDING) * GRAZING;
+                let margin = margin(stage, flight.start_slack());
                 if entering.any() {
-                    let met = (meeting.enter, meeting.enter_face, reach(meeting.enter));
+                    let met = (meeting.enter, meeting.enter_face, margin);
                     self.stream.offer::<W>(stage, index, true, met, entering, numbers);
                 }
                 if leaving.any() {
-                    let met = (meeting.exit, meeting.exit_face, reach(meeting.exit));
+                    let met = (meeting.exit, meeting.exit_face, margin);
                     self.stream.offer::<W>(stage, index, false, met, leaving, numbers);
                 }
             }
@@ -325,17 +324,17 @@ impl RayStream {
         stage: &Stage,
         index: u32,
         is_entering: bool,
-        (t, face, reach): (W::R, W::R, W::R),
+        (t, face, margin): (W::R, W::R, W::R),
         lanes: W::M,
         numbers: &[u32],
     ) {
         let Self { rays, entering, leaving, .. } = self;
         let nearest = if is_entering { entering } else { leaving };
-        let grazing = GRAZING * stage.body(index).slack;
-        let [mut ts, mut faces, mut reaches] = [[0.0; MOST_LANES]; 3];
+        let [mut ts, mut faces, mut reaches, mut tolerances] = [[0.0; MOST_LANES]; 4];
         t.store(&mut ts);
         face.store(&mut faces);
-        reach.store(&mut reaches);
+        reach_for(t, margin).store(&mut reaches);
+        tolerance(t, margin).store(&mut tolerances);
         each(
             lanes.bits(),
             numbers,
@@ -343,15 +342,15 @@ impl RayStream {
             |lane, ray| {
                 let place = ray as usize % STREAM;
                 let (t, old) = (ts[lane], nearest.t[place]);
+                let is_near = (t - old).abs() <= tolerances[lane];
                 let is_nearer = t < old
                     || (t == old
                         && t < f32::INFINITY
                         && stage.scene_order(index, nearest.body[place]).is_lt());
-                let own = t - grazing;
-                let loser = if is_nearer { nearest.own[place] } else { own };
-                nearest.others[place] = nearest.others[place].min(loser);
+                if is_nearer || is_near {
+                    nearest.contested[place] = u32::from(is_near);
+                }
                 if is_nearer {
-                    nearest.own[place] = own;
                     (nearest.t[place], nearest.body[place]) = (t, index);
                     nearest.face[place] = faces[lane];
                     rays.shorten(ray, reaches[lane]);

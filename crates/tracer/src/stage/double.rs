@@ -63,8 +63,8 @@ impl DoubleBody {
     /// Where lines cross the body, as [`StageBody::span`](super::StageBody::span).
     #[cold]
     #[inline(never)]
-    pub(crate) fn span<W: Width>(&self, w: W, origin: &Vector<W::R>, direction: &Vector<W::R>) -> Span<W::R> {
-        let rays = Rows::of(origin, direction);
+    pub(crate) fn span<W: Width>(&self, w: W, origin: Vector<W::R>, direction: Vector<W::R>) -> Span<W::R> {
+        let rays = Rows::of(&origin, &direction);
         let mut found = SpanRows::default();
         w.run(
             #[inline(always)]
@@ -89,13 +89,8 @@ impl DoubleBody {
     /// |cos| of the angles between lines and the normals where they enter and where they leave.
     #[cold]
     #[inline(never)]
-    pub(crate) fn cosines<W: Width>(
-        &self,
-        w: W,
-        origin: &Vector<W::R>,
-        direction: &Vector<W::R>,
-    ) -> [W::R; 2] {
-        let rays = Rows::of(origin, direction);
+    pub(crate) fn cosines<W: Width>(&self, w: W, origin: Vector<W::R>, direction: Vector<W::R>) -> [W::R; 2] {
+        let rays = Rows::of(&origin, &direction);
         let mut found = [[0.0; MOST_LANES]; 2];
         for lane in 0..W::LANES {
             let (origin, direction) = rays.take::<1>(lane);
@@ -118,11 +113,11 @@ impl DoubleBody {
     pub(crate) fn surface_point<W: Width>(
         &self,
         w: W,
-        origin: &Vector<W::R>,
-        direction: &Vector<W::R>,
+        origin: Vector<W::R>,
+        direction: Vector<W::R>,
         leaving: W::M,
     ) -> SurfacePoint<W::R> {
-        let rays = Rows::of(origin, direction);
+        let rays = Rows::of(&origin, &direction);
         let mut found = [[[0.0; MOST_LANES]; 3]; 3];
         let leaving = leaving.bits();
         for lane in 0..W::LANES {

@@ -72,14 +72,14 @@ impl Whitted<'_> {
     }
 
     /// Sends on the rays of the last generation that go straight through the surfaces of transparent bodies: they are the
-    /// same rays still.
+    /// same rays still. They are rare: copies leave those of all others where they are.
     #[cold]
     #[inline(never)]
     pub(super) fn pass_at_limit<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        at: &Encounter<W>,
+        beams: Beams<W>,
+        at: Encounter<W>,
         at_limit: W::M,
         offspring: &mut impl Offspring<W>,
     ) {
@@ -91,8 +91,8 @@ impl Whitted<'_> {
                 #[inline(always)]
                 || {
                     let next = beams.generation.plus(w.word(1));
-                    let growth = Growth { at, ground: None, next, is_last: true };
-                    self.refracted::<W, FULL>(w, beams, &growth, straight, offspring);
+                    let growth = Growth { at: &at, ground: None, next, is_last: true };
+                    self.refracted::<W, FULL>(w, &beams, &growth, straight, offspring);
                 },
             );
         }
