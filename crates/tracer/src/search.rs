@@ -19,7 +19,7 @@ pub(crate) use absorption::MediumIntervals;
 pub(crate) use along::Along;
 pub(crate) use best::GRAZING;
 use best::{Best, Nearest};
-use coincident::settle;
+pub(crate) use coincident::settle;
 use shadow::all_of;
 pub(crate) use shadow::{ShadowMemory, Through};
 pub(crate) use stream::{RayStream, ShadowStream, StreamMemory};
@@ -139,24 +139,26 @@ impl<'a, W: Width> Flight<'a, W> {
     /// The nearest body that each ray meets.
     #[inline(always)]
     pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
+        let (hits, contested) = self.nearest_unsettled(parts);
+        if contested == 0 {
+            hits
+        } else {
+            settle(self.w, self.stage, &self.rays(), self.inside, (hits, contested))
+        }
+    }
+
+    /// The nearest body that each ray meets, and the rays that have to be [settled](settle), as bits: their hits may
+    /// coincide with those of other bodies.
+    #[inline(always)]
+    pub(crate) fn nearest_unsettled(&self, parts: &mut Pending) -> (Hits<W>, u32) {
         let mut best = Best::new(self.w, self.stage, self.start_slack());
         self.visit(parts, &mut ForNearest(self, &mut best));
         self.visit_planes(&mut ForNearest(self, &mut best));
-        self.settled(best, parts)
+        (best.first(self.w, self.stage), (best.contested & self.lanes).bits())
     }
 
-    /// The first hits, after those that coincide were put in order.
-    #[inline(always)]
-    fn settled(&self, mut best: Best<W>, parts: &mut Pending) -> Hits<W> {
-        let entering = best.entering.contested & self.lanes;
-        if entering.any() {
-            best.entering = settle(*self, best.entering, false, entering, parts);
-        }
-        let leaving = best.leaving.contested & self.lanes;
-        if leaving.any() {
-            best.leaving = settle(*self, best.leaving, true, leaving, parts);
-        }
-        best.first(self.w, self.stage)
+    fn rays(&self) -> Rays<W> {
+        Rays { origin: self.origin, direction: self.direction, start: self.start }
     }
 
     /// Shows `visitor` the bounded bodies that some of the rays may meet.

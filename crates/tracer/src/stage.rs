@@ -229,7 +229,8 @@ impl Stage {
         let Tracing { generations, threshold } = scene.tracing;
         let sky = StageSky::new(&scene.environment);
         let lanes = match &hierarchy {
-            Hierarchy::Few => Lanes::for_few(),
+            Hierarchy::Few if doubles.is_empty() => Lanes::for_few(),
+            Hierarchy::Few => Lanes::widest(),
             Hierarchy::Many(_) => Lanes::widest(),
         };
         let stage = Self {
@@ -415,7 +416,8 @@ impl Stage {
         origin: Vector<W::R>,
         direction: Vector<W::R>,
     ) -> Span<W::R> {
-        if body.is_double()
+        if W::TESTS_DOUBLES
+            && body.is_double()
             && let Some(double) = self.double(index)
         {
             return double.span(w, origin, direction);
@@ -434,7 +436,8 @@ impl Stage {
         leaving: W::M,
         face: W::R,
     ) -> SurfacePoint<W::R> {
-        if body.is_double()
+        if W::TESTS_DOUBLES
+            && body.is_double()
             && let Some(double) = self.double(index)
         {
             return double.surface_point(w, line.0, line.1, leaving);
@@ -466,7 +469,8 @@ impl Stage {
         direction: Vector<W::R>,
     ) -> (Span<W::R>, [W::R; 2]) {
         let body = self.body(index);
-        if body.is_double()
+        if W::TESTS_DOUBLES
+            && body.is_double()
             && let Some(double) = self.double(index)
         {
             return (double.span(w, origin, direction), double.cosines(w, origin, direction));

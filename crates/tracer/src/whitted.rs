@@ -24,7 +24,7 @@ use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width, Wor
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, Ray, Rays};
 use crate::render::Control;
-use crate::search::{Along, Flight, Hits, MediumIntervals, ShadowMemory, Through};
+use crate::search::{Along, Flight, Hits, MediumIntervals, ShadowMemory, Through, settle};
 use crate::stage::{Pending, RaysNear, Stage, StageCamera, StageLight};
 use crate::surface::{MOST_OF_PIXEL, phong_highlight};
 use crate::vector::Vector;
@@ -293,7 +293,7 @@ impl<'a> Whitted<'a> {
     fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, from: &Origin<'_>, inside: &Inside) -> Hits<W> {
         if let Origin::Stream { streams, at } = from {
             let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, Along::Anything);
-            return streams.rays.hits(w, *at, &flight, &mut self.parts);
+            return streams.rays.hits(w, *at, &flight);
         }
         let whence = self.views.whence(matches!(from, Origin::Eye), inside.sole(beams.lanes.bits()));
         if self.views.along(whence).is_free() {
@@ -309,13 +309,13 @@ impl<'a> Whitted<'a> {
         whence: Whence,
         inside: &Inside,
     ) -> Hits<W> {
-        w.run(
+        let parts = &mut self.parts;
+        let (stage, along) = (self.stage, self.views.along(whence));
+        let (hits, contested) = w.run(
             #[inline(always)]
-            move || {
-                let along = self.views.along(whence);
-                Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, along).nearest(&mut self.parts)
-            },
-        )
+            move || Flight::new(w, stage, &beams.rays, beams.lanes, inside, along).nearest_unsettled(parts),
+        );
+        if contested == 0 { hits } else { settle(w, stage, &beams.rays, inside, (hits, contested)) }
     }
 
     /// The way to a light, or to a point of a ball.

@@ -12,6 +12,7 @@ pub(crate) struct One;
 impl Width for One {
     const LANES: usize = 1;
     const USES_HIERARCHY: bool = true;
+    const TESTS_DOUBLES: bool = true;
     type R = f32;
     type W = u32;
     type M = bool;

@@ -18,6 +18,7 @@ pub(super) struct Two<T>(T, T);
 impl<W: Width> Width for Pair<W> {
     const LANES: usize = 2 * W::LANES;
     const USES_HIERARCHY: bool = false;
+    const TESTS_DOUBLES: bool = false;
     type R = Two<W::R>;
     type W = Two<W::W>;
     type M = Two<W::M>;

@@ -127,6 +127,7 @@ pub(super) struct WideMask<S: Simd>(S::mask32s);
 impl<S: Simd> Width for Wide<S> {
     const LANES: usize = S::f32s::LEN;
     const USES_HIERARCHY: bool = true;
+    const TESTS_DOUBLES: bool = true;
     type R = WideReal<S>;
     type W = WideWord<S>;
     type M = WideMask<S>;

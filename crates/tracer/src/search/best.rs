@@ -15,8 +15,6 @@ pub(super) struct Nearest<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     pub(super) face: W::R,
-    /// Those that may coincide with the hit of another body.
-    pub(super) contested: W::M,
 }
 
 /// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
@@ -24,6 +22,8 @@ pub(super) struct Nearest<W: Width> {
 pub(super) struct Best<W: Width> {
     pub(super) leaving: Nearest<W>,
     pub(super) entering: Nearest<W>,
+    /// The rays whose hits may coincide with those of another body, or did so before nearer ones were found.
+    pub(super) contested: W::M,
     /// No body beyond this parameter can change the outcome any more; finite.
     pub(super) reach: W::R,
     pub(super) start_slack: W::R,
@@ -53,16 +53,18 @@ impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn new(w: W, stage: &Stage, start_slack: W::R) -> Self {
         let (infinity, zero, none) = (w.real(f32::INFINITY), w.real(0.0), w.mask(0));
-        let nearest = Nearest { t: infinity, body: w.word(0), face: zero, contested: none };
+        let nearest = Nearest { t: infinity, body: w.word(0), face: zero };
         let margin = margin(stage, start_slack);
-        Self { leaving: nearest, entering: nearest, reach: w.real(f32::MAX), start_slack, margin }
+        let reach = w.real(f32::MAX);
+        Self { leaving: nearest, entering: nearest, contested: none, reach, start_slack, margin }
     }
 
     /// Takes note of hits that lead into a body.
     #[inline(always)]
     pub(super) fn enter(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
         let met = (meeting.enter, meeting.enter_face);
-        self.entering.offer(w, stage, index, met, meeting.entering, self.margin);
+        let near = self.entering.offer(w, stage, index, met, meeting.entering, self.margin);
+        self.contested = self.contested | near;
         self.reach = self.reach.min(reach_for(self.entering.t, self.margin));
     }
 
@@ -70,7 +72,8 @@ impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn leave(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
         let met = (meeting.exit, meeting.exit_face);
-        self.leaving.offer(w, stage, index, met, meeting.leaving, self.margin);
+        let near = self.leaving.offer(w, stage, index, met, meeting.leaving, self.margin);
+        self.contested = self.contested | near;
         self.reach = self.reach.min(reach_for(self.leaving.t, self.margin));
     }
 
@@ -108,23 +111,30 @@ impl<W: Width> Best<W> {
 }
 
 impl<W: Width> Nearest<W> {
-    /// Takes note of hits; of equal ones the body that comes first in the scene counts.
+    /// Takes note of hits; of equal ones the body that comes first in the scene counts. Those that may coincide with the
+    /// ones before.
     #[inline(always)]
-    fn offer(&mut self, w: W, stage: &Stage, index: u32, (t, face): (W::R, W::R), lanes: W::M, margin: W::R) {
+    fn offer(
+        &mut self,
+        w: W,
+        stage: &Stage,
+        index: u32,
+        (t, face): (W::R, W::R),
+        lanes: W::M,
+        margin: W::R,
+    ) -> W::M {
         let mut closer = lanes & t.lt(self.t);
         let near = lanes & (t - self.t).abs().le(tolerance(t, margin));
-        let mut contested = self.contested & !closer;
         if near.any() {
-            contested = contested | near;
             let equal = near & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
             if equal.any() {
                 closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
             }
         }
-        self.contested = contested;
         self.t = W::R::select(closer, t, self.t);
         self.body = W::W::select(closer, w.word(index), self.body);
         self.face = W::R::select(closer, face, self.face);
+        near
     }
 }
 

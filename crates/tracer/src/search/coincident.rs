@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use super::{Along, Flight, GRAZING, Nearest};
+use super::{Along, Best, Flight, ForNearest, GRAZING, Hits};
 use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word as _};
+use crate::media::Inside;
 use crate::ray::{POINT_ROUNDING, Rays, slack_at};
-use crate::stage::{Pending, Visit};
+use crate::stage::{Pending, Stage, Visit};
 use crate::vector::Vector;
 
 /// Where one ray crosses the surface of a body.
@@ -16,39 +17,48 @@ struct Crossing {
     body: u32,
 }
 
-/// The nearest bodies that rays enter, or leave if they are `leaving`, those of `lanes` put in order by the rule for surfaces
-/// that coincide: within the bound of rounding, measured across the surfaces, the body that comes first in the scene counts. They are rare, and are looked
-/// at ray by ray, so that the outcome depends neither on the width nor on the order in which bodies are met.
+/// The first hits of rays, those of `contested` found anew by the rule for surfaces that coincide: within the bound of
+/// rounding, measured across the surfaces, the body that comes first in the scene counts. They are rare, and are looked at
+/// ray by ray, so that the outcome depends neither on the width nor on the order in which bodies are met; and that what
+/// they need is not in the way of all others.
 #[cold]
 #[inline(never)]
-pub(super) fn settle<W: Width>(
-    flight: Flight<'_, W>,
-    nearest: Nearest<W>,
-    leaving: bool,
-    lanes: W::M,
-    parts: &mut Pending,
-) -> Nearest<W> {
+pub(crate) fn settle<W: Width>(
+    w: W,
+    stage: &Stage,
+    rays: &Rays<W>,
+    inside: &Inside,
+    (hits, contested): (Hits<W>, u32),
+) -> Hits<W> {
     let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
     let [mut bodies, mut starts] = [[0; MOST_LANES]; 2];
-    nearest.t.store(&mut ts);
-    nearest.face.store(&mut faces);
-    nearest.body.store(&mut bodies);
-    flight.start.store(&mut starts);
-    let [origins, directions] = [flight.origin, flight.direction].map(rows);
-    let mut left = lanes.bits();
+    hits.t.store(&mut ts);
+    hits.face.store(&mut faces);
+    hits.body.store(&mut bodies);
+    rays.start.store(&mut starts);
+    let (mut leaving, mut hit) = (hits.leaving.bits(), hits.hit.bits());
+    let [origins, directions] = [rays.origin, rays.direction].map(rows);
+    let mut parts = Pending::default();
+    let mut left = contested;
     while left != 0 {
         let lane = left.trailing_zeros() as usize % MOST_LANES;
         left &= left - 1;
         let vector = |rows: &[[f32; MOST_LANES]; 3]| Vector::new(rows[0][lane], rows[1][lane], rows[2][lane]);
         let rays = Rays { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
-        let inside = flight.inside.of_lane(lane);
-        let alone = Flight::new(One, flight.stage, &rays, true, &inside, Along::Anything);
-        let first = Crossing { t: ts[lane], face: faces[lane], body: bodies[lane] };
-        let counts = alone.first_of_coincident(first, leaving, parts);
-        (ts[lane], faces[lane], bodies[lane]) = (counts.t, counts.face, counts.body);
+        let inside = inside.of_lane(lane);
+        let first = Flight::new(One, stage, &rays, true, &inside, Along::Anything).first_settled(&mut parts);
+        (ts[lane], faces[lane], bodies[lane]) = (first.t, first.face, first.body);
+        let at = 1 << lane;
+        leaving = leaving & !at | if first.leaving { at } else { 0 };
+        hit = hit & !at | if first.hit { at } else { 0 };
     }
-    let w = flight.w;
-    Nearest { t: w.load(&ts), body: w.load_words(&bodies), face: w.load(&faces), ..nearest }
+    Hits {
+        t: w.load(&ts),
+        body: w.load_words(&bodies),
+        leaving: w.mask(leaving),
+        face: w.load(&faces),
+        hit: w.mask(hit),
+    }
 }
 
 /// The components of vectors side by side.
@@ -61,6 +71,21 @@ fn rows<R: Real>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
 }
 
 impl Flight<'_, One> {
+    /// The first hit of the ray, of bodies that are entered where it is, or left, the first in the scene.
+    fn first_settled(&self, parts: &mut Pending) -> Hits<One> {
+        let mut best = Best::new(One, self.stage, self.start_slack());
+        self.visit(parts, &mut ForNearest(self, &mut best));
+        self.visit_planes(&mut ForNearest(self, &mut best));
+        for (nearest, leaving) in [(&mut best.entering, false), (&mut best.leaving, true)] {
+            if nearest.t < f32::INFINITY {
+                let first = Crossing { t: nearest.t, face: nearest.face, body: nearest.body };
+                let counts = self.first_of_coincident(first, leaving, parts);
+                (nearest.t, nearest.face, nearest.body) = (counts.t, counts.face, counts.body);
+            }
+        }
+        best.first(One, self.stage)
+    }
+
     /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
     fn first_of_coincident(&self, nearest: Crossing, leaving: bool, parts: &mut Pending) -> Crossing {
         let slack_there = slack_at(self.origin) + nearest.t * POINT_ROUNDING;

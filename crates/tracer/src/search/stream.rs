@@ -5,11 +5,11 @@ use std::ops::Range;
 use bytemuck::{Zeroable, zeroed_box};
 
 use super::best::{margin, reach_for, tolerance};
-use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of};
+use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of, settle};
 use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
 use crate::media::{Inside, MediaTable};
 use crate::ray::{POINT_ROUNDING, Rays};
-use crate::stage::{Hierarchy, Pending, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
+use crate::stage::{Hierarchy, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
 use crate::vector::Vector;
 
 /// Rays that are searched for together, and what they met.
@@ -18,6 +18,8 @@ pub(crate) struct RayStream {
     rays: StreamRays,
     entering: NearestRows,
     leaving: NearestRows,
+    /// 1 for those whose hits may coincide with those of another body, else 0.
+    contested: Row<u32>,
     count: usize,
 }
 
@@ -27,8 +29,6 @@ struct NearestRows {
     t: Row<f32>,
     body: Row<u32>,
     face: Row<f32>,
-    /// 1 for those that may coincide with the hit of another body, else 0.
-    contested: Row<u32>,
 }
 
 /// Shadow rays of a stream's hits to one light.
@@ -61,7 +61,6 @@ impl NearestRows {
             t: w.load(&self.t[at..]),
             body: w.load_words(&self.body[at..]),
             face: w.load(&self.face[at..]),
-            contested: w.load_words(&self.contested[at..]).is(1),
         }
     }
 }
@@ -79,8 +78,8 @@ impl RayStream {
         self.rays.set(w, self.count, rays, media, never);
         for nearest in [&mut self.entering, &mut self.leaving] {
             never.store(&mut nearest.t[self.count..]);
-            w.word(0).store(&mut nearest.contested[self.count..]);
         }
+        w.word(0).store(&mut self.contested[self.count..]);
         self.count += lanes.bits().count_ones() as usize;
     }
 
@@ -109,22 +108,22 @@ impl RayStream {
 
     /// What the rays from number `at` on, which are in `flight`, met, planes included.
     #[inline(always)]
-    pub(crate) fn hits<W: Width>(
-        &self,
-        w: W,
-        at: usize,
-        flight: &Flight<'_, W>,
-        parts: &mut Pending,
-    ) -> Hits<W> {
+    pub(crate) fn hits<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> Hits<W> {
         let (_, reach) = self.rays.load(w, at);
         let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
         let start_slack = flight.start_slack();
         let margin = margin(flight.stage, start_slack);
-        let mut best = Best { leaving, entering, reach, start_slack, margin };
+        let contested = w.load_words(&self.contested[at..]).is(1);
+        let mut best = Best { leaving, entering, contested, reach, start_slack, margin };
         for index in flight.stage.planes() {
             flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
         }
-        flight.settled(best, parts)
+        let hits = best.first(w, flight.stage);
+        let contested = (best.contested & flight.lanes).bits();
+        if contested == 0 {
+            return hits;
+        }
+        settle(w, flight.stage, &flight.rays(), flight.inside, (hits, contested))
     }
 }
 
@@ -328,7 +327,7 @@ impl RayStream {
         lanes: W::M,
         numbers: &[u32],
     ) {
-        let Self { rays, entering, leaving, .. } = self;
+        let Self { rays, entering, leaving, contested, .. } = self;
         let nearest = if is_entering { entering } else { leaving };
         let [mut ts, mut faces, mut reaches, mut tolerances] = [[0.0; MOST_LANES]; 4];
         t.store(&mut ts);
@@ -347,9 +346,7 @@ impl RayStream {
                     || (t == old
                         && t < f32::INFINITY
                         && stage.scene_order(index, nearest.body[place]).is_lt());
-                if is_nearer || is_near {
-                    nearest.contested[place] = u32::from(is_near);
-                }
+                contested[place] |= u32::from(is_near);
                 if is_nearer {
                     (nearest.t[place], nearest.body[place]) = (t, index);
                     nearest.face[place] = faces[lane];
