@@ -53,6 +53,9 @@ fn main() -> ExitCode {
 }
 
 fn run(command: &Command) -> Result<Outcome> {
+    if let Command::Check(_) | Command::Audit(_) | Command::Diff(_) | Command::Convert(_) = command {
+        backend::start_threads()?;
+    }
     match command {
         Command::Studio(arguments) => commands::studio::run(arguments.scene.as_deref()),
         Command::Render(arguments) => commands::render::run(arguments),
