@@ -69,7 +69,6 @@ struct Meeting<W: Width> {
 }
 
 /// Rays in flight.
-#[derive(Clone, Copy)]
 pub(crate) struct Flight<'a, W: Width> {
     w: W,
     stage: &'a Stage,

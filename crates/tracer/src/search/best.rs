@@ -27,7 +27,7 @@ pub(super) struct Best<W: Width> {
     /// No body beyond this parameter can change the outcome any more; finite.
     pub(super) reach: W::R,
     pub(super) start_slack: W::R,
-    /// See [`margin`].
+    /// The [`margin`] of these rays, meters.
     pub(super) margin: W::R,
 }
 
@@ -37,7 +37,7 @@ pub(super) fn margin<R: Real>(stage: &Stage, start_slack: R) -> R {
     (start_slack + 2.0 * stage.largest_slack) * GRAZING
 }
 
-/// How far apart they may lie at `t`.
+/// How far apart hits that coincide may lie at the parameter `t`, meters; `margin` is that at the start of the rays.
 #[inline(always)]
 pub(super) fn tolerance<R: Real>(t: R, margin: R) -> R {
     t.times_plus(t.like(GRAZING * POINT_ROUNDING), margin)
@@ -111,8 +111,8 @@ impl<W: Width> Best<W> {
 }
 
 impl<W: Width> Nearest<W> {
-    /// Takes note of hits; of equal ones the body that comes first in the scene counts. Those that may coincide with the
-    /// ones before.
+    /// Takes note of hits; of equal ones the body that comes first in the scene counts. Returns the rays whose hits may
+    /// coincide with the nearest ones before.
     #[inline(always)]
     fn offer(
         &mut self,

@@ -67,7 +67,7 @@ impl Scenery<'_> {
         })
     }
 
-    /// The same without anything to stand on.
+    /// The free place in the air nearest to the middle of the picture, for a body of `share` of the fitting size.
     fn free_air(&self, shape: ShapeKind, share: f64) -> Option<Spot> {
         DEPTHS.into_iter().find_map(|depth| {
             let mut spots = self.places().map(|at| self.floating(shape, self.point_at(at, depth), share));
