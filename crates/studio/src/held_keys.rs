@@ -7,9 +7,9 @@
 
 use egui::{Event, Key};
 
-/// A key that repeats is released when it has not done so for this time, seconds,
+/// The shortest silence after which a key that repeats counts as released, seconds.
 const LEAST_SILENCE: f64 = 0.75;
-/// and for so many times the time between its last two events.
+/// How many repeats a key must have missed to count as released.
 const MISSED_REPEATS: f64 = 3.0;
 /// A key that is known to repeat does so for the first time within this time, seconds.
 const FIRST_REPEAT: f64 = 2.5;

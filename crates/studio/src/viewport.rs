@@ -62,6 +62,8 @@ pub(crate) struct Viewport {
     /// The part of it that no panel covers.
     visible: Option<Rect>,
     covered: Option<CoveredPicture>,
+    /// How far the bar over the picture reached down in the last frame, points.
+    bar: f32,
     hands: Hands,
     travel: Travel,
     glide: Option<glide::Glide>,
@@ -154,13 +156,13 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
-    let sight = Sight::new(cx.live, rect, tile, camera);
+    let sight = Sight::new(cx.live, rect, (tile, viewport.bar), camera);
     if frame.as_deref().is_some_and(picture::is_apart) {
         // Nothing can be picked in it, and nothing belongs over it.
         viewport.hands = Hands::default();
         viewport.travel.settle(ui, cx);
         tell(ui, cx, &response);
-        toolbar::toolbar_ui(ui, cx, tile);
+        viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
         return;
     }
     act(ui, cx, viewport, (&sight, &response));
@@ -183,7 +185,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     over_picture(&painter, cx, viewport, &sight, palette);
     answers::answers_ui(ui, cx, &sight);
     tell(ui, cx, &response);
-    toolbar::toolbar_ui(ui, cx, tile);
+    viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
     compass::compass_ui(ui, cx, &sight);
     crate::maps::legend_ui(ui, cx, rect, sight.visible);
     notes(ui, cx, viewport, &sight);
@@ -378,8 +380,7 @@ fn hint(painter: &egui::Painter, cx: &Cx<'_>, hand: &Hand, sight: &Sight, palett
         return;
     };
     // Below the bar, where no other panel floats, and beside the compass.
-    let room = sight.visible.shrink2(vec2(compass::WIDTH, 0.0));
-    let below = if cx.view.free_camera.is_some() { 100.0 } else { 58.0 };
-    let at = room.center_top() + vec2(0.0, below);
+    let room = sight.clear.shrink2(vec2(compass::WIDTH, 0.0));
+    let at = room.center_top() + vec2(0.0, 10.0);
     labels::plate(painter, room, at, Align2::CENTER_TOP, &text, palette);
 }

@@ -6,9 +6,9 @@ use super::ways::Way;
 const DURATION: f64 = 6.0;
 /// The shortest and the longest run that can be chosen, seconds.
 pub(crate) const DURATIONS: std::ops::RangeInclusive<f64> = 0.5..=120.0;
-/// What is seen before the first and after the last event, as a part of the way between them,
+/// The way that is seen before the first and after the last event, as a part of the way between them.
 const LEAD: f64 = 0.05;
-/// and at most as a part of the shortest way before the first one.
+/// The longest way that is seen before the first event, as a part of the shortest way between two events.
 const LEAD_IN: f64 = 0.5;
 /// The whole over its finest part from which equal shares of the time are equal factors of the way.
 const LOGARITHMIC: f64 = 30.0;

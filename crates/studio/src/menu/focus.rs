@@ -23,9 +23,9 @@ struct OpenEntry {
 #[derive(Debug, Default)]
 pub(crate) struct MenuFocus {
     alt: AltKey,
-    /// As they were drawn last, from left to right.
+    /// The buttons of the bar as they were drawn last, from left to right.
     buttons: Vec<BarButton>,
-    /// As they were drawn last, from top to bottom; those of submenus are not among them.
+    /// The entries of the open menu as they were drawn last, from top to bottom; those of submenus are not among them.
     entries: Vec<OpenEntry>,
     /// The bar is to have the keyboard.
     is_wanted: bool,

@@ -10,8 +10,7 @@ use super::sight::{Sight, marks};
 use crate::context::Cx;
 use crate::theme::Palette;
 
-/// Room that the bar over the picture takes, and that is kept from its other edges, points.
-const TOP: f32 = 58.0;
+/// The distance from the edges of the picture, points.
 const MARGIN: f32 = 20.0;
 /// Radius of an arrow's disc, and how near to its middle the pointer takes it, points.
 const DISC: f32 = 7.0;
@@ -31,12 +30,12 @@ pub(crate) struct Arrow {
 /// The arrows of all that is out of view. Those that would cover each other stand side by side.
 pub(crate) fn arrows(cx: &Cx<'_>, sight: &Sight) -> Vec<Arrow> {
     let mut arrows: Vec<Arrow> = Vec::new();
-    let room = room(sight.visible);
+    let room = room(sight.clear);
     for item in marks(cx) {
         let place = place_of(cx.editor.scene(), item);
         let Some(direction) = place.and_then(|place| direction_to(sight, place)) else { continue };
         let along = vec2(-direction.y, direction.x);
-        let edge = edge_point(room, direction);
+        let edge = edge_point(room, sight.rect.center(), direction);
         // To one side and the other, ever farther.
         let steps =
             (0..64).map(|step: i16| f32::from((step + 1) / 2) * if step % 2 == 0 { 1.0 } else { -1.0 });
@@ -67,18 +66,21 @@ fn direction_to(sight: &Sight, place: DVec3) -> Option<Vec2> {
     Some(if direction.length() > 0.0 { direction.normalized() } else { Vec2::DOWN })
 }
 
+/// Where arrows may stand.
 fn room(rect: Rect) -> Rect {
-    let top = TOP.min(0.3 * rect.height());
-    let margin = MARGIN.min(0.2 * rect.width()).min(0.2 * rect.height());
-    Rect::from_min_max(rect.min + vec2(margin, top), rect.max - Vec2::splat(margin))
+    rect.shrink(MARGIN.min(0.2 * rect.width()).min(0.2 * rect.height()))
 }
 
-/// Where the line from the middle of `room` in a direction meets its edge.
-fn edge_point(room: Rect, direction: Vec2) -> Pos2 {
-    let half = 0.5 * room.size();
-    let factor = |half: f32, part: f32| if part == 0.0 { f32::INFINITY } else { half / part.abs() };
-    let reach = factor(half.x, direction.x).min(factor(half.y, direction.y));
-    room.clamp(room.center() + reach.min(1e6) * direction)
+/// Where the line from the picture's `middle` in a direction meets the edge of `room`.
+fn edge_point(room: Rect, middle: Pos2, direction: Vec2) -> Pos2 {
+    let middle = room.clamp(middle);
+    let factor = |before: f32, behind: f32, part: f32| match part {
+        0.0 => f32::INFINITY,
+        _ => (if part < 0.0 { before } else { behind }) / part.abs(),
+    };
+    let across = factor(middle.x - room.left(), room.right() - middle.x, direction.x);
+    let down = factor(middle.y - room.top(), room.bottom() - middle.y, direction.y);
+    room.clamp(middle + across.min(down).min(1e6) * direction)
 }
 
 /// Draws the arrows; `hovered` is under the pointer.
@@ -115,9 +117,12 @@ mod tests {
     #[test]
     fn arrows_stand_at_the_edge_in_their_direction() {
         let room = Rect::from_min_max(pos2(10.0, 20.0), pos2(110.0, 60.0));
-        assert_eq!(edge_point(room, Vec2::RIGHT), pos2(110.0, 40.0));
-        assert_eq!(edge_point(room, Vec2::UP), pos2(60.0, 20.0));
-        let corner = edge_point(room, vec2(5.0, 2.0).normalized());
+        let middle = pos2(60.0, 30.0);
+        assert_eq!(edge_point(room, middle, Vec2::RIGHT), pos2(110.0, 30.0));
+        assert_eq!(edge_point(room, middle, Vec2::UP), pos2(60.0, 20.0));
+        let corner = edge_point(room, middle, vec2(5.0, 3.0).normalized());
         assert!(corner.distance(pos2(110.0, 60.0)) < 1e-3, "{corner:?}");
+        // The picture's middle may be covered.
+        assert_eq!(edge_point(room, pos2(60.0, 10.0), Vec2::DOWN), pos2(60.0, 60.0));
     }
 }

@@ -36,8 +36,8 @@ impl<'a> Scenery<'a> {
         // Before the first frame, any window will do.
         let any = Rect::from_min_size(egui::Pos2::ZERO, vec2(800.0, 600.0));
         let (rect, visible) = rects.unwrap_or((any, any));
-        let sight = Sight::new(&studio.live, rect, visible, camera);
-        let middle = sight.at(visible.center());
+        let sight = Sight::new(&studio.live, rect, (visible, viewport.bar), camera);
+        let middle = sight.at(sight.clear.center());
         let reach = camera.position.distance(camera.target);
         let subject = sight.body_at(middle).map(|hit| hit.position);
         let subject = subject.filter(|point| point.distance(camera.position) < FARTHEST * reach);
@@ -54,12 +54,12 @@ impl<'a> Scenery<'a> {
         self.camera().position.distance(self.subject)
     }
 
-    /// The corners of what is seen of the picture: the upper left and the lower right one.
+    /// The corners of what nothing covers of the picture: the upper left and the lower right one.
     fn corners(&self) -> [DVec2; 2] {
-        [self.sight.at(self.sight.visible.min), self.sight.at(self.sight.visible.max)]
+        [self.sight.at(self.sight.clear.min), self.sight.at(self.sight.clear.max)]
     }
 
-    /// A place of the picture by its shares of the width and height that are seen.
+    /// A place of the picture by its shares of the width and height that nothing covers.
     fn place(&self, shares: DVec2) -> DVec2 {
         let [least, most] = self.corners();
         least + shares * (most - least)

@@ -25,6 +25,8 @@ pub(crate) struct Sight {
     pub(crate) rect: Rect,
     /// The part of it that no panel covers.
     pub(crate) visible: Rect,
+    /// The part of that below the bar over the picture.
+    pub(crate) clear: Rect,
     /// The camera of the picture.
     pub(crate) camera: Camera,
     pub(crate) lens: Lens,
@@ -50,14 +52,19 @@ pub(crate) enum Target {
 }
 
 impl Sight {
-    /// The picture of `camera` in `rect`, as far as `tile` shows it.
-    pub(crate) fn new(live: &Live, rect: Rect, tile: Rect, camera: Camera) -> Self {
+    /// The picture of `camera` in `rect`, as far as `tile` shows it; a bar reaches so far down from the tile's top, points.
+    pub(crate) fn new(live: &Live, rect: Rect, (tile, bar): (Rect, f32), camera: Camera) -> Self {
+        /// In small windows the bar may take a part of the picture that cannot be done without.
+        const MOST: f32 = 0.4;
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
         let stage = live.stage().map(|(_, stage)| {
             let seen = stage.camera_for(&camera);
             (stage, seen)
         });
-        Self { rect, visible: tile.intersect(rect), camera, lens: Lens::new(&camera, size), stage }
+        let visible = tile.intersect(rect);
+        let top = (tile.top() + bar).clamp(visible.top(), visible.top() + MOST * visible.height().max(0.0));
+        let clear = visible.with_min_y(top);
+        Self { rect, visible, clear, camera, lens: Lens::new(&camera, size), stage }
     }
 
     /// A place of the window in the picture.

@@ -24,12 +24,12 @@ const BUTTON: f32 = 28.0;
 /// How far the exposure can be set, stops.
 const STOPS: f64 = 5.0;
 
-/// Draws the bar and, below it, the badge of the free view.
-pub(crate) fn toolbar_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect) {
+/// Draws the bar and, below it, the badge of the free view. Returns how far down they reach, points.
+pub(crate) fn toolbar_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect) -> f32 {
     let beside = if compass::fits(rect) { compass::WIDTH } else { 10.0 };
     let room = Rect::from_min_max(rect.min + Vec2::splat(10.0), rect.max - vec2(beside, 10.0));
     let builder = UiBuilder::new().max_rect(room).layout(Layout::top_down(egui::Align::Min));
-    ui.scope_builder(builder, |ui| {
+    let bar = ui.scope_builder(builder, |ui| {
         ui.spacing_mut().item_spacing = vec2(2.0, 6.0);
         panel(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
@@ -49,6 +49,7 @@ pub(crate) fn toolbar_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect) {
             panel(ui, |ui| ui.horizontal_wrapped(|ui| free_view(ui, cx)));
         }
     });
+    bar.response.rect.bottom() - rect.top()
 }
 
 /// A half-transparent plate.

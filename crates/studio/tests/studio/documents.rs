@@ -123,7 +123,7 @@ fn closes(harness: &mut Kit) -> bool {
 
 /// Steps until the studio itself asks for its window to be closed.
 fn wait_for_close(harness: &mut Kit) {
-    for _ in 0..2000 {
+    for _ in 0..5000 {
         let commands = &harness.output().viewport_output[&ViewportId::ROOT].commands;
         if commands.contains(&ViewportCommand::Close) {
             return;

@@ -65,7 +65,8 @@ fn a_window_drawn_in_parts_looks_as_egui_draws_it() {
     };
     let mut theirs = studio(By::Egui, one);
     let mut ours = studio(By::Software, other);
-    [&theirs, &ours].map(fill_atlas);
+    fill_atlas(&theirs);
+    fill_atlas(&ours);
     type Step = fn(&mut Studio);
     let steps: [(&str, Step); 6] = [
         ("the camera", |studio| studio.editor_mut().select(Item::Camera)),

@@ -29,9 +29,6 @@ const SHARES: [f64; 3] = [1.0, 0.5, 0.2];
 /// Depths at which bodies float where there is no room to stand, as parts of the subject's.
 const DEPTHS: [f64; 5] = [1.0, 0.7, 0.5, 0.3, 0.15];
 
-/// What of the picture's edges the bar over it may cover, points.
-const BAR: f64 = 56.0;
-
 /// The cosine of the steepest surface to stand on: 1°.
 const LEVEL: f64 = 0.9998;
 
@@ -166,14 +163,13 @@ impl Scenery<'_> {
     fn is_in_picture(&self, body: &Body) -> bool {
         let Some(bounds) = bounds::of_body(body) else { return true };
         let [least, most] = self.corners();
-        let bar = BAR.min(0.2 * (most.y - least.y));
         let mut corners = (0..8).map(|corner| {
             let is_far = glam::BVec3::new(corner & 1 != 0, corner & 2 != 0, corner & 4 != 0);
             DVec3::select(is_far, bounds.max, bounds.min)
         });
         corners.all(|corner| {
             self.sight.lens.project(corner).is_some_and(|at| {
-                at.x > least.x + 4.0 && at.x < most.x - 4.0 && at.y > least.y + bar && at.y < most.y - 4.0
+                at.x > least.x + 4.0 && at.x < most.x - 4.0 && at.y > least.y && at.y < most.y - 4.0
             })
         }) && self.is_seen(bounds.center())
     }

@@ -17,21 +17,12 @@ const DEPTHS: [f64; 5] = [0.7, 0.85, 0.5, 1.0, 0.3];
 /// The least cosine under which a light falls on the subject.
 const LEAST_COSINE: f64 = 0.3;
 
-/// The part of the picture's height that the bar over it may cover, points.
-const BAR: f64 = 70.0;
-
 /// The best place for a new light: in the picture, with free sight of what the picture's middle shows.
 pub(crate) fn place_for_light(studio: &Studio) -> DVec3 {
     let scenery = Scenery::new(studio);
-    let [least, most] = scenery.corners();
-    let bar = least.y + BAR.min(0.4 * (most.y - least.y));
     let grid = decimal_below(0.15 * scenery.reach());
-    let mut places = DEPTHS.into_iter().flat_map(|depth| {
-        PLACES.map(|[x, y]| {
-            let at = scenery.place(DVec2::new(x, y));
-            (at.with_y(at.y.max(bar)), depth)
-        })
-    });
+    let mut places =
+        DEPTHS.into_iter().flat_map(|depth| PLACES.map(|[x, y]| (scenery.place(DVec2::new(x, y)), depth)));
     let place = places.find_map(|(at, depth)| {
         let place = scenery.point_at(at, depth).map(|part| rounded(part, grid));
         scenery.lights_well(place).then_some(place)

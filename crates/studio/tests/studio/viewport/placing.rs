@@ -177,5 +177,6 @@ fn an_arrow_at_the_edge_leads_to_a_light_out_of_view() {
         hand.selected() == [Item::Light(0)]
     });
     let found = found.expect("an arrow on the way");
-    assert!(!rect.shrink(70.0).contains(found), "{found:?} is at the edge of {rect:?}");
+    // At the top, the bar over the picture takes a part of it.
+    assert!(!rect.shrink(90.0).contains(found), "{found:?} is not at the edge of {rect:?}");
 }
