@@ -12,14 +12,14 @@ use std::ops::Range;
 use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
 use crate::media::Inside;
 use crate::ray::{INWARDS, Rays, slack_at};
-use crate::stage::{Hierarchy, Pending, Sight, Sights, Stage, StageBody, Visit};
+use crate::stage::{Bvh, Hierarchy, Pending, Sight, Sights, Stage, StageBody, Visit};
 use crate::vector::Vector;
 
 pub(crate) use absorption::MediumIntervals;
 pub(crate) use along::Along;
 pub(crate) use best::GRAZING;
 use best::{Best, Nearest};
-pub(crate) use coincident::settle;
+use coincident::settle;
 use shadow::all_of;
 pub(crate) use shadow::{ShadowMemory, Through};
 pub(crate) use stream::{RayStream, ShadowStream, StreamMemory};
@@ -45,6 +45,8 @@ pub(crate) struct Hits<W: Width> {
     pub face: W::R,
     /// The rays that meet one at all.
     pub hit: W::M,
+    /// The rays that may meet other bodies there too: they have to be [settled](Self::settled).
+    pub contested: W::M,
 }
 
 /// What the rays know about a body before it is tested.
@@ -69,6 +71,7 @@ struct Meeting<W: Width> {
 }
 
 /// Rays in flight.
+#[derive(Clone, Copy)]
 pub(crate) struct Flight<'a, W: Width> {
     w: W,
     stage: &'a Stage,
@@ -87,7 +90,19 @@ impl<W: Width> Hits<W> {
     #[inline(always)]
     pub(crate) fn none(w: W) -> Self {
         let (zero, none) = (w.real(0.0), w.mask(0));
-        Self { t: zero, body: w.word(0), leaving: none, face: zero, hit: none }
+        Self { t: zero, body: w.word(0), leaving: none, face: zero, hit: none, contested: none }
+    }
+
+    /// The first hits of these rays, of bodies that they meet where others are the first in the scene.
+    #[inline(always)]
+    pub(crate) fn settled(self, w: W, stage: &Stage, rays: &Rays<W>, inside: &Inside) -> Self {
+        // Number by number: masks that were just written are slow to read as parts of a whole.
+        let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
+        if contested.any() {
+            let first = settle(w, stage, rays, inside, Self { t, body, leaving, face, hit, contested });
+            (t, body, leaving, face, hit) = (first.t, first.body, first.leaving, first.face, first.hit);
+        }
+        Self { t, body, leaving, face, hit, contested }
     }
 }
 
@@ -138,40 +153,63 @@ impl<'a, W: Width> Flight<'a, W> {
     /// The nearest body that each ray meets.
     #[inline(always)]
     pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
-        let (hits, contested) = self.nearest_unsettled(parts);
-        if contested == 0 {
-            hits
-        } else {
-            settle(self.w, self.stage, &self.rays(), self.inside, (hits, contested))
+        self.nearest_unsettled(parts).settled(self.w, self.stage, &self.rays(), self.inside)
+    }
+
+    /// The nearest body that each ray meets, hits to be [settled](Hits::settled) among them.
+    #[inline(always)]
+    pub(crate) fn nearest_unsettled(&self, parts: &mut Pending) -> Hits<W> {
+        match self.hierarchy() {
+            Some(bvh) => nearest_of_many(*self, bvh, parts),
+            None => self.nearest_by(
+                #[inline(always)]
+                |visitor| self.visit_few(visitor),
+            ),
         }
     }
 
-    /// The nearest body that each ray meets, and the rays that have to be [settled](settle), as bits: their hits may
-    /// coincide with those of other bodies.
+    /// The nearest body that each ray meets, of planes and the bounded bodies that `visit` shows.
     #[inline(always)]
-    pub(crate) fn nearest_unsettled(&self, parts: &mut Pending) -> (Hits<W>, u32) {
+    fn nearest_by(&self, visit: impl FnOnce(&mut ForNearest<'_, 'a, W>)) -> Hits<W> {
         let mut best = Best::new(self.w, self.stage, self.start_slack());
-        self.visit(parts, &mut ForNearest(self, &mut best));
+        visit(&mut ForNearest(self, &mut best));
         self.visit_planes(&mut ForNearest(self, &mut best));
-        (best.first(self.w, self.stage), (best.contested & self.lanes).bits())
+        best.first(self.w, self.stage, self.lanes)
     }
 
     fn rays(&self) -> Rays<W> {
         Rays { origin: self.origin, direction: self.direction, start: self.start }
     }
 
+    /// The boxes in which bodies are looked for, if they are.
+    #[inline(always)]
+    fn hierarchy(&self) -> Option<&'a Bvh> {
+        match &self.stage.hierarchy {
+            Hierarchy::Many(bvh) if W::USES_HIERARCHY => Some(bvh),
+            Hierarchy::Few | Hierarchy::Many(_) => None,
+        }
+    }
+
     /// Shows `visitor` the bounded bodies that some of the rays may meet.
     #[inline(always)]
     fn visit(&self, parts: &mut Pending, visitor: &mut impl Visit<W>) {
-        match &self.stage.hierarchy {
-            Hierarchy::Many(bvh) if W::USES_HIERARCHY => {
-                let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-                bvh.traverse_packet(self.w, &boxes, parts, &mut OfLeaves { flight: self, visitor });
-            }
-            Hierarchy::Few | Hierarchy::Many(_) => match self.along {
-                Along::Seen(sights) => self.visit_seen(&sights.bodies, visitor),
-                Along::Anything => self.visit_few(visitor),
-            },
+        match self.hierarchy() {
+            Some(bvh) => self.visit_many(bvh, parts, visitor),
+            None => self.visit_few(visitor),
+        }
+    }
+
+    #[inline(always)]
+    fn visit_many(&self, bvh: &Bvh, parts: &mut Pending, visitor: &mut impl Visit<W>) {
+        let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
+        bvh.traverse_packet(self.w, &boxes, parts, &mut OfLeaves { flight: self, visitor });
+    }
+
+    #[inline(always)]
+    fn visit_few(&self, visitor: &mut impl Visit<W>) {
+        match self.along {
+            Along::Seen(sights) => self.visit_seen(&sights.bodies, visitor),
+            Along::Anything => self.visit_all(visitor),
         }
     }
 
@@ -196,7 +234,7 @@ impl<'a, W: Width> Flight<'a, W> {
     const ONE_BY_ONE: usize = 10;
 
     #[inline(always)]
-    fn visit_few(&self, visitor: &mut impl Visit<W>) {
+    fn visit_all(&self, visitor: &mut impl Visit<W>) {
         let spheres = &self.stage.spheres;
         if spheres.len() > Self::ONE_BY_ONE {
             return self.visit_tested(
@@ -276,7 +314,7 @@ impl<'a, W: Width> Flight<'a, W> {
         let mut test = |index: u32| {
             let mut best = Best::new(self.w, self.stage, self.start_slack());
             self.test(index, self.stage.body(index), self.lanes, &mut best);
-            found_in(&best.first(self.w, self.stage)).into_iter().for_each(&mut found);
+            found_in(&best.first(self.w, self.stage, self.lanes)).into_iter().for_each(&mut found);
         };
         self.visit(parts, &mut ForEach(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
@@ -300,10 +338,10 @@ impl<'a, W: Width> Flight<'a, W> {
     fn test(&self, index: u32, body: &StageBody, lanes: W::M, best: &mut Best<W>) {
         let Some(meeting) = self.meets(index, body, lanes) else { return };
         if meeting.entering.any() {
-            best.enter(self.w, self.stage, index, &meeting);
+            best.enter(self.w, index, &meeting);
         }
         if meeting.leaving.any() {
-            best.leave(self.w, self.stage, index, &meeting);
+            best.leave(self.w, index, &meeting);
         }
     }
 
@@ -341,6 +379,21 @@ impl<'a, W: Width> Flight<'a, W> {
         }
         Some(meeting)
     }
+}
+
+/// The nearest body that each ray meets, of many. In a function of its own: the numbers of the loop over a few bodies stay
+/// in registers only where nothing is given their address.
+#[inline(never)]
+fn nearest_of_many<W: Width>(flight: Flight<'_, W>, bvh: &Bvh, parts: &mut Pending) -> Hits<W> {
+    flight.w.run(
+        #[inline(always)]
+        || {
+            flight.nearest_by(
+                #[inline(always)]
+                |visitor| flight.visit_many(bvh, parts, visitor),
+            )
+        },
+    )
 }
 
 /// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.

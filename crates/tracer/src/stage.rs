@@ -229,8 +229,8 @@ impl Stage {
         let Tracing { generations, threshold } = scene.tracing;
         let sky = StageSky::new(&scene.environment);
         let lanes = match &hierarchy {
-            Hierarchy::Few if doubles.is_empty() => Lanes::for_few(),
-            Hierarchy::Few => Lanes::widest(),
+            _ if !doubles.is_empty() => Lanes::with_doubles(),
+            Hierarchy::Few => Lanes::for_few(),
             Hierarchy::Many(_) => Lanes::widest(),
         };
         let stage = Self {

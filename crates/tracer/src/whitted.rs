@@ -24,7 +24,7 @@ use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width, Wor
 use crate::media::{AIR, Inside, MediaTable};
 use crate::ray::{NO_BODY, Ray, Rays};
 use crate::render::Control;
-use crate::search::{Along, Flight, Hits, MediumIntervals, ShadowMemory, Through, settle};
+use crate::search::{Along, Flight, Hits, MediumIntervals, ShadowMemory, Through};
 use crate::stage::{Pending, RaysNear, Stage, StageCamera, StageLight};
 use crate::surface::{MOST_OF_PIXEL, phong_highlight};
 use crate::vector::Vector;
@@ -299,7 +299,7 @@ impl<'a> Whitted<'a> {
         if self.views.along(whence).is_free() {
             return Hits::none(w);
         }
-        self.nearest_of_packet(w, beams, whence, inside)
+        self.nearest_of_packet(w, beams, whence, inside).settled(w, self.stage, &beams.rays, inside)
     }
 
     fn nearest_of_packet<W: Width>(
@@ -309,13 +309,14 @@ impl<'a> Whitted<'a> {
         whence: Whence,
         inside: &Inside,
     ) -> Hits<W> {
-        let parts = &mut self.parts;
-        let (stage, along) = (self.stage, self.views.along(whence));
-        let (hits, contested) = w.run(
+        w.run(
             #[inline(always)]
-            move || Flight::new(w, stage, &beams.rays, beams.lanes, inside, along).nearest_unsettled(parts),
-        );
-        if contested == 0 { hits } else { settle(w, stage, &beams.rays, inside, (hits, contested)) }
+            move || {
+                let along = self.views.along(whence);
+                let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, along);
+                flight.nearest_unsettled(&mut self.parts)
+            },
+        )
     }
 
     /// The way to a light, or to a point of a ball.

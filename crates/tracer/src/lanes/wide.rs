@@ -14,37 +14,51 @@ use super::{Float, MOST_LANES, Mask, Pair, Real, Width, Word, Work};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes {
     level: Level,
-    /// Whether two vectors are traced side by side.
-    in_pairs: bool,
+    packets: Packets,
+}
+
+/// What is traced side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Packets {
+    /// As many rays as a vector holds.
+    Vectors,
+    /// Twice as many, where vectors are of AVX-512.
+    Pairs,
+    /// As many as a vector of at most AVX2 holds; bodies may be in double precision.
+    WithDoubles,
 }
 
 impl Lanes {
     /// What is best for scenes with a hierarchy: the widest vectors.
     pub(crate) fn widest() -> Self {
-        Self::of(Level::new())
+        Self { level: Level::new(), packets: Packets::Vectors }
     }
 
     /// What is best for a handful of bodies: where there is room for their code, pairs of the widest vectors.
     pub(crate) fn for_few() -> Self {
-        Self { in_pairs: has_room_for_pairs(), ..Self::widest() }
+        let packets = if has_room_for_pairs() { Packets::Pairs } else { Packets::Vectors };
+        Self { packets, ..Self::widest() }
     }
 
-    fn of(level: Level) -> Self {
-        Self { level, in_pairs: false }
+    /// For scenes with bodies in double precision.
+    pub(crate) fn with_doubles() -> Self {
+        Self { packets: Packets::WithDoubles, ..Self::widest() }
     }
 
     /// All that differ, by name, the widest first.
     #[cfg(test)]
     pub(crate) fn all() -> Vec<(&'static str, Self)> {
-        let level = Level::new();
+        let widest = Self::widest();
         #[cfg_attr(not(target_arch = "x86_64"), expect(unused_mut))]
-        let mut all = vec![("widest", Self::of(level))];
+        let mut all = vec![("widest", widest), ("with doubles", Self::with_doubles())];
         #[cfg(target_arch = "x86_64")]
         {
-            all.extend(level.as_avx512().map(|_| ("pairs", Self { level, in_pairs: true })));
-            all.extend(level.as_avx2().map(|token| ("AVX2", Self::of(token.level()))));
-            all.extend(level.as_sse4_2().map(|token| ("SSE4.2", Self::of(token.level()))));
-            all.extend(level.as_sse2().map(|token| ("SSE2", Self::of(token.level()))));
+            let Self { level, packets } = widest;
+            let of = |level| Self { level, packets };
+            all.extend(level.as_avx512().map(|_| ("pairs", Self { level, packets: Packets::Pairs })));
+            all.extend(level.as_avx2().map(|token| ("AVX2", of(token.level()))));
+            all.extend(level.as_sse4_2().map(|token| ("SSE4.2", of(token.level()))));
+            all.extend(level.as_sse2().map(|token| ("SSE2", of(token.level()))));
         }
         all
     }
@@ -56,18 +70,39 @@ impl Lanes {
     }
 
     /// Does `work` in this width.
+    #[cfg(target_arch = "x86_64")]
     pub(crate) fn run<T: Work>(self, work: T) -> T::Output {
-        #[cfg(target_arch = "x86_64")]
-        if self.in_pairs
-            && let Some(avx512) = self.level.as_avx512()
-        {
-            return avx512.vectorize(
+        // What has no AVX2 is old, and has one kind of code for all scenes.
+        match (self.level, self.packets) {
+            (Level::Avx512(simd), Packets::Vectors) => run::<_, false, _>(simd, work),
+            (Level::Avx512(simd), Packets::Pairs) => simd.vectorize(
                 #[inline(always)]
-                || work.run(Pair(Wide(avx512))),
-            );
+                || work.run(Pair(Wide::<_, false>(simd))),
+            ),
+            (Level::Avx2(simd), Packets::Vectors | Packets::Pairs) => run::<_, false, _>(simd, work),
+            (Level::Sse4_2(simd), _) => run::<_, true, _>(simd, work),
+            (Level::Sse2(simd), _) => run::<_, true, _>(simd, work),
+            (level, _) => match level.as_avx2() {
+                Some(simd) => run::<_, true, _>(simd, work),
+                None => unreachable!("x86-64 has SSE2 at least"),
+            },
         }
-        fearless_simd::dispatch!(self.level, simd => work.run(Wide(simd)))
     }
+
+    /// Does `work` in this width.
+    #[cfg(not(target_arch = "x86_64"))]
+    pub(crate) fn run<T: Work>(self, work: T) -> T::Output {
+        fearless_simd::dispatch!(self.level, simd => work.run(Wide::<_, true>(simd)))
+    }
+}
+
+/// Does `work` in vectors of one kind.
+#[cfg(target_arch = "x86_64")]
+fn run<S: Simd, const DOUBLES: bool, T: Work>(simd: S, work: T) -> T::Output {
+    simd.vectorize(
+        #[inline(always)]
+        || work.run(Wide::<S, DOUBLES>(simd)),
+    )
 }
 
 /// Whether code for two vectors side by side stays in the cache next to the processor. Where it does (64 KB, Intel), a
@@ -108,9 +143,9 @@ pub(super) fn widest_fuses() -> bool {
     *FUSES
 }
 
-/// As many numbers as a vector holds.
+/// As many numbers as a vector holds, perhaps for scenes with bodies in double precision.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wide<S>(S);
+pub(super) struct Wide<S, const DOUBLES: bool>(S);
 
 /// Numbers in a vector.
 #[derive(Clone, Copy)]
@@ -124,10 +159,10 @@ pub(super) struct WideWord<S: Simd>(S::u32s);
 #[derive(Clone, Copy)]
 pub(super) struct WideMask<S: Simd>(S::mask32s);
 
-impl<S: Simd> Width for Wide<S> {
+impl<S: Simd, const DOUBLES: bool> Width for Wide<S, DOUBLES> {
     const LANES: usize = S::f32s::LEN;
     const USES_HIERARCHY: bool = true;
-    const TESTS_DOUBLES: bool = true;
+    const TESTS_DOUBLES: bool = DOUBLES;
     type R = WideReal<S>;
     type W = WideWord<S>;
     type M = WideMask<S>;

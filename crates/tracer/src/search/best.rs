@@ -15,6 +15,8 @@ pub(super) struct Nearest<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     pub(super) face: W::R,
+    /// The parameter of the hit after it.
+    pub(super) second: W::R,
 }
 
 /// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
@@ -22,8 +24,6 @@ pub(super) struct Nearest<W: Width> {
 pub(super) struct Best<W: Width> {
     pub(super) leaving: Nearest<W>,
     pub(super) entering: Nearest<W>,
-    /// The rays whose hits may coincide with those of another body, or did so before nearer ones were found.
-    pub(super) contested: W::M,
     /// No body beyond this parameter can change the outcome any more; finite.
     pub(super) reach: W::R,
     pub(super) start_slack: W::R,
@@ -37,13 +37,7 @@ pub(super) fn margin<R: Real>(stage: &Stage, start_slack: R) -> R {
     (start_slack + 2.0 * stage.largest_slack) * GRAZING
 }
 
-/// How far apart hits that coincide may lie at the parameter `t`, meters; `margin` is that at the start of the rays.
-#[inline(always)]
-pub(super) fn tolerance<R: Real>(t: R, margin: R) -> R {
-    t.times_plus(t.like(GRAZING * POINT_ROUNDING), margin)
-}
-
-/// Up to where bodies have to be seen that may coincide with a hit at `t`; those behind need not.
+/// Up to where hits may coincide with one at `t`; `margin` is how far apart they may lie at the start of the rays.
 #[inline(always)]
 pub(super) fn reach_for<R: Real>(t: R, margin: R) -> R {
     t.times_plus(t.like(1.0 + GRAZING * POINT_ROUNDING), margin)
@@ -52,28 +46,26 @@ pub(super) fn reach_for<R: Real>(t: R, margin: R) -> R {
 impl<W: Width> Best<W> {
     #[inline(always)]
     pub(super) fn new(w: W, stage: &Stage, start_slack: W::R) -> Self {
-        let (infinity, zero, none) = (w.real(f32::INFINITY), w.real(0.0), w.mask(0));
-        let nearest = Nearest { t: infinity, body: w.word(0), face: zero };
+        let infinity = w.real(f32::INFINITY);
+        let nearest = Nearest { t: infinity, body: w.word(0), face: w.real(0.0), second: infinity };
         let margin = margin(stage, start_slack);
         let reach = w.real(f32::MAX);
-        Self { leaving: nearest, entering: nearest, contested: none, reach, start_slack, margin }
+        Self { leaving: nearest, entering: nearest, reach, start_slack, margin }
     }
 
     /// Takes note of hits that lead into a body.
     #[inline(always)]
-    pub(super) fn enter(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
+    pub(super) fn enter(&mut self, w: W, index: u32, meeting: &Meeting<W>) {
         let met = (meeting.enter, meeting.enter_face);
-        let near = self.entering.offer(w, stage, index, met, meeting.entering, self.margin);
-        self.contested = self.contested | near;
+        self.entering.offer(w, index, met, meeting.entering);
         self.reach = self.reach.min(reach_for(self.entering.t, self.margin));
     }
 
     /// Takes note of hits that lead out of a body.
     #[inline(always)]
-    pub(super) fn leave(&mut self, w: W, stage: &Stage, index: u32, meeting: &Meeting<W>) {
+    pub(super) fn leave(&mut self, w: W, index: u32, meeting: &Meeting<W>) {
         let met = (meeting.exit, meeting.exit_face);
-        let near = self.leaving.offer(w, stage, index, met, meeting.leaving, self.margin);
-        self.contested = self.contested | near;
+        self.leaving.offer(w, index, met, meeting.leaving);
         self.reach = self.reach.min(reach_for(self.leaving.t, self.margin));
     }
 
@@ -84,16 +76,23 @@ impl<W: Width> Best<W> {
         t.times_plus(t.like(POINT_ROUNDING), self.start_slack + larger)
     }
 
-    /// The first hits. Of hits that coincide within rounding, the one that leads out comes before the one that leads in:
-    /// bodies that touch have a film of air between them.
+    /// The first hits of `lanes`, before those that are contested are settled. Of hits that coincide within rounding, the
+    /// one that leads out comes before the one that leads in: bodies that touch have a film of air between them.
     #[inline(always)]
-    pub(super) fn first(&self, w: W, stage: &Stage) -> Hits<W> {
+    pub(super) fn first(&self, w: W, stage: &Stage, lanes: W::M) -> Hits<W> {
         let infinity = w.real(f32::INFINITY);
         let Nearest { t, body, face, .. } = self.entering;
         let leaves = self.leaving.t.lt(infinity);
-        let mut hits: Hits<W> =
-            Hits { t, body, leaving: leaves & !leaves, face, hit: t.lt(infinity) | leaves };
+        let mut hits: Hits<W> = Hits {
+            t,
+            body,
+            leaving: leaves & !leaves,
+            face,
+            hit: t.lt(infinity) | leaves,
+            contested: lanes & self.entering.is_contested(w, self.margin),
+        };
         if leaves.any() {
+            hits.contested = hits.contested | lanes & self.leaving.is_contested(w, self.margin);
             let out = self.leaving.t;
             let surely = leaves & out.le(t + self.slack_at(t, w.real(0.0)));
             let perhaps = leaves & out.le(t + self.slack_at(t, w.real(stage.largest_slack)));
@@ -111,30 +110,21 @@ impl<W: Width> Best<W> {
 }
 
 impl<W: Width> Nearest<W> {
-    /// Takes note of hits; of equal ones the body that comes first in the scene counts. Returns the rays whose hits may
-    /// coincide with the nearest ones before.
+    /// Takes note of hits. Which of equal ones counts is left to [`settle`](super::settle).
     #[inline(always)]
-    fn offer(
-        &mut self,
-        w: W,
-        stage: &Stage,
-        index: u32,
-        (t, face): (W::R, W::R),
-        lanes: W::M,
-        margin: W::R,
-    ) -> W::M {
-        let mut closer = lanes & t.lt(self.t);
-        let near = lanes & (t - self.t).abs().le(tolerance(t, margin));
-        if near.any() {
-            let equal = near & t.eq(self.t) & t.lt(w.real(f32::INFINITY));
-            if equal.any() {
-                closer = closer | w.mask(equal.bits() & later_than::<W>(stage, index, self.body));
-            }
-        }
-        self.t = W::R::select(closer, t, self.t);
-        self.body = W::W::select(closer, w.word(index), self.body);
-        self.face = W::R::select(closer, face, self.face);
-        near
+    fn offer(&mut self, w: W, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
+        let t = W::R::select(lanes, t, w.real(f32::INFINITY));
+        self.second = self.second.min(t.max(self.t));
+        let is_nearer = t.lt(self.t);
+        self.t = self.t.min(t);
+        self.body = W::W::select(is_nearer, w.word(index), self.body);
+        self.face = W::R::select(is_nearer, face, self.face);
+    }
+
+    /// The rays whose two nearest hits may coincide.
+    #[inline(always)]
+    fn is_contested(&self, w: W, margin: W::R) -> W::M {
+        self.second.le(reach_for(self.t, margin)) & self.second.lt(w.real(f32::INFINITY))
     }
 }
 
@@ -150,14 +140,4 @@ fn larger_slack<W: Width>(w: W, stage: &Stage, one: W::W, other: W::W) -> W::R {
         *slack = stage.body(one).slack.max(stage.body(other).slack);
     }
     w.load(&slacks)
-}
-
-/// Where a body of the scene behind body `index` has been met.
-#[cold]
-#[inline(never)]
-fn later_than<W: Width>(stage: &Stage, index: u32, met: W::W) -> u32 {
-    let mut bodies = [0; MOST_LANES];
-    met.store(&mut bodies);
-    let lanes = bodies.iter().take(W::LANES).enumerate();
-    lanes.fold(0, |later, (lane, &old)| later | u32::from(stage.scene_order(index, old).is_lt()) << lane)
 }

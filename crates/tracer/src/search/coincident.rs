@@ -17,18 +17,18 @@ struct Crossing {
     body: u32,
 }
 
-/// The first hits of rays, those of `contested` found anew by the rule for surfaces that coincide: within the bound of
+/// The first hits of rays, those that are contested found anew by the rule for surfaces that coincide: within the bound of
 /// rounding, measured across the surfaces, the body that comes first in the scene counts. They are rare, and are looked at
 /// ray by ray, so that the outcome depends neither on the width nor on the order in which bodies are met; and that what
 /// they need is not in the way of all others.
 #[cold]
 #[inline(never)]
-pub(crate) fn settle<W: Width>(
+pub(super) fn settle<W: Width>(
     w: W,
     stage: &Stage,
     rays: &Rays<W>,
     inside: &Inside,
-    (hits, contested): (Hits<W>, u32),
+    hits: Hits<W>,
 ) -> Hits<W> {
     let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
     let [mut bodies, mut starts] = [[0; MOST_LANES]; 2];
@@ -39,7 +39,7 @@ pub(crate) fn settle<W: Width>(
     let (mut leaving, mut hit) = (hits.leaving.bits(), hits.hit.bits());
     let [origins, directions] = [rays.origin, rays.direction].map(rows);
     let mut parts = Pending::default();
-    let mut left = contested;
+    let mut left = hits.contested.bits();
     while left != 0 {
         let lane = left.trailing_zeros() as usize % MOST_LANES;
         left &= left - 1;
@@ -58,6 +58,7 @@ pub(crate) fn settle<W: Width>(
         leaving: w.mask(leaving),
         face: w.load(&faces),
         hit: w.mask(hit),
+        contested: w.mask(0),
     }
 }
 
@@ -83,7 +84,7 @@ impl Flight<'_, One> {
                 (nearest.t, nearest.face, nearest.body) = (counts.t, counts.face, counts.body);
             }
         }
-        best.first(One, self.stage)
+        best.first(One, self.stage, false)
     }
 
     /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
@@ -95,6 +96,11 @@ impl Flight<'_, One> {
         let mut visitor = Crossings { flight: self, leaving, reach, crossings: &mut crossings };
         self.visit(parts, &mut visitor);
         self.visit_planes(&mut visitor);
+        // Of equal ones the first in the scene, so that the order of visits does not matter.
+        let order = |one: &Crossing, other: &Crossing| {
+            one.t.total_cmp(&other.t).then_with(|| self.stage.scene_order(one.body, other.body))
+        };
+        let nearest = crossings.iter().copied().min_by(order).unwrap_or(nearest);
         let own_slack = slack(nearest.body);
         let own_cosine = self.cosine(nearest.body, leaving);
         let coincides = |crossing: &Crossing| {

@@ -7,7 +7,7 @@ use super::{Flight, ForEach, Hit, Meeting, Relation};
 use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width};
 use crate::media::MediaTable;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::stage::{Hierarchy, Pending, StageBody, Visit};
+use crate::stage::{Bvh, Hierarchy, Pending, StageBody, Visit};
 use crate::vector::Vector;
 
 /// Where rays cross a body's surface before a light.
@@ -55,16 +55,37 @@ impl<'a, W: Width> Flight<'a, W> {
                 return passed;
             }
         }
-        let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
-        let mut shadow = ForShadow { flight: self, passed: &mut passed, intervals, distance, reach };
-        self.visit(parts, &mut shadow);
-        self.visit_planes(&mut shadow);
+        match self.hierarchy() {
+            Some(bvh) => passed = pass_many(*self, distance, passed, intervals, (bvh, parts)),
+            None => self.pass(
+                distance,
+                &mut passed,
+                intervals,
+                #[inline(always)]
+                |visitor| self.visit_few(visitor),
+            ),
+        }
         *blocker = passed.blocker;
         if self.stage.absorbs && !intervals.is_empty() {
             let left = intervals.left_after(self.w, self.stage, media);
             passed.share = Some(passed.share.unwrap_or_else(|| all_of(self.w)).times(left));
         }
         passed
+    }
+
+    /// Takes from what has `passed` what planes and the bounded bodies hide and filter that `visit` shows.
+    #[inline(always)]
+    fn pass(
+        &self,
+        distance: W::R,
+        passed: &mut Through<W>,
+        intervals: &mut MediumIntervals,
+        visit: impl FnOnce(&mut ForShadow<'_, 'a, W>),
+    ) {
+        let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
+        let mut shadow = ForShadow { flight: self, passed, intervals, distance, reach };
+        visit(&mut shadow);
+        self.visit_planes(&mut shadow);
     }
 
     /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
@@ -162,6 +183,31 @@ impl<'a, W: Width> Flight<'a, W> {
             intervals.note::<W>(index, (in_front, enter), (within, exit.min(distance)));
         }
     }
+}
+
+/// What passes many bodies of what has `passed`: in a function of its own, as [`nearest_of_many`](super::nearest_of_many).
+#[inline(never)]
+fn pass_many<W: Width>(
+    flight: Flight<'_, W>,
+    distance: W::R,
+    passed: Through<W>,
+    intervals: &mut MediumIntervals,
+    (bvh, parts): (&Bvh, &mut Pending),
+) -> Through<W> {
+    flight.w.run(
+        #[inline(always)]
+        || {
+            let mut passed = passed;
+            flight.pass(
+                distance,
+                &mut passed,
+                intervals,
+                #[inline(always)]
+                |visitor| flight.visit_many(bvh, parts, visitor),
+            );
+            passed
+        },
+    )
 }
 
 /// Looks for what shades.

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use super::best::{margin, reach_for, tolerance};
-use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of, settle};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
+use super::best::{margin, reach_for};
+use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width};
 use crate::media::{Inside, MediaTable};
 use crate::ray::{POINT_ROUNDING, Rays};
 use crate::stage::{Hierarchy, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
@@ -18,8 +18,6 @@ pub(crate) struct RayStream {
     rays: StreamRays,
     entering: NearestRows,
     leaving: NearestRows,
-    /// 1 for those whose hits may coincide with those of another body, else 0.
-    contested: Row<u32>,
     count: usize,
 }
 
@@ -29,6 +27,8 @@ struct NearestRows {
     t: Row<f32>,
     body: Row<u32>,
     face: Row<f32>,
+    /// The parameters of the hits after them.
+    second: Row<f32>,
 }
 
 /// Shadow rays of a stream's hits to one light.
@@ -61,6 +61,7 @@ impl NearestRows {
             t: w.load(&self.t[at..]),
             body: w.load_words(&self.body[at..]),
             face: w.load(&self.face[at..]),
+            second: w.load(&self.second[at..]),
         }
     }
 }
@@ -78,8 +79,8 @@ impl RayStream {
         self.rays.set(w, self.count, rays, media, never);
         for nearest in [&mut self.entering, &mut self.leaving] {
             never.store(&mut nearest.t[self.count..]);
+            never.store(&mut nearest.second[self.count..]);
         }
-        w.word(0).store(&mut self.contested[self.count..]);
         self.count += lanes.bits().count_ones() as usize;
     }
 
@@ -113,17 +114,12 @@ impl RayStream {
         let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
         let start_slack = flight.start_slack();
         let margin = margin(flight.stage, start_slack);
-        let contested = w.load_words(&self.contested[at..]).is(1);
-        let mut best = Best { leaving, entering, contested, reach, start_slack, margin };
+        let mut best = Best { leaving, entering, reach, start_slack, margin };
         for index in flight.stage.planes() {
             flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
         }
-        let hits = best.first(w, flight.stage);
-        let contested = (best.contested & flight.lanes).bits();
-        if contested == 0 {
-            return hits;
-        }
-        settle(w, flight.stage, &flight.rays(), flight.inside, (hits, contested))
+        let hits = best.first(w, flight.stage, flight.lanes);
+        hits.settled(w, flight.stage, &flight.rays(), flight.inside)
     }
 }
 
@@ -304,11 +300,11 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
                 let margin = margin(stage, flight.start_slack());
                 if entering.any() {
                     let met = (meeting.enter, meeting.enter_face, margin);
-                    self.stream.offer::<W>(stage, index, true, met, entering, numbers);
+                    self.stream.offer::<W>(index, true, met, entering, numbers);
                 }
                 if leaving.any() {
                     let met = (meeting.exit, meeting.exit_face, margin);
-                    self.stream.offer::<W>(stage, index, false, met, leaving, numbers);
+                    self.stream.offer::<W>(index, false, met, leaving, numbers);
                 }
             }
         }
@@ -320,20 +316,18 @@ impl RayStream {
     #[inline(always)]
     fn offer<W: Width>(
         &mut self,
-        stage: &Stage,
         index: u32,
         is_entering: bool,
         (t, face, margin): (W::R, W::R, W::R),
         lanes: W::M,
         numbers: &[u32],
     ) {
-        let Self { rays, entering, leaving, contested, .. } = self;
+        let Self { rays, entering, leaving, .. } = self;
         let nearest = if is_entering { entering } else { leaving };
-        let [mut ts, mut faces, mut reaches, mut tolerances] = [[0.0; MOST_LANES]; 4];
+        let [mut ts, mut faces, mut reaches] = [[0.0; MOST_LANES]; 3];
         t.store(&mut ts);
         face.store(&mut faces);
         reach_for(t, margin).store(&mut reaches);
-        tolerance(t, margin).store(&mut tolerances);
         each(
             lanes.bits(),
             numbers,
@@ -341,16 +335,13 @@ impl RayStream {
             |lane, ray| {
                 let place = ray as usize % STREAM;
                 let (t, old) = (ts[lane], nearest.t[place]);
-                let is_near = (t - old).abs() <= tolerances[lane];
-                let is_nearer = t < old
-                    || (t == old
-                        && t < f32::INFINITY
-                        && stage.scene_order(index, nearest.body[place]).is_lt());
-                contested[place] |= u32::from(is_near);
-                if is_nearer {
+                if t < old {
                     (nearest.t[place], nearest.body[place]) = (t, index);
                     nearest.face[place] = faces[lane];
+                    nearest.second[place] = old;
                     rays.shorten(ray, reaches[lane]);
+                } else {
+                    nearest.second[place] = nearest.second[place].min(t);
                 }
             },
         );
