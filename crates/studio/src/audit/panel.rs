@@ -73,7 +73,7 @@ fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
             ("height", pin.size.y.to_string().into()),
         ];
         ui.label(RichText::new(texts.with("audit-pixel", &arguments)).strong());
-        let [red, green, blue] = found.audit.light.map(|part| format!("{part}"));
+        let [red, green, blue] = found.audit.light.map(|part| texts.localized(part.to_string()));
         let value = format!("{red}  {green}  {blue}");
         ui.label(RichText::new(value).monospace()).on_hover_text(cx.t("audit-linear"));
         let (key, is_whole) = match found.audit.proof {

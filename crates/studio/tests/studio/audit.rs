@@ -149,6 +149,23 @@ impl Auditor {
 }
 
 #[test]
+fn numbers_have_the_decimal_sign_of_the_language() {
+    let mut audit = Auditor::new();
+    audit.pin(audit.place(0.4, 0.45));
+    for (language, foreign) in [(Language::English, b','), (Language::Russian, b'.')] {
+        audit.run(Command::Language(language));
+        let rows = audit.rows();
+        let has_foreign = |row: &&String| {
+            row.as_bytes()
+                .windows(3)
+                .any(|three| three[1] == foreign && three[0].is_ascii_digit() && three[2].is_ascii_digit())
+        };
+        assert_eq!(rows.iter().find(has_foreign), None, "{language:?}");
+        assert!(rows.len() > 20, "{rows:?}");
+    }
+}
+
+#[test]
 fn a_pixel_is_pinned_and_its_rays_are_read() {
     let mut audit = Auditor::new();
     let steps = audit.harness.state().editor().steps_done();
