@@ -3,7 +3,8 @@
 //! egui keeps its own set by the logical key, and a release does not always have that of its press: `=` with Shift is
 //! pressed as Plus and released as Equals once Shift is up. Releases can be lost as well, to window managers, input
 //! methods and dialogs of the system. Here a key is the place on the keyboard, where that is known, and one that has
-//! repeated and does so no more counts as released.
+//! repeated and does so no more counts as released. Where another key was pressed after it, so that nobody can tell, it
+//! counts as released after a while, and at once when Escape is pressed.
 
 use egui::{Event, Key};
 
@@ -13,6 +14,8 @@ const LEAST_SILENCE: f64 = 0.75;
 const MISSED_REPEATS: f64 = 3.0;
 /// A key that is known to repeat does so for the first time within this time, seconds.
 const FIRST_REPEAT: f64 = 2.5;
+/// A key that is not expected to repeat counts as released after this time without any sign of it, seconds.
+const LONGEST_UNSEEN: f64 = 15.0;
 
 /// One press of a key, with what follows until its release.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +56,9 @@ impl HeldKeys {
         for event in events {
             match event {
                 Event::Key { key, physical_key, pressed: true, repeat, .. } => {
+                    if *key == Key::Escape {
+                        self.keys.retain(|held| held.logical == Key::Escape);
+                    }
                     *repeat = self.press(*key, *physical_key, now);
                 }
                 Event::Key { key, physical_key, pressed: false, .. } => {
@@ -72,7 +78,11 @@ impl HeldKeys {
         }
         for held in &mut self.keys {
             let is_known = held.interval.is_some() || self.repeating.contains(&held.place());
-            held.is_silent |= held.is_expected && is_known && now - held.last > held.patience();
+            let silence = now - held.last;
+            held.is_silent |= match held.is_expected {
+                true => is_known && silence > held.patience(),
+                false => silence > LONGEST_UNSEEN,
+            };
         }
     }
 
@@ -225,15 +235,29 @@ mod tests {
         }
         take(&mut keys, key(Key::D, Some(Key::D), true), 0.6);
         take(&mut keys, key(Key::D, Some(Key::D), false), 0.9);
-        keys.take_up(&mut [], 60.0);
+        keys.take_up(&mut [], 15.0);
         assert!(is_held(&keys, Key::W));
         // W again after another key can be no repeat.
-        assert!(!take(&mut keys, key(Key::W, Some(Key::W), true), 61.0));
+        assert!(!take(&mut keys, key(Key::W, Some(Key::W), true), 15.1));
         // Shift ends repeating on some systems.
-        assert!(take(&mut keys, key(Key::W, Some(Key::W), true), 61.5));
-        take(&mut keys, Event::ModifiersChanged(Modifiers::SHIFT), 61.6);
-        keys.take_up(&mut [], 90.0);
+        assert!(take(&mut keys, key(Key::W, Some(Key::W), true), 15.6));
+        take(&mut keys, Event::ModifiersChanged(Modifiers::SHIFT), 15.7);
+        keys.take_up(&mut [], 30.0);
         assert!(is_held(&keys, Key::W));
+        // Its release may have been lost.
+        keys.take_up(&mut [], 31.0);
+        assert!(!is_held(&keys, Key::W));
+    }
+
+    #[test]
+    fn escape_lets_all_keys_go() {
+        let mut keys = HeldKeys::default();
+        for now in [0.0, 0.5, 0.53] {
+            take(&mut keys, key(Key::W, Some(Key::W), true), now);
+        }
+        assert!(!take(&mut keys, key(Key::Escape, Some(Key::Escape), true), 0.6));
+        assert!(!is_held(&keys, Key::W));
+        assert!(take(&mut keys, key(Key::Escape, Some(Key::Escape), true), 1.0), "a repeat of its own");
     }
 
     #[test]
