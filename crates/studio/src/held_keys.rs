@@ -79,9 +79,10 @@ impl HeldKeys {
         for held in &mut self.keys {
             let is_known = held.interval.is_some() || self.repeating.contains(&held.place());
             let silence = now - held.last;
-            held.is_silent |= match held.is_expected {
-                true => is_known && silence > held.patience(),
-                false => silence > LONGEST_UNSEEN,
+            held.is_silent |= if held.is_expected {
+                is_known && silence > held.patience()
+            } else {
+                silence > LONGEST_UNSEEN
             };
         }
     }
