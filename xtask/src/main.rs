@@ -8,6 +8,7 @@ mod gallery;
 mod methods;
 mod packages;
 mod povray;
+mod same;
 mod scenes;
 mod sheet;
 mod shell;
@@ -45,6 +46,8 @@ enum Chore {
     BenchStudio,
     /// Draw the documents' pictures of the studio
     Screenshots(window::ScreenshotArguments),
+    /// Compare the pictures of two builds of the program, bit by bit
+    Same(same::SameArguments),
     /// Make an archive of the program for Linux
     Dist,
 }
@@ -59,6 +62,7 @@ fn main() -> anyhow::Result<()> {
         Chore::BenchGpu(arguments) => bench_gpu::run(&arguments),
         Chore::BenchStudio => window::bench(),
         Chore::Screenshots(arguments) => window::screenshots(&arguments),
+        Chore::Same(arguments) => same::run(&arguments),
         Chore::Dist => dist::run(),
     }
 }
