@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result};
 use catoptric_files::write_bytes;
 use catoptric_picture::{BitDepth, Codes, Development, Picture};
 use catoptric_scene::Example;
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 use clap::Args;
 use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
 
@@ -48,9 +48,9 @@ pub(crate) fn run(arguments: &GalleryArguments) -> Result<()> {
 }
 
 fn picture(example: &Example, samples: u32) -> Result<Picture> {
-    let stage = Stage::prepare(&example.load()?.scene)?;
+    let stage = RenderScene::prepare(&example.load()?.scene)?;
     let settings = RenderSettings { width: SIZE.0, height: SIZE.1, samples };
-    Ok(render(&stage, settings, &Control::default())?.picture)
+    Ok(render(&stage, settings, &RenderControl::default())?.picture)
 }
 
 /// Pictures in documents are JPEG: a repository should stay small.

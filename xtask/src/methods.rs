@@ -4,9 +4,9 @@ use anyhow::{Context as _, Result};
 use catoptric_picture::{HeatMap, Picture, heat_map};
 use catoptric_scene::Example;
 use catoptric_tracer::method::{
-    CubeMapSettings, Drawing, Layer, Method, MethodKind, ShadingSettings, SsrSettings, draw,
+    CubeMapSettings, MethodOutput, GBufferLayer, Method, MethodKind, ShadingSettings, SsrSettings, draw,
 };
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 
 use crate::gallery::write_jpeg;
 use crate::root;
@@ -22,7 +22,7 @@ pub(crate) fn run() -> Result<()> {
     let folder = root().join("docs/methods");
     std::fs::create_dir_all(&folder).context("docs/methods")?;
     let example = Example::find("four-bodies").context("the example four-bodies")?;
-    let stage = Stage::prepare(&example.load()?.scene)?;
+    let stage = RenderScene::prepare(&example.load()?.scene)?;
     let truth = drawn(&stage, &Method::Whitted)?.picture;
     for kind in MethodKind::ALL.into_iter().filter(|kind| *kind != MethodKind::Whitted) {
         println!("{kind}");
@@ -42,7 +42,7 @@ pub(crate) fn run() -> Result<()> {
         if kind == MethodKind::Ssr {
             let mut sheet = Sheet::new(SIZE, REDUCED, 3);
             for layer in
-                [Layer::Depth, Layer::Normal, Layer::Body, Layer::Coefficients, Layer::Lit, Layer::Reflected]
+                [GBufferLayer::Depth, GBufferLayer::Normal, GBufferLayer::Body, GBufferLayer::Coefficients, GBufferLayer::Lit, GBufferLayer::Reflected]
             {
                 drawing.layer(&stage, layer)?.iter().for_each(|picture| sheet.add(picture));
             }
@@ -68,9 +68,9 @@ fn shown(kind: MethodKind) -> Method {
     }
 }
 
-fn drawn(stage: &Stage, method: &Method) -> Result<Drawing> {
+fn drawn(stage: &RenderScene, method: &Method) -> Result<MethodOutput> {
     let settings = RenderSettings { width: SIZE.0, height: SIZE.1, samples: 1 };
-    Ok(draw(stage, method, settings, &Control::default())?)
+    Ok(draw(stage, method, settings, &RenderControl::default())?)
 }
 
 /// The picture half as large.

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use anyhow::{Context as _, Result, anyhow, bail};
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuInfo};
 use catoptric_picture::Picture;
-use catoptric_tracer::method::{Drawing, Method, draw};
-use catoptric_tracer::{Control, RenderSettings, Stage, render_into};
+use catoptric_tracer::method::{MethodOutput, Method, draw};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render_into};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Backend, BackendArguments};
@@ -34,7 +34,7 @@ pub(crate) struct Drawer {
 
 /// A picture, and who drew it.
 pub(crate) struct Drawn {
-    pub drawing: Drawing,
+    pub drawing: MethodOutput,
     /// What the card worked, by its own clock.
     pub on_card: Option<Duration>,
     /// Why the processor drew it though there is a card.
@@ -82,18 +82,18 @@ impl Drawer {
     /// Draws a stage, into `canvas` if there is [one](Self::canvas).
     pub(crate) fn draw(
         &self,
-        stage: &Stage,
+        stage: &RenderScene,
         method: &Method,
         (settings, canvas): (RenderSettings, Option<Picture>),
         pool: &ThreadPool,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<Drawn> {
         let on_cpu = || pool.install(|| draw(stage, method, settings, control));
         if let Some(mut picture) = canvas {
             let start = Instant::now();
             let counts =
                 pool.install(|| render_into(&mut picture, stage, stage.camera(), settings.samples, control))?;
-            let drawing = Drawing::traced(picture, counts, start.elapsed());
+            let drawing = MethodOutput::traced(picture, counts, start.elapsed());
             return Ok(Drawn { drawing, on_card: None, fallen_back: None });
         }
         let Some(gpu) = &self.gpu else {
@@ -103,7 +103,7 @@ impl Drawer {
         match pool.install(|| catoptric_gpu::render(gpu, stage, stage.camera(), settings, control)) {
             Ok(rendering) => {
                 let pass = rendering.pass;
-                let drawing = Drawing::traced(rendering.picture, pass.counts, start.elapsed());
+                let drawing = MethodOutput::traced(rendering.picture, pass.counts, start.elapsed());
                 Ok(Drawn { drawing, on_card: pass.on_card, fallen_back: None })
             }
             Err(error) if self.may_fall_back && !matches!(error, GpuError::Cancelled | GpuError::Size(_)) => {

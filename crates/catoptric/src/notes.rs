@@ -3,7 +3,7 @@
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, Excess, ExcessKind, excesses};
 use catoptric_lab::work::RayEstimate;
 use catoptric_scene::{Scene, quoted_name};
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 use glam::UVec2;
 
 /// The most notes on one scene.
@@ -13,7 +13,7 @@ const MOST: usize = 10;
 /// trees that have very many rays.
 pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     let mut notes: Vec<String> = excesses(scene).iter().map(of_excess).collect();
-    if let Ok(stage) = Stage::prepare(scene) {
+    if let Ok(stage) = RenderScene::prepare(scene) {
         notes.extend(of_bound(scene, &DepthBound::of(scene, &stage)));
         let work = RayForecast::of(&stage, RenderSettings { width: 1280, height: 720, samples: 1 });
         notes.extend(work.and_then(|work| work.warning));
@@ -38,12 +38,12 @@ pub(crate) struct RayForecast {
 impl RayForecast {
     /// Estimates the rays on the threads of the current rayon pool; `None` where no tree forks: then it has no more rays
     /// than generations, but for those to lights.
-    pub(crate) fn of(stage: &Stage, settings: RenderSettings) -> Option<Self> {
+    pub(crate) fn of(stage: &RenderScene, settings: RenderSettings) -> Option<Self> {
         if !stage.forks() {
             return None;
         }
         let size = UVec2::new(settings.width, settings.height);
-        let estimate = RayEstimate::of(stage, stage.camera(), size, &Control::default()).ok()?;
+        let estimate = RayEstimate::of(stage, stage.camera(), size, &RenderControl::default()).ok()?;
         let pixels = u64::from(size.x) * u64::from(size.y);
         let rays = estimate.of_picture(pixels, settings.samples);
         let warning = if estimate.is_worth_a_warning() { warning(stage, settings, &estimate) } else { None };
@@ -52,7 +52,7 @@ impl RayForecast {
 }
 
 /// What to say of very many rays.
-fn warning(stage: &Stage, settings: RenderSettings, estimate: &RayEstimate) -> Option<String> {
+fn warning(stage: &RenderScene, settings: RenderSettings, estimate: &RayEstimate) -> Option<String> {
     let RenderSettings { width, height, samples } = settings;
     let pixels = u64::from(width) * u64::from(height);
     let mut warning = format!(
@@ -66,7 +66,7 @@ fn warning(stage: &Stage, settings: RenderSettings, estimate: &RayEstimate) -> O
     if f64::from(stage.threshold()) < threshold {
         let limits = (stage.generations(), threshold as f32);
         let size = UVec2::new(width, height);
-        let with = RayEstimate::within(stage, stage.camera(), size, limits, &Control::default()).ok()?;
+        let with = RayEstimate::within(stage, stage.camera(), size, limits, &RenderControl::default()).ok()?;
         warning += &format!(
             "; `threshold = {threshold}` would take {}",
             magnitude(with.of_picture(pixels, samples))

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use catoptric_scene::visible;
-use catoptric_tracer::Control;
+use catoptric_tracer::RenderControl;
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use terminal_size::{Width, terminal_size_of};
 
@@ -36,7 +36,7 @@ impl Progress {
     /// Does `work` while a bar shows how much of `expected` `control` says is done.
     pub(crate) fn of_tracing<T>(
         self,
-        control: &Control,
+        control: &RenderControl,
         expected: WorkEstimate,
         work: impl FnOnce() -> T,
     ) -> T {
@@ -179,7 +179,7 @@ fn with_shown(draw: impl FnOnce(&ProgressBar)) {
 }
 
 /// Moves the bar until the work is finished; short work shows none.
-fn watch(control: &Control, expected: WorkEstimate, finished: &AtomicBool) {
+fn watch(control: &RenderControl, expected: WorkEstimate, finished: &AtomicBool) {
     const INTERVAL: Duration = Duration::from_millis(100);
     thread::park_timeout(INTERVAL);
     let mut most = 0;
@@ -208,7 +208,7 @@ impl WorkEstimate {
     const MOST_OF_ESTIMATE: f64 = 0.99;
 
     /// The share of the work that is done, from 0 to 1: 1 when all pixels are.
-    fn share_done(self, control: &Control) -> f64 {
+    fn share_done(self, control: &RenderControl) -> f64 {
         let announced = control.pixels_expected();
         let pixels = if announced > 0 { announced } else { self.pixels };
         let of_pixels = (control.pixels_done() as f64 / pixels.max(1) as f64).min(1.0);
@@ -247,7 +247,7 @@ mod tests {
 
     #[test]
     fn work_that_is_not_begun_is_not_done() {
-        let control = Control::default();
+        let control = RenderControl::default();
         assert_eq!(WorkEstimate { pixels: 0, rays: None }.share_done(&control), 0.0);
         control.add_pixels(30);
         assert_eq!(WorkEstimate { pixels: 40, rays: None }.share_done(&control), 0.75);

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use catoptric_gpu::{Gpu, GpuChoice, GpuFilm, GpuPass, StageOnCard};
 use catoptric_picture::Difference;
 use catoptric_scene::{Scene, Shape, load};
-use catoptric_tracer::{Control, RayCounts, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RayCounts, RenderSettings, RenderScene, render};
 use clap::Parser;
 
 #[derive(Debug, Parser)]
@@ -75,7 +75,7 @@ impl Case {
             Shape::Plane => 14.0,
             _ => 21.0,
         });
-        (self.scene.bodies.len() - planes <= Stage::FEW).then(|| bodies.sum())
+        (self.scene.bodies.len() - planes <= RenderScene::FEW).then(|| bodies.sum())
     }
 }
 
@@ -97,7 +97,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     for case in &arguments.cases {
         let case = Case::parse(case)?;
-        let stage = Stage::prepare(&case.scene)?;
+        let stage = RenderScene::prepare(&case.scene)?;
         let (frame, alike) = measure(&gpu, &stage, case.size, arguments.frames.max(1))?;
         println!("{}", row(&case, &frame, alike, peak));
     }
@@ -107,7 +107,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The middle frame, and the share of pixels within 1/255 of the CPU's.
 fn measure(
     gpu: &Gpu,
-    stage: &Stage,
+    stage: &RenderScene,
     [width, height]: [u32; 2],
     frames: usize,
 ) -> Result<(Frame, f64), Box<dyn Error>> {
@@ -115,7 +115,7 @@ fn measure(
     let mut on_card = StageOnCard::new(gpu)?;
     on_card.follow(gpu, stage, camera)?;
     let mut film = GpuFilm::new(gpu, width, height)?;
-    let control = Control::default();
+    let control = RenderControl::default();
     let mut times = Vec::new();
     // The first frames compile the shader and find out how much the card can do at once.
     let first = if gpu.info().is_software { 1 } else { 3 };

@@ -1,7 +1,7 @@
 //! Why a graphics card does not draw.
 
 use catoptric_picture::SizeError;
-use catoptric_tracer::twin::Unsupported;
+use catoptric_tracer::twin::UnsupportedOnGpu;
 
 /// Why a graphics card does not draw. The CPU can draw in its place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -56,7 +56,7 @@ pub enum GpuError {
     NoAnswer(u64),
     /// What the card cannot draw.
     #[error(transparent)]
-    Unsupported(#[from] Unsupported),
+    Unsupported(#[from] UnsupportedOnGpu),
     /// The picture cannot have this size, or the computer has too little memory for it.
     #[error(transparent)]
     Size(#[from] SizeError),

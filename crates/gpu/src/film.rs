@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::Picture;
 use catoptric_tracer::twin::{
-    FILM_HEAD, FILM_PIXEL, FRAME_PLACES, Frame, Physical, SampleWaves, TILE_BLOCKS, TileRays, Unsupported,
+    FILM_HEAD, FILM_PIXEL, FRAME_PLACES, FrameUniforms, PhysicalFeatures, WavelengthUniforms, TILE_BLOCKS, CameraRaysBytes, UnsupportedOnGpu,
     tile_rays,
 };
-use catoptric_tracer::{Control, RayCounts, Stage, StageCamera};
+use catoptric_tracer::{RenderControl, RayCounts, RenderScene, RenderCamera};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
@@ -24,7 +24,7 @@ pub struct GpuFilm {
     waves: wgpu::Buffer,
     tiles: Array,
     /// The camera that the tiles' rays are of.
-    camera: Option<StageCamera>,
+    camera: Option<RenderCamera>,
     report: Report,
     samples: u32,
     /// Of samples that were begun: how many, and the first tile without them.
@@ -63,8 +63,8 @@ impl GpuFilm {
         Ok(Self {
             size: [width, height],
             pixels: gpu.buffer("pixels", FILM_HEAD + pixels * FILM_PIXEL, usage)?,
-            frame: gpu.buffer("a frame", size_of::<Frame>() as u64, uniform)?,
-            waves: gpu.buffer("waves", size_of::<SampleWaves>() as u64, uniform)?,
+            frame: gpu.buffer("a frame", size_of::<FrameUniforms>() as u64, uniform)?,
+            waves: gpu.buffer("waves", size_of::<WavelengthUniforms>() as u64, uniform)?,
             tiles: Array::empty(gpu, "tiles")?,
             camera: None,
             report: Report::new(gpu)?,
@@ -98,24 +98,24 @@ impl GpuFilm {
     pub fn add_samples(
         &mut self,
         gpu: &Gpu,
-        (stage, on_card): (&Stage, &StageOnCard),
-        camera: &StageCamera,
+        (stage, on_card): (&RenderScene, &StageOnCard),
+        camera: &RenderCamera,
         samples: u32,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<GpuPass, GpuError> {
         let special = on_card.specialization(stage, camera)?;
         let pipeline = gpu.pipeline(special)?;
         self.aim(gpu, camera)?;
         let bindings = self.bind(gpu, on_card)?;
-        let frame = Frame::new(stage, camera, self.size);
+        let frame = FrameUniforms::new(stage, camera, self.size);
         let tiles = self.tile_count();
         let mut pass =
             GpuPass { on_card: self.report.clock.as_ref().map(|_| Duration::ZERO), ..GpuPass::default() };
         let mut left = samples;
         while left > 0 {
             let (count, mut first) = self.begun.take().unwrap_or((left.min(self.most_samples(gpu)), 0));
-            if special.physical.has(Physical::DISPERSES) {
-                gpu.write(&self.waves, 0, bytemuck::bytes_of(&SampleWaves::new(self.samples, count)))?;
+            if special.physical.has(PhysicalFeatures::DISPERSES) {
+                gpu.write(&self.waves, 0, bytemuck::bytes_of(&WavelengthUniforms::new(self.samples, count)))?;
             }
             while first < tiles {
                 if control.is_cancelled() {
@@ -147,7 +147,7 @@ impl GpuFilm {
     }
 
     fn tile_count(&self) -> u32 {
-        (self.tiles.len() / size_of::<TileRays>() as u64) as u32
+        (self.tiles.len() / size_of::<CameraRaysBytes>() as u64) as u32
     }
 
     /// About how many pixels tiles have.
@@ -156,7 +156,7 @@ impl GpuFilm {
     }
 
     /// Sends the rays of a camera that is new.
-    fn aim(&mut self, gpu: &Gpu, camera: &StageCamera) -> Result<(), GpuError> {
+    fn aim(&mut self, gpu: &Gpu, camera: &RenderCamera) -> Result<(), GpuError> {
         if self.camera.as_ref() != Some(camera) {
             self.camera = None;
             self.tiles.write(gpu, bytemuck::cast_slice(&tile_rays(camera, self.size)))?;
@@ -327,8 +327,8 @@ impl Report {
         let [shadow, reflected, refracted, overflow, start, end] = words;
         match (overflow as u32, overflow >> 32) {
             (0, 0) => {}
-            (0, _) => return Err(Unsupported::LongTree.into()),
-            _ => return Err(Unsupported::NestedMedia.into()),
+            (0, _) => return Err(UnsupportedOnGpu::LongTree.into()),
+            _ => return Err(UnsupportedOnGpu::NestedMedia.into()),
         }
         let counts = RayCounts { primary: 0, shadow, reflected, refracted };
         let on_card = self.clock.as_ref().map(|clock| {

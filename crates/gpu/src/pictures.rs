@@ -1,6 +1,6 @@
 //! The pictures of a stage in the memory of a card.
 
-use catoptric_tracer::twin::{PICTURES_ACROSS, Pictures, Texel};
+use catoptric_tracer::twin::{PICTURES_ACROSS, PictureAtlas, AtlasTexel};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
@@ -9,22 +9,22 @@ use crate::error::GpuError;
 pub(crate) struct PicturesOnCard {
     texture: wgpu::Texture,
     /// What it holds; `None` after an error.
-    sent: Option<Pictures>,
+    sent: Option<PictureAtlas>,
 }
 
 /// Bytes of a row.
-const ROW: u64 = PICTURES_ACROSS as u64 * size_of::<Texel>() as u64;
+const ROW: u64 = PICTURES_ACROSS as u64 * size_of::<AtlasTexel>() as u64;
 
 /// Rows that are sent at once: the driver keeps a copy of them until they are there.
 const PIECE: usize = (16 << 20) / ROW as usize;
 
 impl PicturesOnCard {
     pub(crate) fn empty(gpu: &Gpu) -> Result<Self, GpuError> {
-        Ok(Self { texture: allocate(gpu, [1, 1])?, sent: Some(Pictures::default()) })
+        Ok(Self { texture: allocate(gpu, [1, 1])?, sent: Some(PictureAtlas::default()) })
     }
 
     /// Sends all pictures if they are others than the last time; returns how many bytes that were.
-    pub(crate) fn follow(&mut self, gpu: &Gpu, pictures: Pictures) -> Result<u64, GpuError> {
+    pub(crate) fn follow(&mut self, gpu: &Gpu, pictures: PictureAtlas) -> Result<u64, GpuError> {
         if self.sent.as_ref() == Some(&pictures) {
             return Ok(0);
         }
@@ -45,7 +45,7 @@ impl PicturesOnCard {
     }
 
     /// Writes whole rows; returns how many.
-    fn write(&self, gpu: &Gpu, row: u32, texels: &[Texel]) -> Result<u32, GpuError> {
+    fn write(&self, gpu: &Gpu, row: u32, texels: &[AtlasTexel]) -> Result<u32, GpuError> {
         let bytes: &[u8] = bytemuck::cast_slice(texels);
         let rows = (bytes.len() as u64 / ROW) as u32;
         gpu.guarded(bytes.len() as u64, |_| {
@@ -89,7 +89,7 @@ fn size_of_texture(most: u32, card: &str, rows: u64) -> Result<[u32; 2], GpuErro
 }
 
 fn allocate(gpu: &Gpu, [width, height]: [u32; 2]) -> Result<wgpu::Texture, GpuError> {
-    let bytes = u64::from(width) * u64::from(height) * size_of::<Texel>() as u64;
+    let bytes = u64::from(width) * u64::from(height) * size_of::<AtlasTexel>() as u64;
     gpu.guarded(bytes, |device| {
         device.create_texture(&wgpu::TextureDescriptor {
             label: Some("pictures"),

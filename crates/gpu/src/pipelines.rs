@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
-use catoptric_tracer::twin::{ENTRY_POINT, Specialization, shader};
+use catoptric_tracer::twin::{ENTRY_POINT, ShaderSpecialization, shader};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
@@ -19,7 +19,7 @@ pub(crate) const STORED: std::ops::RangeInclusive<u32> = 1..=8;
 pub(crate) struct Pipelines {
     pub(crate) layout: wgpu::BindGroupLayout,
     pipeline_layout: wgpu::PipelineLayout,
-    known: Mutex<HashMap<Specialization, State>>,
+    known: Mutex<HashMap<ShaderSpecialization, State>>,
     compiled: Condvar,
 }
 
@@ -44,12 +44,12 @@ impl Pipelines {
         Self { layout, pipeline_layout, known: Mutex::default(), compiled: Condvar::new() }
     }
 
-    fn known(&self) -> MutexGuard<'_, HashMap<Specialization, State>> {
+    fn known(&self) -> MutexGuard<'_, HashMap<ShaderSpecialization, State>> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Whether somebody else compiles it or has done so; else the caller has to.
-    fn claim(&self, special: Specialization) -> Option<State> {
+    fn claim(&self, special: ShaderSpecialization) -> Option<State> {
         let mut known = self.known();
         let state = known.get(&special).cloned();
         if state.is_none() {
@@ -77,12 +77,12 @@ fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
 
 impl Gpu {
     /// The compiled shader of a kind; waits for it.
-    pub(crate) fn pipeline(&self, special: Specialization) -> Result<wgpu::ComputePipeline, GpuError> {
+    pub(crate) fn pipeline(&self, special: ShaderSpecialization) -> Result<wgpu::ComputePipeline, GpuError> {
         match self.pipelines.claim(special) {
             Some(State::Done(done)) => done,
             Some(State::UnderWay) => {
                 let known = self.pipelines.known();
-                let is_under_way = |known: &mut HashMap<Specialization, State>| {
+                let is_under_way = |known: &mut HashMap<ShaderSpecialization, State>| {
                     matches!(known.get(&special), Some(State::UnderWay))
                 };
                 let known = self.pipelines.compiled.wait_while(known, is_under_way);
@@ -96,7 +96,7 @@ impl Gpu {
     }
 
     /// Whether the shader for such stages is compiled, so that drawing begins at once.
-    pub fn is_ready_for(&self, special: Specialization) -> bool {
+    pub fn is_ready_for(&self, special: ShaderSpecialization) -> bool {
         matches!(self.pipelines.known().get(&special), Some(State::Done(_)))
     }
 
@@ -104,7 +104,7 @@ impl Gpu {
     /// from there.
     pub fn compile_in_background(
         self: &Arc<Self>,
-        special: Specialization,
+        special: ShaderSpecialization,
         ready: impl FnOnce() + Send + 'static,
     ) {
         if self.pipelines.claim(special).is_some() {
@@ -120,7 +120,7 @@ impl Gpu {
         }
     }
 
-    fn compile(&self, special: Specialization) -> Result<wgpu::ComputePipeline, GpuError> {
+    fn compile(&self, special: ShaderSpecialization) -> Result<wgpu::ComputePipeline, GpuError> {
         let done = self.guarded(0, |device| {
             let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some("tracer"),

@@ -1,7 +1,7 @@
 //! A picture from beginning to end.
 
 use catoptric_picture::Picture;
-use catoptric_tracer::{Control, RenderSettings, Stage, StageCamera};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, RenderCamera};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
@@ -23,10 +23,10 @@ pub struct GpuRendering {
 /// When the size is 0 or too large, the stage cannot be drawn, the card is lost, or the render is cancelled.
 pub fn render(
     gpu: &Gpu,
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     settings: RenderSettings,
-    control: &Control,
+    control: &RenderControl,
 ) -> Result<GpuRendering, GpuError> {
     let mut film = GpuFilm::new(gpu, settings.width, settings.height)?;
     let mut on_card = StageOnCard::new(gpu)?;

@@ -1,7 +1,7 @@
 //! A stage in the memory of a card.
 
-use catoptric_tracer::twin::{Contents, Specialization, StageArrays};
-use catoptric_tracer::{Stage, StageCamera};
+use catoptric_tracer::twin::{SceneContents, ShaderSpecialization, SceneArrays};
+use catoptric_tracer::{RenderScene, RenderCamera};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
@@ -19,7 +19,7 @@ pub struct StageOnCard {
     pub(crate) pictures: PicturesOnCard,
     /// What bodies and boxes are up to date with, and whether the order of volumes is known.
     state: Option<(u64, bool)>,
-    contents: Contents,
+    contents: SceneContents,
 }
 
 impl StageOnCard {
@@ -37,7 +37,7 @@ impl StageOnCard {
             lights: Array::compared(gpu, "lights")?,
             pictures: PicturesOnCard::empty(gpu)?,
             state: None,
-            contents: Contents::default(),
+            contents: SceneContents::default(),
         })
     }
 
@@ -45,9 +45,9 @@ impl StageOnCard {
     ///
     /// # Errors
     /// When the stage is too large for the card, or the card is lost; the next call sends everything.
-    pub fn follow(&mut self, gpu: &Gpu, stage: &Stage, camera: &StageCamera) -> Result<u64, GpuError> {
+    pub fn follow(&mut self, gpu: &Gpu, stage: &RenderScene, camera: &RenderCamera) -> Result<u64, GpuError> {
         let last = self.state.take();
-        let arrays = StageArrays(stage);
+        let arrays = SceneArrays(stage);
         let changes = last.and_then(|(state, ranked)| Some((stage.changes_since(state)?, ranked)));
         let mut sum = 0;
         let mut is_ranked = false;
@@ -70,7 +70,7 @@ impl StageOnCard {
                 is_ranked = ranked || (was_ranked && is_same);
             }
             None => {
-                self.contents = Contents::of(stage);
+                self.contents = SceneContents::of(stage);
                 is_ranked = self.wants_ranks(stage, camera) || is_ranked;
                 sum += self.bodies.write(gpu, arrays.bodies())?;
                 sum += self.boxes.write(gpu, arrays.boxes())?;
@@ -85,16 +85,16 @@ impl StageOnCard {
         Ok(sum)
     }
 
-    fn wants_ranks(&self, stage: &Stage, camera: &StageCamera) -> bool {
-        Specialization::of(&self.contents, stage, camera).is_ok_and(|special| special.asks_each_start)
+    fn wants_ranks(&self, stage: &RenderScene, camera: &RenderCamera) -> bool {
+        ShaderSpecialization::of(&self.contents, stage, camera).is_ok_and(|special| special.asks_each_start)
     }
 
     /// The shader that it needs.
     ///
     /// # Errors
     /// What in the stage the shaders cannot draw.
-    pub fn specialization(&self, stage: &Stage, camera: &StageCamera) -> Result<Specialization, GpuError> {
-        Ok(Specialization::of(&self.contents, stage, camera)?)
+    pub fn specialization(&self, stage: &RenderScene, camera: &RenderCamera) -> Result<ShaderSpecialization, GpuError> {
+        Ok(ShaderSpecialization::of(&self.contents, stage, camera)?)
     }
 
     /// The arrays but the pictures, in the order of the shader's bindings.

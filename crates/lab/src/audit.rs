@@ -30,7 +30,7 @@ mod tree;
 use catoptric_picture::SizeError;
 use catoptric_scene::Scene;
 use catoptric_tracer::{
-    Control, RenderError, RenderSettings, Stage, StageCamera, Whitted, render_pixel, sample_offset,
+    RenderControl, RenderError, RenderSettings, RenderScene, RenderCamera, WhittedIntegrator, render_pixel, sample_offset,
 };
 use glam::{DVec3, UVec2};
 
@@ -140,11 +140,11 @@ impl From<RenderError> for AuditError {
 /// When the picture or the pixel cannot be, or `control` is cancelled.
 pub fn audit(
     scene: &Scene,
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     pixel: UVec2,
     settings: &AuditSettings,
-    control: &Control,
+    control: &RenderControl,
 ) -> Result<Audit, AuditError> {
     let picture = settings.picture;
     let size = UVec2::new(picture.width, picture.height);
@@ -153,7 +153,7 @@ pub fn audit(
         return Err(AuditError::NoSuchPixel { pixel, size });
     }
     let samples = picture.samples.max(1);
-    let mut whitted = Whitted::watched(stage, camera, control);
+    let mut whitted = WhittedIntegrator::watched(stage, camera, control);
     let mut left = settings.most_rays.max(1);
     let mut trees = Vec::new();
     let mut certain = true;
@@ -215,7 +215,7 @@ pub fn audit(
 }
 
 /// The light of a pixel by all its rays, none of which is kept; `None` if its last bit depends on the order of adding.
-fn whole_light(whitted: &mut Whitted<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Option<[f32; 3]> {
+fn whole_light(whitted: &mut WhittedIntegrator<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Option<[f32; 3]> {
     let mut mean = DVec3::ZERO;
     for sample in 0..samples {
         let mut sums = <[ExactSum; 3]>::default();

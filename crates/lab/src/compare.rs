@@ -6,8 +6,8 @@ use catoptric_picture::{
     CompareError as PictureError, Comparison, Difference, Flip, FlipMap, Picture, SizeError, ssim,
 };
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{Drawing, MethodError, PassName, ReasonMap, draw, reasons};
-use catoptric_tracer::{Control, RenderSettings, Stage, StageError};
+use catoptric_tracer::method::{MethodOutput, MethodError, PassName, ReasonMap, draw, reasons};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, SceneBuildError};
 
 use crate::measure::summarize;
 use crate::variant::Variant;
@@ -78,7 +78,7 @@ pub enum CompareError {
     },
     /// The scene cannot be prepared.
     #[error(transparent)]
-    Stage(#[from] StageError),
+    Stage(#[from] SceneBuildError),
     /// A picture cannot be drawn.
     #[error("cannot draw {name}")]
     Method {
@@ -87,7 +87,7 @@ pub enum CompareError {
         /// Why.
         source: MethodError,
     },
-    /// [`Control::cancel`] was called.
+    /// [`RenderControl::cancel`] was called.
     #[error("the comparison was cancelled")]
     Cancelled,
 }
@@ -126,12 +126,12 @@ pub struct Job<'a> {
 /// When the scene cannot be prepared, a picture cannot be drawn, or the work is cancelled.
 pub fn draw_all(
     job: &Job<'_>,
-    control: &Control,
+    control: &RenderControl,
     watch: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Contender>, CompareError> {
     let runs = job.runs.max(1);
     let total = job.variants.len() * (runs as usize + 1);
-    let stage = Stage::prepare(job.scene)?;
+    let stage = RenderScene::prepare(job.scene)?;
     let mut works: Vec<Work<'_>> =
         job.variants.iter().map(|variant| Work::new(job, variant, &stage)).collect();
     for round in 0..=runs {
@@ -160,14 +160,14 @@ pub fn draw_all(
 /// One way of drawing under way.
 struct Work<'a> {
     variant: &'a Variant,
-    stage: Stage,
+    stage: RenderScene,
     settings: RenderSettings,
-    drawing: Option<Drawing>,
+    drawing: Option<MethodOutput>,
     times: Vec<Vec<(PassName, Duration)>>,
 }
 
 impl<'a> Work<'a> {
-    fn new(job: &Job<'_>, variant: &'a Variant, stage: &Stage) -> Self {
+    fn new(job: &Job<'_>, variant: &'a Variant, stage: &RenderScene) -> Self {
         let stage = stage.clone();
         Self {
             variant,
@@ -184,7 +184,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    fn draw(&mut self, control: &Control, counts: bool) -> Result<(), CompareError> {
+    fn draw(&mut self, control: &RenderControl, counts: bool) -> Result<(), CompareError> {
         let drawing = draw(&self.stage, &self.variant.method, self.settings, control)
             .map_err(|error| CompareError::method(&self.variant.name, error))?;
         if counts {
@@ -200,7 +200,7 @@ impl<'a> Work<'a> {
         truth: &Variant,
         picture: &Picture,
         bound: f64,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<Option<ReasonMap>, CompareError> {
         use catoptric_tracer::method::MethodKind;
         let Some(drawing) = &self.drawing else { return Ok(None) };

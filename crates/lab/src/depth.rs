@@ -3,7 +3,7 @@
 use catoptric_scene::{
     Body, Camera, Checker, Color, Material, MaterialChoice, Model, Projection, Scene, Tracing,
 };
-use catoptric_tracer::{Control, RenderError, Stage, StageCamera, Whitted};
+use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderCamera, WhittedIntegrator};
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
 
@@ -33,7 +33,7 @@ impl DepthBound {
     /// Bodies are convex: seen from outside, no ray meets the same one twice in a row, so that two opaque mirrors bring
     /// k₁·k₂ in two generations. Within a body (the eye in a hollow mirror) it is k₁ each time. A surface of a
     /// transparent body brings k_r + k_t·τ, or 1 at total internal reflection.
-    pub fn of(scene: &Scene, stage: &Stage) -> Self {
+    pub fn of(scene: &Scene, stage: &RenderScene) -> Self {
         let mut opaque: Vec<(f64, usize)> = Vec::new();
         let mut clear: Option<(f64, usize)> = None;
         for (place, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
@@ -90,7 +90,7 @@ impl DepthBound {
 }
 
 /// Whether rays may start within a body: always assumed where they start all over a window.
-fn starts_within(scene: &Scene, stage: &Stage) -> bool {
+fn starts_within(scene: &Scene, stage: &RenderScene) -> bool {
     let Camera { position, target, projection, .. } = scene.camera;
     if matches!(projection, Projection::Parallel { .. }) {
         return true;
@@ -128,17 +128,17 @@ impl DepthMeasure {
     /// # Errors
     /// When `control` is cancelled.
     pub fn of(
-        stage: &Stage,
-        camera: &StageCamera,
+        stage: &RenderScene,
+        camera: &RenderCamera,
         size: UVec2,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<Self, RenderError> {
         let threshold = stage.threshold().max(LIGHTEST);
         let count = f64::from(size.x) * f64::from(size.y);
         let step = (count / f64::from(Self::PIXELS)).sqrt().ceil().max(1.0) as usize;
         let rows: Vec<u32> = (0..size.y).skip(step / 2).step_by(step).collect();
         let measured = rows.par_iter().map_init(
-            || Whitted::watched(stage, camera, control).with_limits(DEEPEST, threshold),
+            || WhittedIntegrator::watched(stage, camera, control).with_limits(DEEPEST, threshold),
             |tracer, &y| {
                 let mut row = Self::nothing();
                 for x in (0..size.x).skip(step / 2).step_by(step) {
@@ -160,7 +160,7 @@ impl DepthMeasure {
         Self { generations: 1, losses: Vec::new(), pixels: 0, is_complete: true }
     }
 
-    fn add(&mut self, tally: &catoptric_tracer::Tally) {
+    fn add(&mut self, tally: &catoptric_tracer::PixelStatistics) {
         let depth = tally.generations.len();
         if self.losses.len() < depth {
             self.losses.resize(depth, 0.0);

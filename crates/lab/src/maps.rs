@@ -4,7 +4,7 @@ mod legend;
 
 use catoptric_picture::{Picture, SizeError, scale_color};
 use catoptric_tracer::{
-    Control, RenderError, RenderSettings, Stage, StageCamera, Tally, Whitted, render_through,
+    RenderControl, RenderError, RenderSettings, RenderScene, RenderCamera, PixelStatistics, WhittedIntegrator, render_through,
 };
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
@@ -102,10 +102,10 @@ pub struct Map {
 /// # Errors
 /// When the size cannot be, or `control` is cancelled.
 pub fn map(
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     settings: &MapSettings,
-    control: &Control,
+    control: &RenderControl,
 ) -> Result<Map, MapError> {
     let MapSettings { kind, picture, exposure_stops } = *settings;
     let RenderSettings { width, height, samples } = picture;
@@ -129,7 +129,7 @@ pub fn map(
             || {
                 [Some((limit, threshold)), reference].map(|limits| {
                     let (limit, threshold) = limits?;
-                    Some(Whitted::watched(stage, camera, control).with_limits(limit, threshold))
+                    Some(WhittedIntegrator::watched(stage, camera, control).with_limits(limit, threshold))
                 })
             },
             |tracers, (y, row)| {
@@ -177,10 +177,10 @@ struct Sums {
 }
 
 impl Sums {
-    fn of(tracer: &mut Whitted<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Self {
+    fn of(tracer: &mut WhittedIntegrator<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Self {
         let mut sums = Self { rays: 0, samples, generations: Vec::new(), is_complete: true };
         for sample in 0..samples {
-            let Tally { counts, generations, is_complete } =
+            let PixelStatistics { counts, generations, is_complete } =
                 tracer.pixel_tally(pixel, size, sample, MOST_RAYS);
             sums.rays += counts.total();
             sums.is_complete &= is_complete;

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
 use catoptric_tracer::method::{
-    CubeMapSettings, Fallback, LightModel, Method, MethodKind, SettingError, ShadingSettings, SsrSettings,
+    CubeMapSettings, SsrFallback, LightModel, Method, MethodKind, SettingError, ShadingSettings, SsrSettings,
 };
 
 /// A method with settings, and the limit of generations and samples where they are set apart.
@@ -109,7 +109,7 @@ fn named(method: &Method) -> String {
             add("thickness", own.thickness.to_string(), usual.thickness.to_string());
             add("range", own.range.to_string(), usual.range.to_string());
             add("refinements", own.refinements.to_string(), usual.refinements.to_string());
-            if let Fallback::CubeMap(map) = &own.fallback {
+            if let SsrFallback::CubeMap(map) = &own.fallback {
                 let (size, parallax) = of_map(map);
                 add("fallback", "cube-map".to_owned(), String::new());
                 add("size", size, usual_map.0);
@@ -175,8 +175,8 @@ impl Variant {
                 "fallback" => ssr.fallback = fallback(key, value)?,
                 // Of the map that was named before.
                 _ => match &mut ssr.fallback {
-                    Fallback::CubeMap(map) => set_map(map, key, value, unknown)?,
-                    Fallback::Background => return Err(unknown),
+                    SsrFallback::CubeMap(map) => set_map(map, key, value, unknown)?,
+                    SsrFallback::Background => return Err(unknown),
                 },
             },
             (_, Method::CubeMap(map)) => set_map(map, key, value, unknown)?,
@@ -235,10 +235,10 @@ fn model(key: &str, value: &str) -> Result<LightModel, VariantError> {
     found.ok_or_else(|| wrong(key, value, "lambert or phong"))
 }
 
-fn fallback(key: &str, value: &str) -> Result<Fallback, VariantError> {
+fn fallback(key: &str, value: &str) -> Result<SsrFallback, VariantError> {
     match value {
-        "background" => Ok(Fallback::Background),
-        "cube-map" => Ok(Fallback::CubeMap(CubeMapSettings::default())),
+        "background" => Ok(SsrFallback::Background),
+        "cube-map" => Ok(SsrFallback::CubeMap(CubeMapSettings::default())),
         _ => Err(wrong(key, value, "background or cube-map")),
     }
 }
@@ -265,7 +265,7 @@ mod tests {
         let text = "ssr:step=2.5:thickness=0.3:range=7:refinements=0:fallback=cube-map";
         let Method::Ssr(ssr) = variant(text).method else { panic!() };
         assert_eq!((ssr.step_pixels, ssr.thickness, ssr.range, ssr.refinements), (2.5, 0.3, 7.0, 0));
-        assert_eq!(ssr.fallback, Fallback::CubeMap(CubeMapSettings::default()));
+        assert_eq!(ssr.fallback, SsrFallback::CubeMap(CubeMapSettings::default()));
         let Method::CubeMap(map) = variant("cube-map:size=64:parallax=on").method else { panic!() };
         assert_eq!(map, CubeMapSettings { size: 64, parallax: true });
     }

@@ -1,6 +1,6 @@
 //! How many rays a picture takes, estimated before it is traced.
 
-use catoptric_tracer::{Control, RenderError, Stage, StageCamera, Whitted};
+use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderCamera, WhittedIntegrator};
 use glam::UVec2;
 use rayon::prelude::*;
 
@@ -29,10 +29,10 @@ impl RayEstimate {
     /// # Errors
     /// When `control` is cancelled.
     pub fn of(
-        stage: &Stage,
-        camera: &StageCamera,
+        stage: &RenderScene,
+        camera: &RenderCamera,
         size: UVec2,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<Self, RenderError> {
         Self::within(stage, camera, size, (stage.generations(), stage.threshold()), control)
     }
@@ -42,11 +42,11 @@ impl RayEstimate {
     /// # Errors
     /// When `control` is cancelled.
     pub fn within(
-        stage: &Stage,
-        camera: &StageCamera,
+        stage: &RenderScene,
+        camera: &RenderCamera,
         size: UVec2,
         (generations, threshold): (u32, f32),
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<Self, RenderError> {
         let size = size.max(UVec2::ONE);
         // As many rows as columns in proportion, a walk in the middle of each cell.
@@ -60,7 +60,7 @@ impl RayEstimate {
         let rays: Vec<f64> = (0..rows)
             .into_par_iter()
             .map_init(
-                || Whitted::watched(stage, camera, control).with_limits(generations, threshold),
+                || WhittedIntegrator::watched(stage, camera, control).with_limits(generations, threshold),
                 |tracer, row| {
                     let mut random = Random::new(u64::from(row));
                     let walks = (0..columns).map(|column| {

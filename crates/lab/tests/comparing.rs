@@ -6,7 +6,7 @@ use catoptric_lab::report::{Language, Settings, page};
 use catoptric_lab::{Machine, Variant};
 use catoptric_picture::{Development, Picture};
 use catoptric_scene::Example;
-use catoptric_tracer::{Control, RenderSettings};
+use catoptric_tracer::{RenderControl, RenderSettings};
 
 fn contender(name: &str, light: f32) -> Contender {
     let picture = Picture::from_fn(32, 18, |x, _| [light + 0.01 * x as f32; 3]).unwrap();
@@ -45,7 +45,7 @@ fn drawn() -> Vec<Contender> {
     let job = Job { scene: &scene, variants: &variants, settings, runs: 2, bound: 1.0 / 255.0 };
     let mut told = Vec::new();
     let contenders =
-        draw_all(&job, &Control::default(), &mut |done, total| told.push((done, total))).unwrap();
+        draw_all(&job, &RenderControl::default(), &mut |done, total| told.push((done, total))).unwrap();
     assert_eq!(told, (1..=9).map(|done| (done, 9)).collect::<Vec<_>>());
     contenders
 }
@@ -118,7 +118,7 @@ fn what_cannot_be_compared_is_refused() {
     let small = Contender { picture: Picture::new(3, 3).unwrap(), ..contender("small", 0.0) };
     let error = compare(vec![contender("a", 0.1), small], 0.1).unwrap_err();
     assert_eq!(error.to_string(), "cannot compare small with a");
-    let control = Control::default();
+    let control = RenderControl::default();
     control.cancel();
     let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
     let variants = ["whitted".parse().unwrap()];

@@ -12,7 +12,7 @@ use catoptric_scene::{
     Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
 };
 use catoptric_tracer::method::MethodKind;
-use catoptric_tracer::{Control, RayCounts, RenderSettings, Search, Stage, render};
+use catoptric_tracer::{RenderControl, RayCounts, RenderSettings, AcceleratorChoice, RenderScene, render};
 use glam::DVec3;
 
 /// Half-silvered panes, one behind the other, seen along their normals from the middle: at each
@@ -57,7 +57,7 @@ fn plan(scene: Scene, vary: &str) -> Plan {
 }
 
 fn run(plan: &Plan) -> Measured {
-    measure(plan, &Control::default(), &mut |_| {}).unwrap()
+    measure(plan, &RenderControl::default(), &mut |_| {}).unwrap()
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn every_combination_is_measured_once_a_round_and_told() {
     let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
     let plan = plan(scene, "bodies=2,5,40,search=hierarchy,one-by-one");
     let mut told = 0;
-    let measured = measure(&plan, &Control::default(), &mut |progress| {
+    let measured = measure(&plan, &RenderControl::default(), &mut |progress| {
         told += 1;
         assert_eq!((progress.done, progress.total), (told, 24));
         assert_eq!(progress.left.is_some(), told > 6);
@@ -116,16 +116,16 @@ fn the_picture_does_not_depend_on_the_search() {
     let scene = grown(&Example::find("four-bodies").unwrap().load().unwrap().scene, 150);
     let settings = RenderSettings { width: 48, height: 27, samples: 1 };
     let picture = |search| {
-        let stage = Stage::prepare_for(&scene, search).unwrap();
-        render(&stage, settings, &Control::default()).unwrap().picture
+        let stage = RenderScene::prepare_for(&scene, search).unwrap();
+        render(&stage, settings, &RenderControl::default()).unwrap().picture
     };
-    assert!(picture(Search::Quickest) == picture(Search::OneByOne));
+    assert!(picture(AcceleratorChoice::Quickest) == picture(AcceleratorChoice::OneByOne));
 }
 
 #[test]
 fn what_was_measured_before_a_cancellation_is_kept() {
     let plan = plan(panes(), "size=16x9,32x18");
-    let control = Control::default();
+    let control = RenderControl::default();
     let measured = measure(&plan, &control, &mut |progress| {
         if progress.done == 5 {
             control.cancel();
@@ -134,7 +134,7 @@ fn what_was_measured_before_a_cancellation_is_kept() {
     let measured = measured.unwrap();
     assert!(!measured.complete);
     assert_eq!(measured.points.iter().map(|point| point.runs.len()).sum::<usize>(), 3);
-    let control = Control::default();
+    let control = RenderControl::default();
     control.cancel();
     assert!(matches!(measure(&plan, &control, &mut |_| {}), Err(MeasureError::Cancelled)));
 }
@@ -142,16 +142,16 @@ fn what_was_measured_before_a_cancellation_is_kept() {
 #[test]
 fn plans_that_make_no_sense_are_refused() {
     let refused =
-        |vary: &str| measure(&plan(panes(), vary), &Control::default(), &mut |_| {}).unwrap_err().to_string();
+        |vary: &str| measure(&plan(panes(), vary), &RenderControl::default(), &mut |_| {}).unwrap_err().to_string();
     assert!(refused("fineness=2,3").contains("the method whitted has no fineness to vary"));
     assert!(refused("cube-map-size=2,3").contains("the method whitted has no cube-map-size to vary"));
     let mut many = plan(panes(), "bodies,search");
     for axis in &mut many.axes {
         axis.values = vec![axis.values[0].clone(); 500];
     }
-    assert!(matches!(measure(&many, &Control::default(), &mut |_| {}), Err(MeasureError::Points(250_000))));
+    assert!(matches!(measure(&many, &RenderControl::default(), &mut |_| {}), Err(MeasureError::Points(250_000))));
     let none = Plan { axes: Vec::new(), ..plan(panes(), "size") };
-    assert!(matches!(measure(&none, &Control::default(), &mut |_| {}), Err(MeasureError::Axis(_))));
+    assert!(matches!(measure(&none, &RenderControl::default(), &mut |_| {}), Err(MeasureError::Axis(_))));
 }
 
 /// Measurements whose times follow a known law exactly.

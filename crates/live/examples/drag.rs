@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use catoptric_editor::{Editor, Item, Label};
 use catoptric_live::{Live, Request};
 use catoptric_picture::Development;
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 use glam::DVec3;
 
 const SIZE: [u32; 2] = [320, 180];
@@ -73,9 +73,9 @@ fn check(live: &Live, editor: &Editor) -> Result<(), Box<dyn Error>> {
     while !live.status().is_idle {
         std::thread::sleep(Duration::from_millis(1));
     }
-    let stage = Stage::prepare(editor.scene())?;
+    let stage = RenderScene::prepare(editor.scene())?;
     let settings = RenderSettings { width: SIZE[0], height: SIZE[1], samples: 1 };
-    let picture = render(&stage, settings, &Control::default())?.picture;
+    let picture = render(&stage, settings, &RenderControl::default())?.picture;
     let mut codes = vec![[0; 4]; picture.pixels().len()];
     Development::default().develop_rgba8(picture.pixels(), &mut codes);
     let frame = live.latest().ok_or("no frame")?;

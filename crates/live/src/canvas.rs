@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScreen, StageOnCard};
 use catoptric_picture::SizeError;
-use catoptric_tracer::twin::Unsupported;
-use catoptric_tracer::{Control, Film, RayCounts, RenderError, Stage, StageCamera};
+use catoptric_tracer::twin::UnsupportedOnGpu;
+use catoptric_tracer::{RenderControl, Film, RayCounts, RenderError, RenderScene, RenderCamera};
 
 /// The light of a picture.
 pub(crate) enum Canvas {
@@ -37,7 +37,7 @@ impl Card {
 
     /// Forgets what it could not draw, if it may be able to now: another scene, or from elsewhere.
     pub(crate) fn look_again(&mut self, is_other_scene: bool) {
-        let is_of_eye = matches!(self.refused, Some(GpuError::Unsupported(Unsupported::EyeMedia(_))));
+        let is_of_eye = matches!(self.refused, Some(GpuError::Unsupported(UnsupportedOnGpu::EyeMedia(_))));
         if is_other_scene || is_of_eye {
             self.refused = None;
         }
@@ -46,8 +46,8 @@ impl Card {
     /// Sends what is new of a stage. False while its shader is compiled; then `ready` is called later.
     pub(crate) fn prepare(
         &mut self,
-        stage: &Stage,
-        camera: &StageCamera,
+        stage: &RenderScene,
+        camera: &RenderCamera,
         ready: impl FnOnce() + Send + 'static,
     ) -> Result<bool, GpuError> {
         self.stage.follow(&self.gpu, stage, camera)?;
@@ -101,9 +101,9 @@ impl Canvas {
     pub(crate) fn add_sample(
         &mut self,
         card: Option<&Card>,
-        stage: &Stage,
-        camera: &StageCamera,
-        control: &Control,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+        control: &RenderControl,
     ) -> Result<RayCounts, PassError> {
         match (self, card) {
             (Self::Processor(film), _) => Ok(film.add_sample(stage, camera, control)?),

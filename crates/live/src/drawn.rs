@@ -6,9 +6,9 @@ use std::time::Instant;
 
 use catoptric_picture::{Picture, SizeError};
 use catoptric_tracer::method::{
-    CubeMapSettings, CubeMaps, Drawing, Fallback, Layer, Method, MethodError, PassName, draw_through,
+    CubeMapSettings, CubeMaps, MethodOutput, SsrFallback, GBufferLayer, Method, MethodError, PassName, draw_through,
 };
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 
 use crate::request::Shows;
 use crate::status::LiveError;
@@ -25,7 +25,7 @@ const KEPT: u64 = 256 << 20;
 
 /// What a method has drawn.
 pub(crate) struct Drawn {
-    pub(crate) drawing: Drawing,
+    pub(crate) drawing: MethodOutput,
     pub(crate) size: [u32; 2],
     pub(crate) samples: u32,
 }
@@ -50,7 +50,7 @@ impl Maps {
 
 impl Drawn {
     /// What is to be seen of it, and what that is.
-    pub(crate) fn seen(&self, stage: &Stage, wanted: Shows) -> Result<(Cow<'_, Picture>, Shows), SizeError> {
+    pub(crate) fn seen(&self, stage: &RenderScene, wanted: Shows) -> Result<(Cow<'_, Picture>, Shows), SizeError> {
         let found = match wanted {
             Shows::Picture => None,
             Shows::Layer(layer) => self.drawing.layer(stage, layer)?.map(|picture| (picture, wanted)),
@@ -70,8 +70,8 @@ impl Drawn {
 
 /// The unfolded cube map of a body, or else the first there is.
 pub(crate) fn unfolded(
-    drawing: &Drawing,
-    stage: &Stage,
+    drawing: &MethodOutput,
+    stage: &RenderScene,
     wanted: Option<usize>,
 ) -> Result<Option<(Picture, Shows)>, SizeError> {
     let maps = drawing.maps(stage);
@@ -82,7 +82,7 @@ pub(crate) fn unfolded(
 
 /// Whether it is light that is seen, to be developed as the picture is.
 pub(crate) fn has_light(shows: Shows) -> bool {
-    !matches!(shows, Shows::Layer(layer) if !matches!(layer, Layer::Lit | Layer::Reflected))
+    !matches!(shows, Shows::Layer(layer) if !matches!(layer, GBufferLayer::Lit | GBufferLayer::Reflected))
 }
 
 /// The settings of the cube maps that a method uses.
@@ -90,8 +90,8 @@ fn maps_of(method: &Method) -> Option<CubeMapSettings> {
     match method {
         Method::CubeMap(maps) => Some(*maps),
         Method::Ssr(ssr) => match ssr.fallback {
-            Fallback::CubeMap(maps) => Some(maps),
-            Fallback::Background => None,
+            SsrFallback::CubeMap(maps) => Some(maps),
+            SsrFallback::Background => None,
         },
         Method::Whitted | Method::Flat(_) | Method::Gouraud(_) | Method::Phong(_) => None,
     }
@@ -103,7 +103,7 @@ fn roughly(method: Method) -> Method {
     match method {
         Method::CubeMap(maps) => Method::CubeMap(small(maps)),
         Method::Ssr(mut ssr) => {
-            if let Fallback::CubeMap(maps) = &mut ssr.fallback {
+            if let SsrFallback::CubeMap(maps) = &mut ssr.fallback {
                 *maps = small(*maps);
             }
             Method::Ssr(ssr)
@@ -148,7 +148,7 @@ impl Worker {
     fn draw(&mut self, step: &Step) -> Result<(), LiveError> {
         let mut maps = std::mem::take(&mut self.maps);
         let start = Instant::now();
-        let control = Control::default();
+        let control = RenderControl::default();
         let result = self.drawing(step, &control, &mut maps);
         let milliseconds = milliseconds_since(start);
         self.maps = maps;
@@ -183,9 +183,9 @@ impl Worker {
     fn drawing(
         &self,
         step: &Step,
-        control: &Control,
+        control: &RenderControl,
         maps: &mut Maps,
-    ) -> Option<Result<Drawing, MethodError>> {
+    ) -> Option<Result<MethodOutput, MethodError>> {
         let view = self.view.as_ref()?;
         let [width, height] = step.size;
         let settings = RenderSettings { width, height, samples: step.samples };

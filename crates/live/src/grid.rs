@@ -4,7 +4,7 @@
 mod tests;
 
 use catoptric_scene::{Camera, Projection};
-use catoptric_tracer::{Stage, StageCamera};
+use catoptric_tracer::{RenderScene, RenderCamera};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -116,8 +116,8 @@ fn lines(spec: GridSpec, measures: &Measures) -> Vec<Line> {
 pub(crate) fn trace(
     spec: GridSpec,
     camera: &Camera,
-    view: &StageCamera,
-    stage: &Stage,
+    view: &RenderCamera,
+    stage: &RenderScene,
     size: DVec2,
 ) -> Vec<GridLine> {
     let Some(measures) = Measures::new(camera) else { return Vec::new() };
@@ -132,8 +132,8 @@ struct Cutter<'a> {
     /// Depth of what is too close to be drawn, meters.
     near: f64,
     middle: DVec2,
-    view: &'a StageCamera,
-    stage: &'a Stage,
+    view: &'a RenderCamera,
+    stage: &'a RenderScene,
     size: DVec2,
 }
 

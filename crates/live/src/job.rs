@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{Picture, SizeError};
 use catoptric_scene::Scene;
 use catoptric_tracer::method::{Method, MethodError, SettingError, draw};
-use catoptric_tracer::{Control, RenderError, RenderSettings, Rendering, Stage, StageError, render};
+use catoptric_tracer::{RenderControl, RenderError, RenderSettings, RenderOutput, RenderScene, SceneBuildError, render};
 
 use crate::drawn::unfolded;
 use crate::priority::{self, Priority};
@@ -31,7 +31,7 @@ struct Work {
     generations: Option<u32>,
     threads: usize,
     start: Instant,
-    control: Control,
+    control: RenderControl,
     done: Mutex<Done>,
 }
 
@@ -40,7 +40,7 @@ struct Done {
     /// When tracing began.
     tracing_since: Option<Instant>,
     finished: Option<Duration>,
-    result: Option<Result<Rendering, JobError>>,
+    result: Option<Result<RenderOutput, JobError>>,
 }
 
 /// How far a render is.
@@ -61,7 +61,7 @@ pub struct JobProgress {
 pub enum JobError {
     /// The scene cannot be prepared.
     #[error(transparent)]
-    Stage(#[from] StageError),
+    Stage(#[from] SceneBuildError),
     /// There can be no picture of this size.
     #[error(transparent)]
     Size(#[from] SizeError),
@@ -111,7 +111,7 @@ impl RenderJob {
         generations: Option<u32>,
         threads: usize,
     ) -> io::Result<Self> {
-        let (start, control, done) = (Instant::now(), Control::default(), Mutex::default());
+        let (start, control, done) = (Instant::now(), RenderControl::default(), Mutex::default());
         let work =
             Arc::new(Work { scene, method, shows, settings, generations, threads, start, control, done });
         let own = Arc::clone(&work);
@@ -145,7 +145,7 @@ impl RenderJob {
     }
 
     /// The result, once, when there is one.
-    pub fn take_result(&self) -> Option<Result<Rendering, JobError>> {
+    pub fn take_result(&self) -> Option<Result<RenderOutput, JobError>> {
         self.work.done().result.take()
     }
 }
@@ -172,7 +172,7 @@ impl Work {
         done.result = Some(result);
     }
 
-    fn render(&self) -> Result<Rendering, JobError> {
+    fn render(&self) -> Result<RenderOutput, JobError> {
         Picture::check_size(self.settings.width, self.settings.height)?;
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(self.threads)
@@ -183,7 +183,7 @@ impl Work {
         let go_on = || if self.control.is_cancelled() { Err(JobError::Cancelled) } else { Ok(()) };
         pool.install(|| {
             go_on()?;
-            let mut stage = Stage::prepare(&self.scene)?;
+            let mut stage = RenderScene::prepare(&self.scene)?;
             if let Some(generations) = self.generations {
                 stage = stage.with_generations(generations);
             }
@@ -199,14 +199,14 @@ impl Work {
         })
     }
 
-    fn draw(&self, stage: &Stage) -> Result<Rendering, JobError> {
+    fn draw(&self, stage: &RenderScene) -> Result<RenderOutput, JobError> {
         let drawing = draw(stage, &self.method, self.settings, &self.control)?;
         let shown = match self.shows {
             Shows::Picture => None,
             Shows::Layer(layer) => drawing.layer(stage, layer)?,
             Shows::UnfoldedCube(body) => unfolded(&drawing, stage, body)?.map(|(picture, _)| picture),
         };
-        Ok(Rendering { picture: shown.unwrap_or(drawing.picture), counts: drawing.counts })
+        Ok(RenderOutput { picture: shown.unwrap_or(drawing.picture), counts: drawing.counts })
     }
 }
 
@@ -245,7 +245,7 @@ mod tests {
             generations: None,
             threads: 1,
             start: Instant::now(),
-            control: Control::default(),
+            control: RenderControl::default(),
             done: Mutex::default(),
         };
         assert!(matches!(work.render(), Err(JobError::Stage(_))));

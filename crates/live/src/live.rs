@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 
 use catoptric_gpu::Gpu;
-use catoptric_tracer::Stage;
+use catoptric_tracer::RenderScene;
 
 use crate::frame::Frame;
 use crate::priority::{self, Priority};
@@ -90,7 +90,7 @@ impl Live {
 
     /// The stage of the newest prepared scene with its revision: for picking, one ray being cheap. It should not be kept:
     /// a stage that is let go of is edited when bodies change, one that is held has to be copied.
-    pub fn stage(&self) -> Option<(u64, Arc<Stage>)> {
+    pub fn stage(&self) -> Option<(u64, Arc<RenderScene>)> {
         self.shared.stage()
     }
 }

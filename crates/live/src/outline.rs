@@ -6,7 +6,7 @@ mod contour;
 mod tests;
 
 use catoptric_scene::Scene;
-use catoptric_tracer::{Stage, StageCamera};
+use catoptric_tracer::{RenderScene, RenderCamera};
 use glam::{DVec2, Vec2};
 use rayon::prelude::*;
 
@@ -25,12 +25,12 @@ pub(crate) struct Outlines {
 /// Bodies with one outline.
 struct Group {
     bodies: Vec<usize>,
-    stage: Stage,
+    stage: RenderScene,
 }
 
 impl Outlines {
     /// Takes these bodies out of the stage; places beyond the scene's bodies are passed over.
-    pub(crate) fn new(scene: &Scene, stage: &Stage, bodies: &[usize]) -> Self {
+    pub(crate) fn new(scene: &Scene, stage: &RenderScene, bodies: &[usize]) -> Self {
         let groups: Vec<Vec<usize>> = if bodies.len() <= MOST_OUTLINES {
             bodies.iter().map(|&body| vec![body]).collect()
         } else {
@@ -44,8 +44,8 @@ impl Outlines {
     pub(crate) fn trace(
         &self,
         scene: &Scene,
-        stage: &Stage,
-        camera: &StageCamera,
+        stage: &RenderScene,
+        camera: &RenderCamera,
         size: DVec2,
     ) -> Vec<Polyline> {
         self.groups.par_iter().flat_map_iter(|group| group.trace(scene, stage, camera, size)).collect()
@@ -53,7 +53,7 @@ impl Outlines {
 }
 
 impl Group {
-    fn trace(&self, scene: &Scene, stage: &Stage, camera: &StageCamera, size: DVec2) -> Vec<Polyline> {
+    fn trace(&self, scene: &Scene, stage: &RenderScene, camera: &RenderCamera, size: DVec2) -> Vec<Polyline> {
         let bodies = self.bodies.iter().filter_map(|&body| scene.bodies.get(body));
         let Some(area) = Area::of_bodies(bodies, camera, size) else { return Vec::new() };
         let is_inside = |at: DVec2| self.stage.nearest(&camera.ray(at, size)).is_some();
@@ -67,7 +67,7 @@ impl Group {
     }
 
     /// Whether something stands before the bodies here.
-    fn is_hidden(&self, stage: &Stage, camera: &StageCamera, at: DVec2, size: DVec2) -> bool {
+    fn is_hidden(&self, stage: &RenderScene, camera: &RenderCamera, at: DVec2, size: DVec2) -> bool {
         /// What lies this much closer, as a share of the way, hides; less is a contact.
         const CONTACT: f32 = 1e-4;
         let ray = camera.ray(at, size);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_picture::Development;
 use catoptric_scene::{Camera, Scene};
-use catoptric_tracer::method::{Layer, Method};
+use catoptric_tracer::method::{GBufferLayer, Method};
 
 /// A snapshot of all that decides what the view shows.
 #[derive(Clone, Debug)]
@@ -75,7 +75,7 @@ pub enum Shows {
     Picture,
     /// A layer of the buffers behind it (`ssr` and `cube-map`), of the first sample. Light is developed as the picture
     /// is, numbers are not.
-    Layer(Layer),
+    Layer(GBufferLayer),
     /// The unfolded cube map of the body at this place in [`Scene::bodies`], or else the first there is.
     UnfoldedCube(Option<usize>),
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use catoptric_gpu::Gpu;
-use catoptric_tracer::{Control, Stage};
+use catoptric_tracer::{RenderControl, RenderScene};
 
 use crate::frame::Frame;
 use crate::request::Request;
@@ -17,7 +17,7 @@ pub(crate) struct Shared {
     bell: Condvar,
     shown: Mutex<Shown>,
     /// The newest stage, and what it is of.
-    stage: Mutex<Option<(u64, Arc<Stage>)>>,
+    stage: Mutex<Option<(u64, Arc<RenderScene>)>>,
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -134,7 +134,7 @@ impl Shared {
         lock(&self.shown).status.clone()
     }
 
-    pub(crate) fn stage(&self) -> Option<(u64, Arc<Stage>)> {
+    pub(crate) fn stage(&self) -> Option<(u64, Arc<RenderScene>)> {
         lock(&self.stage).clone()
     }
 
@@ -149,7 +149,7 @@ impl Shared {
         self.wake();
     }
 
-    pub(crate) fn publish_stage(&self, revision: u64, stage: Arc<Stage>) {
+    pub(crate) fn publish_stage(&self, revision: u64, stage: Arc<RenderScene>) {
         let replaced = lock(&self.stage).replace((revision, stage));
         drop(replaced);
     }
@@ -159,9 +159,9 @@ impl Shared {
     pub(crate) fn edit_stage(
         &self,
         revision: u64,
-        mut stage: Arc<Stage>,
-        edit: impl FnOnce(&mut Stage),
-    ) -> Arc<Stage> {
+        mut stage: Arc<RenderScene>,
+        edit: impl FnOnce(&mut RenderScene),
+    ) -> Arc<RenderScene> {
         /// How often to look whether nobody else does.
         const TRIES: u32 = 16;
         for _ in 0..TRIES {
@@ -253,7 +253,7 @@ impl Shared {
     }
 
     /// Waits for the end of a pass, and cancels it when something newer is asked for.
-    pub(crate) fn watch_pass(&self, control: &Control, patience: &Patience<'_>) {
+    pub(crate) fn watch_pass(&self, control: &RenderControl, patience: &Patience<'_>) {
         const REPORT: Duration = Duration::from_millis(100);
         let mut mail = lock(&self.mail);
         while !mail.pass_ended {

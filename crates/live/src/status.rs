@@ -2,7 +2,7 @@
 
 use catoptric_gpu::GpuError;
 use catoptric_picture::SizeError;
-use catoptric_tracer::StageError;
+use catoptric_tracer::SceneBuildError;
 use catoptric_tracer::method::{CubeMapUse, MethodKind, PassName, SettingError};
 
 /// How the worker is doing, for a status bar.
@@ -47,7 +47,7 @@ pub struct Status {
 pub enum LiveError {
     /// The scene cannot be prepared.
     #[error(transparent)]
-    Stage(#[from] StageError),
+    Stage(#[from] SceneBuildError),
     /// There can be no picture of this size.
     #[error(transparent)]
     Size(#[from] SizeError),

@@ -8,7 +8,7 @@ use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{RayCounts, Stage, StageCamera, StageEdit};
+use catoptric_tracer::{RayCounts, RenderScene, RenderCamera, SceneEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -26,8 +26,8 @@ const STILL: Duration = Duration::from_millis(150);
 /// A request, what was found for it so far, and what is still due.
 pub(crate) struct View {
     pub(crate) request: Request,
-    pub(crate) stage: Arc<Stage>,
-    pub(crate) camera: StageCamera,
+    pub(crate) stage: Arc<RenderScene>,
+    pub(crate) camera: RenderCamera,
     /// The light of the picture that is shown.
     pub(crate) film: Option<Canvas>,
     /// The light of a sharper picture under way.
@@ -84,7 +84,7 @@ impl Due {
 
 impl View {
     /// A view of a request in a prepared stage.
-    pub(crate) fn new(request: Request, stage: Arc<Stage>) -> Self {
+    pub(crate) fn new(request: Request, stage: Arc<RenderScene>) -> Self {
         let camera = stage.camera_for(&request.camera);
         Self {
             outlines: outlines(&request, &stage, &request.outline),
@@ -110,7 +110,7 @@ impl View {
         self,
         request: Request,
         is_same_stage: bool,
-        stage: impl FnOnce(Arc<Stage>) -> Arc<Stage>,
+        stage: impl FnOnce(Arc<RenderScene>) -> Arc<RenderScene>,
     ) -> Self {
         let stage = stage(self.stage);
         let camera = stage.camera_for(&request.camera);
@@ -244,7 +244,7 @@ fn hovered(request: &Request) -> &[usize] {
     }
 }
 
-fn outlines(request: &Request, stage: &Stage, bodies: &[usize]) -> Option<Outlines> {
+fn outlines(request: &Request, stage: &RenderScene, bodies: &[usize]) -> Option<Outlines> {
     (!bodies.is_empty()).then(|| Outlines::new(&request.scene, stage, bodies))
 }
 
@@ -268,7 +268,7 @@ pub(crate) enum Step {
     /// Nothing that is traced is different, apart from the camera.
     Same,
     /// A few bodies are, or the lights.
-    Edit(StageEdit),
+    Edit(SceneEdit),
     /// The scene has to be prepared.
     Anew,
 }

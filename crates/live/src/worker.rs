@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{Control, Film, RayCounts, Search, Stage, StageCamera};
+use catoptric_tracer::{RenderControl, Film, RayCounts, AcceleratorChoice, RenderScene, RenderCamera};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
@@ -143,9 +143,9 @@ impl Worker {
     /// A view of a request, its stage prepared or made from that of the view before; on the current rayon pool.
     fn view_of(&self, request: Request, old: Option<View>) -> Result<View, LiveError> {
         let revision = request.revision;
-        let publish = |stage: &Arc<Stage>| self.shared.publish_stage(revision, Arc::clone(stage));
+        let publish = |stage: &Arc<RenderScene>| self.shared.publish_stage(revision, Arc::clone(stage));
         let Some(old) = old else {
-            let stage = Arc::new(Stage::prepare_seen(&request.scene, &request.camera, Search::Quickest)?);
+            let stage = Arc::new(RenderScene::prepare_seen(&request.scene, &request.camera, AcceleratorChoice::Quickest)?);
             publish(&stage);
             return Ok(View::new(request, stage));
         };
@@ -159,7 +159,7 @@ impl Worker {
                 self.shared.edit_stage(revision, stage, |stage| stage.apply(edit, &scene))
             }),
             Step::Anew => {
-                let stage = Arc::new(Stage::prepare_seen(&scene, &request.camera, Search::Quickest)?);
+                let stage = Arc::new(RenderScene::prepare_seen(&scene, &request.camera, AcceleratorChoice::Quickest)?);
                 publish(&stage);
                 old.succeed(request, false, |_| stage)
             }
@@ -238,13 +238,13 @@ impl Worker {
     /// Adds a sample to a film; `None` if something newer came first. Until `until` nothing does.
     fn pass(&mut self, film: &mut Canvas, until: Option<Instant>) -> Result<Option<Passed>, LiveError> {
         let Some(view) = &self.view else { return Ok(None) };
-        let control = Control::default();
+        let control = RenderControl::default();
         let start = Instant::now();
         let [width, height] = film.size();
         let pixels = u64::from(width) * u64::from(height);
         let is_full = film.size() == view.request.size;
         let before = if is_full { film.samples() } else { 0 };
-        let (stage, camera): (&Stage, &StageCamera) = (&view.stage, &view.camera);
+        let (stage, camera): (&RenderScene, &RenderCamera) = (&view.stage, &view.camera);
         let progress = |done: u64| {
             let share = if is_full { done as f32 / pixels as f32 } else { 0.0 };
             (before as f32 + share.min(1.0)) / view.samples_wanted() as f32
@@ -274,7 +274,7 @@ impl Worker {
     pub(crate) fn watched<T: Send>(
         &self,
         view: &View,
-        control: &Control,
+        control: &RenderControl,
         until: Option<Instant>,
         progress: &dyn Fn(u64) -> f32,
         work: impl FnOnce() -> T + Send,

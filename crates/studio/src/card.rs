@@ -4,7 +4,7 @@ use std::sync::{Arc, Weak};
 
 use catoptric_gpu::{Gpu, GpuError, GpuPicture, Watch};
 use catoptric_live::Live;
-use catoptric_tracer::twin::Unsupported;
+use catoptric_tracer::twin::UnsupportedOnGpu;
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 
@@ -129,7 +129,7 @@ pub(crate) fn why(texts: &Texts, error: &GpuError) -> String {
     let key = match error {
         GpuError::Lost(_) | GpuError::NoAnswer(_) => "card-is-lost",
         GpuError::OutOfMemory(_) | GpuError::TooLarge { .. } => "card-has-no-memory",
-        GpuError::Unsupported(Unsupported::LongTree) => "card-has-too-many-rays",
+        GpuError::Unsupported(UnsupportedOnGpu::LongTree) => "card-has-too-many-rays",
         GpuError::Unsupported(_) => "card-has-too-many-media",
         other => return other.to_string(),
     };

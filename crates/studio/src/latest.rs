@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use catoptric_tracer::Control;
+use catoptric_tracer::RenderControl;
 use egui::Context;
 
 use crate::documents::job::{Job, Progress};
@@ -19,7 +19,7 @@ pub(crate) struct Latest<K, T> {
 
 struct Running<K, T> {
     key: K,
-    control: Arc<Control>,
+    control: Arc<RenderControl>,
     job: Job<T>,
 }
 
@@ -51,7 +51,7 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
         &mut self,
         context: &Context,
         key: &K,
-        work: impl FnOnce(&Control) -> T + Send + 'static,
+        work: impl FnOnce(&RenderControl) -> T + Send + 'static,
     ) {
         match &self.running {
             Some(running) if running.key != *key && running.job.since().elapsed() > PATIENCE => {
@@ -59,7 +59,7 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
             }
             Some(_) => {}
             None => {
-                let control = Arc::new(Control::default());
+                let control = Arc::new(RenderControl::default());
                 let own = Arc::clone(&control);
                 // Without a thread there is no result; the next frame tries again.
                 self.running = Job::start(context, "lab", move || work(&own)).ok().map(|job| Running {

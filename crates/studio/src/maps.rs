@@ -5,7 +5,7 @@ mod legend;
 use catoptric_lab::maps::{Map, MapKind, MapSettings, map};
 use catoptric_picture::{scale_color, srgb};
 use catoptric_scene::Camera;
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 use egui::{Color32, ColorImage, Context, Painter, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2};
 use glam::UVec2;
 
@@ -54,7 +54,7 @@ struct Mapped {
 }
 
 impl Key {
-    fn carry_out(self, stage: &Stage, control: &Control) -> Option<Mapped> {
+    fn carry_out(self, stage: &RenderScene, control: &RenderControl) -> Option<Mapped> {
         let [width, height] = self.size.map(|side| side.div_ceil(self.step).max(1));
         let settings = MapSettings {
             kind: self.kind,

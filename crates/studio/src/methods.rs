@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use catoptric_lab::Variant;
 use catoptric_live::Shows;
-use catoptric_tracer::method::{Layer, Method, MethodKind};
+use catoptric_tracer::method::{GBufferLayer, Method, MethodKind};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 use serde::{Deserialize, Serialize};
@@ -123,13 +123,13 @@ pub(crate) const fn short_key(kind: MethodKind) -> &'static str {
 /// What can be seen of a drawing, in the order in which to offer it.
 pub(crate) const ALL_SHOWN: [Shows; 9] = [
     Shows::Picture,
-    Shows::Layer(Layer::Depth),
-    Shows::Layer(Layer::Normal),
-    Shows::Layer(Layer::Body),
-    Shows::Layer(Layer::Color),
-    Shows::Layer(Layer::Coefficients),
-    Shows::Layer(Layer::Lit),
-    Shows::Layer(Layer::Reflected),
+    Shows::Layer(GBufferLayer::Depth),
+    Shows::Layer(GBufferLayer::Normal),
+    Shows::Layer(GBufferLayer::Body),
+    Shows::Layer(GBufferLayer::Color),
+    Shows::Layer(GBufferLayer::Coefficients),
+    Shows::Layer(GBufferLayer::Lit),
+    Shows::Layer(GBufferLayer::Reflected),
     Shows::UnfoldedCube(None),
 ];
 
@@ -137,23 +137,23 @@ pub(crate) const ALL_SHOWN: [Shows; 9] = [
 pub(crate) const fn shown_key(shows: Shows) -> &'static str {
     match shows {
         Shows::Picture => "command-show-picture",
-        Shows::Layer(Layer::Depth) => "command-show-depth",
-        Shows::Layer(Layer::Normal) => "command-show-normal",
-        Shows::Layer(Layer::Color) => "command-show-color",
-        Shows::Layer(Layer::Coefficients) => "command-show-coefficients",
-        Shows::Layer(Layer::Body) => "command-show-body",
-        Shows::Layer(Layer::Lit) => "command-show-lit",
-        Shows::Layer(Layer::Reflected) => "command-show-reflected",
+        Shows::Layer(GBufferLayer::Depth) => "command-show-depth",
+        Shows::Layer(GBufferLayer::Normal) => "command-show-normal",
+        Shows::Layer(GBufferLayer::Color) => "command-show-color",
+        Shows::Layer(GBufferLayer::Coefficients) => "command-show-coefficients",
+        Shows::Layer(GBufferLayer::Body) => "command-show-body",
+        Shows::Layer(GBufferLayer::Lit) => "command-show-lit",
+        Shows::Layer(GBufferLayer::Reflected) => "command-show-reflected",
         Shows::UnfoldedCube(_) => "command-show-unfolded",
     }
 }
 
 /// Whether a method's drawings have what is to be seen.
 pub(crate) fn has(method: &Method, shows: Shows) -> bool {
-    use catoptric_tracer::method::Fallback;
+    use catoptric_tracer::method::SsrFallback;
     match (shows, method) {
         (Shows::Picture, _) | (_, Method::CubeMap(_)) | (Shows::Layer(_), Method::Ssr(_)) => true,
-        (Shows::UnfoldedCube(_), Method::Ssr(ssr)) => matches!(ssr.fallback, Fallback::CubeMap(_)),
+        (Shows::UnfoldedCube(_), Method::Ssr(ssr)) => matches!(ssr.fallback, SsrFallback::CubeMap(_)),
         _ => false,
     }
 }

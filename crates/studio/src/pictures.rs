@@ -17,7 +17,7 @@ use std::time::Duration;
 use catoptric_live::{JobError, RenderJob, Shows};
 use catoptric_picture::{Development, Picture};
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{Layer, Method};
+use catoptric_tracer::method::{GBufferLayer, Method};
 use egui::{ColorImage, Context, Ui, UserAttentionType, ViewportCommand};
 
 use crate::app::Studio;
@@ -99,7 +99,7 @@ pub(crate) fn start_shown(studio: &mut Studio) {
     let scene = Scene { camera: studio.shown_camera(), ..Scene::clone(studio.editor.scene()) };
     // Layers are of the first sample, and most of them are numbers that no exposure changes.
     let is_light = matches!(shows, Shows::Picture | Shows::UnfoldedCube(_))
-        || matches!(shows, Shows::Layer(Layer::Lit | Layer::Reflected));
+        || matches!(shows, Shows::Layer(GBufferLayer::Lit | GBufferLayer::Reflected));
     let samples = if shows == Shows::Picture { studio.settings.viewport_samples } else { 1 };
     let size = RenderChoices { width, height, samples, generations: None, ..studio.settings.render.clone() };
     let development = if is_light { studio.view.development } else { Development::default() };

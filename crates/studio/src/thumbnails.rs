@@ -2,7 +2,7 @@
 
 use catoptric_picture::Development;
 use catoptric_scene::Scene;
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use crate::latest::Latest;
@@ -75,8 +75,8 @@ impl<K: Clone + PartialEq + Send + 'static> Thumbnails<K> {
     }
 }
 
-fn trace(scene: &Scene, settings: RenderSettings, control: &Control) -> Option<ColorImage> {
-    let stage = Stage::prepare(scene).ok()?;
+fn trace(scene: &Scene, settings: RenderSettings, control: &RenderControl) -> Option<ColorImage> {
+    let stage = RenderScene::prepare(scene).ok()?;
     let picture = render(&stage, settings, control).ok()?.picture;
     let mut pixels = vec![[0; 4]; picture.pixels().len()];
     Development::default().develop_rgba8(picture.pixels(), &mut pixels);

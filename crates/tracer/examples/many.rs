@@ -9,7 +9,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use catoptric_scene::{Scene, load};
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 use glam::DVec3;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -22,20 +22,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scene = load(&path)?.scene;
     let bodies = scene.bodies.len();
     let mut stage = None;
-    let prepare = best_of(runs, || stage = Some(Stage::prepare(&scene)));
+    let prepare = best_of(runs, || stage = Some(RenderScene::prepare(&scene)));
     let stage = stage.ok_or("no run")??;
     println!(
         "{bodies} bodies: prepared in {prepare:.1} ms, {:.1} bytes a body",
         stage.bytes() as f64 / bodies as f64
     );
     let settings = RenderSettings { width: 1280, height: 720, samples: 1 };
-    let trace = best_of(runs, || drop(render(&stage, settings, &Control::default())));
+    let trace = best_of(runs, || drop(render(&stage, settings, &RenderControl::default())));
     println!("traced in {trace:.1} ms");
     follow(scene, stage, runs)
 }
 
 /// Moves a body back and forth as a hand does, then holds the stage that followed against a new one.
-fn follow(mut scene: Scene, mut stage: Stage, runs: usize) -> Result<(), Box<dyn Error>> {
+fn follow(mut scene: Scene, mut stage: RenderScene, runs: usize) -> Result<(), Box<dyn Error>> {
     let middle = scene.bodies.len() / 2;
     for (what, step) in [("a bit", 1e-3), ("far", 1.0)] {
         let (mut took, mut anew) = (Vec::new(), 0);
@@ -49,7 +49,7 @@ fn follow(mut scene: Scene, mut stage: Stage, runs: usize) -> Result<(), Box<dyn
             match stage.edit(&before, &scene, &[middle]) {
                 Some(edit) => stage.apply(edit, &scene),
                 None => {
-                    stage = Stage::prepare(&scene)?;
+                    stage = RenderScene::prepare(&scene)?;
                     anew += 1;
                 }
             }
@@ -59,11 +59,11 @@ fn follow(mut scene: Scene, mut stage: Stage, runs: usize) -> Result<(), Box<dyn
         let (median, most) = (took[took.len() / 2], took[took.len() - 1]);
         println!("moved {what}: median {median:.3} ms, at most {most:.3} ms, {anew} times prepared anew");
     }
-    let fresh = Stage::prepare(&scene)?;
+    let fresh = RenderScene::prepare(&scene)?;
     let settings = RenderSettings { width: 640, height: 360, samples: 1 };
-    let traced = |stage: &Stage| {
+    let traced = |stage: &RenderScene| {
         let mut picture = None;
-        let time = best_of(runs, || picture = render(stage, settings, &Control::default()).ok());
+        let time = best_of(runs, || picture = render(stage, settings, &RenderControl::default()).ok());
         (time, picture.map(|rendering| rendering.picture))
     };
     let ((time, one), (fresh_time, other)) = (traced(&stage), traced(&fresh));

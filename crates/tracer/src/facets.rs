@@ -4,9 +4,9 @@
 //! The formulas are those of B. Walter, S. Marschner, H. Li, K. Torrance 2007, Microfacet models for refraction through
 //! rough surfaces. A facet sends light on once: what meets a second one is lost.
 
-use crate::lanes::{Float as _, Real, Width};
+use crate::lanes::{Float as _, Float32, Width};
 use crate::vector::Vector;
-use crate::whitted::Throw;
+use crate::whitted::Sample2D;
 
 /// A facet that is seen along `-direction`, chosen as often as it is seen (J. Dupuy, A. Benyoub 2023, Sampling visible GGX
 /// normals with spherical caps): its unit normal. `normal` faces the viewer; `alpha` is the width of the slopes.
@@ -15,7 +15,7 @@ pub(crate) fn seen_facet<W: Width>(
     direction: Vector<W::R>,
     normal: Vector<W::R>,
     alpha: W::R,
-    throw: &Throw<W>,
+    throw: &Sample2D<W>,
 ) -> Vector<W::R> {
     let [zero, one] = [0.0, 1.0].map(|value| alpha.like(value));
     let (right, up) = frame(normal);
@@ -32,7 +32,7 @@ pub(crate) fn seen_facet<W: Width>(
 
 /// The share of facets that is seen under an angle to the normal of this cosine, G₁ (Walter et al., eq. 34).
 #[inline(always)]
-pub(crate) fn unhidden<R: Real>(cos: R, alpha: R) -> R {
+pub(crate) fn unhidden<R: Float32>(cos: R, alpha: R) -> R {
     let one = cos.like(1.0);
     let square = (cos * cos).max(cos.like(f32::MIN_POSITIVE));
     let slope = (one - square).max(cos.like(0.0)) / square;
@@ -42,7 +42,7 @@ pub(crate) fn unhidden<R: Real>(cos: R, alpha: R) -> R {
 /// What facets send on to the viewer of light from a direction, but for what each reflects: π·D·G/(4·(n̂·Ŝ)) (Walter et al.,
 /// eq. 20), with `half` the normal of the facets that do.
 #[inline(always)]
-pub(crate) fn sent_on<R: Real>(
+pub(crate) fn sent_on<R: Float32>(
     to_viewer: Vector<R>,
     to_light: Vector<R>,
     normal: Vector<R>,
@@ -59,7 +59,7 @@ pub(crate) fn sent_on<R: Real>(
 /// radiance by the square of the index): that share but for the part that is reflected, and the cosine under which the
 /// viewer sees the facet. `ratio` is the index on the viewer's side divided by that on the light's.
 #[inline(always)]
-pub(crate) fn sent_through<R: Real>(
+pub(crate) fn sent_through<R: Float32>(
     to_viewer: Vector<R>,
     to_light: Vector<R>,
     normal: Vector<R>,
@@ -81,7 +81,7 @@ pub(crate) fn sent_through<R: Real>(
 
 /// π times the density of facets with this normal (Walter et al., eq. 33).
 #[inline(always)]
-fn density<R: Real>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
+fn density<R: Float32>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
     let cos = normal.dot(half);
     // sin² + α²·cos², without a difference of squares near 1.
     let across = half - normal * cos;
@@ -92,7 +92,7 @@ fn density<R: Real>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
 
 /// Two unit vectors across a third (T. Duff et al. 2017, Building an orthonormal basis, revisited).
 #[inline(always)]
-pub(crate) fn frame<R: Real>(axis: Vector<R>) -> (Vector<R>, Vector<R>) {
+pub(crate) fn frame<R: Float32>(axis: Vector<R>) -> (Vector<R>, Vector<R>) {
     let one = axis.x.like(1.0);
     // Not by the sign of a zero, which graphics cards need not keep.
     let sign = R::select(axis.z.lt(axis.z.like(0.0)), -one, one);

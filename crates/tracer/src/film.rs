@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
-use crate::render::{Control, RenderError, mean_of};
-use crate::stage::{Stage, StageCamera};
-use crate::tile::{Place, TILE, TileTracer, edge_for};
+use crate::render::{RenderControl, RenderError, mean_of};
+use crate::stage::{RenderScene, RenderCamera};
+use crate::tile::{TileRect, TILE, TileRenderer, edge_for};
 
 /// The light gathered so far in every pixel of a picture.
 ///
@@ -28,7 +28,7 @@ pub struct Film {
 
 #[derive(Clone, Debug)]
 struct FilmTile {
-    place: Place,
+    place: TileRect,
     /// The sums of the pixels, row by row; without samples none yet, or those of another picture.
     sums: Vec<DVec3>,
     samples: u32,
@@ -49,8 +49,8 @@ impl Film {
     /// Divides it into tiles without light, as threads take them.
     fn divide(&mut self, edge: usize) -> Result<(), SizeError> {
         let Self { width, height, .. } = *self;
-        let places = Place::all(width as usize, height as usize, edge);
-        let tile = |place: Place| {
+        let places = TileRect::all(width as usize, height as usize, edge);
+        let tile = |place: TileRect| {
             let mut sums = Vec::new();
             sums.try_reserve_exact(place.pixels()).ok()?;
             Some(FilmTile { place, sums, samples: 0 })
@@ -91,9 +91,9 @@ impl Film {
     /// little memory.
     pub fn add_sample(
         &mut self,
-        stage: &Stage,
-        camera: &StageCamera,
-        control: &Control,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+        control: &RenderControl,
     ) -> Result<RayCounts, RenderError> {
         let edge = edge_for(stage, self.width as usize, self.height as usize);
         if edge != self.edge {
@@ -109,7 +109,7 @@ impl Film {
             .map_init(
                 || None,
                 |tracer, tile| {
-                    let tracer = tracer.get_or_insert_with(|| TileTracer::new(stage, camera, control));
+                    let tracer = tracer.get_or_insert_with(|| TileRenderer::new(stage, camera, control));
                     tile.add_sample(tracer, size, control)
                 },
             )
@@ -150,7 +150,7 @@ impl Film {
 }
 
 impl FilmTile {
-    fn add_sample(&mut self, tracer: &mut TileTracer<'_>, size: DVec2, control: &Control) -> RayCounts {
+    fn add_sample(&mut self, tracer: &mut TileRenderer<'_>, size: DVec2, control: &RenderControl) -> RayCounts {
         let before = tracer.counts();
         let Some(light) = tracer.trace(self.place, size, self.samples) else {
             return RayCounts::default();
@@ -164,7 +164,7 @@ impl FilmTile {
 
     /// Writes the means of its row `y` into a row of the picture.
     fn write(&self, y: usize, row: &mut [[f32; 3]]) {
-        let Place { x, width, .. } = self.place;
+        let TileRect { x, width, .. } = self.place;
         let row = row.iter_mut().skip(x).take(width);
         if self.samples == 0 {
             row.for_each(|pixel| *pixel = [0.0; 3]);

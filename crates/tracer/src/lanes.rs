@@ -1,12 +1,12 @@
 //! Numbers side by side: the one place that names the SIMD library.
 //!
-//! The mathematics of rays is written once, over a [`Width`]: [`One`] ray at a time, or as many as the processor's
-//! vectors hold ([`Wide`]: 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), or twice as many ([`Pair`]), chosen when the
+//! The mathematics of rays is written once, over a [`Width`]: [`ScalarWidth`] ray at a time, or as many as the processor's
+//! vectors hold ([`SimdWidth`]: 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), or twice as many ([`PairWidth`]), chosen when the
 //! program runs. Every operation has one correctly rounded result, so that a ray has the same outcome bit by bit by itself
 //! and in the widths that a picture is traced in, on all processors but those without fused multiplication and addition
 //! (x86 before AVX2): they round the products of [`Float::times_plus`], and have other last digits.
 //!
-//! Bodies whose numbers do not fit single precision are intersected over a [`Double`], the same mathematics in double
+//! Bodies whose numbers do not fit single precision are intersected over a [`Float64`], the same mathematics in double
 //! precision.
 //!
 //! What is written over a width must be inlined into a body of [`Width::run`], where the compiler may use the
@@ -20,10 +20,10 @@ mod wide;
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-pub(crate) use double::Double;
-pub(crate) use one::One;
-use pair::Pair;
-pub(crate) use wide::Lanes;
+pub(crate) use double::Float64;
+pub(crate) use one::ScalarWidth;
+use pair::PairWidth;
+pub(crate) use wide::SimdLevel;
 
 /// The most lanes of any width.
 pub(crate) const MOST_LANES: usize = 32;
@@ -84,7 +84,7 @@ pub trait Float:
 }
 
 /// Real numbers in single precision, side by side.
-pub trait Real: Float {
+pub trait Float32: Float {
     /// As many 32-bit words.
     type Word: Word<Mask = Self::Mask>;
 
@@ -145,7 +145,7 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
 }
 
 /// Eight real numbers side by side in every width: one for each box of a node.
-pub(crate) trait Eight: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub(crate) trait Float8: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// The smaller one; on x86 `other` when one is no number.
     fn min(self, other: Self) -> Self;
     /// The larger one; on x86 `other` when one is no number.
@@ -164,10 +164,10 @@ pub(crate) trait Width: Copy {
     const USES_HIERARCHY: bool;
     /// Whether it is for scenes with bodies in double precision, too: the calls for them cost all others 2 to 9 %.
     const TESTS_DOUBLES: bool;
-    type R: Real<Mask = Self::M, Word = Self::W>;
+    type R: Float32<Mask = Self::M, Word = Self::W>;
     type W: Word<Mask = Self::M>;
     type M: Mask;
-    type E: Eight;
+    type E: Float8;
 
     fn real(self, value: f32) -> Self::R;
     fn word(self, value: u32) -> Self::W;
@@ -200,7 +200,7 @@ pub(crate) trait Width: Copy {
 }
 
 /// Work that is written over a width.
-pub(crate) trait Work {
+pub(crate) trait SimdKernel {
     type Output;
 
     fn run<W: Width>(self, w: W) -> Self::Output;

@@ -1,6 +1,6 @@
-//! The optics: a prepared [`Stage`], the mathematics of rays and bodies, Whitted's tree, and the CPU driver.
+//! The optics: a prepared [`RenderScene`], the mathematics of rays and bodies, Whitted's tree, and the CPU driver.
 //!
-//! [`Stage::prepare`] turns a scene into flat arrays once; [`render`] traces it into a linear-light picture, [`Film`]
+//! [`RenderScene::prepare`] turns a scene into flat arrays once; [`render`] traces it into a linear-light picture, [`Film`]
 //! sample by sample.
 
 mod counts;
@@ -24,17 +24,17 @@ mod whitted;
 
 pub use counts::RayCounts;
 pub use film::Film;
-pub use lanes::{Float, Real};
-pub use pick::SurfaceHit;
-pub use ray::{NO_BODY, Ray, Start};
+pub use lanes::{Float, Float32};
+pub use pick::RayIntersection;
+pub use ray::{NO_BODY, Ray, RayOrigin};
 pub use render::{
-    Control, RenderError, RenderSettings, Rendering, render, render_into, render_pixel, render_through,
+    RenderControl, RenderError, RenderSettings, RenderOutput, render, render_into, render_pixel, render_through,
 };
 pub use sampling::sample_offset;
-pub use search::Hit;
-pub use stage::{Search, Stage, StageCamera, StageChanges, StageEdit, StageError};
+pub use search::HitRecord;
+pub use stage::{AcceleratorChoice, RenderScene, RenderCamera, SceneChanges, SceneEdit, SceneBuildError};
 pub use vector::Vector;
 pub use whitted::{
-    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, ReflectionLaw, Shadow, ShadowCrossing,
-    SurfaceAnswer, Tally, TracedRay, Whitted,
+    BranchRecord, BranchOutcome, InterfaceRecord, LightContribution, LightTerm, RayKind, ReflectionModel, ShadowRecord, ShadowCrossing,
+    SurfaceRecord, PixelStatistics, RayRecord, WhittedIntegrator,
 };

@@ -3,10 +3,10 @@
 use std::collections::HashMap;
 
 use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
-use crate::stage::{Hierarchy, Stage};
+use crate::stage::{Accelerator, RenderScene};
 use crate::surface::exponential;
 use crate::vector::Vector;
-use crate::whitted::Waves;
+use crate::whitted::SampledWavelengths;
 
 /// From here on numbers of bodies stand for waves: what a ray that is of one color has at the end of its list.
 pub(crate) const WAVES: u32 = u32::MAX - 0xff;
@@ -20,23 +20,23 @@ pub(crate) const AIR: u32 = u32::MAX;
 /// the same number, so that there are only as many as there are ways to stand in the scene, however many rays; and what
 /// a surface makes of a list is worked out once.
 #[derive(Debug, Default)]
-pub(crate) struct MediaTable {
+pub(crate) struct MediumStacks {
     /// Each link: a body and the rest of the list.
     links: Vec<(u32, u32)>,
     places: HashMap<(u32, u32), u32>,
-    crossings: HashMap<(u32, u32), Crossing>,
+    crossings: HashMap<(u32, u32), MediumTransition>,
 }
 
 /// What becomes of a list at the surface of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Crossing {
+pub(crate) struct MediumTransition {
     /// The list beyond it.
     pub beyond: u32,
     /// The index of refraction here divided by that beyond.
     pub ratio: f32,
 }
 
-impl MediaTable {
+impl MediumStacks {
     /// So many links and crossings are kept; a scene of ordinary bodies has as many as bodies.
     const MOST: usize = 1 << 20;
 
@@ -101,20 +101,20 @@ impl MediaTable {
     }
 
     /// What a ray in `media` that crosses the surface of `body` comes to.
-    pub(crate) fn crossing(&mut self, stage: &Stage, waves: &Waves, media: u32, body: u32) -> Crossing {
+    pub(crate) fn crossing(&mut self, stage: &RenderScene, waves: &SampledWavelengths, media: u32, body: u32) -> MediumTransition {
         if let Some(known) = self.crossings.get(&(media, body)) {
             return *known;
         }
         let is_inside = self.bodies(media).any(|other| other == body);
         let beyond = if is_inside { self.left(media, body) } else { self.entered(media, body) };
         let ratio = self.ior(stage, waves, media) / self.ior(stage, waves, beyond);
-        let crossing = Crossing { beyond, ratio };
+        let crossing = MediumTransition { beyond, ratio };
         self.crossings.insert((media, body), crossing);
         crossing
     }
 
     /// The index of refraction in these media: that of the body entered last, or of air.
-    pub(crate) fn ior(&self, stage: &Stage, waves: &Waves, media: u32) -> f32 {
+    pub(crate) fn ior(&self, stage: &RenderScene, waves: &SampledWavelengths, media: u32) -> f32 {
         let Some(index) = self.bodies(media).next() else { return 1.0 };
         let material = stage.material(stage.body(index));
         let wavelength = || waves.nanometers(self.wave(media)?);
@@ -130,7 +130,7 @@ impl MediaTable {
     pub(crate) fn left_after<W: Width>(
         &self,
         w: W,
-        stage: &Stage,
+        stage: &RenderScene,
         media: W::W,
         lengths: W::R,
         lanes: W::M,
@@ -159,7 +159,7 @@ impl MediaTable {
     }
 
     /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.
-    pub(crate) fn at_point(&mut self, stage: &Stage, point: Vector<f32>) -> u32 {
+    pub(crate) fn at_point(&mut self, stage: &RenderScene, point: Vector<f32>) -> u32 {
         if !stage.has_transparency {
             return AIR;
         }
@@ -171,8 +171,8 @@ impl MediaTable {
             }
         };
         match &stage.hierarchy {
-            Hierarchy::Few => (0..stage.bounded).for_each(&mut test),
-            Hierarchy::Many(bvh) => bvh.visit_at(point.into(), |leaf| leaf.for_each(&mut test)),
+            Accelerator::Few => (0..stage.bounded).for_each(&mut test),
+            Accelerator::Many(bvh) => bvh.visit_at(point.into(), |leaf| leaf.for_each(&mut test)),
         }
         stage.planes().for_each(&mut test);
         let volume = |index: u32| stage.body(index).volume();
@@ -183,12 +183,12 @@ impl MediaTable {
 
 /// Which rays side by side are inside of which bodies.
 #[derive(Debug, Default)]
-pub(crate) struct Inside {
+pub(crate) struct BodyMembership {
     /// Bodies, sorted, and a bit for each ray.
     bodies: Vec<(u32, u32)>,
 }
 
-impl Inside {
+impl BodyMembership {
     /// Whether all are in air.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
@@ -212,7 +212,7 @@ impl Inside {
 
     /// Looks up the lists of these rays.
     #[inline(always)]
-    pub(crate) fn fill<W: Width>(&mut self, table: &MediaTable, media: W::W, lanes: W::M) {
+    pub(crate) fn fill<W: Width>(&mut self, table: &MediumStacks, media: W::W, lanes: W::M) {
         self.bodies.clear();
         let mut wet = (lanes & !media.is(AIR)).bits();
         if wet == 0 {
@@ -229,7 +229,7 @@ impl Inside {
     }
 
     /// Adds rays that have the same list.
-    fn add(&mut self, table: &MediaTable, list: u32, rays: u32) {
+    fn add(&mut self, table: &MediumStacks, list: u32, rays: u32) {
         for body in table.bodies(list) {
             match self.bodies.binary_search_by_key(&body, |entry| entry.0) {
                 Ok(place) => self.bodies[place].1 |= rays,
@@ -249,13 +249,13 @@ impl Inside {
 mod tests {
     use super::*;
 
-    fn list(table: &MediaTable, media: u32) -> Vec<u32> {
+    fn list(table: &MediumStacks, media: u32) -> Vec<u32> {
         table.bodies(media).collect()
     }
 
     #[test]
     fn leaving_the_innermost_returns_to_the_one_around() {
-        let mut table = MediaTable::default();
+        let mut table = MediumStacks::default();
         let outer = table.entered(AIR, 7);
         let inner = table.entered(outer, 3);
         assert_eq!(list(&table, inner), [3, 7]);
@@ -264,7 +264,7 @@ mod tests {
 
     #[test]
     fn leaving_an_outer_body_keeps_the_inner_ones_in_order() {
-        let mut table = MediaTable::default();
+        let mut table = MediumStacks::default();
         let media = [1, 2, 3].into_iter().fold(AIR, |media, body| table.entered(media, body));
         let media = table.left(media, 1);
         assert_eq!(list(&table, media), [3, 2]);
@@ -275,7 +275,7 @@ mod tests {
 
     #[test]
     fn equal_lists_are_one() {
-        let mut table = MediaTable::default();
+        let mut table = MediumStacks::default();
         let once = table.entered(AIR, 1);
         let deeper = table.entered(once, 2);
         assert_eq!(table.entered(AIR, 1), once);
@@ -285,10 +285,10 @@ mod tests {
 
     #[test]
     fn rays_side_by_side_know_their_own_bodies() {
-        let mut table = MediaTable::default();
+        let mut table = MediumStacks::default();
         let one = table.entered(AIR, 5);
         let both = table.entered(one, 2);
-        let mut inside = Inside::default();
+        let mut inside = BodyMembership::default();
         inside.add(&table, one, 0b1_0000);
         inside.add(&table, both, 0b10_0000_1000);
         assert_eq!((inside.of(5), inside.of(2), inside.of(3)), (0b10_0001_1000, 0b10_0000_1000, 0));

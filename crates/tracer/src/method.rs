@@ -21,17 +21,17 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{Picture, SizeError};
 
 use crate::counts::RayCounts;
-use crate::render::{Control, RenderError, RenderSettings, render_into};
-use crate::stage::{Stage, StageCamera};
+use crate::render::{RenderControl, RenderError, RenderSettings, render_into};
+use crate::stage::{RenderScene, RenderCamera};
 
 use gbuffer::GBuffer;
-use mirrored::{MapsInUse, Mirrors};
-use shaded::Shading;
+use mirrored::{ActiveCubeMaps, ReflectionSources};
+use shaded::ShadingFrequency;
 
 pub use cube_map::{CubeMap, CubeMapUse, CubeMaps};
-pub use gbuffer::Layer;
+pub use gbuffer::GBufferLayer;
 pub use reasons::{Reason, ReasonMap, reasons};
-pub use settings::{CubeMapSettings, Fallback, LightModel, SettingError, ShadingSettings, SsrSettings};
+pub use settings::{CubeMapSettings, SsrFallback, LightModel, SettingError, ShadingSettings, SsrSettings};
 
 /// How reflections are found, with the settings of each way. Each has a page in the documents, `methods/`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,7 +171,7 @@ impl PassName {
 
 /// A picture made by a method.
 #[derive(Clone, Debug)]
-pub struct Drawing {
+pub struct MethodOutput {
     /// Linear light.
     pub picture: Picture,
     /// Rays traced; those of cube maps count as primary where they start.
@@ -180,14 +180,14 @@ pub struct Drawing {
     pub passes: Vec<(PassName, Duration)>,
     /// The cube maps that served, if the method uses any.
     pub cube_maps: Option<CubeMapUse>,
-    evidence: Evidence,
+    evidence: FirstSampleBuffers,
 }
 
-impl Drawing {
+impl MethodOutput {
     /// Whitted's tree, traced elsewhere in so much time.
     pub fn traced(picture: Picture, counts: RayCounts, time: Duration) -> Self {
         let passes = vec![(PassName::Trace, time)];
-        Self { picture, counts, passes, cube_maps: None, evidence: Evidence::None }
+        Self { picture, counts, passes, cube_maps: None, evidence: FirstSampleBuffers::None }
     }
 
     /// A layer of the buffers behind the picture (of `ssr` and `cube-map`; other methods have none), of the first sample.
@@ -195,33 +195,33 @@ impl Drawing {
     ///
     /// # Errors
     /// When memory is short.
-    pub fn layer(&self, stage: &Stage, layer: Layer) -> Result<Option<Picture>, SizeError> {
+    pub fn layer(&self, stage: &RenderScene, layer: GBufferLayer) -> Result<Option<Picture>, SizeError> {
         match &self.evidence {
-            Evidence::Buffers(buffer, _) => buffer.picture(stage, layer).map(Some),
-            Evidence::None | Evidence::Bodies(_) => Ok(None),
+            FirstSampleBuffers::Buffers(buffer, _) => buffer.picture(stage, layer).map(Some),
+            FirstSampleBuffers::None | FirstSampleBuffers::Bodies(_) => Ok(None),
         }
     }
 
     /// The cube maps that served the picture, each with the place in [`Scene::bodies`](catoptric_scene::Scene::bodies) of
     /// its body.
-    pub fn maps(&self, stage: &Stage) -> Vec<(usize, &CubeMap)> {
+    pub fn maps(&self, stage: &RenderScene) -> Vec<(usize, &CubeMap)> {
         match &self.evidence {
-            Evidence::Buffers(_, maps) => {
+            FirstSampleBuffers::Buffers(_, maps) => {
                 maps.iter().filter_map(|(body, map)| Some((stage.scene_index(body)?, map))).collect()
             }
-            Evidence::None | Evidence::Bodies(_) => Vec::new(),
+            FirstSampleBuffers::None | FirstSampleBuffers::Bodies(_) => Vec::new(),
         }
     }
 }
 
 /// What [`reasons`] needs of a drawing, of its first sample.
 #[derive(Clone, Debug)]
-enum Evidence {
+enum FirstSampleBuffers {
     None,
     /// The body in each pixel, by its place in the stage.
     Bodies(Vec<u32>),
     /// What the pixels show and reflect, and the maps that they looked into.
-    Buffers(Box<GBuffer>, MapsInUse),
+    Buffers(Box<GBuffer>, ActiveCubeMaps),
 }
 
 /// Why there is no picture.
@@ -233,7 +233,7 @@ pub enum MethodError {
     /// The size cannot be.
     #[error(transparent)]
     Size(#[from] SizeError),
-    /// [`Control::cancel`] was called.
+    /// [`RenderControl::cancel`] was called.
     #[error("the drawing was cancelled")]
     Cancelled,
     /// The cube maps of all reflecting bodies would take too much memory.
@@ -276,49 +276,49 @@ impl From<RenderError> for MethodError {
 /// # Errors
 /// When a setting is out of its range, the size is 0 or too large, memory is short, or the drawing is cancelled.
 pub fn draw(
-    stage: &Stage,
+    stage: &RenderScene,
     method: &Method,
     settings: RenderSettings,
-    control: &Control,
-) -> Result<Drawing, MethodError> {
+    control: &RenderControl,
+) -> Result<MethodOutput, MethodError> {
     draw_through(stage, stage.camera(), method, settings, control, &mut CubeMaps::new())
 }
 
-/// The same through a camera of [`Stage::camera_for`], with cube maps that are kept in `maps` from picture to picture.
+/// The same through a camera of [`RenderScene::camera_for`], with cube maps that are kept in `maps` from picture to picture.
 ///
 /// # Errors
 /// As for [`draw`].
 pub fn draw_through(
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     method: &Method,
     settings: RenderSettings,
-    control: &Control,
+    control: &RenderControl,
     maps: &mut CubeMaps,
-) -> Result<Drawing, MethodError> {
+) -> Result<MethodOutput, MethodError> {
     method.check()?;
     let shade = |shading, how: &ShadingSettings| shaded::draw(stage, camera, shading, how, settings, control);
     match method {
         Method::Whitted => trace(stage, camera, settings, control),
-        Method::Flat(how) => shade(Shading::Flat, how),
-        Method::Gouraud(how) => shade(Shading::Gouraud, how),
-        Method::Phong(how) => shade(Shading::Phong, how),
-        Method::Ssr(how) => mirrored::draw(stage, camera, Mirrors::of_screen(how), settings, control, maps),
-        Method::CubeMap(how) => mirrored::draw(stage, camera, Mirrors::of_maps(how), settings, control, maps),
+        Method::Flat(how) => shade(ShadingFrequency::Flat, how),
+        Method::Gouraud(how) => shade(ShadingFrequency::Gouraud, how),
+        Method::Phong(how) => shade(ShadingFrequency::Phong, how),
+        Method::Ssr(how) => mirrored::draw(stage, camera, ReflectionSources::of_screen(how), settings, control, maps),
+        Method::CubeMap(how) => mirrored::draw(stage, camera, ReflectionSources::of_maps(how), settings, control, maps),
     }
 }
 
 fn trace(
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     settings: RenderSettings,
-    control: &Control,
-) -> Result<Drawing, MethodError> {
+    control: &RenderControl,
+) -> Result<MethodOutput, MethodError> {
     let RenderSettings { width, height, samples } = settings;
     let mut picture = Picture::new(width, height)?;
     control.expect(u64::from(width) * u64::from(height));
     // As by other methods, memory that has to be cleared is no part of a pass.
     let start = Instant::now();
     let counts = render_into(&mut picture, stage, camera, samples, control)?;
-    Ok(Drawing::traced(picture, counts, start.elapsed()))
+    Ok(MethodOutput::traced(picture, counts, start.elapsed()))
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec3A;
 
-use crate::lanes::{One, Real, Width};
+use crate::lanes::{ScalarWidth, Float32, Width};
 use crate::vector::Vector;
 
 /// Stands for "no body" wherever a body's index is kept.
@@ -25,13 +25,13 @@ pub struct Ray {
     /// Unit direction, so that the ray parameter t is the distance in meters.
     pub direction: Vec3A,
     /// What is known about the start.
-    pub start: Start,
+    pub start: RayOrigin,
 }
 
 impl Ray {
     /// A ray from a free point in space, such as the eye.
     pub fn from_point(origin: impl Into<Vec3A>, direction: impl Into<Vec3A>) -> Self {
-        Self { origin: origin.into(), direction: direction.into(), start: Start::FREE }
+        Self { origin: origin.into(), direction: direction.into(), start: RayOrigin::FREE }
     }
 
     /// The point at parameter `t`.
@@ -40,18 +40,18 @@ impl Ray {
     }
 
     /// The ray by itself, as rays side by side are written.
-    pub(crate) fn alone(&self) -> Rays<One> {
-        Rays { origin: self.origin.into(), direction: self.direction.into(), start: self.start.word() }
+    pub(crate) fn alone(&self) -> RayPacket<ScalarWidth> {
+        RayPacket { origin: self.origin.into(), direction: self.direction.into(), start: self.start.word() }
     }
 }
 
 /// Rays side by side.
 #[derive(Clone, Copy)]
-pub(crate) struct Rays<W: Width> {
+pub(crate) struct RayPacket<W: Width> {
     pub origin: Vector<W::R>,
     /// Of length 1.
     pub direction: Vector<W::R>,
-    /// [`Start::word`] of each.
+    /// [`RayOrigin::word`] of each.
     pub start: W::W,
 }
 
@@ -60,7 +60,7 @@ pub(crate) const INWARDS: u32 = 1 << 31;
 /// The start's word without a body, and the bits of the body in all others.
 pub(crate) const NO_START: u32 = !INWARDS;
 
-impl<W: Width> Rays<W> {
+impl<W: Width> RayPacket<W> {
     /// Gives them other origins and directions.
     #[inline(always)]
     pub(crate) fn set(&mut self, (origin, direction): (Vector<W::R>, Vector<W::R>)) {
@@ -76,16 +76,16 @@ impl<W: Width> Rays<W> {
 
 /// How far points may lie from their true places by rounding, meters.
 #[inline(always)]
-pub(crate) fn slack_at<R: Real>(point: Vector<R>) -> R {
+pub(crate) fn slack_at<R: Float32>(point: Vector<R>) -> R {
     point.map(R::abs).largest() * POINT_ROUNDING
 }
 
-impl Rays<One> {
+impl RayPacket<ScalarWidth> {
     pub(crate) fn ray(&self) -> Ray {
         Ray {
             origin: self.origin.into(),
             direction: self.direction.into(),
-            start: Start::of_word(self.start),
+            start: RayOrigin::of_word(self.start),
         }
     }
 }
@@ -96,14 +96,14 @@ impl Rays<One> {
 /// one that heads inwards meets it exactly once more, at the far root. Remembering body and side settles every
 /// question of self-intersection without an epsilon, at any scale and any angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Start {
+pub struct RayOrigin {
     /// The body whose surface the ray starts on, or [`NO_BODY`].
     pub body: u32,
     /// Whether the ray heads into that body.
     pub inwards: bool,
 }
 
-impl Start {
+impl RayOrigin {
     /// On no surface.
     pub const FREE: Self = Self { body: NO_BODY, inwards: false };
 

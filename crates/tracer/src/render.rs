@@ -7,8 +7,8 @@ use glam::{DVec2, DVec3, UVec2};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
-use crate::stage::{Stage, StageCamera};
-use crate::tile::{Place, TILE, TileTracer, edge_for};
+use crate::stage::{RenderScene, RenderCamera};
+use crate::tile::{TileRect, TILE, TileRenderer, edge_for};
 
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,14 +28,14 @@ impl RenderSettings {
 
 /// How a running render is watched and stopped, from any thread.
 #[derive(Debug, Default)]
-pub struct Control {
+pub struct RenderControl {
     pub(crate) cancel: AtomicBool,
     pixels_done: AtomicU64,
     pixels_expected: AtomicU64,
     rays_done: AtomicU64,
 }
 
-impl Control {
+impl RenderControl {
     /// Asks the render to stop; it does so within a pixel, some ten thousand rays later.
     pub fn cancel(&self) {
         self.cancel.store(true, Ordering::Relaxed);
@@ -47,7 +47,7 @@ impl Control {
     }
 
     /// Counts the pixels of a tile that was gone through.
-    pub(crate) fn add_done(&self, place: Place) {
+    pub(crate) fn add_done(&self, place: TileRect) {
         self.add_pixels(place.pixels() as u64);
     }
 
@@ -85,7 +85,7 @@ impl Control {
 
 /// A finished render.
 #[derive(Clone, Debug)]
-pub struct Rendering {
+pub struct RenderOutput {
     /// Linear light.
     pub picture: Picture,
     /// Rays traced.
@@ -98,7 +98,7 @@ pub enum RenderError {
     /// The size cannot be.
     #[error(transparent)]
     Size(#[from] SizeError),
-    /// [`Control::cancel`] was called.
+    /// [`RenderControl::cancel`] was called.
     #[error("the render was cancelled")]
     Cancelled,
 }
@@ -109,23 +109,23 @@ pub enum RenderError {
 ///
 /// # Errors
 /// When the size is 0 or too large, or the render is cancelled.
-pub fn render(stage: &Stage, settings: RenderSettings, control: &Control) -> Result<Rendering, RenderError> {
+pub fn render(stage: &RenderScene, settings: RenderSettings, control: &RenderControl) -> Result<RenderOutput, RenderError> {
     render_through(stage, stage.camera(), settings, control)
 }
 
-/// The same through a camera of [`Stage::camera_for`].
+/// The same through a camera of [`RenderScene::camera_for`].
 ///
 /// # Errors
 /// As for [`render`].
 pub fn render_through(
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     settings: RenderSettings,
-    control: &Control,
-) -> Result<Rendering, RenderError> {
+    control: &RenderControl,
+) -> Result<RenderOutput, RenderError> {
     let mut picture = Picture::new(settings.width, settings.height)?;
     let counts = render_into(&mut picture, stage, camera, settings.samples, control)?;
-    Ok(Rendering { picture, counts })
+    Ok(RenderOutput { picture, counts })
 }
 
 /// The same into a picture that shows anything, of the size that is wanted. The rays that were traced.
@@ -134,10 +134,10 @@ pub fn render_through(
 /// When the render is cancelled; then the picture shows some of both.
 pub fn render_into(
     picture: &mut Picture,
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     samples: u32,
-    control: &Control,
+    control: &RenderControl,
 ) -> Result<RayCounts, RenderError> {
     let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
     let samples = samples.max(1);
@@ -148,7 +148,7 @@ pub fn render_into(
             || (None, Vec::new()),
             |(tracer, sums), mut tile| {
                 // Threads that find no tile left make no tracer.
-                let tracer = tracer.get_or_insert_with(|| TileTracer::new(stage, camera, control));
+                let tracer = tracer.get_or_insert_with(|| TileRenderer::new(stage, camera, control));
                 let before = tracer.counts();
                 if tile.trace(tracer, sums, size, samples) {
                     control.add_done(tile.place);
@@ -166,11 +166,11 @@ pub fn render_into(
 /// # Errors
 /// As for [`render`].
 pub fn render_pixel(
-    stage: &Stage,
-    camera: &StageCamera,
+    stage: &RenderScene,
+    camera: &RenderCamera,
     settings: RenderSettings,
     pixel: UVec2,
-    control: &Control,
+    control: &RenderControl,
 ) -> Result<Option<[f32; 3]>, RenderError> {
     let RenderSettings { width, height, samples } = settings;
     Picture::check_size(width, height)?;
@@ -178,9 +178,9 @@ pub fn render_pixel(
     if pixel.x >= width || pixel.y >= height {
         return Ok(None);
     }
-    let place = Place::around(pixel, size, edge_for(stage, width as usize, height as usize));
+    let place = TileRect::around(pixel, size, edge_for(stage, width as usize, height as usize));
     let [x, y] = [pixel.x as usize - place.x, pixel.y as usize - place.y];
-    let mut tracer = TileTracer::new(stage, camera, control);
+    let mut tracer = TileRenderer::new(stage, camera, control);
     let mut row = vec![[0.0; 3]; place.width];
     let mut sum = DVec3::ZERO;
     for sample in 0..samples.max(1) {
@@ -197,16 +197,16 @@ pub(crate) fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
 }
 
 /// A tile or a group of tiles and its part of each of the picture's rows.
-struct Tile<'a> {
-    place: Place,
+struct TileTarget<'a> {
+    place: TileRect,
     rows: Vec<&'a mut [[f32; 3]]>,
 }
 
-impl Tile<'_> {
+impl TileTarget<'_> {
     /// Traces all samples. False if it was cancelled midway.
     fn trace(
         &mut self,
-        tracer: &mut TileTracer<'_>,
+        tracer: &mut TileRenderer<'_>,
         sums: &mut Vec<DVec3>,
         size: DVec2,
         samples: u32,
@@ -234,7 +234,7 @@ impl Tile<'_> {
 /// Every thread has a strip of the picture to begin in, and goes on in those of others when it is through: where two take
 /// neighbors at once, the system clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take
 /// too long for that to count; they go row by row, since the picture's middle, which mostly takes longest, must not be last.
-fn tiles<'p>(stage: &Stage, picture: &'p mut Picture) -> impl Iterator<Item = Tile<'p>> + use<'p> {
+fn tiles<'p>(stage: &RenderScene, picture: &'p mut Picture) -> impl Iterator<Item = TileTarget<'p>> + use<'p> {
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
     let edge = edge_for(stage, width, height);
     let strips = if edge == TILE { rayon::current_num_threads() } else { 1 };
@@ -254,8 +254,8 @@ fn tiles_of_strip(
     top: usize,
     width: usize,
     edge: usize,
-) -> impl Iterator<Item = Tile<'_>> {
-    let strip = Place { x: 0, y: top, width, height: pixels.len() / width };
+) -> impl Iterator<Item = TileTarget<'_>> {
+    let strip = TileRect { x: 0, y: top, width, height: pixels.len() / width };
     let mut bands = pixels.chunks_mut(width * edge);
     let mut band = Vec::new();
     strip.squares(edge).map(move |place| {
@@ -266,6 +266,6 @@ fn tiles_of_strip(
         }
         let mut rows = Vec::with_capacity(place.height);
         rows.extend(band.iter_mut().filter_map(Iterator::next));
-        Tile { place, rows }
+        TileTarget { place, rows }
     })
 }

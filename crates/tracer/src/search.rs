@@ -9,24 +9,24 @@ mod stream;
 
 use std::ops::Range;
 
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
-use crate::media::Inside;
-use crate::ray::{INWARDS, Rays, slack_at};
-use crate::stage::{Bvh, Hierarchy, Pending, Sight, Sights, Stage, StageBody, Visit};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::media::BodyMembership;
+use crate::ray::{INWARDS, RayPacket, slack_at};
+use crate::stage::{Bvh, Accelerator, TraversalStack, BoundingCone, VisibleBodies, RenderScene, RenderBody, BodyVisitor};
 use crate::vector::Vector;
 
 pub(crate) use absorption::MediumIntervals;
-pub(crate) use along::Along;
+pub(crate) use along::Candidates;
 pub(crate) use best::GRAZING;
-use best::{Best, Nearest};
+use best::{ClosestHits, ClosestHit};
 use coincident::settle;
 use shadow::all_of;
-pub(crate) use shadow::{ShadowMemory, Through};
-pub(crate) use stream::{RayStream, ShadowStream, StreamMemory};
+pub(crate) use shadow::{ShadowScratch, Transmittance};
+pub(crate) use stream::{RayStream, ShadowStream, StreamScratch};
 
 /// Where a ray meets a body: the cheap record kept during the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
+pub struct HitRecord {
     /// Parameter along the ray, 0 or more, finite.
     pub t: f32,
     /// The body's place in the stage.
@@ -37,11 +37,11 @@ pub struct Hit {
 
 /// Where rays meet bodies.
 #[derive(Clone, Copy)]
-pub(crate) struct Hits<W: Width> {
+pub(crate) struct PacketHits<W: Width> {
     pub t: W::R,
     pub body: W::W,
     pub leaving: W::M,
-    /// The face of the body's [`Span`](crate::shape::Span).
+    /// The face of the body's [`ShapeSpan`](crate::shape::Span).
     pub face: W::R,
     /// The rays that meet one at all.
     pub hit: W::M,
@@ -50,7 +50,7 @@ pub(crate) struct Hits<W: Width> {
 }
 
 /// What the rays know about a body before it is tested.
-struct Relation<M> {
+struct RayBodyLanes<M> {
     /// Those that may meet it: they have not just left this convex body.
     lanes: M,
     /// Those that are inside: they meet the far side only.
@@ -58,7 +58,7 @@ struct Relation<M> {
 }
 
 /// Where rays meet a body first.
-struct Meeting<W: Width> {
+struct BodyIntersection<W: Width> {
     /// Those that enter it, and where.
     entering: W::M,
     enter: W::R,
@@ -72,20 +72,20 @@ struct Meeting<W: Width> {
 
 /// Rays in flight.
 #[derive(Clone, Copy)]
-pub(crate) struct Flight<'a, W: Width> {
+pub(crate) struct RayQuery<'a, W: Width> {
     w: W,
-    stage: &'a Stage,
+    stage: &'a RenderScene,
     origin: Vector<W::R>,
     direction: Vector<W::R>,
     /// The bodies that they start from, with [`INWARDS`].
     start: W::W,
     /// Those that fly.
     lanes: W::M,
-    inside: &'a Inside,
-    along: Along<'a>,
+    inside: &'a BodyMembership,
+    along: Candidates<'a>,
 }
 
-impl<W: Width> Hits<W> {
+impl<W: Width> PacketHits<W> {
     /// None at all.
     #[inline(always)]
     pub(crate) fn none(w: W) -> Self {
@@ -95,7 +95,7 @@ impl<W: Width> Hits<W> {
 
     /// The first hits of these rays, of bodies that they meet where others are the first in the scene.
     #[inline(always)]
-    pub(crate) fn settled(self, w: W, stage: &Stage, rays: &Rays<W>, inside: &Inside) -> Self {
+    pub(crate) fn settled(self, w: W, stage: &RenderScene, rays: &RayPacket<W>, inside: &BodyMembership) -> Self {
         // Number by number: masks that were just written are slow to read as parts of a whole.
         let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
         if contested.any() {
@@ -106,15 +106,15 @@ impl<W: Width> Hits<W> {
     }
 }
 
-impl<'a, W: Width> Flight<'a, W> {
+impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     pub(crate) fn new(
         w: W,
-        stage: &'a Stage,
-        rays: &Rays<W>,
+        stage: &'a RenderScene,
+        rays: &RayPacket<W>,
         lanes: W::M,
-        inside: &'a Inside,
-        along: Along<'a>,
+        inside: &'a BodyMembership,
+        along: Candidates<'a>,
     ) -> Self {
         Self {
             w,
@@ -135,13 +135,13 @@ impl<'a, W: Width> Flight<'a, W> {
     }
 
     #[inline(always)]
-    fn relation(&self, index: u32, body: &StageBody, lanes: W::M) -> Relation<W::M> {
+    fn relation(&self, index: u32, body: &RenderBody, lanes: W::M) -> RayBodyLanes<W::M> {
         let leaves = self.leaves(index);
         let mut inside = self.start.is(index | INWARDS);
         if body.is_transparent() && !self.inside.is_empty() {
             inside = inside | (self.w.mask(self.inside.of(index)) & !leaves);
         }
-        Relation { lanes: lanes & !leaves, inside }
+        RayBodyLanes { lanes: lanes & !leaves, inside }
     }
 
     /// The rays that have just left this body: they meet it no more.
@@ -152,13 +152,13 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// The nearest body that each ray meets.
     #[inline(always)]
-    pub(crate) fn nearest(&self, parts: &mut Pending) -> Hits<W> {
+    pub(crate) fn nearest(&self, parts: &mut TraversalStack) -> PacketHits<W> {
         self.nearest_unsettled(parts).settled(self.w, self.stage, &self.rays(), self.inside)
     }
 
     /// The nearest body that each ray meets, hits to be [settled](Hits::settled) among them.
     #[inline(always)]
-    pub(crate) fn nearest_unsettled(&self, parts: &mut Pending) -> Hits<W> {
+    pub(crate) fn nearest_unsettled(&self, parts: &mut TraversalStack) -> PacketHits<W> {
         match self.hierarchy() {
             Some(bvh) => nearest_of_many(*self, bvh, parts),
             None => self.nearest_by(
@@ -170,29 +170,29 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// The nearest body that each ray meets, of planes and the bounded bodies that `visit` shows.
     #[inline(always)]
-    fn nearest_by(&self, visit: impl FnOnce(&mut ForNearest<'_, 'a, W>)) -> Hits<W> {
-        let mut best = Best::new(self.w, self.stage, self.start_slack());
-        visit(&mut ForNearest(self, &mut best));
-        self.visit_planes(&mut ForNearest(self, &mut best));
+    fn nearest_by(&self, visit: impl FnOnce(&mut ClosestHitVisitor<'_, 'a, W>)) -> PacketHits<W> {
+        let mut best = ClosestHits::new(self.w, self.stage, self.start_slack());
+        visit(&mut ClosestHitVisitor(self, &mut best));
+        self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
         best.first(self.w, self.stage, self.lanes)
     }
 
-    fn rays(&self) -> Rays<W> {
-        Rays { origin: self.origin, direction: self.direction, start: self.start }
+    fn rays(&self) -> RayPacket<W> {
+        RayPacket { origin: self.origin, direction: self.direction, start: self.start }
     }
 
     /// The boxes in which bodies are looked for, if they are.
     #[inline(always)]
     fn hierarchy(&self) -> Option<&'a Bvh> {
         match &self.stage.hierarchy {
-            Hierarchy::Many(bvh) if W::USES_HIERARCHY => Some(bvh),
-            Hierarchy::Few | Hierarchy::Many(_) => None,
+            Accelerator::Many(bvh) if W::USES_HIERARCHY => Some(bvh),
+            Accelerator::Few | Accelerator::Many(_) => None,
         }
     }
 
     /// Shows `visitor` the bounded bodies that some of the rays may meet.
     #[inline(always)]
-    fn visit(&self, parts: &mut Pending, visitor: &mut impl Visit<W>) {
+    fn visit(&self, parts: &mut TraversalStack, visitor: &mut impl BodyVisitor<W>) {
         match self.hierarchy() {
             Some(bvh) => self.visit_many(bvh, parts, visitor),
             None => self.visit_few(visitor),
@@ -200,29 +200,29 @@ impl<'a, W: Width> Flight<'a, W> {
     }
 
     #[inline(always)]
-    fn visit_many(&self, bvh: &Bvh, parts: &mut Pending, visitor: &mut impl Visit<W>) {
+    fn visit_many(&self, bvh: &Bvh, parts: &mut TraversalStack, visitor: &mut impl BodyVisitor<W>) {
         let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-        bvh.traverse_packet(self.w, &boxes, parts, &mut OfLeaves { flight: self, visitor });
+        bvh.traverse_packet(self.w, &boxes, parts, &mut SphereCull { flight: self, visitor });
     }
 
     #[inline(always)]
-    fn visit_few(&self, visitor: &mut impl Visit<W>) {
+    fn visit_few(&self, visitor: &mut impl BodyVisitor<W>) {
         match self.along {
-            Along::Seen(sights) => self.visit_seen(&sights.bodies, visitor),
-            Along::Anything => self.visit_all(visitor),
+            Candidates::Seen(sights) => self.visit_seen(&sights.bodies, visitor),
+            Candidates::Anything => self.visit_all(visitor),
         }
     }
 
     /// Shows `visitor` the planes that some of the rays may meet.
     #[inline(always)]
-    fn visit_planes(&self, visitor: &mut impl Visit<W>) {
+    fn visit_planes(&self, visitor: &mut impl BodyVisitor<W>) {
         match self.along {
-            Along::Seen(Sights { planes, .. }) => {
+            Candidates::Seen(VisibleBodies { planes, .. }) => {
                 for &index in planes {
                     visitor.leaf(index..index + 1, self.lanes);
                 }
             }
-            Along::Anything => {
+            Candidates::Anything => {
                 if !self.stage.planes().is_empty() {
                     visitor.leaf(self.stage.planes(), self.lanes);
                 }
@@ -234,7 +234,7 @@ impl<'a, W: Width> Flight<'a, W> {
     const ONE_BY_ONE: usize = 10;
 
     #[inline(always)]
-    fn visit_all(&self, visitor: &mut impl Visit<W>) {
+    fn visit_all(&self, visitor: &mut impl BodyVisitor<W>) {
         let spheres = &self.stage.spheres;
         if spheres.len() > Self::ONE_BY_ONE {
             return self.visit_tested(
@@ -260,7 +260,7 @@ impl<'a, W: Width> Flight<'a, W> {
     }
 
     #[inline(always)]
-    fn visit_seen(&self, sights: &[Sight], visitor: &mut impl Visit<W>) {
+    fn visit_seen(&self, sights: &[BoundingCone], visitor: &mut impl BodyVisitor<W>) {
         if sights.len() > Self::ONE_BY_ONE {
             return self.visit_tested(
                 sights,
@@ -285,7 +285,7 @@ impl<'a, W: Width> Flight<'a, W> {
     fn visit_tested<T>(
         &self,
         bodies: &[T],
-        visitor: &mut impl Visit<W>,
+        visitor: &mut impl BodyVisitor<W>,
         is_met: impl Fn(&T, W::R) -> W::M,
         index: impl Fn(&T, usize) -> u32,
     ) {
@@ -310,13 +310,13 @@ impl<'a, W: Width> Flight<'a, W> {
     }
 
     /// The first meeting of one ray with every body that it meets, in no particular order.
-    pub(crate) fn each(&self, parts: &mut Pending, mut found: impl FnMut(Hit)) {
+    pub(crate) fn each(&self, parts: &mut TraversalStack, mut found: impl FnMut(HitRecord)) {
         let mut test = |index: u32| {
-            let mut best = Best::new(self.w, self.stage, self.start_slack());
+            let mut best = ClosestHits::new(self.w, self.stage, self.start_slack());
             self.test(index, self.stage.body(index), self.lanes, &mut best);
             found_in(&best.first(self.w, self.stage, self.lanes)).into_iter().for_each(&mut found);
         };
-        self.visit(parts, &mut ForEach(self.w, &mut test));
+        self.visit(parts, &mut AllHitsVisitor(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
     }
 
@@ -329,13 +329,13 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// Where rays meet a body first, if they may at all.
     #[inline(always)]
-    fn meets(&self, index: u32, body: &StageBody, lanes: W::M) -> Option<Meeting<W>> {
-        let Relation { lanes, inside } = self.relation(index, body, lanes);
+    fn meets(&self, index: u32, body: &RenderBody, lanes: W::M) -> Option<BodyIntersection<W>> {
+        let RayBodyLanes { lanes, inside } = self.relation(index, body, lanes);
         if lanes.any() { self.meeting((index, body), lanes, inside) } else { None }
     }
 
     #[inline(always)]
-    fn test(&self, index: u32, body: &StageBody, lanes: W::M, best: &mut Best<W>) {
+    fn test(&self, index: u32, body: &RenderBody, lanes: W::M, best: &mut ClosestHits<W>) {
         let Some(meeting) = self.meets(index, body, lanes) else { return };
         if meeting.entering.any() {
             best.enter(self.w, index, &meeting);
@@ -347,7 +347,7 @@ impl<'a, W: Width> Flight<'a, W> {
 
     /// Where rays meet a body first, if any do.
     #[inline(always)]
-    fn meeting(&self, body: (u32, &StageBody), lanes: W::M, inside: W::M) -> Option<Meeting<W>> {
+    fn meeting(&self, body: (u32, &RenderBody), lanes: W::M, inside: W::M) -> Option<BodyIntersection<W>> {
         let span = self.stage.span(self.w, body, self.origin, self.direction);
         if !(lanes & (inside | span.hit)).any() {
             return None;
@@ -355,7 +355,7 @@ impl<'a, W: Width> Flight<'a, W> {
         let zero = self.w.real(0.0);
         let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
         let enters = span.enter.gt(zero);
-        let mut meeting = Meeting {
+        let mut meeting = BodyIntersection {
             entering: ahead & enters,
             enter: span.enter,
             enter_face: span.enter_face,
@@ -384,7 +384,7 @@ impl<'a, W: Width> Flight<'a, W> {
 /// The nearest body that each ray meets, of many. In a function of its own: the numbers of the loop over a few bodies stay
 /// in registers only where nothing is given their address.
 #[inline(never)]
-fn nearest_of_many<W: Width>(flight: Flight<'_, W>, bvh: &Bvh, parts: &mut Pending) -> Hits<W> {
+fn nearest_of_many<W: Width>(flight: RayQuery<'_, W>, bvh: &Bvh, parts: &mut TraversalStack) -> PacketHits<W> {
     flight.w.run(
         #[inline(always)]
         || {
@@ -408,11 +408,11 @@ fn nearest_of_many<W: Width>(flight: Flight<'_, W>, bvh: &Bvh, parts: &mut Pendi
 #[inline(never)]
 fn start_within<W: Width>(
     w: W,
-    (stage, body): (&Stage, u32),
+    (stage, body): (&RenderScene, u32),
     (origin, direction): (Vector<W::R>, Vector<W::R>),
     start_slack: W::R,
     within: W::M,
-) -> StartWithin<W::M> {
+) -> OriginSide<W::M> {
     w.run(
         #[inline(always)]
         || {
@@ -422,18 +422,18 @@ fn start_within<W: Width>(
             let before_exit = span.exit * at_exit;
             let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
             let inside = within & !at_entry & !before_exit.le(slack);
-            StartWithin { at_entry, inside }
+            OriginSide { at_entry, inside }
         },
     )
 }
 
 /// Shows a visitor those bodies of leaves of whose spheres rays come near.
-struct OfLeaves<'f, 'a, W: Width, V> {
-    flight: &'f Flight<'a, W>,
+struct SphereCull<'f, 'a, W: Width, V> {
+    flight: &'f RayQuery<'a, W>,
     visitor: &'f mut V,
 }
 
-impl<W: Width, V: Visit<W>> Visit<W> for OfLeaves<'_, '_, W, V> {
+impl<W: Width, V: BodyVisitor<W>> BodyVisitor<W> for SphereCull<'_, '_, W, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
@@ -453,9 +453,9 @@ impl<W: Width, V: Visit<W>> Visit<W> for OfLeaves<'_, '_, W, V> {
 }
 
 /// Looks for the nearest bodies.
-struct ForNearest<'f, 'a, W: Width>(&'f Flight<'a, W>, &'f mut Best<W>);
+struct ClosestHitVisitor<'f, 'a, W: Width>(&'f RayQuery<'a, W>, &'f mut ClosestHits<W>);
 
-impl<W: Width> Visit<W> for ForNearest<'_, '_, W> {
+impl<W: Width> BodyVisitor<W> for ClosestHitVisitor<'_, '_, W> {
     const NEAREST_FIRST: bool = true;
 
     #[inline(always)]
@@ -472,9 +472,9 @@ impl<W: Width> Visit<W> for ForNearest<'_, '_, W> {
 }
 
 /// Looks for all bodies.
-struct ForEach<'f, W, F>(W, &'f mut F);
+struct AllHitsVisitor<'f, W, F>(W, &'f mut F);
 
-impl<W: Width, F: FnMut(u32)> Visit<W> for ForEach<'_, W, F> {
+impl<W: Width, F: FnMut(u32)> BodyVisitor<W> for AllHitsVisitor<'_, W, F> {
     const NEAREST_FIRST: bool = false;
 
     fn reach(&self) -> W::R {
@@ -486,8 +486,8 @@ impl<W: Width, F: FnMut(u32)> Visit<W> for ForEach<'_, W, F> {
     }
 }
 
-/// See [`Flight::start_within`].
-struct StartWithin<M> {
+/// See [`RayQuery::start_within`].
+struct OriginSide<M> {
     /// Those that meet the surface at once, on the way in.
     at_entry: M,
     /// Those that are inside indeed.
@@ -495,10 +495,10 @@ struct StartWithin<M> {
 }
 
 /// The hit of one ray.
-pub(crate) fn found_in<W: Width>(hits: &Hits<W>) -> Option<Hit> {
+pub(crate) fn found_in<W: Width>(hits: &PacketHits<W>) -> Option<HitRecord> {
     let (mut t, mut body) = ([0.0; MOST_LANES], [0; MOST_LANES]);
     hits.t.store(&mut t);
     hits.body.store(&mut body);
     let is_hit = hits.hit.bits() & 1 == 1 && t[0] < f32::INFINITY;
-    is_hit.then(|| Hit { t: t[0], body: body[0], leaving: hits.leaving.bits() & 1 == 1 })
+    is_hit.then(|| HitRecord { t: t[0], body: body[0], leaving: hits.leaving.bits() & 1 == 1 })
 }

@@ -2,7 +2,7 @@
 //!
 //! Sizes are part of the transform, so that each shape has one standard form of extent about 1, whatever the body's
 //! size: the unit ball, the cube [-1, 1]³, the cylinder and the frustum of base radius 1 with 0 ≤ y ≤ 1, the
-//! half-space y ≤ 0. All are convex: a line meets them in one [`Span`] or not at all.
+//! half-space y ≤ 0. All are convex: a line meets them in one [`ShapeSpan`] or not at all.
 
 mod cone;
 mod cube;
@@ -34,34 +34,34 @@ pub enum ShapeKind {
 
 /// A part of a shape's surface with one formula for its normal: a small whole number, kept as a [`Float`] since rays side
 /// by side may meet different faces.
-pub type Face = f32;
+pub type FaceId = f32;
 
 /// The curved part of a cylinder or cone, and the only face of spheres and planes.
-pub const SIDE: Face = 0.0;
+pub const SIDE: FaceId = 0.0;
 /// The lower cap of a cylinder or cone.
-pub const LOWER_CAP: Face = 1.0;
+pub const LOWER_CAP: FaceId = 1.0;
 /// The upper cap of a cylinder or frustum.
-pub const UPPER_CAP: Face = 2.0;
+pub const UPPER_CAP: FaceId = 2.0;
 
 /// Where a line enters and leaves a convex shape.
 ///
 /// When the line misses, `exit` is still the best parameter for a ray that is known to start inside: near a tangent,
 /// rounding can make a chord of length almost zero look like a miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span<R: Float = f32> {
+pub struct ShapeSpan<R: Float = f32> {
     /// Parameter at which the line enters; may be negative or -∞.
     pub enter: R,
     /// Parameter at which it leaves; may be +∞.
     pub exit: R,
-    /// [`Face`] crossed at `enter`.
+    /// [`FaceId`] crossed at `enter`.
     pub enter_face: R,
-    /// [`Face`] crossed at `exit`.
+    /// [`FaceId`] crossed at `exit`.
     pub exit_face: R,
     /// Whether the line meets the shape. False whenever a number is NaN.
     pub hit: R::Mask,
 }
 
-impl<R: Float> Span<R> {
+impl<R: Float> ShapeSpan<R> {
     /// The chord of a circle or ball of the squared radius `radius_squared`: `closest` is the parameter of the line's
     /// closest approach to the center, where it is √`offset_squared` away from it, and `inverse_dd` the inverse square
     /// of the direction's length.
@@ -98,25 +98,25 @@ impl<R: Float> Span<R> {
 
 /// A canonical shape with the one parameter that a transform cannot express, in the precision of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Canonical<T = f32> {
+pub struct CanonicalShape<T = f32> {
     /// Which shape.
     pub kind: ShapeKind,
     /// Ratio k of top to base radius, 0 to 1; cones only.
     pub cone_ratio: T,
 }
 
-impl Canonical {
+impl CanonicalShape {
     /// The shape for numbers side by side.
     #[inline(always)]
-    pub(crate) fn like<R: Float>(&self, number: R) -> Canonical<R> {
-        Canonical { kind: self.kind, cone_ratio: number.like(self.cone_ratio) }
+    pub(crate) fn like<R: Float>(&self, number: R) -> CanonicalShape<R> {
+        CanonicalShape { kind: self.kind, cone_ratio: number.like(self.cone_ratio) }
     }
 }
 
-impl<R: Float> Canonical<R> {
+impl<R: Float> CanonicalShape<R> {
     /// Where the line `origin + t·direction` (in the shape's frame, direction of any length) crosses the shape.
     #[inline(always)]
-    pub fn span(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    pub fn span(&self, origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => sphere::span(origin, direction),
             ShapeKind::Cube => cube::span(origin, direction),

@@ -32,63 +32,63 @@ use catoptric_scene::{Camera, Color, Scene, Tracing};
 use glam::{DVec3, Vec3, Vec3A};
 use rayon::prelude::*;
 
-use crate::lanes::{Lanes, One, Width};
+use crate::lanes::{SimdLevel, ScalarWidth, Width};
 use crate::ray::Ray;
-use crate::shape::Span;
+use crate::shape::ShapeSpan;
 use crate::vector::Vector;
 
-pub(crate) use body::{StageBody, SurfacePoint};
+pub(crate) use body::{RenderBody, SurfacePoint};
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::{
-    Bvh, Entry, Node, Pending, Row, STREAM, StreamParts, StreamRays, TINY as BOX_TINY, Visit, VisitStream,
+    Bvh, BuildEntry, BvhNode, TraversalStack, StreamRow, STREAM, StreamTraversalStack, StreamRayRows, TINY as BOX_TINY, BodyVisitor, StreamVisitor,
     WIDEN as BOX_WIDEN, vector_at,
 };
-pub use camera::StageCamera;
-use camera::Surroundings;
-pub(crate) use camera::{Homogeneous, RaysNear};
-use cast::Cast;
-pub(crate) use checker::StageChecker;
-pub(crate) use curve::{Curve, STEPS as CURVE_STEPS};
-use double::{DoubleBodies, DoubleBody};
-pub use edit::StageEdit;
-pub(crate) use floor::Floors;
-pub(crate) use image::StageImage;
-pub(crate) use light::{StageFalloff, StageLight};
+pub use camera::RenderCamera;
+use camera::SceneExtent;
+pub(crate) use camera::{HomogeneousPoint, CameraRays};
+use cast::BodyBuild;
+pub(crate) use checker::CheckerTexture;
+pub(crate) use curve::{ConductorTable, STEPS as CURVE_STEPS};
+use double::{Bodies64, Body64};
+pub use edit::SceneEdit;
+pub(crate) use floor::FloorCandidates;
+pub(crate) use image::ImageLookup;
+pub(crate) use light::{LightFalloff, RenderLight};
 use log::EditLog;
-pub use log::StageChanges;
-pub(crate) use material::{Law, StageMaterial};
-pub(crate) use outlook::Outlook;
-pub(crate) use sight::{Sight, Sights};
-pub(crate) use sky::StageSky;
+pub use log::SceneChanges;
+pub(crate) use material::{MaterialModel, RenderMaterial};
+pub(crate) use outlook::ShadowCandidates;
+pub(crate) use sight::{BoundingCone, VisibleBodies};
+pub(crate) use sky::EnvironmentLight;
 use space::RenderSpace;
 pub(crate) use sphere::BoundingSphere;
-pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, Texture};
+pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, ImageTexture};
 
 /// A scene prepared for tracing, shared by reference between threads.
 ///
 /// Bodies stand in the order of the bounding volume hierarchy's leaves, the unbounded ones last. What
 /// the search reads is plain single-precision data.
 #[derive(Clone, Debug)]
-pub struct Stage {
-    pub(crate) bodies: Vec<StageBody>,
+pub struct RenderScene {
+    pub(crate) bodies: Vec<RenderBody>,
     /// The place in [`Scene::bodies`] of each body of the stage.
     pub(crate) scene_indices: Vec<u32>,
     /// How many of the bodies are bounded; planes follow them.
     pub(crate) bounded: u32,
-    pub(crate) hierarchy: Hierarchy,
+    pub(crate) hierarchy: Accelerator,
     /// Around each bounded body.
     pub(crate) spheres: Vec<BoundingSphere>,
     /// The exact numbers of bodies that do not fit single precision.
-    doubles: Arc<DoubleBodies>,
+    doubles: Arc<Bodies64>,
     pub(crate) space: RenderSpace,
     /// The largest extent of the bodies in single precision, meters.
     largest_extent: f64,
     // Shared with the stages of some of the bodies.
-    pub(crate) materials: Arc<Vec<StageMaterial>>,
-    pub(crate) checkers: Arc<Vec<StageChecker>>,
-    pub(crate) lights: Arc<[StageLight]>,
-    pub(crate) camera: StageCamera,
-    pub(crate) sky: StageSky,
+    pub(crate) materials: Arc<Vec<RenderMaterial>>,
+    pub(crate) checkers: Arc<Vec<CheckerTexture>>,
+    pub(crate) lights: Arc<[RenderLight]>,
+    pub(crate) camera: RenderCamera,
+    pub(crate) sky: EnvironmentLight,
     pub(crate) ambient: [f32; 3],
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
@@ -100,12 +100,12 @@ pub struct Stage {
     pub(crate) absorbs: bool,
     /// Whether some body splits light into its colors.
     pub(crate) disperses: bool,
-    /// The largest [`StageBody::slack`], or more after an edit.
+    /// The largest [`RenderBody::slack`], or more after an edit.
     pub(crate) largest_slack: f32,
     /// How many rays are traced side by side: kept, since asking the processor can take longer than a tile.
-    pub(crate) lanes: Lanes,
+    pub(crate) lanes: SimdLevel,
     /// See [`Self::outlook`].
-    outlook: OnceLock<Outlook>,
+    outlook: OnceLock<ShadowCandidates>,
     /// Materials and checkers that edits have added.
     added: u32,
     /// What edits have changed of the bodies and the hierarchy.
@@ -114,7 +114,7 @@ pub struct Stage {
 
 /// How the bodies that a ray may meet are found among the bounded ones.
 #[derive(Clone, Debug)]
-pub(crate) enum Hierarchy {
+pub(crate) enum Accelerator {
     /// They are few: the sphere around each is tested.
     Few,
     Many(Bvh),
@@ -122,7 +122,7 @@ pub(crate) enum Hierarchy {
 
 /// Which of the bodies a ray is tested against. The picture does not depend on it, but the time does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Search {
+pub enum AcceleratorChoice {
     /// What is quickest for the number of bodies: one by one when they are few, else through a hierarchy of bounding
     /// boxes. The default.
     #[default]
@@ -131,11 +131,11 @@ pub enum Search {
     OneByOne,
 }
 
-impl Hierarchy {
+impl Accelerator {
     /// The hierarchy over these entries of bodies, which are put into its order.
-    fn over(entries: &mut [Entry], search: Search) -> Self {
-        if entries.len() <= Stage::FEW || search == Search::OneByOne {
-            entries.sort_by_key(Entry::leaf_key);
+    fn over(entries: &mut [BuildEntry], search: AcceleratorChoice) -> Self {
+        if entries.len() <= RenderScene::FEW || search == AcceleratorChoice::OneByOne {
+            entries.sort_by_key(BuildEntry::leaf_key);
             Self::Few
         } else {
             Self::Many(Bvh::build(entries))
@@ -143,7 +143,7 @@ impl Hierarchy {
     }
 
     /// The box of all its entries, which are these.
-    fn bounds(&self, entries: &[Entry]) -> Bounds {
+    fn bounds(&self, entries: &[BuildEntry]) -> Bounds {
         match self {
             Self::Few => entries.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.bounds())),
             Self::Many(bvh) => bvh.bounds(),
@@ -153,7 +153,7 @@ impl Hierarchy {
 
 /// Why a scene cannot be prepared.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum StageError {
+pub enum SceneBuildError {
     /// A body names a material that the scene does not define.
     #[error("body {body}: the material \"{material}\" is not defined")]
     UndefinedMaterial {
@@ -163,7 +163,7 @@ pub enum StageError {
         material: String,
     },
     /// More bodies than the stage can number.
-    #[error("{0} bodies are too many: at most {limit} can be traced", limit = Stage::MAX_BODIES)]
+    #[error("{0} bodies are too many: at most {limit} can be traced", limit = RenderScene::MAX_BODIES)]
     TooManyBodies(usize),
 }
 
@@ -171,15 +171,15 @@ pub enum StageError {
 /// within a plane.
 fn bounds_of_free_ways<'b>(
     bounds: Bounds,
-    mut planes: impl Iterator<Item = &'b StageBody>,
-    materials: &[StageMaterial],
+    mut planes: impl Iterator<Item = &'b RenderBody>,
+    materials: &[RenderMaterial],
 ) -> Bounds {
     let absorbs =
-        |body: &StageBody| materials.get(body.material as usize).is_some_and(StageMaterial::absorbs);
+        |body: &RenderBody| materials.get(body.material as usize).is_some_and(RenderMaterial::absorbs);
     if planes.any(absorbs) { Bounds::EMPTY } else { bounds }
 }
 
-impl Stage {
+impl RenderScene {
     /// The largest number of bodies.
     pub const MAX_BODIES: usize = 1 << 30;
 
@@ -190,15 +190,15 @@ impl Stage {
     ///
     /// # Errors
     /// When a body that is not hidden names an undefined material, or there are too many bodies.
-    pub fn prepare(scene: &Scene) -> Result<Self, StageError> {
-        Self::prepare_for(scene, Search::Quickest)
+    pub fn prepare(scene: &Scene) -> Result<Self, SceneBuildError> {
+        Self::prepare_for(scene, AcceleratorChoice::Quickest)
     }
 
     /// Prepares `scene` with a choice of how bodies are found, for measuring what it is worth.
     ///
     /// # Errors
     /// As for [`Self::prepare`].
-    pub fn prepare_for(scene: &Scene, search: Search) -> Result<Self, StageError> {
+    pub fn prepare_for(scene: &Scene, search: AcceleratorChoice) -> Result<Self, SceneBuildError> {
         Self::prepare_seen(scene, &scene.camera, search)
     }
 
@@ -208,46 +208,46 @@ impl Stage {
     ///
     /// # Errors
     /// As for [`Self::prepare`].
-    pub fn prepare_seen(scene: &Scene, camera: &Camera, search: Search) -> Result<Self, StageError> {
+    pub fn prepare_seen(scene: &Scene, camera: &Camera, search: AcceleratorChoice) -> Result<Self, SceneBuildError> {
         if scene.bodies.len() > Self::MAX_BODIES {
-            return Err(StageError::TooManyBodies(scene.bodies.len()));
+            return Err(SceneBuildError::TooManyBodies(scene.bodies.len()));
         }
         let space = RenderSpace::of(scene, camera);
-        let Cast { mut entries, planes, chunks, materials, checkers, doubles } = Cast::of(scene, &space)?;
-        let hierarchy = Hierarchy::over(&mut entries, search);
+        let BodyBuild { mut entries, planes, chunks, materials, checkers, doubles } = BodyBuild::of(scene, &space)?;
+        let hierarchy = Accelerator::over(&mut entries, search);
         let bounds = hierarchy.bounds(&entries);
         let scene_indices: Vec<u32> =
-            entries.par_iter().map(Entry::place).chain(planes.par_iter().copied()).collect();
+            entries.par_iter().map(BuildEntry::place).chain(planes.par_iter().copied()).collect();
         let bounded = entries.len() as u32;
         drop(entries);
-        let bodies: Vec<StageBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
-        let surroundings = Surroundings::new(
+        let bodies: Vec<RenderBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
+        let surroundings = SceneExtent::new(
             bounds_of_free_ways(bounds, bodies.iter().skip(bounded as usize), &materials),
             planes.iter().map(|&index| &scene.bodies[index as usize]),
             &space,
         );
         let Tracing { generations, threshold } = scene.tracing;
-        let sky = StageSky::new(&scene.environment);
+        let sky = EnvironmentLight::new(&scene.environment);
         let lanes = match &hierarchy {
-            _ if !doubles.is_empty() => Lanes::with_doubles(),
-            Hierarchy::Few => Lanes::for_few(),
-            Hierarchy::Many(_) => Lanes::widest(),
+            _ if !doubles.is_empty() => SimdLevel::with_doubles(),
+            Accelerator::Few => SimdLevel::for_few(),
+            Accelerator::Many(_) => SimdLevel::widest(),
         };
         let stage = Self {
             bounded,
             hierarchy,
-            spheres: bodies[..bounded as usize].par_iter().map(StageBody::bounding_sphere).collect(),
+            spheres: bodies[..bounded as usize].par_iter().map(RenderBody::bounding_sphere).collect(),
             largest_slack: bodies.par_iter().map(|body| body.slack).reduce(|| 0.0, f32::max),
-            largest_extent: bodies.par_iter().map(StageBody::extent).reduce(|| 0.0, f64::max),
-            doubles: Arc::new(DoubleBodies::new(doubles)),
+            largest_extent: bodies.par_iter().map(RenderBody::extent).reduce(|| 0.0, f64::max),
+            doubles: Arc::new(Bodies64::new(doubles)),
             space,
             bodies,
             scene_indices,
-            has_transparency: materials.iter().any(StageMaterial::is_transparent),
-            is_full: materials.iter().any(StageMaterial::is_full)
+            has_transparency: materials.iter().any(RenderMaterial::is_transparent),
+            is_full: materials.iter().any(RenderMaterial::is_full)
                 || scene.lights.iter().any(|light| light.radius > 0.0)
                 || sky.is_full(),
-            absorbs: materials.iter().any(StageMaterial::absorbs),
+            absorbs: materials.iter().any(RenderMaterial::absorbs),
             disperses: materials.iter().any(|material| material.dispersion.is_some()),
             materials: materials.into(),
             checkers: checkers.into(),
@@ -255,9 +255,9 @@ impl Stage {
                 .lights
                 .iter()
                 .filter(|light| !light.hidden)
-                .map(|light| StageLight::new(light, &space))
+                .map(|light| RenderLight::new(light, &space))
                 .collect(),
-            camera: StageCamera::new(&scene.camera, surroundings, space.origin),
+            camera: RenderCamera::new(&scene.camera, surroundings, space.origin),
             sky,
             ambient: numbers(scene.environment.ambient),
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
@@ -311,12 +311,12 @@ impl Stage {
     }
 
     /// The camera.
-    pub fn camera(&self) -> &StageCamera {
+    pub fn camera(&self) -> &RenderCamera {
         &self.camera
     }
 
     /// The same stage seen by another camera; nothing is prepared again.
-    pub fn camera_for(&self, camera: &Camera) -> StageCamera {
+    pub fn camera_for(&self, camera: &Camera) -> RenderCamera {
         self.camera.replaced_by(camera)
     }
 
@@ -365,7 +365,7 @@ impl Stage {
     }
 
     /// What has changed of the bodies and the hierarchy since a [state](Self::state); `None` if that is not known.
-    pub fn changes_since(&self, state: u64) -> Option<StageChanges> {
+    pub fn changes_since(&self, state: u64) -> Option<SceneChanges> {
         self.log.since(state)
     }
 
@@ -378,14 +378,14 @@ impl Stage {
             + size_of_val(&*self.checkers)
             + size_of_val(&*self.lights)
             + match &self.hierarchy {
-                Hierarchy::Few => 0,
-                Hierarchy::Many(bvh) => bvh.bytes(),
+                Accelerator::Few => 0,
+                Accelerator::Many(bvh) => bvh.bytes(),
             }
     }
 
     /// What rays may meet that go to lights, and those inside of bodies; found out once.
-    pub(crate) fn outlook(&self) -> &Outlook {
-        self.outlook.get_or_init(|| Outlook::of(self))
+    pub(crate) fn outlook(&self) -> &ShadowCandidates {
+        self.outlook.get_or_init(|| ShadowCandidates::of(self))
     }
 
     /// The unbounded bodies.
@@ -393,7 +393,7 @@ impl Stage {
         self.bounded..self.bodies.len() as u32
     }
 
-    pub(crate) fn body(&self, index: u32) -> &StageBody {
+    pub(crate) fn body(&self, index: u32) -> &RenderBody {
         &self.bodies[index as usize]
     }
 
@@ -403,7 +403,7 @@ impl Stage {
     }
 
     /// The body at this place in double precision, if it is.
-    fn double(&self, index: u32) -> Option<&DoubleBody> {
+    fn double(&self, index: u32) -> Option<&Body64> {
         self.doubles.get(*self.scene_indices.get(index as usize)?)
     }
 
@@ -412,10 +412,10 @@ impl Stage {
     pub(crate) fn span<W: Width>(
         &self,
         w: W,
-        (index, body): (u32, &StageBody),
+        (index, body): (u32, &RenderBody),
         origin: Vector<W::R>,
         direction: Vector<W::R>,
-    ) -> Span<W::R> {
+    ) -> ShapeSpan<W::R> {
         if W::TESTS_DOUBLES
             && body.is_double()
             && let Some(double) = self.double(index)
@@ -425,12 +425,12 @@ impl Stage {
         body.span(origin, direction)
     }
 
-    /// Where such lines cross a face of a body at `t`, as [`StageBody::point_on_face`].
+    /// Where such lines cross a face of a body at `t`, as [`RenderBody::point_on_face`].
     #[inline(always)]
     pub(crate) fn point_on_face<W: Width>(
         &self,
         w: W,
-        (index, body): (u32, &StageBody),
+        (index, body): (u32, &RenderBody),
         line: (Vector<W::R>, Vector<W::R>),
         t: W::R,
         leaving: W::M,
@@ -454,9 +454,9 @@ impl Stage {
         leaving: bool,
     ) -> SurfacePoint<f32> {
         let body = self.body(index);
-        let span = self.span(One, (index, body), origin, direction);
+        let span = self.span(ScalarWidth, (index, body), origin, direction);
         let face = if leaving { span.exit_face } else { span.enter_face };
-        self.point_on_face(One, (index, body), (origin, direction), t, leaving, face)
+        self.point_on_face(ScalarWidth, (index, body), (origin, direction), t, leaving, face)
     }
 
     /// Where lines cross a body, and |cos| of the angles between them and the normals where they enter and leave.
@@ -467,7 +467,7 @@ impl Stage {
         index: u32,
         origin: Vector<W::R>,
         direction: Vector<W::R>,
-    ) -> (Span<W::R>, [W::R; 2]) {
+    ) -> (ShapeSpan<W::R>, [W::R; 2]) {
         let body = self.body(index);
         if W::TESTS_DOUBLES
             && body.is_double()
@@ -505,7 +505,7 @@ impl Stage {
         );
     }
 
-    pub(crate) fn material(&self, body: &StageBody) -> &StageMaterial {
+    pub(crate) fn material(&self, body: &RenderBody) -> &RenderMaterial {
         &self.materials[body.material as usize]
     }
 }

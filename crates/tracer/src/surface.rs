@@ -1,6 +1,6 @@
 //! How a surface answers light: directions of reflected and refracted rays, and the local terms.
 
-use crate::lanes::{Mask as _, Real, Word as _};
+use crate::lanes::{Mask as _, Float32, Word as _};
 use crate::vector::Vector;
 
 /// No light that a surface sends on and no weight of a ray is more. Sums of products of both are finite, so that no
@@ -12,14 +12,14 @@ pub(crate) const MOST_OF_PIXEL: f32 = 1e36;
 
 /// The direction of the reflected ray, D - 2(n̂·D)n̂ (Whitted 1980), for a unit normal; of the same length as D.
 #[inline(always)]
-pub fn reflect<R: Real>(direction: Vector<R>, normal: Vector<R>) -> Vector<R> {
+pub fn reflect<R: Float32>(direction: Vector<R>, normal: Vector<R>) -> Vector<R> {
     direction.plus_times(normal, normal.dot(direction) * -2.0)
 }
 
 /// A vector whose length is 1 but for rounding, with that rounding mended: one step of Newton's iteration for 1/√(v·v)
 /// from 1, without root or division.
 #[inline(always)]
-pub(crate) fn mend_unit<R: Real>(vector: Vector<R>) -> Vector<R> {
+pub(crate) fn mend_unit<R: Float32>(vector: Vector<R>) -> Vector<R> {
     vector * line(vector.length_squared(), -0.5, 1.5)
 }
 
@@ -29,7 +29,7 @@ pub(crate) fn mend_unit<R: Real>(vector: Vector<R>) -> Vector<R> {
 /// `direction` and `normal` are unit vectors with the normal facing the ray; `ratio` is the index of the medium the ray
 /// comes from divided by that of the one it goes to. At equal indices the ray goes straight on.
 #[inline(always)]
-pub fn refract<R: Real>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (Vector<R>, R::Mask) {
+pub fn refract<R: Float32>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (Vector<R>, R::Mask) {
     let (zero, one) = (ratio.like(0.0), ratio.like(1.0));
     let is_straight = ratio.eq(one);
     let cos_in = -direction.dot(normal);
@@ -44,7 +44,7 @@ pub fn refract<R: Real>(direction: Vector<R>, normal: Vector<R>, ratio: R) -> (V
 ///
 /// `cos` is that of the angle of incidence, 0 to 1; `ratio` is the index before the boundary divided by that behind it.
 #[inline(always)]
-pub(crate) fn fresnel<R: Real>(cos: R, ratio: R) -> R {
+pub(crate) fn fresnel<R: Float32>(cos: R, ratio: R) -> R {
     let (zero, one) = (cos.like(0.0), cos.like(1.0));
     // 1 - ratio²·sin², without a difference of near numbers where the indices are nearly equal.
     let cos_out_squared = (one - ratio) * (one + ratio) + ratio * ratio * cos * cos;
@@ -61,7 +61,7 @@ pub(crate) fn fresnel<R: Real>(cos: R, ratio: R) -> R {
 /// The share (Ŝ·R̂)⁺ⁿ of Phong's highlight (Phong 1975), with R̂ the direction to the light mirrored about the normal
 /// and Ŝ the direction to the viewer. All are unit vectors.
 #[inline(always)]
-pub fn phong_highlight<R: Real>(
+pub fn phong_highlight<R: Float32>(
     to_viewer: Vector<R>,
     to_light: Vector<R>,
     normal: Vector<R>,
@@ -81,7 +81,7 @@ pub fn phong_highlight<R: Real>(
 
 /// Ŝ·R̂ of [`phong_highlight`].
 #[inline(always)]
-pub(crate) fn highlight_cosine<R: Real>(to_viewer: Vector<R>, to_light: Vector<R>, normal: Vector<R>) -> R {
+pub(crate) fn highlight_cosine<R: Float32>(to_viewer: Vector<R>, to_light: Vector<R>, normal: Vector<R>) -> R {
     // Ŝ·(2(n̂·L̂)n̂ - L̂), the parts of which do not wait for each other. Rounding may make the product of two unit vectors
     // more than 1, and a power of it much more.
     let cos = (normal.dot(to_light) * 2.0).times_plus(normal.dot(to_viewer), -to_light.dot(to_viewer));
@@ -93,13 +93,13 @@ pub(crate) fn highlight_cosine<R: Real>(to_viewer: Vector<R>, to_light: Vector<R
 ///
 /// The polynomials are those of `logf` and `expf` in the Cephes library (Moshier 1992).
 #[inline(always)]
-fn power<R: Real>(x: R, n: R) -> R {
+fn power<R: Float32>(x: R, n: R) -> R {
     exponential(logarithm(x) * n)
 }
 
 /// ln x for normal x > 0: x = 2ᵉ·m with √½ ≤ m < √2, and a polynomial in m - 1.
 #[inline(always)]
-fn logarithm<R: Real>(x: R) -> R {
+fn logarithm<R: Float32>(x: R) -> R {
     const SQRT_HALF: u32 = 0x3f35_04f3;
     const P: [f32; 9] = [
         7.037_683_6e-2,
@@ -134,13 +134,13 @@ fn logarithm<R: Real>(x: R) -> R {
 
 /// a·x + b.
 #[inline(always)]
-fn line<R: Real>(x: R, a: f32, b: f32) -> R {
+fn line<R: Float32>(x: R, a: f32, b: f32) -> R {
     x.times_plus(x.like(a), x.like(b))
 }
 
 /// eˣ for x ≤ 0, also for -∞: x = n·ln 2 + r with |r| ≤ ½·ln 2, and a polynomial in r.
 #[inline(always)]
-pub(crate) fn exponential<R: Real>(x: R) -> R {
+pub(crate) fn exponential<R: Float32>(x: R) -> R {
     const LEAST: f32 = -87.0;
     const ROUND: f32 = 12_582_912.0;
     const P: [f32; 6] = [1.987_569_1e-4, 1.398_199_9e-3, 8.333_452e-3, 4.166_579_6e-2, 1.666_666_5e-1, 0.5];

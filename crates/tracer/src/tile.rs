@@ -5,15 +5,15 @@ mod light;
 use glam::{DVec2, UVec2, Vec2};
 
 use crate::counts::RayCounts;
-use crate::lanes::{MOST_LANES, Mask as _, Width, Word as _, Work};
-use crate::render::Control;
+use crate::lanes::{MOST_LANES, Mask as _, Width, Word as _, SimdKernel};
+use crate::render::RenderControl;
 use crate::sampling::sample_offset;
 use crate::stage::ahead::fetch_all;
-use crate::stage::{RaysNear, STREAM, Stage, StageCamera};
+use crate::stage::{CameraRays, STREAM, RenderScene, RenderCamera};
 use crate::vector::Vector;
-use crate::whitted::{Beams, Dice, Followed, Offspring, Origin, Queue, Streams, Whitted};
+use crate::whitted::{PathState, Sampler, PacketRadiance, SecondaryRays, PacketSource, RayQueue, StreamShading, WhittedIntegrator};
 
-pub(crate) use light::TileLight;
+pub(crate) use light::TileRadiance;
 
 /// Edge of a tile, pixels: small enough to balance, large enough that rays of a tile meet the same bodies and that
 /// vectors of them are full.
@@ -28,7 +28,7 @@ const LEAST_GROUPS: usize = 40;
 
 /// Edge of the squares of a picture that threads take one by one, pixels: one tile or a [`GROUP`]. It depends on no number
 /// of threads, since the order does in which the light of a pixel's rays is summed.
-pub(crate) fn edge_for(stage: &Stage, width: usize, height: usize) -> usize {
+pub(crate) fn edge_for(stage: &RenderScene, width: usize, height: usize) -> usize {
     let edge = GROUP * TILE;
     let is_large = width.div_ceil(edge) * height.div_ceil(edge) >= LEAST_GROUPS;
     if is_large && stage.goes_by_streams() { edge } else { TILE }
@@ -36,14 +36,14 @@ pub(crate) fn edge_for(stage: &Stage, width: usize, height: usize) -> usize {
 
 /// Where a tile or a group of them lies: its upper left pixel and its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Place {
+pub(crate) struct TileRect {
     pub(crate) x: usize,
     pub(crate) y: usize,
     pub(crate) width: usize,
     pub(crate) height: usize,
 }
 
-impl Place {
+impl TileRect {
     /// The squares of a picture, row by row; those at its right and lower borders may be smaller.
     pub(crate) fn all(width: usize, height: usize, edge: usize) -> impl Iterator<Item = Self> {
         Self { x: 0, y: 0, width, height }.squares(edge)
@@ -74,12 +74,12 @@ impl Place {
     }
 
     /// The primary rays of the tile as they are for every sample.
-    pub(crate) fn rays_near(self, camera: &StageCamera, size: DVec2) -> RaysNear {
+    pub(crate) fn rays_near(self, camera: &RenderCamera, size: DVec2) -> CameraRays {
         self.rays(camera, size, 0).0
     }
 
     /// The primary rays of the tile, how far they reach, and where the sample of its upper left pixel lies among them.
-    fn rays(self, camera: &StageCamera, size: DVec2, sample: u32) -> (RaysNear, DVec2, Vec2) {
+    fn rays(self, camera: &RenderCamera, size: DVec2, sample: u32) -> (CameraRays, DVec2, Vec2) {
         let middle = DVec2::new(self.x as f64, self.y as f64) + 0.5 * self.extent();
         // The last blocks may reach beyond the tile.
         let reach = 0.5 * self.extent() + LARGEST_BLOCK;
@@ -90,7 +90,7 @@ impl Place {
     /// The origin and direction of one of them: those that the rendering of the tile has, bit by bit.
     pub(crate) fn ray(
         self,
-        camera: &StageCamera,
+        camera: &RenderCamera,
         (pixel, size): (UVec2, UVec2),
         sample: u32,
     ) -> (Vector<f32>, Vector<f32>) {
@@ -106,34 +106,34 @@ impl Place {
 }
 
 /// Traces tiles and groups of them; reusable from one to the next by one thread.
-pub(crate) struct TileTracer<'a> {
-    whitted: Whitted<'a>,
-    control: &'a Control,
+pub(crate) struct TileRenderer<'a> {
+    whitted: WhittedIntegrator<'a>,
+    control: &'a RenderControl,
     /// The rays that `control` knows of.
     rays_told: u64,
     /// The rays that wait, by their distance in the tree from the eye.
-    levels: Vec<Level>,
+    levels: Vec<DepthQueues>,
     /// Made when they are needed.
-    streams: Option<Streams>,
-    light: TileLight,
+    streams: Option<StreamShading>,
+    light: TileRadiance,
 }
 
 /// Rays of the same distance from the eye.
 #[derive(Debug, Default)]
-struct Level {
-    reflected: Queue,
-    refracted: Queue,
+struct DepthQueues {
+    reflected: RayQueue,
+    refracted: RayQueue,
 }
 
-impl<'a> TileTracer<'a> {
-    pub(crate) fn new(stage: &'a Stage, camera: &'a StageCamera, control: &'a Control) -> Self {
+impl<'a> TileRenderer<'a> {
+    pub(crate) fn new(stage: &'a RenderScene, camera: &'a RenderCamera, control: &'a RenderControl) -> Self {
         Self {
-            whitted: Whitted::through(stage, camera, &control.cancel),
+            whitted: WhittedIntegrator::through(stage, camera, &control.cancel),
             control,
             rays_told: 0,
             levels: Vec::new(),
             streams: None,
-            light: TileLight::default(),
+            light: TileRadiance::default(),
         }
     }
 
@@ -143,7 +143,7 @@ impl<'a> TileTracer<'a> {
     }
 
     /// The light of one sample of each pixel; `None` if it was cancelled midway.
-    pub(crate) fn trace(&mut self, place: Place, size: DVec2, sample: u32) -> Option<&TileLight> {
+    pub(crate) fn trace(&mut self, place: TileRect, size: DVec2, sample: u32) -> Option<&TileRadiance> {
         self.trace_into(place, size, sample, &mut []).then_some(&self.light)
     }
 
@@ -151,7 +151,7 @@ impl<'a> TileTracer<'a> {
     /// if it was cancelled midway.
     pub(crate) fn trace_into(
         &mut self,
-        place: Place,
+        place: TileRect,
         size: DVec2,
         sample: u32,
         rows: &mut [&mut [[f32; 3]]],
@@ -159,13 +159,13 @@ impl<'a> TileTracer<'a> {
         self.whitted.tidy();
         let (lanes, is_full) = (self.whitted.stage.lanes, self.whitted.is_full());
         let is_finished = if is_full {
-            lanes.run(Sample::<true> { tracer: self, place, size, sample, rows })
+            lanes.run(TileSampleKernel::<true> { tracer: self, place, size, sample, rows })
         } else {
-            lanes.run(Sample::<false> { tracer: self, place, size, sample, rows })
+            lanes.run(TileSampleKernel::<false> { tracer: self, place, size, sample, rows })
         };
         self.tell_rays(1);
         if !is_finished {
-            self.levels.iter_mut().for_each(Level::clear);
+            self.levels.iter_mut().for_each(DepthQueues::clear);
         }
         is_finished
     }
@@ -180,17 +180,17 @@ impl<'a> TileTracer<'a> {
     }
 }
 
-/// One sample of the pixels of a tile or a group. `FULL` stands where [`Stage::is_full`] may be true.
-struct Sample<'t, 'r, 'a, const FULL: bool> {
-    tracer: &'t mut TileTracer<'a>,
-    place: Place,
+/// One sample of the pixels of a tile or a group. `FULL` stands where [`RenderScene::is_full`] may be true.
+struct TileSampleKernel<'t, 'r, 'a, const FULL: bool> {
+    tracer: &'t mut TileRenderer<'a>,
+    place: TileRect,
     size: DVec2,
     sample: u32,
     /// Where its light is written to, if anywhere.
     rows: &'t mut [&'r mut [[f32; 3]]],
 }
 
-impl<const FULL: bool> Work for Sample<'_, '_, '_, FULL> {
+impl<const FULL: bool> SimdKernel for TileSampleKernel<'_, '_, '_, FULL> {
     type Output = bool;
 
     #[inline(always)]
@@ -205,7 +205,7 @@ impl<const FULL: bool> Work for Sample<'_, '_, '_, FULL> {
     }
 }
 
-impl TileTracer<'_> {
+impl TileRenderer<'_> {
     /// So many rays of a level may wait where they are traced packet by packet; then the level behind it is traced, so that
     /// memory is bounded, and little of it is touched for the first time. By streams, as many as fill one.
     const MOST_WAITING: usize = 448;
@@ -225,20 +225,20 @@ impl TileTracer<'_> {
     fn primary<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        place: Place,
+        place: TileRect,
         size: DVec2,
         sample: u32,
         rows: &[&mut [[f32; 3]]],
     ) -> bool {
-        let [width, height] = Block::<W>::SIZE;
+        let [width, height] = PixelBlock::<W>::SIZE;
         self.light.begin(place, [width, height]);
         let across = place.width.div_ceil(width);
-        self.whitted.begin(sample, Dice::new(sample, [place.x, place.y], [width, height], across));
+        self.whitted.begin(sample, Sampler::new(sample, [place.x, place.y], [width, height], across));
         // What is fetched for a group would be gone again until it is through.
         let rows = if place.width.max(place.height) > TILE { &[] } else { rows };
         let by_stream = W::USES_HIERARCHY && self.whitted.stage.eye_goes_by_streams();
         if by_stream && self.levels.is_empty() {
-            self.levels.push(Level::default());
+            self.levels.push(DepthQueues::default());
         }
         for tile in place.squares(TILE) {
             let first_block = (tile.y - place.y) / height * across + (tile.x - place.x) / width;
@@ -264,17 +264,17 @@ impl TileTracer<'_> {
     fn primary_of_tile<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        place: Place,
-        (near, offset): (&RaysNear, Vec2),
+        place: TileRect,
+        (near, offset): (&CameraRays, Vec2),
         (first_block, across): (usize, usize),
         by_stream: bool,
         rows: &[&mut [[f32; 3]]],
     ) -> bool {
-        let block = Block::new(w);
-        let [width, height] = Block::<W>::SIZE;
-        let mut grown = [Beams::none(w); 2];
+        let block = PixelBlock::new(w);
+        let [width, height] = PixelBlock::<W>::SIZE;
+        let mut grown = [PathState::none(w); 2];
         // Two that take turns: only what differs from packet to packet is written.
-        let mut rooted = [Beams::from_eye(w); 2];
+        let mut rooted = [PathState::from_eye(w); 2];
         let [mut beams, mut next] = rooted.each_mut();
         for (row, top) in (0..place.height).step_by(height).enumerate() {
             if self.is_cancelled() {
@@ -291,14 +291,14 @@ impl TileTracer<'_> {
                 // Made one block ahead: their root and division take long, and nothing waits for them here.
                 std::mem::swap(&mut beams, &mut next);
                 next.rays.set(near.rays(block.x + (left + width) as f32 + offset.x, y));
-                beams.lanes = w.mask(Block::<W>::lanes(place, left, top));
+                beams.lanes = w.mask(PixelBlock::<W>::lanes(place, left, top));
                 beams.pixel = block.pixel.plus(w.word(first as u32));
                 self.whitted.launch(w, beams);
                 let (mut light, mut on_floor) = (Vector::splat(w.real(0.0), [0.0; 3]), false);
                 if by_stream {
                     self.levels[0].reflected.push(beams);
                 } else {
-                    let followed = self.follow::<W, FULL>(w, beams, Origin::Eye, 0, &mut grown[0]);
+                    let followed = self.follow::<W, FULL>(w, beams, PacketSource::Eye, 0, &mut grown[0]);
                     (light, on_floor) = (followed.light, followed.on_floor);
                 }
                 self.light.set::<W>(first, light);
@@ -317,7 +317,7 @@ impl TileTracer<'_> {
     fn drain<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
         let by_streams = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
         let most_waiting = if by_streams { STREAM } else { Self::MOST_WAITING };
-        let mut taken = [Beams::none(w); 2];
+        let mut taken = [PathState::none(w); 2];
         let mut at = 0;
         loop {
             if self.is_cancelled() {
@@ -351,7 +351,7 @@ impl TileTracer<'_> {
     #[inline(always)]
     fn follow_stream<W: Width, const FULL: bool>(&mut self, w: W, level: usize) {
         if self.levels.len() <= level + 1 {
-            self.levels.resize_with(level + 2, Level::default);
+            self.levels.resize_with(level + 2, DepthQueues::default);
         }
         let Some([level, next]) = self.levels.get_mut(level..level + 2) else { return };
         let queue = level.queue();
@@ -360,7 +360,7 @@ impl TileTracer<'_> {
         self.whitted.search(w, streams);
         for at in (0..count).step_by(W::LANES) {
             let beams = queue.look(w, at);
-            self.whitted.follow::<W, FULL>(w, &beams, Origin::Stream { streams, at }, next);
+            self.whitted.follow::<W, FULL>(w, &beams, PacketSource::Stream { streams, at }, next);
         }
         self.whitted.search_shadows(w, streams);
         for at in (0..count).step_by(W::LANES) {
@@ -377,13 +377,13 @@ impl TileTracer<'_> {
 
     /// Traces the first of these rays, and what grows from them as long as all of them go on; others wait, those of the
     /// first ones at `level`.
-    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &mut [Beams<W>; 2], level: usize) {
+    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &mut [PathState<W>; 2], level: usize) {
         w.run(
             #[inline(always)]
             || {
                 let [mut beams, mut grown] = beams.each_mut();
                 for level in level.. {
-                    let light = self.follow::<W, FULL>(w, beams, Origin::Anywhere, level, grown).light;
+                    let light = self.follow::<W, FULL>(w, beams, PacketSource::Anywhere, level, grown).light;
                     self.light.add(w, beams, light);
                     std::mem::swap(&mut beams, &mut grown);
                     if !beams.lanes.any() {
@@ -400,32 +400,32 @@ impl TileTracer<'_> {
     fn follow<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        from: Origin<'_>,
+        beams: &PathState<W>,
+        from: PacketSource<'_>,
         level: usize,
-        next: &mut Beams<W>,
-    ) -> Followed<W> {
+        next: &mut PathState<W>,
+    ) -> PacketRadiance<W> {
         if self.levels.len() <= level {
-            self.levels.resize_with(level + 1, Level::default);
+            self.levels.resize_with(level + 1, DepthQueues::default);
         }
         next.lanes = w.mask(0);
         let waits = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
-        let mut grown = Grown { level: &mut self.levels[level], next, waits };
+        let mut grown = SecondaryRayQueues { level: &mut self.levels[level], next, waits };
         self.whitted.follow::<W, FULL>(w, beams, from, &mut grown)
     }
 }
 
 /// What grows from rays side by side.
-struct Grown<'l, W: Width> {
+struct SecondaryRayQueues<'l, W: Width> {
     /// Where it waits.
-    level: &'l mut Level,
+    level: &'l mut DepthQueues,
     /// What is traced next instead: the first that grows, if it fills a vector.
-    next: &'l mut Beams<W>,
+    next: &'l mut PathState<W>,
     /// Whether all waits.
     waits: bool,
 }
 
-impl<W: Width> Grown<'_, W> {
+impl<W: Width> SecondaryRayQueues<'_, W> {
     /// Whether rays are traced next.
     #[inline(always)]
     fn takes(&self, lanes: W::M) -> bool {
@@ -433,9 +433,9 @@ impl<W: Width> Grown<'_, W> {
     }
 }
 
-impl<W: Width> Offspring<W> for Grown<'_, W> {
+impl<W: Width> SecondaryRays<W> for SecondaryRayQueues<'_, W> {
     #[inline(always)]
-    fn reflected(&mut self, beams: Beams<W>) {
+    fn reflected(&mut self, beams: PathState<W>) {
         if self.takes(beams.lanes) {
             *self.next = beams;
         } else {
@@ -444,7 +444,7 @@ impl<W: Width> Offspring<W> for Grown<'_, W> {
     }
 
     #[inline(always)]
-    fn refracted(&mut self, beams: Beams<W>) {
+    fn refracted(&mut self, beams: PathState<W>) {
         if self.takes(beams.lanes) {
             *self.next = beams;
         } else {
@@ -453,14 +453,14 @@ impl<W: Width> Offspring<W> for Grown<'_, W> {
     }
 }
 
-impl Level {
+impl DepthQueues {
     #[inline(always)]
-    fn take<W: Width>(&mut self, w: W) -> Beams<W> {
+    fn take<W: Width>(&mut self, w: W) -> PathState<W> {
         self.queue().take(w)
     }
 
     /// The rays that are to be traced first.
-    fn queue(&mut self) -> &mut Queue {
+    fn queue(&mut self) -> &mut RayQueue {
         if self.reflected.len() > 0 { &mut self.reflected } else { &mut self.refracted }
     }
 
@@ -470,20 +470,20 @@ impl Level {
     }
 }
 
-impl<W: Width> Offspring<W> for Level {
+impl<W: Width> SecondaryRays<W> for DepthQueues {
     #[inline(always)]
-    fn reflected(&mut self, beams: Beams<W>) {
+    fn reflected(&mut self, beams: PathState<W>) {
         self.reflected.push(&beams);
     }
 
     #[inline(always)]
-    fn refracted(&mut self, beams: Beams<W>) {
+    fn refracted(&mut self, beams: PathState<W>) {
         self.refracted.push(&beams);
     }
 }
 
 /// Neighboring pixels whose rays are traced side by side.
-struct Block<W: Width> {
+struct PixelBlock<W: Width> {
     /// Where the corners of the pixels lie, relative to that of the block.
     x: W::R,
     y: W::R,
@@ -494,7 +494,7 @@ struct Block<W: Width> {
 /// No block has more pixels across or down.
 const LARGEST_BLOCK: DVec2 = DVec2::splat(8.0);
 
-impl<W: Width> Block<W> {
+impl<W: Width> PixelBlock<W> {
     /// Pixels across and down.
     const SIZE: [usize; 2] = {
         let width = if W::LANES >= 32 {
@@ -523,7 +523,7 @@ impl<W: Width> Block<W> {
 
     /// A bit for each pixel that lies in the tile.
     #[inline(always)]
-    fn lanes(place: Place, left: usize, top: usize) -> u32 {
+    fn lanes(place: TileRect, left: usize, top: usize) -> u32 {
         let [width, height] = Self::SIZE;
         if left + width <= place.width && top + height <= place.height {
             return u32::MAX >> (32 - W::LANES);

@@ -18,10 +18,10 @@ use crate::stage::{BOX_TINY, BOX_WIDEN, BoundingSphere, TEXTURE_LEVEL};
 use crate::surface::MOST_LIGHT;
 use crate::tile::TILE;
 
-pub use bytes::{FRAME_PLACES, Frame, StageArrays, TileRays, tile_rays};
-pub use fit::{Contents, Sky, Specialization, Unsupported};
-pub use laws::{Physical, SampleWaves};
-pub use pictures::{PICTURES_ACROSS, Pictures, Texel};
+pub use bytes::{FRAME_PLACES, FrameUniforms, SceneArrays, CameraRaysBytes, tile_rays};
+pub use fit::{SceneContents, EnvironmentKind, ShaderSpecialization, UnsupportedOnGpu};
+pub use laws::{PhysicalFeatures, WavelengthUniforms};
+pub use pictures::{PICTURES_ACROSS, PictureAtlas, AtlasTexel};
 
 /// Bytes before the first pixel of a film: the counts of rays and the words behind them.
 pub const FILM_HEAD: u64 = 32;
@@ -88,30 +88,30 @@ const PHYSICAL: &[&str] = &[
 ];
 
 /// The source of the shader for stages of this kind, in WGSL.
-pub fn shader(special: &Specialization) -> String {
+pub fn shader(special: &ShaderSpecialization) -> String {
     let walk = match special.depth {
         0 => include_str!("stage/sphere.wgsl"),
         _ => include_str!("stage/bvh.wgsl"),
     };
     let mut source = constants(special).text();
-    let is_plain = special.physical == Physical::NOTHING;
+    let is_plain = special.physical == PhysicalFeatures::NOTHING;
     if !is_plain {
         source.push_str(&laws::constants(special).text());
     }
-    if special.sky == Sky::Picture || special.textures {
+    if special.sky == EnvironmentKind::Picture || special.textures {
         source.push_str(&picture_constants().text());
         source.push_str(include_str!("stage/image.wgsl"));
     }
     source.push_str(match special.sky {
-        Sky::Even => include_str!("stage/sky/even.wgsl"),
-        Sky::Gradient => include_str!("stage/sky/gradient.wgsl"),
-        Sky::Picture => include_str!("stage/sky/picture.wgsl"),
+        EnvironmentKind::Even => include_str!("stage/sky/even.wgsl"),
+        EnvironmentKind::Gradient => include_str!("stage/sky/gradient.wgsl"),
+        EnvironmentKind::Picture => include_str!("stage/sky/picture.wgsl"),
     });
     source.push_str(match special.textures {
         false => include_str!("stage/texture/none.wgsl"),
         true => include_str!("stage/texture.wgsl"),
     });
-    source.push_str(match special.physical.has(Physical::ABSORBS) {
+    source.push_str(match special.physical.has(PhysicalFeatures::ABSORBS) {
         true => include_str!("search/absorption.wgsl"),
         false => include_str!("search/absorption/none.wgsl"),
     });
@@ -121,13 +121,13 @@ pub fn shader(special: &Specialization) -> String {
 }
 
 /// Constants of the Rust side, and those that a shader is specialized by.
-struct Constants {
+struct ShaderConstants {
     words: Vec<(&'static str, u32)>,
     numbers: Vec<(&'static str, f32)>,
     flags: Vec<(&'static str, bool)>,
 }
 
-impl Constants {
+impl ShaderConstants {
     fn text(&self) -> String {
         let mut text = String::new();
         // Writing to a string does not fail.
@@ -145,8 +145,8 @@ impl Constants {
 }
 
 /// The constants of shaders for stages with pictures.
-fn picture_constants() -> Constants {
-    Constants {
+fn picture_constants() -> ShaderConstants {
+    ShaderConstants {
         words: vec![("PICTURES_ACROSS", PICTURES_ACROSS)],
         numbers: vec![("PI", std::f32::consts::PI), ("TEXTURE_LEVEL", TEXTURE_LEVEL)],
         flags: Vec::new(),
@@ -154,7 +154,7 @@ fn picture_constants() -> Constants {
 }
 
 /// The constants of every shader.
-fn constants(special: &Specialization) -> Constants {
+fn constants(special: &ShaderSpecialization) -> ShaderConstants {
     let words = vec![
         ("NO_BODY", NO_BODY),
         ("NO_START", NO_START),
@@ -175,7 +175,7 @@ fn constants(special: &Specialization) -> Constants {
         ("MOST_INTERVALS", MOST_INTERVALS),
         ("MOST_SAMPLES", FRAME_PLACES as u32),
         ("DEPTH", special.depth.max(1)),
-        ("MEDIA", special.media.max(1) + u32::from(special.physical.has(Physical::DISPERSES))),
+        ("MEDIA", special.media.max(1) + u32::from(special.physical.has(PhysicalFeatures::DISPERSES))),
         ("STACK", special.stack.max(1)),
     ];
     let numbers = vec![
@@ -197,7 +197,7 @@ fn constants(special: &Specialization) -> Constants {
         ("HAS_TRANSPARENCY", special.media > 0),
         ("HAS_CHECKERS", special.checkers),
         ("ASKS_EACH_START", special.asks_each_start),
-        ("ABSORBS", special.physical.has(Physical::ABSORBS)),
+        ("ABSORBS", special.physical.has(PhysicalFeatures::ABSORBS)),
     ];
-    Constants { words, numbers, flags }
+    ShaderConstants { words, numbers, flags }
 }

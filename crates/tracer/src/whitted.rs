@@ -20,85 +20,85 @@ use catoptric_scene::Tracing;
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width, Word as _};
-use crate::media::{AIR, Inside, MediaTable};
-use crate::ray::{NO_BODY, Ray, Rays};
-use crate::render::Control;
-use crate::search::{Along, Flight, Hits, MediumIntervals, ShadowMemory, Through};
-use crate::stage::{Pending, RaysNear, Stage, StageCamera, StageLight};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, ScalarWidth, Float32 as _, Width, Word as _};
+use crate::media::{AIR, BodyMembership, MediumStacks};
+use crate::ray::{NO_BODY, Ray, RayPacket};
+use crate::render::RenderControl;
+use crate::search::{Candidates, RayQuery, PacketHits, MediumIntervals, ShadowScratch, Transmittance};
+use crate::stage::{TraversalStack, CameraRays, RenderScene, RenderCamera, RenderLight};
 use crate::surface::{MOST_OF_PIXEL, phong_highlight};
 use crate::vector::Vector;
 
-pub(crate) use beams::{Beams, Crossed, Offspring, Queue};
-use dice::SomeUse;
-pub(crate) use dice::{Dice, Throw};
-use encounter::Encounter;
+pub(crate) use beams::{PathState, InterfaceCrossing, SecondaryRays, RayQueue};
+use dice::SampleDimension;
+pub(crate) use dice::{Sampler, Sample2D};
+use encounter::SurfaceInteraction;
 pub use record::{
-    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, ReflectionLaw, Shadow, ShadowCrossing,
-    SurfaceAnswer, TracedRay,
+    BranchRecord, BranchOutcome, InterfaceRecord, LightContribution, LightTerm, RayKind, ReflectionModel, ShadowRecord, ShadowCrossing,
+    SurfaceRecord, RayRecord,
 };
-pub(crate) use streams::Streams;
-pub use tally::Tally;
-use views::{Views, Whence};
-pub(crate) use waves::Waves;
+pub(crate) use streams::StreamShading;
+pub use tally::PixelStatistics;
+use views::{TileCandidates, CandidateSource};
+pub(crate) use waves::SampledWavelengths;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
-pub struct Whitted<'a> {
-    pub(crate) stage: &'a Stage,
-    pub(crate) camera: &'a StageCamera,
+pub struct WhittedIntegrator<'a> {
+    pub(crate) stage: &'a RenderScene,
+    pub(crate) camera: &'a RenderCamera,
     pub(crate) cancel: &'a AtomicBool,
     /// Rays of this generation are the last.
     generations: u32,
     /// The weight below which rays are not traced.
     threshold: f32,
     /// Working memory of searches.
-    parts: Pending,
+    parts: TraversalStack,
     intervals: MediumIntervals,
     /// The body that hid each light last.
     blockers: Vec<u32>,
-    views: Views<'a>,
-    media: MediaTable,
-    inside: Inside,
+    views: TileCandidates<'a>,
+    media: MediumStacks,
+    inside: BodyMembership,
     /// The media at the eye, if all rays start there and the table knows them.
     eye_media: Option<u32>,
     counts: RayCounts,
-    dice: Dice,
+    dice: Sampler,
     /// The colors of this sample.
-    waves: Waves,
+    waves: SampledWavelengths,
 }
 
-impl<'a> Whitted<'a> {
+impl<'a> WhittedIntegrator<'a> {
     /// Rays between two looks at the cancel flag.
     const CANCEL_INTERVAL: u32 = 1024;
 
     /// A walker over `stage` that stops early, with unfinished pixels, when `cancel` is set.
-    pub fn new(stage: &'a Stage, cancel: &'a AtomicBool) -> Self {
+    pub fn new(stage: &'a RenderScene, cancel: &'a AtomicBool) -> Self {
         Self::through(stage, stage.camera(), cancel)
     }
 
-    /// The same through a camera of [`Stage::camera_for`].
-    pub fn through(stage: &'a Stage, camera: &'a StageCamera, cancel: &'a AtomicBool) -> Self {
+    /// The same through a camera of [`RenderScene::camera_for`].
+    pub fn through(stage: &'a RenderScene, camera: &'a RenderCamera, cancel: &'a AtomicBool) -> Self {
         Self {
             stage,
             camera,
             cancel,
             generations: stage.generations(),
             threshold: stage.threshold(),
-            parts: Pending::default(),
+            parts: TraversalStack::default(),
             intervals: MediumIntervals::default(),
             blockers: vec![NO_BODY; stage.lights.len()],
-            views: Views::new(stage, camera),
-            media: MediaTable::default(),
-            inside: Inside::default(),
+            views: TileCandidates::new(stage, camera),
+            media: MediumStacks::default(),
+            inside: BodyMembership::default(),
             eye_media: None,
             counts: RayCounts::default(),
-            dice: Dice::default(),
-            waves: if stage.disperses { Waves::of_sample(0) } else { Waves::default() },
+            dice: Sampler::default(),
+            waves: if stage.disperses { SampledWavelengths::of_sample(0) } else { SampledWavelengths::default() },
         }
     }
 
-    /// The same, stopped by a [`Control`].
-    pub fn watched(stage: &'a Stage, camera: &'a StageCamera, control: &'a Control) -> Self {
+    /// The same, stopped by a [`RenderControl`].
+    pub fn watched(stage: &'a RenderScene, camera: &'a RenderCamera, control: &'a RenderControl) -> Self {
         Self::through(stage, camera, &control.cancel)
     }
 
@@ -114,14 +114,14 @@ impl<'a> Whitted<'a> {
         self.counts
     }
 
-    /// The light that reaches the point `at` of a picture of `size` pixels (see [`StageCamera::ray`]), by one ray at a
+    /// The light that reaches the point `at` of a picture of `size` pixels (see [`RenderCamera::ray`]), by one ray at a
     /// time: the reference for all that trace several side by side.
     pub fn trace(&mut self, at: DVec2, size: DVec2) -> Vec3A {
         let mut pending = vec![self.root(&self.camera.ray(at, size))];
         let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
-            light += Vec3A::from(self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut pending).light);
+            light += Vec3A::from(self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending).light);
             light = light.clamp(Vec3A::splat(-MOST_OF_PIXEL), Vec3A::splat(MOST_OF_PIXEL));
             until_look -= 1;
             if until_look == 0 {
@@ -135,12 +135,12 @@ impl<'a> Whitted<'a> {
     }
 
     /// The first ray of a tree.
-    fn root(&mut self, primary: &Ray) -> Beams<One> {
+    fn root(&mut self, primary: &Ray) -> PathState<ScalarWidth> {
         let rays = primary.alone();
         self.tidy();
         let media = self.media.at_point(self.stage, rays.origin);
         self.counts.primary += 1;
-        Beams { rays, weight: Vector::new(1.0, 1.0, 1.0), generation: 1, media, pixel: 0, lanes: true }
+        PathState { rays, weight: Vector::new(1.0, 1.0, 1.0), generation: 1, media, pixel: 0, lanes: true }
     }
 
     /// Forgets what was learned of media if it has become much. No rays may be in flight.
@@ -156,23 +156,23 @@ impl<'a> Whitted<'a> {
     }
 
     /// Prepares for a sample; no rays may be in flight.
-    pub(crate) fn begin(&mut self, sample: u32, dice: Dice) {
+    pub(crate) fn begin(&mut self, sample: u32, dice: Sampler) {
         self.dice = dice;
         if self.stage.disperses {
-            self.waves = Waves::of_sample(sample);
+            self.waves = SampledWavelengths::of_sample(sample);
             // Indices of refraction are others now.
-            self.media = MediaTable::default();
+            self.media = MediumStacks::default();
             self.eye_media = None;
         }
     }
 
     /// Prepares for rays from the eye within `reach` pixels of the middle of these.
-    pub(crate) fn aim(&mut self, rays: &RaysNear, reach: DVec2) {
+    pub(crate) fn aim(&mut self, rays: &CameraRays, reach: DVec2) {
         self.views.aim(self.stage, rays, reach.as_vec2().to_array());
     }
 
     /// Says whether the next rays that do not come from the eye are its own, reflected by the floor of the tile. As another
-    /// [`Origin`] it would have the loop that pursues rays compiled twice, which takes 1.05 of the time.
+    /// [`PacketSource`] it would have the loop that pursues rays compiled twice, which takes 1.05 of the time.
     #[inline(always)]
     pub(crate) fn expect_reflections(&mut self, are_of_floor: bool) {
         self.views.expect_reflections(are_of_floor);
@@ -180,7 +180,7 @@ impl<'a> Whitted<'a> {
 
     /// Takes up rays from the eye: the media where they start.
     #[inline(always)]
-    pub(crate) fn launch<W: Width>(&mut self, w: W, beams: &mut Beams<W>) {
+    pub(crate) fn launch<W: Width>(&mut self, w: W, beams: &mut PathState<W>) {
         self.counts.primary += u64::from(beams.lanes.bits().count_ones());
         if self.stage.has_transparency {
             beams.media = match self.camera.eye() {
@@ -194,10 +194,10 @@ impl<'a> Whitted<'a> {
     }
 
     /// The first ray of a tree, as rays side by side have it.
-    fn launched(&mut self, ray: (Vector<f32>, Vector<f32>)) -> Beams<One> {
-        let mut beams = Beams { lanes: true, ..Beams::from_eye(One) };
+    fn launched(&mut self, ray: (Vector<f32>, Vector<f32>)) -> PathState<ScalarWidth> {
+        let mut beams = PathState { lanes: true, ..PathState::from_eye(ScalarWidth) };
         beams.rays.set(ray);
-        self.launch(One, &mut beams);
+        self.launch(ScalarWidth, &mut beams);
         beams
     }
 
@@ -217,16 +217,16 @@ impl<'a> Whitted<'a> {
     /// Traces rays side by side: what each adds to its pixel, and what it meets. The rays that grow from them go to
     /// `offspring`.
     ///
-    /// `FULL` stands where [`Stage::is_full`] may be true: what other surfaces, lights and surroundings need would cost
+    /// `FULL` stands where [`RenderScene::is_full`] may be true: what other surfaces, lights and surroundings need would cost
     /// plain scenes a tenth of their time.
     #[inline(always)]
     pub(crate) fn follow<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        from: Origin<'_>,
-        offspring: &mut impl Offspring<W>,
-    ) -> Followed<W> {
+        beams: &PathState<W>,
+        from: PacketSource<'_>,
+        offspring: &mut impl SecondaryRays<W>,
+    ) -> PacketRadiance<W> {
         let mut inside = std::mem::take(&mut self.inside);
         inside.fill::<W>(&self.media, beams.media, beams.lanes);
         let followed = self.follow_inside::<W, FULL>(w, beams, from, &inside, offspring);
@@ -238,22 +238,22 @@ impl<'a> Whitted<'a> {
     fn follow_inside<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        mut from: Origin<'_>,
-        inside: &Inside,
-        offspring: &mut impl Offspring<W>,
-    ) -> Followed<W> {
-        let mut is_whole = matches!(from, Origin::Eye);
+        beams: &PathState<W>,
+        mut from: PacketSource<'_>,
+        inside: &BodyMembership,
+        offspring: &mut impl SecondaryRays<W>,
+    ) -> PacketRadiance<W> {
+        let mut is_whole = matches!(from, PacketSource::Eye);
         let hits = self.nearest(w, beams, &from, inside);
         let hit = hits.hit & beams.lanes;
-        let hits = Hits { hit, ..hits };
+        let hits = PacketHits { hit, ..hits };
         let mut beams = beams;
         let absorbed;
         if FULL && self.stage.absorbs && !inside.is_empty() {
             let through = self.media.left_after(w, self.stage, beams.media, hits.t, beams.lanes);
             offspring.travels(through);
             is_whole = false;
-            absorbed = Beams { weight: beams.weight.times(through), ..*beams };
+            absorbed = PathState { weight: beams.weight.times(through), ..*beams };
             beams = &absorbed;
         }
         let background = if FULL {
@@ -265,10 +265,10 @@ impl<'a> Whitted<'a> {
             if let Some((streams, at)) = from.stream() {
                 streams.keep(w, at, background, beams.weight);
             }
-            return Followed { light: weighted(beams, is_whole, background), hits, on_floor: false };
+            return PacketRadiance { light: weighted(beams, is_whole, background), hits, on_floor: false };
         }
-        let mut at = Encounter::new::<FULL>(w, self.stage, &beams.rays, &hits);
-        at.on_floor = matches!(from, Origin::Eye) && self.views.is_floor(at.only);
+        let mut at = SurfaceInteraction::new::<FULL>(w, self.stage, &beams.rays, &hits);
+        at.on_floor = matches!(from, PacketSource::Eye) && self.views.is_floor(at.only);
         offspring.meets(&at);
         let light = self.local_light::<W, FULL>(w, beams, &mut from, inside, &at, offspring);
         offspring.shades(light);
@@ -286,18 +286,18 @@ impl<'a> Whitted<'a> {
         if at_limit.any() {
             self.pass_at_limit::<W, FULL>(w, *beams, at, at_limit, offspring);
         }
-        Followed { light, hits, on_floor: at.on_floor }
+        PacketRadiance { light, hits, on_floor: at.on_floor }
     }
 
     #[inline(always)]
-    fn nearest<W: Width>(&mut self, w: W, beams: &Beams<W>, from: &Origin<'_>, inside: &Inside) -> Hits<W> {
-        if let Origin::Stream { streams, at } = from {
-            let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, Along::Anything);
+    fn nearest<W: Width>(&mut self, w: W, beams: &PathState<W>, from: &PacketSource<'_>, inside: &BodyMembership) -> PacketHits<W> {
+        if let PacketSource::Stream { streams, at } = from {
+            let flight = RayQuery::new(w, self.stage, &beams.rays, beams.lanes, inside, Candidates::Anything);
             return streams.rays.hits(w, *at, &flight);
         }
-        let whence = self.views.whence(matches!(from, Origin::Eye), inside.sole(beams.lanes.bits()));
+        let whence = self.views.whence(matches!(from, PacketSource::Eye), inside.sole(beams.lanes.bits()));
         if self.views.along(whence).is_free() {
-            return Hits::none(w);
+            return PacketHits::none(w);
         }
         self.nearest_of_packet(w, beams, whence, inside).settled(w, self.stage, &beams.rays, inside)
     }
@@ -305,15 +305,15 @@ impl<'a> Whitted<'a> {
     fn nearest_of_packet<W: Width>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        whence: Whence,
-        inside: &Inside,
-    ) -> Hits<W> {
+        beams: &PathState<W>,
+        whence: CandidateSource,
+        inside: &BodyMembership,
+    ) -> PacketHits<W> {
         w.run(
             #[inline(always)]
             move || {
                 let along = self.views.along(whence);
-                let flight = Flight::new(w, self.stage, &beams.rays, beams.lanes, inside, along);
+                let flight = RayQuery::new(w, self.stage, &beams.rays, beams.lanes, inside, along);
                 flight.nearest_unsettled(&mut self.parts)
             },
         )
@@ -324,19 +324,19 @@ impl<'a> Whitted<'a> {
     fn way_to<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        at: &Encounter<W>,
-        (index, source): (usize, &StageLight),
-    ) -> WayTo<W> {
+        beams: &PathState<W>,
+        at: &SurfaceInteraction<W>,
+        (index, source): (usize, &RenderLight),
+    ) -> LightSample<W> {
         let offset = Vector::splat(w.real(0.0), source.position) - at.position;
         let distance = offset.length_squared().sqrt();
         let to_light = offset * (w.real(1.0) / distance);
         if !FULL || source.radius == 0.0 {
-            return WayTo { to_light, distance, power: None };
+            return LightSample { to_light, distance, power: None };
         }
-        let throw = self.dice.throw(w, self.stage, beams, at.body, SomeUse::Light(index));
+        let throw = self.dice.throw(w, self.stage, beams, at.body, SampleDimension::Light(index));
         let (to_point, before, share) = source.point_of_ball((to_light, distance), &throw);
-        WayTo { to_light: to_point, distance: before, power: Some(source.power_at(distance) * share) }
+        LightSample { to_light: to_point, distance: before, power: Some(source.power_at(distance) * share) }
     }
 
     /// The ambient, diffuse and highlight terms.
@@ -344,11 +344,11 @@ impl<'a> Whitted<'a> {
     fn local_light<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        from: &mut Origin<'_>,
-        inside: &Inside,
-        at: &Encounter<W>,
-        offspring: &mut impl Offspring<W>,
+        beams: &PathState<W>,
+        from: &mut PacketSource<'_>,
+        inside: &BodyMembership,
+        at: &SurfaceInteraction<W>,
+        offspring: &mut impl SecondaryRays<W>,
     ) -> Vector<W::R> {
         let zero = w.real(0.0);
         let mut light = at.ambient;
@@ -360,7 +360,7 @@ impl<'a> Whitted<'a> {
             if !source.shines {
                 continue;
             }
-            let WayTo { to_light, distance, power } = self.way_to::<W, FULL>(w, beams, at, (index, source));
+            let LightSample { to_light, distance, power } = self.way_to::<W, FULL>(w, beams, at, (index, source));
             let cos = at.normal.dot(to_light);
             offspring.faces(index, to_light, distance, cos);
             rays.direction = to_light;
@@ -379,7 +379,7 @@ impl<'a> Whitted<'a> {
             }
             self.counts.shadow += u64::from(lit.bits().count_ones());
             let streams = from.stream();
-            let mut through = Through::all(lit);
+            let mut through = Transmittance::all(lit);
             let along = self.views.to_light(index, at.only, at.on_floor);
             if streams.is_none() {
                 if !along.is_free() {
@@ -423,21 +423,21 @@ impl<'a> Whitted<'a> {
 }
 
 /// Where rays come from.
-pub(crate) enum Origin<'s> {
+pub(crate) enum PacketSource<'s> {
     /// The eye; they were [aimed](Whitted::aim).
     Eye,
     Anywhere,
     /// They are those of a stream from number `at` on; shadow rays are traced later.
     Stream {
-        streams: &'s mut Streams,
+        streams: &'s mut StreamShading,
         at: usize,
     },
 }
 
-impl Origin<'_> {
+impl PacketSource<'_> {
     /// The stream, and the number of the first ray.
     #[inline(always)]
-    fn stream(&mut self) -> Option<(&mut Streams, usize)> {
+    fn stream(&mut self) -> Option<(&mut StreamShading, usize)> {
         match self {
             Self::Stream { streams, at } => Some((streams, *at)),
             Self::Eye | Self::Anywhere => None,
@@ -446,7 +446,7 @@ impl Origin<'_> {
 }
 
 /// The way from points to a light.
-struct WayTo<W: Width> {
+struct LightSample<W: Width> {
     /// The directions, of length 1.
     to_light: Vector<W::R>,
     distance: W::R,
@@ -457,17 +457,17 @@ struct WayTo<W: Width> {
 /// What bodies let through on the way to a light, and the media in which the rays start.
 fn transmittance<W: Width>(
     w: W,
-    stage: &Stage,
-    (rays, lanes): (&Rays<W>, W::M),
-    (inside, (table, media)): (&Inside, (&MediaTable, &W::W)),
-    (along, distance): (Along<'_>, &W::R),
-    (parts, intervals, blocker): (&mut Pending, &mut MediumIntervals, &mut u32),
-) -> Through<W> {
+    stage: &RenderScene,
+    (rays, lanes): (&RayPacket<W>, W::M),
+    (inside, (table, media)): (&BodyMembership, (&MediumStacks, &W::W)),
+    (along, distance): (Candidates<'_>, &W::R),
+    (parts, intervals, blocker): (&mut TraversalStack, &mut MediumIntervals, &mut u32),
+) -> Transmittance<W> {
     w.run(
         #[inline(always)]
         move || {
-            let flight = Flight::new(w, stage, rays, lanes, inside, along);
-            let memory = ShadowMemory { parts, intervals, blocker };
+            let flight = RayQuery::new(w, stage, rays, lanes, inside, along);
+            let memory = ShadowScratch { parts, intervals, blocker };
             flight.transmittance(*distance, (table, *media), memory)
         },
     )
@@ -475,15 +475,15 @@ fn transmittance<W: Width>(
 
 /// What light adds to pixels; all of it, where the weights are known to be 1.
 #[inline(always)]
-fn weighted<W: Width>(beams: &Beams<W>, is_whole: bool, light: Vector<W::R>) -> Vector<W::R> {
+fn weighted<W: Width>(beams: &PathState<W>, is_whole: bool, light: Vector<W::R>) -> Vector<W::R> {
     if is_whole { light } else { beams.weight.times(light) }
 }
 
 /// What became of rays side by side.
-pub(crate) struct Followed<W: Width> {
+pub(crate) struct PacketRadiance<W: Width> {
     /// What each adds to its pixel; of rays that do not fly, anything.
     pub light: Vector<W::R>,
-    pub hits: Hits<W>,
+    pub hits: PacketHits<W>,
     /// Whether all that rays from the eye met is the floor of their tile.
     pub on_floor: bool,
 }

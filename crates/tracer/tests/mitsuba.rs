@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use catoptric_picture::{Picture, write_exr};
 use catoptric_scene::{Body, Color, Environment, Falloff, Light, Material, Scene};
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 use glam::DVec3;
 
 /// Fewer scenes than this mean that the folder was not found whole.
@@ -31,9 +31,9 @@ fn scene_of(path: &Path) -> Result<Scene, String> {
 
 /// Renders a scene in the size of its reference picture.
 fn trace(scene: &Scene, reference: &Picture) -> Result<Picture, String> {
-    let stage = Stage::prepare(scene).map_err(|error| error.to_string())?;
+    let stage = RenderScene::prepare(scene).map_err(|error| error.to_string())?;
     let settings = RenderSettings { width: reference.width(), height: reference.height(), samples: SAMPLES };
-    let rendering = render(&stage, settings, &Control::default()).map_err(|error| error.to_string())?;
+    let rendering = render(&stage, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
     Ok(rendering.picture)
 }
 

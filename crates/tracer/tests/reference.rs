@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use catoptric_picture::{
     BitDepth, Development, Difference, HeatMap, Picture, heat_map, write_exr, write_png,
 };
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 
 /// Fewer scenes than this mean that the folder was not found whole.
 const LEAST_SCENES: usize = 14;
@@ -30,9 +30,9 @@ fn trace(scene: &Path, reference: &Picture) -> Result<Picture, String> {
     if !loaded.warnings.is_empty() {
         return Err(format!("the reader warns: {}", loaded.warnings));
     }
-    let stage = Stage::prepare(&loaded.scene).map_err(|error| error.to_string())?;
+    let stage = RenderScene::prepare(&loaded.scene).map_err(|error| error.to_string())?;
     let settings = RenderSettings { width: reference.width(), height: reference.height(), samples: 1 };
-    let rendering = render(&stage, settings, &Control::default()).map_err(|error| error.to_string())?;
+    let rendering = render(&stage, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
     Ok(rendering.picture)
 }
 

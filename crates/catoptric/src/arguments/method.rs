@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use catoptric_tracer::method::{
-    CubeMapSettings, Fallback, LightModel, Method, MethodKind, ShadingSettings, SsrSettings,
+    CubeMapSettings, SsrFallback, LightModel, Method, MethodKind, ShadingSettings, SsrSettings,
 };
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -141,8 +141,8 @@ impl MethodArguments {
             range: self.ssr_range.unwrap_or(default.range),
             refinements: self.ssr_refine.unwrap_or(default.refinements),
             fallback: match self.ssr_fallback {
-                Some(FallbackChoice::CubeMap) => Fallback::CubeMap(self.cube_map()),
-                Some(FallbackChoice::Background) | None => Fallback::Background,
+                Some(FallbackChoice::CubeMap) => SsrFallback::CubeMap(self.cube_map()),
+                Some(FallbackChoice::Background) | None => SsrFallback::Background,
             },
         }
     }

@@ -3,7 +3,7 @@
 use anyhow::{Context as _, Result};
 use catoptric_lab::audit::{Audit, AuditSettings, audit};
 use catoptric_lab::exact;
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 
 use super::Outcome;
 use crate::arguments::AuditArguments;
@@ -19,7 +19,7 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
     let input = input::scene(&arguments.scene, &mut files)?;
     input.warn();
     let scene = &input.loaded.scene;
-    let stage = Stage::prepare(scene).with_context(|| input.name.clone())?;
+    let stage = RenderScene::prepare(scene).with_context(|| input.name.clone())?;
     let stage = match arguments.generations {
         Some(generations) => stage.with_generations(generations),
         None => stage,
@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
         };
         let settings = AuditSettings { picture, ..AuditSettings::default() };
         let pixel = glam::UVec2::new(pixel.x, pixel.y);
-        let audit = audit(scene, &stage, stage.camera(), pixel, &settings, &Control::default())?;
+        let audit = audit(scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default())?;
         write(&audit, arguments, &files)?;
     }
     Ok(Outcome::Done)

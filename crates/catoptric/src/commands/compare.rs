@@ -8,7 +8,7 @@ use catoptric_lab::compare::{Compared, Contender, Job, compare, draw_all, reason
 use catoptric_lab::report::{Settings, page};
 use catoptric_picture::{BitDepth, Development, HeatMap, Picture, ToneCurve, encode_png, heat_map};
 use catoptric_scene::visible;
-use catoptric_tracer::{Control, RenderSettings};
+use catoptric_tracer::{RenderControl, RenderSettings};
 use serde_json::{Value, json};
 
 use super::Outcome;
@@ -104,7 +104,7 @@ fn draw(arguments: &CompareArguments, input: &Named, pool: &rayon::ThreadPool) -
         bound: arguments.tolerance,
     };
     let total = arguments.methods.len() * (arguments.runs as usize + 1);
-    let control = Control::default();
+    let control = RenderControl::default();
     Progress::new(arguments.quiet).of_steps(total, |tell| {
         pool.install(|| draw_all(&job, &control, &mut |done, _| tell(done, None)))
             .with_context(|| input.name.clone())

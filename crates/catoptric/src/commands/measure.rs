@@ -7,7 +7,7 @@ use anyhow::{Context as _, Result};
 use catoptric_lab::measure::{Axis, MeasureError, Plan, measure};
 use catoptric_lab::report::{Study, study};
 use catoptric_picture::Picture;
-use catoptric_tracer::{Control, RenderSettings};
+use catoptric_tracer::{RenderControl, RenderSettings};
 
 use super::Outcome;
 use crate::arguments::MeasureArguments;
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
         rounds: arguments.rounds,
         least_time: Plan::LEAST_TIME,
     };
-    let control = Arc::new(Control::default());
+    let control = Arc::new(RenderControl::default());
     let asked = Arc::clone(&control);
     interrupt::ask_first(move || asked.cancel());
     let points: usize = plan.axes.iter().map(|axis| axis.values.len()).product();

@@ -8,8 +8,8 @@ use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions};
-use catoptric_tracer::method::{Drawing, Layer, Method};
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::method::{MethodOutput, GBufferLayer, Method};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 
 use super::Outcome;
 use crate::arguments::RenderArguments;
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
 
     let start = Instant::now();
     canvas.iter().for_each(Canvas::make_way);
-    let stage = pool.install(|| Stage::prepare(&input.loaded.scene));
+    let stage = pool.install(|| RenderScene::prepare(&input.loaded.scene));
     let mut stage = stage.with_context(|| input.name.clone())?;
     drop(input.loaded);
     if let Some(generations) = arguments.generations {
@@ -56,7 +56,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     if let Some(map) = arguments.map {
         return show_map(arguments, (&files, options), map, &stage, settings, &pool, progress);
     }
-    let control = Control::default();
+    let control = RenderControl::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
     let estimates = !arguments.quiet && method == Method::Whitted;
     let rays = if estimates { warn_of_work(&stage, settings, &pool) } else { None };
@@ -105,13 +105,13 @@ fn show_map(
     arguments: &RenderArguments,
     (files, mut options): (&CommandFiles, SaveOptions),
     map_kind: MapKind,
-    stage: &Stage,
+    stage: &RenderScene,
     picture: RenderSettings,
     pool: &rayon::ThreadPool,
     progress: Progress,
 ) -> Result<Outcome> {
     let settings = MapSettings { kind: map_kind, picture, exposure_stops: arguments.development.exposure };
-    let control = Control::default();
+    let control = RenderControl::default();
     let pixels = u64::from(picture.width) * u64::from(picture.height);
     let map = progress.of_tracing(&control, WorkEstimate { pixels, rays: None }, || {
         pool.install(|| map(stage, stage.camera(), &settings, &control))
@@ -144,7 +144,7 @@ fn show_map(
 }
 
 /// Says it before very many rays are traced. The rays of the picture, if trees can fork.
-fn warn_of_work(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) -> Option<f64> {
+fn warn_of_work(stage: &RenderScene, settings: RenderSettings, pool: &rayon::ThreadPool) -> Option<f64> {
     let work = pool.install(|| notes::RayForecast::of(stage, settings))?;
     if let Some(warning) = &work.warning {
         say(&format!("warning: {warning}"));
@@ -153,9 +153,9 @@ fn warn_of_work(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPoo
 }
 
 /// Says how many generations the scene needs.
-fn advise(stage: &Stage, settings: RenderSettings, pool: &rayon::ThreadPool) {
+fn advise(stage: &RenderScene, settings: RenderSettings, pool: &rayon::ThreadPool) {
     let size = glam::UVec2::new(settings.width, settings.height);
-    let measure = pool.install(|| DepthMeasure::of(stage, stage.camera(), size, &Control::default()));
+    let measure = pool.install(|| DepthMeasure::of(stage, stage.camera(), size, &RenderControl::default()));
     if let Ok(measure) = measure {
         say(&notes::on_depth(&measure, stage.generations()));
     }
@@ -172,23 +172,23 @@ fn refuse_early(arguments: &RenderArguments, files: &mut CommandFiles) -> Result
         files.add_output(path)?;
     }
     if let Some(folder) = &arguments.method.layers {
-        files.add_directory(folder, Layer::ALL.map(layer_file))?;
+        files.add_directory(folder, GBufferLayer::ALL.map(layer_file))?;
     }
     Ok(options)
 }
 
-fn layer_file(layer: Layer) -> String {
+fn layer_file(layer: GBufferLayer) -> String {
     format!("{}.png", layer.name())
 }
 
 /// Writes the buffers behind the picture: `depth.png` and the like, and of each cube map `cube-map-3.png`, 3 being the
 /// number of its body in the scene.
-fn write_layers(files: &CommandFiles, folder: &Path, stage: &Stage, drawing: &Drawing) -> Result<()> {
+fn write_layers(files: &CommandFiles, folder: &Path, stage: &RenderScene, drawing: &MethodOutput) -> Result<()> {
     let options = SaveOptions::new(PictureFormat::Png, None)?;
     let write = |name: String, picture: &Picture| {
         files.write_picture(&folder.join(name), &options, picture).map(|_| ())
     };
-    for layer in Layer::ALL {
+    for layer in GBufferLayer::ALL {
         if let Some(picture) = drawing.layer(stage, layer)? {
             write(layer_file(layer), &picture)?;
         }

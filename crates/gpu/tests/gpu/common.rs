@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_gpu::{Gpu, GpuChoice};
 use catoptric_scene::{Example, Scene};
-use catoptric_tracer::Stage;
+use catoptric_tracer::RenderScene;
 
 /// A card of the test's own; `None` if there is none, which is told (not captured, as the output of tests is).
 pub(crate) fn own_card(test: &str) -> Option<Arc<Gpu>> {
@@ -29,8 +29,8 @@ pub(crate) fn card(test: &str) -> Option<Arc<Gpu>> {
     card.clone()
 }
 
-pub(crate) fn stage_of(scene: &Scene) -> Stage {
-    Stage::prepare(scene).unwrap()
+pub(crate) fn stage_of(scene: &Scene) -> RenderScene {
+    RenderScene::prepare(scene).unwrap()
 }
 
 pub(crate) fn reference(name: &str) -> Scene {

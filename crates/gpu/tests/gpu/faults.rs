@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, StageOnCard, render};
 use catoptric_scene::{Body, Color, Material, MaterialChoice, Scene};
-use catoptric_tracer::twin::Unsupported;
-use catoptric_tracer::{Control, RenderSettings};
+use catoptric_tracer::twin::UnsupportedOnGpu;
+use catoptric_tracer::{RenderControl, RenderSettings};
 
 use crate::common::{card, own_card, reference, stage_of};
 
@@ -16,9 +16,9 @@ const SMALL: RenderSettings = RenderSettings { width: 64, height: 36, samples: 1
 const LONG: RenderSettings = RenderSettings { width: 512, height: 288, samples: 1000 };
 
 /// Runs a long render and does `act` once it has begun.
-fn disturbed(gpu: &Arc<Gpu>, act: impl FnOnce(&Gpu, &Control) + Send + 'static) -> GpuError {
+fn disturbed(gpu: &Arc<Gpu>, act: impl FnOnce(&Gpu, &RenderControl) + Send + 'static) -> GpuError {
     let stage = stage_of(&reference("whitted"));
-    let control = Arc::new(Control::default());
+    let control = Arc::new(RenderControl::default());
     let (other, watched) = (Arc::clone(gpu), Arc::clone(&control));
     let disturber = std::thread::spawn(move || {
         while watched.pixels_done() == 0 {
@@ -38,7 +38,7 @@ fn a_card_that_is_lost_in_the_middle_is_an_error() {
     assert!(matches!(error, GpuError::Lost(_)), "{error}");
     // Whatever is asked of it from now on fails in the same way.
     let stage = stage_of(&reference("whitted"));
-    let again = render(&gpu, &stage, stage.camera(), SMALL, &Control::default());
+    let again = render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default());
     assert!(matches!(again, Err(GpuError::Lost(_))), "{again:?}");
     assert!(GpuFilm::new(&gpu, 8, 8).is_err() && StageOnCard::new(&gpu).is_err());
 }
@@ -51,7 +51,7 @@ fn a_device_that_a_window_loses_is_an_error() {
     let (device, queue) = device;
     let gpu = Arc::new(Gpu::on(device.clone(), queue).unwrap());
     let stage = stage_of(&reference("whitted"));
-    assert!(render(&gpu, &stage, stage.camera(), SMALL, &Control::default()).is_ok());
+    assert!(render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default()).is_ok());
     let error = disturbed(&gpu, move |_, _| device.destroy());
     assert!(matches!(error, GpuError::Lost(_)), "{error}");
 }
@@ -65,14 +65,14 @@ fn a_render_can_be_cancelled_and_gone_on_with() {
     let mut on_card = StageOnCard::new(&gpu).unwrap();
     on_card.follow(&gpu, &stage, camera).unwrap();
     let mut film = GpuFilm::new(&gpu, 200, 100).unwrap();
-    let cancelled = Control::default();
+    let cancelled = RenderControl::default();
     cancelled.cancel();
     let stopped = film.add_samples(&gpu, (&stage, &on_card), camera, 3, &cancelled);
     assert_eq!(stopped, Err(GpuError::Cancelled));
-    film.add_samples(&gpu, (&stage, &on_card), camera, 3, &Control::default()).unwrap();
+    film.add_samples(&gpu, (&stage, &on_card), camera, 3, &RenderControl::default()).unwrap();
     assert_eq!(film.samples(), 3);
     let settings = RenderSettings { width: 200, height: 100, samples: 3 };
-    let whole = render(&gpu, &stage, camera, settings, &Control::default()).unwrap();
+    let whole = render(&gpu, &stage, camera, settings, &RenderControl::default()).unwrap();
     assert_eq!(film.picture(&gpu).unwrap(), whole.picture);
 }
 
@@ -85,7 +85,7 @@ fn absurd_sizes_are_errors() {
     assert!(matches!(error, GpuError::TooLarge { .. } | GpuError::OutOfMemory(_)), "{error}");
     // The card is none the worse for it.
     let stage = stage_of(&reference("whitted"));
-    assert!(render(&gpu, &stage, stage.camera(), SMALL, &Control::default()).is_ok());
+    assert!(render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default()).is_ok());
 }
 
 #[test]
@@ -123,10 +123,10 @@ fn trees_without_end_are_refused() {
     let settings = RenderSettings { width: 2, height: 2, samples: 1 };
     let draw = |generations| {
         let stage = stage_of(&panes(generations));
-        render(&gpu, &stage, stage.camera(), settings, &Control::default()).map(|_| ())
+        render(&gpu, &stage, stage.camera(), settings, &RenderControl::default()).map(|_| ())
     };
     assert_eq!(draw(10), Ok(()));
-    assert_eq!(draw(64), Err(GpuError::Unsupported(Unsupported::LongTree)));
+    assert_eq!(draw(64), Err(GpuError::Unsupported(UnsupportedOnGpu::LongTree)));
 }
 
 /// Glass balls one in the other: `count` of them around the origin.
@@ -154,14 +154,14 @@ fn more_media_than_there_is_room_for_are_refused() {
         let mut scene = scene.clone();
         scene.tracing.generations = 64;
         let stage = stage_of(&scene);
-        render(&gpu, &stage, stage.camera(), SMALL, &Control::default()).map(|_| ())
+        render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default()).map(|_| ())
     };
     let mut scene = onion(20);
     scene.camera.position = glam::DVec3::new(0.0, 0.0, 9.0);
     scene.camera.target = glam::DVec3::ZERO;
-    assert_eq!(draw(&scene), Err(GpuError::Unsupported(Unsupported::NestedMedia)));
+    assert_eq!(draw(&scene), Err(GpuError::Unsupported(UnsupportedOnGpu::NestedMedia)));
     scene.camera.position = glam::DVec3::new(0.0, 0.0, 0.5);
-    assert_eq!(draw(&scene), Err(GpuError::Unsupported(Unsupported::EyeMedia(20))));
+    assert_eq!(draw(&scene), Err(GpuError::Unsupported(UnsupportedOnGpu::EyeMedia(20))));
     let mut fewer = onion(16);
     fewer.camera = scene.camera;
     assert_eq!(draw(&fewer), Ok(()));

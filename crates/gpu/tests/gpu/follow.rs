@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuFilm, StageOnCard, render};
 use catoptric_scene::{Body, Light, Material, MaterialChoice, Model, Projection, Scene, Shape};
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 use glam::DVec3;
 
 use crate::common::{card, stage_of};
@@ -39,7 +39,7 @@ fn lattice(count: usize) -> Scene {
 struct Follower {
     gpu: Arc<Gpu>,
     scene: Scene,
-    stage: Stage,
+    stage: RenderScene,
     on_card: StageOnCard,
 }
 
@@ -65,7 +65,7 @@ impl Follower {
     fn check(&self) {
         let settings = RenderSettings { width: 96, height: 64, samples: 1 };
         let mut film = GpuFilm::new(&self.gpu, settings.width, settings.height).unwrap();
-        let control = Control::default();
+        let control = RenderControl::default();
         film.add_samples(&self.gpu, (&self.stage, &self.on_card), self.stage.camera(), 1, &control).unwrap();
         let anew = render(&self.gpu, &self.stage, self.stage.camera(), settings, &control).unwrap();
         assert_eq!(film.picture(&self.gpu).unwrap(), anew.picture);
@@ -135,8 +135,8 @@ fn bodies_around_parallel_rays_are_put_in_order() {
         scene.bodies.push(big);
         let stage = stage_of(&scene);
         let settings = RenderSettings { width: 96, height: 64, samples: 2 };
-        let on_gpu = render(&gpu, &stage, stage.camera(), settings, &Control::default()).unwrap();
-        let on_cpu = catoptric_tracer::render(&stage, settings, &Control::default()).unwrap();
+        let on_gpu = render(&gpu, &stage, stage.camera(), settings, &RenderControl::default()).unwrap();
+        let on_cpu = catoptric_tracer::render(&stage, settings, &RenderControl::default()).unwrap();
         let difference = catoptric_picture::Difference::between(&on_gpu.picture, &on_cpu.picture).unwrap();
         assert!(difference.share_above < 0.001, "{count}: {difference:?}");
         assert!(on_cpu.counts.refracted > 1000, "{:?}", on_cpu.counts);

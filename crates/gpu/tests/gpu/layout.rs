@@ -8,17 +8,17 @@ use catoptric_scene::{
     Sky, Surroundings,
 };
 use catoptric_tracer::twin::{
-    FILM_HEAD, FILM_PIXEL, Frame, Physical, SampleWaves, Specialization, StageArrays, Texel, TileRays,
+    FILM_HEAD, FILM_PIXEL, FrameUniforms, PhysicalFeatures, WavelengthUniforms, ShaderSpecialization, SceneArrays, AtlasTexel, CameraRaysBytes,
     shader, tile_rays,
 };
-use catoptric_tracer::{Stage, StageChanges};
+use catoptric_tracer::{RenderScene, SceneChanges};
 use glam::DVec3;
 use naga::{ArraySize, Module, TypeInner};
 
 use crate::shaders::parsed;
 
 fn module(depth: u32) -> Module {
-    parsed(&shader(&Specialization { depth, shapes: 63, ..Specialization::default() })).unwrap()
+    parsed(&shader(&ShaderSpecialization { depth, shapes: 63, ..ShaderSpecialization::default() })).unwrap()
 }
 
 /// The offset of each member of a struct, and the size of all.
@@ -69,17 +69,17 @@ fn scene(bodies: usize) -> Scene {
 #[test]
 fn records_have_the_size_of_the_shaders() {
     let (few, many) = (module(0), module(4));
-    let (two, hundred) = (Stage::prepare(&scene(2)).unwrap(), Stage::prepare(&scene(100)).unwrap());
-    let arrays = StageArrays(&two);
+    let (two, hundred) = (RenderScene::prepare(&scene(2)).unwrap(), RenderScene::prepare(&scene(100)).unwrap());
+    let arrays = SceneArrays(&two);
     assert_eq!(layout(&few, "Body").1 as usize * 2, arrays.bodies().len());
     assert_eq!(layout(&few, "Material").1 as usize, arrays.materials().len());
     assert_eq!(layout(&few, "Checker").1 as usize * 2, arrays.checkers().len());
     assert_eq!(layout(&few, "Light").1 as usize, arrays.lights().len());
     assert_eq!(arrays.boxes().len(), 2 * 16);
     assert_eq!(arrays.scene_order(true).len(), 2 * 8);
-    assert_eq!(StageArrays(&hundred).boxes().len() % layout(&many, "Box").1 as usize, 0);
-    assert_eq!(layout(&few, "Frame").1 as usize, size_of::<Frame>());
-    assert_eq!(layout(&few, "RaysNear").1 as usize, size_of::<TileRays>());
+    assert_eq!(SceneArrays(&hundred).boxes().len() % layout(&many, "Box").1 as usize, 0);
+    assert_eq!(layout(&few, "Frame").1 as usize, size_of::<FrameUniforms>());
+    assert_eq!(layout(&few, "RaysNear").1 as usize, size_of::<CameraRaysBytes>());
     assert_eq!(u64::from(layout(&few, "Pixel").1), FILM_PIXEL);
     assert_eq!(offset(&few, "Film", "pixels") as u64, FILM_HEAD);
 }
@@ -87,17 +87,17 @@ fn records_have_the_size_of_the_shaders() {
 #[test]
 fn physical_records_are_read_where_they_are_written() {
     let special =
-        Specialization { shapes: 63, physical: Physical::ALL, media: 1, ..Specialization::default() };
+        ShaderSpecialization { shapes: 63, physical: PhysicalFeatures::ALL, media: 1, ..ShaderSpecialization::default() };
     let physical = parsed(&shader(&special)).unwrap();
     let mut scene = scene(2);
     scene.lights[0].radius = 0.7;
-    let stage = Stage::prepare(&scene).unwrap();
-    let lights = StageArrays(&stage).lights();
+    let stage = RenderScene::prepare(&scene).unwrap();
+    let lights = SceneArrays(&stage).lights();
     assert_eq!(layout(&physical, "Light").1 as usize, lights.len());
     let of_light = |member| number(&lights, offset(&physical, "Light", member));
     assert_eq!(["position", "power", "radius"].map(of_light), [21.0, 0.5, 0.7]);
     // Rows of four words; the order of the first three is that of plain materials.
-    let materials = StageArrays(&stage).materials();
+    let materials = SceneArrays(&stage).materials();
     assert_eq!(materials.len(), 6 * 16);
     let places = [0, 12, 16, 28, 32, 36, 40, 44];
     let numbers = places.map(|place| number(&materials, place));
@@ -108,15 +108,15 @@ fn physical_records_are_read_where_they_are_written() {
     else {
         panic!("waves are an array of one length");
     };
-    assert_eq!((count.get() * stride) as usize, size_of::<SampleWaves>());
+    assert_eq!((count.get() * stride) as usize, size_of::<WavelengthUniforms>());
 }
 
 #[test]
 fn bodies_and_materials_are_read_where_they_are_written() {
     let few = module(0);
     let scene = scene(2);
-    let stage = Stage::prepare(&scene).unwrap();
-    let arrays = StageArrays(&stage);
+    let stage = RenderScene::prepare(&scene).unwrap();
+    let arrays = SceneArrays(&stage);
     let at = |member| offset(&few, "Body", member);
     let first = stage.scene_index(0).unwrap();
     assert_eq!(number(arrays.bodies(), at("origin")), 3.0 * first as f32);
@@ -142,8 +142,8 @@ fn frames_and_rays_are_read_where_they_are_written() {
     let few = module(0);
     let mut scene = scene(2);
     scene.camera = Camera { projection: Projection::Parallel { height: 4.0 }, ..scene.camera };
-    let stage = Stage::prepare(&scene).unwrap();
-    let frame = Frame::new(&stage, stage.camera(), [140, 80]).dispatch(5, 1, 2);
+    let stage = RenderScene::prepare(&scene).unwrap();
+    let frame = FrameUniforms::new(&stage, stage.camera(), [140, 80]).dispatch(5, 1, 2);
     let bytes = bytemuck::bytes_of(&frame);
     let word_of = |member| word(bytes, offset(&few, "Frame", member));
     let members = ["tiles_across", "first_tile", "bounded", "bodies", "lights", "samples_done", "samples"];
@@ -166,11 +166,11 @@ fn frames_and_rays_are_read_where_they_are_written() {
 fn skies_are_read_where_they_are_written() {
     let few = module(0);
     let mut scene = scene(2);
-    let at = |frame: &Frame, member| number(bytemuck::bytes_of(frame), offset(&few, "Frame", member));
+    let at = |frame: &FrameUniforms, member| number(bytemuck::bytes_of(frame), offset(&few, "Frame", member));
     let members = ["background", "horizon", "nadir", "turn"];
     let frame_of = |scene: &Scene| {
-        let stage = Stage::prepare(scene).unwrap();
-        Frame::new(&stage, stage.camera(), [70, 40])
+        let stage = RenderScene::prepare(scene).unwrap();
+        FrameUniforms::new(&stage, stage.camera(), [70, 40])
     };
     scene.environment.background = Color::gray(0.31);
     assert_eq!(members.map(|member| at(&frame_of(&scene), member)), [0.31, 0.0, 0.0, 0.0]);
@@ -202,10 +202,10 @@ fn pictures_lie_where_their_records_point() {
         ..Body::default()
     };
     scene.bodies = textures.map(of).into();
-    let stage = Stage::prepare(&scene).unwrap();
-    let pictures = StageArrays(&stage).pictures();
+    let stage = RenderScene::prepare(&scene).unwrap();
+    let pictures = SceneArrays(&stage).pictures();
     assert_eq!(pictures.rows(), 2, "3 records and 9011 pixels");
-    let texels: Vec<Texel> =
+    let texels: Vec<AtlasTexel> =
         pictures.pieces(1).inspect(|piece| assert_eq!(piece.len(), 8192)).flatten().collect();
     assert_eq!(texels, pictures.pieces(7).flatten().collect::<Vec<_>>());
     assert_eq!(texels[0], [3, 3, 2, 0]);
@@ -218,7 +218,7 @@ fn pictures_lie_where_their_records_point() {
     }
     // In the place of the colors stand the numbers of the records.
     let few = module(0);
-    let materials = StageArrays(&stage).materials();
+    let materials = SceneArrays(&stage).materials();
     let size = layout(&few, "Material").1 as usize;
     let place = |material: &[u8]| number(material, offset(&few, "Material", "color"));
     let found: Vec<f32> = materials.chunks(size).map(place).collect();
@@ -230,9 +230,9 @@ fn pictures_lie_where_their_records_point() {
 
 #[test]
 fn changes_are_ranges_of_bytes() {
-    let stage = Stage::prepare(&scene(100)).unwrap();
-    let arrays = StageArrays(&stage);
-    let changes = StageChanges { bodies: [2..4, 7..8].into(), nodes: vec![1, 2] };
+    let stage = RenderScene::prepare(&scene(100)).unwrap();
+    let arrays = SceneArrays(&stage);
+    let changes = SceneChanges { bodies: [2..4, 7..8].into(), nodes: vec![1, 2] };
     let [bodies, boxes, order] = arrays.parts(&changes);
     let body = arrays.bodies().len() / 100;
     assert_eq!(bodies, [2 * body..4 * body, 7 * body..8 * body]);

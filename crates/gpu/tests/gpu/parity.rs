@@ -2,7 +2,7 @@
 
 use catoptric_gpu::{Gpu, GpuFilm, StageOnCard};
 use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
-use catoptric_tracer::{Control, NO_BODY, RayCounts, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, NO_BODY, RayCounts, RenderSettings, RenderScene, render};
 use glam::DVec2;
 
 use crate::common::{all_scenes, card, stage_of};
@@ -21,14 +21,14 @@ pub(crate) struct Compared {
     pub(crate) gpu: (Picture, RayCounts),
 }
 
-pub(crate) fn compare(card: &Gpu, stage: &Stage, samples: u32) -> Compared {
+pub(crate) fn compare(card: &Gpu, stage: &RenderScene, samples: u32) -> Compared {
     let [width, height] = SIZE;
     let settings = RenderSettings { width, height, samples };
-    let cpu = render(stage, settings, &Control::default()).unwrap();
+    let cpu = render(stage, settings, &RenderControl::default()).unwrap();
     let mut film = GpuFilm::new(card, width, height).unwrap();
     let mut on_card = StageOnCard::new(card).unwrap();
     on_card.follow(card, stage, stage.camera()).unwrap();
-    let control = Control::default();
+    let control = RenderControl::default();
     let pass = film.add_samples(card, (stage, &on_card), stage.camera(), samples, &control).unwrap();
     let picture = film.picture(card).unwrap();
     let bodies = film.bodies(card).unwrap();
@@ -37,7 +37,7 @@ pub(crate) fn compare(card: &Gpu, stage: &Stage, samples: u32) -> Compared {
     Compared { other_bodies, difference, cpu: (cpu.picture, cpu.counts), gpu: (picture, pass.counts) }
 }
 
-fn count_other_bodies(stage: &Stage, bodies: &[u32]) -> usize {
+fn count_other_bodies(stage: &RenderScene, bodies: &[u32]) -> usize {
     let size = DVec2::new(f64::from(SIZE[0]), f64::from(SIZE[1]));
     let places = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
     let is_other = |&((x, y), &found): &((u32, u32), &u32)| {

@@ -9,7 +9,7 @@ use catoptric_scene::{
     Anchor, Body, Checker, Color, Image, Light, Material, MaterialChoice, Model, Placement, Projection,
     Scene, Shape, Sky, Surroundings,
 };
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 use glam::DVec3;
 
 use crate::common::{card, stage_of};
@@ -95,7 +95,7 @@ fn surrounded(
     strength: f64,
     rotation: f64,
     target: DVec3,
-) -> Stage {
+) -> RenderScene {
     let material = Material { model, ..Material::default() };
     let ball = body(Shape::Sphere { radius: 0.6 }, DVec3::new(0.0, 0.0, -3.0), &material);
     let mut scene = Scene { bodies: [ball].into(), lights: vec![Light::default()], ..Scene::default() };
@@ -169,7 +169,7 @@ fn an_edit_sends_pictures_that_are_new() {
         let sent = on_card.follow(&card, &stage, stage.camera()).unwrap();
         let settings = RenderSettings { width: 96, height: 64, samples: 1 };
         let mut film = GpuFilm::new(&card, settings.width, settings.height).unwrap();
-        let control = Control::default();
+        let control = RenderControl::default();
         film.add_samples(&card, (&stage, &on_card), stage.camera(), 1, &control).unwrap();
         let anew = render(&card, &stage, stage.camera(), settings, &control).unwrap();
         assert_eq!(film.picture(&card).unwrap(), anew.picture);

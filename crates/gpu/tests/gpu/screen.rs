@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_gpu::{GpuFilm, GpuScreen, StageOnCard};
 use catoptric_picture::{Development, ToneCurve};
-use catoptric_tracer::Control;
+use catoptric_tracer::RenderControl;
 
 use crate::common::{card, reference, stage_of};
 
@@ -15,7 +15,7 @@ fn a_developed_film_has_the_codes_of_the_processor() {
     let mut on_card = StageOnCard::new(&gpu).unwrap();
     on_card.follow(&gpu, &stage, stage.camera()).unwrap();
     let mut film = GpuFilm::new(&gpu, 150, 70).unwrap();
-    film.add_samples(&gpu, (&stage, &on_card), stage.camera(), 1, &Control::default()).unwrap();
+    film.add_samples(&gpu, (&stage, &on_card), stage.camera(), 1, &RenderControl::default()).unwrap();
     let light = film.picture(&gpu).unwrap();
     let mut screen = GpuScreen::new(&gpu).unwrap();
     for tone_curve in ToneCurve::ALL {

@@ -1,6 +1,6 @@
 //! Every shader that a stage may need is sound, which naga tells without a card.
 
-use catoptric_tracer::twin::{ENTRY_POINT, Physical, Sky, Specialization, shader};
+use catoptric_tracer::twin::{ENTRY_POINT, PhysicalFeatures, EnvironmentKind, ShaderSpecialization, shader};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// The shader as naga has it, or why it is none.
@@ -13,40 +13,40 @@ pub(crate) fn parsed(source: &str) -> Result<naga::Module, String> {
 }
 
 /// What stages may have of physical materials.
-const PHYSICAL: [Physical; 7] = [
-    Physical::LAWS,
-    Physical::METALS,
-    Physical::FACETS,
-    Physical::ABSORBS,
-    Physical::DISPERSES,
-    Physical::BALLS,
-    Physical::ALL,
+const PHYSICAL: [PhysicalFeatures; 7] = [
+    PhysicalFeatures::LAWS,
+    PhysicalFeatures::METALS,
+    PhysicalFeatures::FACETS,
+    PhysicalFeatures::ABSORBS,
+    PhysicalFeatures::DISPERSES,
+    PhysicalFeatures::BALLS,
+    PhysicalFeatures::ALL,
 ];
 
 /// Few bodies and many, without transparency and with it, and each shape alone.
-pub(crate) fn kinds() -> Vec<Specialization> {
+pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
     let mut kinds = Vec::new();
     for depth in [0, 1, 9] {
         for (media, stack) in [(0, 0), (1, 4), (16, 64)] {
             for shapes in [0, 1, 2, 4, 8, 16, 32, 63] {
                 let asks_each_start = media > 0 && shapes == 63;
                 let checkers = shapes % 2 == 1;
-                let plain = Specialization {
+                let plain = ShaderSpecialization {
                     shapes,
                     depth,
                     media,
                     stack,
                     checkers,
                     asks_each_start,
-                    physical: Physical::NOTHING,
-                    sky: Sky::Even,
+                    physical: PhysicalFeatures::NOTHING,
+                    sky: EnvironmentKind::Even,
                     textures: false,
                 };
                 kinds.push(plain);
                 kinds.extend(with_pictures(plain));
                 if [0, 63].contains(&shapes) {
-                    kinds.extend(PHYSICAL.map(|physical| Specialization { physical, ..plain }));
-                    kinds.extend(with_pictures(Specialization { physical: Physical::ALL, ..plain }));
+                    kinds.extend(PHYSICAL.map(|physical| ShaderSpecialization { physical, ..plain }));
+                    kinds.extend(with_pictures(ShaderSpecialization { physical: PhysicalFeatures::ALL, ..plain }));
                 }
             }
         }
@@ -55,9 +55,9 @@ pub(crate) fn kinds() -> Vec<Specialization> {
 }
 
 /// The same with skies and textures.
-fn with_pictures(kind: Specialization) -> [Specialization; 4] {
-    let all = [(Sky::Gradient, false), (Sky::Picture, false), (Sky::Even, true), (Sky::Picture, true)];
-    all.map(|(sky, textures)| Specialization { sky, textures, ..kind })
+fn with_pictures(kind: ShaderSpecialization) -> [ShaderSpecialization; 4] {
+    let all = [(EnvironmentKind::Gradient, false), (EnvironmentKind::Picture, false), (EnvironmentKind::Even, true), (EnvironmentKind::Picture, true)];
+    all.map(|(sky, textures)| ShaderSpecialization { sky, textures, ..kind })
 }
 
 #[test]
@@ -73,12 +73,12 @@ fn every_kind_of_shader_is_valid() {
 /// Scenes without pictures pay nothing for them.
 #[test]
 fn shaders_without_pictures_know_nothing_of_them() {
-    for physical in [Physical::NOTHING, Physical::ALL] {
-        let even = Specialization { physical, ..Specialization::default() };
+    for physical in [PhysicalFeatures::NOTHING, PhysicalFeatures::ALL] {
+        let even = ShaderSpecialization { physical, ..ShaderSpecialization::default() };
         for own in ["pictures: texture", "fn image_at", "fn texture_place", "fn angle_of"] {
             assert!(!shader(&even).contains(own), "{own}");
-            assert!(shader(&Specialization { textures: true, ..even }).contains(own), "{own}");
-            assert!(!shader(&Specialization { sky: Sky::Gradient, ..even }).contains(own), "{own}");
+            assert!(shader(&ShaderSpecialization { textures: true, ..even }).contains(own), "{own}");
+            assert!(!shader(&ShaderSpecialization { sky: EnvironmentKind::Gradient, ..even }).contains(own), "{own}");
         }
     }
 }
@@ -86,7 +86,7 @@ fn shaders_without_pictures_know_nothing_of_them() {
 /// The test itself can fail.
 #[test]
 fn a_broken_shader_is_noticed() {
-    let source = shader(&Specialization::default());
+    let source = shader(&ShaderSpecialization::default());
     let wrong_type = source.replacen("fn largest(vector: vec3<f32>)", "fn largest(vector: vec2<f32>)", 1);
     assert!(parsed(&source).is_ok() && wrong_type != source);
     assert!(parsed(&wrong_type).is_err());

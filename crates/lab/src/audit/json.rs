@@ -1,6 +1,6 @@
 //! The audit as JSON.
 
-use catoptric_tracer::{Branch, Fate, LightTerm, Shadow, SurfaceAnswer};
+use catoptric_tracer::{BranchRecord, BranchOutcome, LightTerm, ShadowRecord, SurfaceRecord};
 use serde_json::{Value, json};
 
 use super::{Audit, Node, Proof, RayTree};
@@ -76,7 +76,7 @@ impl Audit {
         })
     }
 
-    fn answer(&self, answer: &SurfaceAnswer) -> Value {
+    fn answer(&self, answer: &SurfaceRecord) -> Value {
         let lights: Vec<Value> = answer.lights.iter().map(|light| self.light(light)).collect();
         json!({
             "law": answer.law.key(),
@@ -119,7 +119,7 @@ impl Audit {
         })
     }
 
-    fn shadow(&self, shadow: &Shadow) -> Value {
+    fn shadow(&self, shadow: &ShadowRecord) -> Value {
         let crossings: Vec<Value> = shadow
             .crossings
             .iter()
@@ -144,14 +144,14 @@ impl Audit {
     }
 }
 
-fn branch(branch: &Branch) -> Value {
+fn branch(branch: &BranchRecord) -> Value {
     let (fate, ray) = match branch.fate {
-        Fate::Followed(ray) => ("followed", Some(ray)),
-        Fate::Nothing => ("nothing", None),
-        Fate::TotalReflection => ("total-reflection", None),
-        Fate::GenerationLimit => ("generation-limit", None),
-        Fate::Threshold => ("threshold", None),
-        Fate::LeftOut => ("left-out", None),
+        BranchOutcome::Followed(ray) => ("followed", Some(ray)),
+        BranchOutcome::Nothing => ("nothing", None),
+        BranchOutcome::TotalReflection => ("total-reflection", None),
+        BranchOutcome::GenerationLimit => ("generation-limit", None),
+        BranchOutcome::Threshold => ("threshold", None),
+        BranchOutcome::LeftOut => ("left-out", None),
     };
     json!({
         "coefficient": branch.coefficient.to_array(),

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use catoptric_picture::srgb;
-use catoptric_tracer::{Fate, SurfaceAnswer};
+use catoptric_tracer::{BranchOutcome, SurfaceRecord};
 use glam::DVec3;
 
 use super::drawing::{self, Drawn};
@@ -202,7 +202,7 @@ impl<'a> Drawing<'a> {
     }
 
     /// A dot for each light: full if it shines on the point, half if it is filtered, empty if something is in the way.
-    fn lamps(&self, text: &mut String, answer: Option<&SurfaceAnswer>) {
+    fn lamps(&self, text: &mut String, answer: Option<&SurfaceRecord>) {
         /// More would run into the text.
         const MOST: usize = 5;
         let lights =
@@ -230,15 +230,15 @@ fn share(brings: DVec3, whole: DVec3) -> String {
 }
 
 /// Why branches end that would have carried something.
-fn endings(answer: Option<&SurfaceAnswer>) -> String {
+fn endings(answer: Option<&SurfaceRecord>) -> String {
     let Some(answer) = answer else { return String::new() };
     let mut reasons: Vec<&str> = [answer.reflected.fate, answer.refracted.fate]
         .iter()
         .filter_map(|fate| match fate {
-            Fate::GenerationLimit => Some("limit"),
-            Fate::Threshold => Some("threshold"),
-            Fate::LeftOut => Some("left out"),
-            Fate::Followed(_) | Fate::Nothing | Fate::TotalReflection => None,
+            BranchOutcome::GenerationLimit => Some("limit"),
+            BranchOutcome::Threshold => Some("threshold"),
+            BranchOutcome::LeftOut => Some("left out"),
+            BranchOutcome::Followed(_) | BranchOutcome::Nothing | BranchOutcome::TotalReflection => None,
         })
         .collect();
     reasons.dedup();

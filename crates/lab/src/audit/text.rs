@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use catoptric_tracer::{Branch, Fate, LightTerm, ReflectionLaw, Shadow, SurfaceAnswer};
+use catoptric_tracer::{BranchRecord, BranchOutcome, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord};
 use glam::Vec3;
 
 use super::numbers::{degrees, exact, exact_color, exact_double, short, short_color, short_vector};
@@ -222,7 +222,7 @@ impl Page<'_> {
         self.line("adds", &sum);
     }
 
-    fn surface(&mut self, node: &Node, answer: &SurfaceAnswer) {
+    fn surface(&mut self, node: &Node, answer: &SurfaceRecord) {
         let Some(hit) = node.ray.hit else { return };
         let side = if hit.hit.leaving { " from within" } else { "" };
         self.line(
@@ -237,10 +237,10 @@ impl Page<'_> {
         );
         self.angles(node, answer);
         let odd = if answer.is_odd_cell { ", the checker's" } else { "" };
-        if answer.law.has_ground() || answer.law == ReflectionLaw::Mirror {
+        if answer.law.has_ground() || answer.law == ReflectionModel::Mirror {
             self.line("color", &format!("C = {}{odd}", exact_color(answer.color)));
         }
-        if answer.law == ReflectionLaw::Constant {
+        if answer.law == ReflectionModel::Constant {
             self.line(
                 "ambient",
                 &format!(
@@ -251,7 +251,7 @@ impl Page<'_> {
                     exact_color(answer.ambient)
                 ),
             );
-        } else if answer.law == ReflectionLaw::Coat {
+        } else if answer.law == ReflectionModel::Coat {
             self.line("ambient", &format!("{} through the coat", exact_color(answer.ambient)));
         }
         for light in &answer.lights {
@@ -259,13 +259,13 @@ impl Page<'_> {
         }
         self.local(node, answer);
         let by = match (answer.law, node.incidence) {
-            (ReflectionLaw::Constant, _) | (_, None) => String::new(),
-            (ReflectionLaw::Mirror, _) => " in the mirror's color".to_owned(),
-            (ReflectionLaw::Dielectric, Some(angle)) => format!(" by Fresnel at {}", degrees(angle)),
-            (ReflectionLaw::Conductor, Some(angle)) => {
+            (ReflectionModel::Constant, _) | (_, None) => String::new(),
+            (ReflectionModel::Mirror, _) => " in the mirror's color".to_owned(),
+            (ReflectionModel::Dielectric, Some(angle)) => format!(" by Fresnel at {}", degrees(angle)),
+            (ReflectionModel::Conductor, Some(angle)) => {
                 format!(" by Fresnel for metals at {}", degrees(angle))
             }
-            (ReflectionLaw::Coat, Some(angle)) => format!(" by Fresnel for the coat at {}", degrees(angle)),
+            (ReflectionModel::Coat, Some(angle)) => format!(" by Fresnel for the coat at {}", degrees(angle)),
         };
         let reflected = self.branch(&format!("reflected{by}"), answer.reflected);
         self.line("goes on", &reflected);
@@ -284,7 +284,7 @@ impl Page<'_> {
     }
 
     /// The sum of the local terms, if there is more than one.
-    fn local(&mut self, node: &Node, answer: &SurfaceAnswer) {
+    fn local(&mut self, node: &Node, answer: &SurfaceRecord) {
         let lights = answer.lights.iter().filter_map(|light| light.answer);
         let terms: Vec<String> = std::iter::once(answer.ambient)
             .chain(lights.map(|answer| answer.light))
@@ -295,7 +295,7 @@ impl Page<'_> {
         }
     }
 
-    fn angles(&mut self, node: &Node, answer: &SurfaceAnswer) {
+    fn angles(&mut self, node: &Node, answer: &SurfaceRecord) {
         let Some(incidence) = node.incidence else { return };
         let mut words = format!("incidence {}", degrees(incidence));
         if let Some(interface) = answer.interface {
@@ -308,7 +308,7 @@ impl Page<'_> {
         self.line("angles", &words);
     }
 
-    fn light(&mut self, light: &LightTerm, answer: &SurfaceAnswer) {
+    fn light(&mut self, light: &LightTerm, answer: &SurfaceRecord) {
         let name = self.audit.names.light(light.light);
         let facing = format!("d = {} m, n̂·L̂ = {}", short(light.distance.into()), exact(light.cosine));
         let Some(shadow) = &light.shadow else {
@@ -327,7 +327,7 @@ impl Page<'_> {
             let (k, c) = (exact(answer.diffuse_coefficient), exact_color(answer.color));
             let cosine = exact(light.cosine);
             let said = match answer.law {
-                ReflectionLaw::Coat => format!("diffuse through the coat, of {c} × {cosine}: {diffuse}"),
+                ReflectionModel::Coat => format!("diffuse through the coat, of {c} × {cosine}: {diffuse}"),
                 _ => format!("diffuse k_d·C·(n̂·L̂) = {k} × {c} × {cosine} = {diffuse}"),
             };
             self.line("", &said);
@@ -361,7 +361,7 @@ impl Page<'_> {
     }
 
     /// What lies between a point and a light.
-    fn way(&self, shadow: &Shadow) -> String {
+    fn way(&self, shadow: &ShadowRecord) -> String {
         const MOST: usize = 6;
         let absorbed = shadow.through != Vec3::ONE;
         if shadow.crossings.is_empty() && !absorbed {
@@ -392,20 +392,20 @@ impl Page<'_> {
         words.join(", ")
     }
 
-    fn branch(&self, name: &str, branch: Branch) -> String {
-        let Branch { coefficient, weight, fate } = branch;
+    fn branch(&self, name: &str, branch: BranchRecord) -> String {
+        let BranchRecord { coefficient, weight, fate } = branch;
         let weight = exact_color(weight);
         let rest = match fate {
-            Fate::Followed(child) => format!("ray {}, weight × {}", child + 1, exact_color(coefficient)),
-            Fate::Nothing => "nothing, the coefficient is 0".to_owned(),
-            Fate::TotalReflection => "nothing, all light is reflected".to_owned(),
-            Fate::GenerationLimit => {
+            BranchOutcome::Followed(child) => format!("ray {}, weight × {}", child + 1, exact_color(coefficient)),
+            BranchOutcome::Nothing => "nothing, the coefficient is 0".to_owned(),
+            BranchOutcome::TotalReflection => "nothing, all light is reflected".to_owned(),
+            BranchOutcome::GenerationLimit => {
                 format!("ends at the limit of {} generations; its weight {weight}", self.audit.generations)
             }
-            Fate::Threshold => {
+            BranchOutcome::Threshold => {
                 format!("ends: its weight {weight} is below {}", exact(self.audit.threshold))
             }
-            Fate::LeftOut => format!("left out of this list; its weight {weight}"),
+            BranchOutcome::LeftOut => format!("left out of this list; its weight {weight}"),
         };
         format!("{name}: {rest}")
     }

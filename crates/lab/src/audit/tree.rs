@@ -1,6 +1,6 @@
 //! The tree of one sample, with the sums of its branches.
 
-use catoptric_tracer::{Fate, RayKind, SurfaceAnswer, TracedRay};
+use catoptric_tracer::{BranchOutcome, RayKind, SurfaceRecord, RayRecord};
 use glam::{DVec2, DVec3, Vec3};
 
 use super::sum::ExactSum;
@@ -37,7 +37,7 @@ impl NodeKind {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
     /// The ray with its numbers, as the renderer has them. Places of rays in it are places in [`RayTree::nodes`].
-    pub ray: TracedRay,
+    pub ray: RayRecord,
     /// What it is to the ray before.
     pub kind: NodeKind,
     /// The coefficient between the ray before and this one: k_r, 1 or k_t·τ, or what Fresnel's formulas give; 1 for the
@@ -45,7 +45,7 @@ pub struct Node {
     pub coefficient: Vec3,
     /// The rays that go on from its end, the reflected one first.
     pub children: Vec<usize>,
-    /// What it adds to the pixel together with all that grows from it: the exact sum of [`TracedRay::light`], rounded
+    /// What it adds to the pixel together with all that grows from it: the exact sum of [`RayRecord::light`], rounded
     /// once to double precision.
     pub brings: DVec3,
     /// The light that comes along this ray: its local terms, and the light of its children times their coefficients.
@@ -58,7 +58,7 @@ pub struct Node {
 
 impl Node {
     /// How the surface at its end answers, if it meets one.
-    pub fn answer(&self) -> Option<&SurfaceAnswer> {
+    pub fn answer(&self) -> Option<&SurfaceRecord> {
         self.ray.answer.as_ref()
     }
 
@@ -104,7 +104,7 @@ pub struct RayTree {
 
 impl RayTree {
     /// The tree, and whether the renderer comes to its light in whatever order it adds.
-    pub(super) fn new(sample: u32, offset: DVec2, rays: Vec<TracedRay>) -> (Self, bool) {
+    pub(super) fn new(sample: u32, offset: DVec2, rays: Vec<RayRecord>) -> (Self, bool) {
         let mut nodes: Vec<Node> = Vec::with_capacity(rays.len());
         for ray in rays {
             let place = nodes.len();
@@ -118,7 +118,7 @@ impl RayTree {
             nodes.push(Node::new(ray, kind, coefficient));
         }
         let left_out = nodes.iter().filter_map(Node::answer).flat_map(branches);
-        let left_out = left_out.filter(|fate| *fate == Fate::LeftOut).count();
+        let left_out = left_out.filter(|fate| *fate == BranchOutcome::LeftOut).count();
         let total = sum_up(&mut nodes);
         let light = Vec3::from(total.each_ref().map(|sum| sum.value() as f32));
         (Self { sample, offset, nodes, light, left_out }, total.iter().all(ExactSum::is_certain))
@@ -141,11 +141,11 @@ impl RayTree {
     }
 }
 
-fn branches(answer: &SurfaceAnswer) -> [Fate; 2] {
+fn branches(answer: &SurfaceRecord) -> [BranchOutcome; 2] {
     [answer.reflected.fate, answer.refracted.fate]
 }
 
-fn relation(ray: &TracedRay, parent: &Node) -> (NodeKind, Vec3) {
+fn relation(ray: &RayRecord, parent: &Node) -> (NodeKind, Vec3) {
     let Some(answer) = parent.answer() else { return (NodeKind::Primary, Vec3::ONE) };
     match ray.kind {
         RayKind::Primary => (NodeKind::Primary, Vec3::ONE),
@@ -158,7 +158,7 @@ fn relation(ray: &TracedRay, parent: &Node) -> (NodeKind, Vec3) {
 }
 
 impl Node {
-    fn new(ray: TracedRay, kind: NodeKind, coefficient: Vec3) -> Self {
+    fn new(ray: RayRecord, kind: NodeKind, coefficient: Vec3) -> Self {
         let incidence = ray.hit.map(|hit| {
             let direction = Vec3::from(ray.ray.direction).as_dvec3();
             let normal = hit.normal.as_dvec3();

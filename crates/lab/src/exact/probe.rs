@@ -3,12 +3,12 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_scene::{Body, Camera, Light, List, Material, MaterialChoice, Scene, Tracing};
-use catoptric_tracer::{RayKind, Stage, TracedRay, Whitted};
+use catoptric_tracer::{RayKind, RenderScene, RayRecord, WhittedIntegrator};
 use glam::{DVec3, Vec3};
 
 /// A stage of a few bodies, for a few rays.
 pub(super) struct Probe {
-    stage: Stage,
+    stage: RenderScene,
     /// Where the stage's origin stands in the scene: near the bodies, since rays are traced in single precision.
     origin: DVec3,
 }
@@ -62,14 +62,14 @@ impl Probe {
         let camera = Camera { position: seen.position - origin, target: seen.target - origin, ..seen };
         let lights = light.map(point).into_iter().collect();
         let alone = Scene { bodies, lights, tracing, camera, ..Scene::default() };
-        Some(Self { stage: Stage::prepare(&alone).ok()?, origin })
+        Some(Self { stage: RenderScene::prepare(&alone).ok()?, origin })
     }
 
     /// The first rays of the tree from a point in a direction; their places are those of the stage.
-    pub(super) fn tree(&self, from: DVec3, direction: DVec3, most: usize) -> Vec<TracedRay> {
+    pub(super) fn tree(&self, from: DVec3, direction: DVec3, most: usize) -> Vec<RayRecord> {
         let direction = direction.normalize_or_zero().as_vec3();
         let ray = self.stage.ray_from_point(from - self.origin, direction);
-        Whitted::new(&self.stage, &AtomicBool::new(false)).tree(ray, most)
+        WhittedIntegrator::new(&self.stage, &AtomicBool::new(false)).tree(ray, most)
     }
 
     /// The ray after so many reflections.
@@ -102,13 +102,13 @@ impl Probe {
         tree.get(beyond).map(|ray| self.line(ray))
     }
 
-    fn line(&self, ray: &TracedRay) -> Line {
+    fn line(&self, ray: &RayRecord) -> Line {
         let (point, direction) = (ray.origin, Vec3::from(ray.ray.direction).as_dvec3());
         // In double precision, single precision's unit vectors are not quite that.
         Line { point: point + self.origin, direction: direction.normalize_or_zero() }
     }
 }
 
-fn child(tree: &[TracedRay], parent: usize, kind: RayKind) -> Option<usize> {
+fn child(tree: &[RayRecord], parent: usize, kind: RayKind) -> Option<usize> {
     tree.iter().position(|ray| ray.parent == Some(parent) && ray.kind == kind)
 }

@@ -1,7 +1,7 @@
 //! Spherical mirrors, and highlights on balls.
 
 use catoptric_scene::Light;
-use catoptric_tracer::TracedRay;
+use catoptric_tracer::RayRecord;
 use glam::{DVec3, Vec3};
 
 use super::geometry::{Arc, alhazen_from, crossing, sphere_image};
@@ -117,7 +117,7 @@ fn highlight(
 }
 
 /// The angle between the mirrored light and the way back, where a ray ends.
-fn angle_off(ray: &TracedRay) -> Option<f64> {
+fn angle_off(ray: &RayRecord) -> Option<f64> {
     let (hit, answer) = (ray.hit?, ray.answer.as_ref()?);
     let term = answer.lights.first()?;
     let [normal, to_light, direction] =

@@ -4,7 +4,7 @@ use std::fmt;
 
 use catoptric_scene::Tracing;
 use catoptric_tracer::method::{CubeMapSettings, Method, ShadingSettings};
-use catoptric_tracer::{RenderSettings, Search, Stage};
+use catoptric_tracer::{RenderSettings, AcceleratorChoice, RenderScene};
 
 use crate::variant::Variant;
 
@@ -41,7 +41,7 @@ pub enum Value {
     /// A method with its settings.
     Method(Variant),
     /// How bodies are found.
-    Search(Search),
+    Search(AcceleratorChoice),
 }
 
 /// A parameter and its values, at least one.
@@ -118,7 +118,7 @@ impl Parameter {
     fn most(self) -> u32 {
         match self {
             // A body takes some hundred bytes in the scene and the stage.
-            Self::Bodies => (Stage::MAX_BODIES as u32).min(10_000_000),
+            Self::Bodies => (RenderScene::MAX_BODIES as u32).min(10_000_000),
             Self::Generations => Tracing::MAX_GENERATIONS,
             Self::Samples => RenderSettings::MAX_SAMPLES,
             Self::Threads => 1024,
@@ -155,7 +155,7 @@ impl Parameter {
             }
             Self::Fineness => counts(&[1, 2, 4, 8, 16, 32, 64]),
             Self::CubeMapSize => counts(&[16, 32, 64, 128, 256, 512]),
-            Self::Search => [Search::Quickest, Search::OneByOne].map(Value::Search).to_vec(),
+            Self::Search => [AcceleratorChoice::Quickest, AcceleratorChoice::OneByOne].map(Value::Search).to_vec(),
         }
     }
 
@@ -177,8 +177,8 @@ impl Parameter {
                 text.parse().map(Value::Method).map_err(|error: crate::VariantError| wrong(error.to_string()))
             }
             Self::Search => match text {
-                "hierarchy" => Ok(Value::Search(Search::Quickest)),
-                "one-by-one" => Ok(Value::Search(Search::OneByOne)),
+                "hierarchy" => Ok(Value::Search(AcceleratorChoice::Quickest)),
+                "one-by-one" => Ok(Value::Search(AcceleratorChoice::OneByOne)),
                 _ => Err(wrong("give hierarchy or one-by-one".to_owned())),
             },
             _ => {
@@ -203,8 +203,8 @@ impl fmt::Display for Value {
             Self::Count(count) => write!(f, "{count}"),
             Self::Size([width, height]) => write!(f, "{width}x{height}"),
             Self::Method(variant) => variant.fmt(f),
-            Self::Search(Search::Quickest) => f.pad("hierarchy"),
-            Self::Search(Search::OneByOne) => f.pad("one-by-one"),
+            Self::Search(AcceleratorChoice::Quickest) => f.pad("hierarchy"),
+            Self::Search(AcceleratorChoice::OneByOne) => f.pad("one-by-one"),
         }
     }
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_scene::Scene;
 use catoptric_tracer::method::{Method, MethodError, PassName, draw};
-use catoptric_tracer::{Control, RayCounts, RenderSettings, Search, Stage, StageError};
+use catoptric_tracer::{RenderControl, RayCounts, RenderSettings, AcceleratorChoice, RenderScene, SceneBuildError};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::parameter::{Axis, AxisError, Parameter, Value};
@@ -65,7 +65,7 @@ pub enum MeasureError {
     Points(usize),
     /// The scene cannot be prepared.
     #[error(transparent)]
-    Stage(#[from] StageError),
+    Stage(#[from] SceneBuildError),
     /// The picture cannot be drawn.
     #[error(transparent)]
     Method(#[from] MethodError),
@@ -163,7 +163,7 @@ pub struct Measured {
 /// When the plan makes no sense, a picture cannot be drawn, or it is cancelled before each point was measured once.
 pub fn measure(
     plan: &Plan,
-    control: &Control,
+    control: &RenderControl,
     watch: &mut dyn FnMut(&Progress<'_>),
 ) -> Result<Measured, MeasureError> {
     let works = works(plan)?;
@@ -206,7 +206,7 @@ struct Work {
     variant: Variant,
     settings: RenderSettings,
     threads: usize,
-    search: Search,
+    search: AcceleratorChoice,
 }
 
 /// All combinations of values.
@@ -240,7 +240,7 @@ impl Work {
             variant: plan.variant.clone(),
             settings: plan.settings,
             threads: plan.threads,
-            search: Search::Quickest,
+            search: AcceleratorChoice::Quickest,
         };
         // A method comes first: it brings its own settings.
         let is_method = |(parameter, _): &&(Parameter, Value)| *parameter == Parameter::Method;
@@ -292,7 +292,7 @@ impl Work {
 /// A sweep under way.
 struct Sweep<'a> {
     plan: &'a Plan,
-    control: &'a Control,
+    control: &'a RenderControl,
     pools: HashMap<usize, ThreadPool>,
     points: Vec<Point>,
     /// The seconds that a measurement of each point took last, with making and preparing the scene.
@@ -378,7 +378,7 @@ impl Sweep<'_> {
         let control = self.control;
         let pool = self.pool(work.threads)?;
         let start = Instant::now();
-        let stage = pool.install(|| Stage::prepare_for(scene, work.search))?;
+        let stage = pool.install(|| RenderScene::prepare_for(scene, work.search))?;
         let prepare = start.elapsed().as_secs_f64() * 1e3;
         let stage = match work.variant.generations {
             Some(generations) => stage.with_generations(generations),

@@ -254,14 +254,14 @@ impl Language {
 
     /// A value in words.
     pub fn value_name(self, value: &Value) -> String {
-        use catoptric_tracer::Search;
+        use catoptric_tracer::AcceleratorChoice;
         match value {
             Value::Size([width, height]) => format!("{width}×{height}"),
             Value::Count(count) => self.count(u64::from(*count)),
-            Value::Search(Search::Quickest) => {
+            Value::Search(AcceleratorChoice::Quickest) => {
                 self.choose("hierarchy of boxes", "иерархия объёмов").to_owned()
             }
-            Value::Search(Search::OneByOne) => self.choose("one by one", "полный перебор").to_owned(),
+            Value::Search(AcceleratorChoice::OneByOne) => self.choose("one by one", "полный перебор").to_owned(),
             Value::Method(variant) => variant.name.clone(),
         }
     }

@@ -5,7 +5,7 @@ use std::panic::AssertUnwindSafe;
 use catoptric_lab::audit::{Audit, AuditError, AuditSettings, NodeKind, Proof, audit};
 use catoptric_picture::Picture;
 use catoptric_scene::{Color, Example, Material, Scene};
-use catoptric_tracer::{Control, Fate, ReflectionLaw, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, BranchOutcome, ReflectionModel, RenderSettings, RenderScene, render};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
@@ -14,13 +14,13 @@ use proptest::test_runner::TestRunner;
 use crate::scenes::{any_physical_scene, any_scene, ball, cases};
 
 fn look(scene: &Scene, picture: RenderSettings, pixel: UVec2) -> Audit {
-    let stage = Stage::prepare(scene).unwrap();
+    let stage = RenderScene::prepare(scene).unwrap();
     let settings = AuditSettings { picture, ..AuditSettings::default() };
-    audit(scene, &stage, stage.camera(), pixel, &settings, &Control::default()).unwrap()
+    audit(scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default()).unwrap()
 }
 
 fn rendered(scene: &Scene, picture: RenderSettings) -> Picture {
-    render(&Stage::prepare(scene).unwrap(), picture, &Control::default()).unwrap().picture
+    render(&RenderScene::prepare(scene).unwrap(), picture, &RenderControl::default()).unwrap().picture
 }
 
 fn bits(light: [f32; 3]) -> [u32; 3] {
@@ -52,7 +52,7 @@ fn assert_sound(audit: &Audit) {
             let mut local = answer.ambient;
             for light in &answer.lights {
                 let (Some(shadow), Some(sent)) = (&light.shadow, light.answer) else { continue };
-                if answer.law == ReflectionLaw::Constant {
+                if answer.law == ReflectionModel::Constant {
                     let diffuse = answer.color * answer.diffuse_coefficient * light.cosine;
                     assert_eq!(sent.diffuse, diffuse);
                 }
@@ -67,7 +67,7 @@ fn assert_sound(audit: &Audit) {
             for light in &answer.lights {
                 let is_dark = light.shadow.as_ref().is_some_and(|shadow| shadow.passed == Vec3::ZERO);
                 assert_eq!(light.answer.is_some(), light.shadow.is_some() && !is_dark);
-                let is_frosted = answer.law == ReflectionLaw::Dielectric && answer.alpha > 0.0;
+                let is_frosted = answer.law == ReflectionModel::Dielectric && answer.alpha > 0.0;
                 let from_behind = is_frosted && ray.hit.unwrap().hit.leaving;
                 let is_faced = if from_behind { light.cosine < 0.0 } else { light.cosine > 0.0 };
                 assert_eq!(light.shadow.is_some(), is_faced);
@@ -173,11 +173,11 @@ fn glass_heap() -> Scene {
 fn a_tree_that_is_too_large_says_what_it_leaves_out() {
     let mut scene = glass_heap();
     scene.tracing.generations = 14;
-    let stage = Stage::prepare(&scene).unwrap();
+    let stage = RenderScene::prepare(&scene).unwrap();
     let picture = RenderSettings { width: 33, height: 33, samples: 1 };
     let settings = AuditSettings { picture, most_rays: 100 };
     let pixel = UVec2::new(16, 16);
-    let audit = audit(&scene, &stage, stage.camera(), pixel, &settings, &Control::default()).unwrap();
+    let audit = audit(&scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default()).unwrap();
     assert_eq!((audit.trees[0].nodes.len(), audit.proof), (100, Proof::Incomplete));
     assert!(audit.trees[0].left_out > 0);
     assert_eq!(bits(audit.light), bits(rendered(&scene, picture).pixels()[16 * 33 + 16]));
@@ -188,9 +188,9 @@ fn a_tree_that_is_too_large_says_what_it_leaves_out() {
         let branches = answers.flat_map(|answer| [answer.reflected, answer.refracted]);
         let wanted = branches.filter(move |branch| {
             if fate_is_left_out {
-                branch.fate == Fate::LeftOut
+                branch.fate == BranchOutcome::LeftOut
             } else {
-                matches!(branch.fate, Fate::Followed(_))
+                matches!(branch.fate, BranchOutcome::Followed(_))
             }
         });
         wanted.map(|branch| branch.weight.max_element())
@@ -217,18 +217,18 @@ fn ends_of_branches_have_reasons() {
             for branch in [answer.reflected, answer.refracted] {
                 let largest = branch.weight.max_element();
                 let kind = match branch.fate {
-                    Fate::Followed(_) => 0,
-                    Fate::Nothing => {
+                    BranchOutcome::Followed(_) => 0,
+                    BranchOutcome::Nothing => {
                         assert_eq!(largest, 0.0);
                         1
                     }
-                    Fate::TotalReflection => 2,
-                    Fate::GenerationLimit => 3,
-                    Fate::Threshold => {
+                    BranchOutcome::TotalReflection => 2,
+                    BranchOutcome::GenerationLimit => 3,
+                    BranchOutcome::Threshold => {
                         assert!(largest < 0.05 && largest > 0.0);
                         4
                     }
-                    Fate::LeftOut => panic!("nothing is left out here"),
+                    BranchOutcome::LeftOut => panic!("nothing is left out here"),
                 };
                 seen[kind] += 1;
             }
@@ -240,11 +240,11 @@ fn ends_of_branches_have_reasons() {
 #[test]
 fn pixels_beyond_the_picture_are_refused() {
     let scene = Scene::default();
-    let stage = Stage::prepare(&scene).unwrap();
+    let stage = RenderScene::prepare(&scene).unwrap();
     let try_at = |pixel: UVec2, width: u32| {
         let picture = RenderSettings { width, height: 4, samples: 1 };
         let settings = AuditSettings { picture, ..AuditSettings::default() };
-        audit(&scene, &stage, stage.camera(), pixel, &settings, &Control::default())
+        audit(&scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default())
     };
     for pixel in [UVec2::new(4, 0), UVec2::new(0, 4), UVec2::MAX] {
         let error = try_at(pixel, 4).unwrap_err();
@@ -260,10 +260,10 @@ fn pixels_beyond_the_picture_are_refused() {
 #[test]
 fn a_cancelled_audit_has_no_result() {
     let scene = glass_heap();
-    let stage = Stage::prepare(&scene).unwrap();
+    let stage = RenderScene::prepare(&scene).unwrap();
     let picture = RenderSettings { width: 9, height: 9, samples: 1 };
     let settings = AuditSettings { picture, most_rays: usize::MAX };
-    let control = Control::default();
+    let control = RenderControl::default();
     control.cancel();
     let outcome = audit(&scene, &stage, stage.camera(), UVec2::new(4, 4), &settings, &control);
     assert!(matches!(outcome, Err(AuditError::Cancelled)));

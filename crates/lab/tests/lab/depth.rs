@@ -4,7 +4,7 @@ use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, ExcessKind, e
 use catoptric_scene::{
     Checker, Color, Example, Image, Material, MaterialChoice, Model, NamedMaterial, Scene, Shape,
 };
-use catoptric_tracer::{Control, RenderError, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderError, RenderSettings, RenderScene, render};
 use glam::{DVec3, UVec2};
 
 use crate::scenes::{ball, body};
@@ -30,12 +30,12 @@ fn between_mirrors(first: f64, second: f64) -> Scene {
 }
 
 fn bound(scene: &Scene) -> DepthBound {
-    DepthBound::of(scene, &Stage::prepare(scene).unwrap())
+    DepthBound::of(scene, &RenderScene::prepare(scene).unwrap())
 }
 
 fn measure(scene: &Scene) -> DepthMeasure {
-    let stage = Stage::prepare(scene).unwrap();
-    DepthMeasure::of(&stage, stage.camera(), UVec2::new(40, 30), &Control::default()).unwrap()
+    let stage = RenderScene::prepare(scene).unwrap();
+    DepthMeasure::of(&stage, stage.camera(), UVec2::new(40, 30), &RenderControl::default()).unwrap()
 }
 
 #[test]
@@ -88,11 +88,11 @@ fn the_advice_is_enough() {
     for name in ["ring-of-images", "concave-mirror", "whitted"] {
         let scene = Example::find(name).unwrap().load().unwrap().scene;
         let found = measure(&scene);
-        let stage = Stage::prepare(&scene).unwrap();
+        let stage = RenderScene::prepare(&scene).unwrap();
         let picture = |generations: u32| {
             let settings = RenderSettings { width: 40, height: 30, samples: 1 };
             let stage = stage.clone().with_generations(generations);
-            render(&stage, settings, &Control::default()).unwrap().picture
+            render(&stage, settings, &RenderControl::default()).unwrap().picture
         };
         let loss = |generations: u32| {
             let (less, all) = (picture(generations), picture(40));
@@ -109,8 +109,8 @@ fn the_advice_is_enough() {
 #[test]
 fn a_measurement_can_be_cancelled() {
     let scene = between_mirrors(0.5, 0.5);
-    let stage = Stage::prepare(&scene).unwrap();
-    let control = Control::default();
+    let stage = RenderScene::prepare(&scene).unwrap();
+    let control = RenderControl::default();
     control.cancel();
     let outcome = DepthMeasure::of(&stage, stage.camera(), UVec2::new(9, 9), &control);
     assert!(matches!(outcome, Err(RenderError::Cancelled)));

@@ -5,7 +5,7 @@ use std::io::Write as _;
 
 use catoptric_lab::audit::{AuditSettings, audit};
 use catoptric_scene::Example;
-use catoptric_tracer::{Control, Stage};
+use catoptric_tracer::{RenderControl, RenderScene};
 use glam::UVec2;
 
 const BEGIN: &str = "    catoptric audit whitted --pixel 800,440\n\n```text\n";
@@ -20,10 +20,10 @@ fn the_pixel_explained_is_the_pixel() {
         return;
     }
     let scene = Example::find("whitted").unwrap().load().unwrap().scene;
-    let stage = Stage::prepare(&scene).unwrap();
+    let stage = RenderScene::prepare(&scene).unwrap();
     let pixel = UVec2::new(800, 440);
     let audit =
-        audit(&scene, &stage, stage.camera(), pixel, &AuditSettings::default(), &Control::default()).unwrap();
+        audit(&scene, &stage, stage.camera(), pixel, &AuditSettings::default(), &RenderControl::default()).unwrap();
     let listing = audit.to_text(None);
     for language in ["en", "ru"] {
         let path = format!("{}/../../docs/{language}/audit.md", env!("CARGO_MANIFEST_DIR"));

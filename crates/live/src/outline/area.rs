@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use catoptric_scene::{Body, Shape};
-use catoptric_tracer::StageCamera;
+use catoptric_tracer::RenderCamera;
 use glam::{DVec2, DVec3};
 
 /// Cells of a lattice, pixels: coarse enough for a whole view, fine enough for what people point at.
@@ -39,7 +39,7 @@ impl Area {
     /// Where these bodies can be in a view; `None` if they are out of sight.
     pub(super) fn of_bodies<'a>(
         bodies: impl Iterator<Item = &'a Body>,
-        camera: &StageCamera,
+        camera: &RenderCamera,
         size: DVec2,
     ) -> Option<Self> {
         let mut corners = Vec::new();

@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 
 use catoptric_live::{JobError, RenderJob};
 use catoptric_scene::{Body, MaterialChoice, Scene};
-use catoptric_tracer::{Control, RenderSettings, Rendering, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderOutput, RenderScene, render};
 
 use crate::{endless, four_bodies};
 
 const SETTINGS: RenderSettings = RenderSettings { width: 70, height: 40, samples: 3 };
 
-fn result(job: &RenderJob) -> Result<Rendering, JobError> {
+fn result(job: &RenderJob) -> Result<RenderOutput, JobError> {
     let start = Instant::now();
     while !job.progress().is_finished {
         assert!(start.elapsed() < Duration::from_secs(60));
@@ -30,9 +30,9 @@ fn a_job_makes_the_picture_of_a_render() {
         let progress = job.progress();
         assert_eq!((progress.fraction, progress.remaining), (1.0, Some(Duration::ZERO)));
         assert_eq!(job.progress().elapsed, progress.elapsed);
-        let stage = Stage::prepare(&four_bodies()).unwrap();
+        let stage = RenderScene::prepare(&four_bodies()).unwrap();
         let stage = if let Some(limit) = generations { stage.with_generations(limit) } else { stage };
-        let expected = render(&stage, SETTINGS, &Control::default()).unwrap();
+        let expected = render(&stage, SETTINGS, &RenderControl::default()).unwrap();
         assert!(found.picture == expected.picture);
         assert_eq!(found.counts, expected.counts);
     }

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use catoptric_live::{Frame, Live, LiveOptions, Request, Status};
 use catoptric_picture::{BitDepth, Codes, Development};
 use catoptric_scene::{Camera, Example, Scene};
-use catoptric_tracer::{Control, RenderSettings, Stage, render_through};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render_through};
 use glam::DVec3;
 
 /// A live engine and its bell.
@@ -106,11 +106,11 @@ fn from_side(camera: &Camera, degrees: f64) -> Camera {
 
 /// What `render` and `develop` make of a request.
 fn expected(request: &Request, samples: u32) -> Vec<u8> {
-    let stage = Stage::prepare(&request.scene).unwrap();
+    let stage = RenderScene::prepare(&request.scene).unwrap();
     let [width, height] = request.size;
     let settings = RenderSettings { width, height, samples };
     let camera = stage.camera_for(&request.camera);
-    let picture = render_through(&stage, &camera, settings, &Control::default()).unwrap().picture;
+    let picture = render_through(&stage, &camera, settings, &RenderControl::default()).unwrap().picture;
     developed(&picture, &request.development)
 }
 

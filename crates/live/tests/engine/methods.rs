@@ -2,19 +2,19 @@
 
 use catoptric_live::{LiveError, RenderJob, Request, Shows};
 use catoptric_picture::{Development, Picture};
-use catoptric_tracer::method::{CubeMapSettings, Layer, Method, MethodKind, ShadingSettings, draw_through};
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::method::{CubeMapSettings, GBufferLayer, Method, MethodKind, ShadingSettings, draw_through};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 use std::sync::Arc;
 
 use crate::{Window, developed, four_bodies, from_side, request};
 
 /// A drawing of the request and what is to be seen of it.
 fn drawn(request: &Request, samples: u32) -> Picture {
-    let stage = Stage::prepare(&request.scene).unwrap();
+    let stage = RenderScene::prepare(&request.scene).unwrap();
     let [width, height] = request.size;
     let settings = RenderSettings { width, height, samples };
     let camera = stage.camera_for(&request.camera);
-    let (control, mut maps) = (Control::default(), Default::default());
+    let (control, mut maps) = (RenderControl::default(), Default::default());
     let drawing = draw_through(&stage, &camera, &request.method, settings, &control, &mut maps).unwrap();
     match request.shows {
         Shows::Picture => drawing.picture,
@@ -74,11 +74,11 @@ fn layers_and_cubes_are_seen_without_drawing_anew() {
     let mut asked = Request { method, samples: 1, ..request(1) };
     asked.development.exposure_stops = 1.0;
     let first = window.shown(asked.clone());
-    for layer in Layer::ALL {
+    for layer in GBufferLayer::ALL {
         asked.shows = Shows::Layer(layer);
         let frame = window.shown(asked.clone());
         assert_eq!(frame.shows, asked.shows);
-        let is_light = matches!(layer, Layer::Lit | Layer::Reflected);
+        let is_light = matches!(layer, GBufferLayer::Lit | GBufferLayer::Reflected);
         let development = if is_light { asked.development } else { Development::default() };
         assert!(*frame.pixels == developed(&drawn(&asked, 1), &development), "{layer:?}");
         assert_eq!(frame.rays, first.rays);
@@ -106,7 +106,7 @@ fn what_cannot_be_drawn_is_told_and_the_next_request_is_served() {
 #[test]
 fn a_job_draws_by_a_method() {
     let settings = RenderSettings { width: 60, height: 40, samples: 2 };
-    for shows in [Shows::Picture, Shows::Layer(Layer::Normal)] {
+    for shows in [Shows::Picture, Shows::Layer(GBufferLayer::Normal)] {
         let method = MethodKind::Ssr.method();
         let job = RenderJob::drawn(four_bodies(), method, shows, settings, None, 2).unwrap();
         while !job.progress().is_finished {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_lab::audit::{Audit, AuditError, AuditSettings, Node, NodeKind, RayTree, audit};
 use catoptric_scene::Scene;
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 
 use super::Pin;
 use super::clock::LightSpan;
@@ -49,13 +49,13 @@ pub(super) struct Order {
     pub(super) serial: u64,
     pub(super) pin: Pin,
     pub(super) scene: Arc<Scene>,
-    pub(super) stage: Arc<Stage>,
+    pub(super) stage: Arc<RenderScene>,
     pub(super) before: Option<(Arc<Audit>, Arc<Scene>)>,
 }
 
 impl Order {
     /// Traces the pixel, one ray through its middle.
-    pub(super) fn carry_out(self, control: &Control) -> Result<Found, AuditError> {
+    pub(super) fn carry_out(self, control: &RenderControl) -> Result<Found, AuditError> {
         let Self { serial, pin, scene, stage, before } = self;
         let picture = RenderSettings { width: pin.size.x, height: pin.size.y, samples: 1 };
         let settings = AuditSettings { picture, ..AuditSettings::default() };

@@ -1,7 +1,7 @@
 //! Which parts of the ways run behind bodies, as the viewport's camera sees them: found by tracing.
 
 use catoptric_scene::{Camera, Scene};
-use catoptric_tracer::{Control, Ray, Stage};
+use catoptric_tracer::{RenderControl, Ray, RenderScene};
 use glam::{DVec2, DVec3};
 
 use super::ways::Way;
@@ -30,9 +30,9 @@ pub(crate) const SEEN: [Part; 1] = [Part { from: 0.0, to: 1.0, is_hidden: false 
 pub(super) fn parts(
     ways: &[Way],
     scene: &Scene,
-    stage: &Stage,
+    stage: &RenderScene,
     camera: &Camera,
-    control: &Control,
+    control: &RenderControl,
 ) -> Vec<Vec<Part>> {
     let look = Look { scene, stage, lens: Lens::new(camera, DVec2::ONE) };
     ways.iter().map(|way| if control.is_cancelled() { SEEN.to_vec() } else { look.parts(way) }).collect()
@@ -40,7 +40,7 @@ pub(super) fn parts(
 
 struct Look<'a> {
     scene: &'a Scene,
-    stage: &'a Stage,
+    stage: &'a RenderScene,
     lens: Lens,
 }
 

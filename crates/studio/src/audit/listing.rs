@@ -82,7 +82,7 @@ mod tests {
     use std::sync::Arc;
 
     use catoptric_scene::{Body, Material, MaterialChoice, Placement, Scene, Shape};
-    use catoptric_tracer::{Control, Stage};
+    use catoptric_tracer::{RenderControl, RenderScene};
     use glam::{DVec3, UVec2};
 
     use super::super::found::Order;
@@ -100,11 +100,11 @@ mod tests {
         };
         let mut scene = Scene { bodies: (0..panes).map(pane).collect(), ..Scene::default() };
         (scene.tracing.generations, scene.tracing.threshold) = (6, 0.0);
-        let stage = Arc::new(Stage::prepare(&scene).unwrap());
+        let stage = Arc::new(RenderScene::prepare(&scene).unwrap());
         let camera = scene.camera;
         let pin = Pin { pixel: UVec2::new(80, 70), size: UVec2::new(160, 90), camera, home: camera };
         let order = Order { serial: 1, pin, scene: Arc::new(scene), stage, before: None };
-        order.carry_out(&Control::default()).unwrap()
+        order.carry_out(&RenderControl::default()).unwrap()
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use catoptric_editor::Item;
 use catoptric_lab::audit::{Audit, Node};
 use catoptric_scene::Scene;
-use catoptric_tracer::{Branch, Fate, LightTerm, ReflectionLaw, Shadow, SurfaceAnswer};
+use catoptric_tracer::{BranchRecord, BranchOutcome, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord};
 use glam::{DVec3, Vec3};
 
 use super::numbers::{color, degrees, short, vector};
@@ -145,7 +145,7 @@ impl Writer<'_> {
         Term::new(Part::Way, self.texts.get("audit-way")).words(words)
     }
 
-    fn surface(&self, terms: &mut Vec<Term>, node: &Node, answer: &SurfaceAnswer) {
+    fn surface(&self, terms: &mut Vec<Term>, node: &Node, answer: &SurfaceRecord) {
         let texts = self.texts;
         if let Some(hit) = node.ray.hit {
             let arguments = [
@@ -166,18 +166,18 @@ impl Writer<'_> {
         );
         let ambient = Term::new(Part::Ambient, texts.get("audit-ambient")).value(answer.ambient);
         match answer.law {
-            ReflectionLaw::Constant => terms.push(ambient.formula("k_a C I_a", numbers)),
-            ReflectionLaw::Coat => terms.push(ambient.words(texts.get("audit-through-coat").to_owned())),
-            ReflectionLaw::Mirror | ReflectionLaw::Dielectric | ReflectionLaw::Conductor => {}
+            ReflectionModel::Constant => terms.push(ambient.formula("k_a C I_a", numbers)),
+            ReflectionModel::Coat => terms.push(ambient.words(texts.get("audit-through-coat").to_owned())),
+            ReflectionModel::Mirror | ReflectionModel::Dielectric | ReflectionModel::Conductor => {}
         }
         for light in &answer.lights {
             self.light(terms, light, answer);
         }
         terms.push(self.local(node, answer));
         let [reflected, refracted] = match answer.law {
-            ReflectionLaw::Constant => ["k_r", "k_t τ"],
-            ReflectionLaw::Mirror => ["C k_r", ""],
-            ReflectionLaw::Dielectric | ReflectionLaw::Conductor | ReflectionLaw::Coat => {
+            ReflectionModel::Constant => ["k_r", "k_t τ"],
+            ReflectionModel::Mirror => ["C k_r", ""],
+            ReflectionModel::Dielectric | ReflectionModel::Conductor | ReflectionModel::Coat => {
                 ["R(θ)", "1 − R(θ)"]
             }
         };
@@ -196,7 +196,7 @@ impl Writer<'_> {
         }
     }
 
-    fn angles(&self, node: &Node, answer: &SurfaceAnswer) -> Option<Term> {
+    fn angles(&self, node: &Node, answer: &SurfaceRecord) -> Option<Term> {
         let incidence = degrees(self.texts, node.incidence?);
         let words = match (answer.interface, node.refraction) {
             (Some(interface), refraction) => {
@@ -217,7 +217,7 @@ impl Writer<'_> {
         Some(Term::new(Part::Angles, self.texts.get("audit-angles")).words(words))
     }
 
-    fn light(&self, terms: &mut Vec<Term>, light: &LightTerm, answer: &SurfaceAnswer) {
+    fn light(&self, terms: &mut Vec<Term>, light: &LightTerm, answer: &SurfaceRecord) {
         let texts = self.texts;
         let head = Term::new(Part::Light(light.light), &self.light_name(light.light));
         let cosine = short(self.texts, light.cosine.into());
@@ -241,7 +241,7 @@ impl Writer<'_> {
             let diffuse =
                 Term::new(Part::Diffuse(light.light), texts.get("audit-diffuse")).value(sent.diffuse);
             terms.push(match answer.law {
-                ReflectionLaw::Coat => diffuse.words(texts.get("audit-through-coat").to_owned()),
+                ReflectionModel::Coat => diffuse.words(texts.get("audit-through-coat").to_owned()),
                 _ => diffuse.formula("k_d C (~n·~L)", numbers),
             });
             sum.push(color(self.texts, sent.diffuse));
@@ -276,7 +276,7 @@ impl Writer<'_> {
     }
 
     /// What lies between a point and a light.
-    fn between(&self, shadow: &Shadow) -> String {
+    fn between(&self, shadow: &ShadowRecord) -> String {
         let texts = self.texts;
         // Behind an opaque body nothing matters.
         let end = shadow.crossings.iter().position(|crossing| crossing.filter.is_none());
@@ -313,7 +313,7 @@ impl Writer<'_> {
         words.join(", ")
     }
 
-    fn local(&self, node: &Node, answer: &SurfaceAnswer) -> Term {
+    fn local(&self, node: &Node, answer: &SurfaceRecord) -> Term {
         let lights = answer.lights.iter().filter_map(|light| light.answer).map(|answer| answer.light);
         let terms: Vec<String> =
             std::iter::once(answer.ambient).chain(lights).map(|light| color(self.texts, light)).collect();
@@ -324,24 +324,24 @@ impl Writer<'_> {
     }
 
     /// What becomes of a ray that may go on.
-    fn branch(&self, part: Part, key: &'static str, symbols: &'static str, branch: Branch) -> Term {
+    fn branch(&self, part: Part, key: &'static str, symbols: &'static str, branch: BranchRecord) -> Term {
         let texts = self.texts;
         let weight = || ("weight", color(self.texts, branch.weight).into());
         let words = match branch.fate {
-            Fate::Followed(child) => texts.with("audit-goes-on", &[("ray", (child + 1).into())]),
-            Fate::Nothing => texts.get("audit-ends-nothing").to_owned(),
-            Fate::TotalReflection => texts.get("audit-ends-total").to_owned(),
-            Fate::GenerationLimit => {
+            BranchOutcome::Followed(child) => texts.with("audit-goes-on", &[("ray", (child + 1).into())]),
+            BranchOutcome::Nothing => texts.get("audit-ends-nothing").to_owned(),
+            BranchOutcome::TotalReflection => texts.get("audit-ends-total").to_owned(),
+            BranchOutcome::GenerationLimit => {
                 texts.with("audit-ends-limit", &[("limit", self.audit.generations.into()), weight()])
             }
-            Fate::Threshold => {
+            BranchOutcome::Threshold => {
                 let threshold = short(self.texts, self.audit.threshold.into());
                 texts.with("audit-ends-threshold", &[("threshold", threshold.into()), weight()])
             }
-            Fate::LeftOut => texts.with("audit-ends-left-out", &[weight()]),
+            BranchOutcome::LeftOut => texts.with("audit-ends-left-out", &[weight()]),
         };
         let term = Term::new(part, texts.get(key)).words(words);
-        if branch.fate == Fate::TotalReflection {
+        if branch.fate == BranchOutcome::TotalReflection {
             term
         } else {
             term.formula(symbols, color(self.texts, branch.coefficient))

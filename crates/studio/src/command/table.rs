@@ -5,7 +5,7 @@ use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
 use catoptric_live::Shows;
 use catoptric_scene::ShapeKind;
-use catoptric_tracer::method::{Layer, MethodKind};
+use catoptric_tracer::method::{GBufferLayer, MethodKind};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
 
@@ -133,13 +133,13 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Method(MethodKind::Gouraud) => "command-method-gouraud", ICON_GRADIENT, ctrl(Key::Num5);
         Command::Method(MethodKind::Flat) => "command-method-flat", ICON_CATEGORY, ctrl(Key::Num6);
         Command::Show(Shows::Picture) => "command-show-picture", ICON_LAYERS;
-        Command::Show(Shows::Layer(Layer::Depth)) => "command-show-depth", ICON_LAYERS;
-        Command::Show(Shows::Layer(Layer::Normal)) => "command-show-normal", ICON_LAYERS;
-        Command::Show(Shows::Layer(Layer::Body)) => "command-show-body", ICON_LAYERS;
-        Command::Show(Shows::Layer(Layer::Color)) => "command-show-color", ICON_LAYERS;
-        Command::Show(Shows::Layer(Layer::Coefficients)) => "command-show-coefficients", ICON_LAYERS;
-        Command::Show(Shows::Layer(Layer::Lit)) => "command-show-lit", ICON_LAYERS;
-        Command::Show(Shows::Layer(Layer::Reflected)) => "command-show-reflected", ICON_LAYERS;
+        Command::Show(Shows::Layer(GBufferLayer::Depth)) => "command-show-depth", ICON_LAYERS;
+        Command::Show(Shows::Layer(GBufferLayer::Normal)) => "command-show-normal", ICON_LAYERS;
+        Command::Show(Shows::Layer(GBufferLayer::Body)) => "command-show-body", ICON_LAYERS;
+        Command::Show(Shows::Layer(GBufferLayer::Color)) => "command-show-color", ICON_LAYERS;
+        Command::Show(Shows::Layer(GBufferLayer::Coefficients)) => "command-show-coefficients", ICON_LAYERS;
+        Command::Show(Shows::Layer(GBufferLayer::Lit)) => "command-show-lit", ICON_LAYERS;
+        Command::Show(Shows::Layer(GBufferLayer::Reflected)) => "command-show-reflected", ICON_LAYERS;
         Command::Show(Shows::UnfoldedCube(None)) => "command-show-unfolded", ICON_LAYERS;
     }
     Tool: {

@@ -10,7 +10,7 @@ use catoptric_lab::compare::{
 };
 use catoptric_picture::{Development, HeatMap, Picture, ReadError, SizeError, heat_map, read};
 use catoptric_scene::Scene;
-use catoptric_tracer::{Control, RenderSettings};
+use catoptric_tracer::{RenderControl, RenderSettings};
 use egui::{ColorImage, Context};
 
 use super::{Key, Source};
@@ -54,7 +54,7 @@ pub(super) enum Failure {
 /// A comparison under way.
 pub(super) struct Running {
     pub(super) key: Key,
-    control: Arc<Control>,
+    control: Arc<RenderControl>,
     steps: Arc<[AtomicUsize; 2]>,
     job: Job<Result<Found, Failure>>,
 }
@@ -66,7 +66,7 @@ impl Running {
         scene: Arc<Scene>,
         name: String,
     ) -> std::io::Result<Self> {
-        let (control, steps) = (Arc::new(Control::default()), Arc::<[AtomicUsize; 2]>::default());
+        let (control, steps) = (Arc::new(RenderControl::default()), Arc::<[AtomicUsize; 2]>::default());
         let work = Work {
             key: key.clone(),
             scene,
@@ -108,7 +108,7 @@ struct Work {
     key: Key,
     scene: Arc<Scene>,
     name: String,
-    control: Arc<Control>,
+    control: Arc<RenderControl>,
     steps: Arc<[AtomicUsize; 2]>,
     context: Context,
 }

@@ -6,7 +6,7 @@ use catoptric_editor::Item;
 use catoptric_lab::depth::{DepthBound, DepthMeasure};
 use catoptric_lab::work::RayEstimate;
 use catoptric_scene::{Camera, Scene, Tracing};
-use catoptric_tracer::{Control, Stage};
+use catoptric_tracer::{RenderControl, RenderScene};
 use egui::{Button, Label, Response, RichText, Ui, vec2};
 use glam::UVec2;
 
@@ -45,7 +45,7 @@ struct Advice {
 }
 
 impl Key {
-    fn carry_out(self, scene: &Scene, stage: &Stage, control: &Control) -> Advice {
+    fn carry_out(self, scene: &Scene, stage: &RenderScene, control: &RenderControl) -> Advice {
         let bound = DepthBound::of(scene, stage);
         let work = work_of(stage, self.picture, control);
         let measure = self.picture.and_then(|(camera, size)| {
@@ -57,9 +57,9 @@ impl Key {
 
 /// The rays of a picture, if they are very many, and those that the advised threshold would leave.
 fn work_of(
-    stage: &Stage,
+    stage: &RenderScene,
     picture: Option<(Camera, [u32; 2])>,
-    control: &Control,
+    control: &RenderControl,
 ) -> Option<[RayEstimate; 2]> {
     if !stage.forks() {
         return None;

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_lab::Machine;
 use catoptric_lab::measure::{MeasureError, Measured, Parameter, Plan, measure};
-use catoptric_tracer::Control;
+use catoptric_tracer::RenderControl;
 use catoptric_tracer::method::MethodError;
 use egui::Context;
 
@@ -34,7 +34,7 @@ pub(super) enum Failure {
 
 /// A measurement under way.
 pub(super) struct Running {
-    control: Arc<Control>,
+    control: Arc<RenderControl>,
     told: Arc<Mutex<Told>>,
     job: Job<Result<Measured, MeasureError>>,
 }
@@ -53,7 +53,7 @@ pub(super) struct Told {
 
 impl Running {
     pub(super) fn start(context: &Context, plan: Plan) -> std::io::Result<Self> {
-        let (control, told) = (Arc::new(Control::default()), Arc::new(Mutex::new(Told::default())));
+        let (control, told) = (Arc::new(RenderControl::default()), Arc::new(Mutex::new(Told::default())));
         let (own_control, own_told, own_context) = (Arc::clone(&control), Arc::clone(&told), context.clone());
         let work = move || {
             let machine = Machine::here();

@@ -1,7 +1,7 @@
 //! The settings of a method as fields.
 
 use catoptric_scene::format::spec::Limits;
-use catoptric_tracer::method::{CubeMapSettings, Fallback, LightModel, Method, ShadingSettings, SsrSettings};
+use catoptric_tracer::method::{CubeMapSettings, SsrFallback, LightModel, Method, ShadingSettings, SsrSettings};
 use egui::{Grid, Ui};
 
 use crate::texts::Texts;
@@ -43,17 +43,17 @@ fn ssr_ui(ui: &mut Ui, texts: &Texts, own: &mut SsrSettings) {
     number_row(ui, texts, "method-range", &range, &mut own.range);
     whole_row(ui, texts, "method-refinements", &mut own.refinements, SsrSettings::REFINEMENTS);
     let maps = match own.fallback {
-        Fallback::CubeMap(maps) => maps,
-        Fallback::Background => CubeMapSettings::default(),
+        SsrFallback::CubeMap(maps) => maps,
+        SsrFallback::Background => CubeMapSettings::default(),
     };
-    let mut uses_maps = own.fallback != Fallback::Background;
+    let mut uses_maps = own.fallback != SsrFallback::Background;
     let ways = [(false, "method-fallback-background"), (true, "method-fallback-map")];
     choice_row(ui, texts, "method-fallback", &ways, &mut uses_maps);
     let mut maps = maps;
     if uses_maps {
         map_ui(ui, texts, &mut maps);
     }
-    own.fallback = if uses_maps { Fallback::CubeMap(maps) } else { Fallback::Background };
+    own.fallback = if uses_maps { SsrFallback::CubeMap(maps) } else { SsrFallback::Background };
 }
 
 fn map_ui(ui: &mut Ui, texts: &Texts, own: &mut CubeMapSettings) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use catoptric_picture::{Development, Picture};
-use catoptric_tracer::{RayCounts, Rendering};
+use catoptric_tracer::{RayCounts, RenderOutput};
 use egui::emath::GuiRounding as _;
 use egui::{
     Align, Align2, Button, CentralPanel, Color32, ColorImage, Context, Frame, Id, Label, Layout, Margin,
@@ -71,7 +71,7 @@ impl Finished {
     pub(super) fn new(
         number: u64,
         others: &[Self],
-        rendering: Rendering,
+        rendering: RenderOutput,
         order: Order,
         elapsed: Duration,
     ) -> Self {

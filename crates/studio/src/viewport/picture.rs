@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_live::{Frame, LiveError, Shows};
-use catoptric_tracer::StageError;
+use catoptric_tracer::SceneBuildError;
 use egui::{Align2, Color32, ColorImage, FontId, Painter, Rect, TextureHandle, TextureOptions, pos2};
 
 use crate::context::Cx;
@@ -109,11 +109,11 @@ fn message_ui(painter: &Painter, rect: Rect, text: String, color: Color32, palet
 /// Why there is no picture, in the words of the present language.
 pub(crate) fn why(texts: &Texts, error: &LiveError) -> String {
     match error {
-        LiveError::Stage(StageError::UndefinedMaterial { body, material }) => texts.with(
+        LiveError::Stage(SceneBuildError::UndefinedMaterial { body, material }) => texts.with(
             "viewport-error-material",
             &[("body", body.as_str().into()), ("material", material.as_str().into())],
         ),
-        LiveError::Stage(StageError::TooManyBodies(count)) => {
+        LiveError::Stage(SceneBuildError::TooManyBodies(count)) => {
             texts.with("viewport-error-bodies", &[("count", (*count).into())])
         }
         LiveError::Size(_) | LiveError::TooLarge { .. } => texts.get("viewport-error-size").to_owned(),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use catoptric_editor::Item;
 use catoptric_live::Live;
 use catoptric_scene::{Camera, Scene};
-use catoptric_tracer::{Stage, StageCamera, Start, SurfaceHit};
+use catoptric_tracer::{RenderScene, RenderCamera, RayOrigin, RayIntersection};
 use egui::{Pos2, Rect, pos2};
 use glam::{DVec2, DVec3};
 
@@ -31,7 +31,7 @@ pub(crate) struct Sight {
     pub(crate) camera: Camera,
     pub(crate) lens: Lens,
     /// The scene prepared for rays, with the same camera.
-    stage: Option<(Arc<Stage>, StageCamera)>,
+    stage: Option<(Arc<RenderScene>, RenderCamera)>,
 }
 
 /// What a pointer is over.
@@ -84,7 +84,7 @@ impl Sight {
     }
 
     /// The nearest body under a place.
-    pub(crate) fn body_at(&self, at: DVec2) -> Option<SurfaceHit> {
+    pub(crate) fn body_at(&self, at: DVec2) -> Option<RayIntersection> {
         let (stage, camera) = self.stage.as_ref()?;
         stage.nearest(&camera.ray(at, self.lens.size()))
     }
@@ -114,7 +114,7 @@ impl Sight {
     }
 
     /// What lies between a point and a surface point, and how far from the first: the nearest body.
-    pub(crate) fn between(&self, from: DVec3, surface: DVec3) -> Option<SurfaceHit> {
+    pub(crate) fn between(&self, from: DVec3, surface: DVec3) -> Option<RayIntersection> {
         /// Nearer to the surface than this part of the way, it is the surface itself.
         const ARRIVED: f64 = 1e-3;
         let (stage, _) = self.stage.as_ref()?;
@@ -125,11 +125,11 @@ impl Sight {
     }
 
     /// How far a ray gets from a surface before it meets another body, meters; `None` when it meets none.
-    pub(crate) fn free_way(&self, from: &SurfaceHit, direction: DVec3) -> Option<f64> {
+    pub(crate) fn free_way(&self, from: &RayIntersection, direction: DVec3) -> Option<f64> {
         let (stage, _) = self.stage.as_ref()?;
         let mut ray = stage.ray_from_point(from.position, direction.as_vec3());
         // Bodies are convex: seen from outside, the surface itself is in nobody's way.
-        ray.start = Start { body: from.hit.body, inwards: from.hit.leaving };
+        ray.start = RayOrigin { body: from.hit.body, inwards: from.hit.leaving };
         stage.nearest(&ray).map(|hit| hit.position.distance(from.position))
     }
 

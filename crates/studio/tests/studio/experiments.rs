@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_live::Shows;
 use catoptric_studio::{Command, CompareAct, MeasureAct, Pane, Start, Studio};
-use catoptric_tracer::method::{Layer, Method, MethodKind};
+use catoptric_tracer::method::{GBufferLayer, Method, MethodKind};
 use egui::{Key, Modifiers, accesskit};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -80,14 +80,14 @@ fn a_way_of_drawing_is_chosen_over_the_picture() {
 fn layers_and_cubes_are_seen_and_become_pictures() {
     let (_host, mut harness) = open("english");
     // A traced picture has no layers.
-    run(&mut harness, Command::Show(Shows::Layer(Layer::Depth)));
+    run(&mut harness, Command::Show(Shows::Layer(GBufferLayer::Depth)));
     run(&mut harness, Command::Method(MethodKind::Ssr));
     let shown = |studio: &Studio| studio.live().latest().map(|frame| frame.shows);
     wait_until(&mut harness, "reflections", |studio| {
         studio.live().status().method == Some(MethodKind::Ssr) && shown(studio) == Some(Shows::Picture)
     });
-    run(&mut harness, Command::Show(Shows::Layer(Layer::Normal)));
-    wait_until(&mut harness, "normals", |studio| shown(studio) == Some(Shows::Layer(Layer::Normal)));
+    run(&mut harness, Command::Show(Shows::Layer(GBufferLayer::Normal)));
+    wait_until(&mut harness, "normals", |studio| shown(studio) == Some(Shows::Layer(GBufferLayer::Normal)));
     run(&mut harness, Command::RenderShown);
     wait_until(&mut harness, "a picture of them", |studio| !studio.is_rendering());
     harness.run_steps(4);

@@ -8,7 +8,7 @@ use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, encode_exr, e
 use catoptric_scene::Scene;
 use catoptric_studio::host::PictureClipboard;
 use catoptric_studio::{Command, Language, Start, Studio, Zoom};
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 use egui::accesskit::Role;
 use egui::{OutputCommand, ViewportCommand};
 use egui_kittest::Harness;
@@ -87,11 +87,11 @@ fn start_small(harness: &mut Hands) {
 
 /// What the tracer makes of it.
 fn truth(scene: &Scene, [width, height]: [u32; 2], samples: u32, generations: Option<u32>) -> Picture {
-    let mut stage = Stage::prepare(scene).unwrap();
+    let mut stage = RenderScene::prepare(scene).unwrap();
     if let Some(generations) = generations {
         stage = stage.with_generations(generations);
     }
-    render(&stage, RenderSettings { width, height, samples }, &Control::default()).unwrap().picture
+    render(&stage, RenderSettings { width, height, samples }, &RenderControl::default()).unwrap().picture
 }
 
 fn save_to(harness: &mut Hands, host: &TestHost, path: &Path) {

@@ -9,11 +9,11 @@ use super::{Float, Mask};
 
 /// So many numbers in double precision.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Double<const N: usize>(pub(crate) [f64; N]);
+pub(crate) struct Float64<const N: usize>(pub(crate) [f64; N]);
 
 /// Answers about them, as words of ones or zeros.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DoubleMask<const N: usize>([u64; N]);
+pub(crate) struct Mask64<const N: usize>([u64; N]);
 
 macro_rules! operators {
     ($lanes:ident: $($operator:ident, $method:ident, $act:tt);*) => {$(
@@ -33,7 +33,7 @@ macro_rules! operators {
 
 macro_rules! operators_of_all {
     ($($operator:ident, $method:ident, $act:tt);*) => {$(
-        impl<const N: usize> $operator<f32> for Double<N> {
+        impl<const N: usize> $operator<f32> for Float64<N> {
             type Output = Self;
 
             #[inline(always)]
@@ -47,21 +47,21 @@ macro_rules! operators_of_all {
 macro_rules! compare {
     ($($name:ident, $act:tt);*) => {$(
         #[inline(always)]
-        fn $name(self, other: Self) -> DoubleMask<N> {
+        fn $name(self, other: Self) -> Mask64<N> {
             let mut mask = [0; N];
             for lane in 0..N {
                 mask[lane] = if self.0[lane] $act other.0[lane] { u64::MAX } else { 0 };
             }
-            DoubleMask(mask)
+            Mask64(mask)
         }
     )*};
 }
 
-operators!(Double: Add, add, +=; Sub, sub, -=; Mul, mul, *=; Div, div, /=);
+operators!(Float64: Add, add, +=; Sub, sub, -=; Mul, mul, *=; Div, div, /=);
 operators_of_all!(Add, add, +; Sub, sub, -; Mul, mul, *);
-operators!(DoubleMask: BitAnd, bitand, &=; BitOr, bitor, |=);
+operators!(Mask64: BitAnd, bitand, &=; BitOr, bitor, |=);
 
-impl<const N: usize> Neg for Double<N> {
+impl<const N: usize> Neg for Float64<N> {
     type Output = Self;
 
     #[inline(always)]
@@ -73,7 +73,7 @@ impl<const N: usize> Neg for Double<N> {
     }
 }
 
-impl<const N: usize> Not for DoubleMask<N> {
+impl<const N: usize> Not for Mask64<N> {
     type Output = Self;
 
     #[inline(always)]
@@ -85,7 +85,7 @@ impl<const N: usize> Not for DoubleMask<N> {
     }
 }
 
-impl<const N: usize> Mask for DoubleMask<N> {
+impl<const N: usize> Mask for Mask64<N> {
     const LANES: usize = N;
 
     #[inline(always)]
@@ -103,9 +103,9 @@ impl<const N: usize> Mask for DoubleMask<N> {
     }
 }
 
-impl<const N: usize> Float for Double<N> {
+impl<const N: usize> Float for Float64<N> {
     const LANES: usize = N;
-    type Mask = DoubleMask<N>;
+    type Mask = Mask64<N>;
 
     compare!(lt, <; le, <=; eq, ==);
 
@@ -162,7 +162,7 @@ impl<const N: usize> Float for Double<N> {
     }
 
     #[inline(always)]
-    fn select(mask: DoubleMask<N>, yes: Self, no: Self) -> Self {
+    fn select(mask: Mask64<N>, yes: Self, no: Self) -> Self {
         let mut chosen = no;
         for lane in 0..N {
             let (yes, no, mask) = (yes.0[lane].to_bits(), no.0[lane].to_bits(), mask.0[lane]);

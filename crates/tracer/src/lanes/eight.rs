@@ -4,13 +4,13 @@ use std::ops::{Add, Mul, Sub};
 
 use fearless_simd::{Bytes as _, Simd, SimdBase as _, SimdMask as _, f32x8, u32x8};
 
-use super::Eight;
+use super::Float8;
 
 /// Eight numbers by these instructions.
 #[derive(Clone, Copy)]
-pub(crate) struct OfSimd<S: Simd>(f32x8<S>);
+pub(crate) struct SimdFloat8<S: Simd>(f32x8<S>);
 
-impl<S: Simd> OfSimd<S> {
+impl<S: Simd> SimdFloat8<S> {
     #[inline(always)]
     pub(super) fn new(simd: S, numbers: &[f32; 8]) -> Self {
         Self(f32x8::from_slice(simd, numbers))
@@ -22,7 +22,7 @@ impl<S: Simd> OfSimd<S> {
     }
 }
 
-impl<S: Simd> Eight for OfSimd<S> {
+impl<S: Simd> Float8 for SimdFloat8<S> {
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self(self.0.min(other.0))
@@ -50,7 +50,7 @@ impl<S: Simd> Eight for OfSimd<S> {
 /// Operators that the library's vectors have too.
 macro_rules! operators {
     ($($operator:ident, $method:ident);*) => {$(
-        impl<S: Simd> $operator for OfSimd<S> {
+        impl<S: Simd> $operator for SimdFloat8<S> {
             type Output = Self;
 
             #[inline(always)]

@@ -3,20 +3,20 @@
 use std::ops::{Add, Mul, Sub};
 
 use super::wide::widest_fuses;
-use super::{Eight, Float, Mask, Real, Width, Word};
+use super::{Float8, Float, Mask, Float32, Width, Word};
 
 /// One number.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct One;
+pub(crate) struct ScalarWidth;
 
-impl Width for One {
+impl Width for ScalarWidth {
     const LANES: usize = 1;
     const USES_HIERARCHY: bool = true;
     const TESTS_DOUBLES: bool = true;
     type R = f32;
     type W = u32;
     type M = bool;
-    type E = Plain;
+    type E = ScalarFloat8;
 
     #[inline(always)]
     fn real(self, value: f32) -> f32 {
@@ -64,13 +64,13 @@ impl Width for One {
     }
 
     #[inline(always)]
-    fn eight(self, numbers: &[f32; 8]) -> Plain {
-        Plain(*numbers)
+    fn eight(self, numbers: &[f32; 8]) -> ScalarFloat8 {
+        ScalarFloat8(*numbers)
     }
 
     #[inline(always)]
-    fn eight_like(self, value: f32) -> Plain {
-        Plain([value; 8])
+    fn eight_like(self, value: f32) -> ScalarFloat8 {
+        ScalarFloat8([value; 8])
     }
 
     #[inline(always)]
@@ -81,16 +81,16 @@ impl Width for One {
 
 /// Eight numbers, one by one.
 #[derive(Clone, Copy)]
-pub(crate) struct Plain([f32; 8]);
+pub(crate) struct ScalarFloat8([f32; 8]);
 
-impl Plain {
+impl ScalarFloat8 {
     #[inline(always)]
     fn with(self, other: Self, act: impl Fn(f32, f32) -> f32) -> Self {
         Self(std::array::from_fn(|at| act(self.0[at], other.0[at])))
     }
 }
 
-impl Add for Plain {
+impl Add for ScalarFloat8 {
     type Output = Self;
 
     #[inline(always)]
@@ -99,7 +99,7 @@ impl Add for Plain {
     }
 }
 
-impl Sub for Plain {
+impl Sub for ScalarFloat8 {
     type Output = Self;
 
     #[inline(always)]
@@ -108,7 +108,7 @@ impl Sub for Plain {
     }
 }
 
-impl Mul for Plain {
+impl Mul for ScalarFloat8 {
     type Output = Self;
 
     #[inline(always)]
@@ -117,7 +117,7 @@ impl Mul for Plain {
     }
 }
 
-impl Eight for Plain {
+impl Float8 for ScalarFloat8 {
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         self.with(other, |a, b| if a < b { a } else { b })
@@ -204,7 +204,7 @@ impl Float for f32 {
     }
 }
 
-impl Real for f32 {
+impl Float32 for f32 {
     type Word = u32;
 
     #[inline(always)]

@@ -5,72 +5,72 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use super::{Float, Mask, Real, Width, Word};
+use super::{Float, Mask, Float32, Width, Word};
 
 /// Twice the numbers of `W`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pair<W>(pub(super) W);
+pub(super) struct PairWidth<W>(pub(super) W);
 
 /// The first numbers, words or answers, and as many more.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Two<T>(T, T);
+pub(super) struct LanePair<T>(T, T);
 
-impl<W: Width> Width for Pair<W> {
+impl<W: Width> Width for PairWidth<W> {
     const LANES: usize = 2 * W::LANES;
     const USES_HIERARCHY: bool = false;
     const TESTS_DOUBLES: bool = false;
-    type R = Two<W::R>;
-    type W = Two<W::W>;
-    type M = Two<W::M>;
+    type R = LanePair<W::R>;
+    type W = LanePair<W::W>;
+    type M = LanePair<W::M>;
     type E = W::E;
 
     #[inline(always)]
-    fn real(self, value: f32) -> Two<W::R> {
-        Two(self.0.real(value), self.0.real(value))
+    fn real(self, value: f32) -> LanePair<W::R> {
+        LanePair(self.0.real(value), self.0.real(value))
     }
 
     #[inline(always)]
-    fn word(self, value: u32) -> Two<W::W> {
-        Two(self.0.word(value), self.0.word(value))
+    fn word(self, value: u32) -> LanePair<W::W> {
+        LanePair(self.0.word(value), self.0.word(value))
     }
 
     #[inline(always)]
-    fn mask(self, bits: u32) -> Two<W::M> {
-        Two(self.0.mask(bits & (u32::MAX >> (32 - W::LANES))), self.0.mask(bits >> W::LANES))
+    fn mask(self, bits: u32) -> LanePair<W::M> {
+        LanePair(self.0.mask(bits & (u32::MAX >> (32 - W::LANES))), self.0.mask(bits >> W::LANES))
     }
 
     #[inline(always)]
-    fn load(self, from: &[f32]) -> Two<W::R> {
-        Two(self.0.load(from), self.0.load(&from[W::LANES..]))
+    fn load(self, from: &[f32]) -> LanePair<W::R> {
+        LanePair(self.0.load(from), self.0.load(&from[W::LANES..]))
     }
 
     #[inline(always)]
-    fn load_words(self, from: &[u32]) -> Two<W::W> {
-        Two(self.0.load_words(from), self.0.load_words(&from[W::LANES..]))
+    fn load_words(self, from: &[u32]) -> LanePair<W::W> {
+        LanePair(self.0.load_words(from), self.0.load_words(&from[W::LANES..]))
     }
 
     #[inline(always)]
-    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [Two<W::R>; 4] {
+    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [LanePair<W::R>; 4] {
         let [a, b, c, d] = self.0.gather(from, at);
         let [e, f, g, h] = self.0.gather(from, &at[W::LANES..]);
-        [Two(a, e), Two(b, f), Two(c, g), Two(d, h)]
+        [LanePair(a, e), LanePair(b, f), LanePair(c, g), LanePair(d, h)]
     }
 
     #[inline(always)]
-    fn load_fours(self, from: &[[f32; 4]]) -> [Two<W::R>; 4] {
+    fn load_fours(self, from: &[[f32; 4]]) -> [LanePair<W::R>; 4] {
         let [a, b, c, d] = self.0.load_fours(from);
         let [e, f, g, h] = self.0.load_fours(&from[W::LANES..]);
-        [Two(a, e), Two(b, f), Two(c, g), Two(d, h)]
+        [LanePair(a, e), LanePair(b, f), LanePair(c, g), LanePair(d, h)]
     }
 
     #[inline(always)]
-    fn store_fours(self, [x, y, z, w]: [Two<W::R>; 4], to: &mut [[f32; 4]]) {
+    fn store_fours(self, [x, y, z, w]: [LanePair<W::R>; 4], to: &mut [[f32; 4]]) {
         self.0.store_fours([x.0, y.0, z.0, w.0], to);
         self.0.store_fours([x.1, y.1, z.1, w.1], &mut to[W::LANES..]);
     }
 
     #[inline(always)]
-    fn store_threes(self, [x, y, z]: [Two<W::R>; 3], to: &mut [[f32; 3]]) {
+    fn store_threes(self, [x, y, z]: [LanePair<W::R>; 3], to: &mut [[f32; 3]]) {
         self.0.store_threes([x.0, y.0, z.0], to);
         self.0.store_threes([x.1, y.1, z.1], &mut to[W::LANES..]);
     }
@@ -93,7 +93,7 @@ impl<W: Width> Width for Pair<W> {
 
 macro_rules! operators {
     ($($operator:ident, $method:ident);*) => {$(
-        impl<R: Real> $operator for Two<R> {
+        impl<R: Float32> $operator for LanePair<R> {
             type Output = Self;
 
             #[inline(always)]
@@ -106,7 +106,7 @@ macro_rules! operators {
 
 macro_rules! operators_of_all {
     ($($operator:ident, $method:ident);*) => {$(
-        impl<R: Real> $operator<f32> for Two<R> {
+        impl<R: Float32> $operator<f32> for LanePair<R> {
             type Output = Self;
 
             #[inline(always)]
@@ -120,7 +120,7 @@ macro_rules! operators_of_all {
 operators!(Add, add; Sub, sub; Mul, mul; Div, div);
 operators_of_all!(Add, add; Sub, sub; Mul, mul);
 
-impl<R: Real> Neg for Two<R> {
+impl<R: Float32> Neg for LanePair<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -133,14 +133,14 @@ macro_rules! each {
     ($($name:ident($($other:ident),*) -> $out:ty;)*) => {$(
         #[inline(always)]
         fn $name(self, $($other: Self),*) -> $out {
-            Two(self.0.$name($($other.0),*), self.1.$name($($other.1),*))
+            LanePair(self.0.$name($($other.0),*), self.1.$name($($other.1),*))
         }
     )*};
 }
 
-impl<R: Real> Float for Two<R> {
+impl<R: Float32> Float for LanePair<R> {
     const LANES: usize = 2 * R::LANES;
-    type Mask = Two<R::Mask>;
+    type Mask = LanePair<R::Mask>;
 
     each! {
         times_plus(factor, term) -> Self;
@@ -150,9 +150,9 @@ impl<R: Real> Float for Two<R> {
         min(other) -> Self;
         max(other) -> Self;
         copysign(other) -> Self;
-        lt(other) -> Two<R::Mask>;
-        le(other) -> Two<R::Mask>;
-        eq(other) -> Two<R::Mask>;
+        lt(other) -> LanePair<R::Mask>;
+        le(other) -> LanePair<R::Mask>;
+        eq(other) -> LanePair<R::Mask>;
     }
 
     #[inline(always)]
@@ -161,25 +161,25 @@ impl<R: Real> Float for Two<R> {
     }
 
     #[inline(always)]
-    fn select(mask: Two<R::Mask>, yes: Self, no: Self) -> Self {
+    fn select(mask: LanePair<R::Mask>, yes: Self, no: Self) -> Self {
         Self(R::select(mask.0, yes.0, no.0), R::select(mask.1, yes.1, no.1))
     }
 }
 
-impl<R: Real> Real for Two<R> {
-    type Word = Two<R::Word>;
+impl<R: Float32> Float32 for LanePair<R> {
+    type Word = LanePair<R::Word>;
 
     each! {
-        to_word() -> Two<R::Word>;
+        to_word() -> LanePair<R::Word>;
     }
 
     #[inline(always)]
-    fn of_word(word: Two<R::Word>) -> Self {
+    fn of_word(word: LanePair<R::Word>) -> Self {
         Self(R::of_word(word.0), R::of_word(word.1))
     }
 
     #[inline(always)]
-    fn store_some(self, mask: Two<R::Mask>, to: &mut [f32]) {
+    fn store_some(self, mask: LanePair<R::Mask>, to: &mut [f32]) {
         self.0.store_some(mask.0, to);
         self.1.store_some(mask.1, &mut to[mask.0.bits().count_ones() as usize..]);
     }
@@ -201,8 +201,8 @@ impl<R: Real> Real for Two<R> {
     }
 }
 
-impl<W: Word> Word for Two<W> {
-    type Mask = Two<W::Mask>;
+impl<W: Word> Word for LanePair<W> {
+    type Mask = LanePair<W::Mask>;
     const LANES: usize = 2 * W::LANES;
 
     each! {
@@ -216,13 +216,13 @@ impl<W: Word> Word for Two<W> {
     }
 
     #[inline(always)]
-    fn is(self, value: u32) -> Two<W::Mask> {
-        Two(self.0.is(value), self.1.is(value))
+    fn is(self, value: u32) -> LanePair<W::Mask> {
+        LanePair(self.0.is(value), self.1.is(value))
     }
 
     #[inline(always)]
-    fn has(self, bits: u32) -> Two<W::Mask> {
-        Two(self.0.has(bits), self.1.has(bits))
+    fn has(self, bits: u32) -> LanePair<W::Mask> {
+        LanePair(self.0.has(bits), self.1.has(bits))
     }
 
     #[inline(always)]
@@ -241,12 +241,12 @@ impl<W: Word> Word for Two<W> {
     }
 
     #[inline(always)]
-    fn select(mask: Two<W::Mask>, yes: Self, no: Self) -> Self {
+    fn select(mask: LanePair<W::Mask>, yes: Self, no: Self) -> Self {
         Self(W::select(mask.0, yes.0, no.0), W::select(mask.1, yes.1, no.1))
     }
 
     #[inline(always)]
-    fn store_some(self, mask: Two<W::Mask>, to: &mut [u32]) {
+    fn store_some(self, mask: LanePair<W::Mask>, to: &mut [u32]) {
         self.0.store_some(mask.0, to);
         self.1.store_some(mask.1, &mut to[mask.0.bits().count_ones() as usize..]);
     }
@@ -258,7 +258,7 @@ impl<W: Word> Word for Two<W> {
     }
 }
 
-impl<M: Mask> BitAnd for Two<M> {
+impl<M: Mask> BitAnd for LanePair<M> {
     type Output = Self;
 
     #[inline(always)]
@@ -267,7 +267,7 @@ impl<M: Mask> BitAnd for Two<M> {
     }
 }
 
-impl<M: Mask> BitOr for Two<M> {
+impl<M: Mask> BitOr for LanePair<M> {
     type Output = Self;
 
     #[inline(always)]
@@ -276,7 +276,7 @@ impl<M: Mask> BitOr for Two<M> {
     }
 }
 
-impl<M: Mask> Not for Two<M> {
+impl<M: Mask> Not for LanePair<M> {
     type Output = Self;
 
     #[inline(always)]
@@ -285,7 +285,7 @@ impl<M: Mask> Not for Two<M> {
     }
 }
 
-impl<M: Mask> Mask for Two<M> {
+impl<M: Mask> Mask for LanePair<M> {
     const LANES: usize = 2 * M::LANES;
 
     #[inline(always)]

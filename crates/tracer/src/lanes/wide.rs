@@ -7,12 +7,12 @@ use fearless_simd::{
     Bytes as _, ExtractToken as _, Level, Select as _, Simd, SimdBase as _, SimdFloat as _, SimdMask as _,
 };
 
-use super::eight::OfSimd;
-use super::{Float, MOST_LANES, Mask, Pair, Real, Width, Word, Work};
+use super::eight::SimdFloat8;
+use super::{Float, MOST_LANES, Mask, PairWidth, Float32, Width, Word, SimdKernel};
 
 /// A width that the processor has.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lanes {
+pub(crate) struct SimdLevel {
     level: Level,
     packets: Packets,
 }
@@ -28,7 +28,7 @@ enum Packets {
     WithDoubles,
 }
 
-impl Lanes {
+impl SimdLevel {
     /// What is best for scenes with a hierarchy: the widest vectors.
     pub(crate) fn widest() -> Self {
         Self { level: Level::new(), packets: Packets::Vectors }
@@ -71,13 +71,13 @@ impl Lanes {
 
     /// Does `work` in this width.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) fn run<T: Work>(self, work: T) -> T::Output {
+    pub(crate) fn run<T: SimdKernel>(self, work: T) -> T::Output {
         // What has no AVX2 is old, and has one kind of code for all scenes.
         match (self.level, self.packets) {
             (Level::Avx512(simd), Packets::Vectors) => run::<_, false, _>(simd, work),
             (Level::Avx512(simd), Packets::Pairs) => simd.vectorize(
                 #[inline(always)]
-                || work.run(Pair(Wide::<_, false>(simd))),
+                || work.run(PairWidth(SimdWidth::<_, false>(simd))),
             ),
             (Level::Avx2(simd), Packets::Vectors | Packets::Pairs) => run::<_, false, _>(simd, work),
             (Level::Sse4_2(simd), _) => run::<_, true, _>(simd, work),
@@ -91,17 +91,17 @@ impl Lanes {
 
     /// Does `work` in this width.
     #[cfg(not(target_arch = "x86_64"))]
-    pub(crate) fn run<T: Work>(self, work: T) -> T::Output {
-        fearless_simd::dispatch!(self.level, simd => work.run(Wide::<_, true>(simd)))
+    pub(crate) fn run<T: SimdKernel>(self, work: T) -> T::Output {
+        fearless_simd::dispatch!(self.level, simd => work.run(SimdWidth::<_, true>(simd)))
     }
 }
 
 /// Does `work` in vectors of one kind.
 #[cfg(target_arch = "x86_64")]
-fn run<S: Simd, const DOUBLES: bool, T: Work>(simd: S, work: T) -> T::Output {
+fn run<S: Simd, const DOUBLES: bool, T: SimdKernel>(simd: S, work: T) -> T::Output {
     simd.vectorize(
         #[inline(always)]
-        || work.run(Wide::<S, DOUBLES>(simd)),
+        || work.run(SimdWidth::<S, DOUBLES>(simd)),
     )
 }
 
@@ -145,56 +145,56 @@ pub(super) fn widest_fuses() -> bool {
 
 /// As many numbers as a vector holds, perhaps for scenes with bodies in double precision.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wide<S, const DOUBLES: bool>(S);
+pub(super) struct SimdWidth<S, const DOUBLES: bool>(S);
 
 /// Numbers in a vector.
 #[derive(Clone, Copy)]
-pub(super) struct WideReal<S: Simd>(S::f32s);
+pub(super) struct SimdFloat32<S: Simd>(S::f32s);
 
 /// Words in a vector.
 #[derive(Clone, Copy)]
-pub(super) struct WideWord<S: Simd>(S::u32s);
+pub(super) struct SimdWord<S: Simd>(S::u32s);
 
 /// Answers for the numbers of a vector.
 #[derive(Clone, Copy)]
-pub(super) struct WideMask<S: Simd>(S::mask32s);
+pub(super) struct SimdMask<S: Simd>(S::mask32s);
 
-impl<S: Simd, const DOUBLES: bool> Width for Wide<S, DOUBLES> {
+impl<S: Simd, const DOUBLES: bool> Width for SimdWidth<S, DOUBLES> {
     const LANES: usize = S::f32s::LEN;
     const USES_HIERARCHY: bool = true;
     const TESTS_DOUBLES: bool = DOUBLES;
-    type R = WideReal<S>;
-    type W = WideWord<S>;
-    type M = WideMask<S>;
-    type E = OfSimd<S>;
+    type R = SimdFloat32<S>;
+    type W = SimdWord<S>;
+    type M = SimdMask<S>;
+    type E = SimdFloat8<S>;
 
     #[inline(always)]
-    fn real(self, value: f32) -> WideReal<S> {
-        WideReal(S::f32s::splat(self.0, value))
+    fn real(self, value: f32) -> SimdFloat32<S> {
+        SimdFloat32(S::f32s::splat(self.0, value))
     }
 
     #[inline(always)]
-    fn word(self, value: u32) -> WideWord<S> {
-        WideWord(S::u32s::splat(self.0, value))
+    fn word(self, value: u32) -> SimdWord<S> {
+        SimdWord(S::u32s::splat(self.0, value))
     }
 
     #[inline(always)]
-    fn mask(self, bits: u32) -> WideMask<S> {
-        WideMask(S::mask32s::from_bitmask(self.0, u64::from(bits)))
+    fn mask(self, bits: u32) -> SimdMask<S> {
+        SimdMask(S::mask32s::from_bitmask(self.0, u64::from(bits)))
     }
 
     #[inline(always)]
-    fn load(self, from: &[f32]) -> WideReal<S> {
-        WideReal(S::f32s::from_slice(self.0, &from[..Self::LANES]))
+    fn load(self, from: &[f32]) -> SimdFloat32<S> {
+        SimdFloat32(S::f32s::from_slice(self.0, &from[..Self::LANES]))
     }
 
     #[inline(always)]
-    fn load_words(self, from: &[u32]) -> WideWord<S> {
-        WideWord(S::u32s::from_slice(self.0, &from[..Self::LANES]))
+    fn load_words(self, from: &[u32]) -> SimdWord<S> {
+        SimdWord(S::u32s::from_slice(self.0, &from[..Self::LANES]))
     }
 
     #[inline(always)]
-    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [WideReal<S>; 4] {
+    fn gather<const N: usize>(self, from: &[[f32; 4]; N], at: &[u32]) -> [SimdFloat32<S>; 4] {
         let mut fours = [[0.0; 4]; MOST_LANES];
         for (four, &at) in fours[..Self::LANES].iter_mut().zip(&at[..Self::LANES]) {
             *four = from[at as usize % N];
@@ -203,7 +203,7 @@ impl<S: Simd, const DOUBLES: bool> Width for Wide<S, DOUBLES> {
     }
 
     #[inline(always)]
-    fn load_fours(self, from: &[[f32; 4]]) -> [WideReal<S>; 4] {
+    fn load_fours(self, from: &[[f32; 4]]) -> [SimdFloat32<S>; 4] {
         let numbers = from[..Self::LANES].as_flattened();
         let part =
             |at: usize| S::f32s::from_slice(self.0, &numbers[at * Self::LANES..(at + 1) * Self::LANES]);
@@ -211,11 +211,11 @@ impl<S: Simd, const DOUBLES: bool> Width for Wide<S, DOUBLES> {
         let (evens, odds) = part(2).deinterleave(part(3));
         let (x, z) = even.deinterleave(evens);
         let (y, w) = odd.deinterleave(odds);
-        [WideReal(x), WideReal(y), WideReal(z), WideReal(w)]
+        [SimdFloat32(x), SimdFloat32(y), SimdFloat32(z), SimdFloat32(w)]
     }
 
     #[inline(always)]
-    fn store_fours(self, [x, y, z, w]: [WideReal<S>; 4], to: &mut [[f32; 4]]) {
+    fn store_fours(self, [x, y, z, w]: [SimdFloat32<S>; 4], to: &mut [[f32; 4]]) {
         let (even, evens) = x.0.interleave(z.0);
         let (odd, odds) = y.0.interleave(w.0);
         let (first, second) = even.interleave(odd);
@@ -227,7 +227,7 @@ impl<S: Simd, const DOUBLES: bool> Width for Wide<S, DOUBLES> {
     }
 
     #[inline(always)]
-    fn store_threes(self, [x, y, z]: [WideReal<S>; 3], to: &mut [[f32; 3]]) {
+    fn store_threes(self, [x, y, z]: [SimdFloat32<S>; 3], to: &mut [[f32; 3]]) {
         let numbers = to[..Self::LANES].as_flattened_mut();
         for (to, [of_xy, of_all]) in numbers.chunks_exact_mut(Self::LANES).zip(const { &threes(Self::LANES) })
         {
@@ -239,13 +239,13 @@ impl<S: Simd, const DOUBLES: bool> Width for Wide<S, DOUBLES> {
     }
 
     #[inline(always)]
-    fn eight(self, numbers: &[f32; 8]) -> OfSimd<S> {
-        OfSimd::new(self.0, numbers)
+    fn eight(self, numbers: &[f32; 8]) -> SimdFloat8<S> {
+        SimdFloat8::new(self.0, numbers)
     }
 
     #[inline(always)]
-    fn eight_like(self, value: f32) -> OfSimd<S> {
-        OfSimd::like(self.0, value)
+    fn eight_like(self, value: f32) -> SimdFloat8<S> {
+        SimdFloat8::like(self.0, value)
     }
 
     #[inline(always)]
@@ -278,7 +278,7 @@ const fn threes(lanes: usize) -> [[[u8; 64]; 2]; 3] {
 /// Operators that the library's vectors have too.
 macro_rules! operators {
     ($($operator:ident, $method:ident);*) => {$(
-        impl<S: Simd> $operator for WideReal<S> {
+        impl<S: Simd> $operator for SimdFloat32<S> {
             type Output = Self;
 
             #[inline(always)]
@@ -287,7 +287,7 @@ macro_rules! operators {
             }
         }
 
-        impl<S: Simd> $operator<f32> for WideReal<S> {
+        impl<S: Simd> $operator<f32> for SimdFloat32<S> {
             type Output = Self;
 
             #[inline(always)]
@@ -300,7 +300,7 @@ macro_rules! operators {
 
 operators!(Add, add; Sub, sub; Mul, mul; Div, div);
 
-impl<S: Simd> Neg for WideReal<S> {
+impl<S: Simd> Neg for SimdFloat32<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -309,9 +309,9 @@ impl<S: Simd> Neg for WideReal<S> {
     }
 }
 
-impl<S: Simd> Float for WideReal<S> {
+impl<S: Simd> Float for SimdFloat32<S> {
     const LANES: usize = S::f32s::LEN;
-    type Mask = WideMask<S>;
+    type Mask = SimdMask<S>;
 
     #[inline(always)]
     fn like(self, value: f32) -> Self {
@@ -354,41 +354,41 @@ impl<S: Simd> Float for WideReal<S> {
     }
 
     #[inline(always)]
-    fn lt(self, other: Self) -> WideMask<S> {
-        WideMask(self.0.simd_lt(other.0))
+    fn lt(self, other: Self) -> SimdMask<S> {
+        SimdMask(self.0.simd_lt(other.0))
     }
 
     #[inline(always)]
-    fn le(self, other: Self) -> WideMask<S> {
-        WideMask(self.0.simd_le(other.0))
+    fn le(self, other: Self) -> SimdMask<S> {
+        SimdMask(self.0.simd_le(other.0))
     }
 
     #[inline(always)]
-    fn eq(self, other: Self) -> WideMask<S> {
-        WideMask(self.0.simd_eq(other.0))
+    fn eq(self, other: Self) -> SimdMask<S> {
+        SimdMask(self.0.simd_eq(other.0))
     }
 
     #[inline(always)]
-    fn select(mask: WideMask<S>, yes: Self, no: Self) -> Self {
+    fn select(mask: SimdMask<S>, yes: Self, no: Self) -> Self {
         Self(mask.0.select(yes.0, no.0))
     }
 }
 
-impl<S: Simd> Real for WideReal<S> {
-    type Word = WideWord<S>;
+impl<S: Simd> Float32 for SimdFloat32<S> {
+    type Word = SimdWord<S>;
 
     #[inline(always)]
-    fn to_word(self) -> WideWord<S> {
-        WideWord(self.0.bitcast())
+    fn to_word(self) -> SimdWord<S> {
+        SimdWord(self.0.bitcast())
     }
 
     #[inline(always)]
-    fn of_word(word: WideWord<S>) -> Self {
+    fn of_word(word: SimdWord<S>) -> Self {
         Self(word.0.bitcast())
     }
 
     #[inline(always)]
-    fn store_some(self, mask: WideMask<S>, to: &mut [f32]) {
+    fn store_some(self, mask: SimdMask<S>, to: &mut [f32]) {
         Self(self.0.compress(mask.0)).store(to);
     }
 
@@ -408,9 +408,9 @@ impl<S: Simd> Real for WideReal<S> {
     }
 }
 
-impl<S: Simd> Word for WideWord<S> {
+impl<S: Simd> Word for SimdWord<S> {
     const LANES: usize = S::u32s::LEN;
-    type Mask = WideMask<S>;
+    type Mask = SimdMask<S>;
 
     #[inline(always)]
     fn like(self, value: u32) -> Self {
@@ -418,13 +418,13 @@ impl<S: Simd> Word for WideWord<S> {
     }
 
     #[inline(always)]
-    fn is(self, value: u32) -> WideMask<S> {
-        WideMask(self.0.simd_eq(S::u32s::splat(self.0.token(), value)))
+    fn is(self, value: u32) -> SimdMask<S> {
+        SimdMask(self.0.simd_eq(S::u32s::splat(self.0.token(), value)))
     }
 
     #[inline(always)]
-    fn has(self, bits: u32) -> WideMask<S> {
-        WideMask((self.0 & bits).simd_ne(S::u32s::splat(self.0.token(), 0)))
+    fn has(self, bits: u32) -> SimdMask<S> {
+        SimdMask((self.0 & bits).simd_ne(S::u32s::splat(self.0.token(), 0)))
     }
 
     #[inline(always)]
@@ -453,12 +453,12 @@ impl<S: Simd> Word for WideWord<S> {
     }
 
     #[inline(always)]
-    fn select(mask: WideMask<S>, yes: Self, no: Self) -> Self {
+    fn select(mask: SimdMask<S>, yes: Self, no: Self) -> Self {
         Self(mask.0.select(yes.0, no.0))
     }
 
     #[inline(always)]
-    fn store_some(self, mask: WideMask<S>, to: &mut [u32]) {
+    fn store_some(self, mask: SimdMask<S>, to: &mut [u32]) {
         Self(self.0.compress(mask.0)).store(to);
     }
 
@@ -468,7 +468,7 @@ impl<S: Simd> Word for WideWord<S> {
     }
 }
 
-impl<S: Simd> BitAnd for WideMask<S> {
+impl<S: Simd> BitAnd for SimdMask<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -477,7 +477,7 @@ impl<S: Simd> BitAnd for WideMask<S> {
     }
 }
 
-impl<S: Simd> BitOr for WideMask<S> {
+impl<S: Simd> BitOr for SimdMask<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -486,7 +486,7 @@ impl<S: Simd> BitOr for WideMask<S> {
     }
 }
 
-impl<S: Simd> Not for WideMask<S> {
+impl<S: Simd> Not for SimdMask<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -495,7 +495,7 @@ impl<S: Simd> Not for WideMask<S> {
     }
 }
 
-impl<S: Simd> Mask for WideMask<S> {
+impl<S: Simd> Mask for SimdMask<S> {
     const LANES: usize = S::f32s::LEN;
 
     #[inline(always)]

@@ -8,15 +8,15 @@ use rayon::prelude::*;
 
 use super::{MethodError, PassName};
 use crate::counts::RayCounts;
-use crate::render::{Control, RenderSettings};
+use crate::render::{RenderControl, RenderSettings};
 
 /// The passes of a drawing with their times, in the order of their first beginning.
 #[derive(Debug, Default)]
-pub(super) struct Clock {
+pub(super) struct PassTimer {
     pub(super) passes: Vec<(PassName, Duration)>,
 }
 
-impl Clock {
+impl PassTimer {
     /// Does `work` and adds its time to that of the pass.
     pub(super) fn time<T>(&mut self, name: PassName, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
@@ -32,12 +32,12 @@ impl Clock {
 
 /// The size of a picture as numbers of all kinds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct FrameSize {
     pub(super) width: usize,
     pub(super) height: usize,
 }
 
-impl Frame {
+impl FrameSize {
     pub(super) fn new(settings: RenderSettings) -> Result<Self, SizeError> {
         Picture::check_size(settings.width, settings.height)?;
         Ok(Self { width: settings.width as usize, height: settings.height as usize })
@@ -74,7 +74,7 @@ impl Frame {
     pub(super) fn each_row<T: Send, M>(
         self,
         values: &mut [T],
-        control: &Control,
+        control: &RenderControl,
         make: impl Fn() -> M + Sync + Send,
         row: impl Fn(&mut M, usize, &mut [T]) -> RayCounts + Sync + Send,
     ) -> Result<RayCounts, MethodError> {
@@ -93,13 +93,13 @@ impl Frame {
 }
 
 /// The light of all samples so far.
-pub(super) struct Canvas {
+pub(super) struct SampleSums {
     sums: Vec<DVec3>,
-    frame: Frame,
+    frame: FrameSize,
 }
 
-impl Canvas {
-    pub(super) fn new(frame: Frame) -> Result<Self, SizeError> {
+impl SampleSums {
+    pub(super) fn new(frame: FrameSize) -> Result<Self, SizeError> {
         Ok(Self { sums: frame.buffer(DVec3::ZERO)?, frame })
     }
 

@@ -10,27 +10,27 @@ use glam::{DVec3, Vec3};
 
 use super::MethodError;
 use crate::counts::RayCounts;
-use crate::render::{Control, RenderSettings, render_through};
-use crate::stage::Stage;
+use crate::render::{RenderControl, RenderSettings, render_through};
+use crate::stage::RenderScene;
 
 pub(super) use cache::around;
 pub use cache::{CubeMapUse, CubeMaps};
-pub(super) use proxy::{Proxy, center_of};
+pub(super) use proxy::{ParallaxBox, center_of};
 
 /// A face: where it looks, and what is right and up in it.
 #[derive(Clone, Copy, Debug)]
-struct Axes {
+struct CubeFaceAxes {
     forward: DVec3,
     right: DVec3,
     up: DVec3,
 }
 
-const fn axes(forward: DVec3, right: DVec3, up: DVec3) -> Axes {
-    Axes { forward, right, up }
+const fn axes(forward: DVec3, right: DVec3, up: DVec3) -> CubeFaceAxes {
+    CubeFaceAxes { forward, right, up }
 }
 
 /// The faces towards +X, -X, +Y, -Y, +Z, -Z, turned so that they join in the unfolded cube.
-const FACES: [Axes; 6] = [
+const FACES: [CubeFaceAxes; 6] = [
     axes(DVec3::X, DVec3::Z, DVec3::Y),
     axes(DVec3::NEG_X, DVec3::NEG_Z, DVec3::Y),
     axes(DVec3::Y, DVec3::X, DVec3::Z),
@@ -40,7 +40,7 @@ const FACES: [Axes; 6] = [
 ];
 
 /// Where a direction meets the cube: a face, and there the numbers of pixels from its upper left corner.
-struct Spot {
+struct CubeMapPoint {
     face: usize,
     x: f32,
     y: f32,
@@ -64,10 +64,10 @@ impl CubeMap {
     /// # Errors
     /// When the size is 0 or too large, memory is short, or the work is cancelled.
     pub fn render(
-        stage: &Stage,
+        stage: &RenderScene,
         center: DVec3,
         size: u32,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<(Self, RayCounts), MethodError> {
         let mut map = Self::empty(center, size)?;
         let mut counts = RayCounts::default();
@@ -122,7 +122,7 @@ impl CubeMap {
 
     /// The light that comes from this direction (of any length above 0), interpolated between the four pixels around.
     pub fn light(&self, direction: Vec3) -> Vec3 {
-        let Spot { face, x, y } = self.spot(direction);
+        let CubeMapPoint { face, x, y } = self.spot(direction);
         // Pixels have their values at their centers.
         let (x, y) = (x - 0.5, y - 0.5);
         let (left, top) = (x.floor(), y.floor());
@@ -149,7 +149,7 @@ impl CubeMap {
     }
 
     /// Where a direction meets the cube: on the face of its largest component.
-    fn spot(&self, direction: Vec3) -> Spot {
+    fn spot(&self, direction: Vec3) -> CubeMapPoint {
         let sides = direction.abs();
         let axis = if sides.x >= sides.y.max(sides.z) {
             0
@@ -164,7 +164,7 @@ impl CubeMap {
         let depth = along(axes.forward);
         let place = |side: f32| 0.5 * self.size as f32 * (side / depth + 1.0);
         let within = |place: f32| if place >= 0.0 { place.min(self.size as f32) } else { 0.0 };
-        Spot { face, x: within(place(along(axes.right))), y: within(place(-along(axes.up))) }
+        CubeMapPoint { face, x: within(place(along(axes.right))), y: within(place(-along(axes.up))) }
     }
 
     /// The place of a pixel; those of the border are -1 and `size`.

@@ -4,16 +4,16 @@ use catoptric_picture::SizeError;
 use glam::DVec2;
 use rayon::prelude::*;
 
-use super::canvas::Frame;
-use super::gbuffer::Texel;
+use super::canvas::FrameSize;
+use super::gbuffer::GBufferTexel;
 
 /// The least depths around pixels, and those of squares of pixels.
 ///
 /// What is interpolated between a pixel and its neighbors cannot be less than the least of them; a mark of a ray that is
 /// before that has met nothing, whatever the pixel shows. So nothing changes by looking here first.
 #[derive(Clone, Debug)]
-pub(super) struct Fronts {
-    frame: Frame,
+pub(super) struct MinDepthGrid {
+    frame: FrameSize,
     /// For each pixel, the least depth of it and its eight neighbors.
     pixels: Vec<f32>,
     /// The least of each square.
@@ -22,23 +22,23 @@ pub(super) struct Fronts {
 
 /// A square of pixels: where it begins and ends, and the least depth in it and around it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Square {
+pub(super) struct MinDepthCell {
     pub(super) low: DVec2,
     pub(super) high: DVec2,
     pub(super) front: f64,
 }
 
-impl Fronts {
+impl MinDepthGrid {
     /// Edge of a square, pixels.
     const SIDE: usize = 16;
 
-    pub(super) fn new(frame: Frame) -> Result<Self, SizeError> {
+    pub(super) fn new(frame: FrameSize) -> Result<Self, SizeError> {
         let count = frame.width.div_ceil(Self::SIDE) * frame.height.div_ceil(Self::SIDE);
         Ok(Self { frame, pixels: frame.buffer(f32::INFINITY)?, squares: vec![f32::INFINITY; count] })
     }
 
     /// Looks at the depths of a sample.
-    pub(super) fn find(&mut self, texels: &[Texel]) {
+    pub(super) fn find(&mut self, texels: &[GBufferTexel]) {
         let width = self.frame.width;
         self.pixels.par_chunks_mut(width).enumerate().for_each(|(y, fronts)| {
             let rows = texels.chunks(width).skip(y.saturating_sub(1)).take(if y == 0 { 2 } else { 3 });
@@ -64,11 +64,11 @@ impl Fronts {
     }
 
     /// The square of a pixel.
-    pub(super) fn square(&self, pixel: usize) -> Square {
+    pub(super) fn square(&self, pixel: usize) -> MinDepthCell {
         let (x, y) = (pixel % self.frame.width / Self::SIDE, pixel / self.frame.width / Self::SIDE);
         let low = DVec2::new(x as f64, y as f64) * Self::SIDE as f64;
         let front = self.squares.get(y * self.frame.width.div_ceil(Self::SIDE) + x);
         let front = front.copied().map_or(f64::NEG_INFINITY, f64::from);
-        Square { low, high: low + Self::SIDE as f64, front }
+        MinDepthCell { low, high: low + Self::SIDE as f64, front }
     }
 }

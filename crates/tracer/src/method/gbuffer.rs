@@ -3,23 +3,23 @@
 use catoptric_picture::{Picture, SizeError};
 use glam::DVec2;
 
-use super::canvas::Frame;
-use super::fronts::Fronts;
-use super::probe::{Point, Probe, color_at, exact, vector};
+use super::canvas::FrameSize;
+use super::fronts::MinDepthGrid;
+use super::probe::{ShadingPoint, PointShader, color_at, exact, vector};
 use super::{LightModel, MethodError};
 use crate::counts::RayCounts;
-use crate::ray::{NO_BODY, Ray, Start};
-use crate::render::Control;
+use crate::ray::{NO_BODY, Ray, RayOrigin};
+use crate::render::RenderControl;
 use crate::sampling::sample_offset;
-use crate::stage::{Stage, StageCamera};
+use crate::stage::{RenderScene, RenderCamera};
 use crate::surface::{mend_unit, reflect};
 use crate::vector::Vector;
 
 /// The point that a pixel shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Texel {
+pub(super) struct GBufferTexel {
     /// Body and side; of background no body.
-    pub(super) start: Start,
+    pub(super) start: RayOrigin,
     /// Distance along the view, meters; infinite for background.
     pub(super) depth: f32,
     /// World space, meters.
@@ -32,30 +32,30 @@ pub(super) struct Texel {
 
 const NOTHING: Vector<f32> = Vector { x: 0.0, y: 0.0, z: 0.0 };
 
-impl Texel {
+impl GBufferTexel {
     pub(super) const EMPTY: Self =
-        Self { start: Start::FREE, depth: f32::INFINITY, position: NOTHING, normal: NOTHING, color: NOTHING };
+        Self { start: RayOrigin::FREE, depth: f32::INFINITY, position: NOTHING, normal: NOTHING, color: NOTHING };
 
     pub(super) fn is_empty(&self) -> bool {
         self.start.body == NO_BODY
     }
 
     /// The direction of the ray that is reflected to the viewer.
-    pub(super) fn reflected(&self, camera: &StageCamera) -> Vector<f32> {
+    pub(super) fn reflected(&self, camera: &RenderCamera) -> Vector<f32> {
         let direction = -vector(camera.toward_viewer(exact(self.position)));
         mend_unit(reflect(direction, self.normal))
     }
 
     /// The ray that is reflected to the viewer.
-    pub(super) fn reflected_ray(&self, camera: &StageCamera) -> Ray {
+    pub(super) fn reflected_ray(&self, camera: &RenderCamera) -> Ray {
         let direction = self.reflected(camera);
         Ray { origin: self.position.into(), direction: direction.into(), start: self.start }
     }
 }
 
-/// What can be looked at of the buffers behind a picture; see [`Drawing::layer`](super::Drawing::layer).
+/// What can be looked at of the buffers behind a picture; see [`MethodOutput::layer`](super::Drawing::layer).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Layer {
+pub enum GBufferLayer {
     /// The least depth of the picture divided by the depth: white is near, black the background.
     Depth,
     /// The normal facing the viewer: red, green and blue are its x, y and z from -1 (black) to 1.
@@ -72,7 +72,7 @@ pub enum Layer {
     Reflected,
 }
 
-impl Layer {
+impl GBufferLayer {
     /// All layers.
     pub const ALL: [Self; 7] =
         [Self::Depth, Self::Normal, Self::Color, Self::Coefficients, Self::Body, Self::Lit, Self::Reflected];
@@ -94,11 +94,11 @@ impl Layer {
 /// The buffers of one sample of a picture.
 #[derive(Clone, Debug)]
 pub(super) struct GBuffer {
-    pub(super) frame: Frame,
+    pub(super) frame: FrameSize,
     /// Where the sample lies in its pixel.
     pub(super) offset: DVec2,
-    pub(super) texels: Vec<Texel>,
-    pub(super) fronts: Fronts,
+    pub(super) texels: Vec<GBufferTexel>,
+    pub(super) fronts: MinDepthGrid,
     /// The local terms.
     pub(super) lit: Vec<Vector<f32>>,
     /// What reflected rays brought.
@@ -106,12 +106,12 @@ pub(super) struct GBuffer {
 }
 
 impl GBuffer {
-    pub(super) fn new(frame: Frame) -> Result<Self, SizeError> {
+    pub(super) fn new(frame: FrameSize) -> Result<Self, SizeError> {
         Ok(Self {
             frame,
             offset: sample_offset(0),
-            texels: frame.buffer(Texel::EMPTY)?,
-            fronts: Fronts::new(frame)?,
+            texels: frame.buffer(GBufferTexel::EMPTY)?,
+            fronts: MinDepthGrid::new(frame)?,
             lit: frame.buffer(NOTHING)?,
             reflected: frame.buffer(NOTHING)?,
         })
@@ -120,14 +120,14 @@ impl GBuffer {
     /// The geometry pass: finds the points of a sample.
     pub(super) fn look(
         &mut self,
-        stage: &Stage,
-        camera: &StageCamera,
+        stage: &RenderScene,
+        camera: &RenderCamera,
         sample: u32,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<RayCounts, MethodError> {
         self.offset = sample_offset(sample);
         let (offset, frame) = (self.offset, self.frame);
-        let make = || Probe::new(stage, camera);
+        let make = || PointShader::new(stage, camera);
         let counts = frame.each_row(&mut self.texels, control, make, |probe, y, row| {
             let before = probe.counts;
             for (x, texel) in row.iter_mut().enumerate() {
@@ -143,12 +143,12 @@ impl GBuffer {
     /// The lighting pass: the local terms with shadows.
     pub(super) fn light(
         &mut self,
-        stage: &Stage,
-        camera: &StageCamera,
-        control: &Control,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+        control: &RenderControl,
     ) -> Result<RayCounts, MethodError> {
         let (texels, frame) = (&self.texels, self.frame);
-        let make = || Probe::new(stage, camera);
+        let make = || PointShader::new(stage, camera);
         frame.each_row(&mut self.lit, control, make, |probe, y, row| {
             let before = probe.counts;
             for (lit, texel) in row.iter_mut().zip(texels.iter().skip(y * frame.width)) {
@@ -159,21 +159,21 @@ impl GBuffer {
     }
 
     /// A layer as a picture.
-    pub(super) fn picture(&self, stage: &Stage, layer: Layer) -> Result<Picture, SizeError> {
+    pub(super) fn picture(&self, stage: &RenderScene, layer: GBufferLayer) -> Result<Picture, SizeError> {
         let nearest = self.texels.iter().map(|texel| texel.depth).fold(f32::INFINITY, f32::min);
         let color = |index: usize| -> Option<Vector<f32>> {
             match layer {
-                Layer::Lit => return self.lit.get(index).copied(),
-                Layer::Reflected => return self.reflected.get(index).copied(),
+                GBufferLayer::Lit => return self.lit.get(index).copied(),
+                GBufferLayer::Reflected => return self.reflected.get(index).copied(),
                 _ => {}
             }
             let texel = self.texels.get(index).filter(|texel| !texel.is_empty())?;
             let material = stage.material(stage.body(texel.start.body));
             Some(match layer {
-                Layer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
-                Layer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
-                Layer::Coefficients => Vector::new(material.diffuse, material.specular, material.reflection),
-                Layer::Body => color_at_number(stage.scene_index(texel.start.body)?),
+                GBufferLayer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
+                GBufferLayer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
+                GBufferLayer::Coefficients => Vector::new(material.diffuse, material.specular, material.reflection),
+                GBufferLayer::Body => color_at_number(stage.scene_index(texel.start.body)?),
                 _ => texel.color,
             })
         };
@@ -187,18 +187,18 @@ impl GBuffer {
 
 /// The point that the ray through a place of the picture meets.
 pub(super) fn seen(
-    stage: &Stage,
-    camera: &StageCamera,
-    probe: &mut Probe<'_>,
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    probe: &mut PointShader<'_>,
     at: DVec2,
     size: DVec2,
-) -> Texel {
+) -> GBufferTexel {
     let ray = camera.ray(at, size);
     let rays = ray.alone();
-    let Some(hit) = probe.primary(&ray) else { return Texel { normal: rays.direction, ..Texel::EMPTY } };
+    let Some(hit) = probe.primary(&ray) else { return GBufferTexel { normal: rays.direction, ..GBufferTexel::EMPTY } };
     let point = stage.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
-    Texel {
-        start: Start { body: hit.body, inwards: hit.leaving },
+    GBufferTexel {
+        start: RayOrigin { body: hit.body, inwards: hit.leaving },
         depth: camera.homogeneous(exact(point.in_world).extend(1.0), size).depth as f32,
         position: point.in_world,
         normal: point.normal,
@@ -208,17 +208,17 @@ pub(super) fn seen(
 
 /// The local terms, or the background.
 pub(super) fn light_of(
-    stage: &Stage,
-    camera: &StageCamera,
-    probe: &mut Probe<'_>,
-    texel: &Texel,
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    probe: &mut PointShader<'_>,
+    texel: &GBufferTexel,
 ) -> Vector<f32> {
     if texel.is_empty() {
         return stage.sky.along(texel.normal);
     }
-    let Texel { start, position, normal, .. } = *texel;
+    let GBufferTexel { start, position, normal, .. } = *texel;
     let to_viewer = vector(camera.toward_viewer(exact(position)));
-    let light = probe.light(&Point { start, position, normal, to_viewer }, LightModel::Phong, true);
+    let light = probe.light(&ShadingPoint { start, position, normal, to_viewer }, LightModel::Phong, true);
     light.with_color(texel.color)
 }
 

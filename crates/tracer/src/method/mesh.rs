@@ -9,32 +9,32 @@ mod revolution;
 
 use glam::DVec3;
 
-use crate::shape::{Canonical, ShapeKind};
+use crate::shape::{CanonicalShape, ShapeKind};
 
-pub(super) use patch::Patch;
+pub(super) use patch::PlanePatch;
 
 /// A vertex in the body's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Vertex {
+pub(super) struct MeshVertex {
     pub(super) point: DVec3,
     /// Outward normal, of any length above 0.
     pub(super) normal: DVec3,
 }
 
 /// A plane face of three or four corners, which go around it; of a triangle the last counts twice.
-pub(super) type Face = [u32; 4];
+pub(super) type MeshFace = [u32; 4];
 
 /// The faces of a body.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Mesh {
-    pub(super) vertices: Vec<Vertex>,
-    pub(super) faces: Vec<Face>,
+    pub(super) vertices: Vec<MeshVertex>,
+    pub(super) faces: Vec<MeshFace>,
 }
 
 impl Mesh {
     /// The canonical shape with a quarter of a circle, or the edge of a cube, in `fineness` parts; of a plane the
     /// patch that can be seen.
-    pub(super) fn of(shape: Canonical, fineness: u32, patch: Patch) -> Self {
+    pub(super) fn of(shape: CanonicalShape, fineness: u32, patch: PlanePatch) -> Self {
         match shape.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => revolution::sphere(fineness),
             ShapeKind::Cube => cube::cube(fineness),
@@ -45,7 +45,7 @@ impl Mesh {
     }
 
     fn add(&mut self, point: DVec3, normal: DVec3) -> u32 {
-        self.vertices.push(Vertex { point, normal });
+        self.vertices.push(MeshVertex { point, normal });
         self.vertices.len() as u32 - 1
     }
 }

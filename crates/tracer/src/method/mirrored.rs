@@ -5,32 +5,32 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::canvas::{Canvas, Clock, Frame};
-use super::cube_map::{CubeMap, CubeMapUse, CubeMaps, Proxy};
-use super::gbuffer::{GBuffer, Texel};
+use super::canvas::{SampleSums, PassTimer, FrameSize};
+use super::cube_map::{CubeMap, CubeMapUse, CubeMaps, ParallaxBox};
+use super::gbuffer::{GBuffer, GBufferTexel};
 use super::probe::{exact, reflection_of, vector};
-use super::screen::{Fate, Screen};
-use super::{CubeMapSettings, Drawing, Evidence, Fallback, MethodError, PassName, SsrSettings};
+use super::screen::{MarchOutcome, ScreenMarcher};
+use super::{CubeMapSettings, MethodOutput, FirstSampleBuffers, SsrFallback, MethodError, PassName, SsrSettings};
 use crate::counts::RayCounts;
 use crate::ray::NO_BODY;
-use crate::render::{Control, RenderSettings};
-use crate::stage::{Stage, StageCamera};
+use crate::render::{RenderControl, RenderSettings};
+use crate::stage::{RenderScene, RenderCamera};
 use crate::vector::Vector;
 
 /// The cube maps that a picture uses, by the bodies' places in the stage, and the boxes of their corrections.
 #[derive(Clone, Debug, Default)]
-pub(super) struct MapsInUse {
-    maps: BTreeMap<u32, (Arc<CubeMap>, Option<Proxy>)>,
+pub(super) struct ActiveCubeMaps {
+    maps: BTreeMap<u32, (Arc<CubeMap>, Option<ParallaxBox>)>,
 }
 
-impl MapsInUse {
+impl ActiveCubeMaps {
     /// The maps with their bodies.
     pub(super) fn iter(&self) -> impl Iterator<Item = (u32, &CubeMap)> {
         self.maps.iter().map(|(body, (map, _))| (*body, &**map))
     }
 
     /// The direction in which the map of a body is asked for a reflected ray, and the map.
-    pub(super) fn looked_up(&self, texel: &Texel, direction: Vector<f32>) -> Option<(DVec3, &CubeMap)> {
+    pub(super) fn looked_up(&self, texel: &GBufferTexel, direction: Vector<f32>) -> Option<(DVec3, &CubeMap)> {
         let (map, proxy) = self.maps.get(&texel.start.body)?;
         let direction = exact(direction);
         let corrected =
@@ -39,23 +39,23 @@ impl MapsInUse {
     }
 
     /// What the map of its body shows to a reflected ray.
-    fn light(&self, texel: &Texel, direction: Vector<f32>) -> Option<Vector<f32>> {
+    fn light(&self, texel: &GBufferTexel, direction: Vector<f32>) -> Option<Vector<f32>> {
         self.looked_up(texel, direction).map(|(direction, map)| map.light(direction.as_vec3()).into())
     }
 }
 
 /// How reflections are found.
 #[derive(Clone, Copy)]
-pub(super) struct Mirrors<'a> {
+pub(super) struct ReflectionSources<'a> {
     pub(super) screen: Option<&'a SsrSettings>,
     pub(super) maps: Option<&'a CubeMapSettings>,
 }
 
-impl<'a> Mirrors<'a> {
+impl<'a> ReflectionSources<'a> {
     pub(super) fn of_screen(settings: &'a SsrSettings) -> Self {
         let maps = match &settings.fallback {
-            Fallback::Background => None,
-            Fallback::CubeMap(maps) => Some(maps),
+            SsrFallback::Background => None,
+            SsrFallback::CubeMap(maps) => Some(maps),
         };
         Self { screen: Some(settings), maps }
     }
@@ -66,20 +66,20 @@ impl<'a> Mirrors<'a> {
 }
 
 pub(super) fn draw(
-    stage: &Stage,
-    camera: &StageCamera,
-    mirrors: Mirrors<'_>,
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    mirrors: ReflectionSources<'_>,
     render: RenderSettings,
-    control: &Control,
+    control: &RenderControl,
     cache: &mut CubeMaps,
-) -> Result<Drawing, MethodError> {
-    let frame = Frame::new(render)?;
+) -> Result<MethodOutput, MethodError> {
+    let frame = FrameSize::new(render)?;
     let samples = render.samples.max(1);
     control.expect(3 * frame.pixels() as u64 * u64::from(samples));
-    let mut canvas = Canvas::new(frame)?;
+    let mut canvas = SampleSums::new(frame)?;
     let mut buffer = GBuffer::new(frame)?;
-    let (mut clock, mut counts) = (Clock::default(), RayCounts::default());
-    let (mut maps, mut used) = (MapsInUse::default(), CubeMapUse::default());
+    let (mut clock, mut counts) = (PassTimer::default(), RayCounts::default());
+    let (mut maps, mut used) = (ActiveCubeMaps::default(), CubeMapUse::default());
     // The first sample last: its buffers are kept.
     for sample in (0..samples).rev() {
         counts += clock.time(PassName::Geometry, || buffer.look(stage, camera, sample, control))?;
@@ -101,23 +101,23 @@ pub(super) fn draw(
     }
     let picture = canvas.picture(samples)?;
     let cube_maps = mirrors.maps.map(|_| used);
-    let evidence = Evidence::Buffers(Box::new(buffer), maps);
-    Ok(Drawing { picture, counts, passes: clock.passes, cube_maps, evidence })
+    let evidence = FirstSampleBuffers::Buffers(Box::new(buffer), maps);
+    Ok(MethodOutput { picture, counts, passes: clock.passes, cube_maps, evidence })
 }
 
 /// k_r of what a texel shows, if its reflected ray would be traced.
-pub(super) fn reflecting(stage: &Stage, texel: &Texel) -> Option<f32> {
+pub(super) fn reflecting(stage: &RenderScene, texel: &GBufferTexel) -> Option<f32> {
     if texel.is_empty() { None } else { reflection_of(stage, texel.start.body) }
 }
 
 /// Has the maps made of all bodies that reflect in the picture.
 fn take_maps(
-    stage: &Stage,
+    stage: &RenderScene,
     buffer: &GBuffer,
     settings: &CubeMapSettings,
-    control: &Control,
+    control: &RenderControl,
     cache: &mut CubeMaps,
-    (maps, used): (&mut MapsInUse, &mut CubeMapUse),
+    (maps, used): (&mut ActiveCubeMaps, &mut CubeMapUse),
 ) -> Result<RayCounts, MethodError> {
     let mut bodies: BTreeSet<u32> = maps.maps.keys().copied().collect();
     let before = bodies.len();
@@ -139,7 +139,7 @@ fn take_maps(
     *used = CubeMapUse { built: used.built + made.built, kept: made.kept.saturating_sub(used.built), ..made };
     for index in bodies {
         let Some(map) = stage.scene_index(index).and_then(|place| cache.get(place)) else { continue };
-        let proxy = || settings.parallax.then(|| Proxy::around(stage, index, map.center()));
+        let proxy = || settings.parallax.then(|| ParallaxBox::around(stage, index, map.center()));
         maps.maps.entry(index).or_insert_with(|| (Arc::clone(map), proxy()));
     }
     Ok(counts)
@@ -147,22 +147,22 @@ fn take_maps(
 
 /// Finds what each reflected ray brings.
 fn reflect(
-    stage: &Stage,
-    camera: &StageCamera,
-    mirrors: Mirrors<'_>,
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    mirrors: ReflectionSources<'_>,
     buffer: &mut GBuffer,
-    maps: &MapsInUse,
-    control: &Control,
+    maps: &ActiveCubeMaps,
+    control: &RenderControl,
 ) -> Result<(), MethodError> {
     let frame = buffer.frame;
     let mut reflected = std::mem::take(&mut buffer.reflected);
     let shown = &*buffer;
-    let screen = mirrors.screen.map(|settings| Screen { buffer: shown, camera, settings });
-    let find = |texel: &Texel| {
+    let screen = mirrors.screen.map(|settings| ScreenMarcher { buffer: shown, camera, settings });
+    let find = |texel: &GBufferTexel| {
         let direction = texel.reflected(camera);
         let met = screen.as_ref().and_then(|screen| match screen.march(texel, exact(direction)) {
-            Fate::Met(at) => Some(screen.light(at)),
-            Fate::LeftScreen | Fate::OutOfRange => None,
+            MarchOutcome::Met(at) => Some(screen.light(at)),
+            MarchOutcome::LeftScreen | MarchOutcome::OutOfRange => None,
         });
         met.or_else(|| maps.light(texel, direction)).unwrap_or_else(|| stage.sky.along(direction))
     };

@@ -4,19 +4,19 @@ use glam::DVec3;
 
 use super::LightModel;
 use crate::counts::RayCounts;
-use crate::lanes::One;
-use crate::media::{AIR, Inside, MediaTable};
-use crate::ray::{NO_BODY, Ray, Rays, Start};
-use crate::search::{Along, Flight, Hit, MediumIntervals, ShadowMemory, found_in};
-use crate::stage::{Pending, Stage, StageCamera, SurfacePoint};
+use crate::lanes::ScalarWidth;
+use crate::media::{AIR, BodyMembership, MediumStacks};
+use crate::ray::{NO_BODY, Ray, RayPacket, RayOrigin};
+use crate::search::{Candidates, RayQuery, HitRecord, MediumIntervals, ShadowScratch, found_in};
+use crate::stage::{TraversalStack, RenderScene, RenderCamera, SurfacePoint};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
 /// A point of a surface that is to be lit.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Point {
+pub(super) struct ShadingPoint {
     /// Body and side.
-    pub(super) start: Start,
+    pub(super) start: RayOrigin,
     /// World space, meters.
     pub(super) position: Vector<f32>,
     /// Unit normal on the viewer's side.
@@ -27,14 +27,14 @@ pub(super) struct Point {
 
 /// What a surface answers, before its color C is known: the color may change within a face, the light does not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct LocalLight {
+pub(super) struct DirectLight {
     /// What the color is multiplied with: k_a·I_a + Σ V·A·I·k_d·(n̂·L̂).
     pub(super) on_color: Vector<f32>,
     /// Σ V·A·I·k_s·(Ŝ·R̂)ⁿ.
     pub(super) highlight: Vector<f32>,
 }
 
-impl LocalLight {
+impl DirectLight {
     /// The light that leaves a surface of this color.
     pub(super) fn with_color(&self, color: Vector<f32>) -> Vector<f32> {
         self.on_color.times(color) + self.highlight
@@ -42,28 +42,28 @@ impl LocalLight {
 }
 
 /// Asks a stage; reusable from point to point by one thread. Counts the rays it sends.
-pub(super) struct Probe<'a> {
-    stage: &'a Stage,
-    camera: &'a StageCamera,
-    table: MediaTable,
+pub(super) struct PointShader<'a> {
+    stage: &'a RenderScene,
+    camera: &'a RenderCamera,
+    table: MediumStacks,
     /// The transparent bodies around the start of the primary ray; a reflected ray stays in them.
-    inside: Inside,
+    inside: BodyMembership,
     /// The list of `table` that holds the bodies of `inside` in the order in which they were entered.
     media: u32,
-    parts: Pending,
+    parts: TraversalStack,
     intervals: MediumIntervals,
     pub(super) counts: RayCounts,
 }
 
-impl<'a> Probe<'a> {
-    pub(super) fn new(stage: &'a Stage, camera: &'a StageCamera) -> Self {
+impl<'a> PointShader<'a> {
+    pub(super) fn new(stage: &'a RenderScene, camera: &'a RenderCamera) -> Self {
         let mut probe = Self {
             stage,
             camera,
-            table: MediaTable::default(),
-            inside: Inside::default(),
+            table: MediumStacks::default(),
+            inside: BodyMembership::default(),
             media: AIR,
-            parts: Pending::default(),
+            parts: TraversalStack::default(),
             intervals: MediumIntervals::default(),
             counts: RayCounts::default(),
         };
@@ -76,31 +76,31 @@ impl<'a> Probe<'a> {
         if self.stage.has_transparency {
             self.table.tidy();
             self.media = self.table.at_point(self.stage, point);
-            self.inside.fill::<One>(&self.table, self.media, true);
+            self.inside.fill::<ScalarWidth>(&self.table, self.media, true);
         }
     }
 
     /// What a primary ray meets.
-    pub(super) fn primary(&mut self, ray: &Ray) -> Option<Hit> {
+    pub(super) fn primary(&mut self, ray: &Ray) -> Option<HitRecord> {
         if self.camera.eye().is_none() {
             self.stand_at(ray.origin.into());
         }
         self.counts.primary += 1;
         let rays = ray.alone();
         found_in(
-            &Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
+            &RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::Anything)
                 .nearest(&mut self.parts),
         )
     }
 
     /// The local terms at a point.
-    pub(super) fn light(&mut self, at: &Point, model: LightModel, shadows: bool) -> LocalLight {
+    pub(super) fn light(&mut self, at: &ShadingPoint, model: LightModel, shadows: bool) -> DirectLight {
         let stage = self.stage;
         let nothing = Vector::new(0.0, 0.0, 0.0);
         let material = stage.material(stage.body(at.start.body));
         let specular = if model == LightModel::Phong { material.specular } else { 0.0 };
         let on_color = Vector::from(glam::Vec3::from(stage.ambient)) * material.ambient;
-        let mut light = LocalLight { on_color, highlight: nothing };
+        let mut light = DirectLight { on_color, highlight: nothing };
         if material.diffuse == 0.0 && specular == 0.0 {
             return light;
         }
@@ -127,25 +127,25 @@ impl<'a> Probe<'a> {
     }
 
     /// What reaches a point from a light.
-    fn transmittance(&mut self, at: &Point, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
+    fn transmittance(&mut self, at: &ShadingPoint, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
         self.counts.shadow += 1;
-        let rays: Rays<One> = Rays { origin: at.position, direction: to_light, start: at.start.word() };
+        let rays: RayPacket<ScalarWidth> = RayPacket { origin: at.position, direction: to_light, start: at.start.word() };
         let Self { parts, intervals, .. } = self;
-        let memory = ShadowMemory { parts, intervals, blocker: &mut { NO_BODY } };
-        Flight::new(One, self.stage, &rays, true, &self.inside, Along::Anything)
+        let memory = ShadowScratch { parts, intervals, blocker: &mut { NO_BODY } };
+        RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::Anything)
             .transmittance(distance, (&self.table, self.media), memory)
-            .shares(One)
+            .shares(ScalarWidth)
     }
 }
 
 /// The color C of a body at a point of its surface.
-pub(super) fn color_at(stage: &Stage, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
+pub(super) fn color_at(stage: &RenderScene, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
     color_of(stage, body, point.in_body, point.on_checker(stage.body(body)))
 }
 
 /// The color C of a body at a point of its own frame, which its checkerboard sees as `on_checker`.
 pub(super) fn color_of(
-    stage: &Stage,
+    stage: &RenderScene,
     body: u32,
     in_body: Vector<f32>,
     on_checker: Vector<f32>,
@@ -154,12 +154,12 @@ pub(super) fn color_of(
     let checker = stage.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(on_checker));
     match checker {
         Some(checker) => Vector::splat(0.0, checker.color),
-        None => stage.material(body).color_at(One, body, in_body, true),
+        None => stage.material(body).color_at(ScalarWidth, body, in_body, true),
     }
 }
 
 /// Coefficient k_r, if a ray that carries it is traced at all.
-pub(super) fn reflection_of(stage: &Stage, body: u32) -> Option<f32> {
+pub(super) fn reflection_of(stage: &RenderScene, body: u32) -> Option<f32> {
     let reflection = stage.material(stage.body(body)).reflection;
     (stage.generations > 1 && reflection > 0.0 && reflection >= stage.threshold).then_some(reflection)
 }

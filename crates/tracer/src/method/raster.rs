@@ -9,14 +9,14 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
-use super::canvas::Frame;
-use crate::stage::Homogeneous;
+use super::canvas::FrameSize;
+use crate::stage::HomogeneousPoint;
 use crate::vector::Vector;
 
 /// A corner of a face, with what is interpolated across the face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
-    pub(super) seen: Homogeneous,
+pub(super) struct TriangleCorner {
+    pub(super) seen: HomogeneousPoint,
     /// The point in the body's frame, for the checkerboard.
     pub(super) in_body: Vector<f32>,
     /// Light on the color and highlight, or place and normal.
@@ -28,11 +28,11 @@ pub(super) struct Corner {
 pub(super) struct Fragment {
     /// Distance along the view, meters.
     pub(super) depth: f64,
-    /// [`Start::word`](crate::Start) of the body and side.
+    /// [`RayOrigin::word`](crate::Start) of the body and side.
     pub(super) start: u32,
-    /// As of the [`Corner`]s.
+    /// As of the [`TriangleCorner`]s.
     pub(super) in_body: Vector<f32>,
-    /// As of the [`Corner`]s.
+    /// As of the [`TriangleCorner`]s.
     pub(super) values: [Vector<f32>; 2],
 }
 
@@ -50,7 +50,7 @@ impl Fragment {
 
 /// A triangle in the picture.
 #[derive(Clone, Debug)]
-pub(super) struct Triangle {
+pub(super) struct ScreenTriangle {
     /// E_i·(x, y, 1) ≥ 0 on the inner side of the edge opposite corner i; in proportion, the corner's share of the point.
     edges: [DVec3; 3],
     corners: [u32; 3],
@@ -62,9 +62,9 @@ pub(super) struct Triangle {
     columns: Range<usize>,
 }
 
-impl Triangle {
+impl ScreenTriangle {
     /// The triangle of these corners of `all`; `None` if it has no area or cannot be seen.
-    pub(super) fn new(all: &[Corner], corners: [u32; 3], start: u32, frame: Frame) -> Option<Self> {
+    pub(super) fn new(all: &[TriangleCorner], corners: [u32; 3], start: u32, frame: FrameSize) -> Option<Self> {
         let [a, b, c] = corners.map(|corner| all.get(corner as usize).map(|corner| corner.seen));
         let seen = [a?, b?, c?];
         let [a, b, c] = seen.map(|corner| corner.at);
@@ -93,7 +93,7 @@ impl Triangle {
     }
 
     /// Draws what lies in row `y` of the picture, whose fragments these are; samples lie at `offset` in their pixels.
-    pub(super) fn draw(&self, all: &[Corner], y: usize, offset: DVec2, row: &mut [Fragment]) {
+    pub(super) fn draw(&self, all: &[TriangleCorner], y: usize, offset: DVec2, row: &mut [Fragment]) {
         let at_y = y as f64 + offset.y;
         let rest = self.edges.map(|edge| edge.y * at_y + edge.z);
         let columns = self.columns_of(rest, offset.x);
@@ -127,7 +127,7 @@ impl Triangle {
         start..end.max(start)
     }
 
-    fn fragment(&self, all: &[Corner], shares: [f64; 3], depth: f64) -> Fragment {
+    fn fragment(&self, all: &[TriangleCorner], shares: [f64; 3], depth: f64) -> Fragment {
         let mut fragment = Fragment { depth, start: self.start, ..Fragment::EMPTY };
         for (corner, share) in self.corners.iter().zip(shares) {
             let Some(corner) = all.get(*corner as usize) else { continue };
@@ -148,7 +148,7 @@ fn edge(a: DVec3, b: DVec3) -> DVec3 {
 }
 
 /// Rows and columns that a triangle reaches, if any: those of the part before the eye.
-fn extent(corners: [DVec3; 3], frame: Frame) -> Option<(Range<usize>, Range<usize>)> {
+fn extent(corners: [DVec3; 3], frame: FrameSize) -> Option<(Range<usize>, Range<usize>)> {
     /// Of the largest w: what is nearer to the eye lies beside the picture, or at one point of it.
     const NEAR: f64 = 1e-9;
     let near = NEAR * corners.iter().map(|corner| corner.z).fold(0.0, f64::max);
@@ -179,17 +179,17 @@ fn extent(corners: [DVec3; 3], frame: Frame) -> Option<(Range<usize>, Range<usiz
 mod tests {
     use super::*;
 
-    fn corner(x: f64, y: f64, w: f64) -> Corner {
-        let at = Homogeneous { at: DVec3::new(x * w, y * w, w), depth: w };
+    fn corner(x: f64, y: f64, w: f64) -> TriangleCorner {
+        let at = HomogeneousPoint { at: DVec3::new(x * w, y * w, w), depth: w };
         let value = Vector { x: w as f32, y: x as f32, z: y as f32 };
-        Corner { seen: at, in_body: value, values: [value; 2] }
+        TriangleCorner { seen: at, in_body: value, values: [value; 2] }
     }
 
-    fn draw(corners: &[Corner], triangles: &[[u32; 3]]) -> Vec<Vec<Fragment>> {
-        let frame = Frame { width: 16, height: 12 };
+    fn draw(corners: &[TriangleCorner], triangles: &[[u32; 3]]) -> Vec<Vec<Fragment>> {
+        let frame = FrameSize { width: 16, height: 12 };
         let mut rows = vec![vec![Fragment::EMPTY; frame.width]; frame.height];
         for (number, triangle) in triangles.iter().enumerate() {
-            let Some(triangle) = Triangle::new(corners, *triangle, number as u32, frame) else { continue };
+            let Some(triangle) = ScreenTriangle::new(corners, *triangle, number as u32, frame) else { continue };
             for (y, row) in rows.iter_mut().enumerate() {
                 triangle.draw(corners, y, DVec2::splat(0.5), row);
             }
@@ -229,8 +229,8 @@ mod tests {
         let corners = [corner(5.0, 5.0, -1.0), corner(9.0, 5.0, -1.0), corner(7.0, 9.0, -2.0)];
         assert!(draw(&corners, &[[0, 1, 2]]).iter().flatten().all(Fragment::is_empty));
         // A floor that goes under the eye: from the horizon of row 4 down, all is covered.
-        let floor = |x: f64, w: f64| Corner {
-            seen: Homogeneous { at: DVec3::new(8.0 * w + x, 4.0 * w + 6.0, w), depth: w },
+        let floor = |x: f64, w: f64| TriangleCorner {
+            seen: HomogeneousPoint { at: DVec3::new(8.0 * w + x, 4.0 * w + 6.0, w), depth: w },
             ..corner(0.0, 0.0, 1.0)
         };
         let corners = [floor(-1e5, -10.0), floor(1e5, -10.0), floor(1e5, 1e4), floor(-1e5, 1e4)];

@@ -10,13 +10,13 @@ use catoptric_picture::Picture;
 use glam::{DVec2, Vec3};
 use rayon::prelude::*;
 
-use super::canvas::Frame;
+use super::canvas::FrameSize;
 use super::cube_map::around;
-use super::{Drawing, Evidence, Method, MethodError};
-use crate::render::{Control, RenderSettings};
+use super::{MethodOutput, FirstSampleBuffers, Method, MethodError};
+use crate::render::{RenderControl, RenderSettings};
 use crate::sampling::sample_offset;
-use crate::stage::{Stage, StageCamera};
-use witness::Witness;
+use crate::stage::{RenderScene, RenderCamera};
+use witness::ReferencePixel;
 
 /// Why a pixel differs from the traced truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -137,15 +137,15 @@ impl ReasonMap {
 /// # Errors
 /// When the sizes differ from those of `settings`, memory is short, or the work is cancelled.
 pub fn reasons(
-    stage: &Stage,
+    stage: &RenderScene,
     method: &Method,
     settings: RenderSettings,
     truth: &Picture,
-    drawing: &Drawing,
+    drawing: &MethodOutput,
     bound: f64,
-    control: &Control,
+    control: &RenderControl,
 ) -> Result<ReasonMap, MethodError> {
-    let frame = Frame::new(settings)?;
+    let frame = FrameSize::new(settings)?;
     for picture in [truth, &drawing.picture] {
         let (RenderSettings { width, height, .. }, of_picture) =
             (settings, [picture.width(), picture.height()]);
@@ -158,9 +158,9 @@ pub fn reasons(
     control.expect(groups.values().map(|pixels| pixels.len() as u64).sum());
     for (body, pixels) in groups {
         let others = body.map(|body| around(stage, body));
-        let case = Case { stage, camera: stage.camera(), method, drawing, frame, others: others.as_ref() };
+        let case = ReasonInput { stage, camera: stage.camera(), method, drawing, frame, others: others.as_ref() };
         let found = pixels.par_iter().map_init(
-            || Witness::new(&case, control),
+            || ReferencePixel::new(&case, control),
             |witness, &pixel| {
                 if control.is_cancelled() {
                     return (pixel, None);
@@ -184,7 +184,7 @@ pub fn reasons(
 fn wrong_pixels(
     method: &Method,
     truth: &Picture,
-    drawing: &Drawing,
+    drawing: &MethodOutput,
     bound: f64,
 ) -> BTreeMap<Option<u32>, Vec<usize>> {
     let mut groups: BTreeMap<Option<u32>, Vec<usize>> = BTreeMap::new();
@@ -195,7 +195,7 @@ fn wrong_pixels(
             continue;
         }
         let group = match (method, &drawing.evidence) {
-            (Method::CubeMap(_), Evidence::Buffers(buffer, _)) => {
+            (Method::CubeMap(_), FirstSampleBuffers::Buffers(buffer, _)) => {
                 buffer.texels.get(index).filter(|texel| !texel.is_empty()).map(|texel| texel.start.body)
             }
             _ => None,
@@ -206,30 +206,30 @@ fn wrong_pixels(
 }
 
 /// What is to be explained.
-struct Case<'a> {
-    stage: &'a Stage,
-    camera: &'a StageCamera,
+struct ReasonInput<'a> {
+    stage: &'a RenderScene,
+    camera: &'a RenderCamera,
     method: &'a Method,
-    drawing: &'a Drawing,
-    frame: Frame,
+    drawing: &'a MethodOutput,
+    frame: FrameSize,
     /// What the cube map of the pixels' body shows.
-    others: Option<&'a Stage>,
+    others: Option<&'a RenderScene>,
 }
 
-impl Case<'_> {
-    fn reason(&self, witness: &mut Witness<'_>, pixel: usize) -> Option<Reason> {
+impl ReasonInput<'_> {
+    fn reason(&self, witness: &mut ReferencePixel<'_>, pixel: usize) -> Option<Reason> {
         let (x, y) = (pixel % self.frame.width, pixel / self.frame.width);
         let at = DVec2::new(x as f64, y as f64) + sample_offset(0);
         let ray = self.camera.ray(at, self.frame.size());
         let drawn = Vec3::from(*self.drawing.picture.pixels().get(pixel)?);
         match (self.method, &self.drawing.evidence) {
-            (Method::Flat(how) | Method::Gouraud(how) | Method::Phong(how), Evidence::Bodies(bodies)) => {
+            (Method::Flat(how) | Method::Gouraud(how) | Method::Phong(how), FirstSampleBuffers::Bodies(bodies)) => {
                 self.of_shading(witness, how, ray, *bodies.get(pixel)?, drawn)
             }
-            (Method::Ssr(how), Evidence::Buffers(buffer, maps)) => {
+            (Method::Ssr(how), FirstSampleBuffers::Buffers(buffer, maps)) => {
                 self.of_screen(witness, how, ray, (buffer, maps), pixel)
             }
-            (Method::CubeMap(_), Evidence::Buffers(buffer, maps)) => {
+            (Method::CubeMap(_), FirstSampleBuffers::Buffers(buffer, maps)) => {
                 self.of_map(witness, ray, (buffer, maps), pixel)
             }
             _ => None,

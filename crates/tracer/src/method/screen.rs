@@ -4,14 +4,14 @@
 use glam::{DVec2, DVec3};
 
 use super::SsrSettings;
-use super::gbuffer::{GBuffer, Texel};
+use super::gbuffer::{GBuffer, GBufferTexel};
 use super::probe::exact;
-use crate::stage::{Homogeneous, StageCamera};
+use crate::stage::{HomogeneousPoint, RenderCamera};
 use crate::vector::Vector;
 
 /// What became of a ray on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Fate {
+pub(super) enum MarchOutcome {
     /// It met the surface that the picture shows at this place.
     Met(DVec2),
     /// It left the picture, or went behind the eye.
@@ -21,17 +21,17 @@ pub(super) enum Fate {
 }
 
 /// The picture through which rays are marched.
-pub(super) struct Screen<'a> {
+pub(super) struct ScreenMarcher<'a> {
     pub(super) buffer: &'a GBuffer,
-    pub(super) camera: &'a StageCamera,
+    pub(super) camera: &'a RenderCamera,
     pub(super) settings: &'a SsrSettings,
 }
 
 /// The part of a ray that lies on the screen. From its start (s = 0) to its end (s = 1) the place on the screen changes
 /// evenly; so do 1/w and t/w, whatever the projection.
-struct Way {
-    from: Homogeneous,
-    along: Homogeneous,
+struct ScreenRay {
+    from: HomogeneousPoint,
+    along: HomogeneousPoint,
     places: [DVec2; 2],
     inverse_w: [f64; 2],
     /// t/w at the end.
@@ -40,13 +40,13 @@ struct Way {
 
 /// A point of a ray on the screen.
 #[derive(Clone, Copy)]
-struct Mark {
+struct ScreenRayPoint {
     at: DVec2,
     depth: f64,
 }
 
-impl Way {
-    fn new(from: Homogeneous, along: Homogeneous, reach: f64) -> Self {
+impl ScreenRay {
+    fn new(from: HomogeneousPoint, along: HomogeneousPoint, reach: f64) -> Self {
         let end = from.at + along.at * reach;
         Self {
             from,
@@ -69,21 +69,21 @@ impl Way {
         count.is_finite().then(|| (count, count.min(most)))
     }
 
-    fn at(&self, s: f64) -> Mark {
+    fn at(&self, s: f64) -> ScreenRayPoint {
         let inverse_w = self.inverse_w[0] + (self.inverse_w[1] - self.inverse_w[0]) * s;
         let t = self.far * s / inverse_w;
-        Mark { at: self.places[0].lerp(self.places[1], s), depth: self.from.depth + t * self.along.depth }
+        ScreenRayPoint { at: self.places[0].lerp(self.places[1], s), depth: self.from.depth + t * self.along.depth }
     }
 }
 
-impl Screen<'_> {
+impl ScreenMarcher<'_> {
     /// Follows the ray from the point that a texel shows, in a direction of length 1.
-    pub(super) fn march(&self, texel: &Texel, direction: DVec3) -> Fate {
+    pub(super) fn march(&self, texel: &GBufferTexel, direction: DVec3) -> MarchOutcome {
         let size = self.buffer.frame.size();
         let from = self.camera.homogeneous(exact(texel.position).extend(1.0), size);
         let along = self.camera.homogeneous(direction.extend(0.0), size);
         let (reach, end) = self.reach(from, along);
-        let way = Way::new(from, along, reach);
+        let way = ScreenRay::new(from, along, reach);
         let Some((count, last)) = way.steps(self.settings.step_pixels, size) else { return end };
         let own = texel.start.body;
         let mut step = 1.0;
@@ -99,7 +99,7 @@ impl Screen<'_> {
                 && self.is_within(behind, here, way.at(low))
                 && let Some(at) = self.refine(&way, own, direction, [low, high])
             {
-                return Fate::Met(at);
+                return MarchOutcome::Met(at);
             }
             step += 1.0;
         }
@@ -108,7 +108,7 @@ impl Screen<'_> {
 
     /// How many steps from this one on, the mark of which is `here`, surely meet nothing: those that stay in its square of
     /// pixels, if the ray does not come as deep there as anything.
-    fn free_steps(&self, way: &Way, here: Mark, step: f64, count: f64) -> f64 {
+    fn free_steps(&self, way: &ScreenRay, here: ScreenRayPoint, step: f64, count: f64) -> f64 {
         let square = self.buffer.fronts.square(self.nearest(here.at));
         if here.depth >= square.front {
             return 0.0;
@@ -128,7 +128,7 @@ impl Screen<'_> {
     }
 
     /// How far the ray stays on the screen and in range, meters, and what ends it.
-    fn reach(&self, from: Homogeneous, along: Homogeneous) -> (f64, Fate) {
+    fn reach(&self, from: HomogeneousPoint, along: HomogeneousPoint) -> (f64, MarchOutcome) {
         /// Of the start's w: nearer to the plane of the eye a ray is far beside the picture.
         const NEAR: f64 = 1e-6;
         let size = self.buffer.frame.size();
@@ -141,15 +141,15 @@ impl Screen<'_> {
         let ends = starts.iter().zip(slopes).filter(|(_, slope)| *slope < 0.0);
         let side = ends.map(|(start, slope)| start.max(0.0) / -slope).fold(f64::INFINITY, f64::min);
         if side < self.settings.range {
-            (side, Fate::LeftScreen)
+            (side, MarchOutcome::LeftScreen)
         } else {
-            (self.settings.range, Fate::OutOfRange)
+            (self.settings.range, MarchOutcome::OutOfRange)
         }
     }
 
     /// How far a mark of a ray lies behind a surface that it may meet there: one of another body (a convex one is never met
     /// by rays that leave it), on the side that the eye sees.
-    fn behind(&self, own: u32, direction: DVec3, mark: Mark) -> Option<f64> {
+    fn behind(&self, own: u32, direction: DVec3, mark: ScreenRayPoint) -> Option<f64> {
         let index = self.nearest(mark.at);
         if mark.depth < self.buffer.fronts.around(index) {
             return None;
@@ -162,12 +162,12 @@ impl Screen<'_> {
     }
 
     /// Whether a ray is behind a surface by no more than the thickness, and the depth that it made since the last mark.
-    fn is_within(&self, behind: f64, mark: Mark, last: Mark) -> bool {
+    fn is_within(&self, behind: f64, mark: ScreenRayPoint, last: ScreenRayPoint) -> bool {
         behind <= self.settings.thickness + (mark.depth - last.depth).abs()
     }
 
     /// Halves the step in which a surface was met.
-    fn refine(&self, way: &Way, own: u32, direction: DVec3, [mut low, mut high]: [f64; 2]) -> Option<DVec2> {
+    fn refine(&self, way: &ScreenRay, own: u32, direction: DVec3, [mut low, mut high]: [f64; 2]) -> Option<DVec2> {
         for _ in 0..self.settings.refinements {
             let middle = 0.5 * (low + high);
             if self.behind(own, direction, way.at(middle)).is_some() {
@@ -183,7 +183,7 @@ impl Screen<'_> {
 
     /// How deep the surface of `texel` lies at a place. Depths are interpolated between pixels of one body, 1/w evenly on
     /// the screen.
-    fn depth(&self, at: DVec2, texel: &Texel) -> f64 {
+    fn depth(&self, at: DVec2, texel: &GBufferTexel) -> f64 {
         let is_parallel = self.camera.parallel_height().is_some();
         let mut sum = 0.0;
         for (index, weight) in self.neighbors(at) {
@@ -245,9 +245,9 @@ impl Screen<'_> {
 mod tests {
     use super::*;
 
-    fn way(places: [DVec2; 2]) -> Way {
-        let nowhere = Homogeneous { at: DVec3::ZERO, depth: 0.0 };
-        Way { from: nowhere, along: nowhere, places, inverse_w: [1.0; 2], far: 1.0 }
+    fn way(places: [DVec2; 2]) -> ScreenRay {
+        let nowhere = HomogeneousPoint { at: DVec3::ZERO, depth: 0.0 };
+        ScreenRay { from: nowhere, along: nowhere, places, inverse_w: [1.0; 2], far: 1.0 }
     }
 
     #[test]

@@ -73,7 +73,7 @@ impl Default for ShadingSettings {
 
 /// What a reflected ray brings that is not found on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Fallback {
+pub enum SsrFallback {
     /// The scene's background. The default.
     #[default]
     Background,
@@ -94,7 +94,7 @@ pub struct SsrSettings {
     /// How often the step in which a surface was met is halved, 0 to 32. Default 8.
     pub refinements: u32,
     /// What is taken where the screen has nothing. Default the background.
-    pub fallback: Fallback,
+    pub fallback: SsrFallback,
 }
 
 impl SsrSettings {
@@ -113,8 +113,8 @@ impl SsrSettings {
         check("range in meters", self.range, Self::RANGE)?;
         check_whole("number of refinements", self.refinements, Self::REFINEMENTS)?;
         match &self.fallback {
-            Fallback::Background => Ok(()),
-            Fallback::CubeMap(settings) => settings.check(),
+            SsrFallback::Background => Ok(()),
+            SsrFallback::CubeMap(settings) => settings.check(),
         }
     }
 }
@@ -126,7 +126,7 @@ impl Default for SsrSettings {
             thickness: 0.1,
             range: 1000.0,
             refinements: 8,
-            fallback: Fallback::Background,
+            fallback: SsrFallback::Background,
         }
     }
 }

@@ -8,21 +8,21 @@ mod faces;
 
 use glam::{DVec2, DVec3};
 
-use super::canvas::{Canvas, Clock, Frame};
-use super::probe::{LocalLight, Point, Probe, color_of, exact, vector};
+use super::canvas::{SampleSums, PassTimer, FrameSize};
+use super::probe::{DirectLight, ShadingPoint, PointShader, color_of, exact, vector};
 use super::raster::Fragment;
-use super::{Drawing, Evidence, MethodError, PassName, ShadingSettings};
+use super::{MethodOutput, FirstSampleBuffers, MethodError, PassName, ShadingSettings};
 use crate::counts::RayCounts;
-use crate::ray::Start;
-use crate::render::{Control, RenderSettings};
+use crate::ray::RayOrigin;
+use crate::render::{RenderControl, RenderSettings};
 use crate::sampling::sample_offset;
-use crate::stage::{Stage, StageCamera};
+use crate::stage::{RenderScene, RenderCamera};
 use crate::vector::Vector;
-use batch::{Batch, Maker};
+use batch::{FaceBatch, BatchBuilder};
 
 /// Where the local terms are worked out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Shading {
+pub(super) enum ShadingFrequency {
     /// At the middle of each face.
     Flat,
     /// At the vertices.
@@ -32,33 +32,33 @@ pub(super) enum Shading {
 }
 
 /// What is drawn, and how.
-struct Job<'a> {
-    stage: &'a Stage,
-    camera: &'a StageCamera,
-    shading: Shading,
+struct ShadingJob<'a> {
+    stage: &'a RenderScene,
+    camera: &'a RenderCamera,
+    shading: ShadingFrequency,
     settings: &'a ShadingSettings,
-    frame: Frame,
-    control: &'a Control,
+    frame: FrameSize,
+    control: &'a RenderControl,
 }
 
 pub(super) fn draw(
-    stage: &Stage,
-    camera: &StageCamera,
-    shading: Shading,
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    shading: ShadingFrequency,
     settings: &ShadingSettings,
     render: RenderSettings,
-    control: &Control,
-) -> Result<Drawing, MethodError> {
-    let frame = Frame::new(render)?;
-    let job = Job { stage, camera, shading, settings, frame, control };
+    control: &RenderControl,
+) -> Result<MethodOutput, MethodError> {
+    let frame = FrameSize::new(render)?;
+    let job = ShadingJob { stage, camera, shading, settings, frame, control };
     let samples = render.samples.max(1);
     control.expect(2 * frame.pixels() as u64 * u64::from(samples));
-    let mut canvas = Canvas::new(frame)?;
+    let mut canvas = SampleSums::new(frame)?;
     let mut fragments = frame.buffer(Fragment::EMPTY)?;
     let mut bodies = frame.buffer(u32::MAX)?;
-    let (mut clock, mut counts) = (Clock::default(), RayCounts::default());
-    let mut maker = Maker::new(&job);
-    let mut kept: Option<Batch> = None;
+    let (mut clock, mut counts) = (PassTimer::default(), RayCounts::default());
+    let mut maker = BatchBuilder::new(&job);
+    let mut kept: Option<FaceBatch> = None;
     for sample in 0..samples {
         let offset = sample_offset(sample);
         fragments.fill(Fragment::EMPTY);
@@ -75,24 +75,24 @@ pub(super) fn draw(
         control.add_pixels(frame.pixels() as u64);
         if sample == 0 {
             let both = bodies.iter_mut().zip(&fragments);
-            both.for_each(|(body, fragment)| *body = Start::of_word(fragment.start).body);
+            both.for_each(|(body, fragment)| *body = RayOrigin::of_word(fragment.start).body);
         }
         counts += clock.time(PassName::Light, || job.shade(&fragments, offset, &mut canvas))?;
     }
     let picture = canvas.picture(samples)?;
-    Ok(Drawing { picture, counts, passes: clock.passes, cube_maps: None, evidence: Evidence::Bodies(bodies) })
+    Ok(MethodOutput { picture, counts, passes: clock.passes, cube_maps: None, evidence: FirstSampleBuffers::Bodies(bodies) })
 }
 
-impl Job<'_> {
+impl ShadingJob<'_> {
     /// Gives the fragments their colors and adds them to the picture.
     fn shade(
         &self,
         fragments: &[Fragment],
         offset: DVec2,
-        canvas: &mut Canvas,
+        canvas: &mut SampleSums,
     ) -> Result<RayCounts, MethodError> {
         let width = self.frame.width;
-        let make = || Probe::new(self.stage, self.camera);
+        let make = || PointShader::new(self.stage, self.camera);
         self.frame.each_row(canvas.sums(), self.control, make, |probe, y, sums| {
             let before = probe.counts;
             let row = fragments.iter().skip(y * width);
@@ -105,25 +105,25 @@ impl Job<'_> {
     }
 
     /// `at` is the place of the picture.
-    fn color(&self, probe: &mut Probe<'_>, fragment: &Fragment, at: impl Fn() -> DVec2) -> Vector<f32> {
+    fn color(&self, probe: &mut PointShader<'_>, fragment: &Fragment, at: impl Fn() -> DVec2) -> Vector<f32> {
         if fragment.is_empty() {
             let ray = self.camera.ray(at(), self.frame.size());
             return self.stage.sky.along(ray.alone().direction);
         }
-        let start = Start::of_word(fragment.start);
+        let start = RayOrigin::of_word(fragment.start);
         let [first, second] = fragment.values;
-        let light = if self.shading == Shading::Phong {
+        let light = if self.shading == ShadingFrequency::Phong {
             let normal = second.normalize_or(Vector::splat(0.0, [0.0, 1.0, 0.0]));
             self.light(probe, start, exact(first), normal)
         } else {
-            LocalLight { on_color: first, highlight: second }
+            DirectLight { on_color: first, highlight: second }
         };
         light.with_color(color_of(self.stage, start.body, fragment.in_body, fragment.in_body))
     }
 
-    fn light(&self, probe: &mut Probe<'_>, start: Start, at: DVec3, normal: Vector<f32>) -> LocalLight {
+    fn light(&self, probe: &mut PointShader<'_>, start: RayOrigin, at: DVec3, normal: Vector<f32>) -> DirectLight {
         let to_viewer = vector(self.camera.toward_viewer(at));
-        let point = Point { start, position: vector(at), normal, to_viewer };
+        let point = ShadingPoint { start, position: vector(at), normal, to_viewer };
         probe.light(&point, self.settings.model, self.settings.shadows)
     }
 }

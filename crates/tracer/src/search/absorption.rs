@@ -6,9 +6,9 @@
 
 use std::cmp::Ordering;
 
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width, Word as _};
-use crate::media::MediaTable;
-use crate::stage::Stage;
+use crate::lanes::{MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::media::MediumStacks;
+use crate::stage::RenderScene;
 use crate::surface::exponential;
 use crate::vector::Vector;
 
@@ -80,8 +80,8 @@ impl MediumIntervals {
     pub(super) fn left_after<W: Width>(
         &mut self,
         w: W,
-        stage: &Stage,
-        (table, media): (&MediaTable, W::W),
+        stage: &RenderScene,
+        (table, media): (&MediumStacks, W::W),
     ) -> Vector<W::R> {
         let mut lists = [0; MOST_LANES];
         media.store(&mut lists);
@@ -111,8 +111,8 @@ impl MediumIntervals {
     /// all intervals.
     pub(super) fn each_left(
         &mut self,
-        stage: &Stage,
-        table: &MediaTable,
+        stage: &RenderScene,
+        table: &MediumStacks,
         media_of: impl Fn(u32) -> u32,
         mut take: impl FnMut(u32, Vector<f32>),
     ) {
@@ -126,8 +126,8 @@ impl MediumIntervals {
     /// Shows `take` each ray with the negative logarithm of what is left of its light.
     fn each_loss<'t>(
         &mut self,
-        stage: &Stage,
-        media_of: impl Fn(u32) -> (&'t MediaTable, u32),
+        stage: &RenderScene,
+        media_of: impl Fn(u32) -> (&'t MediumStacks, u32),
         mut take: impl FnMut(u32, [f32; 3]),
     ) {
         let Self { list, open } = self;
@@ -147,8 +147,8 @@ impl MediumIntervals {
 /// Which of two intervals a ray in these media enters first: those that it starts in come before others, in the order of
 /// its list; of bodies entered at once, the first of the scene.
 fn in_order_of_entry(
-    stage: &Stage,
-    (table, media): (&MediaTable, u32),
+    stage: &RenderScene,
+    (table, media): (&MediumStacks, u32),
     a: &MediumInterval,
     b: &MediumInterval,
 ) -> Ordering {
@@ -165,7 +165,7 @@ fn in_order_of_entry(
 
 /// The negative logarithm of what is left of light on its way through intervals in the order of entry: in each place, the
 /// body entered last absorbs.
-fn loss_of(stage: &Stage, intervals: &[MediumInterval], open: &mut Vec<MediumInterval>) -> [f32; 3] {
+fn loss_of(stage: &RenderScene, intervals: &[MediumInterval], open: &mut Vec<MediumInterval>) -> [f32; 3] {
     let mut loss = [0.0; 3];
     let mut at = 0.0;
     open.clear();

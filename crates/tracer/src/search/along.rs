@@ -1,18 +1,18 @@
 //! What of a handful of bodies rays may meet, as far as it is known before they are tested.
 
-use crate::stage::Sights;
+use crate::stage::VisibleBodies;
 
 /// What is known of a handful of bodies before rays are tested.
 #[derive(Clone, Copy)]
-pub(crate) enum Along<'a> {
+pub(crate) enum Candidates<'a> {
     /// Nothing.
     Anything,
     /// The rays come from the point that these bodies are seen from, or go to it, or they are inside of a body that only these
     /// reach into; others they do not meet.
-    Seen(&'a Sights),
+    Seen(&'a VisibleBodies),
 }
 
-impl Along<'_> {
+impl Candidates<'_> {
     /// Whether there is surely no body.
     #[inline(always)]
     pub(crate) fn is_free(self) -> bool {

@@ -1,9 +1,9 @@
 //! The nearest hits so far.
 
-use super::{Hits, Meeting};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real, Width, Word as _};
+use super::{PacketHits, BodyIntersection};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32, Width, Word as _};
 use crate::ray::POINT_ROUNDING;
-use crate::stage::Stage;
+use crate::stage::RenderScene;
 
 /// Hits that coincide may lie so many times the bound of rounding apart along a ray: it is a bound across the surface, which
 /// the ray may graze. Rounding is far less than its bound, so that more than a thousandfold is allowed for.
@@ -11,7 +11,7 @@ pub(crate) const GRAZING: f32 = 64.0;
 
 /// The nearest hits so far of one direction through the surface.
 #[derive(Clone, Copy)]
-pub(super) struct Nearest<W: Width> {
+pub(super) struct ClosestHit<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     pub(super) face: W::R,
@@ -21,9 +21,9 @@ pub(super) struct Nearest<W: Width> {
 
 /// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
 /// outcome does not depend on the order in which bodies are tested.
-pub(super) struct Best<W: Width> {
-    pub(super) leaving: Nearest<W>,
-    pub(super) entering: Nearest<W>,
+pub(super) struct ClosestHits<W: Width> {
+    pub(super) leaving: ClosestHit<W>,
+    pub(super) entering: ClosestHit<W>,
     /// No body beyond this parameter can change the outcome any more; finite.
     pub(super) reach: W::R,
     pub(super) start_slack: W::R,
@@ -33,21 +33,21 @@ pub(super) struct Best<W: Width> {
 
 /// How far apart hits that coincide may lie at the start of rays, [`GRAZING`] and the slacks of two bodies included.
 #[inline(always)]
-pub(super) fn margin<R: Real>(stage: &Stage, start_slack: R) -> R {
+pub(super) fn margin<R: Float32>(stage: &RenderScene, start_slack: R) -> R {
     (start_slack + 2.0 * stage.largest_slack) * GRAZING
 }
 
 /// Up to where hits may coincide with one at `t`; `margin` is how far apart they may lie at the start of the rays.
 #[inline(always)]
-pub(super) fn reach_for<R: Real>(t: R, margin: R) -> R {
+pub(super) fn reach_for<R: Float32>(t: R, margin: R) -> R {
     t.times_plus(t.like(1.0 + GRAZING * POINT_ROUNDING), margin)
 }
 
-impl<W: Width> Best<W> {
+impl<W: Width> ClosestHits<W> {
     #[inline(always)]
-    pub(super) fn new(w: W, stage: &Stage, start_slack: W::R) -> Self {
+    pub(super) fn new(w: W, stage: &RenderScene, start_slack: W::R) -> Self {
         let infinity = w.real(f32::INFINITY);
-        let nearest = Nearest { t: infinity, body: w.word(0), face: w.real(0.0), second: infinity };
+        let nearest = ClosestHit { t: infinity, body: w.word(0), face: w.real(0.0), second: infinity };
         let margin = margin(stage, start_slack);
         let reach = w.real(f32::MAX);
         Self { leaving: nearest, entering: nearest, reach, start_slack, margin }
@@ -55,7 +55,7 @@ impl<W: Width> Best<W> {
 
     /// Takes note of hits that lead into a body.
     #[inline(always)]
-    pub(super) fn enter(&mut self, w: W, index: u32, meeting: &Meeting<W>) {
+    pub(super) fn enter(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
         let met = (meeting.enter, meeting.enter_face);
         self.entering.offer(w, index, met, meeting.entering);
         self.reach = self.reach.min(reach_for(self.entering.t, self.margin));
@@ -63,7 +63,7 @@ impl<W: Width> Best<W> {
 
     /// Takes note of hits that lead out of a body.
     #[inline(always)]
-    pub(super) fn leave(&mut self, w: W, index: u32, meeting: &Meeting<W>) {
+    pub(super) fn leave(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
         let met = (meeting.exit, meeting.exit_face);
         self.leaving.offer(w, index, met, meeting.leaving);
         self.reach = self.reach.min(reach_for(self.leaving.t, self.margin));
@@ -79,11 +79,11 @@ impl<W: Width> Best<W> {
     /// The first hits of `lanes`, before those that are contested are settled. Of hits that coincide within rounding, the
     /// one that leads out comes before the one that leads in: bodies that touch have a film of air between them.
     #[inline(always)]
-    pub(super) fn first(&self, w: W, stage: &Stage, lanes: W::M) -> Hits<W> {
+    pub(super) fn first(&self, w: W, stage: &RenderScene, lanes: W::M) -> PacketHits<W> {
         let infinity = w.real(f32::INFINITY);
-        let Nearest { t, body, face, .. } = self.entering;
+        let ClosestHit { t, body, face, .. } = self.entering;
         let leaves = self.leaving.t.lt(infinity);
-        let mut hits: Hits<W> = Hits {
+        let mut hits: PacketHits<W> = PacketHits {
             t,
             body,
             leaving: leaves & !leaves,
@@ -109,7 +109,7 @@ impl<W: Width> Best<W> {
     }
 }
 
-impl<W: Width> Nearest<W> {
+impl<W: Width> ClosestHit<W> {
     /// Takes note of hits. Which of equal ones counts is left to [`settle`](super::settle).
     #[inline(always)]
     fn offer(&mut self, w: W, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
@@ -131,7 +131,7 @@ impl<W: Width> Nearest<W> {
 /// The larger slack of two bodies.
 #[cold]
 #[inline(never)]
-fn larger_slack<W: Width>(w: W, stage: &Stage, one: W::W, other: W::W) -> W::R {
+fn larger_slack<W: Width>(w: W, stage: &RenderScene, one: W::W, other: W::W) -> W::R {
     let (mut ones, mut others) = ([0; MOST_LANES], [0; MOST_LANES]);
     one.store(&mut ones);
     other.store(&mut others);

@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
-use super::{Along, Best, Flight, ForNearest, GRAZING, Hits};
-use crate::lanes::{MOST_LANES, Mask as _, One, Real, Width, Word as _};
-use crate::media::Inside;
-use crate::ray::{POINT_ROUNDING, Rays, slack_at};
-use crate::stage::{Pending, Stage, Visit};
+use super::{Candidates, ClosestHits, RayQuery, ClosestHitVisitor, GRAZING, PacketHits};
+use crate::lanes::{MOST_LANES, Mask as _, ScalarWidth, Float32, Width, Word as _};
+use crate::media::BodyMembership;
+use crate::ray::{POINT_ROUNDING, RayPacket, slack_at};
+use crate::stage::{TraversalStack, RenderScene, BodyVisitor};
 use crate::vector::Vector;
 
 /// Where one ray crosses the surface of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Crossing {
+struct SurfaceCrossing {
     t: f32,
     face: f32,
     body: u32,
@@ -25,11 +25,11 @@ struct Crossing {
 #[inline(never)]
 pub(super) fn settle<W: Width>(
     w: W,
-    stage: &Stage,
-    rays: &Rays<W>,
-    inside: &Inside,
-    hits: Hits<W>,
-) -> Hits<W> {
+    stage: &RenderScene,
+    rays: &RayPacket<W>,
+    inside: &BodyMembership,
+    hits: PacketHits<W>,
+) -> PacketHits<W> {
     let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
     let [mut bodies, mut starts] = [[0; MOST_LANES]; 2];
     hits.t.store(&mut ts);
@@ -38,21 +38,21 @@ pub(super) fn settle<W: Width>(
     rays.start.store(&mut starts);
     let (mut leaving, mut hit) = (hits.leaving.bits(), hits.hit.bits());
     let [origins, directions] = [rays.origin, rays.direction].map(rows);
-    let mut parts = Pending::default();
+    let mut parts = TraversalStack::default();
     let mut left = hits.contested.bits();
     while left != 0 {
         let lane = left.trailing_zeros() as usize % MOST_LANES;
         left &= left - 1;
         let vector = |rows: &[[f32; MOST_LANES]; 3]| Vector::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-        let rays = Rays { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
+        let rays = RayPacket { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
         let inside = inside.of_lane(lane);
-        let first = Flight::new(One, stage, &rays, true, &inside, Along::Anything).first_settled(&mut parts);
+        let first = RayQuery::new(ScalarWidth, stage, &rays, true, &inside, Candidates::Anything).first_settled(&mut parts);
         (ts[lane], faces[lane], bodies[lane]) = (first.t, first.face, first.body);
         let at = 1 << lane;
         leaving = leaving & !at | if first.leaving { at } else { 0 };
         hit = hit & !at | if first.hit { at } else { 0 };
     }
-    Hits {
+    PacketHits {
         t: w.load(&ts),
         body: w.load_words(&bodies),
         leaving: w.mask(leaving),
@@ -63,7 +63,7 @@ pub(super) fn settle<W: Width>(
 }
 
 /// The components of vectors side by side.
-fn rows<R: Real>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
+fn rows<R: Float32>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
     let mut rows = [[0.0; MOST_LANES]; 3];
     vector.x.store(&mut rows[0]);
     vector.y.store(&mut rows[1]);
@@ -71,39 +71,39 @@ fn rows<R: Real>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
     rows
 }
 
-impl Flight<'_, One> {
+impl RayQuery<'_, ScalarWidth> {
     /// The first hit of the ray, of bodies that are entered where it is, or left, the first in the scene.
-    fn first_settled(&self, parts: &mut Pending) -> Hits<One> {
-        let mut best = Best::new(One, self.stage, self.start_slack());
-        self.visit(parts, &mut ForNearest(self, &mut best));
-        self.visit_planes(&mut ForNearest(self, &mut best));
+    fn first_settled(&self, parts: &mut TraversalStack) -> PacketHits<ScalarWidth> {
+        let mut best = ClosestHits::new(ScalarWidth, self.stage, self.start_slack());
+        self.visit(parts, &mut ClosestHitVisitor(self, &mut best));
+        self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
         for (nearest, leaving) in [(&mut best.entering, false), (&mut best.leaving, true)] {
             if nearest.t < f32::INFINITY {
-                let first = Crossing { t: nearest.t, face: nearest.face, body: nearest.body };
+                let first = SurfaceCrossing { t: nearest.t, face: nearest.face, body: nearest.body };
                 let counts = self.first_of_coincident(first, leaving, parts);
                 (nearest.t, nearest.face, nearest.body) = (counts.t, counts.face, counts.body);
             }
         }
-        best.first(One, self.stage, false)
+        best.first(ScalarWidth, self.stage, false)
     }
 
     /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
-    fn first_of_coincident(&self, nearest: Crossing, leaving: bool, parts: &mut Pending) -> Crossing {
+    fn first_of_coincident(&self, nearest: SurfaceCrossing, leaving: bool, parts: &mut TraversalStack) -> SurfaceCrossing {
         let slack_there = slack_at(self.origin) + nearest.t * POINT_ROUNDING;
         let slack = |body: u32| self.stage.body(body).slack;
         let reach = nearest.t + GRAZING * (slack_there + self.stage.largest_slack);
         let mut crossings = Vec::new();
-        let mut visitor = Crossings { flight: self, leaving, reach, crossings: &mut crossings };
+        let mut visitor = CrossingVisitor { flight: self, leaving, reach, crossings: &mut crossings };
         self.visit(parts, &mut visitor);
         self.visit_planes(&mut visitor);
         // Of equal ones the first in the scene, so that the order of visits does not matter.
-        let order = |one: &Crossing, other: &Crossing| {
+        let order = |one: &SurfaceCrossing, other: &SurfaceCrossing| {
             one.t.total_cmp(&other.t).then_with(|| self.stage.scene_order(one.body, other.body))
         };
         let nearest = crossings.iter().copied().min_by(order).unwrap_or(nearest);
         let own_slack = slack(nearest.body);
         let own_cosine = self.cosine(nearest.body, leaving);
-        let coincides = |crossing: &Crossing| {
+        let coincides = |crossing: &SurfaceCrossing| {
             let across = (crossing.t - nearest.t) * own_cosine.max(self.cosine(crossing.body, leaving));
             across <= slack_there + own_slack.max(slack(crossing.body))
         };
@@ -115,20 +115,20 @@ impl Flight<'_, One> {
 
     /// |cos| of the angle between the ray and the normal where it enters or leaves a body.
     fn cosine(&self, body: u32, leaving: bool) -> f32 {
-        let cosines = self.stage.span_and_cosines(One, body, self.origin, self.direction).1;
+        let cosines = self.stage.span_and_cosines(ScalarWidth, body, self.origin, self.direction).1;
         cosines[usize::from(leaving)]
     }
 }
 
 /// Writes down where a ray enters bodies, or leaves them.
-struct Crossings<'f, 'a> {
-    flight: &'f Flight<'a, One>,
+struct CrossingVisitor<'f, 'a> {
+    flight: &'f RayQuery<'a, ScalarWidth>,
     leaving: bool,
     reach: f32,
-    crossings: &'f mut Vec<Crossing>,
+    crossings: &'f mut Vec<SurfaceCrossing>,
 }
 
-impl Visit<One> for Crossings<'_, '_> {
+impl BodyVisitor<ScalarWidth> for CrossingVisitor<'_, '_> {
     const NEAREST_FIRST: bool = false;
 
     fn reach(&self) -> f32 {
@@ -145,7 +145,7 @@ impl Visit<One> for Crossings<'_, '_> {
                 (meeting.entering, meeting.enter, meeting.enter_face)
             };
             if is_met && t <= self.reach {
-                self.crossings.push(Crossing { t, face, body: index });
+                self.crossings.push(SurfaceCrossing { t, face, body: index });
             }
         }
     }

@@ -3,15 +3,15 @@
 use std::ops::Range;
 
 use super::absorption::MediumIntervals;
-use super::{Flight, ForEach, Hit, Meeting, Relation};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width};
-use crate::media::MediaTable;
+use super::{RayQuery, AllHitsVisitor, HitRecord, BodyIntersection, RayBodyLanes};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width};
+use crate::media::MediumStacks;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::stage::{Bvh, Hierarchy, Pending, StageBody, Visit};
+use crate::stage::{Bvh, Accelerator, TraversalStack, RenderBody, BodyVisitor};
 use crate::vector::Vector;
 
 /// Where rays cross a body's surface before a light.
-struct Crossed<W: Width> {
+struct BodyCrossing<W: Width> {
     /// Those that enter it, and where.
     in_front: W::M,
     enter: W::R,
@@ -23,14 +23,14 @@ struct Crossed<W: Width> {
 }
 
 /// Working memory of a search for what lies before a light.
-pub(crate) struct ShadowMemory<'m> {
-    pub(crate) parts: &'m mut Pending,
+pub(crate) struct ShadowScratch<'m> {
+    pub(crate) parts: &'m mut TraversalStack,
     pub(crate) intervals: &'m mut MediumIntervals,
     /// A body that has hidden this light before, and probably still does; any word will do.
     pub(crate) blocker: &'m mut u32,
 }
 
-impl<'a, W: Width> Flight<'a, W> {
+impl<'a, W: Width> RayQuery<'a, W> {
     /// What reaches the rays' starts from a light at `distance` along them: the product of the filters of all surfaces
     /// crossed and of what the media leave, in which the rays start as these lists say; 0 if any body between is opaque.
     /// Nothing is bent.
@@ -38,15 +38,15 @@ impl<'a, W: Width> Flight<'a, W> {
     pub(crate) fn transmittance(
         &self,
         distance: W::R,
-        media: (&MediaTable, W::W),
-        memory: ShadowMemory<'_>,
-    ) -> Through<W> {
-        let ShadowMemory { parts, intervals, blocker } = memory;
+        media: (&MediumStacks, W::W),
+        memory: ShadowScratch<'_>,
+    ) -> Transmittance<W> {
+        let ShadowScratch { parts, intervals, blocker } = memory;
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
-        let mut passed = Through { lanes: self.lanes, share: None, blocker: *blocker };
+        let mut passed = Transmittance { lanes: self.lanes, share: None, blocker: *blocker };
         if W::USES_HIERARCHY
-            && let Hierarchy::Many(_) = &self.stage.hierarchy
+            && let Accelerator::Many(_) = &self.stage.hierarchy
             && let Some(body) = self.stage.bodies.get(*blocker as usize)
             && !body.is_transparent()
         {
@@ -78,19 +78,19 @@ impl<'a, W: Width> Flight<'a, W> {
     fn pass(
         &self,
         distance: W::R,
-        passed: &mut Through<W>,
+        passed: &mut Transmittance<W>,
         intervals: &mut MediumIntervals,
-        visit: impl FnOnce(&mut ForShadow<'_, 'a, W>),
+        visit: impl FnOnce(&mut TransmittanceVisitor<'_, 'a, W>),
     ) {
         let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
-        let mut shadow = ForShadow { flight: self, passed, intervals, distance, reach };
+        let mut shadow = TransmittanceVisitor { flight: self, passed, intervals, distance, reach };
         visit(&mut shadow);
         self.visit_planes(&mut shadow);
     }
 
     /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
     /// leaves it; in no particular order.
-    pub(crate) fn crossings(&self, distance: W::R, mut found: impl FnMut(Hit)) {
+    pub(crate) fn crossings(&self, distance: W::R, mut found: impl FnMut(HitRecord)) {
         let distance = distance * (1.0 - POINT_ROUNDING);
         let number = |t: W::R| {
             let mut first = [0.0; MOST_LANES];
@@ -100,29 +100,29 @@ impl<'a, W: Width> Flight<'a, W> {
         let mut test = |index: u32| {
             let body = self.stage.body(index);
             let Some(crossed) = self.crossed(index, body, distance, self.lanes) else { return };
-            let Crossed { in_front, enter, behind, exit, .. } = crossed;
+            let BodyCrossing { in_front, enter, behind, exit, .. } = crossed;
             if in_front.any() {
-                found(Hit { t: number(enter), body: index, leaving: false });
+                found(HitRecord { t: number(enter), body: index, leaving: false });
             }
             if (behind | in_front & exit.lt(distance)).any() {
-                found(Hit { t: number(exit), body: index, leaving: true });
+                found(HitRecord { t: number(exit), body: index, leaving: true });
             }
         };
-        self.visit(&mut Pending::default(), &mut ForEach(self.w, &mut test));
+        self.visit(&mut TraversalStack::default(), &mut AllHitsVisitor(self.w, &mut test));
         self.stage.planes().for_each(&mut test);
     }
 
     /// Where rays cross the surface of one body before `distance`, if any may.
     #[inline(always)]
-    fn crossed(&self, index: u32, body: &StageBody, distance: W::R, lanes: W::M) -> Option<Crossed<W>> {
-        let Relation { lanes, inside } = self.relation(index, body, lanes);
+    fn crossed(&self, index: u32, body: &RenderBody, distance: W::R, lanes: W::M) -> Option<BodyCrossing<W>> {
+        let RayBodyLanes { lanes, inside } = self.relation(index, body, lanes);
         if !lanes.any() {
             return None;
         }
-        let Meeting { entering, enter, leaving, exit, .. } = self.meeting((index, body), lanes, inside)?;
+        let BodyIntersection { entering, enter, leaving, exit, .. } = self.meeting((index, body), lanes, inside)?;
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
-        Some(Crossed { in_front, enter, within: leaving, behind, exit })
+        Some(BodyCrossing { in_front, enter, within: leaving, behind, exit })
     }
 
     /// What the surface of one body lets through on the way to a light at `distance`; notes the part of the way within it,
@@ -131,12 +131,12 @@ impl<'a, W: Width> Flight<'a, W> {
     pub(super) fn filter(
         &self,
         index: u32,
-        body: &StageBody,
+        body: &RenderBody,
         distance: W::R,
         lanes: W::M,
-        (passed, intervals): (&mut Through<W>, Option<&mut MediumIntervals>),
+        (passed, intervals): (&mut Transmittance<W>, Option<&mut MediumIntervals>),
     ) {
-        let Some(Crossed { in_front, enter, within, behind, exit }) =
+        let Some(BodyCrossing { in_front, enter, within, behind, exit }) =
             self.crossed(index, body, distance, lanes)
         else {
             return;
@@ -171,7 +171,7 @@ impl<'a, W: Width> Flight<'a, W> {
     pub(super) fn note_medium(
         &self,
         index: u32,
-        body: &StageBody,
+        body: &RenderBody,
         distance: W::R,
         lanes: W::M,
         intervals: &mut MediumIntervals,
@@ -179,7 +179,7 @@ impl<'a, W: Width> Flight<'a, W> {
         if body.is_transparent()
             && let Some(crossed) = self.crossed(index, body, distance, lanes)
         {
-            let Crossed { in_front, enter, within, exit, .. } = crossed;
+            let BodyCrossing { in_front, enter, within, exit, .. } = crossed;
             intervals.note::<W>(index, (in_front, enter), (within, exit.min(distance)));
         }
     }
@@ -188,12 +188,12 @@ impl<'a, W: Width> Flight<'a, W> {
 /// What passes many bodies of what has `passed`: in a function of its own, as [`nearest_of_many`](super::nearest_of_many).
 #[inline(never)]
 fn pass_many<W: Width>(
-    flight: Flight<'_, W>,
+    flight: RayQuery<'_, W>,
     distance: W::R,
-    passed: Through<W>,
+    passed: Transmittance<W>,
     intervals: &mut MediumIntervals,
-    (bvh, parts): (&Bvh, &mut Pending),
-) -> Through<W> {
+    (bvh, parts): (&Bvh, &mut TraversalStack),
+) -> Transmittance<W> {
     flight.w.run(
         #[inline(always)]
         || {
@@ -211,16 +211,16 @@ fn pass_many<W: Width>(
 }
 
 /// Looks for what shades.
-struct ForShadow<'f, 'a, W: Width> {
-    flight: &'f Flight<'a, W>,
-    passed: &'f mut Through<W>,
+struct TransmittanceVisitor<'f, 'a, W: Width> {
+    flight: &'f RayQuery<'a, W>,
+    passed: &'f mut Transmittance<W>,
     intervals: &'f mut MediumIntervals,
     distance: W::R,
     /// The distance for those that get any light, else none at all.
     reach: W::R,
 }
 
-impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
+impl<W: Width> BodyVisitor<W> for TransmittanceVisitor<'_, '_, W> {
     const NEAREST_FIRST: bool = false;
 
     #[inline(always)]
@@ -241,7 +241,7 @@ impl<W: Width> Visit<W> for ForShadow<'_, '_, W> {
 }
 
 /// What reaches rays' starts from a light.
-pub(crate) struct Through<W: Width> {
+pub(crate) struct Transmittance<W: Width> {
     /// Those that get any.
     pub(crate) lanes: W::M,
     /// The product of the filters of all surfaces crossed; all of the light as long as nothing transparent was.
@@ -250,7 +250,7 @@ pub(crate) struct Through<W: Width> {
     pub(super) blocker: u32,
 }
 
-impl<W: Width> Through<W> {
+impl<W: Width> Transmittance<W> {
     /// All of the light.
     #[inline(always)]
     pub(crate) fn all(lanes: W::M) -> Self {

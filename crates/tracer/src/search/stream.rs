@@ -5,59 +5,59 @@ use std::ops::Range;
 use bytemuck::{Zeroable, zeroed_box};
 
 use super::best::{margin, reach_for};
-use super::{Along, Best, Flight, Hits, MediumIntervals, Nearest, Through, all_of};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real as _, Width};
-use crate::media::{Inside, MediaTable};
-use crate::ray::{POINT_ROUNDING, Rays};
-use crate::stage::{Hierarchy, Row, STREAM, Stage, StreamParts, StreamRays, VisitStream, vector_at};
+use super::{Candidates, ClosestHits, RayQuery, PacketHits, MediumIntervals, ClosestHit, Transmittance, all_of};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, ScalarWidth, Float32 as _, Width};
+use crate::media::{BodyMembership, MediumStacks};
+use crate::ray::{POINT_ROUNDING, RayPacket};
+use crate::stage::{Accelerator, StreamRow, STREAM, RenderScene, StreamTraversalStack, StreamRayRows, StreamVisitor, vector_at};
 use crate::vector::Vector;
 
 /// Rays that are searched for together, and what they met.
 #[derive(Debug, Zeroable)]
 pub(crate) struct RayStream {
-    rays: StreamRays,
-    entering: NearestRows,
-    leaving: NearestRows,
+    rays: StreamRayRows,
+    entering: ClosestHitRows,
+    leaving: ClosestHitRows,
     count: usize,
 }
 
 /// The nearest hits so far of one direction through the surface.
 #[derive(Debug, Zeroable)]
-struct NearestRows {
-    t: Row<f32>,
-    body: Row<u32>,
-    face: Row<f32>,
+struct ClosestHitRows {
+    t: StreamRow<f32>,
+    body: StreamRow<u32>,
+    face: StreamRow<f32>,
     /// The parameters of the hits after them.
-    second: Row<f32>,
+    second: StreamRow<f32>,
 }
 
 /// Shadow rays of a stream's hits to one light.
 #[derive(Debug, Zeroable)]
 pub(crate) struct ShadowStream {
     /// Of those that are blocked, the reach is -∞.
-    rays: StreamRays,
+    rays: StreamRayRows,
     /// What the bodies between let through.
-    share: Row<[f32; 4]>,
+    share: StreamRow<[f32; 4]>,
     /// What the media leave, planes among them; meaningless where nothing absorbs.
-    left: Row<[f32; 4]>,
+    left: StreamRow<[f32; 4]>,
     /// What the surface sends on if nothing is between.
-    answer: Row<[f32; 4]>,
+    answer: StreamRow<[f32; 4]>,
     count: usize,
     is_empty: bool,
 }
 
 /// Working memory.
 #[derive(Debug, Default)]
-pub(crate) struct StreamMemory {
-    parts: StreamParts,
-    inside: Inside,
+pub(crate) struct StreamScratch {
+    parts: StreamTraversalStack,
+    inside: BodyMembership,
     intervals: MediumIntervals,
 }
 
-impl NearestRows {
+impl ClosestHitRows {
     #[inline(always)]
-    fn load<W: Width>(&self, w: W, at: usize) -> Nearest<W> {
-        Nearest {
+    fn load<W: Width>(&self, w: W, at: usize) -> ClosestHit<W> {
+        ClosestHit {
             t: w.load(&self.t[at..]),
             body: w.load_words(&self.body[at..]),
             face: w.load(&self.face[at..]),
@@ -74,7 +74,7 @@ impl RayStream {
 
     /// Adds rays; all but the last ones of a stream fill the vectors.
     #[inline(always)]
-    pub(crate) fn push<W: Width>(&mut self, w: W, rays: &Rays<W>, media: W::W, lanes: W::M) {
+    pub(crate) fn push<W: Width>(&mut self, w: W, rays: &RayPacket<W>, media: W::W, lanes: W::M) {
         let never = w.real(f32::INFINITY);
         self.rays.set(w, self.count, rays, media, never);
         for nearest in [&mut self.entering, &mut self.leaving] {
@@ -93,14 +93,14 @@ impl RayStream {
     pub(crate) fn search<W: Width>(
         &mut self,
         w: W,
-        stage: &Stage,
-        table: &MediaTable,
-        memory: &mut StreamMemory,
+        stage: &RenderScene,
+        table: &MediumStacks,
+        memory: &mut StreamScratch,
     ) {
-        let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
-        let StreamMemory { parts, inside, .. } = memory;
+        let Accelerator::Many(bvh) = &stage.hierarchy else { return };
+        let StreamScratch { parts, inside, .. } = memory;
         let count = self.count;
-        let mut visitor = ForNearest { w, stage, table, inside, stream: self };
+        let mut visitor = ClosestHitVisitor { w, stage, table, inside, stream: self };
         w.run(
             #[inline(always)]
             || bvh.traverse_stream(w, parts, count, stage.parts_streams(), &mut visitor),
@@ -109,12 +109,12 @@ impl RayStream {
 
     /// What the rays from number `at` on, which are in `flight`, met, planes included.
     #[inline(always)]
-    pub(crate) fn hits<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> Hits<W> {
+    pub(crate) fn hits<W: Width>(&self, w: W, at: usize, flight: &RayQuery<'_, W>) -> PacketHits<W> {
         let (_, reach) = self.rays.load(w, at);
         let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
         let start_slack = flight.start_slack();
         let margin = margin(flight.stage, start_slack);
-        let mut best = Best { leaving, entering, reach, start_slack, margin };
+        let mut best = ClosestHits { leaving, entering, reach, start_slack, margin };
         for index in flight.stage.planes() {
             flight.test(index, flight.stage.body(index), flight.lanes, &mut best);
         }
@@ -149,7 +149,7 @@ impl ShadowStream {
         &mut self,
         w: W,
         at: usize,
-        rays: &Rays<W>,
+        rays: &RayPacket<W>,
         (media, distance): (W::W, W::R),
         answer: Vector<W::R>,
         lanes: W::M,
@@ -168,14 +168,14 @@ impl ShadowStream {
     pub(crate) fn search<W: Width>(
         &mut self,
         w: W,
-        stage: &Stage,
-        table: &MediaTable,
-        memory: &mut StreamMemory,
+        stage: &RenderScene,
+        table: &MediumStacks,
+        memory: &mut StreamScratch,
     ) {
-        let Hierarchy::Many(bvh) = &stage.hierarchy else { return };
+        let Accelerator::Many(bvh) = &stage.hierarchy else { return };
         let Self { rays, share, count, .. } = self;
-        let StreamMemory { parts, inside, intervals } = memory;
-        let mut visitor = ForShadow { w, stage, table, inside, intervals, rays, share };
+        let StreamScratch { parts, inside, intervals } = memory;
+        let mut visitor = TransmittanceVisitor { w, stage, table, inside, intervals, rays, share };
         w.run(
             #[inline(always)]
             || bvh.traverse_stream(w, parts, *count, stage.parts_streams(), &mut visitor),
@@ -188,8 +188,8 @@ impl ShadowStream {
     /// Finds what the media leave of the light of each ray, once it is known which bounded ones it goes through.
     #[cold]
     #[inline(never)]
-    fn absorb<W: Width>(&mut self, w: W, stage: &Stage, table: &MediaTable, memory: &mut StreamMemory) {
-        let StreamMemory { inside, intervals, .. } = memory;
+    fn absorb<W: Width>(&mut self, w: W, stage: &RenderScene, table: &MediumStacks, memory: &mut StreamScratch) {
+        let StreamScratch { inside, intervals, .. } = memory;
         let Self { rays: stream, left, count, .. } = self;
         left.iter_mut().take(*count).for_each(|left| *left = [1.0; 4]);
         w.run(
@@ -200,7 +200,7 @@ impl ShadowStream {
                     let lanes = w.first(*count - at) & reach.gt(w.real(f32::NEG_INFINITY));
                     inside.fill::<W>(table, stream.media(w, at), lanes);
                     let first = intervals.len();
-                    let flight = Flight::new(w, stage, &rays, lanes, inside, Along::Anything);
+                    let flight = RayQuery::new(w, stage, &rays, lanes, inside, Candidates::Anything);
                     for index in stage.planes() {
                         flight.note_medium(index, stage.body(index), reach, lanes, intervals);
                     }
@@ -212,24 +212,24 @@ impl ShadowStream {
         intervals.each_left(
             stage,
             table,
-            |ray| stream.media(One, ray as usize % STREAM),
+            |ray| stream.media(ScalarWidth, ray as usize % STREAM),
             |ray, Vector { x, y, z }| left[ray as usize % STREAM] = [x, y, z, 1.0],
         );
     }
 
     /// The rays from number `at` on.
     #[inline(always)]
-    pub(crate) fn rays<W: Width>(&self, w: W, at: usize) -> Rays<W> {
+    pub(crate) fn rays<W: Width>(&self, w: W, at: usize) -> RayPacket<W> {
         self.rays.load(w, at).0
     }
 
     /// What the rays from number `at` on, which are in `flight`, bring, and which of them bring any.
     #[inline(always)]
-    pub(crate) fn brought<W: Width>(&self, w: W, at: usize, flight: &Flight<'_, W>) -> (W::M, Vector<W::R>) {
+    pub(crate) fn brought<W: Width>(&self, w: W, at: usize, flight: &RayQuery<'_, W>) -> (W::M, Vector<W::R>) {
         let (_, reach) = self.rays.load(w, at);
         let lanes = reach.gt(w.real(f32::NEG_INFINITY)) & flight.lanes;
         let share = Some(vector_at(w, &self.share, at));
-        let mut passed: Through<W> = Through { lanes, share, blocker: 0 };
+        let mut passed: Transmittance<W> = Transmittance { lanes, share, blocker: 0 };
         for index in flight.stage.planes() {
             if !passed.lanes.any() {
                 break;
@@ -256,19 +256,19 @@ fn each(lanes: u32, rays: &[u32], mut take: impl FnMut(usize, u32)) {
 }
 
 /// Looks for the nearest bodies.
-struct ForNearest<'s, W> {
+struct ClosestHitVisitor<'s, W> {
     w: W,
-    stage: &'s Stage,
-    table: &'s MediaTable,
-    inside: &'s mut Inside,
+    stage: &'s RenderScene,
+    table: &'s MediumStacks,
+    inside: &'s mut BodyMembership,
     stream: &'s mut RayStream,
 }
 
-impl<W: Width> VisitStream for ForNearest<'_, W> {
+impl<W: Width> StreamVisitor for ClosestHitVisitor<'_, W> {
     const NEAREST_FIRST: bool = true;
 
     #[inline(always)]
-    fn rays(&self) -> &StreamRays {
+    fn rays(&self) -> &StreamRayRows {
         &self.stream.rays
     }
 
@@ -287,7 +287,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
             if stage.has_transparency {
                 self.inside.fill::<W>(self.table, media, lanes);
             }
-            let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
+            let flight = RayQuery::new(w, stage, &rays, lanes, self.inside, Candidates::Anything);
             for index in bodies.clone() {
                 let lanes = lanes & flight.comes_near(index, reach);
                 if !lanes.any() {
@@ -312,7 +312,7 @@ impl<W: Width> VisitStream for ForNearest<'_, W> {
 }
 
 impl RayStream {
-    /// Takes note of hits with a body; see [`Best`].
+    /// Takes note of hits with a body; see [`ClosestHits`].
     #[inline(always)]
     fn offer<W: Width>(
         &mut self,
@@ -349,21 +349,21 @@ impl RayStream {
 }
 
 /// Looks for what shades.
-struct ForShadow<'s, W> {
+struct TransmittanceVisitor<'s, W> {
     w: W,
-    stage: &'s Stage,
-    table: &'s MediaTable,
-    inside: &'s mut Inside,
+    stage: &'s RenderScene,
+    table: &'s MediumStacks,
+    inside: &'s mut BodyMembership,
     intervals: &'s mut MediumIntervals,
-    rays: &'s mut StreamRays,
-    share: &'s mut Row<[f32; 4]>,
+    rays: &'s mut StreamRayRows,
+    share: &'s mut StreamRow<[f32; 4]>,
 }
 
-impl<W: Width> VisitStream for ForShadow<'_, W> {
+impl<W: Width> StreamVisitor for TransmittanceVisitor<'_, W> {
     const NEAREST_FIRST: bool = false;
 
     #[inline(always)]
-    fn rays(&self) -> &StreamRays {
+    fn rays(&self) -> &StreamRayRows {
         self.rays
     }
 
@@ -388,8 +388,8 @@ impl<W: Width> VisitStream for ForShadow<'_, W> {
                 let [x, y, z, _] = w.gather(self.share, numbers);
                 share = Some(Vector::new(x, y, z));
             }
-            let flight = Flight::new(w, stage, &rays, lanes, self.inside, Along::Anything);
-            let mut passed: Through<W> = Through { lanes, share, blocker: 0 };
+            let flight = RayQuery::new(w, stage, &rays, lanes, self.inside, Candidates::Anything);
+            let mut passed: Transmittance<W> = Transmittance { lanes, share, blocker: 0 };
             let first = self.intervals.len();
             for index in bodies.clone() {
                 let lanes = passed.lanes & flight.comes_near(index, reach);

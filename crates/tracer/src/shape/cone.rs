@@ -9,7 +9,7 @@
 //! height = 1.0
 //! ```
 
-use super::{LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
+use super::{LOWER_CAP, SIDE, ShapeSpan, UPPER_CAP, slab};
 use crate::lanes::{Float, Mask as _};
 use crate::vector::Vector;
 
@@ -19,7 +19,7 @@ use crate::vector::Vector;
 /// the quadratic are about 1 however far the ray comes from (Embree's `coneline_intersector` does the same with the
 /// middle). Near a pointed cone's apex, where both roots fall together, they are small, and so is their rounding.
 #[inline(always)]
-pub(super) fn span<R: Float>(ratio: R, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+pub(super) fn span<R: Float>(ratio: R, origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
     let top = Vector::splat(origin.x, [0.0, 1.0, 0.0]);
     let shift = (top - origin).dot(direction) / direction.length_squared();
     let near = origin.plus_times(direction, shift);
@@ -36,7 +36,7 @@ pub(super) fn span<R: Float>(ratio: R, origin: Vector<R>, direction: Vector<R>) 
 /// the line is steeper than the cone and runs in both nappes outside the roots: the wanted half is the one in which
 /// r grows. For A = 0 one root is infinite.
 #[inline(always)]
-fn nappe<R: Float>(slope: R, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+fn nappe<R: Float>(slope: R, origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
     let (zero, one, infinity) = (origin.x.like(0.0), origin.x.like(1.0), origin.x.like(f32::INFINITY));
     let radius = origin.y * slope + 1.0;
     let radius_change = direction.y * slope;
@@ -75,7 +75,7 @@ fn nappe<R: Float>(slope: R, origin: Vector<R>, direction: Vector<R>) -> Span<R>
         hit = (hit & !is_flat) | (is_flat & (is_between | c.le(zero)));
     }
     let face = zero.like(SIDE);
-    Span { enter, exit, enter_face: face, exit_face: face, hit }
+    ShapeSpan { enter, exit, enter_face: face, exit_face: face, hit }
 }
 
 /// A vector in the xz-plane made of length 1, or 0 if it has none.

@@ -6,13 +6,13 @@
 //! size = 1.6                      # or [x, y, z]
 //! ```
 
-use super::{Span, slab};
+use super::{ShapeSpan, slab};
 use crate::lanes::Float;
 use crate::vector::Vector;
 
 /// The common part of the three layers. Face 2·axis is the one at -1, face 2·axis + 1 the one at +1.
 #[inline(always)]
-pub(super) fn span<R: Float>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+pub(super) fn span<R: Float>(origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
     let x = slab::half_open(origin.x, direction.x, (-1.0, 0.0), (1.0, 1.0));
     let y = slab::half_open(origin.y, direction.y, (-1.0, 2.0), (1.0, 3.0));
     let z = slab::half_open(origin.z, direction.z, (-1.0, 4.0), (1.0, 5.0));

@@ -7,28 +7,28 @@
 //! height = 1.0
 //! ```
 
-use super::{LOWER_CAP, SIDE, Span, UPPER_CAP, slab};
+use super::{LOWER_CAP, SIDE, ShapeSpan, UPPER_CAP, slab};
 use crate::lanes::Float;
 use crate::vector::Vector;
 
 /// The circle's chord in the xz-plane (as for the sphere), cut by the layer between the caps.
 #[inline(always)]
-pub(super) fn span<R: Float>(origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+pub(super) fn span<R: Float>(origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
     let caps = slab::closed(origin.y, direction.y, (0.0, LOWER_CAP), (1.0, UPPER_CAP));
     side([origin.x, origin.z], [direction.x, direction.z]).intersect(caps)
 }
 
 /// Where the line lies in the unbounded cylinder. A line along the axis lies in it everywhere or nowhere.
 #[inline(always)]
-fn side<R: Float>(origin: [R; 2], direction: [R; 2]) -> Span<R> {
+fn side<R: Float>(origin: [R; 2], direction: [R; 2]) -> ShapeSpan<R> {
     let one = origin[0].like(1.0);
     let dd = dot(direction, direction);
     let is_along = dd.lt(one.like(f32::MIN_POSITIVE));
     let inverse_dd = one / R::select(is_along, one, dd);
     let closest = -dot(origin, direction) * inverse_dd;
     let offset = [direction[0].times_plus(closest, origin[0]), direction[1].times_plus(closest, origin[1])];
-    let chord = Span::chord(closest, one, dot(offset, offset), inverse_dd);
-    Span {
+    let chord = ShapeSpan::chord(closest, one, dot(offset, offset), inverse_dd);
+    ShapeSpan {
         enter: R::select(is_along, one.like(f32::NEG_INFINITY), chord.enter),
         exit: R::select(is_along, one.like(f32::INFINITY), chord.exit),
         enter_face: one.like(SIDE),

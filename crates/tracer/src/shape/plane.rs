@@ -5,19 +5,19 @@
 //! shape = "plane"
 //! ```
 
-use super::{SIDE, Span};
+use super::{SIDE, ShapeSpan};
 use crate::lanes::Float;
 use crate::vector::Vector;
 
 /// The span of a line that starts at y = `height` and rises by `rise` per unit of its parameter. A line parallel to
 /// the surface never crosses it.
 #[inline(always)]
-pub(crate) fn span<R: Float>(height: R, rise: R) -> Span<R> {
+pub(crate) fn span<R: Float>(height: R, rise: R) -> ShapeSpan<R> {
     let (zero, infinity) = (height.like(0.0), height.like(f32::INFINITY));
     let crossing = -height / rise;
     let (sinks, rises) = (rise.lt(zero), rise.gt(zero));
     let face = zero.like(SIDE);
-    Span {
+    ShapeSpan {
         enter: R::select(sinks, crossing, -infinity),
         exit: R::select(sinks, infinity, crossing),
         enter_face: face,

@@ -1,6 +1,6 @@
 //! The layer between two parallel planes.
 
-use super::{Face, Span};
+use super::{FaceId, ShapeSpan};
 use crate::lanes::{Float, Mask as _};
 
 /// A direction's component below this counts as this: the line lies in the layer everywhere or nowhere, and 0/0 does
@@ -13,7 +13,7 @@ pub(crate) const TINY: f32 = 1e-30;
 /// A line along the layer lies in it everywhere or nowhere. Of the two planes themselves one belongs to the layer, so
 /// that a stack of layers has no gap.
 #[inline(always)]
-pub(super) fn half_open<R: Float>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
+pub(super) fn half_open<R: Float>(origin: R, direction: R, low: (f32, FaceId), high: (f32, FaceId)) -> ShapeSpan<R> {
     let tiny = direction.like(TINY);
     let is_along = direction.abs().lt(tiny);
     let inverse = origin.like(1.0) / R::select(is_along, tiny.copysign(direction), direction);
@@ -23,7 +23,7 @@ pub(super) fn half_open<R: Float>(origin: R, direction: R, low: (f32, Face), hig
     let (low_face, high_face) = (origin.like(low.1), origin.like(high.1));
     let enter = R::select(rises, at_low, at_high);
     let exit = R::select(rises, at_high, at_low);
-    Span {
+    ShapeSpan {
         enter,
         exit,
         enter_face: R::select(rises, low_face, high_face),
@@ -34,7 +34,7 @@ pub(super) fn half_open<R: Float>(origin: R, direction: R, low: (f32, Face), hig
 
 /// The same with both planes.
 #[inline(always)]
-pub(super) fn closed<R: Float>(origin: R, direction: R, low: (f32, Face), high: (f32, Face)) -> Span<R> {
+pub(super) fn closed<R: Float>(origin: R, direction: R, low: (f32, FaceId), high: (f32, FaceId)) -> ShapeSpan<R> {
     let mut span = half_open(origin, direction, low, high);
     let is_along = direction.abs().lt(direction.like(TINY));
     if is_along.any() {

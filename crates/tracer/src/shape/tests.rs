@@ -2,14 +2,14 @@
 
 use super::*;
 
-fn span(enter: f32, exit: f32, face: Face) -> Span {
-    Span { enter, exit, enter_face: face, exit_face: face, hit: enter <= exit }
+fn span(enter: f32, exit: f32, face: FaceId) -> ShapeSpan {
+    ShapeSpan { enter, exit, enter_face: face, exit_face: face, hit: enter <= exit }
 }
 
 #[test]
 fn a_later_entry_and_an_earlier_exit_win_with_their_faces() {
     let both = span(1.0, 4.0, SIDE).intersect(span(2.0, 5.0, UPPER_CAP));
-    assert_eq!(both, Span { enter: 2.0, exit: 4.0, enter_face: UPPER_CAP, exit_face: SIDE, hit: true });
+    assert_eq!(both, ShapeSpan { enter: 2.0, exit: 4.0, enter_face: UPPER_CAP, exit_face: SIDE, hit: true });
     // Of equal ends the first span's face stays.
     assert_eq!(span(1.0, 2.0, SIDE).intersect(span(1.0, 2.0, LOWER_CAP)), span(1.0, 2.0, SIDE));
 }

@@ -4,13 +4,13 @@ use bytemuck::{Pod, Zeroable};
 use catoptric_scene::{Body, Shape};
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::double::DoubleBody;
-use super::hull::Hull;
+use super::double::Body64;
+use super::hull::BoundingHull;
 use super::space::RenderSpace;
 use super::{BoundingSphere, Bounds};
 use crate::lanes::Float;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::shape::{Canonical, ShapeKind, Span, plane_span, sphere_span};
+use crate::shape::{CanonicalShape, ShapeKind, ShapeSpan, plane_span, sphere_span};
 use crate::vector::Vector;
 
 /// A body: a canonical shape and the transforms between its frame and the world.
@@ -19,7 +19,7 @@ use crate::vector::Vector;
 /// the difference is exact, so that precision does not depend on the distance from the world's origin.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub(crate) struct StageBody {
+pub(crate) struct RenderBody {
     /// Rows of the linear part of the transform from the world to the body's frame. The second row of a plane is its
     /// normal of length 1.
     pub body_from_world: [[f32; 3]; 3],
@@ -41,22 +41,22 @@ pub(crate) struct StageBody {
     pub aligned: u8,
     /// 1 if light passes through, else 0.
     pub transparent: u8,
-    /// 1 if it is intersected in double precision, by a [`DoubleBody`]; the numbers here are its rough ones.
+    /// 1 if it is intersected in double precision, by a [`Body64`]; the numbers here are its rough ones.
     pub double: u8,
 }
 
 /// A body made ready for a stage: opaque, without a checker, of the first material.
-pub(super) struct PreparedBody {
-    pub(super) body: StageBody,
+pub(super) struct BodyParts {
+    pub(super) body: RenderBody,
     /// `None` for a plane.
     pub(super) bounds: Option<Bounds>,
     /// Its exact numbers, if those of single precision will not do.
-    pub(super) double: Option<Box<DoubleBody>>,
+    pub(super) double: Option<Box<Body64>>,
 }
 
-impl StageBody {
+impl RenderBody {
     /// The body in the space of a stage's rays.
-    pub(super) fn prepare(body: &Body, space: &RenderSpace) -> PreparedBody {
+    pub(super) fn prepare(body: &Body, space: &RenderSpace) -> BodyParts {
         let mut world_from_body = world_from_canonical(body);
         let (kind, cone_ratio) = canonical(body, &world_from_body);
         let mut is_double = space.needs_double(body, &world_from_body);
@@ -68,7 +68,7 @@ impl StageBody {
         }
         // From here on the world is that of the rays.
         world_from_body.translation = space.render_from_world(world_from_body.translation);
-        let double = is_double.then(|| Box::new(DoubleBody::new(body, kind, &world_from_body)));
+        let double = is_double.then(|| Box::new(Body64::new(body, kind, &world_from_body)));
         let mut inverse = inverse_linear(&world_from_body.matrix3);
         if kind == ShapeKind::Plane {
             // How far up from it is no matter: the row is kept as the normal.
@@ -99,7 +99,7 @@ impl StageBody {
             double: u8::from(is_double),
         };
         let bounds = Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio));
-        PreparedBody { body: prepared, bounds, double }
+        BodyParts { body: prepared, bounds, double }
     }
 
     /// The bounds of the body as it is kept; `None` for a plane.
@@ -115,16 +115,16 @@ impl StageBody {
     }
 
     /// A hull around the body as it is kept; `None` for a plane.
-    pub(super) fn hull(&self) -> Option<Hull> {
+    pub(super) fn hull(&self) -> Option<BoundingHull> {
         let (transform, kind, ratio) = self.frame();
-        Hull::of_canonical(&transform, kind, ratio)
+        BoundingHull::of_canonical(&transform, kind, ratio)
     }
 
     /// The transform from the body's frame to the world, and its shape there.
     fn frame(&self) -> (DAffine3, ShapeKind, f64) {
         let transform =
             DAffine3 { matrix3: self.linear(), translation: DVec3::from(self.origin.map(f64::from)) };
-        let Canonical { kind, cone_ratio } = self.canonical();
+        let CanonicalShape { kind, cone_ratio } = self.canonical();
         (transform, kind, f64::from(cone_ratio))
     }
 
@@ -136,7 +136,7 @@ impl StageBody {
     /// Volume in cubic meters, infinite for a plane; decides which of several bodies is the outer one.
     pub(crate) fn volume(&self) -> f64 {
         use std::f64::consts::PI;
-        let Canonical { kind, cone_ratio } = self.canonical();
+        let CanonicalShape { kind, cone_ratio } = self.canonical();
         let ratio = f64::from(cone_ratio);
         let canonical = match kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => 4.0 / 3.0 * PI,
@@ -150,7 +150,7 @@ impl StageBody {
 
     /// The body's shape in its own frame.
     #[inline(always)]
-    pub(crate) fn canonical(&self) -> Canonical {
+    pub(crate) fn canonical(&self) -> CanonicalShape {
         let kind = match self.kind {
             0 => ShapeKind::Sphere,
             1 => ShapeKind::Cube,
@@ -159,7 +159,7 @@ impl StageBody {
             4 => ShapeKind::Plane,
             _ => ShapeKind::Ellipsoid,
         };
-        Canonical { kind, cone_ratio: self.parameter }
+        CanonicalShape { kind, cone_ratio: self.parameter }
     }
 
     /// The longest axis of the frame, meters; 0 for what is not [in single precision](Self::is_double) or has no end.
@@ -185,7 +185,7 @@ impl StageBody {
 
     /// Where a line of the world, of a direction of length 1, crosses the body.
     #[inline(always)]
-    pub(crate) fn span<R: Float>(&self, origin: Vector<R>, direction: Vector<R>) -> Span<R> {
+    pub(crate) fn span<R: Float>(&self, origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
         let canonical = self.canonical();
         let local = self.relative(origin);
         match canonical.kind {
@@ -295,7 +295,7 @@ pub(crate) struct SurfacePoint<R> {
 impl<R: Float> SurfacePoint<R> {
     /// The point as the [checkerboard](super::StageChecker) of its body wants it.
     #[inline(always)]
-    pub(crate) fn on_checker(&self, body: &StageBody) -> Vector<R> {
+    pub(crate) fn on_checker(&self, body: &RenderBody) -> Vector<R> {
         if body.is_double() { self.in_world } else { self.in_body }
     }
 }
@@ -416,10 +416,10 @@ mod tests {
         [-extent..extent, -extent..extent, -extent..extent].prop_map(DVec3::from)
     }
 
-    fn body(shape: Shape, position: DVec3, scale: DVec3, rotation_degrees: DVec3) -> StageBody {
+    fn body(shape: Shape, position: DVec3, scale: DVec3, rotation_degrees: DVec3) -> RenderBody {
         let anchor = Anchor::Frame { position, rotation_degrees };
         let body = Body { shape, placement: Placement { anchor, scale }, ..Body::default() };
-        StageBody::prepare(&body, &RenderSpace::default()).body
+        RenderBody::prepare(&body, &RenderSpace::default()).body
     }
 
     proptest! {
@@ -441,13 +441,13 @@ mod tests {
             let aligned = body(shape, position, scale, DVec3::ZERO);
             prop_assert_eq!(aligned.aligned, 1);
             prop_assert_eq!(body(shape, position, scale, DVec3::new(0.0, 30.0, 0.0)).aligned, 0);
-            let any = StageBody { aligned: 0, ..aligned };
+            let any = RenderBody { aligned: 0, ..aligned };
             let direction = (position + aim - eye).normalize().as_vec3().into();
             let eye = eye.as_vec3().into();
             let [span, other] = [aligned, any].map(|body| body.span(eye, direction));
             prop_assert_eq!(span.hit, other.hit);
             if span.hit {
-                let all = |span: Span| [span.enter, span.exit, span.enter_face, span.exit_face];
+                let all = |span: ShapeSpan| [span.enter, span.exit, span.enter_face, span.exit_face];
                 prop_assert_eq!(all(span), all(other));
                 let [here, there] = [aligned, any].map(|body| {
                     let point = body.point_on_face((eye, direction), span.enter, false, span.enter_face);

@@ -17,11 +17,11 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec3A};
 
 use super::Bounds;
-use crate::lanes::{Eight as _, Width};
-pub(crate) use entry::Entry;
-pub(crate) use packet::{Pending, Visit};
-pub(crate) use refit::Path;
-pub(crate) use stream::{Row, STREAM, StreamParts, StreamRays, VisitStream, vector_at};
+use crate::lanes::{Float8 as _, Width};
+pub(crate) use entry::BuildEntry;
+pub(crate) use packet::{TraversalStack, BodyVisitor};
+pub(crate) use refit::NodePath;
+pub(crate) use stream::{StreamRow, STREAM, StreamTraversalStack, StreamRayRows, StreamVisitor, vector_at};
 
 /// No path from the root is longer than this.
 const MAX_DEPTH: usize = 64;
@@ -32,7 +32,7 @@ pub(crate) const WIDTH: usize = 8;
 /// Eight boxes and what they contain. An unused box is inside out and is never met.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(64))]
-pub(crate) struct Node {
+pub(crate) struct BvhNode {
     /// Least x of the boxes, greatest x, least y, greatest y, least z, greatest z.
     pub sides: [[f32; WIDTH]; 6],
     /// Leaf: its first body. Inner node: its place in the array.
@@ -44,7 +44,7 @@ pub(crate) struct Node {
 /// The hierarchy; the root is the first node.
 #[derive(Clone, Debug)]
 pub(crate) struct Bvh {
-    nodes: Vec<Node>,
+    nodes: Vec<BvhNode>,
     /// What it costs by the surface area heuristic, and what it did when it was built.
     cost: f64,
     built_cost: f64,
@@ -59,7 +59,7 @@ pub(crate) const TINY: f32 = 1e-20;
 
 impl Bvh {
     /// Builds the hierarchy and sorts `entries` into the order of its leaves, each leaf by the bodies' shapes.
-    pub(super) fn build(entries: &mut [Entry]) -> Self {
+    pub(super) fn build(entries: &mut [BuildEntry]) -> Self {
         let nodes = build::build(entries);
         let cost = refit::cost_of(&nodes);
         Self { nodes, cost, built_cost: cost }
@@ -67,11 +67,11 @@ impl Bvh {
 
     /// The box of everything.
     pub(super) fn bounds(&self) -> Bounds {
-        self.nodes.first().map_or(Bounds::EMPTY, Node::bounds)
+        self.nodes.first().map_or(Bounds::EMPTY, BvhNode::bounds)
     }
 
     /// The nodes, the root first and each before those below it.
-    pub(crate) fn nodes(&self) -> &[Node] {
+    pub(crate) fn nodes(&self) -> &[BvhNode] {
         &self.nodes
     }
 
@@ -104,7 +104,7 @@ impl Bvh {
     }
 }
 
-impl Node {
+impl BvhNode {
     const EMPTY: Self = Self {
         sides: [
             [f32::INFINITY; WIDTH],

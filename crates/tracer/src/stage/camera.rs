@@ -8,15 +8,15 @@ use glam::{DVec2, DVec3, DVec4, Vec3};
 
 use super::Bounds;
 use super::space::RenderSpace;
-use crate::lanes::Real;
+use crate::lanes::Float32;
 use crate::ray::Ray;
-use crate::twin::TileRays;
+use crate::twin::CameraRaysBytes;
 use crate::vector::Vector;
 
 /// The camera's frame, in double precision: near the horizon of a plane the smallest error of a primary ray's
 /// direction moves the hit point far, and one frame is small.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StageCamera {
+pub struct RenderCamera {
     /// The origin of the space of the rays in the world, and the eye in that space, meters.
     origin: DVec3,
     position: DVec3,
@@ -24,20 +24,20 @@ pub struct StageCamera {
     u: DVec3,
     v: DVec3,
     w: DVec3,
-    window: Window,
-    surroundings: Surroundings,
+    window: ImagePlane,
+    surroundings: SceneExtent,
 }
 
 /// Where a ray can meet something at all: a sphere around the bounded bodies, and the planes.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Surroundings {
+pub(super) struct SceneExtent {
     center: DVec3,
     radius: f64,
     /// A point and a normal of each plane.
     planes: Arc<[(DVec3, DVec3)]>,
 }
 
-impl Surroundings {
+impl SceneExtent {
     /// Around bodies with these bounds, and planes.
     pub(super) fn new<'a>(
         bounds: Bounds,
@@ -74,7 +74,7 @@ impl Surroundings {
     }
 }
 
-impl Surroundings {
+impl SceneExtent {
     /// Whether a plane lies between some of the points.
     fn divide(&self, points: [DVec3; 4]) -> bool {
         self.planes.iter().any(|(on_plane, normal)| {
@@ -86,23 +86,23 @@ impl Surroundings {
 
 /// Where primary rays start and point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Window {
+enum ImagePlane {
     /// From the eye through a window 1 high at this distance.
     Perspective { distance: f64 },
     /// From a window this high, along the view.
     Parallel { height: f64 },
 }
 
-impl StageCamera {
+impl RenderCamera {
     /// A camera of the world in the space of rays with this origin, where the surroundings are known.
-    pub(super) fn new(camera: &Camera, surroundings: Surroundings, origin: DVec3) -> Self {
+    pub(super) fn new(camera: &Camera, surroundings: SceneExtent, origin: DVec3) -> Self {
         let w = (camera.position - camera.target).normalize_or(DVec3::Z);
         let u = camera.up.cross(w).try_normalize().unwrap_or_else(|| w.any_orthonormal_vector());
         let window = match camera.projection {
             Projection::Perspective { fov_degrees } => {
-                Window::Perspective { distance: 0.5 / (0.5 * fov_degrees.to_radians()).tan() }
+                ImagePlane::Perspective { distance: 0.5 / (0.5 * fov_degrees.to_radians()).tan() }
             }
-            Projection::Parallel { height } => Window::Parallel { height },
+            Projection::Parallel { height } => ImagePlane::Parallel { height },
         };
         Self { origin, position: camera.position - origin, u, v: w.cross(u), w, window, surroundings }
     }
@@ -123,31 +123,31 @@ impl StageCamera {
         let on_window = (at - 0.5 * size) / size.y;
         let offset = on_window.x * self.u - on_window.y * self.v;
         match self.window {
-            Window::Perspective { distance } => (self.position, (offset - distance * self.w).normalize()),
-            Window::Parallel { height } => (self.position + height * offset, -self.w),
+            ImagePlane::Perspective { distance } => (self.position, (offset - distance * self.w).normalize()),
+            ImagePlane::Parallel { height } => (self.position + height * offset, -self.w),
         }
     }
 
     /// Prepares the rays near the point `at` of a picture of `size` pixels: within `reach` pixels of it.
-    pub(crate) fn near(&self, at: DVec2, reach: DVec2, size: DVec2) -> RaysNear {
+    pub(crate) fn near(&self, at: DVec2, reach: DVec2, size: DVec2) -> CameraRays {
         let (origin, direction) = self.line(at, size);
         let way = self.free_way(at, reach, size);
         let (across, down) = (self.u / size.y, -self.v / size.y);
         let steps = match self.window {
-            Window::Perspective { distance } => {
+            ImagePlane::Perspective { distance } => {
                 let on_window = (at - 0.5 * size) / size.y;
                 let through = on_window.x * self.u - on_window.y * self.v - distance * self.w;
-                Steps::OfDirection(
+                RayDifferentials::OfDirection(
                     [across, down].map(|step| (step * through.length_recip()).as_vec3().to_array()),
                 )
             }
-            Window::Parallel { height } => {
-                Steps::OfOrigin([across, down].map(|step| (height * step).as_vec3().to_array()))
+            ImagePlane::Parallel { height } => {
+                RayDifferentials::OfOrigin([across, down].map(|step| (height * step).as_vec3().to_array()))
             }
         };
-        RaysNear {
-            start: Exact::new(origin + way * direction),
-            direction: Exact::new(direction),
+        CameraRays {
+            start: TwoFloatVector::new(origin + way * direction),
+            direction: TwoFloatVector::new(direction),
             way: way as f32,
             steps,
         }
@@ -170,8 +170,8 @@ impl StageCamera {
         let offset = point - self.origin - self.position;
         let depth = -offset.dot(self.w);
         let scale = match self.window {
-            Window::Perspective { distance } => distance / depth,
-            Window::Parallel { height } => 1.0 / height,
+            ImagePlane::Perspective { distance } => distance / depth,
+            ImagePlane::Parallel { height } => 1.0 / height,
         };
         let on_window = scale * DVec2::new(offset.dot(self.u), -offset.dot(self.v));
         let at = on_window * size.y + 0.5 * size;
@@ -181,23 +181,23 @@ impl StageCamera {
     /// Where a point of the space of the rays (w = 1) or a direction (w = 0) lies in a picture of `size` pixels, in homogeneous
     /// coordinates: (x·w', y·w', w'), and its depth. All four are linear, before the eye and behind it; w' is the depth
     /// for a perspective and w for a parallel projection.
-    pub(crate) fn homogeneous(&self, point: DVec4, size: DVec2) -> Homogeneous {
+    pub(crate) fn homogeneous(&self, point: DVec4, size: DVec2) -> HomogeneousPoint {
         let offset = point.truncate() - point.w * self.position;
         let depth = -offset.dot(self.w);
         let (scale, w) = match self.window {
-            Window::Perspective { distance } => (distance, depth),
-            Window::Parallel { height } => (height.recip(), point.w),
+            ImagePlane::Perspective { distance } => (distance, depth),
+            ImagePlane::Parallel { height } => (height.recip(), point.w),
         };
         let on_window = DVec2::new(offset.dot(self.u), -offset.dot(self.v));
         let at = scale * size.y * on_window + 0.5 * w * size;
-        Homogeneous { at: at.extend(w), depth }
+        HomogeneousPoint { at: at.extend(w), depth }
     }
 
     /// The unit direction from a point towards the viewer.
     pub(crate) fn toward_viewer(&self, point: DVec3) -> DVec3 {
         match self.window {
-            Window::Perspective { .. } => (self.position - point).normalize_or(self.w),
-            Window::Parallel { .. } => self.w,
+            ImagePlane::Perspective { .. } => (self.position - point).normalize_or(self.w),
+            ImagePlane::Parallel { .. } => self.w,
         }
     }
 
@@ -209,8 +209,8 @@ impl StageCamera {
     /// The height of the window of a parallel projection, meters.
     pub(crate) fn parallel_height(&self) -> Option<f64> {
         match self.window {
-            Window::Perspective { .. } => None,
-            Window::Parallel { height } => Some(height),
+            ImagePlane::Perspective { .. } => None,
+            ImagePlane::Parallel { height } => Some(height),
         }
     }
 
@@ -231,13 +231,13 @@ impl StageCamera {
 
     /// The eye in the space of the rays, if all rays start there.
     pub fn eye(&self) -> Option<Vector<f32>> {
-        matches!(self.window, Window::Perspective { .. }).then(|| self.position.as_vec3().into())
+        matches!(self.window, ImagePlane::Perspective { .. }).then(|| self.position.as_vec3().into())
     }
 }
 
-/// A point or direction as a picture has it; see [`StageCamera::homogeneous`].
+/// A point or direction as a picture has it; see [`RenderCamera::homogeneous`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Homogeneous {
+pub(crate) struct HomogeneousPoint {
     /// x·w, y·w (pixels from the upper left corner) and w.
     pub at: DVec3,
     /// Along the view, meters.
@@ -246,28 +246,28 @@ pub(crate) struct Homogeneous {
 
 /// The rays through a small part of the picture: one, computed in double precision, and the small difference of the
 /// others from it in single. So all are as exact as that one, but for the last digit.
-pub(crate) struct RaysNear {
-    start: Exact,
-    direction: Exact,
+pub(crate) struct CameraRays {
+    start: TwoFloatVector,
+    direction: TwoFloatVector,
     /// How far the starts lie along the rays from the eye.
     way: f32,
-    steps: Steps,
+    steps: RayDifferentials,
 }
 
 /// What changes from pixel to pixel, across and down.
-enum Steps {
+enum RayDifferentials {
     /// The direction, in units of the length of the middle ray up to the window.
     OfDirection([[f32; 3]; 2]),
     OfOrigin([[f32; 3]; 2]),
 }
 
 /// A vector in twice the precision of single.
-struct Exact {
+struct TwoFloatVector {
     near: [f32; 3],
     rest: [f32; 3],
 }
 
-impl Exact {
+impl TwoFloatVector {
     fn new(vector: DVec3) -> Self {
         let near = vector.as_vec3();
         Self { near: near.to_array(), rest: (vector - near.as_dvec3()).as_vec3().to_array() }
@@ -275,31 +275,31 @@ impl Exact {
 
     /// The sum with small vectors.
     #[inline(always)]
-    fn plus<R: Real>(&self, small: Vector<R>) -> Vector<R> {
+    fn plus<R: Float32>(&self, small: Vector<R>) -> Vector<R> {
         small.plus_all(self.rest).plus_all(self.near)
     }
 
     /// The sum with small vectors times `t`.
     #[inline(always)]
-    fn plus_times<R: Real>(&self, small: Vector<R>, t: R) -> Vector<R> {
+    fn plus_times<R: Float32>(&self, small: Vector<R>, t: R) -> Vector<R> {
         Vector::splat(t, self.rest).plus_times(small, t).plus_all(self.near)
     }
 }
 
-impl RaysNear {
+impl CameraRays {
     /// As the shaders read them.
-    pub(crate) fn as_tile_rays(&self) -> TileRays {
-        let (Steps::OfDirection([across, down]) | Steps::OfOrigin([across, down])) = self.steps;
-        TileRays {
+    pub(crate) fn as_tile_rays(&self) -> CameraRaysBytes {
+        let (RayDifferentials::OfDirection([across, down]) | RayDifferentials::OfOrigin([across, down])) = self.steps;
+        CameraRaysBytes {
             start: self.start.near,
             way: self.way,
             start_rest: self.start.rest,
-            is_parallel: u32::from(matches!(self.steps, Steps::OfOrigin(_))),
+            is_parallel: u32::from(matches!(self.steps, RayDifferentials::OfOrigin(_))),
             direction: self.direction.near,
             direction_rest: self.direction.rest,
             across,
             down,
-            ..TileRays::zeroed()
+            ..CameraRaysBytes::zeroed()
         }
     }
 
@@ -322,9 +322,9 @@ impl RaysNear {
 
     /// The origins and directions of the rays through the points so many pixels right of and below the middle.
     #[inline(always)]
-    pub(crate) fn rays<R: Real>(&self, x: R, y: R) -> (Vector<R>, Vector<R>) {
+    pub(crate) fn rays<R: Float32>(&self, x: R, y: R) -> (Vector<R>, Vector<R>) {
         match &self.steps {
-            Steps::OfDirection([across, down]) => {
+            RayDifferentials::OfDirection([across, down]) => {
                 // D = direction + δ, and 1/|D| = 1 + c.
                 let middle = Vector::splat(x, self.direction.near);
                 let delta = spread(x, y, *across, *down);
@@ -334,7 +334,7 @@ impl RaysNear {
                 let small = (delta * (c + 1.0)).plus_times(middle, c);
                 (self.start.plus_times(small, x.like(self.way)), self.direction.plus(small))
             }
-            Steps::OfOrigin([across, down]) => {
+            RayDifferentials::OfOrigin([across, down]) => {
                 let zero = x.like(0.0);
                 let none = Vector::new(zero, zero, zero);
                 (self.start.plus(spread(x, y, *across, *down)), self.direction.plus(none))
@@ -344,6 +344,6 @@ impl RaysNear {
 }
 
 #[inline(always)]
-fn spread<R: Real>(x: R, y: R, across: [f32; 3], down: [f32; 3]) -> Vector<R> {
+fn spread<R: Float32>(x: R, y: R, across: [f32; 3], down: [f32; 3]) -> Vector<R> {
     Vector::new(x, x, x).times_all(across).plus_times(Vector::splat(x, down), y)
 }

@@ -3,24 +3,24 @@
 use catoptric_scene::{Body, List, Scene};
 use rayon::prelude::*;
 
-use super::body::PreparedBody;
-use super::double::DoubleBody;
+use super::body::BodyParts;
+use super::double::Body64;
 use super::material::{MaterialTable, NamedMaterials};
 use super::space::RenderSpace;
-use super::{Entry, StageBody, StageChecker, StageError, StageMaterial};
+use super::{BuildEntry, RenderBody, CheckerTexture, SceneBuildError, RenderMaterial};
 use crate::ray::NO_BODY;
 
 /// What is known of a scene's bodies before they are brought into the hierarchy's order.
-pub(super) struct Cast {
+pub(super) struct BodyBuild {
     /// One for each visible bounded body.
-    pub(super) entries: Vec<Entry>,
+    pub(super) entries: Vec<BuildEntry>,
     /// The places of the visible planes.
     pub(super) planes: Vec<u32>,
-    pub(super) chunks: Chunks,
-    pub(super) materials: Vec<StageMaterial>,
-    pub(super) checkers: Vec<StageChecker>,
+    pub(super) chunks: BodyChunks,
+    pub(super) materials: Vec<RenderMaterial>,
+    pub(super) checkers: Vec<CheckerTexture>,
     /// Those in double precision, by their places in the scene, in order.
-    pub(super) doubles: Vec<(u32, DoubleBody)>,
+    pub(super) doubles: Vec<(u32, Body64)>,
 }
 
 /// So many bodies that are neighbors in the scene are prepared by one thread.
@@ -28,45 +28,45 @@ const CHUNK: usize = SLICES * List::<Body>::SLICE;
 const SLICES: usize = 16;
 
 /// The prepared bodies in the scene's order, the hidden ones with them.
-pub(super) struct Chunks(Vec<(Vec<StageBody>, Numbering)>);
+pub(super) struct BodyChunks(Vec<(Vec<RenderBody>, ChunkIndices)>);
 
 /// What the materials and checkers of a chunk are numbered in the stage.
-struct Numbering {
+struct ChunkIndices {
     materials: Vec<u32>,
     first_checker: u32,
 }
 
 /// What one thread finds out about some bodies.
-struct Chunk<'a> {
-    bodies: Vec<StageBody>,
-    entries: Vec<Entry>,
+struct ChunkBuild<'a> {
+    bodies: Vec<RenderBody>,
+    entries: Vec<BuildEntry>,
     planes: Vec<u32>,
     materials: MaterialTable<'a>,
-    checkers: Vec<StageChecker>,
-    doubles: Vec<(u32, DoubleBody)>,
+    checkers: Vec<CheckerTexture>,
+    doubles: Vec<(u32, Body64)>,
 }
 
-impl Cast {
+impl BodyBuild {
     /// Prepares the bodies of a scene for rays in `space`.
-    pub(super) fn of(scene: &Scene, space: &RenderSpace) -> Result<Self, StageError> {
+    pub(super) fn of(scene: &Scene, space: &RenderSpace) -> Result<Self, SceneBuildError> {
         let named = MaterialTable::named(scene);
         let slices: Vec<&[Body]> = scene.bodies.slices().collect();
         let chunks = slices.par_chunks(SLICES).enumerate();
         let chunks: Vec<_> =
-            chunks.map(|(chunk, slices)| Chunk::of(slices, chunk * CHUNK, (&named, space))).collect();
+            chunks.map(|(chunk, slices)| ChunkBuild::of(slices, chunk * CHUNK, (&named, space))).collect();
         // Of several undefined materials the first is told.
         let chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut table = MaterialTable::default();
         let mut cast = Self {
             entries: Vec::with_capacity(chunks.iter().map(|chunk| chunk.entries.len()).sum()),
             planes: Vec::new(),
-            chunks: Chunks(Vec::with_capacity(chunks.len())),
+            chunks: BodyChunks(Vec::with_capacity(chunks.len())),
             materials: Vec::new(),
             checkers: Vec::new(),
             doubles: Vec::new(),
         };
         for chunk in chunks {
-            let numbering = Numbering {
+            let numbering = ChunkIndices {
                 materials: table.append(&chunk.materials),
                 first_checker: cast.checkers.len() as u32,
             };
@@ -81,9 +81,9 @@ impl Cast {
     }
 }
 
-impl Chunks {
+impl BodyChunks {
     /// The body at this place in the scene, which is not hidden.
-    pub(super) fn body(&self, index: u32) -> StageBody {
+    pub(super) fn body(&self, index: u32) -> RenderBody {
         let (bodies, numbering) = &self.0[index as usize / CHUNK];
         let mut body = bodies[index as usize % CHUNK];
         body.material = numbering.materials[body.material as usize];
@@ -94,13 +94,13 @@ impl Chunks {
     }
 }
 
-impl<'a> Chunk<'a> {
+impl<'a> ChunkBuild<'a> {
     /// Prepares some bodies, the first of which is at the place `first`.
     fn of(
         slices: &[&'a [Body]],
         first: usize,
         (named, space): (&NamedMaterials<'a>, &RenderSpace),
-    ) -> Result<Self, StageError> {
+    ) -> Result<Self, SceneBuildError> {
         let count = slices.iter().map(|slice| slice.len()).sum();
         let mut chunk = Self {
             bodies: Vec::with_capacity(count),
@@ -111,7 +111,7 @@ impl<'a> Chunk<'a> {
             doubles: Vec::new(),
         };
         for (body, index) in slices.iter().copied().flatten().zip(first..) {
-            let PreparedBody { body: mut prepared, bounds, double } = StageBody::prepare(body, space);
+            let BodyParts { body: mut prepared, bounds, double } = RenderBody::prepare(body, space);
             if !body.hidden {
                 chunk.doubles.extend(double.map(|double| (index as u32, *double)));
                 let found = chunk.materials.find(named, &body.material);
@@ -120,11 +120,11 @@ impl<'a> Chunk<'a> {
                 prepared.transparent = u8::from(chunk.materials.prepared(material).is_transparent());
                 if let Some(checker) = &source.checker {
                     prepared.checker = chunk.checkers.len() as u32;
-                    chunk.checkers.push(StageChecker::new(checker, body, space, prepared.is_double()));
+                    chunk.checkers.push(CheckerTexture::new(checker, body, space, prepared.is_double()));
                 }
                 match bounds {
                     Some(bounds) => {
-                        chunk.entries.push(Entry::new(bounds, index as u32, u32::from(prepared.kind)));
+                        chunk.entries.push(BuildEntry::new(bounds, index as u32, u32::from(prepared.kind)));
                     }
                     None => chunk.planes.push(index as u32),
                 }
@@ -135,8 +135,8 @@ impl<'a> Chunk<'a> {
     }
 }
 
-fn undefined_material(index: usize, body: &Body) -> StageError {
-    StageError::UndefinedMaterial {
+fn undefined_material(index: usize, body: &Body) -> SceneBuildError {
+    SceneBuildError::UndefinedMaterial {
         body: if body.name.is_empty() {
             format!("number {}", index + 1)
         } else {

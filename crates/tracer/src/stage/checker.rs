@@ -6,7 +6,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::body::{inverse_linear, is_diagonal, mul, rows, scale_plus, world_from_canonical};
 use super::numbers;
 use super::space::RenderSpace;
-use crate::lanes::{Real, Word as _};
+use crate::lanes::{Float32, Word as _};
 use crate::vector::Vector;
 
 /// A checkerboard in a body's frame.
@@ -15,7 +15,7 @@ use crate::vector::Vector;
 /// in double precision; what is left for single precision is the part within the body, and a face that lies on a
 /// border of cells keeps to one side of it wherever the body stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct StageChecker {
+pub(crate) struct CheckerTexture {
     /// From the body's frame to cells, without the origin's whole cells.
     cells_from_body: [[f32; 3]; 3],
     /// Whether the cells lie along the axes of that frame.
@@ -27,7 +27,7 @@ pub(crate) struct StageChecker {
     pub color: [f32; 3],
 }
 
-impl StageChecker {
+impl CheckerTexture {
     /// A point on the border of two cells (a floor at y = 0) belongs to the one above.
     const BORDER: f32 = 1e-6;
 
@@ -58,7 +58,7 @@ impl StageChecker {
     /// Whether a point lies in an odd cell, given in the body's frame, or for a body in double precision in the space of the
     /// rays; beyond 2²² cells, what single precision makes of that.
     #[inline(always)]
-    pub(crate) fn is_odd<R: Real>(&self, point: Vector<R>) -> R::Mask {
+    pub(crate) fn is_odd<R: Float32>(&self, point: Vector<R>) -> R::Mask {
         /// 1.5·2²³ leaves no room for a fraction: what is added to it stands in the low bits of the sum.
         const ROUND: f32 = 12_582_912.0;
         let offset = self.offset.map(|offset| offset + Self::BORDER);

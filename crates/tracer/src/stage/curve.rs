@@ -10,7 +10,7 @@ use catoptric_scene::Conductor;
 /// Fresnel's formulas are summed over the visible spectrum in double precision at even steps of the cosine; a cubic
 /// through the four nearest of these points lies within 10⁻⁵ of them everywhere.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Curve {
+pub(crate) struct ConductorTable {
     points: Box<[[f32; 3]; POINTS]>,
 }
 
@@ -19,9 +19,9 @@ pub(crate) const STEPS: usize = 512;
 const POINTS: usize = STEPS + 3;
 
 /// The curves of the measured metals, each made when it is first asked for: a sum over the spectrum takes its time.
-static MEASURED: [OnceLock<Arc<Curve>>; METALS.len()] = [const { OnceLock::new() }; METALS.len()];
+static MEASURED: [OnceLock<Arc<ConductorTable>>; METALS.len()] = [const { OnceLock::new() }; METALS.len()];
 
-impl Curve {
+impl ConductorTable {
     pub(super) fn of(conductor: &Conductor) -> Arc<Self> {
         let place = match conductor {
             Conductor::Metal(metal) => METALS.iter().position(|other| other.name == metal.name),
@@ -111,7 +111,7 @@ mod tests {
         let made = made.map(|(n, k)| Conductor::Index { n: DVec3::splat(n), k: DVec3::splat(k) });
         for conductor in measured.chain(made) {
             // Of the first one that is asked for, too.
-            let curve = Curve::of(&conductor);
+            let curve = ConductorTable::of(&conductor);
             for step in 0..=3000_u16 {
                 let cos = f32::from(step) / 3000.0;
                 let (found, exact) = (curve.at(cos), reflectance(&conductor, f64::from(cos)));

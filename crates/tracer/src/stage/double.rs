@@ -9,8 +9,8 @@ use catoptric_scene::Body;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::body::{SurfacePoint, canonical_ratio, inverse_linear};
-use crate::lanes::{Double, Float as _, MOST_LANES, Mask as _, Real, Width};
-use crate::shape::{Canonical, ShapeKind, Span};
+use crate::lanes::{Float64, Float as _, MOST_LANES, Mask as _, Float32, Width};
+use crate::shape::{CanonicalShape, ShapeKind, ShapeSpan};
 use crate::vector::Vector;
 
 /// So many lanes are looked at together.
@@ -18,7 +18,7 @@ const CHUNK: usize = 8;
 
 /// A body's shape and its transforms, in double precision.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct DoubleBody {
+pub(crate) struct Body64 {
     kind: ShapeKind,
     cone_ratio: f64,
     /// Rows of the linear part of the transform from the space of the rays to the body's frame, and of its inverse.
@@ -31,7 +31,7 @@ pub(crate) struct DoubleBody {
 /// How far its surface may lie from its true place by rounding, as a share of its largest coordinate.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-impl DoubleBody {
+impl Body64 {
     /// The body that `render_from_canonical` carries to the space of the rays.
     pub(super) fn new(body: &Body, kind: ShapeKind, render_from_canonical: &DAffine3) -> Self {
         let rows = |matrix: &DMat3| matrix.transpose().to_cols_array_2d();
@@ -53,19 +53,19 @@ impl DoubleBody {
     /// Whether a point lies in the body.
     pub(crate) fn contains(&self, point: Vector<f32>) -> bool {
         let point = self.point_in_body(&Vector::new(
-            Double([f64::from(point.x)]),
-            Double([f64::from(point.y)]),
-            Double([f64::from(point.z)]),
+            Float64([f64::from(point.x)]),
+            Float64([f64::from(point.y)]),
+            Float64([f64::from(point.z)]),
         ));
         self.shape().contains(point).any()
     }
 
-    /// Where lines cross the body, as [`StageBody::span`](super::StageBody::span).
+    /// Where lines cross the body, as [`RenderBody::span`](super::StageBody::span).
     #[cold]
     #[inline(never)]
-    pub(crate) fn span<W: Width>(&self, w: W, origin: Vector<W::R>, direction: Vector<W::R>) -> Span<W::R> {
-        let rays = Rows::of(&origin, &direction);
-        let mut found = SpanRows::default();
+    pub(crate) fn span<W: Width>(&self, w: W, origin: Vector<W::R>, direction: Vector<W::R>) -> ShapeSpan<W::R> {
+        let rays = LineRows::of(&origin, &direction);
+        let mut found = ShapeSpanRows::default();
         w.run(
             #[inline(always)]
             || match W::LANES {
@@ -77,7 +77,7 @@ impl DoubleBody {
                 ),
             },
         );
-        Span {
+        ShapeSpan {
             enter: w.load(&found.enter),
             exit: w.load(&found.exit),
             enter_face: w.load(&found.enter_face),
@@ -90,7 +90,7 @@ impl DoubleBody {
     #[cold]
     #[inline(never)]
     pub(crate) fn cosines<W: Width>(&self, w: W, origin: Vector<W::R>, direction: Vector<W::R>) -> [W::R; 2] {
-        let rays = Rows::of(&origin, &direction);
+        let rays = LineRows::of(&origin, &direction);
         let mut found = [[0.0; MOST_LANES]; 2];
         for lane in 0..W::LANES {
             let (origin, direction) = rays.take::<1>(lane);
@@ -106,7 +106,7 @@ impl DoubleBody {
     }
 
     /// The points where lines cross the surface, on the way out where they are `leaving`; as
-    /// [`StageBody::point_on_face`](super::StageBody::point_on_face), but that it finds parameters and faces anew: in
+    /// [`RenderBody::point_on_face`](super::StageBody::point_on_face), but that it finds parameters and faces anew: in
     /// single precision they are not exact enough.
     #[cold]
     #[inline(never)]
@@ -117,7 +117,7 @@ impl DoubleBody {
         direction: Vector<W::R>,
         leaving: W::M,
     ) -> SurfacePoint<W::R> {
-        let rays = Rows::of(&origin, &direction);
+        let rays = LineRows::of(&origin, &direction);
         let mut found = [[[0.0; MOST_LANES]; 3]; 3];
         let leaving = leaving.bits();
         for lane in 0..W::LANES {
@@ -143,11 +143,11 @@ impl DoubleBody {
     /// there, in the space of the rays.
     fn surface(
         &self,
-        origin: &Vector<Double<1>>,
-        direction: &Vector<Double<1>>,
-        t: Double<1>,
-        face: Double<1>,
-    ) -> (Vector<Double<1>>, Vector<Double<1>>) {
+        origin: &Vector<Float64<1>>,
+        direction: &Vector<Float64<1>>,
+        t: Float64<1>,
+        face: Float64<1>,
+    ) -> (Vector<Float64<1>>, Vector<Float64<1>>) {
         let shape = self.shape();
         let at = self.point_in_body(origin).plus_times(product(&self.body_from_world, direction), t);
         let at = shape.pull_to_surface(face, at);
@@ -155,26 +155,26 @@ impl DoubleBody {
         // Normals go back by the inverse transpose.
         let normal = DMat3::from_cols_array_2d(&self.body_from_world) * DVec3::new(x.0[0], y.0[0], z.0[0]);
         let normal = normal.normalize_or(DVec3::Y);
-        (at, Vector::new(Double([normal.x]), Double([normal.y]), Double([normal.z])))
+        (at, Vector::new(Float64([normal.x]), Float64([normal.y]), Float64([normal.z])))
     }
 
     #[inline(always)]
-    fn shape<const N: usize>(&self) -> Canonical<Double<N>> {
-        Canonical { kind: self.kind, cone_ratio: Double([self.cone_ratio; N]) }
+    fn shape<const N: usize>(&self) -> CanonicalShape<Float64<N>> {
+        CanonicalShape { kind: self.kind, cone_ratio: Float64([self.cone_ratio; N]) }
     }
 
     #[inline(always)]
     fn local_span<const N: usize>(
         &self,
-        origin: &Vector<Double<N>>,
-        direction: &Vector<Double<N>>,
-    ) -> Span<Double<N>> {
+        origin: &Vector<Float64<N>>,
+        direction: &Vector<Float64<N>>,
+    ) -> ShapeSpan<Float64<N>> {
         let origin = self.point_in_body(origin);
         self.shape().span(origin, product(&self.body_from_world, direction))
     }
 
     #[inline(always)]
-    fn span_of<const N: usize>(&self, rays: &Rows, at: usize, found: &mut SpanRows) {
+    fn span_of<const N: usize>(&self, rays: &LineRows, at: usize, found: &mut ShapeSpanRows) {
         let (origin, direction) = rays.take::<N>(at);
         let span = self.local_span(&origin, &direction);
         let rows = [
@@ -192,24 +192,24 @@ impl DoubleBody {
     }
 
     #[inline(always)]
-    fn point_in_body<const N: usize>(&self, point: &Vector<Double<N>>) -> Vector<Double<N>> {
-        let [x, y, z] = self.origin.map(|number| Double([number; N]));
+    fn point_in_body<const N: usize>(&self, point: &Vector<Float64<N>>) -> Vector<Float64<N>> {
+        let [x, y, z] = self.origin.map(|number| Float64([number; N]));
         product(&self.body_from_world, &(*point - Vector::new(x, y, z)))
     }
 
-    fn point_in_world(&self, point: &Vector<Double<1>>) -> Vector<Double<1>> {
-        let [x, y, z] = self.origin.map(|number| Double([number]));
+    fn point_in_world(&self, point: &Vector<Float64<1>>) -> Vector<Float64<1>> {
+        let [x, y, z] = self.origin.map(|number| Float64([number]));
         product(&self.world_from_body, point) + Vector::new(x, y, z)
     }
 }
 
 /// The product of a matrix given by rows with vectors.
 #[inline(always)]
-fn product<const N: usize>(rows: &[[f64; 3]; 3], v: &Vector<Double<N>>) -> Vector<Double<N>> {
+fn product<const N: usize>(rows: &[[f64; 3]; 3], v: &Vector<Float64<N>>) -> Vector<Float64<N>> {
     let [x, y, z] = [0, 1, 2].map(
         #[inline(always)]
         |row| {
-            let [a, b, c] = rows[row].map(|number| Double([number; N]));
+            let [a, b, c] = rows[row].map(|number| Float64([number; N]));
             a * v.x + b * v.y + c * v.z
         },
     );
@@ -217,11 +217,11 @@ fn product<const N: usize>(rows: &[[f64; 3]; 3], v: &Vector<Double<N>>) -> Vecto
 }
 
 /// Lines side by side: the components of their origins and directions.
-struct Rows([[f32; MOST_LANES]; 6]);
+struct LineRows([[f32; MOST_LANES]; 6]);
 
-impl Rows {
+impl LineRows {
     #[inline(always)]
-    fn of<R: Real>(origin: &Vector<R>, direction: &Vector<R>) -> Self {
+    fn of<R: Float32>(origin: &Vector<R>, direction: &Vector<R>) -> Self {
         let mut rows = [[0.0; MOST_LANES]; 6];
         let numbers = [origin.x, origin.y, origin.z, direction.x, direction.y, direction.z];
         for (row, numbers) in rows.iter_mut().zip(numbers) {
@@ -232,9 +232,9 @@ impl Rows {
 
     /// The origins and directions of so many lines from number `at` on.
     #[inline(always)]
-    fn take<const N: usize>(&self, at: usize) -> (Vector<Double<N>>, Vector<Double<N>>) {
+    fn take<const N: usize>(&self, at: usize) -> (Vector<Float64<N>>, Vector<Float64<N>>) {
         let number = |row: usize| {
-            let mut numbers = Double([0.0; N]);
+            let mut numbers = Float64([0.0; N]);
             for lane in 0..N {
                 numbers.0[lane] = f64::from(self.0[row][at + lane]);
             }
@@ -246,7 +246,7 @@ impl Rows {
 }
 
 #[derive(Default)]
-struct SpanRows {
+struct ShapeSpanRows {
     enter: [f32; MOST_LANES],
     exit: [f32; MOST_LANES],
     enter_face: [f32; MOST_LANES],
@@ -256,11 +256,11 @@ struct SpanRows {
 
 /// Bodies of a scene in double precision, by their places there, in order.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct DoubleBodies(Vec<(u32, DoubleBody)>);
+pub(crate) struct Bodies64(Vec<(u32, Body64)>);
 
-impl DoubleBodies {
+impl Bodies64 {
     /// Of a list in the order of the places.
-    pub(super) fn new(bodies: Vec<(u32, DoubleBody)>) -> Self {
+    pub(super) fn new(bodies: Vec<(u32, Body64)>) -> Self {
         Self(bodies)
     }
 
@@ -268,7 +268,7 @@ impl DoubleBodies {
         self.0.is_empty()
     }
 
-    pub(crate) fn get(&self, scene_index: u32) -> Option<&DoubleBody> {
+    pub(crate) fn get(&self, scene_index: u32) -> Option<&Body64> {
         let at = self.0.binary_search_by_key(&scene_index, |body| body.0).ok()?;
         self.0.get(at).map(|body| &body.1)
     }

@@ -5,35 +5,35 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 
-use super::body::PreparedBody;
-use super::bvh::Path;
-use super::camera::Surroundings;
+use super::body::BodyParts;
+use super::bvh::NodePath;
+use super::camera::SceneExtent;
 use super::space::RenderSpace;
 use super::{
-    BoundingSphere, Bounds, Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageLight,
-    StageMaterial, StageSky, bounds_of_free_ways, numbers,
+    BoundingSphere, Bounds, Accelerator, RenderScene, RenderBody, RenderCamera, SceneChanges, CheckerTexture, RenderLight,
+    RenderMaterial, EnvironmentLight, bounds_of_free_ways, numbers,
 };
 use crate::ray::NO_BODY;
 
-/// How a stage becomes that of an edited scene; [`Stage::edit`] makes it for [`Stage::apply`].
+/// How a stage becomes that of an edited scene; [`RenderScene::edit`] makes it for [`RenderScene::apply`].
 #[derive(Clone, Debug, Default)]
-pub struct StageEdit {
-    changes: Vec<Change>,
+pub struct SceneEdit {
+    changes: Vec<BodyEdit>,
 }
 
 /// A body that changes.
 #[derive(Clone, Debug)]
-struct Change {
+struct BodyEdit {
     /// Its place in the stage.
     place: u32,
-    body: StageBody,
-    material: StageMaterial,
-    checker: Option<StageChecker>,
+    body: RenderBody,
+    material: RenderMaterial,
+    checker: Option<CheckerTexture>,
     /// Where its leaf hangs; `None` for a plane.
-    path: Option<Path>,
+    path: Option<NodePath>,
 }
 
-impl Stage {
+impl RenderScene {
     /// So many materials and checkers may be added before the next preparing tidies up.
     const MOST_ADDED: u32 = 256;
 
@@ -44,13 +44,13 @@ impl Stage {
     /// `None` when this would not be right or not wise, and `after` has to be prepared anew: bodies were added,
     /// removed, hidden or shown, named materials changed, very many bodies did, the hierarchy would become a poor one, or a
     /// body needs double precision. Whether the stage [suits](Self::suits) the camera is asked apart.
-    pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<StageEdit> {
-        let Hierarchy::Many(bvh) = &self.hierarchy else { return None };
+    pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<SceneEdit> {
+        let Accelerator::Many(bvh) = &self.hierarchy else { return None };
         let is_known = before.bodies.len() == after.bodies.len() && before.materials == after.materials;
         if !is_known || changed.len() > after.bodies.len() / 64 + 1 || self.added > Self::MOST_ADDED {
             return None;
         }
-        let mut edit = StageEdit::default();
+        let mut edit = SceneEdit::default();
         let mut cost = bvh.cost();
         for &index in changed {
             let (old, new) = (before.bodies.get(index)?, after.bodies.get(index)?);
@@ -62,7 +62,7 @@ impl Stage {
                 return None;
             }
             let (place, path) = self.find(old, index as u32)?;
-            let PreparedBody { body, bounds, double } = StageBody::prepare(new, &self.space);
+            let BodyParts { body, bounds, double } = RenderBody::prepare(new, &self.space);
             if double.is_some() || self.doubles.get(index as u32).is_some() {
                 return None;
             }
@@ -70,21 +70,21 @@ impl Stage {
                 cost += bvh.growth(path, bounds);
             }
             let material = after.material(&new.material)?;
-            edit.changes.push(Change::new(place, path, body, material, (new, &self.space)));
+            edit.changes.push(BodyEdit::new(place, path, body, material, (new, &self.space)));
         }
         bvh.allows(cost).then_some(edit)
     }
 
     /// Carries out an edit that [`Self::edit`] planned for this stage and the scene `after`.
-    pub fn apply(&mut self, edit: StageEdit, after: &Scene) {
+    pub fn apply(&mut self, edit: SceneEdit, after: &Scene) {
         let mut paths = Vec::with_capacity(edit.changes.len());
-        let mut changes = StageChanges::default();
+        let mut changes = SceneChanges::default();
         for change in edit.changes {
             self.replace(&change);
             changes.bodies.push(change.place..change.place + 1);
             paths.extend(change.path);
         }
-        if let Hierarchy::Many(bvh) = &mut self.hierarchy {
+        if let Accelerator::Many(bvh) = &mut self.hierarchy {
             for path in &paths {
                 let leaf = bvh.leaf(path);
                 changes.bodies.push(leaf.clone());
@@ -98,17 +98,17 @@ impl Stage {
             let bounds = bounds_of_free_ways(bvh.bounds(), own_planes, &self.materials);
             let planes = self.scene_indices.get(self.bounded as usize..).unwrap_or_default();
             let planes = planes.iter().filter_map(|&index| after.bodies.get(index as usize));
-            let surroundings = Surroundings::new(bounds, planes, &self.space);
-            self.camera = StageCamera::new(&after.camera, surroundings, self.space.origin);
+            let surroundings = SceneExtent::new(bounds, planes, &self.space);
+            self.camera = RenderCamera::new(&after.camera, surroundings, self.space.origin);
         }
         self.log.add(changes);
         self.lights = after
             .lights
             .iter()
             .filter(|light| !light.hidden)
-            .map(|light| StageLight::new(light, &self.space))
+            .map(|light| RenderLight::new(light, &self.space))
             .collect();
-        self.sky = StageSky::new(&after.environment);
+        self.sky = EnvironmentLight::new(&after.environment);
         self.is_full |= self.lights.iter().any(|light| light.radius > 0.0) || self.sky.is_full();
         self.ambient = numbers(after.environment.ambient);
         self.generations = after.tracing.generations.clamp(1, Tracing::MAX_GENERATIONS);
@@ -117,31 +117,31 @@ impl Stage {
     }
 
     /// The place of the body `index` of the scene, which is `body` there, and the way to its leaf, if it hangs on one.
-    pub(super) fn find(&self, body: &Body, index: u32) -> Option<(u32, Option<Path>)> {
+    pub(super) fn find(&self, body: &Body, index: u32) -> Option<(u32, Option<NodePath>)> {
         let place_in = |places: Range<u32>| {
             let indices = self.scene_indices.get(range(&places))?;
             let place = indices.iter().position(|&at| at == index)?;
             Some(places.start + place as u32)
         };
-        let Some(bounds) = StageBody::prepare(body, &self.space).bounds else {
+        let Some(bounds) = RenderBody::prepare(body, &self.space).bounds else {
             return Some((place_in(self.planes())?, None));
         };
         match &self.hierarchy {
-            Hierarchy::Few => Some((place_in(0..self.bounded)?, None)),
-            Hierarchy::Many(bvh) => {
+            Accelerator::Few => Some((place_in(0..self.bounded)?, None)),
+            Accelerator::Many(bvh) => {
                 let path = bvh.path_to(&bounds, |leaf| place_in(leaf).is_some())?;
                 Some((place_in(bvh.leaf(&path))?, Some(path)))
             }
         }
     }
 
-    fn replace(&mut self, change: &Change) {
+    fn replace(&mut self, change: &BodyEdit) {
         let Some(old) = self.bodies.get(change.place as usize) else { return };
         let (material, checker) = (old.material, old.checker);
         let material = self.material_index(&change.material, material);
         let checker = self.checker_index(change.checker, checker);
         if let Some(body) = self.bodies.get_mut(change.place as usize) {
-            *body = StageBody { material, checker, ..change.body };
+            *body = RenderBody { material, checker, ..change.body };
             if let Some(sphere) = self.spheres.get_mut(change.place as usize) {
                 *sphere = body.bounding_sphere();
             }
@@ -155,7 +155,7 @@ impl Stage {
     }
 
     /// The place of a material in the list, to which it is added if it is not there; `old` is likely.
-    fn material_index(&mut self, material: &StageMaterial, old: u32) -> u32 {
+    fn material_index(&mut self, material: &RenderMaterial, old: u32) -> u32 {
         if self.materials.get(old as usize) == Some(material) {
             return old;
         }
@@ -168,7 +168,7 @@ impl Stage {
     }
 
     /// The place of a body's checker in the list, if it has one; `old` is that of the one that it had.
-    fn checker_index(&mut self, checker: Option<StageChecker>, old: u32) -> u32 {
+    fn checker_index(&mut self, checker: Option<CheckerTexture>, old: u32) -> u32 {
         let Some(checker) = checker else { return NO_BODY };
         let checkers = Arc::make_mut(&mut self.checkers);
         if let Some(own) = checkers.get_mut(old as usize) {
@@ -181,17 +181,17 @@ impl Stage {
     }
 }
 
-impl Change {
+impl BodyEdit {
     fn new(
         place: u32,
-        path: Option<Path>,
-        mut body: StageBody,
+        path: Option<NodePath>,
+        mut body: RenderBody,
         of: &Material,
         (source, space): (&Body, &RenderSpace),
     ) -> Self {
-        let material = StageMaterial::new(of);
+        let material = RenderMaterial::new(of);
         body.transparent = u8::from(material.is_transparent());
-        let checker = of.checker.as_ref().map(|checker| StageChecker::new(checker, source, space, false));
+        let checker = of.checker.as_ref().map(|checker| CheckerTexture::new(checker, source, space, false));
         Self { place, body, material, checker, path }
     }
 }
@@ -204,12 +204,12 @@ fn is_alike(one: &Body, other: &Body) -> bool {
 }
 
 fn bounds_of(scene: &Scene, index: u32, space: &RenderSpace) -> Option<Bounds> {
-    StageBody::prepare(scene.bodies.get(index as usize)?, space).bounds
+    RenderBody::prepare(scene.bodies.get(index as usize)?, space).bounds
 }
 
 /// Puts the bodies of a leaf in order again, one of which may have got another shape.
 fn sort_leaf(
-    bodies: &mut [StageBody],
+    bodies: &mut [RenderBody],
     spheres: &mut [BoundingSphere],
     indices: &mut [u32],
     leaf: Range<u32>,

@@ -4,51 +4,51 @@ use std::cell::OnceCell;
 
 use glam::{DVec3, Vec3};
 
-use super::level::Level;
-use super::sight::{ROUNDING, Sights};
-use super::{RaysNear, Stage};
+use super::level::PlaneFrame;
+use super::sight::{ROUNDING, VisibleBodies};
+use super::{CameraRays, RenderScene};
 use crate::vector::Vector;
 
 /// The planes of a stage as an eye looks at them, and the one that the rays of a tile go to.
 #[derive(Debug, Default)]
-pub(crate) struct Floors {
-    mirrors: Vec<OnceCell<Option<Mirror>>>,
+pub(crate) struct FloorCandidates {
+    mirrors: Vec<OnceCell<Option<FloorMirror>>>,
     /// If all rays of the tile meet the same plane, or something before it.
     floor: Option<u32>,
     /// What their reflections there may meet.
-    reflected: Sights,
+    reflected: VisibleBodies,
     /// What may lie between what they see of the plane and each of the lights that are points.
-    to_lights: Vec<Sights>,
+    to_lights: Vec<VisibleBodies>,
 }
 
 /// A plane in which all that is seen is seen as from the eye's mirror image.
 #[derive(Debug)]
-struct Mirror {
-    level: Level,
-    bodies: Sights,
+struct FloorMirror {
+    level: PlaneFrame,
+    bodies: VisibleBodies,
     /// Rays that go further up to the plane have too much rounding.
     longest_way: f64,
 }
 
-impl Mirror {
+impl FloorMirror {
     /// So many times as far away as the eye is from the middle of the world.
     const LONGEST_WAY: f64 = 32.0;
 
     /// `None` if the plane may send rays elsewhere.
-    fn new(stage: &Stage, plane: u32, eye: DVec3) -> Option<Self> {
+    fn new(stage: &RenderScene, plane: u32, eye: DVec3) -> Option<Self> {
         let body = stage.body(plane);
         if body.is_transparent() || stage.material(body).alpha > 0.0 {
             return None;
         }
-        let level = Level::of(body);
+        let level = PlaneFrame::of(body);
         let image = level.image(eye);
         let longest_way = Self::LONGEST_WAY * eye.abs().max(image.abs()).max_element();
         Some(Self { level, bodies: stage.seen_past(image, longest_way)?, longest_way })
     }
 }
 
-impl Floors {
-    pub(crate) fn new(stage: &Stage) -> Self {
+impl FloorCandidates {
+    pub(crate) fn new(stage: &RenderScene) -> Self {
         let mirrors = stage.planes().map(|_| OnceCell::new()).collect();
         Self { mirrors, ..Self::default() }
     }
@@ -59,12 +59,12 @@ impl Floors {
     }
 
     /// What their reflections there may meet.
-    pub(crate) fn reflected(&self) -> &Sights {
+    pub(crate) fn reflected(&self) -> &VisibleBodies {
         &self.reflected
     }
 
     /// What may lie between what they see of it and a light, of those that are points.
-    pub(crate) fn to_light(&self, light: usize) -> Option<&Sights> {
+    pub(crate) fn to_light(&self, light: usize) -> Option<&VisibleBodies> {
         self.to_lights.get(light)
     }
 
@@ -72,23 +72,23 @@ impl Floors {
     /// they are seen from there.
     pub(crate) fn aim(
         &mut self,
-        stage: &Stage,
-        (rays, reach): (&RaysNear, [f32; 2]),
-        from_eye: &Sights,
-        from_lights: &[Option<Sights>],
+        stage: &RenderScene,
+        (rays, reach): (&CameraRays, [f32; 2]),
+        from_eye: &VisibleBodies,
+        from_lights: &[Option<VisibleBodies>],
     ) {
         self.floor = None;
         let eye = from_eye.point;
         let (axis, cos) = rays.cone(reach);
         let exactly = |direction: Vector<f32>| Vec3::from(direction).as_dvec3();
         let middle = exactly(axis);
-        let ways = stage.planes().map(|plane| (plane, Level::of(stage.body(plane)).way(eye, middle)));
+        let ways = stage.planes().map(|plane| (plane, PlaneFrame::of(stage.body(plane)).way(eye, middle)));
         let Some((plane, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)) else { return };
         let Some(cell) = self.mirrors.get((plane - stage.bounded) as usize) else { return };
         if way == f64::INFINITY {
             return;
         }
-        let Some(mirror) = cell.get_or_init(|| Mirror::new(stage, plane, eye)) else { return };
+        let Some(mirror) = cell.get_or_init(|| FloorMirror::new(stage, plane, eye)) else { return };
         let level = &mirror.level;
         let corners = rays.corners(reach).map(exactly);
         let ways = corners.map(|direction| level.way(eye, direction));
@@ -105,7 +105,7 @@ impl Floors {
             *at = eye + way * *at;
         }
         let extent = eye.abs().max_element() + longest;
-        self.to_lights.resize_with(from_lights.len(), Sights::default);
+        self.to_lights.resize_with(from_lights.len(), VisibleBodies::default);
         for (near, all) in self.to_lights.iter_mut().zip(from_lights) {
             let Some(all) = all else { continue };
             let light = all.point;
@@ -132,11 +132,11 @@ mod tests {
     use glam::{DVec2, UVec2};
     use proptest::prelude::*;
 
-    use super::super::StageBody;
+    use super::super::RenderBody;
     use super::super::sight::tests::{body, moved, point};
     use super::super::space::RenderSpace;
     use super::*;
-    use crate::tile::{Place, TILE};
+    use crate::tile::{TileRect, TILE};
 
     fn floor(rotation_degrees: DVec3) -> Body {
         let anchor = Anchor::Frame { position: DVec3::new(1.0, -2.0, 3.0), rotation_degrees };
@@ -148,19 +148,19 @@ mod tests {
     }
 
     /// The floor of the tile around a pixel.
-    fn aimed(stage: &Stage, pixel: UVec2, size: UVec2) -> Floors {
+    fn aimed(stage: &RenderScene, pixel: UVec2, size: UVec2) -> FloorCandidates {
         let camera = stage.camera();
-        let rays = Place::around(pixel, size, TILE).rays_near(camera, size.as_dvec2());
+        let rays = TileRect::around(pixel, size, TILE).rays_near(camera, size.as_dvec2());
         let reach = [0.5 * TILE as f32 + 8.0; 2];
         let lights: Vec<_> = stage.lights.iter().map(|light| stage.seen_from_light(light.position)).collect();
-        let mut floors = Floors::new(stage);
+        let mut floors = FloorCandidates::new(stage);
         let from_eye = stage.seen_from(camera.eye().unwrap().into()).unwrap();
         floors.aim(stage, (&rays, reach), &from_eye, &lights);
         floors
     }
 
     /// Whether rays of this direction, of length 1, may meet the only body this far away from where they start.
-    fn may_meet(sights: &Sights, direction: DVec3, distance: f64) -> bool {
+    fn may_meet(sights: &VisibleBodies, direction: DVec3, distance: f64) -> bool {
         let direction = Vector::from(direction.as_vec3());
         sights.bodies.iter().any(|sight| sight.is_met(direction, distance as f32 * (1.0 + 1e-6)))
     }
@@ -178,7 +178,7 @@ mod tests {
             is_between in proptest::bool::ANY,
         ) {
             let (size, pixel) = (UVec2::new(256, 192), UVec2::new(x, y));
-            let level = Level::of(&StageBody::prepare(&floor(tilt), &RenderSpace::default()).body);
+            let level = PlaneFrame::of(&RenderBody::prepare(&floor(tilt), &RenderSpace::default()).body);
             let lifted = |point: DVec3| point + (0.1 + (-level.height_of(point)).max(0.0) * 2.0) * level.up;
             let (eye, light) = (lifted(eye), lifted(light));
             let camera = Camera {
@@ -193,7 +193,7 @@ mod tests {
                 lights: vec![Light { position: light, ..Light::default() }],
                 ..Scene::default()
             };
-            let empty = Stage::prepare(&scene(vec![floor(tilt)])).unwrap();
+            let empty = RenderScene::prepare(&scene(vec![floor(tilt)])).unwrap();
             let ray = empty.camera().ray(pixel.as_dvec2() + DVec2::splat(0.5), size.as_dvec2());
             let direction = ray.direction.as_dvec3();
             let way = level.way(eye, direction);
@@ -202,7 +202,7 @@ mod tests {
             let beyond = if is_between { light } else { met + 20.0 * level.mirrored(direction) };
             let there = met.lerp(beyond, along);
             let other = moved(other, there);
-            let stage = Stage::prepare(&scene(vec![floor(tilt), other])).unwrap();
+            let stage = RenderScene::prepare(&scene(vec![floor(tilt), other])).unwrap();
             prop_assume!(!stage.has_doubles() && stage.space.origin == DVec3::ZERO);
             let floors = aimed(&stage, pixel, size);
             prop_assume!(floors.floor().is_some());

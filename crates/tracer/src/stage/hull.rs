@@ -8,12 +8,12 @@ use crate::shape::ShapeKind;
 
 /// All points no further than a radius from the convex hull of some others.
 #[derive(Clone, Debug)]
-pub(super) struct Hull {
+pub(super) struct BoundingHull {
     pub(super) points: Vec<DVec3>,
     pub(super) radius: f64,
 }
 
-impl Hull {
+impl BoundingHull {
     /// A disc lies in a regular polygon of so many corners around it.
     const CORNERS: u32 = 12;
 

@@ -7,9 +7,9 @@ use catoptric_scene::Image;
 
 /// A picture, interpolated between the four pixels around a place. Equal only to itself.
 #[derive(Clone, Debug)]
-pub(crate) struct StageImage(Arc<Picture>);
+pub(crate) struct ImageLookup(Arc<Picture>);
 
-impl PartialEq for StageImage {
+impl PartialEq for ImageLookup {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
@@ -17,14 +17,14 @@ impl PartialEq for StageImage {
 
 /// What lies beside a picture, to its left and right; above and below its edge goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Beyond {
+pub(super) enum AddressMode {
     /// Its other edge.
     Repeats,
     /// More of its edge.
     Ends,
 }
 
-impl StageImage {
+impl ImageLookup {
     /// `None` while the pixels are not known.
     pub(super) fn new(image: &Image) -> Option<Self> {
         image.pixels().map(|pixels| Self(Arc::clone(pixels)))
@@ -50,14 +50,14 @@ impl StageImage {
 
     /// The color at a place, from the upper left corner (0, 0) to the lower right one (1, 1). A place that is no number
     /// is the corner.
-    pub(super) fn at(&self, u: f32, v: f32, beyond: Beyond) -> [f32; 3] {
+    pub(super) fn at(&self, u: f32, v: f32, beyond: AddressMode) -> [f32; 3] {
         let (width, height) = (self.0.width(), self.0.height());
         // Pixels have their values at their centers.
         let (x, y) = (u * width as f32 - 0.5, v * height as f32 - 0.5);
         let (left, top) = (x.floor(), y.floor());
         let column = |column: f32| match beyond {
-            Beyond::Repeats => column.rem_euclid(width as f32) as u32,
-            Beyond::Ends => column.max(0.0) as u32,
+            AddressMode::Repeats => column.rem_euclid(width as f32) as u32,
+            AddressMode::Ends => column.max(0.0) as u32,
         };
         let columns = [column(left), column(left + 1.0)].map(|column| column.min(width - 1));
         let rows = [top, top + 1.0].map(|row| (row.max(0.0) as u32).min(height - 1));
@@ -73,7 +73,7 @@ impl StageImage {
 }
 
 #[cfg(test)]
-impl StageImage {
+impl ImageLookup {
     /// From rows of gray pixels.
     pub(super) fn of_grays<const W: usize>(rows: &[[f32; W]]) -> Self {
         let pixels = rows.iter().flatten().map(|gray| [*gray; 3]).collect();
@@ -87,9 +87,9 @@ mod tests {
 
     #[test]
     fn places_lie_between_the_centers_of_pixels() {
-        let image = StageImage::of_grays(&[[0.0, 1.0, 2.0, 3.0], [4.0, 5.0, 6.0, 7.0]]);
+        let image = ImageLookup::of_grays(&[[0.0, 1.0, 2.0, 3.0], [4.0, 5.0, 6.0, 7.0]]);
         let at = |u: f32, v: f32, beyond| image.at(u, v, beyond)[0];
-        let both = [Beyond::Repeats, Beyond::Ends];
+        let both = [AddressMode::Repeats, AddressMode::Ends];
         for beyond in both {
             assert_eq!(at(0.125, 0.25, beyond), 0.0);
             assert_eq!(at(0.875, 0.75, beyond), 7.0);
@@ -99,7 +99,7 @@ mod tests {
         }
         assert_eq!(both.map(|beyond| at(0.0, 0.25, beyond)), [1.5, 0.0]);
         assert_eq!(both.map(|beyond| at(1.0, 0.25, beyond)), [1.5, 3.0]);
-        assert_eq!(at(-3.875, 0.25, Beyond::Repeats), 0.0);
+        assert_eq!(at(-3.875, 0.25, AddressMode::Repeats), 0.0);
         for place in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
             for beyond in both {
                 let _ = (at(place, 0.3, beyond), at(0.3, place, beyond));

@@ -2,20 +2,20 @@
 
 use glam::DVec3;
 
-use super::StageBody;
-use super::hull::Hull;
+use super::RenderBody;
+use super::hull::BoundingHull;
 use super::sight::ROUNDING;
 
 /// The surface of a plane.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Level {
+pub(super) struct PlaneFrame {
     origin: DVec3,
     /// Of length 1.
     pub(super) up: DVec3,
 }
 
-impl Level {
-    pub(super) fn of(plane: &StageBody) -> Self {
+impl PlaneFrame {
+    pub(super) fn of(plane: &RenderBody) -> Self {
         let [origin, up] = [plane.origin, plane.body_from_world[1]].map(|v| DVec3::from(v.map(f64::from)));
         Self { origin, up }
     }
@@ -40,12 +40,12 @@ impl Level {
     }
 
     /// Whether all of this stands on it or above.
-    pub(super) fn is_below_hull(&self, hull: &Hull) -> bool {
+    pub(super) fn is_below_hull(&self, hull: &BoundingHull) -> bool {
         self.height(hull.lowest(self.up)) >= -self.rounding(hull.extent())
     }
 
     /// Whether all of this is surely above, and does not even stand on it.
-    pub(super) fn is_apart_from(&self, hull: &Hull) -> bool {
+    pub(super) fn is_apart_from(&self, hull: &BoundingHull) -> bool {
         self.height(hull.lowest(self.up)) > 4.0 * self.rounding(hull.extent())
     }
 

@@ -3,21 +3,21 @@
 use super::numbers;
 use super::space::RenderSpace;
 use crate::facets::frame;
-use crate::lanes::{Float as _, Real, Width};
+use crate::lanes::{Float as _, Float32, Width};
 use crate::surface::{MOST_LIGHT, mend_unit};
 use crate::vector::Vector;
-use crate::whitted::Throw;
+use crate::whitted::Sample2D;
 use catoptric_scene::{Falloff, Light};
 
 /// A light: where it is and what it sends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct StageLight {
+pub(crate) struct RenderLight {
     /// Position in the space of the rays, meters.
     pub position: [f32; 3],
     /// Color times intensity, I_j.
     pub power: [f32; 3],
     /// Law of falloff.
-    pub falloff: StageFalloff,
+    pub falloff: LightFalloff,
     /// Radius of the ball that shines, meters; 0 is a point.
     pub radius: f32,
     /// Whether it sends anything.
@@ -26,7 +26,7 @@ pub(crate) struct StageLight {
 
 /// Law of falloff A(d).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum StageFalloff {
+pub(crate) enum LightFalloff {
     /// A(d) = 1.
     None,
     /// A(d) = 1 / (d + K), with K in meters.
@@ -35,16 +35,16 @@ pub(crate) enum StageFalloff {
     InverseSquare,
 }
 
-impl StageLight {
+impl RenderLight {
     pub(super) fn new(light: &Light, space: &RenderSpace) -> Self {
         let power = numbers(light.color).map(|part| part * light.intensity as f32);
         Self {
             position: space.render_from_world(light.position).as_vec3().to_array(),
             power,
             falloff: match light.falloff {
-                Falloff::None => StageFalloff::None,
-                Falloff::Linear { constant } => StageFalloff::Linear(constant as f32),
-                Falloff::InverseSquare => StageFalloff::InverseSquare,
+                Falloff::None => LightFalloff::None,
+                Falloff::Linear { constant } => LightFalloff::Linear(constant as f32),
+                Falloff::InverseSquare => LightFalloff::InverseSquare,
             },
             radius: light.radius as f32,
             shines: power != [0.0; 3],
@@ -61,7 +61,7 @@ impl StageLight {
     pub(crate) fn point_of_ball<W: Width>(
         &self,
         (to_middle, d): (Vector<W::R>, W::R),
-        throw: &Throw<W>,
+        throw: &Sample2D<W>,
     ) -> (Vector<W::R>, W::R, W::R) {
         let (zero, one) = (d.like(0.0), d.like(1.0));
         let square = d.like(self.radius) * self.radius;
@@ -76,12 +76,12 @@ impl StageLight {
 
     /// A(d)·I_j at the distance `d` > 0.
     #[inline(always)]
-    pub(crate) fn power_at<R: Real>(&self, d: R) -> Vector<R> {
+    pub(crate) fn power_at<R: Float32>(&self, d: R) -> Vector<R> {
         let power = Vector::splat(d, self.power);
         let divisor = match self.falloff {
-            StageFalloff::None => return power,
-            StageFalloff::Linear(constant) => d + constant,
-            StageFalloff::InverseSquare => d * d,
+            LightFalloff::None => return power,
+            LightFalloff::Linear(constant) => d + constant,
+            LightFalloff::InverseSquare => d * d,
         };
         // Infinite light on a surface that returns none of it would not be a number.
         power.map(|part| (part / divisor).min(d.like(MOST_LIGHT)))

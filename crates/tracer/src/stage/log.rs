@@ -8,19 +8,19 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[derive(Clone, Debug)]
 pub(crate) struct EditLog {
     state: u64,
-    edits: VecDeque<Edit>,
+    edits: VecDeque<EditLogEntry>,
 }
 
 #[derive(Clone, Debug)]
-struct Edit {
+struct EditLogEntry {
     /// The state before it.
     from: u64,
-    changes: StageChanges,
+    changes: SceneChanges,
 }
 
 /// The parts of a stage's arrays that are different from what they were.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct StageChanges {
+pub struct SceneChanges {
     /// Places of bodies.
     pub bodies: Vec<Range<u32>>,
     /// Nodes of the hierarchy.
@@ -36,11 +36,11 @@ impl EditLog {
         Self { state: new_state(), edits: VecDeque::new() }
     }
 
-    pub(crate) fn add(&mut self, changes: StageChanges) {
+    pub(crate) fn add(&mut self, changes: SceneChanges) {
         if self.edits.len() == Self::MOST {
             self.edits.pop_front();
         }
-        self.edits.push_back(Edit { from: self.state, changes });
+        self.edits.push_back(EditLogEntry { from: self.state, changes });
         self.state = new_state();
     }
 
@@ -49,12 +49,12 @@ impl EditLog {
     }
 
     /// What has changed since a state; `None` if that is not known.
-    pub(crate) fn since(&self, state: u64) -> Option<StageChanges> {
+    pub(crate) fn since(&self, state: u64) -> Option<SceneChanges> {
         if state == self.state {
-            return Some(StageChanges::default());
+            return Some(SceneChanges::default());
         }
         let first = self.edits.iter().position(|edit| edit.from == state)?;
-        let mut all = StageChanges::default();
+        let mut all = SceneChanges::default();
         for edit in self.edits.iter().skip(first) {
             all.bodies.extend(edit.changes.bodies.iter().cloned());
             all.nodes.extend(&edit.changes.nodes);
@@ -77,15 +77,15 @@ fn new_state() -> u64 {
 mod tests {
     use super::*;
 
-    fn change(body: u32) -> StageChanges {
-        StageChanges { bodies: vec![body..body + 1, 9..10], nodes: vec![0, body] }
+    fn change(body: u32) -> SceneChanges {
+        SceneChanges { bodies: vec![body..body + 1, 9..10], nodes: vec![0, body] }
     }
 
     #[test]
     fn changes_add_up_and_copies_part() {
         let mut log = EditLog::new();
         let start = log.state();
-        assert_eq!(log.since(start), Some(StageChanges::default()));
+        assert_eq!(log.since(start), Some(SceneChanges::default()));
         log.add(change(4));
         let middle = log.state();
         let mut other = log.clone();

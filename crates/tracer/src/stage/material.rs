@@ -6,21 +6,21 @@ use std::sync::Arc;
 use catoptric_optics::{CLEAR, Dispersion, METALS, fresnel};
 use catoptric_scene::{Color, Conductor, Material, MaterialChoice, Model, Scene};
 
-use super::curve::Curve;
-use super::texture::Texture;
-use super::{StageBody, numbers};
-use crate::lanes::{Real, Width};
+use super::curve::ConductorTable;
+use super::texture::ImageTexture;
+use super::{RenderBody, numbers};
+use crate::lanes::{Float32, Width};
 use crate::surface::exponential;
 use crate::vector::Vector;
-use crate::whitted::ReflectionLaw;
+use crate::whitted::ReflectionModel;
 
 /// Coefficients of a surface, in single precision.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct StageMaterial {
+pub(crate) struct RenderMaterial {
     /// Color C.
     pub color: [f32; 3],
     /// A picture in its place.
-    pub texture: Option<Texture>,
+    pub texture: Option<ImageTexture>,
     /// k_a.
     pub ambient: f32,
     /// k_d.
@@ -36,7 +36,7 @@ pub(crate) struct StageMaterial {
     /// Index of refraction.
     pub ior: f32,
     /// How much it reflects under which angle.
-    pub law: Law,
+    pub law: MaterialModel,
     /// The index of refraction by wavelength, if it differs.
     pub dispersion: Option<Dispersion>,
     /// Width of the slopes of its facets, α; 0 is smooth.
@@ -47,7 +47,7 @@ pub(crate) struct StageMaterial {
 
 /// How much a surface reflects under which angle.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Law {
+pub(crate) enum MaterialModel {
     /// k_r under any.
     Constant,
     /// C·k_r under any.
@@ -55,20 +55,20 @@ pub(crate) enum Law {
     /// By Fresnel's formulas with the indices of refraction on either side; the rest goes on.
     Dielectric,
     /// By Fresnel's formulas for the spectrum of a metal.
-    Conductor(Arc<Curve>),
+    Conductor(Arc<ConductorTable>),
     /// By Fresnel's formulas, out of air; the rest is scattered below.
-    Coat(Coat),
+    Coat(CoatedMaterial),
 }
 
-impl Law {
+impl MaterialModel {
     /// Which it is.
-    pub(crate) fn name(&self) -> ReflectionLaw {
+    pub(crate) fn name(&self) -> ReflectionModel {
         match self {
-            Self::Constant => ReflectionLaw::Constant,
-            Self::Mirror => ReflectionLaw::Mirror,
-            Self::Dielectric => ReflectionLaw::Dielectric,
-            Self::Conductor(_) => ReflectionLaw::Conductor,
-            Self::Coat(_) => ReflectionLaw::Coat,
+            Self::Constant => ReflectionModel::Constant,
+            Self::Mirror => ReflectionModel::Mirror,
+            Self::Dielectric => ReflectionModel::Dielectric,
+            Self::Conductor(_) => ReflectionModel::Conductor,
+            Self::Coat(_) => ReflectionModel::Coat,
         }
     }
 }
@@ -79,7 +79,7 @@ impl Law {
 /// `(1 - R(θ_v))·(1 - R(θ_l))·C / (η²·(1 - C·(1 - lets_out)))` (M. Pharr, G. Humphreys 2004; W. Jakob 2010, Mitsuba,
 /// `plastic`).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Coat {
+pub(crate) struct CoatedMaterial {
     /// Index of air divided by that of the coat.
     pub ratio: f32,
     /// 1/η².
@@ -91,7 +91,7 @@ pub(crate) struct Coat {
     pub lets_in: f32,
 }
 
-impl Coat {
+impl CoatedMaterial {
     fn new(ior: f64) -> Self {
         let spread = 1.0 / (ior * ior);
         // A pencil of light and its reverse lose alike: of even light, η² times as much passes into the medium of the
@@ -126,11 +126,11 @@ fn passed_of_even_light(eta: f64) -> f64 {
     (0..STEPS).map(passed).sum()
 }
 
-impl StageMaterial {
+impl RenderMaterial {
     pub(super) fn new(material: &Material) -> Self {
         let plain = Self {
             color: numbers(material.color),
-            texture: Texture::new(material),
+            texture: ImageTexture::new(material),
             ambient: material.ambient as f32,
             diffuse: 0.0,
             specular: 0.0,
@@ -138,7 +138,7 @@ impl StageMaterial {
             reflection: 0.0,
             filter: [0.0; 3],
             ior: 1.0,
-            law: Law::Constant,
+            law: MaterialModel::Constant,
             dispersion: material.dispersion(),
             alpha: match material.model {
                 Model::Phong | Model::Matte => 0.0,
@@ -159,7 +159,7 @@ impl StageMaterial {
             },
             Model::Matte => Self { diffuse: 1.0, ..plain },
             Model::Mirror => {
-                Self { ambient: 0.0, reflection: material.reflection() as f32, law: Law::Mirror, ..plain }
+                Self { ambient: 0.0, reflection: material.reflection() as f32, law: MaterialModel::Mirror, ..plain }
             }
             Model::Dielectric => {
                 let reflection = straight(material.ior());
@@ -168,22 +168,22 @@ impl StageMaterial {
                     reflection: reflection as f32,
                     filter: [(1.0 - reflection) as f32; 3],
                     ior: material.ior() as f32,
-                    law: Law::Dielectric,
+                    law: MaterialModel::Dielectric,
                     absorption: absorption(material),
                     ..plain
                 }
             }
             Model::Conductor => {
-                let curve = Curve::of(&material.conductor);
+                let curve = ConductorTable::of(&material.conductor);
                 let [red, green, blue] = curve.at(1.0);
                 let reflection = (red + green + blue) / 3.0;
-                Self { ambient: 0.0, reflection, law: Law::Conductor(curve), ..plain }
+                Self { ambient: 0.0, reflection, law: MaterialModel::Conductor(curve), ..plain }
             }
             Model::Coated => Self {
                 color: numbers(material.color).map(|part| part.min(1.0)),
                 diffuse: 1.0,
                 reflection: straight(material.ior) as f32,
-                law: Law::Coat(Coat::new(material.ior)),
+                law: MaterialModel::Coat(CoatedMaterial::new(material.ior)),
                 ..plain
             },
         }
@@ -194,7 +194,7 @@ impl StageMaterial {
     pub(crate) fn color_at<W: Width>(
         &self,
         w: W,
-        body: &StageBody,
+        body: &RenderBody,
         in_body: Vector<W::R>,
         lanes: W::M,
     ) -> Vector<W::R> {
@@ -211,7 +211,7 @@ impl StageMaterial {
 
     /// Whether it is more than Phong's model with plain colors: a law of its own, a texture.
     pub(crate) fn is_full(&self) -> bool {
-        !matches!(self.law, Law::Constant) || self.texture.is_some()
+        !matches!(self.law, MaterialModel::Constant) || self.texture.is_some()
     }
 
     /// Whether light is lost in the body.
@@ -221,7 +221,7 @@ impl StageMaterial {
 
     /// The share of light that is left after a way of this length in the body, meters.
     #[inline(always)]
-    pub(crate) fn left_after<R: Real>(&self, way: R) -> Vector<R> {
+    pub(crate) fn left_after<R: Float32>(&self, way: R) -> Vector<R> {
         Vector::splat(way, self.absorption).map(
             #[inline(always)]
             |loss| exponential(-(loss * way)),
@@ -250,10 +250,10 @@ pub(super) type NamedMaterials<'a> = HashMap<&'a str, &'a Material>;
 /// The materials that some bodies use, each distinct one once, in the order of their first use.
 #[derive(Default)]
 pub(super) struct MaterialTable<'a> {
-    indices: HashMap<Key, u32>,
+    indices: HashMap<MaterialKey, u32>,
     of_names: HashMap<&'a str, (u32, &'a Material)>,
-    prepared: Vec<StageMaterial>,
-    keys: Vec<Key>,
+    prepared: Vec<RenderMaterial>,
+    keys: Vec<MaterialKey>,
 }
 
 impl<'a> MaterialTable<'a> {
@@ -270,21 +270,21 @@ impl<'a> MaterialTable<'a> {
     ) -> Option<(u32, &'a Material)> {
         match choice {
             MaterialChoice::Inline(material) => {
-                Some((self.index(key(material), || StageMaterial::new(material)), material))
+                Some((self.index(key(material), || RenderMaterial::new(material)), material))
             }
             MaterialChoice::Named(name) => {
                 if let Some(found) = self.of_names.get(name.as_str()) {
                     return Some(*found);
                 }
                 let material = *named.get(name.as_str())?;
-                let index = self.index(key(material), || StageMaterial::new(material));
+                let index = self.index(key(material), || RenderMaterial::new(material));
                 self.of_names.insert(name, (index, material));
                 Some((index, material))
             }
         }
     }
 
-    fn index(&mut self, key: Key, prepare: impl FnOnce() -> StageMaterial) -> u32 {
+    fn index(&mut self, key: MaterialKey, prepare: impl FnOnce() -> RenderMaterial) -> u32 {
         *self.indices.entry(key).or_insert_with(|| {
             self.prepared.push(prepare());
             self.keys.push(key);
@@ -299,19 +299,19 @@ impl<'a> MaterialTable<'a> {
     }
 
     /// The prepared material of an index that [`Self::find`] gave.
-    pub(super) fn prepared(&self, index: u32) -> &StageMaterial {
+    pub(super) fn prepared(&self, index: u32) -> &RenderMaterial {
         &self.prepared[index as usize]
     }
 
-    pub(super) fn into_prepared(self) -> Vec<StageMaterial> {
+    pub(super) fn into_prepared(self) -> Vec<RenderMaterial> {
         self.prepared
     }
 }
 
-/// The model, the picture, and all numbers that reach a [`StageMaterial`], for comparing exactly.
-type Key = (Model, Option<u64>, [u64; 13]);
+/// The model, the picture, and all numbers that reach a [`RenderMaterial`], for comparing exactly.
+type MaterialKey = (Model, Option<u64>, [u64; 13]);
 
-fn key(material: &Material) -> Key {
+fn key(material: &Material) -> MaterialKey {
     let m = material;
     let Color { r, g, b } = m.color;
     let mut numbers = [0.0; 13];
@@ -361,7 +361,7 @@ fn key(material: &Material) -> Key {
         Model::Matte => put(&[r, g, b, m.ambient]),
         Model::Coated => put(&[r, g, b, m.ambient, m.ior, m.roughness]),
     }
-    (m.model, Texture::new(m).map(|texture| texture.number()), numbers.map(f64::to_bits))
+    (m.model, ImageTexture::new(m).map(|texture| texture.number()), numbers.map(f64::to_bits))
 }
 
 /// The place of a name among others, to be told from them.
@@ -391,7 +391,7 @@ mod tests {
         for ior in
             [0.01, 0.012, 0.015, 0.03, 0.1, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 1.5, 2.4, 10.0, 33.0, 100.0]
         {
-            let coat = Coat::new(ior);
+            let coat = CoatedMaterial::new(ior);
             for (found, exact) in
                 [(coat.lets_in, passed_in_many_steps(ior)), (coat.lets_out, passed_in_many_steps(1.0 / ior))]
             {

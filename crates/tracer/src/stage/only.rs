@@ -5,12 +5,12 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::Scene;
 
-use super::{EditLog, Entry, Hierarchy, Search, Stage};
+use super::{EditLog, BuildEntry, Accelerator, AcceleratorChoice, RenderScene};
 
 /// Up to this many bodies are looked for one by one.
 const FEW_WANTED: usize = 256;
 
-impl Stage {
+impl RenderScene {
     /// The same stage with just those of its bodies that stand at these places in [`Scene::bodies`], `scene` being what
     /// the stage was prepared from; other places are passed over.
     ///
@@ -41,12 +41,12 @@ impl Stage {
         for &index in chosen {
             let body = self.body(index);
             match body.bounds() {
-                Some(bounds) => entries.push(Entry::new(bounds, index, u32::from(body.kind))),
+                Some(bounds) => entries.push(BuildEntry::new(bounds, index, u32::from(body.kind))),
                 None => planes.push(index),
             }
         }
-        let hierarchy = Hierarchy::over(&mut entries, Search::Quickest);
-        let order: Vec<u32> = entries.iter().map(Entry::place).chain(planes).collect();
+        let hierarchy = Accelerator::over(&mut entries, AcceleratorChoice::Quickest);
+        let order: Vec<u32> = entries.iter().map(BuildEntry::place).chain(planes).collect();
         Self {
             bodies: order.iter().map(|&index| *self.body(index)).collect(),
             scene_indices: order
@@ -95,7 +95,7 @@ mod tests {
             lights: vec![Light::default()],
             ..Scene::default()
         };
-        let stage = Stage::prepare(&scene).unwrap();
+        let stage = RenderScene::prepare(&scene).unwrap();
         let some = stage.only(&scene, &[0]);
         assert!(Arc::ptr_eq(&some.materials, &stage.materials));
         assert!(Arc::ptr_eq(&some.checkers, &stage.checkers));

@@ -1,67 +1,67 @@
 //! What rays may meet that go from a handful of bodies to the lights, and those that are inside of one.
 
-use super::{Sights, Stage, StageLight};
+use super::{VisibleBodies, RenderScene, RenderLight};
 use crate::ray::INWARDS;
 
 /// A handful of bodies as they are seen from the lights, and each from within; of more, nothing is known.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Outlook {
+pub(crate) struct ShadowCandidates {
     /// For each light that is a point.
-    pub(crate) from_lights: Vec<Option<Sights>>,
+    pub(crate) from_lights: Vec<Option<VisibleBodies>>,
     /// By light and body, what may shade the body.
-    before: Vec<Vec<Before>>,
+    before: Vec<Vec<SideOccluders>>,
     /// By body, what rays inside of it may meet, if it is transparent.
-    within: Vec<Option<Sights>>,
+    within: Vec<Option<VisibleBodies>>,
 }
 
 /// What may shade a body.
 #[derive(Clone, Debug)]
-struct Before {
-    outer_side: Sights,
+struct SideOccluders {
+    outer_side: VisibleBodies,
     /// The same and the body itself, if it is transparent.
-    inner_side: Option<Sights>,
+    inner_side: Option<VisibleBodies>,
 }
 
-impl Outlook {
+impl ShadowCandidates {
     /// With more lights and bodies it would take long to find out what may shade what.
     const MOST_BEFORE: usize = 1 << 14;
 
-    pub(super) fn of(stage: &Stage) -> Self {
+    pub(super) fn of(stage: &RenderScene) -> Self {
         let bodies = stage.bounded as usize;
         // What lies where is not known well enough in single precision of bodies in double.
-        if bodies > Stage::FEW || stage.has_doubles() {
+        if bodies > RenderScene::FEW || stage.has_doubles() {
             return Self::default();
         }
-        let from_light = |light: &StageLight| match light.radius {
+        let from_light = |light: &RenderLight| match light.radius {
             0.0 => stage.seen_from_light(light.position),
             _ => None,
         };
         let from_lights: Vec<_> = stage.lights.iter().map(from_light).collect();
         let mut before = Vec::new();
         if bodies * bodies * from_lights.len() <= Self::MOST_BEFORE {
-            let both_sides = |(outer_side, body): (Sights, u32)| {
+            let both_sides = |(outer_side, body): (VisibleBodies, u32)| {
                 let is_transparent = stage.body(body).is_transparent();
-                Before { inner_side: is_transparent.then(|| outer_side.and(body)), outer_side }
+                SideOccluders { inner_side: is_transparent.then(|| outer_side.and(body)), outer_side }
             };
             let of_light =
-                |all: &Sights| stage.seen_before(all).into_iter().zip(0..).map(both_sides).collect();
+                |all: &VisibleBodies| stage.seen_before(all).into_iter().zip(0..).map(both_sides).collect();
             before.extend(from_lights.iter().map(|all| all.as_ref().map(of_light).unwrap_or_default()));
         }
         Self { from_lights, before, within: stage.seen_within() }
     }
 
     /// What rays may meet that are inside of this bounded body, and of no other.
-    pub(crate) fn within(&self, body: u32) -> Option<&Sights> {
+    pub(crate) fn within(&self, body: u32) -> Option<&VisibleBodies> {
         self.within.get(body as usize)?.as_ref()
     }
 
     /// What rays may meet on their way to a light, wherever they start.
-    pub(crate) fn to_light(&self, light: usize) -> Option<&Sights> {
+    pub(crate) fn to_light(&self, light: usize) -> Option<&VisibleBodies> {
         self.from_lights.get(light)?.as_ref()
     }
 
     /// The same if they start from a bounded body, with [`INWARDS`] from its inner side.
-    pub(crate) fn to_light_from(&self, light: usize, start: u32) -> Option<&Sights> {
+    pub(crate) fn to_light_from(&self, light: usize, start: u32) -> Option<&VisibleBodies> {
         let before = self.before.get(light)?.get((start & !INWARDS) as usize)?;
         match start & INWARDS {
             0 => Some(&before.outer_side),
@@ -81,7 +81,7 @@ mod tests {
 
     use super::super::sight::tests::{body, moved, point};
     use super::*;
-    use crate::{Control, RenderSettings, render};
+    use crate::{RenderControl, RenderSettings, render};
 
     fn of(body: Body, transmission: f64) -> Body {
         let material =
@@ -99,7 +99,7 @@ mod tests {
 
     /// What rays inside of the first body may meet, by numbers in the scene.
     fn within(bodies: Vec<Body>) -> Vec<usize> {
-        let stage = Stage::prepare(&Scene { bodies: bodies.into(), ..Scene::default() }).unwrap();
+        let stage = RenderScene::prepare(&Scene { bodies: bodies.into(), ..Scene::default() }).unwrap();
         let own = (0..stage.bounded).find(|&place| stage.scene_index(place) == Some(0)).unwrap();
         let sights = stage.outlook().within(own).unwrap();
         let places = sights.bodies.iter().map(|sight| sight.body).chain(sights.planes.iter().copied());
@@ -114,7 +114,7 @@ mod tests {
         fn nothing_within_a_body_is_missed((own, inside) in body(), other in body()) {
             let target = own.placement.world_from_body().transform_point3(inside);
             let bodies = vec![glass(own), moved(other, target)];
-            let stage = Stage::prepare(&Scene { bodies: bodies.clone().into(), ..Scene::default() }).unwrap();
+            let stage = RenderScene::prepare(&Scene { bodies: bodies.clone().into(), ..Scene::default() }).unwrap();
             prop_assume!(!stage.has_doubles());
             prop_assert_eq!(within(bodies), [0, 1]);
         }
@@ -133,10 +133,10 @@ mod tests {
             }
             let light = |position| Light { position, ..Light::default() };
             let lights = lights.into_iter().map(light).collect();
-            let stage = Stage::prepare(&Scene { bodies: bodies.into(), lights, ..Scene::default() }).unwrap();
-            let blind = Stage { outlook: OnceLock::from(Outlook::default()), ..stage.clone() };
+            let stage = RenderScene::prepare(&Scene { bodies: bodies.into(), lights, ..Scene::default() }).unwrap();
+            let blind = RenderScene { outlook: OnceLock::from(ShadowCandidates::default()), ..stage.clone() };
             let settings = RenderSettings { width: 40, height: 24, samples: 1 };
-            let [seen, unseen] = [stage, blind].map(|stage| render(&stage, settings, &Control::default()).unwrap());
+            let [seen, unseen] = [stage, blind].map(|stage| render(&stage, settings, &RenderControl::default()).unwrap());
             prop_assert_eq!(seen.counts, unseen.counts);
             let bits = |picture: &catoptric_picture::Picture| {
                 picture.pixels().iter().flatten().map(|part| part.to_bits()).collect::<Vec<_>>()

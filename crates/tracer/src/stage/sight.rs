@@ -5,25 +5,25 @@
 
 use glam::{DVec3, Vec3};
 
-use super::hull::Hull;
-use super::level::Level;
-use super::{Stage, StageBody};
-use crate::lanes::Real;
+use super::hull::BoundingHull;
+use super::level::PlaneFrame;
+use super::{RenderScene, RenderBody};
+use crate::lanes::Float32;
 use crate::vector::Vector;
 
 /// The bodies of a stage as they are seen from a point.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Sights {
+pub(crate) struct VisibleBodies {
     pub(super) point: DVec3,
     /// The bounded ones, the nearest first.
-    pub(crate) bodies: Vec<Sight>,
+    pub(crate) bodies: Vec<BoundingCone>,
     /// The planes.
     pub(crate) planes: Vec<u32>,
 }
 
 /// The cone of directions in which a body may lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Sight {
+pub(crate) struct BoundingCone {
     /// The body's place in the stage.
     pub(crate) body: u32,
     /// From the point to the body, or the other way if rays go there, of length 1.
@@ -38,36 +38,36 @@ pub(crate) struct Sight {
 pub(super) const ROUNDING: f64 = 1e-6;
 
 /// How far rounding may lead a ray from a point astray where it comes to a body, meters; `way` is that of
-/// [`Stage::seen_past`].
-fn margin(hull: &Hull, point: DVec3, way: f64) -> f64 {
+/// [`RenderScene::seen_past`].
+fn margin(hull: &BoundingHull, point: DVec3, way: f64) -> f64 {
     4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element() + way)
 }
 
-impl Stage {
+impl RenderScene {
     /// The bodies as they are seen from a point, if they are a handful.
-    pub(crate) fn seen_from(&self, point: [f32; 3]) -> Option<Sights> {
+    pub(crate) fn seen_from(&self, point: [f32; 3]) -> Option<VisibleBodies> {
         self.seen_past(DVec3::from(point.map(f64::from)), 0.0)
     }
 
     /// The same for rays that start as far from the point as `way` at most, and are as far off as the rounding of such
     /// lengths makes them.
-    pub(super) fn seen_past(&self, point: DVec3, way: f64) -> Option<Sights> {
+    pub(super) fn seen_past(&self, point: DVec3, way: f64) -> Option<VisibleBodies> {
         if self.bounded as usize > Self::FEW || self.has_doubles() {
             return None;
         }
-        let sight = |(body, index): (&StageBody, u32)| Some(Sight::new(&body.hull()?, index, point, way));
-        let mut bodies: Vec<Sight> = self.bodies.iter().zip(0..).filter_map(sight).collect();
+        let sight = |(body, index): (&RenderBody, u32)| Some(BoundingCone::new(&body.hull()?, index, point, way));
+        let mut bodies: Vec<BoundingCone> = self.bodies.iter().zip(0..).filter_map(sight).collect();
         bodies.sort_by(|a, b| b.minus_depth.total_cmp(&a.minus_depth));
-        Some(Sights { point, bodies, planes: self.planes().collect() })
+        Some(VisibleBodies { point, bodies, planes: self.planes().collect() })
     }
 
     /// The same for rays that go to the point, whose directions are those from the bodies to it, without what cannot stand in
     /// their way: the only plane, where the point and all other bodies are above it.
-    pub(crate) fn seen_from_light(&self, point: [f32; 3]) -> Option<Sights> {
+    pub(crate) fn seen_from_light(&self, point: [f32; 3]) -> Option<VisibleBodies> {
         let mut sights = self.seen_from(point)?;
         if let [plane] = sights.planes[..] {
-            let level = Level::of(self.body(plane));
-            let mut hulls = self.bodies.iter().filter_map(StageBody::hull);
+            let level = PlaneFrame::of(self.body(plane));
+            let mut hulls = self.bodies.iter().filter_map(RenderBody::hull);
             if level.is_below(sights.point) && hulls.all(|hull| level.is_below_hull(&hull)) {
                 sights.planes.clear();
             }
@@ -80,7 +80,7 @@ impl Stage {
 
     /// What may lie between the outer side of each bounded body and the point that all are seen from. The body itself does
     /// not: it is convex.
-    pub(crate) fn seen_before(&self, all: &Sights) -> Vec<Sights> {
+    pub(crate) fn seen_before(&self, all: &VisibleBodies) -> Vec<VisibleBodies> {
         let before = |index: u32| {
             let own = all.bodies.iter().find(|sight| sight.body == index);
             match (own, self.body(index).hull()) {
@@ -93,7 +93,7 @@ impl Stage {
 
     /// What rays inside of each bounded body may meet before they have left it, if it is transparent: itself, and what
     /// reaches into it.
-    pub(crate) fn seen_within(&self) -> Vec<Option<Sights>> {
+    pub(crate) fn seen_within(&self) -> Vec<Option<VisibleBodies>> {
         let within = |index: u32| {
             let body = self.body(index);
             body.hull().filter(|_| body.is_transparent()).map(|hull| self.reaching_into(&hull))
@@ -102,37 +102,37 @@ impl Stage {
     }
 
     /// What has some part in a hull, by sights that tell no more.
-    fn reaching_into(&self, hull: &Hull) -> Sights {
-        let is_apart = |other: Hull| hull.is_apart(&other, 8.0 * ROUNDING * (hull.extent() + other.extent()));
+    fn reaching_into(&self, hull: &BoundingHull) -> VisibleBodies {
+        let is_apart = |other: BoundingHull| hull.is_apart(&other, 8.0 * ROUNDING * (hull.extent() + other.extent()));
         let reaches_in = |&index: &u32| !self.body(index).hull().is_some_and(is_apart);
-        let crosses = |&plane: &u32| !Level::of(self.body(plane)).is_apart_from(hull);
-        Sights {
-            bodies: (0..self.bounded).filter(reaches_in).map(Sight::of_anywhere).collect(),
+        let crosses = |&plane: &u32| !PlaneFrame::of(self.body(plane)).is_apart_from(hull);
+        VisibleBodies {
+            bodies: (0..self.bounded).filter(reaches_in).map(BoundingCone::of_anywhere).collect(),
             planes: self.planes().filter(crosses).collect(),
-            ..Sights::default()
+            ..VisibleBodies::default()
         }
     }
 }
 
-impl Sights {
+impl VisibleBodies {
     /// The same with one more body, that may lie in any direction.
     pub(crate) fn and(&self, body: u32) -> Self {
-        let own = Sight::of_anywhere(body);
+        let own = BoundingCone::of_anywhere(body);
         Self { bodies: [own].into_iter().chain(self.bodies.iter().copied()).collect(), ..self.clone() }
     }
 
     /// What may lie between the point and one of the bodies.
-    fn before(&self, stage: &Stage, own: &Sight, hull: &Hull) -> Self {
+    fn before(&self, stage: &RenderScene, own: &BoundingCone, hull: &BoundingHull) -> Self {
         let sin = (1.0 - own.cos * own.cos).max(0.0).sqrt();
         let axis = Vector::splat(0.0, own.axis);
         let farthest = hull.farthest(self.point) + margin(hull, self.point, 0.0);
         let farthest = farthest as f32 * (1.0 + ROUNDING as f32);
-        let may_be_before = |sight: &&Sight| {
+        let may_be_before = |sight: &&BoundingCone| {
             let is_beside = own.cos > 0.0 && !sight.is_met_by_cone(axis, own.cos, sin);
             sight.body != own.body && !is_beside && sight.minus_depth + farthest >= 0.0
         };
         let may_divide = |&&plane: &&u32| {
-            let level = Level::of(stage.body(plane));
+            let level = PlaneFrame::of(stage.body(plane));
             !level.is_below(self.point) || !level.is_below_hull(hull)
         };
         Self {
@@ -144,12 +144,12 @@ impl Sights {
 
     /// Keeps of others what some ray may meet whose angle with `axis` has a cosine of at least `cos`, and that starts so far
     /// on the way from the point.
-    pub(crate) fn keep(&mut self, stage: &Stage, all: &Self, (axis, cos): (Vector<f32>, f32), way: f32) {
+    pub(crate) fn keep(&mut self, stage: &RenderScene, all: &Self, (axis, cos): (Vector<f32>, f32), way: f32) {
         let sin = self.keep_bodies(all, (axis, cos), way);
         self.planes.clear();
         let axis = Vec3::from(axis).as_dvec3();
         let is_met = |&&plane: &&u32| {
-            let level = Level::of(stage.body(plane));
+            let level = PlaneFrame::of(stage.body(plane));
             let rise = level.up.dot(axis);
             let least_rise = rise * f64::from(cos) - (1.0 - rise * rise).max(0.0).sqrt() * f64::from(sin);
             !level.is_below(all.point) || least_rise < 4.0 * ROUNDING
@@ -168,8 +168,8 @@ impl Sights {
     }
 }
 
-impl Sight {
-    fn new(hull: &Hull, body: u32, point: DVec3, way: f64) -> Self {
+impl BoundingCone {
+    fn new(hull: &BoundingHull, body: u32, point: DVec3, way: f64) -> Self {
         let margin = margin(hull, point, way);
         let Some((axis, cos)) = hull.cone_from(point, margin) else { return Self::of_anywhere(body) };
         let depth = hull.lowest(axis) - axis.dot(point) - margin;
@@ -199,7 +199,7 @@ impl Sight {
 
     /// Whether rays from the point in these directions, of length 1, may meet the body before `reach`, finite.
     #[inline(always)]
-    pub(crate) fn is_met<R: Real>(&self, direction: Vector<R>, reach: R) -> R::Mask {
+    pub(crate) fn is_met<R: Float32>(&self, direction: Vector<R>, reach: R) -> R::Mask {
         let along = direction.dot(Vector::splat(reach, self.axis));
         let within = along - self.cos;
         let behind = along.times_plus(reach, reach.like(self.minus_depth));
@@ -279,9 +279,9 @@ pub(super) mod tests {
         #[test]
         fn no_body_is_missed((body, within) in body(), eye in point(50.0), aside in point(0.3)) {
             let target = body.placement.world_from_body().transform_point3(within);
-            let stage_body = StageBody::prepare(&body, &RenderSpace::default()).body;
+            let stage_body = RenderBody::prepare(&body, &RenderSpace::default()).body;
             let eye = vector(eye);
-            let sight = Sight::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3(), 0.0);
+            let sight = BoundingCone::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3(), 0.0);
             let (direction, distance) = (target - Vec3::from(eye).as_dvec3()).normalize_and_length();
             prop_assume!(distance > 1e-2);
             prop_assert!(sight.is_met(vector(direction), f32::MAX));
@@ -307,7 +307,7 @@ pub(super) mod tests {
             let target = body.placement.world_from_body().transform_point3(within);
             let other = moved(other, light.lerp(target, share));
             let scene = Scene { bodies: [body, other].into(), ..Scene::default() };
-            let stage = Stage::prepare(&scene).unwrap();
+            let stage = RenderScene::prepare(&scene).unwrap();
             // Of bodies in double precision nothing is known beforehand.
             prop_assume!(!stage.has_doubles());
             let all = stage.seen_from(light.as_vec3().to_array()).unwrap();
@@ -319,7 +319,7 @@ pub(super) mod tests {
         /// The sphere around a body is no larger than it needs to be: near its surface, on no side can it be moved away.
         #[test]
         fn spheres_are_tight((body, _) in body()) {
-            let body = StageBody::prepare(&body, &RenderSpace::default()).body;
+            let body = RenderBody::prepare(&body, &RenderSpace::default()).body;
             let (sphere, hull) = (body.bounding_sphere(), body.hull().unwrap());
             let center = DVec3::from(sphere.center.map(f64::from));
             // The corners of hulls lie outside of discs, in the same directions.
@@ -336,8 +336,8 @@ pub(super) mod tests {
 
     #[test]
     fn what_lies_elsewhere_or_behind_is_passed_over() {
-        let ball = Hull { points: vec![DVec3::new(0.0, 0.0, -10.0)], radius: 1.0 };
-        let sight = Sight::new(&ball, 0, DVec3::ZERO, 0.0);
+        let ball = BoundingHull { points: vec![DVec3::new(0.0, 0.0, -10.0)], radius: 1.0 };
+        let sight = BoundingCone::new(&ball, 0, DVec3::ZERO, 0.0);
         let at =
             |degrees: f64| vector(DVec3::new(degrees.to_radians().sin(), 0.0, -degrees.to_radians().cos()));
         // The sphere is seen under asin(1/10) = 5.74° from its center.
@@ -353,8 +353,8 @@ pub(super) mod tests {
         };
         let wall = Shape::Cube { size: DVec3::new(8.0, 3.0, 0.1) };
         let wall = Body { shape: wall, placement, ..Body::default() };
-        let wall = StageBody::prepare(&wall, &RenderSpace::default()).body;
-        let sight = Sight::new(&wall.hull().unwrap(), 0, DVec3::ZERO, 0.0);
+        let wall = RenderBody::prepare(&wall, &RenderSpace::default()).body;
+        let sight = BoundingCone::new(&wall.hull().unwrap(), 0, DVec3::ZERO, 0.0);
         assert!(sight.is_met(at(53.0), 20.0) && !sight.is_met(at(58.0), 20.0));
         assert!(!sight.is_met(at(0.0), 2.9) && sight.is_met(at(0.0), 3.1));
         assert!(!sight.is_met(at(45.0), 4.1) && sight.is_met(at(45.0), 4.4));
@@ -370,7 +370,7 @@ pub(super) mod tests {
         };
         let shades = |x: f64, z: f64| {
             let scene = Scene { bodies: [ball(0.0, -10.0), ball(x, z)].into(), ..Scene::default() };
-            let stage = Stage::prepare(&scene).unwrap();
+            let stage = RenderScene::prepare(&scene).unwrap();
             let own = (0..2).find(|&place| stage.scene_index(place) == Some(0)).unwrap();
             let all = stage.seen_from([0.0; 3]).unwrap();
             !stage.seen_before(&all)[own as usize].bodies.is_empty()
@@ -392,7 +392,7 @@ pub(super) mod tests {
         };
         let floor = Body { shape: Shape::Plane, ..Body::default() };
         let stage = |bodies: Vec<Body>| {
-            Stage::prepare(&Scene {
+            RenderScene::prepare(&Scene {
                 bodies: bodies.into(),
                 lights: vec![Light::default()],
                 ..Scene::default()
@@ -412,7 +412,7 @@ pub(super) mod tests {
         let stage = stage(vec![floor, at(1.0)]);
         let ahead = |eye: [f32; 3], degrees: f64| {
             let (sin, cos) = degrees.to_radians().sin_cos();
-            let mut ahead = Sights::default();
+            let mut ahead = VisibleBodies::default();
             let cone = (vector(DVec3::new(0.0, sin, -cos)), 10.0_f32.to_radians().cos());
             ahead.keep(&stage, &stage.seen_from(eye).unwrap(), cone, 0.0);
             ahead.planes.len()

@@ -4,28 +4,28 @@ use std::f32::consts::{PI, TAU};
 
 use catoptric_scene::{Environment, Surroundings};
 
-use super::image::{Beyond, StageImage};
+use super::image::{AddressMode, ImageLookup};
 use super::numbers;
-use crate::lanes::{MOST_LANES, Mask as _, One, Real as _, Width};
+use crate::lanes::{MOST_LANES, Mask as _, ScalarWidth, Float32 as _, Width};
 use crate::vector::Vector;
 
 /// What rays that hit nothing bring.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum StageSky {
+pub(crate) enum EnvironmentLight {
     /// The same from everywhere.
     Even([f32; 3]),
     /// Light that changes with the height.
     Gradient { zenith: [f32; 3], horizon: [f32; 3], nadir: [f32; 3] },
     /// Longitudes across, latitudes down.
     Picture {
-        image: StageImage,
+        image: ImageLookup,
         /// The part of a full turn by which the picture is turned about the y axis, from z to x.
         turn: f32,
         strength: f32,
     },
 }
 
-impl StageSky {
+impl EnvironmentLight {
     pub(super) fn new(environment: &Environment) -> Self {
         let strength = environment.strength as f32;
         let even = Self::Even(numbers(environment.background));
@@ -36,7 +36,7 @@ impl StageSky {
                 let [zenith, horizon, nadir] = [sky.zenith, sky.horizon, sky.nadir].map(light);
                 Self::Gradient { zenith, horizon, nadir }
             }
-            Surroundings::Picture(image) => StageImage::new(image).map_or(even, |image| {
+            Surroundings::Picture(image) => ImageLookup::new(image).map_or(even, |image| {
                 let turn = (environment.rotation_degrees / 360.0).rem_euclid(1.0) as f32;
                 Self::Picture { image, turn, strength }
             }),
@@ -68,7 +68,7 @@ impl StageSky {
 
     /// The light that comes from a direction of length 1.
     pub(crate) fn along(&self, direction: Vector<f32>) -> Vector<f32> {
-        self.light(One, direction, true)
+        self.light(ScalarWidth, direction, true)
     }
 
     #[cold]
@@ -97,7 +97,7 @@ impl StageSky {
                 let longitude = x.atan2(-z) / TAU;
                 let latitude = y.atan2((x * x + z * z).sqrt()) / PI;
                 // Turned from z to x, the picture's middle, at -z, goes towards -x.
-                image.at(0.5 + longitude + turn, 0.5 - latitude, Beyond::Repeats).map(|part| part * strength)
+                image.at(0.5 + longitude + turn, 0.5 - latitude, AddressMode::Repeats).map(|part| part * strength)
             }
         }
     }
@@ -109,7 +109,7 @@ mod tests {
 
     use super::*;
 
-    fn along(sky: &StageSky, direction: [f32; 3]) -> f32 {
+    fn along(sky: &EnvironmentLight, direction: [f32; 3]) -> f32 {
         let direction = glam::Vec3::from(direction).normalize();
         sky.along(direction.into()).x
     }
@@ -120,7 +120,7 @@ mod tests {
         let sky = Sky { zenith: of(1.0), horizon: of(3.0), nadir: of(7.0) };
         let environment =
             Environment { surroundings: Surroundings::Sky(sky), strength: 2.0, ..Environment::default() };
-        let sky = StageSky::new(&environment);
+        let sky = EnvironmentLight::new(&environment);
         let found = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 3.0, 4.0], [4.0, -3.0, 0.0]];
         let found = found.map(|direction| along(&sky, direction));
         for (found, exact) in found.into_iter().zip([2.0, 6.0, 14.0, 3.6, 10.8]) {
@@ -131,11 +131,11 @@ mod tests {
     #[test]
     fn the_middle_of_a_picture_is_ahead_and_turns_as_bodies_do() {
         // From left to right: behind, left, ahead, right. The pole has the mean of two rows.
-        let image = StageImage::of_grays(&[[10.0; 4], [0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 2.0, 3.0], [20.0; 4]]);
-        let picture = |turn| StageSky::Picture { image: image.clone(), turn, strength: 1.0 };
+        let image = ImageLookup::of_grays(&[[10.0; 4], [0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 2.0, 3.0], [20.0; 4]]);
+        let picture = |turn| EnvironmentLight::Picture { image: image.clone(), turn, strength: 1.0 };
         // A quarter of a pixel's width from centers: halves of pixels.
         let eighth = std::f32::consts::FRAC_PI_4;
-        let at = |sky: &StageSky, degrees: f32| {
+        let at = |sky: &EnvironmentLight, degrees: f32| {
             let (sin, cos) = (degrees.to_radians() + eighth).sin_cos();
             along(sky, [sin, 0.0, -cos])
         };
@@ -154,6 +154,6 @@ mod tests {
         let surroundings = Surroundings::Picture(catoptric_scene::Image::new("nowhere.png"));
         let environment =
             Environment { background: Color::gray(0.25), surroundings, ..Environment::default() };
-        assert_eq!(StageSky::new(&environment), StageSky::Even([0.25; 3]));
+        assert_eq!(EnvironmentLight::new(&environment), EnvironmentLight::Even([0.25; 3]));
     }
 }

@@ -34,12 +34,12 @@ const FEW_TO_CHECK: usize = 4096;
 pub(crate) struct RenderSpace {
     /// In the world, meters.
     pub(crate) origin: DVec3,
-    view: Scale,
+    view: PictureScale,
 }
 
 /// How large things are in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Scale {
+struct PictureScale {
     /// Where distances are measured from, in the world.
     focus: DVec3,
     /// The height of the picture for each meter of distance, and the least one, meters.
@@ -50,14 +50,14 @@ struct Scale {
 /// The world's own, seen by the default camera.
 impl Default for RenderSpace {
     fn default() -> Self {
-        Self { origin: DVec3::ZERO, view: Scale::of(&Camera::default()) }
+        Self { origin: DVec3::ZERO, view: PictureScale::of(&Camera::default()) }
     }
 }
 
 impl RenderSpace {
     /// The space for a scene seen by a camera.
     pub(crate) fn of(scene: &Scene, camera: &Camera) -> Self {
-        let view = Scale::of(camera);
+        let view = PictureScale::of(camera);
         let is_near = view.allows(scene, view.focus.abs().max_element());
         Self { origin: if is_near { DVec3::ZERO } else { view.focus }, view }
     }
@@ -86,7 +86,7 @@ impl RenderSpace {
         largest: f64,
         is_double: impl Fn(usize) -> bool,
     ) -> bool {
-        let view = Scale::of(camera);
+        let view = PictureScale::of(camera);
         let is_near = |origin: DVec3| view.allows(scene, (view.focus - origin).abs().max_element());
         if !is_near(self.origin) || (self.origin != DVec3::ZERO && is_near(DVec3::ZERO)) {
             return false;
@@ -141,7 +141,7 @@ impl RenderSpace {
     }
 }
 
-impl Scale {
+impl PictureScale {
     fn of(camera: &Camera) -> Self {
         let way = camera.position.distance(camera.target);
         match camera.projection {

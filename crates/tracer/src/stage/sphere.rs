@@ -6,7 +6,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::DAffine3;
 
-use crate::lanes::Real;
+use crate::lanes::Float32;
 use crate::ray::POINT_ROUNDING;
 use crate::shape::ShapeKind;
 use crate::vector::Vector;
@@ -53,7 +53,7 @@ impl BoundingSphere {
     /// With m the way to the center and s = m·d, the ray passes at √(m·m - s²). All roundings of that together are
     /// less than `ROUNDING` of m·m.
     #[inline(always)]
-    pub(crate) fn is_met<R: Real>(&self, origin: Vector<R>, direction: Vector<R>, reach: R) -> R::Mask {
+    pub(crate) fn is_met<R: Float32>(&self, origin: Vector<R>, direction: Vector<R>, reach: R) -> R::Mask {
         let to_center = Vector::splat(reach, self.center) - origin;
         let along = to_center.dot(direction);
         let distance_squared = to_center.dot(to_center);

@@ -4,23 +4,23 @@ use std::f32::consts::{PI, TAU};
 
 use catoptric_scene::Material;
 
-use super::image::{Beyond, StageImage};
-use crate::lanes::{MOST_LANES, Mask as _, Real as _, Width};
-use crate::shape::{Canonical, ShapeKind};
+use super::image::{AddressMode, ImageLookup};
+use crate::lanes::{MOST_LANES, Mask as _, Float32 as _, Width};
+use crate::shape::{CanonicalShape, ShapeKind};
 use crate::vector::Vector;
 
 /// A picture on the body, in the place of its color.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Texture(StageImage);
+pub(crate) struct ImageTexture(ImageLookup);
 
-impl Texture {
+impl ImageTexture {
     /// The texture of a material whose color is seen, once its pixels are known.
     pub(super) fn new(material: &Material) -> Option<Self> {
         let image = material.texture.as_ref().filter(|_| material.model.has_color())?;
-        StageImage::new(image).map(Self)
+        ImageLookup::new(image).map(Self)
     }
 
-    pub(crate) fn image(&self) -> &StageImage {
+    pub(crate) fn image(&self) -> &ImageLookup {
         &self.0
     }
 
@@ -35,7 +35,7 @@ impl Texture {
     pub(crate) fn colors<W: Width>(
         &self,
         w: W,
-        shape: Canonical,
+        shape: CanonicalShape,
         in_body: Vector<W::R>,
         lanes: W::M,
     ) -> Vector<W::R> {
@@ -51,7 +51,7 @@ impl Texture {
         Vector::new(w.load(&red), w.load(&green), w.load(&blue))
     }
 
-    fn color(&self, shape: Canonical, point: [f32; 3]) -> [f32; 3] {
+    fn color(&self, shape: CanonicalShape, point: [f32; 3]) -> [f32; 3] {
         let (u, v, beyond) = place(shape, point);
         self.0.at(u, v, beyond)
     }
@@ -61,13 +61,13 @@ impl Texture {
 pub(crate) const LEVEL: f32 = 1e-6;
 
 /// Where a point of a body's surface lies in the picture: its middle is where z is largest, seen upright from outside.
-fn place(shape: Canonical, [x, y, z]: [f32; 3]) -> (f32, f32, Beyond) {
+fn place(shape: CanonicalShape, [x, y, z]: [f32; 3]) -> (f32, f32, AddressMode) {
     let around = || 0.5 + x.atan2(z) / TAU;
     // A square as wide as 2, seen from its front.
-    let flat = |right: f32, down: f32| (0.5 + 0.5 * right, 0.5 + 0.5 * down, Beyond::Ends);
+    let flat = |right: f32, down: f32| (0.5 + 0.5 * right, 0.5 + 0.5 * down, AddressMode::Ends);
     match shape.kind {
         ShapeKind::Sphere | ShapeKind::Ellipsoid => {
-            (around(), 0.5 - y.atan2((x * x + z * z).sqrt()) / PI, Beyond::Repeats)
+            (around(), 0.5 - y.atan2((x * x + z * z).sqrt()) / PI, AddressMode::Repeats)
         }
         ShapeKind::Cube => {
             let [far_x, far_y, far_z] = [x, y, z].map(f32::abs);
@@ -84,8 +84,8 @@ fn place(shape: Canonical, [x, y, z]: [f32; 3]) -> (f32, f32, Beyond) {
             flat(x / radius.max(LEVEL), z / radius.max(LEVEL))
         }
         ShapeKind::Cylinder | ShapeKind::Cone if y <= LEVEL => flat(x, -z),
-        ShapeKind::Cylinder | ShapeKind::Cone => (around(), 1.0 - y, Beyond::Repeats),
-        ShapeKind::Plane => (x, z.rem_euclid(1.0), Beyond::Repeats),
+        ShapeKind::Cylinder | ShapeKind::Cone => (around(), 1.0 - y, AddressMode::Repeats),
+        ShapeKind::Plane => (x, z.rem_euclid(1.0), AddressMode::Repeats),
     }
 }
 
@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     fn of(kind: ShapeKind, point: [f32; 3]) -> [f32; 2] {
-        let (u, v, _) = place(Canonical { kind, cone_ratio: 0.5 }, point);
+        let (u, v, _) = place(CanonicalShape { kind, cone_ratio: 0.5 }, point);
         [u, v]
     }
 

@@ -2,21 +2,21 @@
 
 use glam::DVec3;
 
-use super::{Block, Place};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
+use super::{PixelBlock, TileRect};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
 use crate::surface::MOST_OF_PIXEL;
 use crate::vector::Vector;
-use crate::whitted::Beams;
+use crate::whitted::PathState;
 
 /// The light of one sample of the pixels of a tile or a group.
 ///
 /// Pixels are numbered block by block, so that those whose rays are traced side by side are neighbors in memory too.
 #[derive(Debug, Default)]
-pub(crate) struct TileLight {
+pub(crate) struct TileRadiance {
     /// What the rays from the eye bring.
-    first: Planes<f32>,
+    first: ChannelPlanes<f32>,
     /// The sums of what all rays of a pixel bring, once there are others.
-    sums: Planes<f64>,
+    sums: ChannelPlanes<f64>,
     is_sum: bool,
     /// No pixel has been set from this one on.
     end: usize,
@@ -27,21 +27,21 @@ pub(crate) struct TileLight {
 }
 
 /// Red, green and blue of all pixels, each in a row of its own; as long as the largest tile so far needed.
-type Planes<T> = [Vec<T>; 3];
+type ChannelPlanes<T> = [Vec<T>; 3];
 
 /// Light, or a sum of light.
-trait Part: Copy {
+trait RadianceScalar: Copy {
     fn rounded(self) -> f32;
 }
 
-impl Part for f32 {
+impl RadianceScalar for f32 {
     #[inline(always)]
     fn rounded(self) -> f32 {
         self
     }
 }
 
-impl Part for f64 {
+impl RadianceScalar for f64 {
     /// Sums may be of very many rays; none is infinite afterwards.
     #[inline(always)]
     fn rounded(self) -> f32 {
@@ -49,9 +49,9 @@ impl Part for f64 {
     }
 }
 
-impl TileLight {
+impl TileRadiance {
     /// Prepares for the pixels of a tile or a group in blocks of this size.
-    pub(super) fn begin(&mut self, place: Place, block: [usize; 2]) {
+    pub(super) fn begin(&mut self, place: TileRect, block: [usize; 2]) {
         self.is_sum = false;
         self.end = 0;
         self.block = block;
@@ -79,7 +79,7 @@ impl TileLight {
 
     /// Adds light to the pixels that it belongs to.
     #[inline(always)]
-    pub(super) fn add<W: Width>(&mut self, w: W, beams: &Beams<W>, light: Vector<W::R>) {
+    pub(super) fn add<W: Width>(&mut self, w: W, beams: &PathState<W>, light: Vector<W::R>) {
         if !self.is_sum {
             self.sum_up();
         }
@@ -129,8 +129,8 @@ impl TileLight {
     }
 
     #[inline(always)]
-    fn write_all<W: Width, P: Part>(&self, w: W, planes: &Planes<P>, rows: &mut [&mut [[f32; 3]]]) {
-        let [width, _] = Block::<W>::SIZE;
+    fn write_all<W: Width, P: RadianceScalar>(&self, w: W, planes: &ChannelPlanes<P>, rows: &mut [&mut [[f32; 3]]]) {
+        let [width, _] = PixelBlock::<W>::SIZE;
         let [reds, greens, blues] = planes;
         for (y, row) in rows.iter_mut().enumerate() {
             let (mut start, (whole, rest)) =
@@ -185,9 +185,9 @@ impl TileLight {
     }
 
     #[inline]
-    fn each_of<P: Part, T>(
+    fn each_of<P: RadianceScalar, T>(
         &self,
-        planes: &Planes<P>,
+        planes: &ChannelPlanes<P>,
         y: usize,
         to: &mut [T],
         mut take: impl FnMut(&mut T, [f32; 3]),
@@ -213,8 +213,8 @@ impl TileLight {
 
 /// A row of as many neighboring blocks as make a vector; the first one begins here.
 #[inline(always)]
-fn row_of_blocks<W: Width>(w: W, parts: &[impl Part]) -> W::R {
-    let [width, _] = Block::<W>::SIZE;
+fn row_of_blocks<W: Width>(w: W, parts: &[impl RadianceScalar]) -> W::R {
+    let [width, _] = PixelBlock::<W>::SIZE;
     let parts = &parts[..(W::LANES / width - 1) * W::LANES + width];
     let mut numbers = [0.0; MOST_LANES];
     for (lane, number) in numbers[..W::LANES].iter_mut().enumerate() {
@@ -224,7 +224,7 @@ fn row_of_blocks<W: Width>(w: W, parts: &[impl Part]) -> W::R {
 }
 
 /// Makes planes at least so long.
-fn make_room<T: Copy + Default>(planes: &mut Planes<T>, pixels: usize) {
+fn make_room<T: Copy + Default>(planes: &mut ChannelPlanes<T>, pixels: usize) {
     for plane in planes {
         if plane.len() < pixels {
             plane.resize(pixels, T::default());

@@ -3,33 +3,33 @@
 use std::path::Path;
 
 use super::*;
-use crate::Search;
-use crate::lanes::{Lanes, One};
+use crate::AcceleratorChoice;
+use crate::lanes::{SimdLevel, ScalarWidth};
 
 const SIZE: (usize, usize) = (90, 50);
 
 /// The light of a picture's pixels, traced in one width, and the rays that it took.
 fn trace<const FULL: bool>(
-    stage: &Stage,
-    trace: impl FnMut(Sample<'_, '_, '_, FULL>) -> bool,
+    stage: &RenderScene,
+    trace: impl FnMut(TileSampleKernel<'_, '_, '_, FULL>) -> bool,
 ) -> (Vec<[f32; 3]>, RayCounts) {
     trace_parts(stage, TILE, trace)
 }
 
 /// The same, of each square of the picture after the other.
 fn trace_parts<const FULL: bool>(
-    stage: &Stage,
+    stage: &RenderScene,
     edge: usize,
-    mut trace: impl FnMut(Sample<'_, '_, '_, FULL>) -> bool,
+    mut trace: impl FnMut(TileSampleKernel<'_, '_, '_, FULL>) -> bool,
 ) -> (Vec<[f32; 3]>, RayCounts) {
-    let control = Control::default();
-    let mut tracer = TileTracer::new(stage, stage.camera(), &control);
+    let control = RenderControl::default();
+    let mut tracer = TileRenderer::new(stage, stage.camera(), &control);
     let size = DVec2::new(SIZE.0 as f64, SIZE.1 as f64);
     let mut light = Vec::new();
-    for place in Place::all(SIZE.0, SIZE.1, edge) {
+    for place in TileRect::all(SIZE.0, SIZE.1, edge) {
         let mut written = vec![[0.0; 3]; place.pixels()];
         let mut rows: Vec<_> = written.chunks_mut(place.width).collect();
-        assert!(trace(Sample { tracer: &mut tracer, place, size, sample: 1, rows: &mut rows }));
+        assert!(trace(TileSampleKernel { tracer: &mut tracer, place, size, sample: 1, rows: &mut rows }));
         for (y, written) in written.chunks(place.width).enumerate() {
             let mut row = vec![[0.0; 3]; place.width];
             tracer.light.each(y, &mut row, |pixel, light| *pixel = light);
@@ -53,9 +53,9 @@ fn all_widths_trace_the_same_picture() {
     let patterned = ["../../crates/scene/examples/textures".to_owned()];
     for name in plain.map(str::to_owned).into_iter().chain(physical).chain(patterned) {
         let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
-        let stage = Stage::prepare(&scene).unwrap();
-        let (alone, rays) = trace::<true>(&stage, |sample| sample.run(One));
-        for (lanes_name, lanes) in Lanes::all() {
+        let stage = RenderScene::prepare(&scene).unwrap();
+        let (alone, rays) = trace::<true>(&stage, |sample| sample.run(ScalarWidth));
+        for (lanes_name, lanes) in SimdLevel::all() {
             let (wide, wide_rays) = if stage.is_full {
                 trace::<true>(&stage, |sample| lanes.run(sample))
             } else {
@@ -82,12 +82,12 @@ fn the_hierarchy_leaves_out_nothing_that_is_met() {
         let body = scene.bodies.get_mut(at).unwrap();
         body.material = catoptric_scene::MaterialChoice::Inline(Box::new(glass.clone()));
     }
-    let taken = |search, lanes: Lanes| {
-        let stage = Stage::prepare_for(&scene, search).unwrap();
+    let taken = |search, lanes: SimdLevel| {
+        let stage = RenderScene::prepare_for(&scene, search).unwrap();
         trace::<false>(&stage, |sample| lanes.run(sample))
     };
-    for (name, lanes) in Lanes::all() {
-        assert!(taken(Search::Quickest, lanes) == taken(Search::OneByOne, lanes), "{name}");
+    for (name, lanes) in SimdLevel::all() {
+        assert!(taken(AcceleratorChoice::Quickest, lanes) == taken(AcceleratorChoice::OneByOne, lanes), "{name}");
     }
 }
 
@@ -98,8 +98,8 @@ fn groups_show_what_tiles_show() {
     // With rays that wait in many levels, and with chance.
     for name in ["cloud", "coloured-glass", "../mitsuba/soft-shadow"] {
         let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
-        let stage = Stage::prepare(&scene).unwrap();
-        for (lanes_name, lanes) in Lanes::all() {
+        let stage = RenderScene::prepare(&scene).unwrap();
+        for (lanes_name, lanes) in SimdLevel::all() {
             let taken = |edge| trace_parts::<true>(&stage, edge, |sample| lanes.run(sample));
             let ((tiles, rays), (group, group_rays)) = (taken(TILE), taken(GROUP * TILE));
             assert_eq!(group_rays, rays, "{name}, {lanes_name}");
@@ -133,13 +133,13 @@ fn streams_from_the_eye_see_what_single_rays_see() {
             body
         }));
     }
-    let stage = Stage::prepare(&scene).unwrap();
-    let (light, _) = trace::<false>(&stage, |sample| Lanes::widest().run(sample));
+    let stage = RenderScene::prepare(&scene).unwrap();
+    let (light, _) = trace::<false>(&stage, |sample| SimdLevel::widest().run(sample));
     let cancel = std::sync::atomic::AtomicBool::new(false);
-    let mut alone = Whitted::new(&stage, &cancel);
+    let mut alone = WhittedIntegrator::new(&stage, &cancel);
     assert!(stage.eye_goes_by_streams());
     let size = UVec2::new(SIZE.0 as u32, SIZE.1 as u32);
-    let pixels = Place::all(SIZE.0, SIZE.1, TILE).flat_map(|place| {
+    let pixels = TileRect::all(SIZE.0, SIZE.1, TILE).flat_map(|place| {
         let pixel = move |at| UVec2::new(at % place.width as u32, at / place.width as u32);
         (0..place.pixels() as u32).map(move |at| UVec2::new(place.x as u32, place.y as u32) + pixel(at))
     });
@@ -153,22 +153,22 @@ fn streams_from_the_eye_see_what_single_rays_see() {
 
 #[test]
 fn a_block_at_the_border_has_no_pixels_beyond_it() {
-    let place = Place { x: 64, y: 0, width: 3, height: 2 };
-    assert_eq!(Block::<One>::lanes(place, 2, 1), 1);
-    assert_eq!(Block::<One>::lanes(place, 3, 1), 0);
+    let place = TileRect { x: 64, y: 0, width: 3, height: 2 };
+    assert_eq!(PixelBlock::<ScalarWidth>::lanes(place, 2, 1), 1);
+    assert_eq!(PixelBlock::<ScalarWidth>::lanes(place, 3, 1), 0);
 }
 
 /// Pixels are numbered by blocks and handed out by rows, whatever the size of the tile.
 #[test]
 fn light_comes_back_row_by_row() {
-    let place = Place { x: 0, y: 0, width: 7, height: 6 };
-    let mut light = TileLight::default();
+    let place = TileRect { x: 0, y: 0, width: 7, height: 6 };
+    let mut light = TileRadiance::default();
     light.begin(place, [4, 4]);
     for block in 0..4 {
         let (left, top) = (4 * (block % 2), 4 * (block / 2));
         for lane in 0..16 {
             let at = [left + lane % 4, top + lane / 4, 1].map(|number| number as f32);
-            light.set::<One>(16 * block + lane, Vector::from(glam::Vec3::from(at)));
+            light.set::<ScalarWidth>(16 * block + lane, Vector::from(glam::Vec3::from(at)));
         }
     }
     for y in 0..place.height {

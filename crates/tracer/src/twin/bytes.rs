@@ -8,20 +8,20 @@ use rayon::prelude::*;
 
 use crate::sampling::sample_offset;
 use crate::stage::{
-    Hierarchy, Node, Stage, StageBody, StageCamera, StageChanges, StageChecker, StageFalloff, StageLight,
-    StageMaterial, StageSky,
+    Accelerator, BvhNode, RenderScene, RenderBody, RenderCamera, SceneChanges, CheckerTexture, LightFalloff, RenderLight,
+    RenderMaterial, EnvironmentLight,
 };
-use crate::tile::{Place, TILE};
+use crate::tile::{TileRect, TILE};
 
 use super::MOST_MEDIA;
 use super::fit::eye_media;
-use super::laws::{self, BallBytes, Physical};
-use super::pictures::Pictures;
+use super::laws::{self, SphereLightBytes, PhysicalFeatures};
+use super::pictures::PictureAtlas;
 
-/// The most samples of one [`Frame`].
+/// The most samples of one [`FrameUniforms`].
 pub const FRAME_PLACES: usize = 16;
 
-/// Bytes to a body of [`StageArrays::scene_order`].
+/// Bytes to a body of [`SceneArrays::scene_order`].
 const ORDER_BYTES: usize = size_of::<[u32; 2]>();
 
 pub(super) const FALLOFF_NONE: u32 = 0;
@@ -30,9 +30,9 @@ const FALLOFF_INVERSE_SQUARE: u32 = 2;
 
 /// The arrays of a stage, each as the bytes of the shader's array of the same name.
 #[derive(Clone, Copy)]
-pub struct StageArrays<'a>(pub &'a Stage);
+pub struct SceneArrays<'a>(pub &'a RenderScene);
 
-impl<'a> StageArrays<'a> {
+impl<'a> SceneArrays<'a> {
     /// The bodies, as they stand in the stage.
     pub fn bodies(self) -> &'a [u8] {
         bytemuck::cast_slice(&self.0.bodies)
@@ -41,23 +41,23 @@ impl<'a> StageArrays<'a> {
     /// Nodes of the hierarchy, or bounding spheres, as they stand in the stage.
     pub fn boxes(self) -> &'a [u8] {
         match &self.0.hierarchy {
-            Hierarchy::Few => bytemuck::cast_slice(&self.0.spheres),
-            Hierarchy::Many(bvh) => bytemuck::cast_slice(bvh.nodes()),
+            Accelerator::Few => bytemuck::cast_slice(&self.0.spheres),
+            Accelerator::Many(bvh) => bytemuck::cast_slice(bvh.nodes()),
         }
     }
 
     /// Which bytes of the bodies, of the boxes and of their order in the scene changes concern.
-    pub fn parts(self, changes: &StageChanges) -> [Vec<Range<usize>>; 3] {
+    pub fn parts(self, changes: &SceneChanges) -> [Vec<Range<usize>>; 3] {
         let bodies = |bytes: usize| {
             let range = |range: &Range<u32>| range.start as usize * bytes..range.end as usize * bytes;
             changes.bodies.iter().map(range).collect()
         };
-        let node = |&node: &u32| node as usize * size_of::<Node>()..(node as usize + 1) * size_of::<Node>();
-        [bodies(size_of::<StageBody>()), changes.nodes.iter().map(node).collect(), bodies(ORDER_BYTES)]
+        let node = |&node: &u32| node as usize * size_of::<BvhNode>()..(node as usize + 1) * size_of::<BvhNode>();
+        [bodies(size_of::<RenderBody>()), changes.nodes.iter().map(node).collect(), bodies(ORDER_BYTES)]
     }
 
     /// Of each body its place in the scene and, if `ranked`, its place among all bodies in the order of their volumes
-    /// (see [`Specialization::asks_each_start`](super::Specialization::asks_each_start)).
+    /// (see [`ShaderSpecialization::asks_each_start`](super::Specialization::asks_each_start)).
     pub fn scene_order(self, ranked: bool) -> Vec<u8> {
         let stage = self.0;
         let mut order: Vec<[u32; 2]> = stage.scene_indices.iter().map(|&index| [index, 0]).collect();
@@ -76,10 +76,10 @@ impl<'a> StageArrays<'a> {
         bytemuck::cast_slice(&order).to_vec()
     }
 
-    /// The materials, in the form that the shader of the stage's [`Specialization`](super::Specialization) reads.
+    /// The materials, in the form that the shader of the stage's [`ShaderSpecialization`](super::Specialization) reads.
     pub fn materials(self) -> Vec<u8> {
-        match Physical::of(self.0) {
-            Physical::NOTHING => {
+        match PhysicalFeatures::of(self.0) {
+            PhysicalFeatures::NOTHING => {
                 let pictures = self.pictures();
                 bytes(self.0.materials.iter().map(|material| MaterialBytes::of(material, &pictures)))
             }
@@ -88,20 +88,20 @@ impl<'a> StageArrays<'a> {
     }
 
     /// The pictures around the bodies and on them.
-    pub fn pictures(self) -> Pictures {
-        Pictures::of(self.0)
+    pub fn pictures(self) -> PictureAtlas {
+        PictureAtlas::of(self.0)
     }
 
     /// The checkers.
     pub fn checkers(self) -> Vec<u8> {
-        bytes(self.0.checkers.iter().map(StageChecker::rows))
+        bytes(self.0.checkers.iter().map(CheckerTexture::rows))
     }
 
     /// The lights, in the form that the same shader reads.
     pub fn lights(self) -> Vec<u8> {
-        match Physical::of(self.0) {
-            Physical::NOTHING => bytes(self.0.lights.iter().map(LightBytes::of)),
-            _ => bytes(self.0.lights.iter().map(BallBytes::of)),
+        match PhysicalFeatures::of(self.0) {
+            PhysicalFeatures::NOTHING => bytes(self.0.lights.iter().map(LightBytes::of)),
+            _ => bytes(self.0.lights.iter().map(SphereLightBytes::of)),
         }
     }
 }
@@ -126,10 +126,10 @@ struct MaterialBytes {
 }
 
 impl MaterialBytes {
-    fn of(material: &StageMaterial, pictures: &Pictures) -> Self {
+    fn of(material: &RenderMaterial, pictures: &PictureAtlas) -> Self {
         // All fields by name: what the shaders do not know must not be left out unnoticed.
         // Where the last ones mean anything, `laws.rs` packs them.
-        let StageMaterial {
+        let RenderMaterial {
             color,
             ambient,
             diffuse,
@@ -160,21 +160,21 @@ pub(super) struct LightBytes {
 }
 
 impl LightBytes {
-    pub(super) fn of(light: &StageLight) -> Self {
-        let StageLight { position, power, falloff, radius: _, shines: _ } = *light;
+    pub(super) fn of(light: &RenderLight) -> Self {
+        let RenderLight { position, power, falloff, radius: _, shines: _ } = *light;
         let (falloff, constant) = match falloff {
-            StageFalloff::None => (FALLOFF_NONE, 0.0),
-            StageFalloff::Linear(constant) => (FALLOFF_LINEAR, constant),
-            StageFalloff::InverseSquare => (FALLOFF_INVERSE_SQUARE, 0.0),
+            LightFalloff::None => (FALLOFF_NONE, 0.0),
+            LightFalloff::Linear(constant) => (FALLOFF_LINEAR, constant),
+            LightFalloff::InverseSquare => (FALLOFF_INVERSE_SQUARE, 0.0),
         };
         Self { position, falloff, power, constant }
     }
 }
 
-/// What changes from picture to picture and from dispatch to dispatch: twin of the shader's `Frame`.
+/// What changes from picture to picture and from dispatch to dispatch: twin of the shader's `FrameUniforms`.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct Frame {
+pub struct FrameUniforms {
     background: [f32; 3],
     generations: u32,
     ambient: [f32; 3],
@@ -198,15 +198,15 @@ pub struct Frame {
     places: [[f32; 4]; FRAME_PLACES],
 }
 
-impl Frame {
+impl FrameUniforms {
     /// For a picture of `size` pixels.
-    pub fn new(stage: &Stage, camera: &StageCamera, size: [u32; 2]) -> Self {
+    pub fn new(stage: &RenderScene, camera: &RenderCamera, size: [u32; 2]) -> Self {
         let media = eye_media(stage, camera);
         let nothing = [0.0; 3];
         let (background, horizon, nadir, turn) = match stage.sky {
-            StageSky::Even(color) => (color, nothing, nothing, 0.0),
-            StageSky::Gradient { zenith, horizon, nadir } => (zenith, horizon, nadir, 0.0),
-            StageSky::Picture { image: _, turn, strength } => ([strength; 3], nothing, nothing, turn),
+            EnvironmentLight::Even(color) => (color, nothing, nothing, 0.0),
+            EnvironmentLight::Gradient { zenith, horizon, nadir } => (zenith, horizon, nadir, 0.0),
+            EnvironmentLight::Picture { image: _, turn, strength } => ([strength; 3], nothing, nothing, turn),
         };
         let mut frame = Self {
             background,
@@ -247,10 +247,10 @@ fn tiles_across(width: u32) -> u32 {
     width.div_ceil(TILE as u32)
 }
 
-/// The primary rays of a tile: twin of the shader's `RaysNear`.
+/// The primary rays of a tile: twin of the shader's `CameraRays`.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct TileRays {
+pub struct CameraRaysBytes {
     pub(crate) start: [f32; 3],
     pub(crate) way: f32,
     pub(crate) start_rest: [f32; 3],
@@ -267,9 +267,9 @@ pub struct TileRays {
 
 /// The rays of all tiles of a picture of `size` pixels, row by row, computed in double precision by the threads of the
 /// current rayon pool. All samples share them.
-pub fn tile_rays(camera: &StageCamera, size: [u32; 2]) -> Vec<TileRays> {
+pub fn tile_rays(camera: &RenderCamera, size: [u32; 2]) -> Vec<CameraRaysBytes> {
     let [width, height] = size.map(|side| side as usize);
-    let places: Vec<Place> = Place::all(width, height, TILE).collect();
+    let places: Vec<TileRect> = TileRect::all(width, height, TILE).collect();
     let size = DVec2::new(f64::from(size[0]), f64::from(size[1]));
     places.par_iter().map(|place| place.rays_near(camera, size).as_tile_rays()).collect()
 }

@@ -1,14 +1,14 @@
 //! Which shader fits a stage, and which stages none does.
 
-use crate::media::MediaTable;
+use crate::media::MediumStacks;
 use crate::shape::ShapeKind;
-use crate::stage::{Hierarchy, Stage, StageBody, StageCamera, StageChanges, StageMaterial, StageSky};
+use crate::stage::{Accelerator, RenderScene, RenderBody, RenderCamera, SceneChanges, RenderMaterial, EnvironmentLight};
 
-use super::{MOST_INTERVALS, MOST_MEDIA, MOST_RAYS, Physical};
+use super::{MOST_INTERVALS, MOST_MEDIA, MOST_RAYS, PhysicalFeatures};
 
 /// What is found among the bodies of a stage, or was before an edit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Contents {
+pub struct SceneContents {
     /// A bit for each kind of shape.
     shapes: u32,
     /// How many are transparent, or more.
@@ -19,7 +19,7 @@ pub struct Contents {
 
 /// What a shader is made for: stages and cameras of one kind share it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Specialization {
+pub struct ShaderSpecialization {
     /// A bit for each [`ShapeKind`] that occurs.
     pub shapes: u32,
     /// The longest way through the hierarchy of boxes, nodes; 0 where a few bounding spheres are tested instead.
@@ -33,16 +33,16 @@ pub struct Specialization {
     /// Whether primary rays start in different media: those of a parallel projection, among transparent bodies.
     pub asks_each_start: bool,
     /// What there is of physical materials and lights.
-    pub physical: Physical,
+    pub physical: PhysicalFeatures,
     /// What surrounds the bodies.
-    pub sky: Sky,
+    pub sky: EnvironmentKind,
     /// Whether there are pictures on bodies.
     pub textures: bool,
 }
 
 /// What surrounds the bodies of a stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Sky {
+pub enum EnvironmentKind {
     /// The same light from everywhere.
     #[default]
     Even,
@@ -52,19 +52,19 @@ pub enum Sky {
     Picture,
 }
 
-impl Sky {
-    fn of(stage: &Stage) -> Self {
+impl EnvironmentKind {
+    fn of(stage: &RenderScene) -> Self {
         match stage.sky {
-            StageSky::Even(_) => Self::Even,
-            StageSky::Gradient { .. } => Self::Gradient,
-            StageSky::Picture { .. } => Self::Picture,
+            EnvironmentLight::Even(_) => Self::Even,
+            EnvironmentLight::Gradient { .. } => Self::Gradient,
+            EnvironmentLight::Picture { .. } => Self::Picture,
         }
     }
 }
 
 /// What a graphics card cannot draw; the CPU can.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Unsupported {
+pub enum UnsupportedOnGpu {
     /// Some body is huge beside what is seen, or extremely flat, and is intersected in double precision.
     #[error("a body is so large or so flat that it needs double precision, which the GPU does not have")]
     DoublePrecision,
@@ -82,23 +82,23 @@ pub enum Unsupported {
     LongTree,
 }
 
-impl Contents {
+impl SceneContents {
     /// Looks at all bodies of a stage.
-    pub fn of(stage: &Stage) -> Self {
+    pub fn of(stage: &RenderScene) -> Self {
         let mut contents = Self { depth: depth(stage), ..Self::default() };
         contents.add(&stage.bodies);
         contents
     }
 
     /// Takes up what bodies that have changed are now.
-    pub fn follow(&mut self, stage: &Stage, changes: &StageChanges) {
+    pub fn follow(&mut self, stage: &RenderScene, changes: &SceneChanges) {
         for range in &changes.bodies {
             let range = range.start as usize..range.end as usize;
             self.add(stage.bodies.get(range).unwrap_or_default());
         }
     }
 
-    fn add(&mut self, bodies: &[StageBody]) {
+    fn add(&mut self, bodies: &[RenderBody]) {
         for body in bodies {
             self.shapes |= 1 << u32::from(body.kind);
             self.transparent += usize::from(body.is_transparent());
@@ -106,26 +106,26 @@ impl Contents {
     }
 }
 
-impl Specialization {
+impl ShaderSpecialization {
     /// The specialization for a stage seen through a camera, or what in them the shaders cannot draw.
     ///
     /// # Errors
-    /// What is known beforehand not to fit; [`Unsupported::NestedMedia`] only shows while drawing.
-    pub fn of(contents: &Contents, stage: &Stage, camera: &StageCamera) -> Result<Self, Unsupported> {
+    /// What is known beforehand not to fit; [`UnsupportedOnGpu::NestedMedia`] only shows while drawing.
+    pub fn of(contents: &SceneContents, stage: &RenderScene, camera: &RenderCamera) -> Result<Self, UnsupportedOnGpu> {
         if stage.has_doubles() {
-            return Err(Unsupported::DoublePrecision);
+            return Err(UnsupportedOnGpu::DoublePrecision);
         }
-        let physical = Physical::of(stage);
-        let is_textured = |material: &StageMaterial| material.texture.is_some();
+        let physical = PhysicalFeatures::of(stage);
+        let is_textured = |material: &RenderMaterial| material.texture.is_some();
         let around_eye = eye_media(stage, camera).len();
         if around_eye > MOST_MEDIA {
-            return Err(Unsupported::EyeMedia(around_eye));
+            return Err(UnsupportedOnGpu::EyeMedia(around_eye));
         }
-        let Contents { shapes, transparent, depth } = *contents;
+        let SceneContents { shapes, transparent, depth } = *contents;
         let is_clear = transparent > 0;
         // One ray may wait for each generation, in the last one only one that goes straight on, and one more among waves; in
         // steps, so that fewer shaders are needed.
-        let waiting = stage.generations() + u32::from(physical.has(Physical::DISPERSES));
+        let waiting = stage.generations() + u32::from(physical.has(PhysicalFeatures::DISPERSES));
         let media = transparent.min(MOST_MEDIA).next_power_of_two() as u32;
         Ok(Self {
             shapes,
@@ -135,7 +135,7 @@ impl Specialization {
             checkers: !stage.checkers.is_empty(),
             asks_each_start: is_clear && camera.parallel_height().is_some(),
             physical,
-            sky: Sky::of(stage),
+            sky: EnvironmentKind::of(stage),
             textures: stage.materials.iter().any(is_textured),
         })
     }
@@ -147,9 +147,9 @@ impl Specialization {
 }
 
 /// The transparent bodies around the eye, the outermost first; none for a parallel projection.
-pub(super) fn eye_media(stage: &Stage, camera: &StageCamera) -> Vec<u32> {
+pub(super) fn eye_media(stage: &RenderScene, camera: &RenderCamera) -> Vec<u32> {
     let Some(eye) = camera.eye() else { return Vec::new() };
-    let mut table = MediaTable::default();
+    let mut table = MediumStacks::default();
     let media = table.at_point(stage, eye);
     let mut bodies: Vec<u32> = table.bodies(media).collect();
     bodies.reverse();
@@ -157,8 +157,8 @@ pub(super) fn eye_media(stage: &Stage, camera: &StageCamera) -> Vec<u32> {
 }
 
 /// The longest way from the root through the nodes of the hierarchy; 0 without one.
-fn depth(stage: &Stage) -> u32 {
-    let Hierarchy::Many(bvh) = &stage.hierarchy else { return 0 };
+fn depth(stage: &RenderScene) -> u32 {
+    let Accelerator::Many(bvh) = &stage.hierarchy else { return 0 };
     let nodes = bvh.nodes();
     let mut depths = vec![1_u32; nodes.len()];
     let mut deepest = 1;

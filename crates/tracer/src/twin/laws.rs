@@ -8,18 +8,18 @@ use bytemuck::{Pod, Zeroable};
 use catoptric_optics::{Dispersion, observer};
 
 use crate::media::WAVES;
-use crate::stage::{CURVE_STEPS, Curve, Law, Stage, StageLight, StageMaterial};
-use crate::whitted::Waves;
+use crate::stage::{CURVE_STEPS, ConductorTable, MaterialModel, RenderScene, RenderLight, RenderMaterial};
+use crate::whitted::SampledWavelengths;
 
 use super::bytes::{FRAME_PLACES, LightBytes};
-use super::pictures::Pictures;
-use super::{Constants, Specialization};
+use super::pictures::PictureAtlas;
+use super::{ShaderConstants, ShaderSpecialization};
 
 /// What a stage has of physical materials and lights, a bit for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Physical(u32);
+pub struct PhysicalFeatures(u32);
 
-impl Physical {
+impl PhysicalFeatures {
     /// Neither physical materials nor lights that are balls.
     pub const NOTHING: Self = Self(0);
     /// Surfaces that reflect by a law of their own.
@@ -42,13 +42,13 @@ impl Physical {
         self.0 & other.0 == other.0
     }
 
-    pub(super) fn of(stage: &Stage) -> Self {
-        let any = |test: fn(&StageMaterial) -> bool| stage.materials.iter().any(test);
+    pub(super) fn of(stage: &RenderScene) -> Self {
+        let any = |test: fn(&RenderMaterial) -> bool| stage.materials.iter().any(test);
         let found = [
-            (Self::LAWS, any(|material| !matches!(material.law, Law::Constant))),
-            (Self::METALS, any(|material| matches!(material.law, Law::Conductor(_)))),
+            (Self::LAWS, any(|material| !matches!(material.law, MaterialModel::Constant))),
+            (Self::METALS, any(|material| matches!(material.law, MaterialModel::Conductor(_)))),
             (Self::FACETS, any(|material| material.alpha > 0.0)),
-            (Self::ABSORBS, any(StageMaterial::absorbs)),
+            (Self::ABSORBS, any(RenderMaterial::absorbs)),
             (Self::DISPERSES, any(|material| material.dispersion.is_some())),
             (Self::BALLS, stage.lights.iter().any(|light| light.radius > 0.0)),
         ];
@@ -56,7 +56,7 @@ impl Physical {
     }
 }
 
-impl BitOr for Physical {
+impl BitOr for PhysicalFeatures {
     type Output = Self;
 
     fn bitor(self, other: Self) -> Self {
@@ -65,14 +65,14 @@ impl BitOr for Physical {
 }
 
 /// The constants of shaders for such stages.
-pub(super) fn constants(special: &Specialization) -> Constants {
+pub(super) fn constants(special: &ShaderSpecialization) -> ShaderConstants {
     let has = |physical| special.physical.has(physical);
-    Constants {
+    ShaderConstants {
         words: vec![
             ("WAVES", WAVES),
-            ("WAVE_COUNT", Waves::COUNT as u32),
+            ("WAVE_COUNT", SampledWavelengths::COUNT as u32),
             ("SAMPLE_WAVES", SAMPLE_WAVES as u32),
-            ("SPLITS", if has(Physical::DISPERSES) { special.stack.max(1) } else { 1 }),
+            ("SPLITS", if has(PhysicalFeatures::DISPERSES) { special.stack.max(1) } else { 1 }),
             ("INDEX_STEPS", INDEX_STEPS),
             ("CURVE_STEPS", CURVE_STEPS as u32),
             ("MATERIAL_ROWS", ROWS),
@@ -84,10 +84,10 @@ pub(super) fn constants(special: &Specialization) -> Constants {
         ],
         numbers: vec![("INDEX_START", *observer::VISIBLE.start() as f32), ("INDEX_RATE", INDEX_RATE as f32)],
         flags: vec![
-            ("HAS_METALS", has(Physical::METALS)),
-            ("HAS_FACETS", has(Physical::FACETS)),
-            ("DISPERSES", has(Physical::DISPERSES)),
-            ("HAS_BALLS", has(Physical::BALLS)),
+            ("HAS_METALS", has(PhysicalFeatures::METALS)),
+            ("HAS_FACETS", has(PhysicalFeatures::FACETS)),
+            ("DISPERSES", has(PhysicalFeatures::DISPERSES)),
+            ("HAS_BALLS", has(PhysicalFeatures::BALLS)),
         ],
     }
 }
@@ -109,13 +109,13 @@ const INDEX_RATE: f64 = 2.0;
 const INDEX_STEPS: u32 = 800;
 
 /// Four words.
-type Row = [u32; 4];
+type MaterialRow = [u32; 4];
 
 /// The materials, then the tables that they point to.
-pub(super) fn rows(stage: &Stage) -> Vec<Row> {
+pub(super) fn rows(stage: &RenderScene) -> Vec<MaterialRow> {
     let first = stage.materials.len() as u32 * ROWS;
-    let mut tables = Tables { first, pictures: Pictures::of(stage), ..Tables::default() };
-    let mut rows: Vec<Row> = Vec::new();
+    let mut tables = MaterialRowTables { first, pictures: PictureAtlas::of(stage), ..MaterialRowTables::default() };
+    let mut rows: Vec<MaterialRow> = Vec::new();
     for material in stage.materials.iter() {
         rows.extend(rows_of(material, &mut tables));
     }
@@ -125,21 +125,21 @@ pub(super) fn rows(stage: &Stage) -> Vec<Row> {
 
 /// Tables behind the materials.
 #[derive(Default)]
-struct Tables {
+struct MaterialRowTables {
     /// The row where they begin.
     first: u32,
-    rows: Vec<Row>,
+    rows: Vec<MaterialRow>,
     /// Where the curves are that stand there already.
-    curves: HashMap<*const Curve, u32>,
-    pictures: Pictures,
+    curves: HashMap<*const ConductorTable, u32>,
+    pictures: PictureAtlas,
 }
 
-impl Tables {
+impl MaterialRowTables {
     fn next(&self) -> u32 {
         self.first + self.rows.len() as u32
     }
 
-    fn curve(&mut self, curve: &Arc<Curve>) -> u32 {
+    fn curve(&mut self, curve: &Arc<ConductorTable>) -> u32 {
         let next = self.next();
         let place = *self.curves.entry(Arc::as_ptr(curve)).or_insert(next);
         if place == next {
@@ -159,13 +159,13 @@ impl Tables {
     }
 }
 
-fn row(numbers: [f32; 4]) -> Row {
+fn row(numbers: [f32; 4]) -> MaterialRow {
     numbers.map(f32::to_bits)
 }
 
-fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize] {
+fn rows_of(material: &RenderMaterial, tables: &mut MaterialRowTables) -> [MaterialRow; ROWS as usize] {
     // All fields by name: what the shaders do not know must not be left out unnoticed.
-    let StageMaterial {
+    let RenderMaterial {
         color,
         ref texture,
         ambient,
@@ -181,11 +181,11 @@ fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize
         absorption,
     } = *material;
     let (law, curve, coat) = match law {
-        Law::Constant => (CONSTANT, NO_ROWS, [0.0; 4]),
-        Law::Mirror => (MIRROR, NO_ROWS, [0.0; 4]),
-        Law::Dielectric => (DIELECTRIC, NO_ROWS, [0.0; 4]),
-        Law::Conductor(curve) => (CONDUCTOR, tables.curve(curve), [0.0; 4]),
-        Law::Coat(coat) => (COAT, NO_ROWS, [coat.ratio, coat.spread, coat.lets_out, coat.lets_in]),
+        MaterialModel::Constant => (CONSTANT, NO_ROWS, [0.0; 4]),
+        MaterialModel::Mirror => (MIRROR, NO_ROWS, [0.0; 4]),
+        MaterialModel::Dielectric => (DIELECTRIC, NO_ROWS, [0.0; 4]),
+        MaterialModel::Conductor(curve) => (CONDUCTOR, tables.curve(curve), [0.0; 4]),
+        MaterialModel::Coat(coat) => (COAT, NO_ROWS, [coat.ratio, coat.spread, coat.lets_out, coat.lets_in]),
     };
     let indices = dispersion.map_or(NO_ROWS, |dispersion| tables.indices(dispersion));
     let color = texture.as_ref().map_or(color, |texture| tables.pictures.in_place_of_color(texture));
@@ -203,32 +203,32 @@ fn rows_of(material: &StageMaterial, tables: &mut Tables) -> [Row; ROWS as usize
 /// Twin of the shader's `Light` for stages with physical materials.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-pub(super) struct BallBytes {
+pub(super) struct SphereLightBytes {
     light: LightBytes,
     radius: f32,
     unused: [f32; 3],
 }
 
-impl BallBytes {
-    pub(super) fn of(light: &StageLight) -> Self {
+impl SphereLightBytes {
+    pub(super) fn of(light: &RenderLight) -> Self {
         Self { light: LightBytes::of(light), radius: light.radius, unused: [0.0; 3] }
     }
 }
 
-const SAMPLE_WAVES: usize = FRAME_PLACES * Waves::COUNT;
+const SAMPLE_WAVES: usize = FRAME_PLACES * SampledWavelengths::COUNT;
 
 /// The waves of the samples of a dispatch: for each its linear light, and nanometers in vacuum.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct SampleWaves([[f32; 4]; SAMPLE_WAVES]);
+pub struct WavelengthUniforms([[f32; 4]; SAMPLE_WAVES]);
 
-impl SampleWaves {
+impl WavelengthUniforms {
     /// Those of so many samples (at most [`FRAME_PLACES`]) of pixels that have `samples_done`.
     pub fn new(samples_done: u32, samples: u32) -> Self {
         let mut places = [[0.0; 4]; SAMPLE_WAVES];
-        let all = (samples_done..).take(samples as usize).zip(places.chunks_exact_mut(Waves::COUNT));
+        let all = (samples_done..).take(samples as usize).zip(places.chunks_exact_mut(SampledWavelengths::COUNT));
         for (sample, places) in all {
-            let waves = Waves::of_sample(sample);
+            let waves = SampledWavelengths::of_sample(sample);
             for (number, place) in places.iter_mut().enumerate() {
                 let [red, green, blue] = waves.color(number);
                 let nanometers = waves.nanometers(number as u32).unwrap_or_default();
@@ -246,38 +246,38 @@ mod tests {
     use super::*;
     use crate::twin::shader;
 
-    fn stage_of(materials: &[Material], radius: f64) -> Stage {
+    fn stage_of(materials: &[Material], radius: f64) -> RenderScene {
         let body = |material: &Material| Body {
             material: MaterialChoice::Inline(Box::new(material.clone())),
             ..Body::default()
         };
         let lights = vec![Light { radius, ..Light::default() }];
         let scene = Scene { bodies: materials.iter().map(body).collect(), lights, ..Scene::default() };
-        Stage::prepare(&scene).unwrap()
+        RenderScene::prepare(&scene).unwrap()
     }
 
     fn made_of(model: Model) -> Material {
         Material { model, ..Material::default() }
     }
 
-    fn special(stage: &Stage) -> Specialization {
-        Specialization::of(&super::super::Contents::of(stage), stage, stage.camera()).unwrap()
+    fn special(stage: &RenderScene) -> ShaderSpecialization {
+        ShaderSpecialization::of(&super::super::SceneContents::of(stage), stage, stage.camera()).unwrap()
     }
 
     #[test]
     fn only_what_is_there_is_asked_for() {
         let plain = [Model::Phong, Model::Matte].map(made_of);
-        assert_eq!(Physical::of(&stage_of(&plain, 0.0)), Physical::NOTHING);
-        assert_eq!(Physical::of(&stage_of(&plain, 0.5)), Physical::BALLS);
+        assert_eq!(PhysicalFeatures::of(&stage_of(&plain, 0.0)), PhysicalFeatures::NOTHING);
+        assert_eq!(PhysicalFeatures::of(&stage_of(&plain, 0.5)), PhysicalFeatures::BALLS);
         let rough = Material { roughness: 0.5, ..made_of(Model::Conductor) };
-        let metal = Physical::LAWS | Physical::METALS;
-        assert_eq!(Physical::of(&stage_of(&[rough], 0.0)), metal | Physical::FACETS);
+        let metal = PhysicalFeatures::LAWS | PhysicalFeatures::METALS;
+        assert_eq!(PhysicalFeatures::of(&stage_of(&[rough], 0.0)), metal | PhysicalFeatures::FACETS);
         let glass = Material { attenuation_distance: 0.1, ..made_of(Model::Dielectric) };
-        assert_eq!(Physical::of(&stage_of(std::slice::from_ref(&glass), 0.0)), Physical::LAWS);
+        assert_eq!(PhysicalFeatures::of(&stage_of(std::slice::from_ref(&glass), 0.0)), PhysicalFeatures::LAWS);
         let tinted = Material { attenuation_color: catoptric_scene::Color::gray(0.5), ..glass.clone() };
-        assert_eq!(Physical::of(&stage_of(&[tinted], 0.0)), Physical::LAWS | Physical::ABSORBS);
+        assert_eq!(PhysicalFeatures::of(&stage_of(&[tinted], 0.0)), PhysicalFeatures::LAWS | PhysicalFeatures::ABSORBS);
         let torn = Material { dispersion: true, ..glass };
-        assert_eq!(Physical::of(&stage_of(&[torn], 0.0)), Physical::LAWS | Physical::DISPERSES);
+        assert_eq!(PhysicalFeatures::of(&stage_of(&[torn], 0.0)), PhysicalFeatures::LAWS | PhysicalFeatures::DISPERSES);
     }
 
     /// Scenes of Phong's model pay nothing for what they do not have.
@@ -286,7 +286,7 @@ mod tests {
         let own = ["facet", "throw", "wave", "absorption", "curve", "radius: f32,\n"];
         let source = |name: &str| {
             let scene = Example::find(name).unwrap().load().unwrap().scene;
-            shader(&special(&Stage::prepare(&scene).unwrap()))
+            shader(&special(&RenderScene::prepare(&scene).unwrap()))
         };
         let (plain, physical) = (source("whitted"), source("prism"));
         assert_eq!(own.into_iter().find(|word| plain.contains(word)), None);
@@ -305,14 +305,14 @@ mod tests {
             0.0,
         );
         let rows = rows(&stage);
-        let laws: Vec<Row> = rows.chunks(ROWS as usize).take(4).map(|material| material[3]).collect();
+        let laws: Vec<MaterialRow> = rows.chunks(ROWS as usize).take(4).map(|material| material[3]).collect();
         assert_eq!(
             laws.iter().map(|law| law[0]).collect::<Vec<_>>(),
             [CONDUCTOR, DIELECTRIC, CONDUCTOR, MIRROR]
         );
         // One curve for both.
         assert_eq!((laws[0][2], laws[3][2]), (laws[2][2], NO_ROWS));
-        let Law::Conductor(curve) = &stage.materials[0].law else { panic!("gold is a conductor") };
+        let MaterialModel::Conductor(curve) = &stage.materials[0].law else { panic!("gold is a conductor") };
         let first = laws[0][2] as usize;
         assert_eq!(rows[first + CURVE_STEPS + 1][..3], curve.at(1.0).map(f32::to_bits));
         let indices: Vec<f32> =
@@ -330,14 +330,14 @@ mod tests {
 
     #[test]
     fn samples_have_their_own_waves() {
-        let SampleWaves(waves) = SampleWaves::new(5, 3);
+        let WavelengthUniforms(waves) = WavelengthUniforms::new(5, 3);
         for (place, sample) in (5..8).enumerate() {
-            let own = Waves::of_sample(sample);
-            for (number, wave) in waves[place * Waves::COUNT..].iter().take(Waves::COUNT).enumerate() {
+            let own = SampledWavelengths::of_sample(sample);
+            for (number, wave) in waves[place * SampledWavelengths::COUNT..].iter().take(SampledWavelengths::COUNT).enumerate() {
                 assert_eq!(wave[..3], own.color(number));
                 assert_eq!(wave[3], own.nanometers(number as u32).unwrap() as f32);
             }
         }
-        assert_eq!(waves[3 * Waves::COUNT], [0.0; 4]);
+        assert_eq!(waves[3 * SampledWavelengths::COUNT], [0.0; 4]);
     }
 }

@@ -4,21 +4,21 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_vec};
 
-use super::encounter::Encounter;
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, One, Real, Width, Word};
-use crate::media::{AIR, Inside};
-use crate::ray::{NO_START, Rays};
-use crate::search::Through;
+use super::encounter::SurfaceInteraction;
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, ScalarWidth, Float32, Width, Word};
+use crate::media::{AIR, BodyMembership};
+use crate::ray::{NO_START, RayPacket};
+use crate::search::Transmittance;
 use crate::vector::Vector;
 
 /// Rays of trees, with what they carry.
 #[derive(Clone, Copy)]
-pub(crate) struct Beams<W: Width> {
-    pub(crate) rays: Rays<W>,
+pub(crate) struct PathState<W: Width> {
+    pub(crate) rays: RayPacket<W>,
     /// Product of the coefficients on the way from the eye.
     pub(crate) weight: Vector<W::R>,
     pub(crate) generation: W::W,
-    /// Lists of a [`MediaTable`](crate::media::MediaTable).
+    /// Lists of a [`MediumStacks`](crate::media::MediaTable).
     pub(crate) media: W::W,
     /// Whose light they bring.
     pub(crate) pixel: W::W,
@@ -26,14 +26,14 @@ pub(crate) struct Beams<W: Width> {
     pub(crate) lanes: W::M,
 }
 
-impl<W: Width> Beams<W> {
+impl<W: Width> PathState<W> {
     /// None that flies.
     #[inline(always)]
     pub(crate) fn none(w: W) -> Self {
         let (zero, none) = (w.real(0.0), w.word(0));
         let nothing = Vector::new(zero, zero, zero);
         Self {
-            rays: Rays { origin: nothing, direction: nothing, start: none },
+            rays: RayPacket { origin: nothing, direction: nothing, start: none },
             weight: nothing,
             generation: none,
             media: none,
@@ -47,7 +47,7 @@ impl<W: Width> Beams<W> {
     pub(crate) fn from_eye(w: W) -> Self {
         let (one, none) = (w.real(1.0), Self::none(w));
         Self {
-            rays: Rays { start: w.word(NO_START), ..none.rays },
+            rays: RayPacket { start: w.word(NO_START), ..none.rays },
             weight: Vector::new(one, one, one),
             generation: w.word(1),
             media: w.word(AIR),
@@ -66,7 +66,7 @@ impl<W: Width> Beams<W> {
 
 /// What becomes of rays across a transparent surface.
 #[derive(Clone, Copy)]
-pub(crate) struct Crossed<W: Width> {
+pub(crate) struct InterfaceCrossing<W: Width> {
     /// The ratio of indices.
     pub(crate) ratio: W::R,
     /// Those that are not totally reflected.
@@ -76,13 +76,13 @@ pub(crate) struct Crossed<W: Width> {
 /// Where the rays go that grow from others, and who looks on while they grow.
 ///
 /// Rendering does not look: what is seen is dropped, at no cost. A [tree](super::Whitted::tree) writes it down.
-pub(crate) trait Offspring<W: Width> {
-    fn reflected(&mut self, beams: Beams<W>);
-    fn refracted(&mut self, beams: Beams<W>);
+pub(crate) trait SecondaryRays<W: Width> {
+    fn reflected(&mut self, beams: PathState<W>);
+    fn refracted(&mut self, beams: PathState<W>);
 
     /// The points that were met.
     #[inline(always)]
-    fn meets(&mut self, _at: &Encounter<W>) {}
+    fn meets(&mut self, _at: &SurfaceInteraction<W>) {}
 
     /// The direction to a light of the stage, its distance, and the cosine to the normal.
     #[inline(always)]
@@ -90,7 +90,7 @@ pub(crate) trait Offspring<W: Width> {
 
     /// Shadow rays towards that light, and what they let pass.
     #[inline(always)]
-    fn asks(&mut self, _rays: &Rays<W>, _distance: W::R, _inside: &Inside, _through: &Through<W>) {}
+    fn asks(&mut self, _rays: &RayPacket<W>, _distance: W::R, _inside: &BodyMembership, _through: &Transmittance<W>) {}
 
     /// That light's highlight, with k_s.
     #[inline(always)]
@@ -106,7 +106,7 @@ pub(crate) trait Offspring<W: Width> {
 
     /// What becomes of rays across a transparent surface.
     #[inline(always)]
-    fn crosses(&mut self, _crossed: Crossed<W>) {}
+    fn crosses(&mut self, _crossed: InterfaceCrossing<W>) {}
 
     /// The coefficients of rays that are refracted, before they are, if at all.
     #[inline(always)]
@@ -126,12 +126,12 @@ pub(crate) trait Offspring<W: Width> {
 }
 
 /// A stack of single rays: the reflected one is taken first.
-impl Offspring<One> for Vec<Beams<One>> {
-    fn reflected(&mut self, beams: Beams<One>) {
+impl SecondaryRays<ScalarWidth> for Vec<PathState<ScalarWidth>> {
+    fn reflected(&mut self, beams: PathState<ScalarWidth>) {
         self.push(beams);
     }
 
-    fn refracted(&mut self, beams: Beams<One>) {
+    fn refracted(&mut self, beams: PathState<ScalarWidth>) {
         self.push(beams);
     }
 }
@@ -139,14 +139,14 @@ impl Offspring<One> for Vec<Beams<One>> {
 /// Rays that wait, each field in a row of its own, so that full vectors of them can be taken whatever vectors they came
 /// from.
 #[derive(Debug, Default)]
-pub(crate) struct Queue {
+pub(crate) struct RayQueue {
     numbers: [Vec<f32>; 9],
     words: [Vec<u32>; 4],
     len: usize,
     taken: usize,
 }
 
-impl Queue {
+impl RayQueue {
     /// How many wait.
     pub(crate) fn len(&self) -> usize {
         self.len - self.taken
@@ -154,8 +154,8 @@ impl Queue {
 
     /// Appends the rays that fly.
     #[inline(always)]
-    pub(crate) fn push<W: Width>(&mut self, beams: &Beams<W>) {
-        let Beams { rays, weight, generation, media, pixel, lanes } = *beams;
+    pub(crate) fn push<W: Width>(&mut self, beams: &PathState<W>) {
+        let PathState { rays, weight, generation, media, pixel, lanes } = *beams;
         let end = self.len + MOST_LANES;
         if self.words[0].len() < end {
             self.grow(end);
@@ -171,7 +171,7 @@ impl Queue {
     }
 
     #[inline(always)]
-    fn put<R: Real>(&mut self, first: usize, vector: Vector<R>, lanes: R::Mask) {
+    fn put<R: Float32>(&mut self, first: usize, vector: Vector<R>, lanes: R::Mask) {
         vector.x.store_some(lanes, &mut self.numbers[first][self.len..]);
         vector.y.store_some(lanes, &mut self.numbers[first + 1][self.len..]);
         vector.z.store_some(lanes, &mut self.numbers[first + 2][self.len..]);
@@ -192,7 +192,7 @@ impl Queue {
 
     /// Takes the first rays: as many as there are side by side, or the rest.
     #[inline(always)]
-    pub(crate) fn take<W: Width>(&mut self, w: W) -> Beams<W> {
+    pub(crate) fn take<W: Width>(&mut self, w: W) -> PathState<W> {
         let beams = self.look(w, 0);
         self.skip(W::LANES);
         beams
@@ -200,11 +200,11 @@ impl Queue {
 
     /// The rays behind the first `at`: as many as there are side by side, or the rest.
     #[inline(always)]
-    pub(crate) fn look<W: Width>(&self, w: W, at: usize) -> Beams<W> {
+    pub(crate) fn look<W: Width>(&self, w: W, at: usize) -> PathState<W> {
         let count = self.len().saturating_sub(at);
         let at = self.taken + at;
-        Beams {
-            rays: Rays {
+        PathState {
+            rays: RayPacket {
                 origin: self.vector(w, 0, at),
                 direction: self.vector(w, 3, at),
                 start: self.word(w, 0, at),

@@ -6,13 +6,13 @@
 
 use glam::UVec2;
 
-use super::Beams;
+use super::PathState;
 use crate::lanes::{MOST_LANES, Width, Word as _};
-use crate::stage::Stage;
+use crate::stage::RenderScene;
 
 /// Where the pixels lie that rays belong to, and which sample of them is traced.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Dice {
+pub(crate) struct Sampler {
     sample: u32,
     /// The pixel of the picture from which rays count theirs: column and row.
     first: [u32; 2],
@@ -20,13 +20,13 @@ pub(crate) struct Dice {
     block: [u32; 3],
 }
 
-impl Default for Dice {
+impl Default for Sampler {
     fn default() -> Self {
         Self::new(0, [0, 0], [1, 1], 1)
     }
 }
 
-impl Dice {
+impl Sampler {
     /// For rays of a tile whose pixels are counted in blocks of this size, so many across.
     pub(crate) fn new(sample: u32, first: [usize; 2], block: [usize; 2], across: usize) -> Self {
         let [width, height] = block;
@@ -44,11 +44,11 @@ impl Dice {
     pub(super) fn throw<W: Width>(
         &self,
         w: W,
-        stage: &Stage,
-        beams: &Beams<W>,
+        stage: &RenderScene,
+        beams: &PathState<W>,
         body: W::W,
-        what_for: SomeUse,
-    ) -> Throw<W> {
+        what_for: SampleDimension,
+    ) -> Sample2D<W> {
         let [mut pixels, mut generations, mut bodies] = [[0; MOST_LANES]; 3];
         beams.pixel.store(&mut pixels);
         beams.generation.store(&mut generations);
@@ -63,7 +63,7 @@ impl Dice {
             [cos[lane], sin[lane]] = turn(first);
             second[lane] = other;
         }
-        Throw { cos: w.load(&cos), sin: w.load(&sin), second: w.load(&second) }
+        Sample2D { cos: w.load(&cos), sin: w.load(&sin), second: w.load(&second) }
     }
 
     /// Column and row in the picture.
@@ -79,14 +79,14 @@ impl Dice {
 
 /// What numbers are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SomeUse {
+pub(crate) enum SampleDimension {
     /// The facet of a rough surface.
     Facet,
     /// The point of a light, by its place in the stage.
     Light(usize),
 }
 
-impl SomeUse {
+impl SampleDimension {
     fn number(self) -> u32 {
         match self {
             Self::Facet => 0,
@@ -97,7 +97,7 @@ impl SomeUse {
 
 /// Numbers for rays side by side.
 #[derive(Clone, Copy)]
-pub(crate) struct Throw<W: Width> {
+pub(crate) struct Sample2D<W: Width> {
     /// Cosine and sine of an angle that is anything.
     pub(crate) cos: W::R,
     pub(crate) sin: W::R,
@@ -228,8 +228,8 @@ mod tests {
 
     #[test]
     fn a_pixel_throws_alike_in_blocks_of_every_size() {
-        let narrow = Dice::new(3, [32, 64], [1, 1], 20);
-        let wide = Dice::new(3, [32, 64], [4, 4], 5);
+        let narrow = Sampler::new(3, [32, 64], [1, 1], 20);
+        let wide = Sampler::new(3, [32, 64], [4, 4], 5);
         for y in 0..8 {
             for x in 0..20 {
                 let block = y / 4 * 5 + x / 4;

@@ -1,15 +1,15 @@
 //! The points that rays met, with all that shading needs.
 
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
-use crate::ray::{INWARDS, NO_BODY, Rays};
-use crate::search::Hits;
-use crate::stage::{Curve, Law, Stage, StageMaterial};
+use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::ray::{INWARDS, NO_BODY, RayPacket};
+use crate::search::PacketHits;
+use crate::stage::{ConductorTable, MaterialModel, RenderScene, RenderMaterial};
 use crate::surface::fresnel;
 use crate::vector::Vector;
 
 /// The points that rays side by side met. Of rays that met nothing, the numbers mean nothing.
 #[derive(Clone, Copy)]
-pub(crate) struct Encounter<W: Width> {
+pub(crate) struct SurfaceInteraction<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
     /// The only body that all of them met, with [`INWARDS`] if they met it from within; else [`NO_BODY`].
@@ -57,10 +57,10 @@ pub(crate) struct Encounter<W: Width> {
     coat_ratio: W::R,
 }
 
-impl<W: Width> Encounter<W> {
+impl<W: Width> SurfaceInteraction<W> {
     /// Looks at the bodies one after the other: rays side by side mostly meet the same.
     #[inline(always)]
-    pub(super) fn new<const FULL: bool>(w: W, stage: &Stage, rays: &Rays<W>, hits: &Hits<W>) -> Self {
+    pub(super) fn new<const FULL: bool>(w: W, stage: &RenderScene, rays: &RayPacket<W>, hits: &PacketHits<W>) -> Self {
         let (zero, none) = (w.real(0.0), w.mask(0));
         let nowhere = Vector::new(zero, zero, zero);
         let leaving = W::W::select(hits.leaving, w.word(INWARDS), w.word(0));
@@ -119,10 +119,10 @@ impl<W: Width> Encounter<W> {
     fn look_at<const FULL: bool, const FIRST: bool>(
         &mut self,
         w: W,
-        stage: &Stage,
+        stage: &RenderScene,
         index: u32,
-        rays: &Rays<W>,
-        hits: &Hits<W>,
+        rays: &RayPacket<W>,
+        hits: &PacketHits<W>,
         lanes: W::M,
     ) {
         let body = stage.body(index);
@@ -164,7 +164,7 @@ impl<W: Width> Encounter<W> {
             self.answers = self.answers | lanes;
         }
         self.reflection = real(material.reflection, self.reflection);
-        if FULL && !matches!(material.law, Law::Constant) {
+        if FULL && !matches!(material.law, MaterialModel::Constant) {
             self.obey(w, material, (color, stage.ambient), rays.direction, lanes);
         }
         if body.is_transparent() {
@@ -179,7 +179,7 @@ impl<W: Width> Encounter<W> {
     fn obey(
         &mut self,
         w: W,
-        material: &StageMaterial,
+        material: &RenderMaterial,
         (color, ambient): (Vector<W::R>, [f32; 3]),
         direction: Vector<W::R>,
         lanes: W::M,
@@ -195,16 +195,16 @@ impl<W: Width> Encounter<W> {
                 }
                 let cos = (-self.normal.dot(direction)).min(one).max(w.real(0.0));
                 match &material.law {
-                    Law::Constant => {}
-                    Law::Dielectric => {
+                    MaterialModel::Constant => {}
+                    MaterialModel::Dielectric => {
                         self.clear = self.clear | lanes;
                         if material.dispersion.is_some() {
                             self.disperses = self.disperses | lanes;
                         }
                     }
-                    Law::Mirror => self.color(color * w.real(material.reflection), lanes),
-                    Law::Conductor(curve) => self.color(curve_at(w, curve, cos), lanes),
-                    Law::Coat(coat) => {
+                    MaterialModel::Mirror => self.color(color * w.real(material.reflection), lanes),
+                    MaterialModel::Conductor(curve) => self.color(curve_at(w, curve, cos), lanes),
+                    MaterialModel::Coat(coat) => {
                         let share = fresnel(cos, w.real(coat.ratio));
                         self.reflection = W::R::select(lanes, share, self.reflection);
                         self.coated = self.coated | lanes;
@@ -224,7 +224,7 @@ impl<W: Width> Encounter<W> {
 
     /// What is reflected under another angle: the normals of rough surfaces were turned.
     #[inline(always)]
-    pub(super) fn tilt(&mut self, w: W, stage: &Stage, direction: Vector<W::R>) {
+    pub(super) fn tilt(&mut self, w: W, stage: &RenderScene, direction: Vector<W::R>) {
         let one = w.real(1.0);
         let cos = (-self.normal.dot(direction)).min(one).max(w.real(0.0));
         let coated = self.rough & self.coated;
@@ -240,7 +240,7 @@ impl<W: Width> Encounter<W> {
                 let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
                 let same = self.body.is(index) & colored;
                 left &= !same.bits();
-                if let Law::Conductor(curve) = &stage.material(stage.body(index)).law {
+                if let MaterialModel::Conductor(curve) = &stage.material(stage.body(index)).law {
                     self.sheen = Vector::select(same, curve_at(w, curve, cos), self.sheen);
                 }
             }
@@ -289,15 +289,15 @@ impl<W: Width> Encounter<W> {
 
     /// Rays from here to the side that the incoming rays came from.
     #[inline(always)]
-    pub(super) fn rays_on_this_side(&self, direction: Vector<W::R>) -> Rays<W> {
-        Rays { origin: self.position, direction, start: self.start }
+    pub(super) fn rays_on_this_side(&self, direction: Vector<W::R>) -> RayPacket<W> {
+        RayPacket { origin: self.position, direction, start: self.start }
     }
 
     /// Rays from here to the other side of the surface.
     #[inline(always)]
-    pub(super) fn rays_on_far_side(&self, direction: Vector<W::R>) -> Rays<W> {
+    pub(super) fn rays_on_far_side(&self, direction: Vector<W::R>) -> RayPacket<W> {
         let other = self.start.plus(self.start.like(INWARDS));
-        Rays { origin: self.position, direction, start: other }
+        RayPacket { origin: self.position, direction, start: other }
     }
 }
 
@@ -312,7 +312,7 @@ fn only_of(body: u32, leaving: u32, all: u32) -> u32 {
 }
 
 /// The reflectances of a metal under angles of these cosines.
-fn curve_at<W: Width>(w: W, curve: &Curve, cos: W::R) -> Vector<W::R> {
+fn curve_at<W: Width>(w: W, curve: &ConductorTable, cos: W::R) -> Vector<W::R> {
     let mut cosines = [0.0; MOST_LANES];
     cos.store(&mut cosines);
     let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];

@@ -1,8 +1,8 @@
 //! Rough surfaces in the tree: one facet of each is looked at in every sample.
 
-use super::beams::Beams;
-use super::encounter::Encounter;
-use super::{SomeUse, Whitted};
+use super::beams::PathState;
+use super::encounter::SurfaceInteraction;
+use super::{SampleDimension, WhittedIntegrator};
 use crate::facets::{seen_facet, sent_on, sent_through, unhidden};
 use crate::lanes::{Float as _, Mask as _, Width};
 use crate::surface::fresnel;
@@ -10,13 +10,13 @@ use crate::vector::Vector;
 
 /// The surface that facets make up.
 #[derive(Clone, Copy)]
-pub(super) struct Ground<W: Width> {
+pub(super) struct Macrosurface<W: Width> {
     normal: Vector<W::R>,
     alpha: W::R,
     rough: W::M,
 }
 
-impl<W: Width> Ground<W> {
+impl<W: Width> Macrosurface<W> {
     /// What is left of the weight of rays that a facet sends this way, and which of them fly: none into the surface that
     /// they should leave, or out of the one that they should enter.
     #[inline(always)]
@@ -34,22 +34,22 @@ impl<W: Width> Ground<W> {
     }
 }
 
-impl Whitted<'_> {
+impl WhittedIntegrator<'_> {
     /// The same points, with those on rough surfaces seen as the facets that rays meet there, and what the facets make up.
     #[inline(never)]
     pub(super) fn on_facets<W: Width>(
         &self,
         w: W,
-        beams: &Beams<W>,
-        at: &Encounter<W>,
-    ) -> (Encounter<W>, Ground<W>) {
-        let throw = self.dice.throw(w, self.stage, beams, at.body, SomeUse::Facet);
+        beams: &PathState<W>,
+        at: &SurfaceInteraction<W>,
+    ) -> (SurfaceInteraction<W>, Macrosurface<W>) {
+        let throw = self.dice.throw(w, self.stage, beams, at.body, SampleDimension::Facet);
         w.run(
             #[inline(always)]
             || {
                 let direction = beams.rays.direction;
                 let facet = seen_facet(direction, at.normal, at.alpha, &throw);
-                let ground = Ground { normal: at.normal, alpha: at.alpha, rough: at.rough };
+                let ground = Macrosurface { normal: at.normal, alpha: at.alpha, rough: at.rough };
                 let mut on = *at;
                 on.normal = Vector::select(at.rough, facet, at.normal);
                 on.tilt(w, self.stage, direction);
@@ -63,8 +63,8 @@ impl Whitted<'_> {
     pub(super) fn glints<W: Width>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        at: &Encounter<W>,
+        beams: &PathState<W>,
+        at: &SurfaceInteraction<W>,
         to_light: Vector<W::R>,
     ) -> Vector<W::R> {
         let clear = at.rough & at.clear;

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::pick::SurfaceHit;
+use crate::pick::RayIntersection;
 use crate::ray::Ray;
 
 /// Why a ray was sent.
@@ -18,7 +18,7 @@ pub enum RayKind {
 
 /// One ray of a tree, with every number that its light is made of, in the renderer's single precision.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TracedRay {
+pub struct RayRecord {
     /// The ray itself, in the space of the rays.
     pub ray: Ray,
     /// Where it starts in the world, meters.
@@ -51,19 +51,19 @@ pub struct TracedRay {
     /// The index of refraction there, 1 in air.
     pub ior: f32,
     /// What it meets.
-    pub hit: Option<SurfaceHit>,
+    pub hit: Option<RayIntersection>,
     /// How the surface there answers.
-    pub answer: Option<SurfaceAnswer>,
+    pub answer: Option<SurfaceRecord>,
 }
 
-impl TracedRay {
+impl RayRecord {
     /// How far what it meets is from where it comes from, the eye or a surface, meters.
     pub fn distance(&self) -> Option<f64> {
         self.hit.map(|hit| self.start_distance + f64::from(hit.hit.t))
     }
 }
 
-impl ReflectionLaw {
+impl ReflectionModel {
     /// Its name in machine-readable output.
     pub const fn key(self) -> &'static str {
         match self {
@@ -83,7 +83,7 @@ impl ReflectionLaw {
 
 /// By which law a surface reflects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ReflectionLaw {
+pub enum ReflectionModel {
     /// Whitted's k_r under every angle.
     Constant,
     /// A mirror's color under every angle.
@@ -98,9 +98,9 @@ pub enum ReflectionLaw {
 
 /// How a surface answers a ray that meets it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceAnswer {
+pub struct SurfaceRecord {
     /// By which law it reflects; the coefficients are those of the [branches](Branch).
-    pub law: ReflectionLaw,
+    pub law: ReflectionModel,
     /// Width of the slopes of its facets, α; 0 is smooth. The coefficients are those of the facet that this ray met.
     pub alpha: f32,
     /// C: the body's color at this point.
@@ -122,16 +122,16 @@ pub struct SurfaceAnswer {
     /// Each light that shines, in the order of the stage; none if the surface answers no light, k_d = k_s = 0.
     pub lights: Vec<LightTerm>,
     /// What becomes of a ray across the surface, if it is transparent.
-    pub interface: Option<Interface>,
+    pub interface: Option<InterfaceRecord>,
     /// The reflected ray; the totally reflected one, if nothing passes.
-    pub reflected: Branch,
+    pub reflected: BranchRecord,
     /// The refracted ray.
-    pub refracted: Branch,
+    pub refracted: BranchRecord,
 }
 
 /// The border of two media.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interface {
+pub struct InterfaceRecord {
     /// The index of refraction beyond the surface.
     pub ior_beyond: f32,
     /// The index on this side divided by that beyond.
@@ -142,18 +142,18 @@ pub struct Interface {
 
 /// A ray that may go on from a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Branch {
+pub struct BranchRecord {
     /// k_r or 1 for the reflected ray, k_t·τ for the refracted one.
     pub coefficient: Vec3,
     /// The weight that the ray has, or would have.
     pub weight: Vec3,
     /// What becomes of it.
-    pub fate: Fate,
+    pub fate: BranchOutcome,
 }
 
 /// What becomes of a ray that may go on from a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
+pub enum BranchOutcome {
     /// It is this ray of the tree.
     Followed(usize),
     /// It would carry nothing: the surface is opaque, or no mirror, or the weight has sunk to 0.
@@ -180,14 +180,14 @@ pub struct LightTerm {
     /// n̂·L̂. A light at or below 0 takes no part.
     pub cosine: f32,
     /// What lies between; `None` if the light takes no part.
-    pub shadow: Option<Shadow>,
+    pub shadow: Option<ShadowRecord>,
     /// What the surface sends on; `None` if nothing arrives.
-    pub answer: Option<LightAnswer>,
+    pub answer: Option<LightContribution>,
 }
 
 /// The way of a shadow ray.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shadow {
+pub struct ShadowRecord {
     /// V: the share that passes, per channel.
     pub passed: Vec3,
     /// Every surface on the way, the nearest first, those behind an opaque one included.
@@ -213,7 +213,7 @@ pub struct ShadowCrossing {
 
 /// What a surface sends on of a light: `light` = `power` × (`diffuse` + `highlight` + `glints`) × V, in this order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LightAnswer {
+pub struct LightContribution {
     /// What the facets of a rough surface send on, for each unit of `power`.
     pub glints: Vec3,
     /// A(d)·I_j.

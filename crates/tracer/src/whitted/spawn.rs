@@ -1,20 +1,20 @@
 //! The rays that grow from the points that others met.
 
-use super::encounter::Encounter;
-use super::gloss::Ground;
-use super::{Beams, Crossed, Offspring, Whitted};
+use super::encounter::SurfaceInteraction;
+use super::gloss::Macrosurface;
+use super::{PathState, InterfaceCrossing, SecondaryRays, WhittedIntegrator};
 use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::media::AIR;
-use crate::ray::Rays;
+use crate::ray::RayPacket;
 use crate::surface::{fresnel, mend_unit, reflect, refract};
 use crate::vector::Vector;
 
 /// What is needed to send rays on.
-struct Growth<'e, W: Width> {
+struct ScatterContext<'e, W: Width> {
     /// Where they start, rough surfaces turned to the facet that is seen.
-    at: &'e Encounter<W>,
+    at: &'e SurfaceInteraction<W>,
     /// The surface that the facets make up.
-    ground: Option<Ground<W>>,
+    ground: Option<Macrosurface<W>>,
     /// Their generation.
     next: W::W,
     /// Whether only those go on that are the same ray still.
@@ -22,7 +22,7 @@ struct Growth<'e, W: Width> {
 }
 
 /// What becomes of rays at a clear surface.
-struct Crossing<W: Width> {
+struct DielectricInterface<W: Width> {
     ratio: W::R,
     beyond: W::W,
     bent: Vector<W::R>,
@@ -32,20 +32,20 @@ struct Crossing<W: Width> {
     filter: Vector<W::R>,
 }
 
-impl Whitted<'_> {
+impl WhittedIntegrator<'_> {
     /// Sends the reflected and refracted rays, each if it carries anything.
     #[inline(always)]
     pub(super) fn spawn<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        at: &Encounter<W>,
+        beams: &PathState<W>,
+        at: &SurfaceInteraction<W>,
         goes_on: W::M,
-        offspring: &mut impl Offspring<W>,
+        offspring: &mut impl SecondaryRays<W>,
     ) {
         let next = beams.generation.plus(w.word(1));
         let facets;
-        let mut growth = Growth { at, ground: None, next, is_last: false };
+        let mut growth = ScatterContext { at, ground: None, next, is_last: false };
         if FULL && at.rough.any() {
             let (on, ground) = self.on_facets(w, beams, at);
             facets = on;
@@ -78,10 +78,10 @@ impl Whitted<'_> {
     pub(super) fn pass_at_limit<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: Beams<W>,
-        at: Encounter<W>,
+        beams: PathState<W>,
+        at: SurfaceInteraction<W>,
         at_limit: W::M,
-        offspring: &mut impl Offspring<W>,
+        offspring: &mut impl SecondaryRays<W>,
     ) {
         let (ratio, _) = self.cross(w, beams.media, at.body, at_limit);
         // Between equal indices there is no surface that could be rough.
@@ -91,7 +91,7 @@ impl Whitted<'_> {
                 #[inline(always)]
                 || {
                     let next = beams.generation.plus(w.word(1));
-                    let growth = Growth { at: &at, ground: None, next, is_last: true };
+                    let growth = ScatterContext { at: &at, ground: None, next, is_last: true };
                     self.refracted::<W, FULL>(w, &beams, &growth, straight, offspring);
                 },
             );
@@ -103,10 +103,10 @@ impl Whitted<'_> {
     fn refracted<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        growth: &Growth<'_, W>,
+        beams: &PathState<W>,
+        growth: &ScatterContext<'_, W>,
         transparent: W::M,
-        offspring: &mut impl Offspring<W>,
+        offspring: &mut impl SecondaryRays<W>,
     ) -> Vector<W::R> {
         let mut white = transparent;
         let mut split = None;
@@ -118,8 +118,8 @@ impl Whitted<'_> {
             }
         }
         let crossing = self.crossing::<W, FULL>(w, beams, beams.media, growth.at, transparent);
-        let Crossing { ratio, passes, filter, .. } = crossing;
-        offspring.crosses(Crossed { ratio, passes });
+        let DielectricInterface { ratio, passes, filter, .. } = crossing;
+        offspring.crosses(InterfaceCrossing { ratio, passes });
         if white.any() {
             self.send_through::<W, FULL>(w, beams, growth, &crossing, filter, white, offspring);
         }
@@ -135,10 +135,10 @@ impl Whitted<'_> {
     fn split<W: Width>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        growth: &Growth<'_, W>,
+        beams: &PathState<W>,
+        growth: &ScatterContext<'_, W>,
         lanes: W::M,
-        offspring: &mut impl Offspring<W>,
+        offspring: &mut impl SecondaryRays<W>,
     ) -> Vector<W::R> {
         w.run(
             #[inline(always)]
@@ -163,11 +163,11 @@ impl Whitted<'_> {
     fn crossing<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
+        beams: &PathState<W>,
         media: W::W,
-        at: &Encounter<W>,
+        at: &SurfaceInteraction<W>,
         transparent: W::M,
-    ) -> Crossing<W> {
+    ) -> DielectricInterface<W> {
         let one = w.real(1.0);
         let direction = beams.rays.direction;
         let (ratio, beyond) = self.cross(w, media, at.body, transparent);
@@ -183,7 +183,7 @@ impl Whitted<'_> {
         }
         // Total internal reflection: all of the light, and nothing twice.
         reflection = W::R::select(transparent & !passes, one, reflection);
-        Crossing { ratio, beyond, bent, passes, reflection, filter }
+        DielectricInterface { ratio, beyond, bent, passes, reflection, filter }
     }
 
     #[inline(always)]
@@ -191,14 +191,14 @@ impl Whitted<'_> {
     fn send_through<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        growth: &Growth<'_, W>,
-        crossing: &Crossing<W>,
+        beams: &PathState<W>,
+        growth: &ScatterContext<'_, W>,
+        crossing: &DielectricInterface<W>,
         filter: Vector<W::R>,
         lanes: W::M,
-        offspring: &mut impl Offspring<W>,
+        offspring: &mut impl SecondaryRays<W>,
     ) {
-        let Crossing { ratio, beyond, bent, passes, .. } = *crossing;
+        let DielectricInterface { ratio, beyond, bent, passes, .. } = *crossing;
         let straight = ratio.eq(w.real(1.0));
         let (mut filter, mut lanes) = (filter, lanes & passes);
         if FULL {
@@ -272,11 +272,11 @@ impl Whitted<'_> {
 
 /// The directions of the reflected rays.
 #[inline(always)]
-fn mirrored<W: Width>(beams: &Beams<W>, at: &Encounter<W>) -> Vector<W::R> {
+fn mirrored<W: Width>(beams: &PathState<W>, at: &SurfaceInteraction<W>) -> Vector<W::R> {
     mend_unit(reflect(beams.rays.direction, at.normal))
 }
 
-impl<W: Width> Growth<'_, W> {
+impl<W: Width> ScatterContext<'_, W> {
     /// What is reflected, of each channel.
     #[inline(always)]
     fn reflected<const FULL: bool>(&self, reflection: W::R) -> Vector<W::R> {
@@ -304,11 +304,11 @@ impl<W: Width> Growth<'_, W> {
     #[inline(always)]
     fn beams(
         &self,
-        of: &Beams<W>,
-        rays: Rays<W>,
+        of: &PathState<W>,
+        rays: RayPacket<W>,
         weight: Vector<W::R>,
         (media, lanes): (W::W, W::M),
-    ) -> Beams<W> {
-        Beams { rays, weight, generation: self.next, media, pixel: of.pixel, lanes }
+    ) -> PathState<W> {
+        PathState { rays, weight, generation: self.next, media, pixel: of.pixel, lanes }
     }
 }

@@ -3,43 +3,43 @@
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use super::{Beams, Queue, Whitted};
+use super::{PathState, RayQueue, WhittedIntegrator};
 use crate::lanes::{Mask as _, Width};
-use crate::media::Inside;
-use crate::ray::Rays;
-use crate::search::{Along, Flight, RayStream, ShadowStream, StreamMemory};
-use crate::stage::{Hierarchy, Row, STREAM, Stage, vector_at};
+use crate::media::BodyMembership;
+use crate::ray::RayPacket;
+use crate::search::{Candidates, RayQuery, RayStream, ShadowStream, StreamScratch};
+use crate::stage::{Accelerator, StreamRow, STREAM, RenderScene, vector_at};
 use crate::vector::Vector;
 
 /// A stream of rays with the light that they bring: working memory.
 #[derive(Debug)]
-pub(crate) struct Streams {
+pub(crate) struct StreamShading {
     pub(super) rays: Box<RayStream>,
-    light: Box<StreamLight>,
+    light: Box<StreamRadiance>,
     /// By light.
     shadows: Vec<Box<ShadowStream>>,
-    memory: StreamMemory,
+    memory: StreamScratch,
 }
 
 /// What the rays of a stream bring.
 #[derive(Debug, Zeroable)]
-struct StreamLight {
+struct StreamRadiance {
     /// The light that each brings without that of the lights.
-    own: Row<[f32; 4]>,
+    own: StreamRow<[f32; 4]>,
     /// What it counts for its pixel.
-    weight: Row<[f32; 4]>,
+    weight: StreamRow<[f32; 4]>,
 }
 
-impl Default for Streams {
+impl Default for StreamShading {
     fn default() -> Self {
-        Self { rays: zeroed_box(), light: zeroed_box(), shadows: Vec::new(), memory: StreamMemory::default() }
+        Self { rays: zeroed_box(), light: zeroed_box(), shadows: Vec::new(), memory: StreamScratch::default() }
     }
 }
 
-impl Streams {
+impl StreamShading {
     /// Makes a stream of the first rays of a queue. Their number.
     #[inline(always)]
-    pub(crate) fn begin<W: Width>(&mut self, w: W, queue: &Queue) -> usize {
+    pub(crate) fn begin<W: Width>(&mut self, w: W, queue: &RayQueue) -> usize {
         self.rays.begin();
         let count = queue.len().min(STREAM);
         self.shadows.iter_mut().for_each(|shadows| shadows.begin(count));
@@ -66,7 +66,7 @@ impl Streams {
         w: W,
         light: usize,
         at: usize,
-        rays: &Rays<W>,
+        rays: &RayPacket<W>,
         to: (W::W, W::R),
         answer: Vector<W::R>,
         lanes: W::M,
@@ -79,7 +79,7 @@ impl Streams {
     }
 }
 
-impl Stage {
+impl RenderScene {
     /// A stream keeps 1.3 MB for each light; with more lights than these all rays go by packets.
     const MOST_LIGHTS: usize = 16;
     /// Among so many bodies even neighbors from the eye part before they meet one, and order counts for more than company.
@@ -87,7 +87,7 @@ impl Stage {
 
     /// Whether rays that do not come from the eye are better traced by streams.
     pub(crate) fn goes_by_streams(&self) -> bool {
-        matches!(self.hierarchy, Hierarchy::Many(_)) && self.lights.len() <= Self::MOST_LIGHTS
+        matches!(self.hierarchy, Accelerator::Many(_)) && self.lights.len() <= Self::MOST_LIGHTS
     }
 
     /// Whether rays from the eye are, too.
@@ -101,14 +101,14 @@ impl Stage {
     }
 }
 
-impl Whitted<'_> {
+impl WhittedIntegrator<'_> {
     /// Looks for what the rays of a stream meet.
-    pub(crate) fn search<W: Width>(&self, w: W, streams: &mut Streams) {
+    pub(crate) fn search<W: Width>(&self, w: W, streams: &mut StreamShading) {
         streams.rays.search(w, self.stage, &self.media, &mut streams.memory);
     }
 
     /// Looks for what their shadow rays meet.
-    pub(crate) fn search_shadows<W: Width>(&self, w: W, streams: &mut Streams) {
+    pub(crate) fn search_shadows<W: Width>(&self, w: W, streams: &mut StreamShading) {
         for shadows in streams.shadows.iter_mut().filter(|shadows| !shadows.is_empty()) {
             shadows.search(w, self.stage, &self.media, &mut streams.memory);
         }
@@ -119,8 +119,8 @@ impl Whitted<'_> {
     pub(crate) fn gather<W: Width>(
         &mut self,
         w: W,
-        beams: &Beams<W>,
-        streams: &Streams,
+        beams: &PathState<W>,
+        streams: &StreamShading,
         at: usize,
     ) -> Vector<W::R> {
         let mut inside = std::mem::take(&mut self.inside);
@@ -141,9 +141,9 @@ impl Whitted<'_> {
         at: usize,
         light: Vector<W::R>,
         lanes: W::M,
-        inside: &Inside,
+        inside: &BodyMembership,
     ) -> Vector<W::R> {
-        let flight = Flight::new(w, self.stage, &shadows.rays(w, at), lanes, inside, Along::Anything);
+        let flight = RayQuery::new(w, self.stage, &shadows.rays(w, at), lanes, inside, Candidates::Anything);
         let (lit, more) = shadows.brought(w, at, &flight);
         if lit.any() { Vector::select(lit, light + more, light).bounded() } else { light }
     }

@@ -2,14 +2,14 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
-use super::{Beams, Dice, Origin, Whitted};
+use super::{PathState, Sampler, PacketSource, WhittedIntegrator};
 use crate::counts::RayCounts;
-use crate::lanes::One;
-use crate::tile::{Place, TILE};
+use crate::lanes::ScalarWidth;
+use crate::tile::{TileRect, TILE};
 
 /// What the rays of one sample of a pixel come to.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tally {
+pub struct PixelStatistics {
     /// The rays.
     pub counts: RayCounts,
     /// The light of the rays of each generation, the first first; as long as the tree is deep.
@@ -18,7 +18,7 @@ pub struct Tally {
     pub is_complete: bool,
 }
 
-impl Tally {
+impl PixelStatistics {
     /// The light of all generations.
     pub fn light(&self) -> DVec3 {
         self.generations.iter().sum()
@@ -28,7 +28,7 @@ impl Tally {
 /// A tree that is not at its end after so many rays in a row is left there.
 const LONGEST_WALK: usize = 1 << 12;
 
-impl Whitted<'_> {
+impl WhittedIntegrator<'_> {
     /// One walk down the tree of a sample of a pixel, a random branch at each fork, which `choose` takes of so many: an
     /// estimate of the number of its rays, those to lights included, that is right on average however large the tree is
     /// (D. E. Knuth 1975, Estimating the efficiency of backtrack programs, Mathematics of Computation 29).
@@ -43,12 +43,12 @@ impl Whitted<'_> {
             return 0.0;
         }
         let mut beam = self.primary_of(pixel, size, sample);
-        let mut branches: Vec<Beams<One>> = Vec::new();
+        let mut branches: Vec<PathState<ScalarWidth>> = Vec::new();
         // How many rays of the tree the one that is followed stands for.
         let (mut stands_for, mut rays) = (1.0, 0.0);
         for _ in 0..LONGEST_WALK {
             let before = self.counts.shadow;
-            self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut branches);
+            self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut branches);
             rays += stands_for * (1 + self.counts.shadow - before) as f64;
             if branches.is_empty() {
                 break;
@@ -62,17 +62,17 @@ impl Whitted<'_> {
     }
 
     /// The primary ray of a sample of a pixel of a picture that has it.
-    fn primary_of(&mut self, pixel: UVec2, size: UVec2, sample: u32) -> Beams<One> {
+    fn primary_of(&mut self, pixel: UVec2, size: UVec2, sample: u32) -> PathState<ScalarWidth> {
         self.tidy();
-        self.begin(sample, Dice::of_pixel(sample, pixel));
-        let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
+        self.begin(sample, Sampler::of_pixel(sample, pixel));
+        let ray = TileRect::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
         self.launched(ray)
     }
 
     /// Counts the rays of one sample of a pixel (column, row) of a picture of `size` pixels, and adds up their light
     /// generation by generation. After about `most_rays`, shadow rays not counted, it gives up; so it does when it is
     /// cancelled. A pixel that is not in the picture has no rays.
-    pub fn pixel_tally(&mut self, pixel: UVec2, size: UVec2, sample: u32, most_rays: usize) -> Tally {
+    pub fn pixel_tally(&mut self, pixel: UVec2, size: UVec2, sample: u32, most_rays: usize) -> PixelStatistics {
         let before = self.counts;
         let mut generations: Vec<DVec3> = Vec::new();
         let is_complete = self.pixel_rays(pixel, size, sample, most_rays, |generation, light| {
@@ -84,7 +84,7 @@ impl Whitted<'_> {
                 *sum += light.as_dvec3();
             }
         });
-        Tally { counts: self.counts - before, generations, is_complete }
+        PixelStatistics { counts: self.counts - before, generations, is_complete }
     }
 
     /// Shows `take` the generation of each ray of one sample of a pixel and what it adds to it, in no particular order;
@@ -100,7 +100,7 @@ impl Whitted<'_> {
         if pixel.x >= size.x || pixel.y >= size.y {
             return false;
         }
-        let mut pending: Vec<Beams<One>> = vec![self.primary_of(pixel, size, sample)];
+        let mut pending: Vec<PathState<ScalarWidth>> = vec![self.primary_of(pixel, size, sample)];
         let mut followed = 0;
         while followed < most_rays
             && !self.is_cancelled_at(followed)
@@ -108,7 +108,7 @@ impl Whitted<'_> {
         {
             take(
                 beam.generation,
-                self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut pending).light.into(),
+                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending).light.into(),
             );
             followed += 1;
         }

@@ -5,68 +5,68 @@ use std::collections::BinaryHeap;
 
 use glam::{UVec2, Vec3};
 
-use super::encounter::Encounter;
+use super::encounter::SurfaceInteraction;
 use super::record::{
-    Branch, Fate, Interface, LightAnswer, LightTerm, RayKind, Shadow, ShadowCrossing, SurfaceAnswer,
-    TracedRay,
+    BranchRecord, BranchOutcome, InterfaceRecord, LightContribution, LightTerm, RayKind, ShadowRecord, ShadowCrossing, SurfaceRecord,
+    RayRecord,
 };
-use super::{Beams, Crossed, Dice, Followed, Offspring, Origin, Whitted};
-use crate::lanes::One;
-use crate::media::{Inside, MediaTable};
-use crate::pick::SurfaceHit;
-use crate::ray::{Ray, Rays};
-use crate::search::{Along, Flight, Hit, Through, found_in};
-use crate::stage::Stage;
+use super::{PathState, InterfaceCrossing, Sampler, PacketRadiance, SecondaryRays, PacketSource, WhittedIntegrator};
+use crate::lanes::ScalarWidth;
+use crate::media::{BodyMembership, MediumStacks};
+use crate::pick::RayIntersection;
+use crate::ray::{Ray, RayPacket};
+use crate::search::{Candidates, RayQuery, HitRecord, Transmittance, found_in};
+use crate::stage::RenderScene;
 use crate::surface::highlight_cosine;
-use crate::tile::{Place, TILE};
+use crate::tile::{TileRect, TILE};
 use crate::vector::Vector;
 
 /// A ray that waits, and why. The heaviest goes first, of equal ones the one sent first.
-struct Waiting {
-    beam: Beams<One>,
+struct QueuedPath {
+    beam: PathState<ScalarWidth>,
     kind: RayKind,
     coefficient: Vec3,
     parent: Option<usize>,
     number: usize,
 }
 
-impl Waiting {
+impl QueuedPath {
     fn key(&self) -> (f32, usize) {
         (self.beam.weight.largest(), self.number)
     }
 }
 
-impl Ord for Waiting {
+impl Ord for QueuedPath {
     fn cmp(&self, other: &Self) -> Ordering {
         let ((weight, number), (other_weight, other_number)) = (self.key(), other.key());
         weight.total_cmp(&other_weight).then(other_number.cmp(&number))
     }
 }
 
-impl PartialOrd for Waiting {
+impl PartialOrd for QueuedPath {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Waiting {
+impl PartialEq for QueuedPath {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Waiting {}
+impl Eq for QueuedPath {}
 
 /// Writes down what becomes of one ray.
-struct Scribe<'a> {
-    stage: &'a Stage,
+struct PathRecorder<'a> {
+    stage: &'a RenderScene,
     /// The bodies that the ray flies in, the one entered last at the end.
     media: Vec<u32>,
-    at: Option<Encounter<One>>,
+    at: Option<SurfaceInteraction<ScalarWidth>>,
     local: Option<Vector<f32>>,
     lights: Vec<LightTerm>,
     highlight: Option<(Vector<f32>, f32)>,
-    crossing: Option<Crossed<One>>,
+    crossing: Option<InterfaceCrossing<ScalarWidth>>,
     /// What the way there leaves of the light.
     through: Vector<f32>,
     /// The coefficients of what was let through last, and of all that was.
@@ -77,11 +77,11 @@ struct Scribe<'a> {
     /// Whether a ray has been let through.
     has_refracted: bool,
     /// The rays that go on, with their coefficients.
-    sent: Vec<(RayKind, Vec3, Beams<One>)>,
+    sent: Vec<(RayKind, Vec3, PathState<ScalarWidth>)>,
 }
 
-impl<'a> Scribe<'a> {
-    fn new(stage: &'a Stage, table: &MediaTable, media: u32) -> Self {
+impl<'a> PathRecorder<'a> {
+    fn new(stage: &'a RenderScene, table: &MediumStacks, media: u32) -> Self {
         let mut media: Vec<u32> = table.bodies(media).collect();
         media.reverse();
         Self {
@@ -103,17 +103,17 @@ impl<'a> Scribe<'a> {
     }
 }
 
-impl Offspring<One> for Scribe<'_> {
-    fn reflected(&mut self, beam: Beams<One>) {
+impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
+    fn reflected(&mut self, beam: PathState<ScalarWidth>) {
         self.sent.push((RayKind::Reflected, self.reflected, beam));
     }
 
-    fn refracted(&mut self, beam: Beams<One>) {
+    fn refracted(&mut self, beam: PathState<ScalarWidth>) {
         self.has_refracted = true;
         self.sent.push((RayKind::Refracted, self.through_last, beam));
     }
 
-    fn meets(&mut self, at: &Encounter<One>) {
+    fn meets(&mut self, at: &SurfaceInteraction<ScalarWidth>) {
         self.at = Some(*at);
     }
 
@@ -123,9 +123,9 @@ impl Offspring<One> for Scribe<'_> {
         self.lights.push(LightTerm { light, direction, distance, cosine, shadow: None, answer: None });
     }
 
-    fn asks(&mut self, rays: &Rays<One>, distance: f32, inside: &Inside, through: &Through<One>) {
-        let mut hits: Vec<Hit> = Vec::new();
-        Flight::new(One, self.stage, rays, true, inside, Along::Anything)
+    fn asks(&mut self, rays: &RayPacket<ScalarWidth>, distance: f32, inside: &BodyMembership, through: &Transmittance<ScalarWidth>) {
+        let mut hits: Vec<HitRecord> = Vec::new();
+        RayQuery::new(ScalarWidth, self.stage, rays, true, inside, Candidates::Anything)
             .crossings(distance, |hit| hits.push(hit));
         hits.sort_by(|a, b| {
             let order = || self.stage.scene_order(a.body, b.body);
@@ -158,7 +158,7 @@ impl Offspring<One> for Scribe<'_> {
         let through_last = left_until(distance, &media);
         if let Some(term) = self.lights.last_mut() {
             term.shadow =
-                Some(Shadow { passed: through.shares(One).into(), crossings, through: through_last });
+                Some(ShadowRecord { passed: through.shares(ScalarWidth).into(), crossings, through: through_last });
         }
     }
 
@@ -172,7 +172,7 @@ impl Offspring<One> for Scribe<'_> {
             self.highlight.map_or((f32::NAN, 0.0), |(to_viewer, highlight)| {
                 (highlight_cosine(to_viewer, term.direction.into(), at.normal), highlight)
             });
-        term.answer = Some(LightAnswer {
+        term.answer = Some(LightContribution {
             power: power.into(),
             diffuse: at.scattered(term.cosine).into(),
             highlight_cosine,
@@ -186,7 +186,7 @@ impl Offspring<One> for Scribe<'_> {
         self.local = Some(local);
     }
 
-    fn crosses(&mut self, crossed: Crossed<One>) {
+    fn crosses(&mut self, crossed: InterfaceCrossing<ScalarWidth>) {
         self.crossing = Some(crossed);
     }
 
@@ -208,13 +208,13 @@ impl Offspring<One> for Scribe<'_> {
     }
 }
 
-impl<'a> Whitted<'a> {
+impl<'a> WhittedIntegrator<'a> {
     /// The tree of rays that grows from `primary`, at most `limit` of them: each ray after its parent, the reflected
-    /// branch of a hit before the refracted one. The sum of all [`TracedRay::light`] is what reaches the start.
+    /// branch of a hit before the refracted one. The sum of all [`RayRecord::light`] is what reaches the start.
     ///
     /// A tree of glass bodies doubles with every generation, hence the limit: the heaviest rays are followed first, and
-    /// what was not followed is marked [`Fate::LeftOut`]. The tree ends early, too, when it is cancelled.
-    pub fn tree(&mut self, primary: Ray, limit: usize) -> Vec<TracedRay> {
+    /// what was not followed is marked [`BranchOutcome::LeftOut`]. The tree ends early, too, when it is cancelled.
+    pub fn tree(&mut self, primary: Ray, limit: usize) -> Vec<RayRecord> {
         let root = self.root(&primary);
         self.grow(root, limit)
     }
@@ -224,13 +224,13 @@ impl<'a> Whitted<'a> {
     /// each. Only the order is another in which light is added up.
     ///
     /// A pixel that is not in the picture has no rays.
-    pub fn pixel_tree(&mut self, pixel: UVec2, size: UVec2, sample: u32, limit: usize) -> Vec<TracedRay> {
+    pub fn pixel_tree(&mut self, pixel: UVec2, size: UVec2, sample: u32, limit: usize) -> Vec<RayRecord> {
         if pixel.x >= size.x || pixel.y >= size.y {
             return Vec::new();
         }
         self.tidy();
-        self.begin(sample, Dice::of_pixel(sample, pixel));
-        let ray = Place::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
+        self.begin(sample, Sampler::of_pixel(sample, pixel));
+        let ray = TileRect::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
         let root = self.launched(ray);
         let mut tree = self.grow(root, limit);
         if let Some(primary) = tree.first_mut() {
@@ -241,27 +241,27 @@ impl<'a> Whitted<'a> {
         tree
     }
 
-    fn grow(&mut self, root: Beams<One>, limit: usize) -> Vec<TracedRay> {
+    fn grow(&mut self, root: PathState<ScalarWidth>, limit: usize) -> Vec<RayRecord> {
         let mut waiting = BinaryHeap::new();
         let (kind, coefficient) = (RayKind::Primary, Vec3::ONE);
-        waiting.push(Waiting { beam: root, kind, coefficient, parent: None, number: 0 });
-        let mut tree: Vec<TracedRay> = Vec::new();
+        waiting.push(QueuedPath { beam: root, kind, coefficient, parent: None, number: 0 });
+        let mut tree: Vec<RayRecord> = Vec::new();
         let mut number = 1;
         while tree.len() < limit
-            && let Some(Waiting { beam, kind, coefficient, parent, .. }) = waiting.pop()
+            && let Some(QueuedPath { beam, kind, coefficient, parent, .. }) = waiting.pop()
         {
             if self.is_cancelled_at(tree.len()) {
                 break;
             }
             let place = tree.len();
-            let mut scribe = Scribe::new(self.stage, &self.media, beam.media);
-            let followed = self.follow::<One, true>(One, &beam, Origin::Anywhere, &mut scribe);
+            let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
+            let followed = self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
-                waiting.push(Waiting { beam, kind, coefficient, parent: Some(place), number });
+                waiting.push(QueuedPath { beam, kind, coefficient, parent: Some(place), number });
                 number += 1;
             }
             let ray = self.write_down(&beam, kind, parent, &followed, scribe);
-            tree.push(TracedRay { coefficient, ..ray });
+            tree.push(RayRecord { coefficient, ..ray });
         }
         in_depth_first_order(tree)
     }
@@ -275,16 +275,16 @@ impl<'a> Whitted<'a> {
 
     fn write_down(
         &mut self,
-        beam: &Beams<One>,
+        beam: &PathState<ScalarWidth>,
         kind: RayKind,
         parent: Option<usize>,
-        followed: &Followed<One>,
-        scribe: Scribe<'_>,
-    ) -> TracedRay {
+        followed: &PacketRadiance<ScalarWidth>,
+        scribe: PathRecorder<'_>,
+    ) -> RayRecord {
         let ray = beam.rays.ray();
         let bodies = self.media.bodies(beam.media);
         let media = bodies.filter_map(|body| self.stage.scene_index(body)).collect();
-        TracedRay {
+        RayRecord {
             ray,
             origin: self.stage.world_from_render(ray.origin),
             kind,
@@ -299,19 +299,19 @@ impl<'a> Whitted<'a> {
             local: scribe.local.unwrap_or_else(|| self.stage.sky.along(beam.rays.direction)).into(),
             media,
             ior: self.media.ior(self.stage, &self.waves, beam.media),
-            hit: found_in(&followed.hits).and_then(|hit| SurfaceHit::new(self.stage, &ray, hit)),
+            hit: found_in(&followed.hits).and_then(|hit| RayIntersection::new(self.stage, &ray, hit)),
             answer: scribe.at.map(|at| self.answer(beam, &at, scribe)),
         }
     }
 
-    fn answer(&mut self, beam: &Beams<One>, at: &Encounter<One>, scribe: Scribe<'_>) -> SurfaceAnswer {
+    fn answer(&mut self, beam: &PathState<ScalarWidth>, at: &SurfaceInteraction<ScalarWidth>, scribe: PathRecorder<'_>) -> SurfaceRecord {
         let is_last = beam.generation >= self.generations;
         let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
         let grown = beyond.as_ref().unwrap_or(&scribe);
-        let interface = grown.crossing.map(|Crossed { ratio, passes }| {
+        let interface = grown.crossing.map(|InterfaceCrossing { ratio, passes }| {
             let beyond = self.media.crossing(self.stage, &self.waves, beam.media, at.body).beyond;
             let ior_beyond = self.media.ior(self.stage, &self.waves, beyond);
-            Interface { ior_beyond, ratio, is_total: !passes }
+            InterfaceRecord { ior_beyond, ratio, is_total: !passes }
         });
         let is_total = interface.is_some_and(|interface| interface.is_total);
         let weight = beam.weight.times(scribe.through);
@@ -319,7 +319,7 @@ impl<'a> Whitted<'a> {
         // What goes straight on does so at the limit, too.
         let mut refracted = self.branch(weight, grown.through_all, is_last && !scribe.has_refracted);
         if is_total {
-            refracted.fate = Fate::TotalReflection;
+            refracted.fate = BranchOutcome::TotalReflection;
         }
         let body = self.stage.body(at.body);
         let material = self.stage.material(body);
@@ -327,8 +327,8 @@ impl<'a> Whitted<'a> {
         let point = self.stage.surface_point(at.body, line, at.t, at.leaves());
         let checker = self.stage.checkers.get(body.checker as usize);
         let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
-        let own = material.color_at(One, body, point.in_body, true);
-        SurfaceAnswer {
+        let own = material.color_at(ScalarWidth, body, point.in_body, true);
+        SurfaceRecord {
             color: odd.map_or(own, |checker| Vector::splat(0.0, checker.color)).into(),
             is_odd_cell: odd.is_some(),
             law: material.law.name(),
@@ -347,28 +347,28 @@ impl<'a> Whitted<'a> {
     }
 
     /// What would grow from a surface from which no ray goes on any more.
-    fn growth_beyond(&mut self, beam: &Beams<One>, at: &Encounter<One>) -> Scribe<'a> {
+    fn growth_beyond(&mut self, beam: &PathState<ScalarWidth>, at: &SurfaceInteraction<ScalarWidth>) -> PathRecorder<'a> {
         let counts = self.counts;
-        let mut scribe = Scribe::new(self.stage, &self.media, beam.media);
-        self.spawn::<One, true>(One, beam, at, true, &mut scribe);
+        let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
+        self.spawn::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);
         self.counts = counts;
         scribe
     }
 
     /// A branch before it is known which ray it is: one that is followed counts as left out.
-    fn branch(&self, weight: Vector<f32>, coefficient: Vec3, is_last: bool) -> Branch {
+    fn branch(&self, weight: Vector<f32>, coefficient: Vec3, is_last: bool) -> BranchRecord {
         let weight = weight.times(coefficient.into()).bounded();
-        let fate = match self.carries(One, weight) {
-            true if is_last => Fate::GenerationLimit,
-            true => Fate::LeftOut,
-            false if weight.largest() > 0.0 => Fate::Threshold,
-            false => Fate::Nothing,
+        let fate = match self.carries(ScalarWidth, weight) {
+            true if is_last => BranchOutcome::GenerationLimit,
+            true => BranchOutcome::LeftOut,
+            false if weight.largest() > 0.0 => BranchOutcome::Threshold,
+            false => BranchOutcome::Nothing,
         };
-        Branch { coefficient, weight: weight.into(), fate }
+        BranchRecord { coefficient, weight: weight.into(), fate }
     }
 }
 
-fn fate_of(answer: &mut SurfaceAnswer, kind: RayKind) -> &mut Fate {
+fn fate_of(answer: &mut SurfaceRecord, kind: RayKind) -> &mut BranchOutcome {
     match kind {
         RayKind::Refracted => &mut answer.refracted.fate,
         _ => &mut answer.reflected.fate,
@@ -377,15 +377,15 @@ fn fate_of(answer: &mut SurfaceAnswer, kind: RayKind) -> &mut Fate {
 
 /// Puts a tree in order: each ray after its parent, the whole reflected branch of a hit before the refracted ones; tells
 /// parents which rays follow them.
-fn in_depth_first_order(tree: Vec<TracedRay>) -> Vec<TracedRay> {
+fn in_depth_first_order(tree: Vec<RayRecord>) -> Vec<RayRecord> {
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); tree.len()];
     for (place, ray) in tree.iter().enumerate() {
         if let Some(siblings) = ray.parent.and_then(|parent| children.get_mut(parent)) {
             siblings.push(place);
         }
     }
-    let mut rays: Vec<Option<TracedRay>> = tree.into_iter().map(Some).collect();
-    let mut ordered: Vec<TracedRay> = Vec::with_capacity(rays.len());
+    let mut rays: Vec<Option<RayRecord>> = tree.into_iter().map(Some).collect();
+    let mut ordered: Vec<RayRecord> = Vec::with_capacity(rays.len());
     let mut pending = vec![(0, None::<usize>)];
     while let Some((old, parent)) = pending.pop() {
         let Some(mut ray) = rays.get_mut(old).and_then(Option::take) else { continue };
@@ -394,8 +394,8 @@ fn in_depth_first_order(tree: Vec<TracedRay>) -> Vec<TracedRay> {
         if let Some(answer) = parent.and_then(|parent| ordered.get_mut(parent)?.answer.as_mut()) {
             // Of the waves of split light the first one stands for all.
             let fate = fate_of(answer, ray.kind);
-            if !matches!(fate, Fate::Followed(_)) {
-                *fate = Fate::Followed(place);
+            if !matches!(fate, BranchOutcome::Followed(_)) {
+                *fate = BranchOutcome::Followed(place);
             }
         }
         let mut own = children.get_mut(old).map(std::mem::take).unwrap_or_default();

@@ -4,9 +4,9 @@ use catoptric_optics::observer;
 
 /// Light of some wavelengths that makes white together; other ones in every sample.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Waves(Vec<observer::Wave>);
+pub(crate) struct SampledWavelengths(Vec<observer::Wave>);
 
-impl Waves {
+impl SampledWavelengths {
     /// So many that one sample of a prism shows its colors.
     pub(crate) const COUNT: usize = 8;
 

@@ -5,8 +5,8 @@ use catoptric_scene::{
     Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, Placement, Projection, Scene,
     Shape, Tracing,
 };
-use catoptric_tracer::method::{Drawing, Method, draw};
-use catoptric_tracer::{Control, RenderSettings, Stage, render};
+use catoptric_tracer::method::{MethodOutput, Method, draw};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
 use glam::DVec3;
 
 pub(crate) fn v(x: f64, y: f64, z: f64) -> DVec3 {
@@ -81,20 +81,20 @@ pub(crate) fn scene(bodies: Vec<Body>, camera: Camera, lights: Vec<Light>) -> Sc
     }
 }
 
-pub(crate) fn stage(scene: &Scene) -> Stage {
-    Stage::prepare(scene).unwrap()
+pub(crate) fn stage(scene: &Scene) -> RenderScene {
+    RenderScene::prepare(scene).unwrap()
 }
 
 pub(crate) fn size(width: u32, height: u32) -> RenderSettings {
     RenderSettings { width, height, samples: 1 }
 }
 
-pub(crate) fn traced(stage: &Stage, settings: RenderSettings) -> Picture {
-    render(stage, settings, &Control::default()).unwrap().picture
+pub(crate) fn traced(stage: &RenderScene, settings: RenderSettings) -> Picture {
+    render(stage, settings, &RenderControl::default()).unwrap().picture
 }
 
-pub(crate) fn drawn(stage: &Stage, method: Method, settings: RenderSettings) -> Drawing {
-    draw(stage, &method, settings, &Control::default()).unwrap()
+pub(crate) fn drawn(stage: &RenderScene, method: Method, settings: RenderSettings) -> MethodOutput {
+    draw(stage, &method, settings, &RenderControl::default()).unwrap()
 }
 
 /// The root of the mean squared difference.
@@ -108,7 +108,7 @@ pub(crate) fn differs(a: &[f32; 3], b: &[f32; 3], bound: f32) -> bool {
 }
 
 /// For each pixel, the place in the scene of the body it shows.
-pub(crate) fn bodies_seen(stage: &Stage, settings: RenderSettings) -> Vec<Option<usize>> {
+pub(crate) fn bodies_seen(stage: &RenderScene, settings: RenderSettings) -> Vec<Option<usize>> {
     let size = glam::DVec2::new(f64::from(settings.width), f64::from(settings.height));
     let pixels = (0..settings.height).flat_map(|y| (0..settings.width).map(move |x| (x, y)));
     let center = |(x, y)| glam::DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);

@@ -4,14 +4,14 @@ use catoptric_scene::{Example, Projection, Scene, Shape};
 use catoptric_tracer::method::{
     CubeMapSettings, Method, MethodError, MethodKind, ShadingSettings, SsrSettings, draw,
 };
-use catoptric_tracer::{Control, RenderSettings};
+use catoptric_tracer::{RenderControl, RenderSettings};
 use glam::DVec3;
 
 use crate::common::*;
 
 fn refusal(method: &Method) -> String {
     let stage = stage(&Scene::default());
-    match draw(&stage, method, size(4, 4), &Control::default()) {
+    match draw(&stage, method, size(4, 4), &RenderControl::default()) {
         Err(MethodError::Setting(error)) => error.to_string(),
         other => panic!("{other:?}"),
     }
@@ -39,7 +39,7 @@ fn settings_out_of_range_are_refused_with_the_range() {
 fn maps_beyond_all_memory_are_refused_before_they_are_made() {
     let scene = Example::find("sphereflake").unwrap().load().unwrap().scene;
     let method = Method::CubeMap(CubeMapSettings { size: 4096, parallax: false });
-    let error = draw(&stage(&scene), &method, size(200, 150), &Control::default()).unwrap_err();
+    let error = draw(&stage(&scene), &method, size(200, 150), &RenderControl::default()).unwrap_err();
     assert!(matches!(error, MethodError::TooManyCubeMaps { size: 4096, .. }), "{error}");
 }
 
@@ -48,7 +48,7 @@ fn a_cancelled_drawing_ends() {
     let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
     let stage = stage(&scene);
     for kind in MethodKind::ALL {
-        let control = Control::default();
+        let control = RenderControl::default();
         control.cancel();
         let ended = draw(&stage, &kind.method(), size(50, 50), &control);
         assert!(matches!(ended, Err(MethodError::Cancelled)), "{kind}: {ended:?}");
@@ -60,7 +60,7 @@ fn progress_reaches_what_was_announced() {
     let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
     let stage = stage(&scene);
     for kind in MethodKind::ALL {
-        let control = Control::default();
+        let control = RenderControl::default();
         let settings = RenderSettings { samples: 2, ..size(40, 30) };
         draw(&stage, &kind.method(), settings, &control).unwrap();
         assert_eq!(control.pixels_done(), control.pixels_expected(), "{kind}");

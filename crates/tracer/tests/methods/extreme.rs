@@ -9,7 +9,7 @@ use catoptric_scene::format::keys;
 use catoptric_scene::format::read;
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits, TableSpec, When};
 use catoptric_tracer::method::{Method, MethodKind, draw};
-use catoptric_tracer::{Control, RenderSettings, Stage};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
@@ -183,7 +183,7 @@ fn watched(work: impl FnOnce(&Sender<Word>) + Send + 'static) {
 
 /// Draws a scene by all methods.
 fn draw_all(text: &str, scene: &Scene, (width, height): (u32, u32), sender: &Sender<Word>) {
-    let stage = Stage::prepare(scene).unwrap();
+    let stage = RenderScene::prepare(scene).unwrap();
     for kind in MethodKind::ALL {
         sender.send(Word::Next(format!("{kind}\n{text}"))).unwrap();
         let mut method = kind.method();
@@ -191,7 +191,7 @@ fn draw_all(text: &str, scene: &Scene, (width, height): (u32, u32), sender: &Sen
             settings.size = 4;
         }
         let settings = RenderSettings { width, height, samples: 2 };
-        let drawing = draw(&stage, &method, settings, &Control::default()).unwrap();
+        let drawing = draw(&stage, &method, settings, &RenderControl::default()).unwrap();
         let mut parts = drawing.picture.pixels().iter().flatten();
         if let Some(part) = parts.find(|part| !part.is_finite()) {
             sender.send(Word::Wrong(format!("{part} by {kind}\n{text}"))).unwrap();

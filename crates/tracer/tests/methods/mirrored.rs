@@ -3,9 +3,9 @@
 use catoptric_picture::Picture;
 use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
 use catoptric_tracer::method::{
-    CubeMap, CubeMapSettings, CubeMaps, Fallback, Layer, Method, PassName, SsrSettings, draw_through,
+    CubeMap, CubeMapSettings, CubeMaps, SsrFallback, GBufferLayer, Method, PassName, SsrSettings, draw_through,
 };
-use catoptric_tracer::{Control, Stage};
+use catoptric_tracer::{RenderControl, RenderScene};
 use glam::{DVec3, Vec3};
 
 use crate::common::*;
@@ -37,7 +37,7 @@ fn mirror_floor(projection: Projection) -> Scene {
 }
 
 /// The share of the pixels that show the scene's first body and differ by more than `bound`.
-fn share_off(stage: &Stage, drawn: &Picture, truth: &Picture, bound: f32) -> f64 {
+fn share_off(stage: &RenderScene, drawn: &Picture, truth: &Picture, bound: f32) -> f64 {
     let seen = bodies_seen(stage, size(truth.width(), truth.height()));
     let pixels = drawn.pixels().iter().zip(truth.pixels()).zip(seen);
     let of_first: Vec<bool> =
@@ -159,7 +159,7 @@ fn the_fallback_fills_what_the_screen_lacks() {
         let picture = drawn(&stage, Method::Ssr(SsrSettings { fallback, ..ssr() }), size(160, 120)).picture;
         share_off(&stage, &picture, &truth, 3.0 / 255.0)
     };
-    let (background, mapped) = (off(Fallback::Background), off(Fallback::CubeMap(maps)));
+    let (background, mapped) = (off(SsrFallback::Background), off(SsrFallback::CubeMap(maps)));
     assert!(background > 0.3 && mapped < 0.05, "{background} and {mapped}");
 }
 
@@ -171,7 +171,7 @@ fn cube_maps_are_kept_while_nothing_they_show_changes() {
         let stage = stage(scene);
         let method = cube_map(32, false);
         let drawing =
-            draw_through(&stage, stage.camera(), &method, size(60, 40), &Control::default(), &mut maps)
+            draw_through(&stage, stage.camera(), &method, size(60, 40), &RenderControl::default(), &mut maps)
                 .unwrap();
         let fresh = drawn(&stage, method, size(60, 40));
         assert!(drawing.picture == fresh.picture);
@@ -220,19 +220,19 @@ fn layers_show_what_the_buffers_hold() {
     let layer = |layer| drawing.layer(&stage, layer).unwrap().unwrap();
     // The floor in the middle of the lowest row.
     let at = |which, x, y| layer(which).pixel(x, y).unwrap();
-    assert_eq!(at(Layer::Normal, 40, 49), [0.5, 1.0, 0.5]);
-    assert_eq!(at(Layer::Coefficients, 40, 49), [0.0, 0.0, 1.0]);
-    assert_eq!(at(Layer::Lit, 40, 49), [0.0; 3]);
-    assert!(at(Layer::Reflected, 40, 49)[0] > 0.1);
-    assert!(at(Layer::Depth, 40, 49)[0] > 0.9 && at(Layer::Depth, 40, 2)[0] < 0.4);
-    assert_ne!(at(Layer::Body, 40, 49), at(Layer::Body, 40, 2));
-    assert_eq!(at(Layer::Color, 40, 2).map(|part| (part * 10.0).round()), [9.0, 7.0, 4.0]);
-    assert!(drawn(&stage, Method::Whitted, size(8, 5)).layer(&stage, Layer::Lit).unwrap().is_none());
+    assert_eq!(at(GBufferLayer::Normal, 40, 49), [0.5, 1.0, 0.5]);
+    assert_eq!(at(GBufferLayer::Coefficients, 40, 49), [0.0, 0.0, 1.0]);
+    assert_eq!(at(GBufferLayer::Lit, 40, 49), [0.0; 3]);
+    assert!(at(GBufferLayer::Reflected, 40, 49)[0] > 0.1);
+    assert!(at(GBufferLayer::Depth, 40, 49)[0] > 0.9 && at(GBufferLayer::Depth, 40, 2)[0] < 0.4);
+    assert_ne!(at(GBufferLayer::Body, 40, 49), at(GBufferLayer::Body, 40, 2));
+    assert_eq!(at(GBufferLayer::Color, 40, 2).map(|part| (part * 10.0).round()), [9.0, 7.0, 4.0]);
+    assert!(drawn(&stage, Method::Whitted, size(8, 5)).layer(&stage, GBufferLayer::Lit).unwrap().is_none());
 }
 
 #[test]
 fn the_bytes_do_not_depend_on_the_threads() {
-    let fallback = Fallback::CubeMap(CubeMapSettings { size: 16, parallax: true });
+    let fallback = SsrFallback::CubeMap(CubeMapSettings { size: 16, parallax: true });
     for example in ["four-bodies", "still-life"] {
         let stage = stage(&Example::find(example).unwrap().load().unwrap().scene);
         for method in [Method::Ssr(SsrSettings { fallback, ..ssr() }), cube_map(16, true)] {

@@ -6,7 +6,7 @@ use catoptric_tracer::method::{
     CubeMapSettings, LightModel, Method, MethodError, Reason, ReasonMap, ShadingSettings, SsrSettings,
     reasons,
 };
-use catoptric_tracer::{Control, Stage};
+use catoptric_tracer::{RenderControl, RenderScene};
 use glam::DVec3;
 
 use crate::common::*;
@@ -16,7 +16,7 @@ const HEIGHT: u32 = 150;
 const BOUND: f64 = 2.0 / 255.0;
 
 struct Explained {
-    stage: Stage,
+    stage: RenderScene,
     truth: Picture,
     map: ReasonMap,
 }
@@ -25,7 +25,7 @@ fn explained(scene: &Scene, method: Method) -> Explained {
     let (stage, settings) = (stage(scene), size(WIDTH, HEIGHT));
     let truth = traced(&stage, settings);
     let drawing = drawn(&stage, method, settings);
-    let map = reasons(&stage, &method, settings, &truth, &drawing, BOUND, &Control::default()).unwrap();
+    let map = reasons(&stage, &method, settings, &truth, &drawing, BOUND, &RenderControl::default()).unwrap();
     // Every pixel that differs has a reason, and no other.
     let pairs = truth.pixels().iter().zip(drawing.picture.pixels());
     for ((a, b), reason) in pairs.zip(map.reasons()) {
@@ -214,7 +214,7 @@ fn pictures_of_other_sizes_are_refused_and_equal_ones_have_no_reasons() {
     let stage = stage(&shading_scene());
     let drawing = drawn(&stage, Method::Whitted, size(20, 10));
     let of = |truth: &Picture| {
-        reasons(&stage, &Method::Whitted, size(20, 10), truth, &drawing, 0.0, &Control::default())
+        reasons(&stage, &Method::Whitted, size(20, 10), truth, &drawing, 0.0, &RenderControl::default())
     };
     assert!(of(&drawing.picture).unwrap().counts().is_empty());
     let other = traced(&stage, size(10, 20));

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
-use catoptric_tracer::Stage;
+use catoptric_tracer::RenderScene;
 use catoptric_tracer::method::{LightModel, Method, ShadingSettings};
 use glam::DVec3;
 
@@ -14,7 +14,7 @@ fn fine(fineness: u32) -> ShadingSettings {
 }
 
 /// A glossy ball that fills the picture, with its outline outside of it.
-fn close_ball() -> Stage {
+fn close_ball() -> RenderScene {
     let ball = ball(1.0, v(0.1, 0.0, -0.2), glossy());
     let scene = scene(
         vec![ball],
@@ -45,7 +45,7 @@ fn five_shapes(projection: Projection) -> Scene {
     scene(bodies, camera, vec![light(v(-2.0, 9.0, 9.0), 0.8)])
 }
 
-fn errors(stage: &Stage, method: fn(ShadingSettings) -> Method, finenesses: [u32; 3]) -> [f64; 3] {
+fn errors(stage: &RenderScene, method: fn(ShadingSettings) -> Method, finenesses: [u32; 3]) -> [f64; 3] {
     let truth = traced(stage, size(160, 120));
     finenesses.map(|fineness| rmse(&drawn(stage, method(fine(fineness)), size(160, 120)).picture, &truth))
 }

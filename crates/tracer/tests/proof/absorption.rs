@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_scene::{Body, Color, Falloff, Light, Material, Model, Scene, Shape};
-use catoptric_tracer::{Control, RenderSettings, Stage, TracedRay, Whitted, render};
+use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, RayRecord, WhittedIntegrator, render};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 
@@ -28,7 +28,7 @@ fn shining_floor() -> Material {
 }
 
 /// The share of light that the rays of a chain leave between the point `from` and one `distance` further on.
-fn left_on_the_way(rays: &[TracedRay], from: DVec3, distance: f64) -> DVec3 {
+fn left_on_the_way(rays: &[RayRecord], from: DVec3, distance: f64) -> DVec3 {
     let mut left = DVec3::ONE;
     for ray in rays {
         let start = ray.ray.origin.as_dvec3().distance(from);
@@ -165,11 +165,11 @@ fn crowd(count: usize) -> Scene {
 fn packets_streams_and_single_rays_absorb_alike() {
     let size = UVec2::new(96, 64);
     for count in [3, 20, 200] {
-        let stage: Stage = stage(&crowd(count));
+        let stage: RenderScene = stage(&crowd(count));
         let settings = RenderSettings { width: size.x, height: size.y, samples: 1 };
-        let picture = render(&stage, settings, &Control::default()).unwrap().picture;
+        let picture = render(&stage, settings, &RenderControl::default()).unwrap().picture;
         let cancel = AtomicBool::new(false);
-        let mut tracer = Whitted::new(&stage, &cancel);
+        let mut tracer = WhittedIntegrator::new(&stage, &cancel);
         for (place, pixel) in (0..).zip(picture.pixels()).step_by(7) {
             let at = UVec2::new(place % size.x, place / size.x);
             let alone = tracer.pixel_tally(at, size, 0, 1 << 16);

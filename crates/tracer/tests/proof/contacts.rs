@@ -1,7 +1,7 @@
 //! Bodies that touch, nearly touch, or are thinner than rounding; and numbers at the limits of the format.
 
 use catoptric_scene::{Color, Falloff, Material, Shape};
-use catoptric_tracer::{Control, RenderSettings, render};
+use catoptric_tracer::{RenderControl, RenderSettings, render};
 use glam::DVec3;
 
 use crate::common::{
@@ -110,6 +110,6 @@ fn the_mean_of_many_equal_samples_is_their_value() {
     let mut empty = scene(Vec::new());
     empty.environment.background = Color::new(0.1, 0.3, 0.7);
     let settings = RenderSettings { width: 1, height: 1, samples: 65536 };
-    let rendering = render(&stage(&empty), settings, &Control::default()).unwrap();
+    let rendering = render(&stage(&empty), settings, &RenderControl::default()).unwrap();
     assert_eq!(rendering.picture.pixels(), [[0.1, 0.3, 0.7]]);
 }

@@ -2,7 +2,7 @@
 
 use catoptric_scene::{Color, Material, Model, Shape};
 use catoptric_tracer::{
-    Control, RenderError, RenderSettings, Rendering, Stage, StageError, render, render_pixel, sample_offset,
+    RenderControl, RenderError, RenderSettings, RenderOutput, RenderScene, SceneBuildError, render, render_pixel, sample_offset,
 };
 use glam::{DVec2, DVec3, UVec2, Vec3A};
 use rayon::ThreadPoolBuilder;
@@ -12,9 +12,9 @@ use crate::samples::{LARGE, crowd, gallery};
 
 const SETTINGS: RenderSettings = RenderSettings { width: 101, height: 67, samples: 1 };
 
-fn on_threads(threads: usize, stage: &Stage, settings: RenderSettings) -> Rendering {
+fn on_threads(threads: usize, stage: &RenderScene, settings: RenderSettings) -> RenderOutput {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| render(stage, settings, &Control::default())).unwrap()
+    pool.install(|| render(stage, settings, &RenderControl::default())).unwrap()
 }
 
 #[test]
@@ -32,7 +32,7 @@ fn the_picture_and_the_counts_do_not_depend_on_the_threads() {
         assert_eq!(one.counts.primary, u64::from(settings.width * settings.height * settings.samples));
         for threads in [2, 3, 7] {
             let more = on_threads(threads, &stage, settings);
-            let bits = |rendering: &Rendering| -> Vec<u32> {
+            let bits = |rendering: &RenderOutput| -> Vec<u32> {
                 rendering.picture.pixels().iter().flatten().map(|channel| channel.to_bits()).collect()
             };
             assert!(bits(&one) == bits(&more), "{threads} threads give another picture");
@@ -64,7 +64,7 @@ fn a_stage_prepared_on_any_number_of_threads_is_the_same() {
 #[test]
 fn progress_counts_every_pixel_once() {
     for (width, height) in [(1, 1), (16, 16), (17, 33), (101, 67)] {
-        let control = Control::default();
+        let control = RenderControl::default();
         let settings = RenderSettings { width, height, samples: 1 };
         render(&stage(&gallery()), settings, &control).unwrap();
         assert_eq!(control.pixels_done(), u64::from(width) * u64::from(height));
@@ -74,7 +74,7 @@ fn progress_counts_every_pixel_once() {
 
 #[test]
 fn a_render_cancelled_before_it_begins_gives_no_picture() {
-    let control = Control::default();
+    let control = RenderControl::default();
     control.cancel();
     assert!(matches!(render(&stage(&gallery()), SETTINGS, &control), Err(RenderError::Cancelled)));
     assert!(control.pixels_done() < u64::from(SETTINGS.width * SETTINGS.height));
@@ -83,14 +83,14 @@ fn a_render_cancelled_before_it_begins_gives_no_picture() {
 #[test]
 fn progress_counts_every_ray_once() {
     for (scene, samples) in [(gallery(), 1), (gallery(), 3), (crowd(), 1)] {
-        let control = Control::default();
+        let control = RenderControl::default();
         let rendering = render(&stage(&scene), RenderSettings { samples, ..SETTINGS }, &control).unwrap();
         assert_eq!(control.rays_done(), rendering.counts.total());
     }
 }
 
 /// Two balls in one another, each of which splits every ray in two: pixels of billions of rays.
-fn nested() -> Stage {
+fn nested() -> RenderScene {
     let mut nested = scene(vec![
         ball(1.0, v(0.0, 1.0, 0.0), Material { model: Model::Dielectric, ..Material::default() }),
         ball(0.9, v(0.0, 1.0, 0.0), Material { model: Model::Dielectric, ior: 1.0, ..Material::default() }),
@@ -106,7 +106,7 @@ fn a_render_stops_within_a_pixel_when_it_is_cancelled() {
     const THREADS: u64 = 2;
     let pool = ThreadPoolBuilder::new().num_threads(THREADS as usize).build().unwrap();
     for stage in [endless(), nested()] {
-        let control = Control::default();
+        let control = RenderControl::default();
         let settings = RenderSettings { width: 160, height: 120, samples: 1 };
         let (result, before) = std::thread::scope(|scope| {
             let running = scope.spawn(|| pool.install(|| render(&stage, settings, &control)));
@@ -131,7 +131,7 @@ fn sizes_that_cannot_be_are_errors() {
     for (width, height) in [(0, 5), (5, 0), (u32::MAX, u32::MAX)] {
         let settings = RenderSettings { width, height, samples: 1 };
         assert!(matches!(
-            render(&stage(&gallery()), settings, &Control::default()),
+            render(&stage(&gallery()), settings, &RenderControl::default()),
             Err(RenderError::Size(_))
         ));
     }
@@ -143,7 +143,7 @@ fn samples_are_averaged_over_the_pixel() {
     let settings = RenderSettings { width: 20, height: 12, samples: 5 };
     let averaged = on_threads(2, &stage, settings).picture;
     let cancel = std::sync::atomic::AtomicBool::new(false);
-    let mut tracer = catoptric_tracer::Whitted::new(&stage, &cancel);
+    let mut tracer = catoptric_tracer::WhittedIntegrator::new(&stage, &cancel);
     for (x, y) in [(0, 0), (7, 5), (19, 11)] {
         let corner = DVec2::new(f64::from(x), f64::from(y));
         let light: Vec3A =
@@ -162,7 +162,7 @@ fn every_pixel_by_itself_is_that_of_the_picture() {
     // The last tiles are narrower and lower than others.
     let settings = RenderSettings { width: 45, height: 41, samples: 2 };
     let stage = stage(&gallery());
-    let control = Control::default();
+    let control = RenderControl::default();
     let whole = render(&stage, settings, &control).unwrap().picture;
     for (y, row) in whole.pixels().chunks(45).enumerate() {
         for (x, light) in row.iter().enumerate() {
@@ -187,15 +187,15 @@ fn every_pixel_by_itself_is_that_of_the_picture() {
 fn undefined_materials_are_errors_that_say_where() {
     let mut scene = scene(vec![ball(1.0, DVec3::ZERO, Material::default()); 2]);
     scene.bodies[1].material = catoptric_scene::MaterialChoice::Named("gold".into());
-    let error = Stage::prepare(&scene).unwrap_err();
+    let error = RenderScene::prepare(&scene).unwrap_err();
     let body = "number 2".to_owned();
-    assert_eq!(error, StageError::UndefinedMaterial { body, material: "gold".into() });
+    assert_eq!(error, SceneBuildError::UndefinedMaterial { body, material: "gold".into() });
     assert!(error.to_string().contains("gold"));
     scene.bodies[1].name = "crown".into();
-    assert!(Stage::prepare(&scene).unwrap_err().to_string().contains("\"crown\""));
+    assert!(RenderScene::prepare(&scene).unwrap_err().to_string().contains("\"crown\""));
     let material = Material { color: Color::WHITE, ..Material::default() };
     scene.materials = vec![catoptric_scene::NamedMaterial { name: "gold".into(), material }];
-    assert_eq!(Stage::prepare(&scene).unwrap().body_count(), 2);
+    assert_eq!(RenderScene::prepare(&scene).unwrap().body_count(), 2);
 }
 
 #[test]

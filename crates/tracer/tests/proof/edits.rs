@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use catoptric_scene::{Body, Falloff, Image, Scene, Shape, Sky, Surroundings};
-use catoptric_tracer::{Control, Ray, RenderSettings, Stage, SurfaceHit, render};
+use catoptric_tracer::{RenderControl, Ray, RenderSettings, RenderScene, RayIntersection, render};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -109,26 +109,26 @@ fn crowd() -> impl Strategy<Value = Scene> {
 }
 
 /// Follows an edit in a stage; whether it could, or the scene was prepared anew.
-fn follow(stage: &mut Stage, before: &Scene, after: &Scene, changed: &[usize]) -> bool {
+fn follow(stage: &mut RenderScene, before: &Scene, after: &Scene, changed: &[usize]) -> bool {
     match stage.edit(before, after, changed) {
         Some(edit) => {
             stage.apply(edit, after);
             true
         }
         None => {
-            *stage = Stage::prepare(after).unwrap();
+            *stage = RenderScene::prepare(after).unwrap();
             false
         }
     }
 }
 
 /// All of a hit but the body's place in the stage.
-fn told(hit: SurfaceHit) -> impl PartialEq + std::fmt::Debug {
+fn told(hit: RayIntersection) -> impl PartialEq + std::fmt::Debug {
     (hit.body, hit.hit.t.to_bits(), hit.hit.leaving, hit.position, hit.normal)
 }
 
 #[track_caller]
-fn assert_same_hits(followed: &Stage, fresh: &Stage) {
+fn assert_same_hits(followed: &RenderScene, fresh: &RenderScene) {
     let size = DVec2::new(16.0, 12.0);
     let eye = (0..16 * 12).map(|at| {
         let at = DVec2::new(f64::from(at % 16) + 0.5, f64::from(at / 16) + 0.5);
@@ -140,16 +140,16 @@ fn assert_same_hits(followed: &Stage, fresh: &Stage) {
         [v(1.0, 0.2, 0.3), v(-0.5, 0.4, -0.6), v(0.1, -1.0, 0.2)].map(|to| ray(v(0.1, 1.1, 0.2), to));
     for ray in eye.chain(within) {
         assert_eq!(followed.nearest(&ray).map(told), fresh.nearest(&ray).map(told), "{ray:?}");
-        let all = |stage: &Stage| stage.hits_along(&ray).into_iter().map(told).collect::<Vec<_>>();
+        let all = |stage: &RenderScene| stage.hits_along(&ray).into_iter().map(told).collect::<Vec<_>>();
         assert_eq!(all(followed), all(fresh), "{ray:?}");
     }
 }
 
 /// The order in which filters are multiplied may be another one, no more.
 #[track_caller]
-fn assert_same_pictures(followed: &Stage, fresh: &Stage) {
+fn assert_same_pictures(followed: &RenderScene, fresh: &RenderScene) {
     let settings = RenderSettings { width: 48, height: 36, samples: 1 };
-    let [one, other] = [followed, fresh].map(|stage| render(stage, settings, &Control::default()).unwrap());
+    let [one, other] = [followed, fresh].map(|stage| render(stage, settings, &RenderControl::default()).unwrap());
     assert_eq!(one.counts, other.counts);
     for (one, other) in one.picture.pixels().iter().zip(other.picture.pixels()) {
         let is_close = |(a, b): (&f32, &f32)| (a - b).abs() <= 1e-5 * b.abs();
@@ -168,9 +168,9 @@ fn a_stage_that_followed_edits_is_the_edited_scenes() {
             let changed = edit.make(&mut scene);
             edits.set(edits.get() + 1);
             followed.set(followed.get() + u32::from(follow(&mut stage, &before, &scene, &changed)));
-            assert_same_hits(&stage, &Stage::prepare(&scene).unwrap());
+            assert_same_hits(&stage, &RenderScene::prepare(&scene).unwrap());
         }
-        assert_same_pictures(&stage, &Stage::prepare(&scene).unwrap());
+        assert_same_pictures(&stage, &RenderScene::prepare(&scene).unwrap());
         Ok(())
     });
     result.unwrap();
@@ -224,7 +224,7 @@ fn a_hierarchy_that_would_get_poor_is_built_anew() {
         times += u32::from(!follow(&mut stage, &before, &scene, &[at]));
     }
     assert!((1..100).contains(&times), "built anew {times} times");
-    assert_same_hits(&stage, &Stage::prepare(&scene).unwrap());
+    assert_same_hits(&stage, &RenderScene::prepare(&scene).unwrap());
 }
 
 #[test]
@@ -234,5 +234,5 @@ fn a_new_glass_is_seen_through_and_tints_alike() {
     let mut after = before.clone();
     after.bodies[7] = ball(0.4, v(7.0, 0.6, 0.0), glass(1.4));
     assert!(follow(&mut stage, &before, &after, &[7]));
-    assert_same_pictures(&stage, &Stage::prepare(&after).unwrap());
+    assert_same_pictures(&stage, &RenderScene::prepare(&after).unwrap());
 }

@@ -2,7 +2,7 @@
 
 use catoptric_scene::{Camera, Projection, Scene};
 use catoptric_tracer::{
-    Control, Film, Ray, RayCounts, RenderError, RenderSettings, Stage, StageCamera, render, render_through,
+    RenderControl, Film, Ray, RayCounts, RenderError, RenderSettings, RenderScene, RenderCamera, render, render_through,
 };
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -27,10 +27,10 @@ fn after_n_samples_the_film_equals_a_render_of_n_samples() {
             let mut film = Film::new(WIDTH, HEIGHT).unwrap();
             let mut counts = RayCounts::default();
             for samples in 1..=5 {
-                let control = Control::default();
+                let control = RenderControl::default();
                 counts += film.add_sample(&stage, stage.camera(), &control).unwrap();
                 assert_eq!(control.pixels_done(), u64::from(WIDTH * HEIGHT));
-                let whole = render(&stage, settings(samples), &Control::default()).unwrap();
+                let whole = render(&stage, settings(samples), &RenderControl::default()).unwrap();
                 assert_eq!(film.samples(), samples);
                 assert!(film.picture().unwrap() == whole.picture, "{samples} samples, {threads} threads");
                 assert_eq!(counts, whole.counts);
@@ -43,15 +43,15 @@ fn after_n_samples_the_film_equals_a_render_of_n_samples() {
 fn a_cancelled_pass_spoils_nothing() {
     let stage = stage(&gallery());
     let mut film = Film::new(WIDTH, HEIGHT).unwrap();
-    film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
+    film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
     let before = film.picture().unwrap();
-    let control = Control::default();
+    let control = RenderControl::default();
     control.cancel();
     assert!(matches!(film.add_sample(&stage, stage.camera(), &control), Err(RenderError::Cancelled)));
     assert!(film.samples() == 1 && film.picture().unwrap() == before);
     // Cancelled midway: some tiles are a sample ahead, and the next pass brings the others there.
     for _ in 0..20 {
-        let control = Control::default();
+        let control = RenderControl::default();
         std::thread::scope(|scope| {
             scope.spawn(|| {
                 while control.pixels_done() == 0 {
@@ -64,8 +64,8 @@ fn a_cancelled_pass_spoils_nothing() {
         });
         film.picture().unwrap();
     }
-    film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
-    let whole = render(&stage, settings(film.samples()), &Control::default()).unwrap();
+    film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
+    let whole = render(&stage, settings(film.samples()), &RenderControl::default()).unwrap();
     assert!(film.picture().unwrap() == whole.picture);
 }
 
@@ -73,7 +73,7 @@ fn a_cancelled_pass_spoils_nothing() {
 fn a_pass_is_cancelled_within_a_pixel() {
     let stage = endless();
     let mut film = Film::new(64, 64).unwrap();
-    let control = Control::default();
+    let control = RenderControl::default();
     std::thread::scope(|scope| {
         let running = scope.spawn(|| film.add_sample(&stage, stage.camera(), &control));
         std::thread::sleep(std::time::Duration::from_millis(50));
@@ -88,11 +88,11 @@ fn a_cleared_film_is_as_new() {
     let stage = stage(&gallery());
     let other = stage.camera_for(&camera(v(3.0, 4.0, 5.0), DVec3::ZERO, 50.0));
     let mut film = Film::new(WIDTH, HEIGHT).unwrap();
-    film.add_sample(&stage, &other, &Control::default()).unwrap();
+    film.add_sample(&stage, &other, &RenderControl::default()).unwrap();
     film.clear();
     assert!(film.picture().unwrap().pixels().iter().flatten().all(|&channel| channel == 0.0));
-    let counts = film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
-    let whole = render(&stage, settings(1), &Control::default()).unwrap();
+    let counts = film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
+    let whole = render(&stage, settings(1), &RenderControl::default()).unwrap();
     assert!(film.picture().unwrap() == whole.picture && counts == whole.counts);
 }
 
@@ -103,8 +103,8 @@ fn a_film_shows_few_bodies_and_many_by_turns() {
     for scene in [gallery(), crowd(), gallery()] {
         let stage = stage(&scene);
         film.clear();
-        let counts = film.add_sample(&stage, stage.camera(), &Control::default()).unwrap();
-        let whole = render(&stage, LARGE, &Control::default()).unwrap();
+        let counts = film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
+        let whole = render(&stage, LARGE, &RenderControl::default()).unwrap();
         assert!(film.picture().unwrap() == whole.picture && counts == whole.counts);
     }
 }
@@ -125,14 +125,14 @@ fn another_camera_gives_what_a_scene_with_that_camera_gives() {
         let through = prepared.camera_for(&scene.camera);
         let again = stage(&scene);
         assert_eq!(&through, again.camera());
-        let one = render_through(&prepared, &through, settings(2), &Control::default()).unwrap();
-        let other = render(&again, settings(2), &Control::default()).unwrap();
+        let one = render_through(&prepared, &through, settings(2), &RenderControl::default()).unwrap();
+        let other = render(&again, settings(2), &RenderControl::default()).unwrap();
         assert!(one.picture == other.picture && one.counts == other.counts);
     }
 }
 
 /// A camera in empty space, where rays start at the eye itself.
-fn free_camera(camera: Camera) -> StageCamera {
+fn free_camera(camera: Camera) -> RenderCamera {
     stage(&Scene { camera, ..scene(Vec::new()) }).camera().clone()
 }
 
@@ -253,9 +253,9 @@ fn a_stage_of_some_bodies_looks_as_their_scene_does() {
     let chosen: Vec<usize> = (0..whole.bodies.len()).step_by(2).collect();
     let mut part = whole.clone();
     part.bodies = chosen.iter().map(|&index| whole.bodies[index].clone()).collect();
-    let one = render(&stage(&whole).only(&whole, &chosen), settings(1), &Control::default()).unwrap();
-    let part = Stage::prepare(&part).unwrap();
+    let one = render(&stage(&whole).only(&whole, &chosen), settings(1), &RenderControl::default()).unwrap();
+    let part = RenderScene::prepare(&part).unwrap();
     let camera = stage(&whole).camera().clone();
-    let other = render_through(&part, &camera, settings(1), &Control::default()).unwrap();
+    let other = render_through(&part, &camera, settings(1), &RenderControl::default()).unwrap();
     assert!(one.picture == other.picture);
 }

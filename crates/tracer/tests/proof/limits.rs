@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_scene::{Body, Color, Material, Model, Scene, Tracing};
-use catoptric_tracer::{Control, Fate, RenderSettings, Whitted, render};
+use catoptric_tracer::{RenderControl, BranchOutcome, RenderSettings, WhittedIntegrator, render};
 use glam::{DVec3, UVec2, Vec3};
 
 use crate::common::{
@@ -81,9 +81,9 @@ fn equal_indices_within_glass_are_passed_at_the_limit() {
 fn what_is_visible_ends_at_the_limit() {
     let scene = look(vec![ball(1.0, DVec3::ZERO, clear(1.5))], 1);
     let (stage, cancel) = (stage(&scene), AtomicBool::new(false));
-    let rays = Whitted::new(&stage, &cancel).pixel_tree(UVec2::new(30, 20), UVec2::new(60, 40), 0, 100);
+    let rays = WhittedIntegrator::new(&stage, &cancel).pixel_tree(UVec2::new(30, 20), UVec2::new(60, 40), 0, 100);
     assert_eq!(rays.len(), 1);
-    assert_eq!(rays[0].answer.as_ref().unwrap().refracted.fate, Fate::GenerationLimit);
+    assert_eq!(rays[0].answer.as_ref().unwrap().refracted.fate, BranchOutcome::GenerationLimit);
     assert_eq!(rays[0].light, Vec3::ZERO);
 }
 
@@ -94,8 +94,8 @@ fn the_tree_goes_straight_on_at_the_limit() {
     let scene = look(invisible().into_iter().chain(things()).collect(), 1);
     let (stage, cancel) = (stage(&scene), AtomicBool::new(false));
     let settings = RenderSettings { width: size.x, height: size.y, samples: 1 };
-    let picture = render(&stage, settings, &Control::default()).unwrap().picture;
-    let mut tracer = Whitted::new(&stage, &cancel);
+    let picture = render(&stage, settings, &RenderControl::default()).unwrap().picture;
+    let mut tracer = WhittedIntegrator::new(&stage, &cancel);
     let mut passed = 0;
     for (place, pixel) in (0..).zip(picture.pixels()) {
         let rays = tracer.pixel_tree(UVec2::new(place % size.x, place / size.x), size, 0, 1000);
@@ -105,7 +105,7 @@ fn the_tree_goes_straight_on_at_the_limit() {
         for ray in &rays {
             assert_eq!(ray.generation, 1);
             let Some(answer) = &ray.answer else { continue };
-            if let Fate::Followed(next) = answer.refracted.fate {
+            if let BranchOutcome::Followed(next) = answer.refracted.fate {
                 assert_eq!(rays[next].ray.direction, ray.ray.direction);
                 passed += 1;
             }
@@ -124,7 +124,7 @@ fn distances_count_from_the_eye() {
             scene.camera.projection = projection;
             let (stage, cancel) = (stage(&scene), AtomicBool::new(false));
             let size = UVec2::new(9, 9);
-            let rays = Whitted::new(&stage, &cancel).pixel_tree(UVec2::new(4, 4), size, 0, 10);
+            let rays = WhittedIntegrator::new(&stage, &cancel).pixel_tree(UVec2::new(4, 4), size, 0, 10);
             let distance = rays[0].distance().unwrap();
             assert!((distance - (far - 1.0)).abs() < 1e-6 * far, "{distance} from {far}");
         }

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use catoptric_optics::{METALS, Metal, fresnel};
 use catoptric_scene::{Body, Checker, Color, Conductor, Environment, Light, Material, Model, Scene, Shape};
-use catoptric_tracer::{Fate, TracedRay, Whitted};
+use catoptric_tracer::{BranchOutcome, RayRecord, WhittedIntegrator};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 
@@ -36,7 +36,7 @@ fn of_model(model: Model, color: Color) -> Material {
 }
 
 /// The first two generations behind a ray that falls on a floor at this angle of incidence, from above or from below.
-fn on_a_floor(material: Material, degrees: f64, from_below: bool) -> Vec<TracedRay> {
+fn on_a_floor(material: Material, degrees: f64, from_below: bool) -> Vec<RayRecord> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let d = v(sin, if from_below { cos } else { -cos }, 0.0);
     tree(&stage_of(vec![plane(DVec3::ZERO, 0.0, material)]), ray(-d, d))
@@ -142,7 +142,7 @@ fn lit(material: Material) -> DVec3 {
     let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, material)]);
     scene.environment.ambient = Color::BLACK;
     scene.lights = vec![Light { position: v(0.0, 4.0, 0.0), ..Light::default() }];
-    light_along(&catoptric_tracer::Stage::prepare(&scene).unwrap(), ray(v(0.0, 2.0, 0.0), -DVec3::Y))
+    light_along(&catoptric_tracer::RenderScene::prepare(&scene).unwrap(), ray(v(0.0, 2.0, 0.0), -DVec3::Y))
         .as_dvec3()
 }
 
@@ -225,10 +225,10 @@ fn white_coats_are_invisible_in_a_furnace_at_every_index() {
 /// The weight of the rays behind a pixel that are not followed any more.
 fn cut_off(scene: &Scene, pixel: UVec2, size: UVec2) -> Vec3 {
     let (stage, cancel) = (stage(scene), AtomicBool::new(false));
-    let rays = Whitted::new(&stage, &cancel).pixel_tree(pixel, size, 0, 100_000);
+    let rays = WhittedIntegrator::new(&stage, &cancel).pixel_tree(pixel, size, 0, 100_000);
     let branches = rays.iter().filter_map(|ray| ray.answer.as_ref());
     let branches = branches.flat_map(|answer| [answer.reflected, answer.refracted]);
-    branches.filter(|branch| branch.fate == Fate::GenerationLimit).map(|branch| branch.weight).sum()
+    branches.filter(|branch| branch.fate == BranchOutcome::GenerationLimit).map(|branch| branch.weight).sum()
 }
 
 #[test]

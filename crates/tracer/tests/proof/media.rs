@@ -1,7 +1,7 @@
 //! What a ray is inside of: nested and overlapping glass, bubbles, an eye in glass.
 
 use catoptric_scene::{Body, Color};
-use catoptric_tracer::{RayKind, Stage};
+use catoptric_tracer::{RayKind, RenderScene};
 use glam::DVec3;
 
 use crate::common::{
@@ -10,7 +10,7 @@ use crate::common::{
 };
 
 /// Sines of the angles between the vertical and each ray of a path through horizontal layers.
-fn sines(stage: &Stage, start: DVec3, incidence: f64) -> Vec<f64> {
+fn sines(stage: &RenderScene, start: DVec3, incidence: f64) -> Vec<f64> {
     let (sin, cos) = f64::to_radians(incidence).sin_cos();
     chain(stage, ray(start, v(sin, -cos, 0.0))).iter().map(|ray| direction(ray).x).collect()
 }
@@ -27,7 +27,7 @@ const FROM_GLASS: [f64; 3] = [0.0, 10.0, 25.0];
 
 /// Asserts that the rays of every path run in media of these indices, one after another.
 #[track_caller]
-fn assert_indices(stage: &Stage, start: DVec3, incidences: &[f64], indices: &[f64]) {
+fn assert_indices(stage: &RenderScene, start: DVec3, incidences: &[f64], indices: &[f64]) {
     for &incidence in incidences {
         let sines = sines(stage, start, incidence);
         assert_eq!(sines.len(), indices.len(), "at {incidence}: {sines:?}");

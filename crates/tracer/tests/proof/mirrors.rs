@@ -1,7 +1,7 @@
 //! Plane and curved mirrors whose answers are known exactly.
 
 use catoptric_scene::{Body, Color, Shape};
-use catoptric_tracer::{RayKind, Stage};
+use catoptric_tracer::{RayKind, RenderScene};
 use glam::{DVec3, EulerRot};
 use proptest::prelude::*;
 
@@ -230,7 +230,7 @@ fn crossing_of_axis(from: DVec3, d: DVec3) -> f64 {
 }
 
 /// A ball mirror of radius `radius` about the origin.
-fn mirror_ball(radius: f64) -> Stage {
+fn mirror_ball(radius: f64) -> RenderScene {
     stage_of(vec![ball(radius, DVec3::ZERO, mirror())])
 }
 

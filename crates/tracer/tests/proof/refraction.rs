@@ -1,7 +1,7 @@
 //! Snell's law and what follows from it: slabs, prisms, lenses, total reflection.
 
 use catoptric_scene::{Body, Color, Shape};
-use catoptric_tracer::{RayKind, TracedRay};
+use catoptric_tracer::{RayKind, RayRecord};
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ fn tilt(d: DVec3) -> f64 {
 }
 
 /// The second ray of the path that falls at `incidence` on a half-space of glass, from above or from below.
-fn across_a_floor(ior: f64, incidence: f64, from_below: bool) -> TracedRay {
+fn across_a_floor(ior: f64, incidence: f64, from_below: bool) -> RayRecord {
     let sign = if from_below { -1.0 } else { 1.0 };
     let d = falling(incidence) * v(1.0, sign, 1.0);
     chain(&stage_of(vec![plane(DVec3::ZERO, 0.0, glass(ior))]), ray(-d, d)).swap_remove(1)
@@ -181,7 +181,7 @@ fn a_ball_never_reflects_light_from_outside_totally() {
 }
 
 /// The kinds of the rays on the way from the root of the tree to `ray`, without the primary one.
-fn kinds_down_to<'a>(rays: &'a [TracedRay], mut ray: &'a TracedRay) -> Vec<RayKind> {
+fn kinds_down_to<'a>(rays: &'a [RayRecord], mut ray: &'a RayRecord) -> Vec<RayKind> {
     let mut kinds = Vec::new();
     while let Some(parent) = ray.parent {
         kinds.push(ray.kind);

@@ -1,7 +1,7 @@
 //! The canonical shapes against textbook formulas in double precision.
 
 use catoptric_scene::Shape;
-use catoptric_tracer::shape::{Canonical, Face, LOWER_CAP, SIDE, ShapeKind, Span, UPPER_CAP};
+use catoptric_tracer::shape::{CanonicalShape, FaceId, LOWER_CAP, SIDE, ShapeKind, ShapeSpan, UPPER_CAP};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
@@ -10,18 +10,18 @@ use crate::common::{cases, textbook, v};
 /// Rounding granted, in units of single precision at the distance of the ray's origin.
 const UNITS: f64 = 4.0;
 
-fn bounded() -> impl Strategy<Value = Canonical> {
+fn bounded() -> impl Strategy<Value = CanonicalShape> {
     prop_oneof![
-        Just(Canonical { kind: ShapeKind::Sphere, cone_ratio: 0.0 }),
-        Just(Canonical { kind: ShapeKind::Cube, cone_ratio: 0.0 }),
-        Just(Canonical { kind: ShapeKind::Cylinder, cone_ratio: 1.0 }),
+        Just(CanonicalShape { kind: ShapeKind::Sphere, cone_ratio: 0.0 }),
+        Just(CanonicalShape { kind: ShapeKind::Cube, cone_ratio: 0.0 }),
+        Just(CanonicalShape { kind: ShapeKind::Cylinder, cone_ratio: 1.0 }),
         prop_oneof![Just(0.0_f32), Just(1.0), Just(0.5), 0.0_f32..3.0]
-            .prop_map(|cone_ratio| Canonical { kind: ShapeKind::Cone, cone_ratio }),
+            .prop_map(|cone_ratio| CanonicalShape { kind: ShapeKind::Cone, cone_ratio }),
     ]
 }
 
 /// The same shape for the textbook.
-fn textbook_shape(canonical: &Canonical) -> Shape {
+fn textbook_shape(canonical: &CanonicalShape) -> Shape {
     match canonical.kind {
         ShapeKind::Sphere | ShapeKind::Ellipsoid => Shape::Sphere { radius: 1.0 },
         ShapeKind::Cube => Shape::Cube { size: DVec3::splat(2.0) },
@@ -34,7 +34,7 @@ fn textbook_shape(canonical: &Canonical) -> Shape {
 }
 
 /// The textbook's span of the shape grown about a point inside it by `by`; parameters stay what they are.
-fn grown_span(canonical: &Canonical, o: DVec3, d: DVec3, by: f64) -> Option<(f64, f64)> {
+fn grown_span(canonical: &CanonicalShape, o: DVec3, d: DVec3, by: f64) -> Option<(f64, f64)> {
     let inside = match canonical.kind {
         ShapeKind::Cylinder | ShapeKind::Cone => v(0.0, 0.3, 0.0),
         _ => DVec3::ZERO,
@@ -43,7 +43,7 @@ fn grown_span(canonical: &Canonical, o: DVec3, d: DVec3, by: f64) -> Option<(f64
 }
 
 /// The distance from the point about which [`grown_span`] scales to the nearest part of the surface.
-fn distance_inside(canonical: &Canonical) -> f64 {
+fn distance_inside(canonical: &CanonicalShape) -> f64 {
     match canonical.kind {
         ShapeKind::Cylinder | ShapeKind::Cone => 0.3,
         _ => 1.0,
@@ -52,7 +52,7 @@ fn distance_inside(canonical: &Canonical) -> f64 {
 
 /// Asserts that `span` is the span of the shape moved in or out by no more than rounding. Unlike a bound on t, this
 /// is as strict for grazing rays, whose t is ill-conditioned, as for all others.
-fn check_span(canonical: &Canonical, o: Vec3, d: Vec3, span: &Span) -> Result<(), TestCaseError> {
+fn check_span(canonical: &CanonicalShape, o: Vec3, d: Vec3, span: &ShapeSpan) -> Result<(), TestCaseError> {
     let (o, d) = (o.as_dvec3(), d.as_dvec3());
     let slack = UNITS * f64::from(f32::EPSILON) * (3.0 + o.length());
     let by = slack / distance_inside(canonical);
@@ -75,15 +75,15 @@ fn check_span(canonical: &Canonical, o: Vec3, d: Vec3, span: &Span) -> Result<()
     Ok(())
 }
 
-fn span(canonical: &Canonical, o: Vec3, d: Vec3) -> Span {
+fn span(canonical: &CanonicalShape, o: Vec3, d: Vec3) -> ShapeSpan {
     canonical.span(o.into(), d.into())
 }
 
-fn pull_to_surface(canonical: &Canonical, face: Face, point: Vec3) -> Vec3 {
+fn pull_to_surface(canonical: &CanonicalShape, face: FaceId, point: Vec3) -> Vec3 {
     canonical.pull_to_surface(face, point.into()).into()
 }
 
-fn normal(canonical: &Canonical, face: Face, point: Vec3) -> Vec3 {
+fn normal(canonical: &CanonicalShape, face: FaceId, point: Vec3) -> Vec3 {
     Vec3::from(canonical.normal(face, point.into())).normalize()
 }
 
@@ -202,7 +202,7 @@ proptest! {
 
     #[test]
     fn no_number_no_hit(
-        shape in prop_oneof![bounded(), Just(Canonical { kind: ShapeKind::Plane, cone_ratio: 0.0 })],
+        shape in prop_oneof![bounded(), Just(CanonicalShape { kind: ShapeKind::Plane, cone_ratio: 0.0 })],
         o in vector(3.0), d in any_direction(), place in 0_usize..6,
     ) {
         let mut numbers = [o.to_array(), d.to_array()].concat();
@@ -215,21 +215,21 @@ proptest! {
     }
 }
 
-const SPHERE: Canonical = Canonical { kind: ShapeKind::Sphere, cone_ratio: 0.0 };
-const CUBE: Canonical = Canonical { kind: ShapeKind::Cube, cone_ratio: 0.0 };
-const CYLINDER: Canonical = Canonical { kind: ShapeKind::Cylinder, cone_ratio: 1.0 };
-const CONE: Canonical = Canonical { kind: ShapeKind::Cone, cone_ratio: 0.0 };
-const FRUSTUM: Canonical = Canonical { kind: ShapeKind::Cone, cone_ratio: 0.5 };
-const PLANE: Canonical = Canonical { kind: ShapeKind::Plane, cone_ratio: 0.0 };
+const SPHERE: CanonicalShape = CanonicalShape { kind: ShapeKind::Sphere, cone_ratio: 0.0 };
+const CUBE: CanonicalShape = CanonicalShape { kind: ShapeKind::Cube, cone_ratio: 0.0 };
+const CYLINDER: CanonicalShape = CanonicalShape { kind: ShapeKind::Cylinder, cone_ratio: 1.0 };
+const CONE: CanonicalShape = CanonicalShape { kind: ShapeKind::Cone, cone_ratio: 0.0 };
+const FRUSTUM: CanonicalShape = CanonicalShape { kind: ShapeKind::Cone, cone_ratio: 0.5 };
+const PLANE: CanonicalShape = CanonicalShape { kind: ShapeKind::Plane, cone_ratio: 0.0 };
 
 #[track_caller]
-fn ends(shape: &Canonical, o: [f32; 3], d: [f32; 3]) -> (f32, f32) {
+fn ends(shape: &CanonicalShape, o: [f32; 3], d: [f32; 3]) -> (f32, f32) {
     let span = span(shape, o.into(), d.into());
     assert!(span.hit, "{span:?}");
     (span.enter, span.exit)
 }
 
-fn misses(shape: &Canonical, o: [f32; 3], d: [f32; 3]) -> bool {
+fn misses(shape: &CanonicalShape, o: [f32; 3], d: [f32; 3]) -> bool {
     !span(shape, o.into(), d.into()).hit
 }
 

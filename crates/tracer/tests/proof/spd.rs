@@ -7,7 +7,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_scene::{Body, Camera, Color, Falloff, Material, Projection, Scene, Tracing};
-use catoptric_tracer::{RayCounts, Whitted};
+use catoptric_tracer::{RayCounts, WhittedIntegrator};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -101,7 +101,7 @@ fn balls_take_the_published_number_of_rays() {
     let counts = (0..513)
         .into_par_iter()
         .map(|row| {
-            let mut tracer = Whitted::new(&stage, &cancel);
+            let mut tracer = WhittedIntegrator::new(&stage, &cancel);
             for column in 0..513 {
                 let at = DVec2::new(f64::from(column), f64::from(row)) - 0.5;
                 tracer.trace(at, DVec2::splat(511.0));

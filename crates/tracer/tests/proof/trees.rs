@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use catoptric_picture::Picture;
 use catoptric_scene::{Checker, Color, Material, Scene};
-use catoptric_tracer::{RayCounts, RayKind, Whitted};
+use catoptric_tracer::{RayCounts, RayKind, WhittedIntegrator};
 use glam::{DVec2, DVec3, Vec3};
 
 use crate::common::{
@@ -16,7 +16,7 @@ use crate::samples::gallery;
 fn the_contributions_of_all_rays_sum_to_the_pixel() {
     let stage = stage(&gallery());
     let cancel = AtomicBool::new(false);
-    let mut tracer = Whitted::new(&stage, &cancel);
+    let mut tracer = WhittedIntegrator::new(&stage, &cancel);
     let size = DVec2::new(48.0, 27.0);
     for pixel in 0..48 * 27 {
         let at = DVec2::new(f64::from(pixel % 48) + 0.5, f64::from(pixel / 48) + 0.5);
@@ -166,7 +166,7 @@ fn rays_are_counted_by_kind() {
         .to_vec();
     let stage = stage(&scene);
     let cancel = AtomicBool::new(false);
-    let mut tracer = Whitted::new(&stage, &cancel);
+    let mut tracer = WhittedIntegrator::new(&stage, &cancel);
     let start = ray(v(0.0, 5.0, 0.0), v(0.1, -1.0, 0.0));
     let rays = tracer.tree(start, 1000);
     // Into the pane, out of it, to the floor, up, into the pane, out into the sky.

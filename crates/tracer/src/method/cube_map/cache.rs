@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 use super::{CubeMap, center_of};
 use crate::counts::RayCounts;
 use crate::method::MethodError;
-use crate::render::Control;
-use crate::stage::{Stage, StageBody, StageChecker, StageLight, StageMaterial, StageSky};
+use crate::render::RenderControl;
+use crate::stage::{RenderScene, RenderBody, CheckerTexture, RenderLight, RenderMaterial, EnvironmentLight};
 
 /// The cube maps of reflecting bodies, kept from picture to picture as long as nothing that they show has changed.
 ///
@@ -16,14 +16,14 @@ use crate::stage::{Stage, StageBody, StageChecker, StageLight, StageMaterial, St
 /// middle, and any other edit makes it anew. The camera does not matter.
 #[derive(Debug, Default)]
 pub struct CubeMaps {
-    shown: Option<Shown>,
+    shown: Option<CubeMapInputs>,
     /// By the places of their bodies in the scene.
-    maps: BTreeMap<usize, Made>,
+    maps: BTreeMap<usize, CubeMapBuild>,
 }
 
 /// A map, and what it took.
 #[derive(Debug)]
-struct Made {
+struct CubeMapBuild {
     map: Arc<CubeMap>,
     time: Duration,
 }
@@ -54,10 +54,10 @@ impl CubeMaps {
     /// took.
     pub(in crate::method) fn prepare(
         &mut self,
-        stage: &Stage,
+        stage: &RenderScene,
         bodies: &BTreeSet<u32>,
         size: u32,
-        control: &Control,
+        control: &RenderControl,
     ) -> Result<(CubeMapUse, RayCounts), MethodError> {
         let bytes = bodies.len() as u64 * CubeMap::bytes_of(size) as u64;
         if bytes > Self::MOST_BYTES {
@@ -78,7 +78,7 @@ impl CubeMaps {
             let (map, rays) = render_around(stage, index, size, control)?;
             counts += rays;
             if let Some(place) = stage.scene_index(index) {
-                self.maps.insert(place, Made { map: Arc::new(map), time: start.elapsed() });
+                self.maps.insert(place, CubeMapBuild { map: Arc::new(map), time: start.elapsed() });
             }
         }
         made_use.built = missing.len() as u32;
@@ -94,9 +94,9 @@ impl CubeMaps {
     }
 
     /// Drops the maps that show what has changed; and those that are not needed now, if all would take too much memory.
-    fn drop_outdated(&mut self, stage: &Stage, needed: &BTreeSet<u32>, size: u32) {
-        let shown = Shown::of(stage);
-        let changes = self.shown.as_ref().map_or(Changes::Everything, |before| before.changes(&shown));
+    fn drop_outdated(&mut self, stage: &RenderScene, needed: &BTreeSet<u32>, size: u32) {
+        let shown = CubeMapInputs::of(stage);
+        let changes = self.shown.as_ref().map_or(CubeMapInvalidation::Everything, |before| before.changes(&shown));
         self.shown = Some(shown);
         let needed: BTreeMap<usize, u32> =
             needed.iter().filter_map(|&index| Some((stage.scene_index(index)?, index))).collect();
@@ -116,42 +116,42 @@ impl CubeMaps {
 
 /// Renders the map of a body.
 fn render_around(
-    stage: &Stage,
+    stage: &RenderScene,
     index: u32,
     size: u32,
-    control: &Control,
+    control: &RenderControl,
 ) -> Result<(CubeMap, RayCounts), MethodError> {
     CubeMap::render(&around(stage, index), center_of(stage, index), size, control)
 }
 
 /// What the map of a body shows: the stage without it. The first rays of a map are the second generation of a picture.
-pub(in crate::method) fn around(stage: &Stage, index: u32) -> Stage {
+pub(in crate::method) fn around(stage: &RenderScene, index: u32) -> RenderScene {
     stage.without(index).with_generations(stage.generations.saturating_sub(1))
 }
 
 /// All that maps can show.
 #[derive(Debug)]
-struct Shown {
+struct CubeMapInputs {
     /// By their places in the scene.
-    bodies: BTreeMap<u32, (StageBody, StageMaterial, Option<StageChecker>)>,
-    lights: Arc<[StageLight]>,
+    bodies: BTreeMap<u32, (RenderBody, RenderMaterial, Option<CheckerTexture>)>,
+    lights: Arc<[RenderLight]>,
     /// Background and ambient light, then the limits of tracing.
-    surroundings: (StageSky, [f32; 3], u32, f32),
+    surroundings: (EnvironmentLight, [f32; 3], u32, f32),
 }
 
 /// What changed from one stage to another.
-enum Changes {
+enum CubeMapInvalidation {
     Everything,
     /// The bodies at these places in the scene.
     Bodies(BTreeSet<u32>),
 }
 
-impl Shown {
-    fn of(stage: &Stage) -> Self {
-        let body = |(body, place): (&StageBody, &u32)| {
+impl CubeMapInputs {
+    fn of(stage: &RenderScene) -> Self {
+        let body = |(body, place): (&RenderBody, &u32)| {
             let checker = stage.checkers.get(body.checker as usize).copied();
             // Numbers of materials mean nothing from stage to stage.
-            let plain = StageBody { material: 0, checker: 0, ..*body };
+            let plain = RenderBody { material: 0, checker: 0, ..*body };
             (*place, (plain, stage.material(body).clone(), checker))
         };
         Self {
@@ -161,18 +161,18 @@ impl Shown {
         }
     }
 
-    fn changes(&self, after: &Self) -> Changes {
+    fn changes(&self, after: &Self) -> CubeMapInvalidation {
         if self.lights != after.lights || self.surroundings != after.surroundings {
-            return Changes::Everything;
+            return CubeMapInvalidation::Everything;
         }
         let places = self.bodies.keys().chain(after.bodies.keys());
-        Changes::Bodies(
+        CubeMapInvalidation::Bodies(
             places.filter(|place| self.bodies.get(place) != after.bodies.get(place)).copied().collect(),
         )
     }
 }
 
-impl Changes {
+impl CubeMapInvalidation {
     fn is_nothing(&self) -> bool {
         matches!(self, Self::Bodies(bodies) if bodies.is_empty())
     }

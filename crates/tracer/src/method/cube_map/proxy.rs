@@ -3,11 +3,11 @@
 use glam::{DVec3, Vec3};
 
 use crate::shape::ShapeKind;
-use crate::stage::{Bounds, Stage};
+use crate::stage::{Bounds, RenderScene};
 
 /// The point around which the map of a body is made, meters: the middle of the body; of a plane, the point below (or
 /// above) the middle of all bounded bodies.
-pub(in crate::method) fn center_of(stage: &Stage, index: u32) -> DVec3 {
+pub(in crate::method) fn center_of(stage: &RenderScene, index: u32) -> DVec3 {
     let body = stage.body(index);
     let to_world = |point: DVec3| {
         let rows = body.world_from_body.map(|row| DVec3::from(row.map(f64::from)));
@@ -29,12 +29,12 @@ pub(in crate::method) fn center_of(stage: &Stage, index: u32) -> DVec3 {
 }
 
 /// The box of all bounded bodies but one.
-fn extent(stage: &Stage, but: Option<u32>) -> Bounds {
+fn extent(stage: &RenderScene, but: Option<u32>) -> Bounds {
     let others = (0..stage.bounded).filter(|&index| Some(index) != but);
     others.filter_map(|index| stage.body(index).bounds()).fold(Bounds::EMPTY, Bounds::union)
 }
 
-fn plane_normal(stage: &Stage, index: u32) -> DVec3 {
+fn plane_normal(stage: &RenderScene, index: u32) -> DVec3 {
     Vec3::from(stage.body(index).body_from_world[1]).as_dvec3().normalize_or(DVec3::Y)
 }
 
@@ -45,14 +45,14 @@ fn plane_normal(stage: &Stage, index: u32) -> DVec3 {
 /// farthest that any other bounded body reaches; and where there is none of these either, nothing: that side is open, and
 /// directions through it stay as they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::method) struct Proxy {
+pub(in crate::method) struct ParallaxBox {
     min: DVec3,
     max: DVec3,
 }
 
-impl Proxy {
+impl ParallaxBox {
     /// The box around the body `index`, whose map is made around `center`.
-    pub(in crate::method) fn around(stage: &Stage, index: u32, center: DVec3) -> Self {
+    pub(in crate::method) fn around(stage: &RenderScene, index: u32, center: DVec3) -> Self {
         /// A plane counts as a wall if it runs along the box but for the rounding of single precision.
         const ALONG: f64 = 1.0 - 1e-6;
         let (mut min, mut max) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
@@ -100,13 +100,13 @@ mod tests {
 
     use super::*;
 
-    fn stage(bodies: Vec<(Shape, DVec3)>) -> Stage {
+    fn stage(bodies: Vec<(Shape, DVec3)>) -> RenderScene {
         let body = |(shape, position)| Body { shape, placement: Placement::at(position), ..Body::default() };
         let bodies: Vec<Body> = bodies.into_iter().map(body).collect();
-        Stage::prepare(&Scene { bodies: bodies.into(), ..Scene::default() }).unwrap()
+        RenderScene::prepare(&Scene { bodies: bodies.into(), ..Scene::default() }).unwrap()
     }
 
-    fn index(stage: &Stage, place: usize) -> u32 {
+    fn index(stage: &RenderScene, place: usize) -> u32 {
         (0..).find(|&index| stage.scene_index(index) == Some(place)).unwrap()
     }
 
@@ -120,7 +120,7 @@ mod tests {
         let ball = index(&stage, 0);
         let center = center_of(&stage, ball);
         assert_eq!(center, DVec3::new(0.0, 2.0, 0.0));
-        let proxy = Proxy::around(&stage, ball, center);
+        let proxy = ParallaxBox::around(&stage, ball, center);
         assert_eq!(proxy.min.y, 0.0);
         assert!((proxy.max - DVec3::new(5.5, 2.5, 0.5)).abs().max_element() < 1e-4, "{proxy:?}");
         assert_eq!(proxy.min.x, f64::NEG_INFINITY);
@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn a_ray_from_outside_keeps_its_direction() {
-        let proxy = Proxy { min: DVec3::splat(-1.0), max: DVec3::ONE };
+        let proxy = ParallaxBox { min: DVec3::splat(-1.0), max: DVec3::ONE };
         let direction = DVec3::new(0.0, 1.0, 0.0);
         assert_eq!(proxy.corrected(DVec3::ZERO, DVec3::new(0.0, 3.0, 0.0), direction), direction);
     }

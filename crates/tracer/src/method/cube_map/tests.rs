@@ -73,8 +73,8 @@ fn a_rendered_map_is_that_of_its_directions() {
         }
     };
     let scene = Scene { bodies: walls.map(body).into(), ..Scene::default() };
-    let stage = Stage::prepare(&scene).unwrap();
-    let (map, counts) = CubeMap::render(&stage, DVec3::ZERO, 8, &Control::default()).unwrap();
+    let stage = RenderScene::prepare(&scene).unwrap();
+    let (map, counts) = CubeMap::render(&stage, DVec3::ZERO, 8, &RenderControl::default()).unwrap();
     assert_eq!(counts.primary, 6 * 10 * 10);
     for direction in directions() {
         let largest = direction.abs().max_element();

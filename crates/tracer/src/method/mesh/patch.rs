@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DVec2, DVec3};
 
 use super::Mesh;
-use super::revolution::Ring;
-use crate::stage::{StageBody, StageCamera};
+use super::revolution::RevolutionRing;
+use crate::stage::{RenderBody, RenderCamera};
 
 /// Which part of the plane y = 0 of a body's frame, and how fine.
 ///
@@ -15,18 +15,18 @@ use crate::stage::{StageBody, StageCamera};
 /// horizon large, and all look about alike. The last ring is 10⁷ heights of the eye away: what lies beyond is lower than
 /// the horizon by less than a hundredth of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::method) struct Patch {
+pub(in crate::method) struct PlanePatch {
     center: DVec3,
     /// The height of the eye in units of the frame.
     height: f64,
 }
 
-impl Patch {
+impl PlanePatch {
     /// How many heights the last ring is away.
     const REACH: f64 = 1e7;
 
     /// The part of a plane that a camera sees.
-    pub(in crate::method) fn seen(body: &StageBody, camera: &StageCamera) -> Self {
+    pub(in crate::method) fn seen(body: &RenderBody, camera: &RenderCamera) -> Self {
         let in_body = |v: DVec3| {
             let rows = body.body_from_world.map(|row| DVec3::from(row.map(f64::from)));
             DVec3::from(rows.map(|row| row.dot(v)))
@@ -52,9 +52,9 @@ impl Patch {
         let first = 0.5 * self.height * (growth - 1.0);
         let count = ((Self::REACH * self.height / first).ln() / growth.ln()).ceil() as u32;
         let radii = (0..=count).map(|step| first * growth.powi(step as i32));
-        let rings: Vec<Ring> = std::iter::once(0.0)
+        let rings: Vec<RevolutionRing> = std::iter::once(0.0)
             .chain(radii)
-            .map(|radius| Ring { y: 0.0, radius, normal: DVec2::Y })
+            .map(|radius| RevolutionRing { y: 0.0, radius, normal: DVec2::Y })
             .collect();
         let mut mesh = Mesh::default();
         mesh.revolve(&rings, 4 * fineness);

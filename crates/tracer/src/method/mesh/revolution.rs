@@ -8,7 +8,7 @@ use super::Mesh;
 
 /// A circle about the axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ring {
+pub(super) struct RevolutionRing {
     pub(super) y: f64,
     /// 0: the circle is a point.
     pub(super) radius: f64,
@@ -27,9 +27,9 @@ pub(super) fn sphere(fineness: u32) -> Mesh {
             2.0 => (0.0, -1.0),
             _ => (FRAC_PI_2 * quarter).sin_cos(),
         };
-        Ring { y: -cos, radius: sin, normal: DVec2::new(sin, -cos) }
+        RevolutionRing { y: -cos, radius: sin, normal: DVec2::new(sin, -cos) }
     };
-    let rings: Vec<Ring> = (0..=2 * fineness).map(ring).collect();
+    let rings: Vec<RevolutionRing> = (0..=2 * fineness).map(ring).collect();
     let mut mesh = Mesh::default();
     mesh.revolve(&rings, 4 * fineness);
     mesh
@@ -40,13 +40,13 @@ pub(super) fn sphere(fineness: u32) -> Mesh {
 pub(super) fn frustum(ratio: f64, fineness: u32) -> Mesh {
     let steps = || (0..=fineness).map(|step| f64::from(step) / f64::from(fineness));
     let mut mesh = Mesh::default();
-    let side = |y: f64| Ring { y, radius: 1.0 + (ratio - 1.0) * y, normal: DVec2::new(1.0, 1.0 - ratio) };
-    let mut rings: Vec<Ring> = steps().map(side).collect();
+    let side = |y: f64| RevolutionRing { y, radius: 1.0 + (ratio - 1.0) * y, normal: DVec2::new(1.0, 1.0 - ratio) };
+    let mut rings: Vec<RevolutionRing> = steps().map(side).collect();
     // The end exactly as the cap's.
     rings.last_mut().into_iter().for_each(|top| top.radius = ratio);
     mesh.revolve(&rings, 4 * fineness);
     let mut cap = |y: f64, radius: f64, normal: f64| {
-        let ring = |part: f64| Ring { y, radius: radius * part, normal: DVec2::new(0.0, normal) };
+        let ring = |part: f64| RevolutionRing { y, radius: radius * part, normal: DVec2::new(0.0, normal) };
         mesh.revolve(&steps().map(ring).collect::<Vec<_>>(), 4 * fineness);
     };
     cap(0.0, 1.0, -1.0);
@@ -58,7 +58,7 @@ pub(super) fn frustum(ratio: f64, fineness: u32) -> Mesh {
 
 impl Mesh {
     /// Adds the bands between neighboring rings, each of `segments` faces.
-    pub(super) fn revolve(&mut self, rings: &[Ring], segments: u32) {
+    pub(super) fn revolve(&mut self, rings: &[RevolutionRing], segments: u32) {
         let firsts: Vec<u32> = rings.iter().map(|ring| self.add_ring(ring, segments)).collect();
         let pairs = rings.iter().zip(&firsts);
         for ((low, &a), (high, &b)) in pairs.clone().zip(pairs.skip(1)) {
@@ -76,7 +76,7 @@ impl Mesh {
 
     /// Adds the vertices of a ring. Those of a point differ in their normals: at the tip of a cone each face has that of
     /// its middle.
-    fn add_ring(&mut self, ring: &Ring, segments: u32) -> u32 {
+    fn add_ring(&mut self, ring: &RevolutionRing, segments: u32) -> u32 {
         let first = self.vertices.len() as u32;
         let middle = if ring.radius == 0.0 { 0.5 } else { 0.0 };
         for segment in 0..segments {

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use super::*;
 use crate::vector::Vector;
 
-fn shapes() -> Vec<Canonical> {
-    let of = |kind, cone_ratio| Canonical { kind, cone_ratio };
+fn shapes() -> Vec<CanonicalShape> {
+    let of = |kind, cone_ratio| CanonicalShape { kind, cone_ratio };
     vec![
         of(ShapeKind::Sphere, 0.0),
         of(ShapeKind::Cube, 0.0),
@@ -16,14 +16,14 @@ fn shapes() -> Vec<Canonical> {
     ]
 }
 
-fn mesh(shape: Canonical, fineness: u32) -> Mesh {
-    let stage = crate::Stage::prepare(&catoptric_scene::Scene::default()).unwrap();
+fn mesh(shape: CanonicalShape, fineness: u32) -> Mesh {
+    let stage = crate::RenderScene::prepare(&catoptric_scene::Scene::default()).unwrap();
     let body = bytemuck::Zeroable::zeroed();
-    Mesh::of(shape, fineness, Patch::seen(&body, stage.camera()))
+    Mesh::of(shape, fineness, PlanePatch::seen(&body, stage.camera()))
 }
 
 /// The corners of a face, each once.
-fn corners(mesh: &Mesh, face: &Face) -> Vec<Vertex> {
+fn corners(mesh: &Mesh, face: &MeshFace) -> Vec<MeshVertex> {
     let count = if face[2] == face[3] { 3 } else { 4 };
     face[..count].iter().map(|&corner| mesh.vertices[corner as usize]).collect()
 }
@@ -38,7 +38,7 @@ fn every_edge_belongs_to_two_faces_bit_by_bit() {
                 let corners = corners(&mesh, face);
                 for (index, corner) in corners.iter().enumerate() {
                     // -0 is 0.
-                    let bits = |v: &Vertex| (v.point + DVec3::ZERO).to_array().map(f64::to_bits);
+                    let bits = |v: &MeshVertex| (v.point + DVec3::ZERO).to_array().map(f64::to_bits);
                     let (a, b) = (bits(corner), bits(&corners[(index + 1) % corners.len()]));
                     assert_ne!(a, b, "{shape:?}: an edge without length");
                     *edges.entry((a.min(b), a.max(b))).or_default() += 1;

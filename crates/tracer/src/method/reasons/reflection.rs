@@ -2,49 +2,49 @@
 
 use glam::{DVec2, DVec3, Vec3};
 
-use super::witness::{Parts, Witness};
-use super::{Case, Reason, largest};
-use crate::method::gbuffer::{GBuffer, Texel, seen};
-use crate::method::mirrored::{MapsInUse, reflecting};
+use super::witness::{PixelParts, ReferencePixel};
+use super::{ReasonInput, Reason, largest};
+use crate::method::gbuffer::{GBuffer, GBufferTexel, seen};
+use crate::method::mirrored::{ActiveCubeMaps, reflecting};
 use crate::method::probe::{exact, vector};
-use crate::method::screen::{Fate, Screen};
-use crate::method::{Fallback, LightModel, SsrSettings};
-use crate::pick::SurfaceHit;
+use crate::method::screen::{MarchOutcome, ScreenMarcher};
+use crate::method::{SsrFallback, LightModel, SsrSettings};
+use crate::pick::RayIntersection;
 use crate::ray::Ray;
 
 /// What a method has for a pixel's reflection.
-struct Had<'a> {
-    texel: &'a Texel,
+struct MethodReflection<'a> {
+    texel: &'a GBufferTexel,
     /// k_r, 0 if nothing is reflected.
     share: f32,
     /// What the reflected ray found.
     found: Vec3,
 }
 
-impl<'a> Had<'a> {
-    fn of(case: &Case<'_>, buffer: &'a GBuffer, pixel: usize) -> Option<Self> {
+impl<'a> MethodReflection<'a> {
+    fn of(case: &ReasonInput<'_>, buffer: &'a GBuffer, pixel: usize) -> Option<Self> {
         let texel = buffer.texels.get(pixel)?;
         let share = reflecting(case.stage, texel).unwrap_or(0.0);
         Some(Self { texel, share, found: (*buffer.reflected.get(pixel)?).into() })
     }
 }
 
-impl Case<'_> {
+impl ReasonInput<'_> {
     /// Screen space.
     pub(super) fn of_screen(
         &self,
-        witness: &mut Witness<'_>,
+        witness: &mut ReferencePixel<'_>,
         how: &SsrSettings,
         ray: Ray,
-        (buffer, _): (&GBuffer, &MapsInUse),
+        (buffer, _): (&GBuffer, &ActiveCubeMaps),
         pixel: usize,
     ) -> Option<Reason> {
         let parts = witness.parts(ray)?;
-        let had = Had::of(self, buffer, pixel)?;
-        let screen = Screen { buffer, camera: self.camera, settings: how };
+        let had = MethodReflection::of(self, buffer, pixel)?;
+        let screen = ScreenMarcher { buffer, camera: self.camera, settings: how };
         let fate = screen.march(had.texel, exact(had.texel.reflected(self.camera)));
         // A cube map shows the reflections of what is reflected, too.
-        let is_mapped = !matches!(fate, Fate::Met(_)) && matches!(how.fallback, Fallback::CubeMap(_));
+        let is_mapped = !matches!(fate, MarchOutcome::Met(_)) && matches!(how.fallback, SsrFallback::CubeMap(_));
         let second = if is_mapped { Vec3::ZERO } else { parts.second };
         let first = had.found * had.share - (parts.first() + parts.second - second);
         match largest([
@@ -60,16 +60,16 @@ impl Case<'_> {
     /// Why the march did not find what is reflected.
     fn of_march(
         &self,
-        witness: &mut Witness<'_>,
-        screen: &Screen<'_>,
-        parts: &Parts,
-        had: &Had<'_>,
-        fate: Fate,
+        witness: &mut ReferencePixel<'_>,
+        screen: &ScreenMarcher<'_>,
+        parts: &PixelParts,
+        had: &MethodReflection<'_>,
+        fate: MarchOutcome,
     ) -> Option<Reason> {
         let Some((mirrored, hit)) = parts.mirrored.as_ref().and_then(|ray| Some((ray, ray.hit?))) else {
             // Nothing is reflected but the background: a surface was met that the ray only passes behind, or the map
             // shows something in this direction.
-            return Some(if matches!(fate, Fate::Met(_)) { Reason::Thickness } else { Reason::Parallax });
+            return Some(if matches!(fate, MarchOutcome::Met(_)) { Reason::Thickness } else { Reason::Parallax });
         };
         if f64::from(hit.hit.t) > screen.settings.range {
             return Some(Reason::OutOfRange);
@@ -78,7 +78,7 @@ impl Case<'_> {
             Ok(at) => at,
             Err(reason) => return Some(reason),
         };
-        let Fate::Met(met) = fate else { return Some(Reason::Step) };
+        let MarchOutcome::Met(met) = fate else { return Some(Reason::Step) };
         /// Pixels: within so much a hit is the right one, found a little beside.
         const BESIDE: f64 = 2.0;
         if met.distance(at) > BESIDE * screen.settings.step_pixels.max(1.0) {
@@ -94,8 +94,8 @@ impl Case<'_> {
     /// Where in the picture a point is seen, or why it is not.
     fn visibility(
         &self,
-        witness: &mut Witness<'_>,
-        hit: &SurfaceHit,
+        witness: &mut ReferencePixel<'_>,
+        hit: &RayIntersection,
         thickness: f64,
     ) -> Result<DVec2, Reason> {
         /// Of the depth: two points of one body that are this close are the same, seen through rounding.
@@ -115,13 +115,13 @@ impl Case<'_> {
     /// that reflects; the same, seen from the map's center; the pixels of the map.
     pub(super) fn of_map(
         &self,
-        witness: &mut Witness<'_>,
+        witness: &mut ReferencePixel<'_>,
         ray: Ray,
-        (buffer, maps): (&GBuffer, &MapsInUse),
+        (buffer, maps): (&GBuffer, &ActiveCubeMaps),
         pixel: usize,
     ) -> Option<Reason> {
         let parts = witness.parts(ray)?;
-        let had = Had::of(self, buffer, pixel)?;
+        let had = MethodReflection::of(self, buffer, pixel)?;
         let Some((direction, map)) = maps.looked_up(had.texel, had.texel.reflected(self.camera)) else {
             return largest([
                 (Reason::RefractionMissing, parts.refracted),

@@ -2,16 +2,16 @@
 
 use glam::Vec3;
 
-use super::witness::Witness;
-use super::{Case, Reason, largest};
+use super::witness::ReferencePixel;
+use super::{ReasonInput, Reason, largest};
 use crate::method::{LightModel, Method, ShadingSettings};
 use crate::ray::{NO_BODY, Ray};
 
-impl Case<'_> {
+impl ReasonInput<'_> {
     /// `body` is what the pixel shows, `drawn` its light.
     pub(super) fn of_shading(
         &self,
-        witness: &mut Witness<'_>,
+        witness: &mut ReferencePixel<'_>,
         how: &ShadingSettings,
         ray: Ray,
         body: u32,

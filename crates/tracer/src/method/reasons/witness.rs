@@ -4,28 +4,28 @@ use std::sync::atomic::AtomicBool;
 
 use glam::Vec3;
 
-use super::Case;
+use super::ReasonInput;
 use crate::method::LightModel;
-use crate::method::probe::{Point, Probe, color_at, exact, vector};
-use crate::ray::{Ray, Start};
-use crate::render::Control;
-use crate::stage::Stage;
+use crate::method::probe::{ShadingPoint, PointShader, color_at, exact, vector};
+use crate::ray::{Ray, RayOrigin};
+use crate::render::RenderControl;
+use crate::stage::RenderScene;
 use crate::vector::Vector;
-use crate::whitted::{RayKind, TracedRay, Whitted};
+use crate::whitted::{RayKind, RayRecord, WhittedIntegrator};
 
 /// The light of a pixel, by what brings it.
-pub(super) struct Parts {
+pub(super) struct PixelParts {
     /// The primary ray.
-    pub(super) primary: TracedRay,
+    pub(super) primary: RayRecord,
     /// The ray reflected where that meets something.
-    pub(super) mirrored: Option<TracedRay>,
+    pub(super) mirrored: Option<RayRecord>,
     /// What the tree behind the reflected ray brings, without its first hit.
     pub(super) second: Vec3,
     /// What is seen through the surface.
     pub(super) refracted: Vec3,
 }
 
-impl Parts {
+impl PixelParts {
     /// The light of the reflected ray's own hit.
     pub(super) fn first(&self) -> Vec3 {
         self.mirrored.as_ref().map_or(Vec3::ZERO, |ray| ray.light)
@@ -33,27 +33,27 @@ impl Parts {
 }
 
 /// One thread's means of finding the truth.
-pub(super) struct Witness<'a> {
-    pub(super) probe: Probe<'a>,
-    whitted: Whitted<'a>,
-    others: Option<Whitted<'a>>,
+pub(super) struct ReferencePixel<'a> {
+    pub(super) probe: PointShader<'a>,
+    whitted: WhittedIntegrator<'a>,
+    others: Option<WhittedIntegrator<'a>>,
 }
 
-impl<'a> Witness<'a> {
+impl<'a> ReferencePixel<'a> {
     /// So many rays of a tree are looked at; what the rest brings is little.
     const MOST_RAYS: usize = 4096;
 
-    pub(super) fn new(case: &Case<'a>, control: &'a Control) -> Self {
+    pub(super) fn new(case: &ReasonInput<'a>, control: &'a RenderControl) -> Self {
         let cancel: &AtomicBool = &control.cancel;
         Self {
-            probe: Probe::new(case.stage, case.camera),
-            whitted: Whitted::through(case.stage, case.camera, cancel),
-            others: case.others.map(|others| Whitted::new(others, cancel)),
+            probe: PointShader::new(case.stage, case.camera),
+            whitted: WhittedIntegrator::through(case.stage, case.camera, cancel),
+            others: case.others.map(|others| WhittedIntegrator::new(others, cancel)),
         }
     }
 
     /// Traces the tree behind a primary ray.
-    pub(super) fn parts(&mut self, ray: Ray) -> Option<Parts> {
+    pub(super) fn parts(&mut self, ray: Ray) -> Option<PixelParts> {
         let tree = self.whitted.tree(ray, Self::MOST_RAYS);
         let (primary, rest) = tree.split_first()?;
         let (mut mirrored, mut second, mut refracted) = (None, Vec3::ZERO, Vec3::ZERO);
@@ -74,7 +74,7 @@ impl<'a> Witness<'a> {
                 second += ray.light;
             }
         }
-        Some(Parts { primary: primary.clone(), mirrored, second, refracted })
+        Some(PixelParts { primary: primary.clone(), mirrored, second, refracted })
     }
 
     /// What comes along a ray from what the cube map shows.
@@ -88,8 +88,8 @@ impl<'a> Witness<'a> {
     /// background.
     pub(super) fn local(
         &mut self,
-        stage: &Stage,
-        ray: &TracedRay,
+        stage: &RenderScene,
+        ray: &RayRecord,
         viewer: Option<Vector<f32>>,
         model: LightModel,
         shadows: bool,
@@ -98,8 +98,8 @@ impl<'a> Witness<'a> {
         let rays = ray.ray.alone();
         let line = (rays.origin, rays.direction);
         let found = stage.surface_point(hit.hit.body, line, hit.hit.t, hit.hit.leaving);
-        let point = Point {
-            start: Start { body: hit.hit.body, inwards: hit.hit.leaving },
+        let point = ShadingPoint {
+            start: RayOrigin { body: hit.hit.body, inwards: hit.hit.leaving },
             position: found.in_world,
             normal: found.normal,
             to_viewer: viewer.unwrap_or_else(|| -vector(exact(rays.direction))),

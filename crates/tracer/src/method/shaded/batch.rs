@@ -3,41 +3,41 @@
 use glam::DVec2;
 use rayon::prelude::*;
 
-use super::faces::{Faces, Meshes, WorldFace, WorldVertex};
-use super::{Job, Shading};
+use super::faces::{FaceList, MeshCache, WorldFace, WorldVertex};
+use super::{ShadingJob, ShadingFrequency};
 use crate::counts::RayCounts;
-use crate::method::canvas::Clock;
-use crate::method::probe::{Probe, vector};
-use crate::method::raster::{Corner, Fragment, Triangle};
+use crate::method::canvas::PassTimer;
+use crate::method::probe::{PointShader, vector};
+use crate::method::raster::{TriangleCorner, Fragment, ScreenTriangle};
 use crate::method::{MethodError, PassName};
-use crate::ray::Start;
-use crate::stage::Stage;
+use crate::ray::RayOrigin;
+use crate::stage::RenderScene;
 use crate::vector::Vector;
 
 /// Makes batches of the stage's bodies, one after the other.
-pub(super) struct Maker<'a> {
-    job: &'a Job<'a>,
-    meshes: Meshes,
+pub(super) struct BatchBuilder<'a> {
+    job: &'a ShadingJob<'a>,
+    meshes: MeshCache,
     /// The next body.
     next: u32,
 }
 
 /// Faces of some bodies, ready to be drawn.
-pub(super) struct Batch {
-    corners: Vec<Corner>,
-    triangles: Vec<Triangle>,
+pub(super) struct FaceBatch {
+    corners: Vec<TriangleCorner>,
+    triangles: Vec<ScreenTriangle>,
     bodies: u32,
 }
 
 /// What is interpolated, of corners, and the rays that it took.
-type Lit = (Vec<Corner>, RayCounts);
+type VertexLights = (Vec<TriangleCorner>, RayCounts);
 
-impl<'a> Maker<'a> {
+impl<'a> BatchBuilder<'a> {
     /// From so many vertices on, no further body is taken up.
     const MOST_VERTICES: usize = 1 << 17;
 
-    pub(super) fn new(job: &'a Job<'a>) -> Self {
-        Self { job, meshes: Meshes::default(), next: 0 }
+    pub(super) fn new(job: &'a ShadingJob<'a>) -> Self {
+        Self { job, meshes: MeshCache::default(), next: 0 }
     }
 
     /// Starts from the first body again.
@@ -48,9 +48,9 @@ impl<'a> Maker<'a> {
     /// The faces of the next bodies; `None` after the last.
     pub(super) fn batch(
         &mut self,
-        clock: &mut Clock,
+        clock: &mut PassTimer,
         counts: &mut RayCounts,
-    ) -> Result<Option<Batch>, MethodError> {
+    ) -> Result<Option<FaceBatch>, MethodError> {
         let (job, first) = (self.job, self.next);
         if first as usize == job.stage.body_count() {
             return Ok(None);
@@ -60,17 +60,17 @@ impl<'a> Maker<'a> {
             return Err(MethodError::Cancelled);
         }
         let (corners, rays) = clock.time(PassName::Light, || match job.shading {
-            Shading::Flat => of_faces(job, &faces),
-            Shading::Gouraud | Shading::Phong => of_vertices(job, &faces.vertices),
+            ShadingFrequency::Flat => of_faces(job, &faces),
+            ShadingFrequency::Gouraud | ShadingFrequency::Phong => of_vertices(job, &faces.vertices),
         });
         *counts += rays;
         let triangles = clock.time(PassName::Rasterize, || triangles(job, &corners, &faces.faces));
-        Ok(Some(Batch { corners, triangles, bodies: self.next - first }))
+        Ok(Some(FaceBatch { corners, triangles, bodies: self.next - first }))
     }
 
-    fn faces(&mut self) -> Faces {
-        let Job { stage, camera, settings, control, .. } = *self.job;
-        let mut faces = Faces::default();
+    fn faces(&mut self) -> FaceList {
+        let ShadingJob { stage, camera, settings, control, .. } = *self.job;
+        let mut faces = FaceList::default();
         while (self.next as usize) < stage.body_count()
             && faces.vertices.len() < Self::MOST_VERTICES
             && !control.is_cancelled()
@@ -83,7 +83,7 @@ impl<'a> Maker<'a> {
 }
 
 /// The corners of flat faces, four for each: all have the light of the face's middle.
-fn of_faces(job: &Job<'_>, all: &Faces) -> Lit {
+fn of_faces(job: &ShadingJob<'_>, all: &FaceList) -> VertexLights {
     in_chunks(job, &all.faces, |probe, face, corners| {
         let light = job.light(probe, face.start, face.middle, vector(face.normal));
         let values = [light.on_color, light.highlight];
@@ -93,14 +93,14 @@ fn of_faces(job: &Job<'_>, all: &Faces) -> Lit {
 }
 
 /// The corners of other faces, which they share: two for each vertex, of the outer side and of the inner.
-fn of_vertices(job: &Job<'_>, vertices: &[WorldVertex]) -> Lit {
+fn of_vertices(job: &ShadingJob<'_>, vertices: &[WorldVertex]) -> VertexLights {
     in_chunks(job, vertices, |probe, vertex, corners| {
         for (inwards, is_seen) in [false, true].into_iter().zip(vertex.seen) {
             let normal = vector(if inwards { -vertex.normal } else { vertex.normal });
-            let values = if job.shading == Shading::Phong {
+            let values = if job.shading == ShadingFrequency::Phong {
                 [vector(vertex.position), normal]
             } else if is_seen {
-                let start = Start { body: vertex.body, inwards };
+                let start = RayOrigin { body: vertex.body, inwards };
                 let light = job.light(probe, start, vertex.position, normal);
                 [light.on_color, light.highlight]
             } else {
@@ -112,28 +112,28 @@ fn of_vertices(job: &Job<'_>, vertices: &[WorldVertex]) -> Lit {
 }
 
 /// The place of a face's corner among those of [`of_faces`] or [`of_vertices`].
-fn place(shading: Shading, number: usize, face: &WorldFace, corner: usize) -> u32 {
+fn place(shading: ShadingFrequency, number: usize, face: &WorldFace, corner: usize) -> u32 {
     match shading {
-        Shading::Flat => (4 * number + corner) as u32,
-        Shading::Gouraud | Shading::Phong => 2 * face.corners[corner] + u32::from(face.start.inwards),
+        ShadingFrequency::Flat => (4 * number + corner) as u32,
+        ShadingFrequency::Gouraud | ShadingFrequency::Phong => 2 * face.corners[corner] + u32::from(face.start.inwards),
     }
 }
 
-fn corner(job: &Job<'_>, vertex: &WorldVertex, values: [Vector<f32>; 2]) -> Corner {
+fn corner(job: &ShadingJob<'_>, vertex: &WorldVertex, values: [Vector<f32>; 2]) -> TriangleCorner {
     let seen = job.camera.homogeneous(vertex.position.extend(1.0), job.frame.size());
-    Corner { seen, in_body: vertex.in_body, values }
+    TriangleCorner { seen, in_body: vertex.in_body, values }
 }
 
 /// What `make` appends for each item, in their order, made on all threads.
 fn in_chunks<T: Sync>(
-    job: &Job<'_>,
+    job: &ShadingJob<'_>,
     items: &[T],
-    make: impl Fn(&mut Probe<'_>, &T, &mut Vec<Corner>) + Sync,
-) -> Lit {
+    make: impl Fn(&mut PointShader<'_>, &T, &mut Vec<TriangleCorner>) + Sync,
+) -> VertexLights {
     /// Small enough to balance, large enough to be worth a task.
     const CHUNK: usize = 256;
     let chunks = items.par_chunks(CHUNK).map_init(
-        || Probe::new(job.stage, job.camera),
+        || PointShader::new(job.stage, job.camera),
         |probe, items| {
             let before = probe.counts;
             let mut corners = Vec::with_capacity(4 * items.len());
@@ -141,8 +141,8 @@ fn in_chunks<T: Sync>(
             (corners, probe.counts - before)
         },
     );
-    let mut all = Lit::default();
-    for (corners, counts) in chunks.collect::<Vec<Lit>>() {
+    let mut all = VertexLights::default();
+    for (corners, counts) in chunks.collect::<Vec<VertexLights>>() {
         all.0.extend(corners);
         all.1 += counts;
     }
@@ -150,25 +150,25 @@ fn in_chunks<T: Sync>(
 }
 
 /// Cuts the faces into triangles.
-fn triangles(job: &Job<'_>, corners: &[Corner], faces: &[WorldFace]) -> Vec<Triangle> {
+fn triangles(job: &ShadingJob<'_>, corners: &[TriangleCorner], faces: &[WorldFace]) -> Vec<ScreenTriangle> {
     let triangles = faces.par_iter().enumerate().flat_map_iter(|(number, face)| {
         let at = |corner| place(job.shading, number, face, corner);
         let halves = [[0, 1, 2], [0, 2, 3]].map(|half| half.map(at));
-        halves.into_iter().filter_map(|half| Triangle::new(corners, half, face.start.word(), job.frame))
+        halves.into_iter().filter_map(|half| ScreenTriangle::new(corners, half, face.start.word(), job.frame))
     });
     triangles.collect()
 }
 
-impl Batch {
+impl FaceBatch {
     /// Whether it has all bodies of the stage.
-    pub(super) fn is_all(&self, stage: &Stage) -> bool {
+    pub(super) fn is_all(&self, stage: &RenderScene) -> bool {
         self.bodies as usize == stage.body_count()
     }
 
     /// Draws the faces into the fragments of a sample.
     pub(super) fn rasterize(
         &self,
-        job: &Job<'_>,
+        job: &ShadingJob<'_>,
         offset: DVec2,
         fragments: &mut [Fragment],
     ) -> Result<(), MethodError> {

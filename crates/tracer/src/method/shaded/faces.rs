@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use crate::method::mesh::{Mesh, Patch};
+use crate::method::mesh::{Mesh, PlanePatch};
 use crate::method::probe::vector;
-use crate::ray::{NO_BODY, Start};
+use crate::ray::{NO_BODY, RayOrigin};
 use crate::shape::ShapeKind;
-use crate::stage::{Stage, StageBody, StageCamera};
+use crate::stage::{RenderScene, RenderBody, RenderCamera};
 use crate::vector::Vector;
 
 /// A vertex in the world.
@@ -32,24 +32,24 @@ pub(super) struct WorldFace {
     pub(super) middle: DVec3,
     /// Of length 1, on the side that is seen.
     pub(super) normal: DVec3,
-    pub(super) start: Start,
+    pub(super) start: RayOrigin,
 }
 
 /// The faces of some bodies.
 #[derive(Default)]
-pub(super) struct Faces {
+pub(super) struct FaceList {
     pub(super) vertices: Vec<WorldVertex>,
     pub(super) faces: Vec<WorldFace>,
 }
 
 /// Meshes of shapes that many bodies share, by their kinds.
 #[derive(Default)]
-pub(super) struct Meshes(HashMap<u8, Arc<Mesh>>);
+pub(super) struct MeshCache(HashMap<u8, Arc<Mesh>>);
 
-impl Meshes {
-    fn of(&mut self, body: &StageBody, camera: &StageCamera, fineness: u32) -> Arc<Mesh> {
+impl MeshCache {
+    fn of(&mut self, body: &RenderBody, camera: &RenderCamera, fineness: u32) -> Arc<Mesh> {
         let shape = body.canonical();
-        let make = || Arc::new(Mesh::of(shape, fineness, Patch::seen(body, camera)));
+        let make = || Arc::new(Mesh::of(shape, fineness, PlanePatch::seen(body, camera)));
         match shape.kind {
             // Each plane and each cone has faces of its own.
             ShapeKind::Plane | ShapeKind::Cone => make(),
@@ -58,15 +58,15 @@ impl Meshes {
     }
 }
 
-impl Faces {
+impl FaceList {
     /// Adds the faces of a body that the camera may see.
     pub(super) fn add(
         &mut self,
-        stage: &Stage,
-        camera: &StageCamera,
+        stage: &RenderScene,
+        camera: &RenderCamera,
         index: u32,
         fineness: u32,
-        meshes: &mut Meshes,
+        meshes: &mut MeshCache,
     ) {
         let body = stage.body(index);
         let mesh = meshes.of(body, camera, fineness);
@@ -94,7 +94,7 @@ impl Faces {
         }
     }
 
-    fn add_vertices(&mut self, body: &StageBody, index: u32, mesh: &Mesh) {
+    fn add_vertices(&mut self, body: &RenderBody, index: u32, mesh: &Mesh) {
         let matrix = |rows: [[f32; 3]; 3]| DMat3::from_cols_array_2d(&rows.map(|row| row.map(f64::from)));
         let world_from_body = matrix(body.world_from_body).transpose();
         // Normals go back by the inverse transpose.
@@ -124,6 +124,6 @@ impl Faces {
         let across = (c.position - a.position).cross(d.position - b.position);
         let outward = across.dot(a.normal + b.normal + c.normal).signum();
         let normal = (across * outward).normalize_or(a.normal);
-        Some(WorldFace { corners, middle, normal, start: Start { body, inwards: false } })
+        Some(WorldFace { corners, middle, normal, start: RayOrigin { body, inwards: false } })
     }
 }

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::{Bvh, Node};
-use crate::lanes::{Eight as _, Width};
+use super::{Bvh, BvhNode};
+use crate::lanes::{Float8 as _, Width};
 
 /// What is done with the leaves that a ray meets.
-pub(super) trait VisitAlone {
+pub(super) trait SingleRayVisitor {
     /// Whether the nearer leaves are better shown first.
     const NEAREST_FIRST: bool;
 
@@ -21,7 +21,7 @@ pub(super) trait VisitAlone {
 
 /// A part of the hierarchy that a ray is still to visit.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct LonePart {
+pub(super) struct SingleRayStackEntry {
     first: u32,
     count: u32,
     /// Where it enters.
@@ -29,9 +29,9 @@ pub(super) struct LonePart {
 }
 
 /// A ray, for each axis.
-pub(super) struct Lone<W: Width>([LoneAxis<W>; 3]);
+pub(super) struct SingleRay<W: Width>([SingleRayAxis<W>; 3]);
 
-struct LoneAxis<W: Width> {
+struct SingleRayAxis<W: Width> {
     /// The side of a node's boxes that it meets first.
     near: usize,
     origin: W::E,
@@ -41,12 +41,12 @@ struct LoneAxis<W: Width> {
 impl Bvh {
     /// Shows `visitor` the leaves below a node that a ray meets, mostly the nearer ones first.
     #[inline(always)]
-    pub(super) fn traverse_alone<W: Width, V: VisitAlone>(
+    pub(super) fn traverse_alone<W: Width, V: SingleRayVisitor>(
         &self,
         w: W,
-        ray: &Lone<W>,
+        ray: &SingleRay<W>,
         index: u32,
-        parts: &mut [LonePart],
+        parts: &mut [SingleRayStackEntry],
         visitor: &mut V,
     ) {
         let mut reach = visitor.reach();
@@ -57,7 +57,7 @@ impl Bvh {
             for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
                 let (first, count) = (node.first[slot], node.count[slot]);
                 visitor.fetch(self.fetch(first, count));
-                parts[waiting] = LonePart { first, count, enter };
+                parts[waiting] = SingleRayStackEntry { first, count, enter };
                 waiting += 1;
             }
             loop {
@@ -65,7 +65,7 @@ impl Bvh {
                     return;
                 }
                 waiting -= 1;
-                let LonePart { first, count, enter } = parts[waiting];
+                let SingleRayStackEntry { first, count, enter } = parts[waiting];
                 if enter > reach {
                     continue;
                 }
@@ -80,10 +80,10 @@ impl Bvh {
     }
 }
 
-impl<W: Width> Lone<W> {
+impl<W: Width> SingleRay<W> {
     #[inline(always)]
     pub(super) fn new(w: W, origin: [f32; 3], inverse: [f32; 3]) -> Self {
-        let axis = |axis: usize| LoneAxis {
+        let axis = |axis: usize| SingleRayAxis {
             near: 2 * axis + usize::from(inverse[axis] < 0.0),
             origin: w.eight_like(origin[axis]),
             inverse: w.eight_like(inverse[axis]),
@@ -91,38 +91,38 @@ impl<W: Width> Lone<W> {
         Self([axis(0), axis(1), axis(2)])
     }
 
-    /// Where the ray enters the boxes of a node, at least 0, and leaves them; see [`PacketBoxes::enter`].
+    /// Where the ray enters the boxes of a node, at least 0, and leaves them; see [`PacketBoxTest::enter`].
     ///
-    /// [`PacketBoxes::enter`]: super::packet::PacketBoxes::enter
+    /// [`PacketBoxTest::enter`]: super::packet::PacketBoxes::enter
     #[inline(always)]
-    pub(super) fn enter(&self, w: W, node: &Node) -> (W::E, W::E) {
+    pub(super) fn enter(&self, w: W, node: &BvhNode) -> (W::E, W::E) {
         let [x, y, z] = &self.0;
-        let to_near = |a: &LoneAxis<W>| (w.eight(&node.sides[a.near % 6]) - a.origin) * a.inverse;
-        let to_far = |a: &LoneAxis<W>| (w.eight(&node.sides[(a.near ^ 1) % 6]) - a.origin) * a.inverse;
+        let to_near = |a: &SingleRayAxis<W>| (w.eight(&node.sides[a.near % 6]) - a.origin) * a.inverse;
+        let to_far = |a: &SingleRayAxis<W>| (w.eight(&node.sides[(a.near ^ 1) % 6]) - a.origin) * a.inverse;
         let enter = to_near(x).max(to_near(y)).max(to_near(z)).max(w.eight_like(0.0));
         let exit = to_far(x).min(to_far(y)).min(to_far(z));
         (enter, exit * w.eight_like(super::WIDEN))
     }
 
-    /// The boxes that it meets before `reach` and where it enters them, see [`Order::new`].
+    /// The boxes that it meets before `reach` and where it enters them, see [`BoxOrder::new`].
     #[inline(always)]
-    fn met(&self, w: W, node: &Node, reach: f32, is_sorted: bool) -> impl Iterator<Item = (usize, f32)> {
+    fn met(&self, w: W, node: &BvhNode, reach: f32, is_sorted: bool) -> impl Iterator<Item = (usize, f32)> {
         let (enter, exit) = self.enter(w, node);
         let met = enter.le(exit.min(w.eight_like(reach)));
         let words = enter.to_words();
-        Order::new(&words, met, is_sorted).map(move |slot| (slot, f32::from_bits(words[slot])))
+        BoxOrder::new(&words, met, is_sorted).map(move |slot| (slot, f32::from_bits(words[slot])))
     }
 }
 
 /// Boxes of a node, perhaps the farthest first.
-pub(super) struct Order {
+pub(super) struct BoxOrder {
     /// Where each is entered, as bits of a number of at least 0, with the number of the box in the lowest bits.
     keys: [u32; 8],
     at: usize,
     len: usize,
 }
 
-impl Order {
+impl BoxOrder {
     /// Those of `left`; where they are entered are numbers of at least 0. In any order unless `is_sorted`.
     #[inline(always)]
     pub(super) fn new(enter: &[u32; 8], left: u32, is_sorted: bool) -> Self {
@@ -144,7 +144,7 @@ impl Order {
     }
 }
 
-impl Iterator for Order {
+impl Iterator for BoxOrder {
     type Item = usize;
 
     #[inline(always)]

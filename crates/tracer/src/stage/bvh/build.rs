@@ -7,9 +7,9 @@
 
 use rayon::prelude::*;
 
-use super::entry::{Entry, Extent};
+use super::entry::{BuildEntry, BoundsAccumulator};
 use super::split::{best_split, partition};
-use super::{MAX_DEPTH, Node, WIDTH};
+use super::{MAX_DEPTH, BvhNode, WIDTH};
 
 /// A leaf holds at most this many bodies.
 pub(super) const LEAF_SIZE: usize = 6;
@@ -23,10 +23,10 @@ const PARALLEL_SIZE: usize = 4096;
 
 /// Some of the entries, one after another, and their box.
 #[derive(Clone, Copy)]
-struct Part {
+struct BuildRange {
     start: usize,
     count: usize,
-    extent: Extent,
+    extent: BoundsAccumulator,
     /// How many partings led to it.
     depth: usize,
     /// It was found that it cannot be parted.
@@ -34,15 +34,15 @@ struct Part {
 }
 
 /// Nodes in depth-first order; an inner node's `first` is the way from its parent to it.
-type Nodes = Vec<Node>;
+type NodeList = Vec<BvhNode>;
 
 /// Builds the nodes, and sorts `entries` into their leaves' order.
-pub(super) fn build(entries: &mut [Entry]) -> Vec<Node> {
-    let of = |entries: &[Entry]| entries.iter().fold(Extent::EMPTY, Extent::with);
-    let extent = entries.par_chunks(PARALLEL_SIZE).map(of).reduce(|| Extent::EMPTY, Extent::union);
-    let root = Part { start: 0, count: entries.len(), extent, depth: 0, is_whole: false };
+pub(super) fn build(entries: &mut [BuildEntry]) -> Vec<BvhNode> {
+    let of = |entries: &[BuildEntry]| entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with);
+    let extent = entries.par_chunks(PARALLEL_SIZE).map(of).reduce(|| BoundsAccumulator::EMPTY, BoundsAccumulator::union);
+    let root = BuildRange { start: 0, count: entries.len(), extent, depth: 0, is_whole: false };
     let pieces = large_node(entries, root);
-    let mut nodes: Vec<Node> = bytemuck::zeroed_vec(pieces.iter().map(Vec::len).sum());
+    let mut nodes: Vec<BvhNode> = bytemuck::zeroed_vec(pieces.iter().map(Vec::len).sum());
     let mut jobs = Vec::with_capacity(pieces.len());
     let mut rest = &mut nodes[..];
     let mut place = 0;
@@ -63,7 +63,7 @@ pub(super) fn build(entries: &mut [Entry]) -> Vec<Node> {
 }
 
 /// The nodes of a part, in pieces: its children are built in parallel.
-fn large_node(entries: &mut [Entry], part: Part) -> Vec<Nodes> {
+fn large_node(entries: &mut [BuildEntry], part: BuildRange) -> Vec<NodeList> {
     if part.count < PARALLEL_SIZE {
         let mut nodes = Vec::new();
         small_node(entries, part, &mut nodes);
@@ -78,13 +78,13 @@ fn large_node(entries: &mut [Entry], part: Part) -> Vec<Nodes> {
         rest = others;
         jobs.push((*part, own));
     }
-    let built: Vec<Vec<Nodes>> = jobs
+    let built: Vec<Vec<NodeList>> = jobs
         .into_par_iter()
         .map(
             |(part, entries)| if stays_leaf(entries, &part) { Vec::new() } else { large_node(entries, part) },
         )
         .collect();
-    let mut node = Node::EMPTY;
+    let mut node = BvhNode::EMPTY;
     let mut way = 1;
     for (slot, (part, pieces)) in parts.iter().zip(&built).enumerate() {
         if pieces.is_empty() {
@@ -100,11 +100,11 @@ fn large_node(entries: &mut [Entry], part: Part) -> Vec<Nodes> {
 }
 
 /// Appends the nodes of a part.
-fn small_node(entries: &mut [Entry], part: Part, nodes: &mut Nodes) {
+fn small_node(entries: &mut [BuildEntry], part: BuildRange, nodes: &mut NodeList) {
     let place = nodes.len();
-    nodes.push(Node::EMPTY);
+    nodes.push(BvhNode::EMPTY);
     if part.count <= WIDTH {
-        entries.sort_unstable_by_key(Entry::leaf_key);
+        entries.sort_unstable_by_key(BuildEntry::leaf_key);
         for (slot, entry) in entries.iter().enumerate() {
             nodes[place].set(slot, entry.bounds(), part.start + slot, 1);
         }
@@ -127,7 +127,7 @@ fn small_node(entries: &mut [Entry], part: Part, nodes: &mut Nodes) {
 
 /// Parts the first part, which has all the entries, again and again, always the widest one, until there are as many as
 /// a node has places; in the entries' order.
-fn open<'a>(entries: &mut [Entry], parts: &'a mut [Part; WIDTH]) -> &'a [Part] {
+fn open<'a>(entries: &mut [BuildEntry], parts: &'a mut [BuildRange; WIDTH]) -> &'a [BuildRange] {
     let first = parts[0].start;
     let mut count = 1;
     while count < WIDTH {
@@ -155,8 +155,8 @@ fn open<'a>(entries: &mut [Entry], parts: &'a mut [Part; WIDTH]) -> &'a [Part] {
 }
 
 /// Parts a part in two; `None` when it stays one leaf, since it has one body or all centers coincide.
-fn divide(entries: &mut [Entry], part: &Part) -> Option<[Part; 2]> {
-    let extent_of = |entries: &[Entry]| entries.iter().fold(Extent::EMPTY, Extent::with);
+fn divide(entries: &mut [BuildEntry], part: &BuildRange) -> Option<[BuildRange; 2]> {
+    let extent_of = |entries: &[BuildEntry]| entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with);
     let split = if part.depth < SAH_DEPTH && part.count > 2 { best_split(entries) } else { None };
     let (middle, [left, right]) = match split {
         Some(split) => (partition(entries, &split), split.sides),
@@ -172,21 +172,21 @@ fn divide(entries: &mut [Entry], part: &Part) -> Option<[Part; 2]> {
     let depth = part.depth + 1;
     let (start, count) = (part.start, part.count);
     Some([
-        Part { start, count: middle, extent: left, depth, is_whole: false },
-        Part { start: start + middle, count: count - middle, extent: right, depth, is_whole: false },
+        BuildRange { start, count: middle, extent: left, depth, is_whole: false },
+        BuildRange { start: start + middle, count: count - middle, extent: right, depth, is_whole: false },
     ])
 }
 
 /// Whether a part is better a leaf than a node of its own; its entries are then put in a leaf's order.
-fn stays_leaf(entries: &mut [Entry], part: &Part) -> bool {
+fn stays_leaf(entries: &mut [BuildEntry], part: &BuildRange) -> bool {
     if part.count > LEAF_SIZE {
         return false;
     }
     let area = part.extent.half_area();
-    let apart: f32 = entries.iter().map(|entry| Extent::EMPTY.with(entry).half_area()).sum();
+    let apart: f32 = entries.iter().map(|entry| BoundsAccumulator::EMPTY.with(entry).half_area()).sum();
     let is_leaf = part.count == 1 || part.count as f32 * area <= NODE_COST * area + apart;
     if is_leaf {
-        entries.sort_unstable_by_key(Entry::leaf_key);
+        entries.sort_unstable_by_key(BuildEntry::leaf_key);
     }
     is_leaf
 }

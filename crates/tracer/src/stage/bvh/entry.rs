@@ -6,14 +6,14 @@ use crate::stage::Bounds;
 
 /// A body to be sorted into the hierarchy: its box, its place and its shape, in two vectors.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Entry {
+pub(crate) struct BuildEntry {
     /// Least coordinates, and the place; see [`Self::PLACE`].
     low: Vec4,
     /// Greatest coordinates, and the kind of shape.
     high: Vec4,
 }
 
-impl Entry {
+impl BuildEntry {
     /// Added to a place, so that its bits are those of an ordinary number, which sums over all four components do not
     /// mind: places are below 2³⁰.
     const PLACE: u32 = 0x0080_0000;
@@ -54,12 +54,12 @@ impl Entry {
 
 /// A box that grows; the fourth components mean nothing.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Extent {
+pub(super) struct BoundsAccumulator {
     low: Vec4,
     high: Vec4,
 }
 
-impl Extent {
+impl BoundsAccumulator {
     pub(super) const EMPTY: Self = Self { low: Vec4::INFINITY, high: Vec4::NEG_INFINITY };
 
     #[inline]
@@ -69,13 +69,13 @@ impl Extent {
 
     /// With the entry's box.
     #[inline]
-    pub(super) fn with(self, entry: &Entry) -> Self {
+    pub(super) fn with(self, entry: &BuildEntry) -> Self {
         self.union(Self { low: entry.low, high: entry.high })
     }
 
     /// With twice the middle of the entry's box.
     #[inline]
-    pub(super) fn with_center(self, entry: &Entry) -> Self {
+    pub(super) fn with_center(self, entry: &BuildEntry) -> Self {
         let center = entry.center();
         self.union(Self { low: center, high: center })
     }
@@ -98,18 +98,18 @@ impl Extent {
 
 /// Equal intervals between the least and the greatest center, along all three axes.
 #[derive(Clone, Copy)]
-pub(super) struct Intervals {
+pub(super) struct BinGrid {
     low: Vec4,
     per_unit: Vec4,
     last: Vec4,
 }
 
-impl Intervals {
+impl BinGrid {
     /// Adding this to a small number leaves its nearest whole number in the lowest bits.
     const WHOLE: f32 = 8_388_608.0;
 
     /// `count` intervals between the centers' limits; along an axis on which all centers agree there is just one.
-    pub(super) fn new(centers: &Extent, count: usize) -> Self {
+    pub(super) fn new(centers: &BoundsAccumulator, count: usize) -> Self {
         let per_unit = count as f32 / (centers.high - centers.low);
         let per_unit = Vec4::select(per_unit.is_finite_mask(), per_unit, Vec4::ZERO);
         Self { low: centers.low, per_unit, last: Vec4::splat(count as f32 - 1.0) }
@@ -122,7 +122,7 @@ impl Intervals {
 
     /// The entry's interval along each axis.
     #[inline]
-    pub(super) fn of(&self, entry: &Entry) -> [usize; 3] {
+    pub(super) fn of(&self, entry: &BuildEntry) -> [usize; 3] {
         let at = (entry.center() - self.low) * self.per_unit - 0.5;
         let whole = at.max(Vec4::ZERO).min(self.last) + Self::WHOLE;
         let [x, y, z, _] = whole.to_array().map(|whole| (whole.to_bits() & 0xff) as usize);
@@ -131,7 +131,7 @@ impl Intervals {
 
     /// The entry's interval along one axis, by the same operations.
     #[inline]
-    pub(super) fn along(&self, axis: usize, entry: &Entry) -> usize {
+    pub(super) fn along(&self, axis: usize, entry: &BuildEntry) -> usize {
         let at = (entry.low[axis] + entry.high[axis] - self.low[axis]) * self.per_unit[axis] - 0.5;
         let whole = at.max(0.0).min(self.last[axis]) + Self::WHOLE;
         (whole.to_bits() & 0xff) as usize

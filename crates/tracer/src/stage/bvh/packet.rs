@@ -7,13 +7,13 @@
 
 use std::ops::Range;
 
-use super::alone::{Lone, LonePart, Order, VisitAlone};
-use super::{Bvh, Node, WIDEN};
-use crate::lanes::{Eight as _, Float as _, MOST_LANES, Mask as _, Real as _, Width};
+use super::alone::{SingleRay, SingleRayStackEntry, BoxOrder, SingleRayVisitor};
+use super::{Bvh, BvhNode, WIDEN};
+use crate::lanes::{Float8 as _, Float as _, MOST_LANES, Mask as _, Float32 as _, Width};
 use crate::vector::Vector;
 
 /// What is done with the leaves.
-pub(crate) trait Visit<W: Width> {
+pub(crate) trait BodyVisitor<W: Width> {
     /// Whether the nearer leaves are better shown first.
     const NEAREST_FIRST: bool;
 
@@ -25,16 +25,16 @@ pub(crate) trait Visit<W: Width> {
 
 /// Parts of the hierarchy still to be visited: working memory.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Pending {
+pub(crate) struct TraversalStack {
     /// By several rays.
-    shared: Vec<SharedPart>,
+    shared: Vec<PacketStackEntry>,
     /// By one.
-    alone: Vec<LonePart>,
+    alone: Vec<SingleRayStackEntry>,
 }
 
 /// A part that several rays are to visit.
 #[derive(Clone, Copy, Debug, Default)]
-struct SharedPart {
+struct PacketStackEntry {
     first: u32,
     count: u32,
     /// A bit for each ray that meets its box.
@@ -43,13 +43,13 @@ struct SharedPart {
     enter: [f32; MOST_LANES],
 }
 
-impl Pending {
+impl TraversalStack {
     /// No path is longer than [`super::MAX_DEPTH`], and each node on it leaves at most seven parts behind.
     const MOST: usize = 8 * super::MAX_DEPTH;
 
     /// Places for all parts, so that none has to be moved into place.
     #[inline(always)]
-    fn ready(&mut self, is_shared: bool) -> (&mut [SharedPart], &mut [LonePart]) {
+    fn ready(&mut self, is_shared: bool) -> (&mut [PacketStackEntry], &mut [SingleRayStackEntry]) {
         if self.alone.is_empty() {
             self.make(is_shared);
         }
@@ -58,15 +58,15 @@ impl Pending {
 
     #[cold]
     fn make(&mut self, is_shared: bool) {
-        self.alone.resize(Self::MOST, LonePart::default());
+        self.alone.resize(Self::MOST, SingleRayStackEntry::default());
         if is_shared {
-            self.shared.resize(Self::MOST, SharedPart::default());
+            self.shared.resize(Self::MOST, PacketStackEntry::default());
         }
     }
 }
 
 /// Rays prepared for box tests.
-pub(crate) struct PacketBoxes<W: Width> {
+pub(crate) struct PacketBoxTest<W: Width> {
     origin: Vector<W::R>,
     inverse: Vector<W::R>,
     lanes: W::M,
@@ -74,14 +74,14 @@ pub(crate) struct PacketBoxes<W: Width> {
     origins: [[f32; MOST_LANES]; 3],
     inverses: [[f32; MOST_LANES]; 3],
     /// All of them together, if they run the same way along each axis.
-    beam: Option<Beam>,
+    beam: Option<PacketInterval>,
 }
 
 /// Between which numbers the rays of a packet lie, for each axis.
-struct Beam([BeamAxis; 3]);
+struct PacketInterval([PacketIntervalAxis; 3]);
 
 #[derive(Clone, Copy)]
-struct BeamAxis {
+struct PacketIntervalAxis {
     /// The side of a node's boxes that they meet first.
     near: usize,
     /// The origin that is nearest to that side, and the one that is farthest from the other.
@@ -105,21 +105,21 @@ impl Bvh {
         origin: Vector<W::R>,
         direction: Vector<W::R>,
         lanes: W::M,
-    ) -> PacketBoxes<W> {
+    ) -> PacketBoxTest<W> {
         let inverse = inverse_of(w, direction);
         let (mut origins, mut inverses) = ([[0.0; MOST_LANES]; 3], [[0.0; MOST_LANES]; 3]);
         store(origin, &mut origins);
         store(inverse, &mut inverses);
-        PacketBoxes { origin, inverse, lanes, origins, inverses, beam: Beam::of(w, origin, inverse, lanes) }
+        PacketBoxTest { origin, inverse, lanes, origins, inverses, beam: PacketInterval::of(w, origin, inverse, lanes) }
     }
 
     /// Shows `visitor` the bodies of the leaves whose boxes some of the rays meet, mostly the nearer ones first.
     #[inline(always)]
-    pub(crate) fn traverse_packet<W: Width, V: Visit<W>>(
+    pub(crate) fn traverse_packet<W: Width, V: BodyVisitor<W>>(
         &self,
         w: W,
-        boxes: &PacketBoxes<W>,
-        pending: &mut Pending,
+        boxes: &PacketBoxTest<W>,
+        pending: &mut TraversalStack,
         visitor: &mut V,
     ) {
         let (shared, alone) = pending.ready(W::LANES > Self::FEW_RAYS as usize);
@@ -132,7 +132,7 @@ impl Bvh {
                 while bits != 0 {
                     let lane = bits.trailing_zeros() as usize % MOST_LANES;
                     bits &= bits - 1;
-                    let mut alone_visits = OneOf { w, lane, visitor: &mut *visitor };
+                    let mut alone_visits = PacketLane { w, lane, visitor: &mut *visitor };
                     self.traverse_alone(w, &boxes.alone(w, lane), index, alone, &mut alone_visits);
                 }
                 farthest = boxes.farthest(w, visitor.reach());
@@ -173,13 +173,13 @@ impl Bvh {
 }
 
 /// One ray of a packet on its own way.
-struct OneOf<'v, W, V> {
+struct PacketLane<'v, W, V> {
     w: W,
     lane: usize,
     visitor: &'v mut V,
 }
 
-impl<W: Width, V: Visit<W>> VisitAlone for OneOf<'_, W, V> {
+impl<W: Width, V: BodyVisitor<W>> SingleRayVisitor for PacketLane<'_, W, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
@@ -196,14 +196,14 @@ impl<W: Width, V: Visit<W>> VisitAlone for OneOf<'_, W, V> {
 }
 
 #[inline(always)]
-fn store<R: crate::lanes::Real>(vector: Vector<R>, to: &mut [[f32; MOST_LANES]; 3]) {
+fn store<R: crate::lanes::Float32>(vector: Vector<R>, to: &mut [[f32; MOST_LANES]; 3]) {
     let [x, y, z] = to;
     vector.x.store(x);
     vector.y.store(y);
     vector.z.store(z);
 }
 
-impl<W: Width> PacketBoxes<W> {
+impl<W: Width> PacketBoxTest<W> {
     /// How far any of the rays reaches.
     #[inline(always)]
     fn farthest(&self, w: W, reach: W::R) -> f32 {
@@ -215,7 +215,7 @@ impl<W: Width> PacketBoxes<W> {
 
     /// The boxes that may be met by some of the rays of `lanes`.
     #[inline(always)]
-    fn order(&self, w: W, node: &Node, lanes: u32, farthest: f32, is_sorted: bool) -> Order {
+    fn order(&self, w: W, node: &BvhNode, lanes: u32, farthest: f32, is_sorted: bool) -> BoxOrder {
         let (enter, left) = match &self.beam {
             Some(beam) => beam.enter(w, node, farthest),
             None if is_sorted => {
@@ -225,19 +225,19 @@ impl<W: Width> PacketBoxes<W> {
             }
             None => (w.eight_like(0.0), node.used(w)),
         };
-        Order::new(&enter.to_words(), left, is_sorted)
+        BoxOrder::new(&enter.to_words(), left, is_sorted)
     }
 
     /// One of the rays.
     #[inline(always)]
-    fn alone(&self, w: W, lane: usize) -> Lone<W> {
-        Lone::new(w, self.origins.map(|axis| axis[lane]), self.inverses.map(|axis| axis[lane]))
+    fn alone(&self, w: W, lane: usize) -> SingleRay<W> {
+        SingleRay::new(w, self.origins.map(|axis| axis[lane]), self.inverses.map(|axis| axis[lane]))
     }
 
     /// The parameters at which the rays enter a box, at least 0, and those which meet it before `reach`. The far sides
     /// are moved outwards by the rounding of the three operations (Ize 2013, Robust BVH ray traversal, eq. 3).
     #[inline(always)]
-    fn enter(&self, w: W, node: &Node, slot: usize, reach: W::R) -> (W::R, W::M) {
+    fn enter(&self, w: W, node: &BvhNode, slot: usize, reach: W::R) -> (W::R, W::M) {
         let x = self.along(w, 0, node, slot, self.origin.x, self.inverse.x);
         let y = self.along(w, 1, node, slot, self.origin.y, self.inverse.y);
         let z = self.along(w, 2, node, slot, self.origin.z, self.inverse.z);
@@ -252,7 +252,7 @@ impl<W: Width> PacketBoxes<W> {
         &self,
         w: W,
         axis: usize,
-        node: &Node,
+        node: &BvhNode,
         slot: usize,
         origin: W::R,
         inverse: W::R,
@@ -281,7 +281,7 @@ pub(super) fn inverse_of<W: Width>(w: W, direction: Vector<W::R>) -> Vector<W::R
 #[inline(always)]
 fn cross<W: Width>(
     w: W,
-    node: &Node,
+    node: &BvhNode,
     (axis, slot): (usize, usize),
     origin: W::R,
     inverse: W::R,
@@ -291,23 +291,23 @@ fn cross<W: Width>(
     (at_low.min(at_high), at_low.max(at_high))
 }
 
-impl Beam {
+impl PacketInterval {
     #[inline(always)]
     fn of<W: Width>(w: W, origin: Vector<W::R>, inverse: Vector<W::R>, lanes: W::M) -> Option<Self> {
         Some(Self([
-            BeamAxis::of(w, 0, origin.x, inverse.x, lanes)?,
-            BeamAxis::of(w, 1, origin.y, inverse.y, lanes)?,
-            BeamAxis::of(w, 2, origin.z, inverse.z, lanes)?,
+            PacketIntervalAxis::of(w, 0, origin.x, inverse.x, lanes)?,
+            PacketIntervalAxis::of(w, 1, origin.y, inverse.y, lanes)?,
+            PacketIntervalAxis::of(w, 2, origin.z, inverse.z, lanes)?,
         ]))
     }
 
     /// Bounds from below for where the rays enter the boxes of a node, and a bit for each box that any may meet before
     /// `reach`. Rounding is monotonic: what holds for the ends of an interval holds for the rays in it.
     #[inline(always)]
-    fn enter<W: Width>(&self, w: W, node: &Node, reach: f32) -> (W::E, u32) {
+    fn enter<W: Width>(&self, w: W, node: &BvhNode, reach: f32) -> (W::E, u32) {
         let (mut enter, mut exit) = (w.eight_like(0.0), w.eight_like(f32::INFINITY));
         for axis in &self.0 {
-            let BeamAxis { near, near_origin, far_origin, least, greatest } = *axis;
+            let PacketIntervalAxis { near, near_origin, far_origin, least, greatest } = *axis;
             let to_near = w.eight(&node.sides[near % 6]) - w.eight_like(near_origin);
             let to_far = w.eight(&node.sides[(near ^ 1) % 6]) - w.eight_like(far_origin);
             let (least, greatest) = (w.eight_like(least), w.eight_like(greatest));
@@ -319,7 +319,7 @@ impl Beam {
     }
 }
 
-impl BeamAxis {
+impl PacketIntervalAxis {
     /// `None` if the rays do not run the same way along the axis.
     #[inline(always)]
     fn of<W: Width>(w: W, axis: usize, origin: W::R, inverse: W::R, lanes: W::M) -> Option<Self> {

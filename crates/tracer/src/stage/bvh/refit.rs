@@ -5,11 +5,11 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::build::NODE_COST;
-use super::{Bvh, Node, WIDTH};
+use super::{Bvh, BvhNode, WIDTH};
 use crate::stage::Bounds;
 
 /// The way from the root to a leaf: in each node on it, the slot.
-pub(crate) type Path = Vec<(u32, usize)>;
+pub(crate) type NodePath = Vec<(u32, usize)>;
 
 /// The hierarchy may cost so many times what it did when it was built. A single body that crosses a large scene adds
 /// some percent.
@@ -17,7 +17,7 @@ const MOST_WORN: f64 = 1.5;
 
 impl Bvh {
     /// The way to the leaf for which `is_wanted` holds; a body with these bounds is in it.
-    pub(crate) fn path_to(&self, bounds: &Bounds, is_wanted: impl Fn(Range<u32>) -> bool) -> Option<Path> {
+    pub(crate) fn path_to(&self, bounds: &Bounds, is_wanted: impl Fn(Range<u32>) -> bool) -> Option<NodePath> {
         let mut path = vec![(0, 0)];
         while let Some(last) = path.last_mut() {
             let (place, slot) = *last;
@@ -41,13 +41,13 @@ impl Bvh {
     }
 
     /// The bodies of the leaf at the end of a way.
-    pub(crate) fn leaf(&self, path: &Path) -> Range<u32> {
+    pub(crate) fn leaf(&self, path: &NodePath) -> Range<u32> {
         let end = path.last().and_then(|&(place, slot)| Some(self.nodes.get(place as usize)?.leaf(slot)));
         end.unwrap_or_default()
     }
 
     /// Gives the leaf at the end of a way this box, and fits all boxes around it.
-    pub(crate) fn refit(&mut self, path: &Path, mut bounds: Bounds) {
+    pub(crate) fn refit(&mut self, path: &NodePath, mut bounds: Bounds) {
         for &(place, slot) in path.iter().rev() {
             let Some(node) = self.nodes.get_mut(place as usize) else { return };
             self.cost -= node.cost_of(slot);
@@ -58,7 +58,7 @@ impl Bvh {
     }
 
     /// By how much the hierarchy costs more if the leaf at the end of a way has to have room for this box too.
-    pub(crate) fn growth(&self, path: &Path, bounds: Bounds) -> f64 {
+    pub(crate) fn growth(&self, path: &NodePath, bounds: Bounds) -> f64 {
         let growth = |&(place, slot): &(u32, usize)| {
             let mut node = *self.nodes.get(place as usize)?;
             let before = node.cost_of(slot);
@@ -80,14 +80,14 @@ impl Bvh {
 }
 
 /// The cost of nodes that were just built.
-pub(super) fn cost_of(nodes: &[Node]) -> f64 {
-    let of = |node: &Node| (0..WIDTH).map(|slot| node.cost_of(slot)).sum::<f64>();
+pub(super) fn cost_of(nodes: &[BvhNode]) -> f64 {
+    let of = |node: &BvhNode| (0..WIDTH).map(|slot| node.cost_of(slot)).sum::<f64>();
     // In pieces of fixed length, so that rounding is the same for any number of threads.
     let pieces: Vec<f64> = nodes.par_chunks(1024).map(|nodes| nodes.iter().map(of).sum()).collect();
     pieces.iter().sum()
 }
 
-impl Node {
+impl BvhNode {
     /// The bodies of a leaf.
     fn leaf(&self, slot: usize) -> Range<u32> {
         self.first[slot]..self.first[slot] + self.count[slot]

@@ -2,38 +2,38 @@
 
 use rayon::prelude::*;
 
-use super::entry::{Entry, Extent, Intervals};
+use super::entry::{BuildEntry, BoundsAccumulator, BinGrid};
 
 /// Lists are worked on by several threads in pieces of this length. It decides the order of what is parted, so that it
 /// must not depend on the number of threads.
 const PIECE: usize = 1 << 14;
 
 /// Where to part entries.
-pub(super) struct Split {
-    intervals: Intervals,
+pub(super) struct SahSplit {
+    intervals: BinGrid,
     axis: usize,
     /// The first interval of the right side.
     bin: usize,
     /// The boxes of both sides.
-    pub(super) sides: [Extent; 2],
+    pub(super) sides: [BoundsAccumulator; 2],
 }
 
-impl Split {
+impl SahSplit {
     #[inline]
-    fn is_left(&self, entry: &Entry) -> bool {
+    fn is_left(&self, entry: &BuildEntry) -> bool {
         self.intervals.along(self.axis, entry) < self.bin
     }
 }
 
 /// The entries whose centers lie in one interval.
 #[derive(Clone, Copy)]
-struct Bin {
-    extent: Extent,
+struct SahBin {
+    extent: BoundsAccumulator,
     count: u32,
 }
 
-impl Bin {
-    const EMPTY: Self = Self { extent: Extent::EMPTY, count: 0 };
+impl SahBin {
+    const EMPTY: Self = Self { extent: BoundsAccumulator::EMPTY, count: 0 };
 
     #[inline]
     fn with(self, other: Self) -> Self {
@@ -47,10 +47,10 @@ impl Bin {
 }
 
 /// For each axis. Small lists have few, since they are cleared for every split.
-type Bins<const COUNT: usize> = [[Bin; COUNT]; 3];
+type SahBins<const COUNT: usize> = [[SahBin; COUNT]; 3];
 
 /// The cheapest split over all axes; `None` when all centers coincide.
-pub(super) fn best_split(entries: &[Entry]) -> Option<Split> {
+pub(super) fn best_split(entries: &[BuildEntry]) -> Option<SahSplit> {
     match entries.len() {
         0..32 => best_of::<8>(entries),
         32..1024 => best_of::<16>(entries),
@@ -59,46 +59,46 @@ pub(super) fn best_split(entries: &[Entry]) -> Option<Split> {
 }
 
 /// The same with so many intervals along each axis.
-fn best_of<const COUNT: usize>(entries: &[Entry]) -> Option<Split> {
-    let intervals = Intervals::new(&centers_of(entries), COUNT);
+fn best_of<const COUNT: usize>(entries: &[BuildEntry]) -> Option<SahSplit> {
+    let intervals = BinGrid::new(&centers_of(entries), COUNT);
     if !intervals.is_any() {
         return None;
     }
     let bins = fill::<COUNT>(entries, &intervals);
-    let mut best: Option<Split> = None;
+    let mut best: Option<SahSplit> = None;
     let mut best_cost = f32::INFINITY;
     for (axis, bins) in bins.iter().enumerate() {
         if let Some((bin, cost, sides)) = cheapest_boundary(bins)
             && cost < best_cost
         {
             best_cost = cost;
-            best = Some(Split { intervals, axis, bin, sides });
+            best = Some(SahSplit { intervals, axis, bin, sides });
         }
     }
     best
 }
 
 /// The limits of all entries' centers.
-fn centers_of(entries: &[Entry]) -> Extent {
-    let of = |entries: &[Entry]| entries.iter().fold(Extent::EMPTY, Extent::with_center);
+fn centers_of(entries: &[BuildEntry]) -> BoundsAccumulator {
+    let of = |entries: &[BuildEntry]| entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with_center);
     if entries.len() <= PIECE {
         return of(entries);
     }
-    entries.par_chunks(PIECE).map(of).reduce(|| Extent::EMPTY, Extent::union)
+    entries.par_chunks(PIECE).map(of).reduce(|| BoundsAccumulator::EMPTY, BoundsAccumulator::union)
 }
 
-fn fill<const COUNT: usize>(entries: &[Entry], intervals: &Intervals) -> Bins<COUNT> {
+fn fill<const COUNT: usize>(entries: &[BuildEntry], intervals: &BinGrid) -> SahBins<COUNT> {
     if entries.len() <= PIECE {
-        let mut bins = [[Bin::EMPTY; COUNT]; 3];
+        let mut bins = [[SahBin::EMPTY; COUNT]; 3];
         for entry in entries {
-            let one = Bin { extent: Extent::EMPTY.with(entry), count: 1 };
+            let one = SahBin { extent: BoundsAccumulator::EMPTY.with(entry), count: 1 };
             for (bins, at) in bins.iter_mut().zip(intervals.of(entry)) {
                 bins[at] = bins[at].with(one);
             }
         }
         return bins;
     }
-    let join = |mut one: Bins<COUNT>, other: Bins<COUNT>| {
+    let join = |mut one: SahBins<COUNT>, other: SahBins<COUNT>| {
         for (bins, others) in one.iter_mut().zip(&other) {
             for (bin, other) in bins.iter_mut().zip(others) {
                 *bin = bin.with(*other);
@@ -106,22 +106,22 @@ fn fill<const COUNT: usize>(entries: &[Entry], intervals: &Intervals) -> Bins<CO
         }
         one
     };
-    let none = || [[Bin::EMPTY; COUNT]; 3];
+    let none = || [[SahBin::EMPTY; COUNT]; 3];
     entries.par_chunks(PIECE).map(|piece| fill(piece, intervals)).reduce(none, join)
 }
 
 /// The boundary (index of the first bin to its right) with the least sum of area × count over both sides, that sum,
 /// and the boxes of the sides.
-fn cheapest_boundary<const COUNT: usize>(bins: &[Bin; COUNT]) -> Option<(usize, f32, [Extent; 2])> {
-    let mut right_sides = [Bin::EMPTY; COUNT];
-    let mut right = Bin::EMPTY;
+fn cheapest_boundary<const COUNT: usize>(bins: &[SahBin; COUNT]) -> Option<(usize, f32, [BoundsAccumulator; 2])> {
+    let mut right_sides = [SahBin::EMPTY; COUNT];
+    let mut right = SahBin::EMPTY;
     for (at, bin) in bins.iter().enumerate().rev() {
         right = right.with(*bin);
         right_sides[at] = right;
     }
     let mut best = None;
     let mut best_cost = f32::INFINITY;
-    let mut left = Bin::EMPTY;
+    let mut left = SahBin::EMPTY;
     for (at, (bin, right)) in bins.iter().zip(&right_sides[1..]).enumerate() {
         left = left.with(*bin);
         if left.count == 0 || right.count == 0 {
@@ -137,7 +137,7 @@ fn cheapest_boundary<const COUNT: usize>(bins: &[Bin; COUNT]) -> Option<(usize, 
 }
 
 /// Moves the entries of the left side to the front and returns their number.
-pub(super) fn partition(entries: &mut [Entry], split: &Split) -> usize {
+pub(super) fn partition(entries: &mut [BuildEntry], split: &SahSplit) -> usize {
     if entries.len() <= 2 * PIECE {
         return partition_piece(entries, split);
     }
@@ -155,7 +155,7 @@ pub(super) fn partition(entries: &mut [Entry], split: &Split) -> usize {
 }
 
 /// Without branches: which side an entry is on cannot be foretold.
-fn partition_piece(entries: &mut [Entry], split: &Split) -> usize {
+fn partition_piece(entries: &mut [BuildEntry], split: &SahSplit) -> usize {
     let mut middle = 0;
     for at in 0..entries.len() {
         let is_left = split.is_left(&entries[at]);

@@ -14,37 +14,37 @@ use std::ops::Range;
 
 use bytemuck::Zeroable;
 
-use super::alone::{Lone, LonePart, Order, VisitAlone};
+use super::alone::{SingleRay, SingleRayStackEntry, BoxOrder, SingleRayVisitor};
 use super::packet::inverse_of;
-use super::{Bounds, Bvh, Node, WIDEN};
-use crate::lanes::{Eight as _, Float as _, MOST_LANES, Mask as _, Real as _, Width, Word as _};
-use crate::ray::Rays;
+use super::{Bounds, Bvh, BvhNode, WIDEN};
+use crate::lanes::{Float8 as _, Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::ray::RayPacket;
 use crate::vector::Vector;
 
 /// The most rays of a stream.
 pub(crate) const STREAM: usize = 16384;
 
 /// Numbers of each ray.
-pub(crate) type Row<T> = [T; STREAM];
+pub(crate) type StreamRow<T> = [T; STREAM];
 
 /// What the search knows of the rays of a stream, in rows of four numbers.
 #[derive(Debug, Zeroable)]
-pub(crate) struct StreamRays {
+pub(crate) struct StreamRayRows {
     /// The origin, and the parameter beyond which nothing is wanted any more.
-    origin: Row<[f32; 4]>,
+    origin: StreamRow<[f32; 4]>,
     /// The inverse of the direction, and the word of the start.
-    inverse: Row<[f32; 4]>,
+    inverse: StreamRow<[f32; 4]>,
     /// The direction, and the media.
-    direction: Row<[f32; 4]>,
+    direction: StreamRow<[f32; 4]>,
 }
 
 /// What is done with the leaves.
-pub(crate) trait VisitStream {
+pub(crate) trait StreamVisitor {
     /// Whether leaves are shown from the rays' starts on: the nearest body ends the search. Else from their ends: rays to a
     /// light come together there, and one body hides it from many.
     const NEAREST_FIRST: bool;
 
-    fn rays(&self) -> &StreamRays;
+    fn rays(&self) -> &StreamRayRows;
     /// Asks for bodies that will probably be met soon.
     fn fetch(&self, bodies: Range<u32>);
     /// Meets the bodies of a leaf, whose box `count` rays meet: the first ones of `rays`, which holds [`MOST_LANES`] more.
@@ -53,16 +53,16 @@ pub(crate) trait VisitStream {
 
 /// Parts of the hierarchy still to be visited: working memory.
 #[derive(Debug, Default)]
-pub(crate) struct StreamParts {
-    parts: Vec<StreamPart>,
+pub(crate) struct StreamTraversalStack {
+    parts: Vec<StreamStackEntry>,
     /// The rays that meet the boxes of the parts, one part behind the other.
     rays: Vec<u32>,
-    alone: Vec<LonePart>,
+    alone: Vec<SingleRayStackEntry>,
 }
 
 /// A part that some rays are to visit.
 #[derive(Clone, Copy, Debug, Default)]
-struct StreamPart {
+struct StreamStackEntry {
     first: u32,
     count: u32,
     /// Where its rays stand, and how many.
@@ -72,11 +72,11 @@ struct StreamPart {
     free: usize,
 }
 
-impl StreamRays {
+impl StreamRayRows {
     /// Writes down rays from number `at` on.
     #[inline(always)]
-    pub(crate) fn set<W: Width>(&mut self, w: W, at: usize, rays: &Rays<W>, media: W::W, reach: W::R) {
-        let Rays { origin, direction, start } = *rays;
+    pub(crate) fn set<W: Width>(&mut self, w: W, at: usize, rays: &RayPacket<W>, media: W::W, reach: W::R) {
+        let RayPacket { origin, direction, start } = *rays;
         let inverse = inverse_of(w, direction);
         w.store_fours([origin.x, origin.y, origin.z, reach], &mut self.origin[at..]);
         w.store_fours([inverse.x, inverse.y, inverse.z, W::R::of_word(start)], &mut self.inverse[at..]);
@@ -88,12 +88,12 @@ impl StreamRays {
 
     /// The rays from number `at` on, and their reach.
     #[inline(always)]
-    pub(crate) fn load<W: Width>(&self, w: W, at: usize) -> (Rays<W>, W::R) {
+    pub(crate) fn load<W: Width>(&self, w: W, at: usize) -> (RayPacket<W>, W::R) {
         let [x, y, z, reach] = w.load_fours(&self.origin[at..]);
         let origin = Vector::new(x, y, z);
         let [.., start] = w.load_fours(&self.inverse[at..]);
         let [x, y, z, _] = w.load_fours(&self.direction[at..]);
-        (Rays { origin, direction: Vector::new(x, y, z), start: start.to_word() }, reach)
+        (RayPacket { origin, direction: Vector::new(x, y, z), start: start.to_word() }, reach)
     }
 
     /// The media of the rays from number `at` on.
@@ -105,12 +105,12 @@ impl StreamRays {
 
     /// These rays, their media and their reach.
     #[inline(always)]
-    pub(crate) fn gather<W: Width>(&self, w: W, rays: &[u32]) -> (Rays<W>, W::W, W::R) {
+    pub(crate) fn gather<W: Width>(&self, w: W, rays: &[u32]) -> (RayPacket<W>, W::W, W::R) {
         let [x, y, z, reach] = w.gather(&self.origin, rays);
         let origin = Vector::new(x, y, z);
         let [.., start] = w.gather(&self.inverse, rays);
         let [x, y, z, media] = w.gather(&self.direction, rays);
-        (Rays { origin, direction: Vector::new(x, y, z), start: start.to_word() }, media.to_word(), reach)
+        (RayPacket { origin, direction: Vector::new(x, y, z), start: start.to_word() }, media.to_word(), reach)
     }
 
     /// How far a ray reaches.
@@ -170,23 +170,23 @@ impl StreamRays {
     }
 
     #[inline(always)]
-    fn alone<W: Width>(&self, w: W, ray: u32) -> Lone<W> {
-        let of = |row: &Row<[f32; 4]>| {
+    fn alone<W: Width>(&self, w: W, ray: u32) -> SingleRay<W> {
+        let of = |row: &StreamRow<[f32; 4]>| {
             let [x, y, z, _] = row[ray as usize % STREAM];
             [x, y, z]
         };
-        Lone::new(w, of(&self.origin), of(&self.inverse))
+        SingleRay::new(w, of(&self.origin), of(&self.inverse))
     }
 }
 
 /// Vectors that stand in a row from number `at` on; the fourth numbers are left out.
 #[inline(always)]
-pub(crate) fn vector_at<W: Width>(w: W, row: &Row<[f32; 4]>, at: usize) -> Vector<W::R> {
+pub(crate) fn vector_at<W: Width>(w: W, row: &StreamRow<[f32; 4]>, at: usize) -> Vector<W::R> {
     let [x, y, z, _] = w.load_fours(&row[at..]);
     Vector::new(x, y, z)
 }
 
-impl StreamParts {
+impl StreamTraversalStack {
     /// So many numbers of rays have been enough for a thousand bodies and for a million.
     const USUAL_ROOM: usize = 64 * STREAM;
 
@@ -207,7 +207,7 @@ impl StreamParts {
         } else {
             self.rays.resize(len, 0);
         }
-        self.alone.resize(8 * super::MAX_DEPTH, LonePart::default());
+        self.alone.resize(8 * super::MAX_DEPTH, SingleRayStackEntry::default());
     }
 }
 
@@ -228,7 +228,7 @@ impl Octant {
 
     /// How far along the octant's diagonal a node's boxes begin, from where `all` begin.
     #[inline(always)]
-    fn along<W: Width>(self, w: W, node: &Node, all: &Bounds) -> W::E {
+    fn along<W: Width>(self, w: W, node: &BvhNode, all: &Bounds) -> W::E {
         let along = |axis: usize| {
             if self.0[axis] {
                 w.eight_like(all.max[axis]) - w.eight(&node.sides[2 * axis + 1])
@@ -241,7 +241,7 @@ impl Octant {
 
     /// The sides of a node's boxes by which rays enter, then those by which they leave, across x, y and z.
     #[inline(always)]
-    fn sides(self, node: &Node) -> [[f32; 8]; 6] {
+    fn sides(self, node: &BvhNode) -> [[f32; 8]; 6] {
         let [x, y, z] = self.0.map(usize::from);
         let near = [x, 2 + y, 4 + z];
         let side = |at: usize| node.sides[if at < 3 { near[at] } else { near[at - 3] ^ 1 } % 6];
@@ -256,10 +256,10 @@ impl Bvh {
     /// Shows `visitor` the bodies of the leaves whose boxes its first `count` rays meet; those of different octants one after
     /// the other if they are to be taken apart.
     #[inline(always)]
-    pub(crate) fn traverse_stream<W: Width, V: VisitStream>(
+    pub(crate) fn traverse_stream<W: Width, V: StreamVisitor>(
         &self,
         w: W,
-        pending: &mut StreamParts,
+        pending: &mut StreamTraversalStack,
         count: usize,
         is_apart: bool,
         visitor: &mut V,
@@ -268,18 +268,18 @@ impl Bvh {
         pending.make_room(8 * room);
         let lens = visitor.rays().part(w, count, is_apart, (&mut pending.rays, room));
         for (octant, &len) in lens.iter().enumerate().filter(|(_, len)| **len > 0) {
-            let all = StreamPart { first: 0, count: 0, start: octant * room, len, free: 8 * room };
+            let all = StreamStackEntry { first: 0, count: 0, start: octant * room, len, free: 8 * room };
             self.traverse_list(w, pending, all, is_apart.then(|| Octant::of_bits(octant)), visitor);
         }
     }
 
     /// The same for a list of rays, perhaps all of one octant.
     #[inline(always)]
-    fn traverse_list<W: Width, V: VisitStream>(
+    fn traverse_list<W: Width, V: StreamVisitor>(
         &self,
         w: W,
-        pending: &mut StreamParts,
-        all: StreamPart,
+        pending: &mut StreamTraversalStack,
+        all: StreamStackEntry,
         octant: Option<Octant>,
         visitor: &mut V,
     ) {
@@ -287,7 +287,7 @@ impl Bvh {
         pending.parts.clear();
         pending.parts.push(all);
         while let Some(part) = pending.parts.pop() {
-            let StreamPart { first, count, start, len, free } = part;
+            let StreamStackEntry { first, count, start, len, free } = part;
             if count > 0 {
                 visitor.leaf(first..first + count, &pending.rays[start..], len);
                 continue;
@@ -297,7 +297,7 @@ impl Bvh {
                     let mut ray = [0; MOST_LANES + 1];
                     ray[0] = number;
                     let lone = visitor.rays().alone(w, ray[0]);
-                    let alone = &mut OneOfStream { ray, visitor: &mut *visitor };
+                    let alone = &mut StreamLane { ray, visitor: &mut *visitor };
                     self.traverse_alone(w, &lone, first, &mut pending.alone, alone);
                 }
                 continue;
@@ -321,10 +321,10 @@ impl Bvh {
             let octant = octant.unwrap_or_else(|| visitor.rays().octant(own[0]));
             let towards = if V::NEAREST_FIRST { octant } else { octant.opposite() };
             let met = lens.iter().zip(0..).fold(0, |met, (&len, slot)| met | u32::from(len > 0) << slot);
-            for slot in Order::new(&towards.along(w, node, &bounds).to_words(), met & used, true) {
+            for slot in BoxOrder::new(&towards.along(w, node, &bounds).to_words(), met & used, true) {
                 let (first, count, start) = (node.first[slot], node.count[slot], free + slot * room);
                 visitor.fetch(self.fetch(first, count));
-                pending.parts.push(StreamPart { first, count, start, len: lens[slot], free: end });
+                pending.parts.push(StreamStackEntry { first, count, start, len: lens[slot], free: end });
             }
         }
     }
@@ -335,7 +335,7 @@ impl Bvh {
 #[inline(always)]
 fn sort<W: Width, const APART: bool>(
     w: W,
-    rays: &StreamRays,
+    rays: &StreamRayRows,
     (sides, used): (&[[f32; 8]; 6], u32),
     (numbers, len): (&[u32], usize),
     (lists, room): (&mut [u32], usize),
@@ -359,7 +359,7 @@ fn sort<W: Width, const APART: bool>(
     lens
 }
 
-/// The rays that meet a box before `reach`; see [`PacketBoxes::enter`](super::packet::PacketBoxes::enter).
+/// The rays that meet a box before `reach`; see [`PacketBoxTest::enter`](super::packet::PacketBoxes::enter).
 #[inline(always)]
 fn meets<W: Width, const APART: bool>(
     w: W,
@@ -383,12 +383,12 @@ fn meets<W: Width, const APART: bool>(
 }
 
 /// One ray of a stream on its own way.
-struct OneOfStream<'v, V> {
+struct StreamLane<'v, V> {
     ray: [u32; MOST_LANES + 1],
     visitor: &'v mut V,
 }
 
-impl<V: VisitStream> VisitAlone for OneOfStream<'_, V> {
+impl<V: StreamVisitor> SingleRayVisitor for StreamLane<'_, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]

@@ -14,13 +14,13 @@ fn random(seed: u64) -> impl FnMut() -> f32 {
     }
 }
 
-fn entries(count: usize, mut center: impl FnMut(usize) -> Vec3, size: f32) -> Vec<Entry> {
+fn entries(count: usize, mut center: impl FnMut(usize) -> Vec3, size: f32) -> Vec<BuildEntry> {
     let bounds = |center: Vec3| Bounds { min: center - size, max: center + size };
-    (0..count).map(|at| Entry::new(bounds(center(at)), at as u32, at as u32 % 4)).collect()
+    (0..count).map(|at| BuildEntry::new(bounds(center(at)), at as u32, at as u32 % 4)).collect()
 }
 
 /// Lists of all kinds, with their names.
-fn lists() -> Vec<(&'static str, Vec<Entry>)> {
+fn lists() -> Vec<(&'static str, Vec<BuildEntry>)> {
     let mut number = random(7);
     let mut point = move || 10.0 * Vec3::new(number(), number(), number());
     let mut other = random(8);
@@ -39,7 +39,7 @@ fn lists() -> Vec<(&'static str, Vec<Entry>)> {
 
 struct Walk<'a> {
     bvh: &'a Bvh,
-    entries: &'a [Entry],
+    entries: &'a [BuildEntry],
     /// How often each entry is in a leaf.
     met: Vec<u32>,
 }
@@ -61,14 +61,14 @@ impl Walk<'_> {
         node.bounds()
     }
 
-    fn slot(&mut self, node: &Node, slot: usize, depth: usize) -> Bounds {
+    fn slot(&mut self, node: &BvhNode, slot: usize, depth: usize) -> Bounds {
         let (first, count) = (node.first[slot], node.count[slot]);
         if count == 0 {
             return if first == 0 { Bounds::EMPTY } else { self.node(first, depth + 1) };
         }
         let range = first as usize..(first + count) as usize;
         let leaf = &self.entries[range.clone()];
-        assert!(leaf.is_sorted_by_key(Entry::leaf_key) && count as usize <= build::LEAF_SIZE);
+        assert!(leaf.is_sorted_by_key(BuildEntry::leaf_key) && count as usize <= build::LEAF_SIZE);
         self.met[range].iter_mut().for_each(|met| *met += 1);
         leaf.iter().fold(Bounds::EMPTY, |all, entry| all.union(entry.bounds()))
     }
@@ -77,13 +77,13 @@ impl Walk<'_> {
 #[test]
 fn every_body_is_in_one_leaf_and_every_box_fits() {
     for (name, mut entries) in lists() {
-        let before: Vec<Bounds> = entries.iter().map(Entry::bounds).collect();
+        let before: Vec<Bounds> = entries.iter().map(BuildEntry::bounds).collect();
         let bvh = Bvh::build(&mut entries);
         let mut walk = Walk { bvh: &bvh, entries: &entries, met: vec![0; entries.len()] };
         let all = walk.node(0, 0);
         assert!(walk.met.iter().all(|&met| met == 1), "{name}");
         assert_eq!(all, bvh.bounds());
-        let mut places: Vec<u32> = entries.iter().map(Entry::place).collect();
+        let mut places: Vec<u32> = entries.iter().map(BuildEntry::place).collect();
         assert!(entries.iter().all(|entry| entry.bounds() == before[entry.place() as usize]), "{name}");
         places.sort_unstable();
         assert!(places.into_iter().eq(0..before.len() as u32), "{name}");
@@ -97,7 +97,7 @@ fn it_does_not_depend_on_the_number_of_threads() {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let mut entries = entries.clone();
             let bvh = pool.install(|| Bvh::build(&mut entries));
-            (bvh, entries.iter().map(Entry::place).collect::<Vec<_>>())
+            (bvh, entries.iter().map(BuildEntry::place).collect::<Vec<_>>())
         });
         for (bvh, order) in &built[1..] {
             assert!(bvh.nodes == built[0].0.nodes && *order == built[0].1, "{name}");

@@ -10,7 +10,7 @@ use catoptric_scene::{
     Anchor, Body, Camera, Color, Environment, Falloff, Light, Material, MaterialChoice, Placement,
     Projection, Scene, Shape, Tracing,
 };
-use catoptric_tracer::{Control, Ray, RenderSettings, Stage, Start, SurfaceHit, TracedRay, Whitted, render};
+use catoptric_tracer::{RenderControl, Ray, RenderSettings, RenderScene, RayOrigin, RayIntersection, RayRecord, WhittedIntegrator, render};
 use glam::{DVec2, DVec3, Vec3};
 use proptest::test_runner::{Config, RngSeed};
 
@@ -117,16 +117,16 @@ pub(crate) fn light(position: DVec3, intensity: f64, falloff: Falloff) -> Light 
     Light { position, intensity, falloff, ..Light::default() }
 }
 
-pub(crate) fn stage(scene: &Scene) -> Stage {
-    Stage::prepare(scene).unwrap()
+pub(crate) fn stage(scene: &Scene) -> RenderScene {
+    RenderScene::prepare(scene).unwrap()
 }
 
-pub(crate) fn stage_of(bodies: Vec<Body>) -> Stage {
+pub(crate) fn stage_of(bodies: Vec<Body>) -> RenderScene {
     stage(&scene(bodies))
 }
 
 /// A scene of which a single pixel takes longer than the universe is old: 2⁶³ rays between reflecting panes of glass.
-pub(crate) fn endless() -> Stage {
+pub(crate) fn endless() -> RenderScene {
     let mut pane = glass(1.5);
     (pane.reflection, pane.transmission) = (Some(0.5), 0.5);
     let panes: Vec<Body> =
@@ -141,19 +141,19 @@ pub(crate) fn ray(from: DVec3, direction: DVec3) -> Ray {
 }
 
 /// A ray that has left the surface of `hit` in some direction on the side it came from.
-pub(crate) fn ray_from_hit(hit: &SurfaceHit, direction: Vec3) -> Ray {
-    let start = Start { body: hit.hit.body, inwards: hit.hit.leaving };
+pub(crate) fn ray_from_hit(hit: &RayIntersection, direction: Vec3) -> Ray {
+    let start = RayOrigin { body: hit.hit.body, inwards: hit.hit.leaving };
     Ray { origin: hit.position.as_vec3a(), direction: direction.into(), start }
 }
 
 /// All rays of the tree, however many.
-pub(crate) fn tree(stage: &Stage, primary: Ray) -> Vec<TracedRay> {
+pub(crate) fn tree(stage: &RenderScene, primary: Ray) -> Vec<RayRecord> {
     let cancel = AtomicBool::new(false);
-    Whitted::new(stage, &cancel).tree(primary, 100_000)
+    WhittedIntegrator::new(stage, &cancel).tree(primary, 100_000)
 }
 
 /// The rays of a tree that does not branch.
-pub(crate) fn chain(stage: &Stage, primary: Ray) -> Vec<TracedRay> {
+pub(crate) fn chain(stage: &RenderScene, primary: Ray) -> Vec<RayRecord> {
     let rays = tree(stage, primary);
     for (index, ray) in rays.iter().enumerate().skip(1) {
         assert_eq!(ray.parent, Some(index - 1), "the path branches");
@@ -162,17 +162,17 @@ pub(crate) fn chain(stage: &Stage, primary: Ray) -> Vec<TracedRay> {
 }
 
 /// The light that comes along a ray.
-pub(crate) fn light_along(stage: &Stage, primary: Ray) -> Vec3 {
+pub(crate) fn light_along(stage: &RenderScene, primary: Ray) -> Vec3 {
     tree(stage, primary).iter().map(|ray| ray.light).sum()
 }
 
 /// The light in the middle of the picture.
 pub(crate) fn center(scene: &Scene) -> Vec3 {
     let cancel = AtomicBool::new(false);
-    Whitted::new(&stage(scene), &cancel).trace(DVec2::splat(0.5), DVec2::ONE).into()
+    WhittedIntegrator::new(&stage(scene), &cancel).trace(DVec2::splat(0.5), DVec2::ONE).into()
 }
 
-pub(crate) fn direction(ray: &TracedRay) -> DVec3 {
+pub(crate) fn direction(ray: &RayRecord) -> DVec3 {
     ray.ray.direction.as_dvec3()
 }
 
@@ -180,7 +180,7 @@ pub(crate) fn direction(ray: &TracedRay) -> DVec3 {
 
 pub(crate) fn picture(scene: &Scene, width: u32, height: u32) -> Picture {
     let settings = RenderSettings { width, height, samples: 1 };
-    render(&stage(scene), settings, &Control::default()).unwrap().picture
+    render(&stage(scene), settings, &RenderControl::default()).unwrap().picture
 }
 
 /// Asserts that at most `share` of the pixels differ by more than 1/255 in linear light, without clamping.
