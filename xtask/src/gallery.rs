@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result};
 use catoptric_files::write_bytes;
 use catoptric_picture::{BitDepth, Codes, Development, Picture};
 use catoptric_scene::Example;
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use clap::Args;
 use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
 

@@ -4,9 +4,9 @@ use anyhow::{Context as _, Result};
 use catoptric_picture::{HeatMap, Picture, heat_map};
 use catoptric_scene::Example;
 use catoptric_tracer::method::{
-    CubeMapSettings, MethodOutput, GBufferLayer, Method, MethodKind, ShadingSettings, SsrSettings, draw,
+    CubeMapSettings, GBufferLayer, Method, MethodKind, MethodOutput, ShadingSettings, SsrSettings, draw,
 };
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
 use crate::gallery::write_jpeg;
 use crate::root;
@@ -41,9 +41,14 @@ pub(crate) fn run() -> Result<()> {
         let Some(drawing) = drawings.first() else { continue };
         if kind == MethodKind::Ssr {
             let mut sheet = Sheet::new(SIZE, REDUCED, 3);
-            for layer in
-                [GBufferLayer::Depth, GBufferLayer::Normal, GBufferLayer::Body, GBufferLayer::Coefficients, GBufferLayer::Lit, GBufferLayer::Reflected]
-            {
+            for layer in [
+                GBufferLayer::Depth,
+                GBufferLayer::Normal,
+                GBufferLayer::Body,
+                GBufferLayer::Coefficients,
+                GBufferLayer::Lit,
+                GBufferLayer::Reflected,
+            ] {
                 drawing.layer(&stage, layer)?.iter().for_each(|picture| sheet.add(picture));
             }
             write_jpeg(&folder.join("layers.jpg"), &sheet.picture()?)?;

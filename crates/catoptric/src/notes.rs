@@ -3,7 +3,7 @@
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, Excess, ExcessKind, excesses};
 use catoptric_lab::work::RayEstimate;
 use catoptric_scene::{Scene, quoted_name};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::UVec2;
 
 /// The most notes on one scene.
@@ -66,7 +66,8 @@ fn warning(stage: &RenderScene, settings: RenderSettings, estimate: &RayEstimate
     if f64::from(stage.threshold()) < threshold {
         let limits = (stage.generations(), threshold as f32);
         let size = UVec2::new(width, height);
-        let with = RayEstimate::within(stage, stage.camera(), size, limits, &RenderControl::default()).ok()?;
+        let with =
+            RayEstimate::within(stage, stage.camera(), size, limits, &RenderControl::default()).ok()?;
         warning += &format!(
             "; `threshold = {threshold}` would take {}",
             magnitude(with.of_picture(pixels, samples))

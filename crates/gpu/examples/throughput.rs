@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use catoptric_gpu::{Gpu, GpuChoice, GpuFilm, GpuPass, StageOnCard};
 use catoptric_picture::Difference;
 use catoptric_scene::{Scene, Shape, load};
-use catoptric_tracer::{RenderControl, RayCounts, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RayCounts, RenderControl, RenderScene, RenderSettings, render};
 use clap::Parser;
 
 #[derive(Debug, Parser)]

@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::Picture;
 use catoptric_tracer::twin::{
-    FILM_HEAD, FILM_PIXEL, FRAME_PLACES, FrameUniforms, PhysicalFeatures, WavelengthUniforms, TILE_BLOCKS, CameraRaysBytes, UnsupportedOnGpu,
-    tile_rays,
+    CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FRAME_PLACES, FrameUniforms, PhysicalFeatures, TILE_BLOCKS,
+    UnsupportedOnGpu, WavelengthUniforms, tile_rays,
 };
-use catoptric_tracer::{RenderControl, RayCounts, RenderScene, RenderCamera};
+use catoptric_tracer::{RayCounts, RenderCamera, RenderControl, RenderScene};
 
 use crate::card::Gpu;
 use crate::error::GpuError;

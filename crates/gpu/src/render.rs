@@ -1,7 +1,7 @@
 //! A picture from beginning to end.
 
 use catoptric_picture::Picture;
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, RenderCamera};
+use catoptric_tracer::{RenderCamera, RenderControl, RenderScene, RenderSettings};
 
 use crate::card::Gpu;
 use crate::error::GpuError;

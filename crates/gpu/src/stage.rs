@@ -1,7 +1,7 @@
 //! A stage in the memory of a card.
 
-use catoptric_tracer::twin::{SceneContents, ShaderSpecialization, SceneArrays};
-use catoptric_tracer::{RenderScene, RenderCamera};
+use catoptric_tracer::twin::{SceneArrays, SceneContents, ShaderSpecialization};
+use catoptric_tracer::{RenderCamera, RenderScene};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
@@ -93,7 +93,11 @@ impl StageOnCard {
     ///
     /// # Errors
     /// What in the stage the shaders cannot draw.
-    pub fn specialization(&self, stage: &RenderScene, camera: &RenderCamera) -> Result<ShaderSpecialization, GpuError> {
+    pub fn specialization(
+        &self,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+    ) -> Result<ShaderSpecialization, GpuError> {
         Ok(ShaderSpecialization::of(&self.contents, stage, camera)?)
     }
 

@@ -30,7 +30,8 @@ mod tree;
 use catoptric_picture::SizeError;
 use catoptric_scene::Scene;
 use catoptric_tracer::{
-    RenderControl, RenderError, RenderSettings, RenderScene, RenderCamera, WhittedIntegrator, render_pixel, sample_offset,
+    RenderCamera, RenderControl, RenderError, RenderScene, RenderSettings, WhittedIntegrator, render_pixel,
+    sample_offset,
 };
 use glam::{DVec3, UVec2};
 
@@ -215,7 +216,12 @@ pub fn audit(
 }
 
 /// The light of a pixel by all its rays, none of which is kept; `None` if its last bit depends on the order of adding.
-fn whole_light(whitted: &mut WhittedIntegrator<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Option<[f32; 3]> {
+fn whole_light(
+    whitted: &mut WhittedIntegrator<'_>,
+    pixel: UVec2,
+    size: UVec2,
+    samples: u32,
+) -> Option<[f32; 3]> {
     let mut mean = DVec3::ZERO;
     for sample in 0..samples {
         let mut sums = <[ExactSum; 3]>::default();

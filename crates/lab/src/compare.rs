@@ -6,8 +6,8 @@ use catoptric_picture::{
     CompareError as PictureError, Comparison, Difference, Flip, FlipMap, Picture, SizeError, ssim,
 };
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{MethodOutput, MethodError, PassName, ReasonMap, draw, reasons};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, SceneBuildError};
+use catoptric_tracer::method::{MethodError, MethodOutput, PassName, ReasonMap, draw, reasons};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, SceneBuildError};
 
 use crate::measure::summarize;
 use crate::variant::Variant;

@@ -3,7 +3,7 @@
 use catoptric_scene::{
     Body, Camera, Checker, Color, Material, MaterialChoice, Model, Projection, Scene, Tracing,
 };
-use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderCamera, WhittedIntegrator};
+use catoptric_tracer::{RenderCamera, RenderControl, RenderError, RenderScene, WhittedIntegrator};
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
 

@@ -4,7 +4,8 @@ mod legend;
 
 use catoptric_picture::{Picture, SizeError, scale_color};
 use catoptric_tracer::{
-    RenderControl, RenderError, RenderSettings, RenderScene, RenderCamera, PixelStatistics, WhittedIntegrator, render_through,
+    PixelStatistics, RenderCamera, RenderControl, RenderError, RenderScene, RenderSettings,
+    WhittedIntegrator, render_through,
 };
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;

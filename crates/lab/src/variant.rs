@@ -6,7 +6,7 @@ use std::str::FromStr;
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
 use catoptric_tracer::method::{
-    CubeMapSettings, SsrFallback, LightModel, Method, MethodKind, SettingError, ShadingSettings, SsrSettings,
+    CubeMapSettings, LightModel, Method, MethodKind, SettingError, ShadingSettings, SsrFallback, SsrSettings,
 };
 
 /// A method with settings, and the limit of generations and samples where they are set apart.

@@ -1,6 +1,6 @@
 //! How many rays a picture takes, estimated before it is traced.
 
-use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderCamera, WhittedIntegrator};
+use catoptric_tracer::{RenderCamera, RenderControl, RenderError, RenderScene, WhittedIntegrator};
 use glam::UVec2;
 use rayon::prelude::*;
 

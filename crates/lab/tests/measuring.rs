@@ -12,7 +12,7 @@ use catoptric_scene::{
     Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
 };
 use catoptric_tracer::method::MethodKind;
-use catoptric_tracer::{RenderControl, RayCounts, RenderSettings, AcceleratorChoice, RenderScene, render};
+use catoptric_tracer::{AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 
 /// Half-silvered panes, one behind the other, seen along their normals from the middle: at each
@@ -141,15 +141,19 @@ fn what_was_measured_before_a_cancellation_is_kept() {
 
 #[test]
 fn plans_that_make_no_sense_are_refused() {
-    let refused =
-        |vary: &str| measure(&plan(panes(), vary), &RenderControl::default(), &mut |_| {}).unwrap_err().to_string();
+    let refused = |vary: &str| {
+        measure(&plan(panes(), vary), &RenderControl::default(), &mut |_| {}).unwrap_err().to_string()
+    };
     assert!(refused("fineness=2,3").contains("the method whitted has no fineness to vary"));
     assert!(refused("cube-map-size=2,3").contains("the method whitted has no cube-map-size to vary"));
     let mut many = plan(panes(), "bodies,search");
     for axis in &mut many.axes {
         axis.values = vec![axis.values[0].clone(); 500];
     }
-    assert!(matches!(measure(&many, &RenderControl::default(), &mut |_| {}), Err(MeasureError::Points(250_000))));
+    assert!(matches!(
+        measure(&many, &RenderControl::default(), &mut |_| {}),
+        Err(MeasureError::Points(250_000))
+    ));
     let none = Plan { axes: Vec::new(), ..plan(panes(), "size") };
     assert!(matches!(measure(&none, &RenderControl::default(), &mut |_| {}), Err(MeasureError::Axis(_))));
 }

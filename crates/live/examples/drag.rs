@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use catoptric_editor::{Editor, Item, Label};
 use catoptric_live::{Live, Request};
 use catoptric_picture::Development;
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 
 const SIZE: [u32; 2] = [320, 180];

@@ -6,9 +6,10 @@ use std::time::Instant;
 
 use catoptric_picture::{Picture, SizeError};
 use catoptric_tracer::method::{
-    CubeMapSettings, CubeMaps, MethodOutput, SsrFallback, GBufferLayer, Method, MethodError, PassName, draw_through,
+    CubeMapSettings, CubeMaps, GBufferLayer, Method, MethodError, MethodOutput, PassName, SsrFallback,
+    draw_through,
 };
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
 use crate::request::Shows;
 use crate::status::LiveError;
@@ -50,7 +51,11 @@ impl Maps {
 
 impl Drawn {
     /// What is to be seen of it, and what that is.
-    pub(crate) fn seen(&self, stage: &RenderScene, wanted: Shows) -> Result<(Cow<'_, Picture>, Shows), SizeError> {
+    pub(crate) fn seen(
+        &self,
+        stage: &RenderScene,
+        wanted: Shows,
+    ) -> Result<(Cow<'_, Picture>, Shows), SizeError> {
         let found = match wanted {
             Shows::Picture => None,
             Shows::Layer(layer) => self.drawing.layer(stage, layer)?.map(|picture| (picture, wanted)),

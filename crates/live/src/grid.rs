@@ -4,7 +4,7 @@
 mod tests;
 
 use catoptric_scene::{Camera, Projection};
-use catoptric_tracer::{RenderScene, RenderCamera};
+use catoptric_tracer::{RenderCamera, RenderScene};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 

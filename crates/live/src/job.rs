@@ -9,7 +9,9 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{Picture, SizeError};
 use catoptric_scene::Scene;
 use catoptric_tracer::method::{Method, MethodError, SettingError, draw};
-use catoptric_tracer::{RenderControl, RenderError, RenderSettings, RenderOutput, RenderScene, SceneBuildError, render};
+use catoptric_tracer::{
+    RenderControl, RenderError, RenderOutput, RenderScene, RenderSettings, SceneBuildError, render,
+};
 
 use crate::drawn::unfolded;
 use crate::priority::{self, Priority};

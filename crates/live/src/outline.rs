@@ -6,7 +6,7 @@ mod contour;
 mod tests;
 
 use catoptric_scene::Scene;
-use catoptric_tracer::{RenderScene, RenderCamera};
+use catoptric_tracer::{RenderCamera, RenderScene};
 use glam::{DVec2, Vec2};
 use rayon::prelude::*;
 

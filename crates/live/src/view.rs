@@ -8,7 +8,7 @@ use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{RayCounts, RenderScene, RenderCamera, SceneEdit};
+use catoptric_tracer::{RayCounts, RenderCamera, RenderScene, SceneEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 

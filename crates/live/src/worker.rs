@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
 use catoptric_tracer::method::Method;
-use catoptric_tracer::{RenderControl, Film, RayCounts, AcceleratorChoice, RenderScene, RenderCamera};
+use catoptric_tracer::{AcceleratorChoice, Film, RayCounts, RenderCamera, RenderControl, RenderScene};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
@@ -145,7 +145,11 @@ impl Worker {
         let revision = request.revision;
         let publish = |stage: &Arc<RenderScene>| self.shared.publish_stage(revision, Arc::clone(stage));
         let Some(old) = old else {
-            let stage = Arc::new(RenderScene::prepare_seen(&request.scene, &request.camera, AcceleratorChoice::Quickest)?);
+            let stage = Arc::new(RenderScene::prepare_seen(
+                &request.scene,
+                &request.camera,
+                AcceleratorChoice::Quickest,
+            )?);
             publish(&stage);
             return Ok(View::new(request, stage));
         };
@@ -159,7 +163,11 @@ impl Worker {
                 self.shared.edit_stage(revision, stage, |stage| stage.apply(edit, &scene))
             }),
             Step::Anew => {
-                let stage = Arc::new(RenderScene::prepare_seen(&scene, &request.camera, AcceleratorChoice::Quickest)?);
+                let stage = Arc::new(RenderScene::prepare_seen(
+                    &scene,
+                    &request.camera,
+                    AcceleratorChoice::Quickest,
+                )?);
                 publish(&stage);
                 old.succeed(request, false, |_| stage)
             }

@@ -5,7 +5,7 @@ mod legend;
 use catoptric_lab::maps::{Map, MapKind, MapSettings, map};
 use catoptric_picture::{scale_color, srgb};
 use catoptric_scene::Camera;
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use egui::{Color32, ColorImage, Context, Painter, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2};
 use glam::UVec2;
 

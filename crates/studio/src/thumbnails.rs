@@ -2,7 +2,7 @@
 
 use catoptric_picture::Development;
 use catoptric_scene::Scene;
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use crate::latest::Latest;

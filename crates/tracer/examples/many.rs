@@ -9,7 +9,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use catoptric_scene::{Scene, load};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use crate::counts::RayCounts;
 use crate::render::{RenderControl, RenderError, mean_of};
-use crate::stage::{RenderScene, RenderCamera};
-use crate::tile::{TileRect, TILE, TileRenderer, edge_for};
+use crate::stage::{RenderCamera, RenderScene};
+use crate::tile::{TILE, TileRect, TileRenderer, edge_for};
 
 /// The light gathered so far in every pixel of a picture.
 ///
@@ -150,7 +150,12 @@ impl Film {
 }
 
 impl FilmTile {
-    fn add_sample(&mut self, tracer: &mut TileRenderer<'_>, size: DVec2, control: &RenderControl) -> RayCounts {
+    fn add_sample(
+        &mut self,
+        tracer: &mut TileRenderer<'_>,
+        size: DVec2,
+        control: &RenderControl,
+    ) -> RayCounts {
         let before = tracer.counts();
         let Some(light) = tracer.trace(self.place, size, self.samples) else {
             return RayCounts::default();

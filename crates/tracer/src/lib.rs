@@ -28,13 +28,14 @@ pub use lanes::{Float, Float32};
 pub use pick::RayIntersection;
 pub use ray::{NO_BODY, Ray, RayOrigin};
 pub use render::{
-    RenderControl, RenderError, RenderSettings, RenderOutput, render, render_into, render_pixel, render_through,
+    RenderControl, RenderError, RenderOutput, RenderSettings, render, render_into, render_pixel,
+    render_through,
 };
 pub use sampling::sample_offset;
 pub use search::HitRecord;
-pub use stage::{AcceleratorChoice, RenderScene, RenderCamera, SceneChanges, SceneEdit, SceneBuildError};
+pub use stage::{AcceleratorChoice, RenderCamera, RenderScene, SceneBuildError, SceneChanges, SceneEdit};
 pub use vector::Vector;
 pub use whitted::{
-    BranchRecord, BranchOutcome, InterfaceRecord, LightContribution, LightTerm, RayKind, ReflectionModel, ShadowRecord, ShadowCrossing,
-    SurfaceRecord, PixelStatistics, RayRecord, WhittedIntegrator,
+    BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, PixelStatistics, RayKind,
+    RayRecord, ReflectionModel, ShadowCrossing, ShadowRecord, SurfaceRecord, WhittedIntegrator,
 };

@@ -101,7 +101,13 @@ impl MediumStacks {
     }
 
     /// What a ray in `media` that crosses the surface of `body` comes to.
-    pub(crate) fn crossing(&mut self, stage: &RenderScene, waves: &SampledWavelengths, media: u32, body: u32) -> MediumTransition {
+    pub(crate) fn crossing(
+        &mut self,
+        stage: &RenderScene,
+        waves: &SampledWavelengths,
+        media: u32,
+        body: u32,
+    ) -> MediumTransition {
         if let Some(known) = self.crossings.get(&(media, body)) {
             return *known;
         }
@@ -193,15 +199,6 @@ impl BodyMembership {
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         self.bodies.is_empty()
-    }
-
-    /// The body that all of these rays are inside of, and of no other.
-    #[inline(always)]
-    pub(crate) fn sole(&self, lanes: u32) -> Option<u32> {
-        match self.bodies[..] {
-            [(body, rays)] if rays & lanes == lanes => Some(body),
-            _ => None,
-        }
     }
 
     /// The bodies that one of the rays is inside of, as those of a ray by itself.

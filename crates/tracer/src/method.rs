@@ -22,7 +22,7 @@ use catoptric_picture::{Picture, SizeError};
 
 use crate::counts::RayCounts;
 use crate::render::{RenderControl, RenderError, RenderSettings, render_into};
-use crate::stage::{RenderScene, RenderCamera};
+use crate::stage::{RenderCamera, RenderScene};
 
 use gbuffer::GBuffer;
 use mirrored::{ActiveCubeMaps, ReflectionSources};
@@ -31,7 +31,7 @@ use shaded::ShadingFrequency;
 pub use cube_map::{CubeMap, CubeMapUse, CubeMaps};
 pub use gbuffer::GBufferLayer;
 pub use reasons::{Reason, ReasonMap, reasons};
-pub use settings::{CubeMapSettings, SsrFallback, LightModel, SettingError, ShadingSettings, SsrSettings};
+pub use settings::{CubeMapSettings, LightModel, SettingError, ShadingSettings, SsrFallback, SsrSettings};
 
 /// How reflections are found, with the settings of each way. Each has a page in the documents, `methods/`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -303,8 +303,12 @@ pub fn draw_through(
         Method::Flat(how) => shade(ShadingFrequency::Flat, how),
         Method::Gouraud(how) => shade(ShadingFrequency::Gouraud, how),
         Method::Phong(how) => shade(ShadingFrequency::Phong, how),
-        Method::Ssr(how) => mirrored::draw(stage, camera, ReflectionSources::of_screen(how), settings, control, maps),
-        Method::CubeMap(how) => mirrored::draw(stage, camera, ReflectionSources::of_maps(how), settings, control, maps),
+        Method::Ssr(how) => {
+            mirrored::draw(stage, camera, ReflectionSources::of_screen(how), settings, control, maps)
+        }
+        Method::CubeMap(how) => {
+            mirrored::draw(stage, camera, ReflectionSources::of_maps(how), settings, control, maps)
+        }
     }
 }
 

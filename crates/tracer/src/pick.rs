@@ -5,8 +5,8 @@ use glam::{DVec3, Vec3};
 use crate::lanes::ScalarWidth;
 use crate::media::{BodyMembership, MediumStacks};
 use crate::ray::Ray;
-use crate::search::{Candidates, RayQuery, HitRecord, found_in};
-use crate::stage::{TraversalStack, RenderScene};
+use crate::search::{Candidates, HitRecord, RayQuery, found_in};
+use crate::stage::{RenderScene, TraversalStack};
 
 /// The point at which a ray meets a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +40,8 @@ impl RenderScene {
     /// The direction must be a unit vector. A ray that is not finite meets nothing.
     pub fn nearest(&self, ray: &Ray) -> Option<RayIntersection> {
         self.on_flight(ray, |flight| {
-            found_in(&flight.nearest(&mut TraversalStack::default())).and_then(|hit| RayIntersection::new(self, ray, hit))
+            found_in(&flight.nearest(&mut TraversalStack::default()))
+                .and_then(|hit| RayIntersection::new(self, ray, hit))
         })?
     }
 
@@ -75,6 +76,6 @@ impl RenderScene {
         let media = table.at_point(self, rays.origin);
         let mut inside = BodyMembership::default();
         inside.fill::<ScalarWidth>(&table, media, true);
-        Some(look(RayQuery::new(ScalarWidth, self, &rays, true, &inside, Candidates::Anything)))
+        Some(look(RayQuery::new(ScalarWidth, self, &rays, true, &inside, Candidates::All)))
     }
 }

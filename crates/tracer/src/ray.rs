@@ -2,7 +2,7 @@
 
 use glam::Vec3A;
 
-use crate::lanes::{ScalarWidth, Float32, Width};
+use crate::lanes::{Float32, ScalarWidth, Width};
 use crate::vector::Vector;
 
 /// Stands for "no body" wherever a body's index is kept.

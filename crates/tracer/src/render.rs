@@ -7,8 +7,8 @@ use glam::{DVec2, DVec3, UVec2};
 use rayon::prelude::*;
 
 use crate::counts::RayCounts;
-use crate::stage::{RenderScene, RenderCamera};
-use crate::tile::{TileRect, TILE, TileRenderer, edge_for};
+use crate::stage::{RenderCamera, RenderScene};
+use crate::tile::{TILE, TileRect, TileRenderer, edge_for};
 
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,7 +109,11 @@ pub enum RenderError {
 ///
 /// # Errors
 /// When the size is 0 or too large, or the render is cancelled.
-pub fn render(stage: &RenderScene, settings: RenderSettings, control: &RenderControl) -> Result<RenderOutput, RenderError> {
+pub fn render(
+    stage: &RenderScene,
+    settings: RenderSettings,
+    control: &RenderControl,
+) -> Result<RenderOutput, RenderError> {
     render_through(stage, stage.camera(), settings, control)
 }
 
@@ -234,7 +238,10 @@ impl TileTarget<'_> {
 /// Every thread has a strip of the picture to begin in, and goes on in those of others when it is through: where two take
 /// neighbors at once, the system clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take
 /// too long for that to count; they go row by row, since the picture's middle, which mostly takes longest, must not be last.
-fn tiles<'p>(stage: &RenderScene, picture: &'p mut Picture) -> impl Iterator<Item = TileTarget<'p>> + use<'p> {
+fn tiles<'p>(
+    stage: &RenderScene,
+    picture: &'p mut Picture,
+) -> impl Iterator<Item = TileTarget<'p>> + use<'p> {
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
     let edge = edge_for(stage, width, height);
     let strips = if edge == TILE { rayon::current_num_threads() } else { 1 };

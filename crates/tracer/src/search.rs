@@ -9,16 +9,18 @@ mod stream;
 
 use std::ops::Range;
 
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::media::BodyMembership;
 use crate::ray::{INWARDS, RayPacket, slack_at};
-use crate::stage::{Bvh, Accelerator, TraversalStack, BoundingCone, VisibleBodies, RenderScene, RenderBody, BodyVisitor};
+use crate::stage::{
+    Accelerator, BodyVisitor, BoundingCone, Bvh, RenderBody, RenderScene, TraversalStack, VisibleBodies,
+};
 use crate::vector::Vector;
 
 pub(crate) use absorption::MediumIntervals;
 pub(crate) use along::Candidates;
 pub(crate) use best::GRAZING;
-use best::{ClosestHits, ClosestHit};
+use best::{ClosestHit, ClosestHits};
 use coincident::settle;
 use shadow::all_of;
 pub(crate) use shadow::{ShadowScratch, Transmittance};
@@ -95,7 +97,13 @@ impl<W: Width> PacketHits<W> {
 
     /// The first hits of these rays, of bodies that they meet where others are the first in the scene.
     #[inline(always)]
-    pub(crate) fn settled(self, w: W, stage: &RenderScene, rays: &RayPacket<W>, inside: &BodyMembership) -> Self {
+    pub(crate) fn settled(
+        self,
+        w: W,
+        stage: &RenderScene,
+        rays: &RayPacket<W>,
+        inside: &BodyMembership,
+    ) -> Self {
         // Number by number: masks that were just written are slow to read as parts of a whole.
         let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
         if contested.any() {
@@ -208,8 +216,8 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     fn visit_few(&self, visitor: &mut impl BodyVisitor<W>) {
         match self.along {
-            Candidates::Seen(sights) => self.visit_seen(&sights.bodies, visitor),
-            Candidates::Anything => self.visit_all(visitor),
+            Candidates::Only(sights) => self.visit_seen(&sights.bodies, visitor),
+            Candidates::All => self.visit_all(visitor),
         }
     }
 
@@ -217,12 +225,12 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     fn visit_planes(&self, visitor: &mut impl BodyVisitor<W>) {
         match self.along {
-            Candidates::Seen(VisibleBodies { planes, .. }) => {
+            Candidates::Only(VisibleBodies { planes, .. }) => {
                 for &index in planes {
                     visitor.leaf(index..index + 1, self.lanes);
                 }
             }
-            Candidates::Anything => {
+            Candidates::All => {
                 if !self.stage.planes().is_empty() {
                     visitor.leaf(self.stage.planes(), self.lanes);
                 }
@@ -384,7 +392,11 @@ impl<'a, W: Width> RayQuery<'a, W> {
 /// The nearest body that each ray meets, of many. In a function of its own: the numbers of the loop over a few bodies stay
 /// in registers only where nothing is given their address.
 #[inline(never)]
-fn nearest_of_many<W: Width>(flight: RayQuery<'_, W>, bvh: &Bvh, parts: &mut TraversalStack) -> PacketHits<W> {
+fn nearest_of_many<W: Width>(
+    flight: RayQuery<'_, W>,
+    bvh: &Bvh,
+    parts: &mut TraversalStack,
+) -> PacketHits<W> {
     flight.w.run(
         #[inline(always)]
         || {

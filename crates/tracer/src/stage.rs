@@ -10,7 +10,6 @@ mod checker;
 mod curve;
 mod double;
 mod edit;
-mod floor;
 mod hull;
 mod image;
 mod level;
@@ -18,7 +17,6 @@ mod light;
 mod log;
 mod material;
 mod only;
-mod outlook;
 mod sight;
 mod sky;
 mod space;
@@ -32,7 +30,7 @@ use catoptric_scene::{Camera, Color, Scene, Tracing};
 use glam::{DVec3, Vec3, Vec3A};
 use rayon::prelude::*;
 
-use crate::lanes::{SimdLevel, ScalarWidth, Width};
+use crate::lanes::{ScalarWidth, SimdLevel, Width};
 use crate::ray::Ray;
 use crate::shape::ShapeSpan;
 use crate::vector::Vector;
@@ -40,29 +38,27 @@ use crate::vector::Vector;
 pub(crate) use body::{RenderBody, SurfacePoint};
 pub(crate) use bounds::Bounds;
 pub(crate) use bvh::{
-    Bvh, BuildEntry, BvhNode, TraversalStack, StreamRow, STREAM, StreamTraversalStack, StreamRayRows, TINY as BOX_TINY, BodyVisitor, StreamVisitor,
-    WIDEN as BOX_WIDEN, vector_at,
+    BodyVisitor, BuildEntry, Bvh, BvhNode, STREAM, StreamRayRows, StreamRow, StreamTraversalStack,
+    StreamVisitor, TINY as BOX_TINY, TraversalStack, WIDEN as BOX_WIDEN, vector_at,
 };
 pub use camera::RenderCamera;
 use camera::SceneExtent;
-pub(crate) use camera::{HomogeneousPoint, CameraRays};
+pub(crate) use camera::{CameraRays, HomogeneousPoint};
 use cast::BodyBuild;
 pub(crate) use checker::CheckerTexture;
 pub(crate) use curve::{ConductorTable, STEPS as CURVE_STEPS};
 use double::{Bodies64, Body64};
 pub use edit::SceneEdit;
-pub(crate) use floor::FloorCandidates;
 pub(crate) use image::ImageLookup;
 pub(crate) use light::{LightFalloff, RenderLight};
 use log::EditLog;
 pub use log::SceneChanges;
 pub(crate) use material::{MaterialModel, RenderMaterial};
-pub(crate) use outlook::ShadowCandidates;
 pub(crate) use sight::{BoundingCone, VisibleBodies};
 pub(crate) use sky::EnvironmentLight;
 use space::RenderSpace;
 pub(crate) use sphere::BoundingSphere;
-pub(crate) use texture::{LEVEL as TEXTURE_LEVEL, ImageTexture};
+pub(crate) use texture::{ImageTexture, LEVEL as TEXTURE_LEVEL};
 
 /// A scene prepared for tracing, shared by reference between threads.
 ///
@@ -104,8 +100,8 @@ pub struct RenderScene {
     pub(crate) largest_slack: f32,
     /// How many rays are traced side by side: kept, since asking the processor can take longer than a tile.
     pub(crate) lanes: SimdLevel,
-    /// See [`Self::outlook`].
-    outlook: OnceLock<ShadowCandidates>,
+    /// See [`Self::candidates_to_lights`].
+    to_lights: OnceLock<Vec<Option<VisibleBodies>>>,
     /// Materials and checkers that edits have added.
     added: u32,
     /// What edits have changed of the bodies and the hierarchy.
@@ -208,12 +204,17 @@ impl RenderScene {
     ///
     /// # Errors
     /// As for [`Self::prepare`].
-    pub fn prepare_seen(scene: &Scene, camera: &Camera, search: AcceleratorChoice) -> Result<Self, SceneBuildError> {
+    pub fn prepare_seen(
+        scene: &Scene,
+        camera: &Camera,
+        search: AcceleratorChoice,
+    ) -> Result<Self, SceneBuildError> {
         if scene.bodies.len() > Self::MAX_BODIES {
             return Err(SceneBuildError::TooManyBodies(scene.bodies.len()));
         }
         let space = RenderSpace::of(scene, camera);
-        let BodyBuild { mut entries, planes, chunks, materials, checkers, doubles } = BodyBuild::of(scene, &space)?;
+        let BodyBuild { mut entries, planes, chunks, materials, checkers, doubles } =
+            BodyBuild::of(scene, &space)?;
         let hierarchy = Accelerator::over(&mut entries, search);
         let bounds = hierarchy.bounds(&entries);
         let scene_indices: Vec<u32> =
@@ -263,11 +264,11 @@ impl RenderScene {
             generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
             threshold: threshold as f32,
             lanes,
-            outlook: OnceLock::new(),
+            to_lights: OnceLock::new(),
             added: 0,
             log: EditLog::new(),
         };
-        stage.outlook();
+        stage.candidates_to_lights();
         Ok(stage)
     }
 
@@ -381,11 +382,6 @@ impl RenderScene {
                 Accelerator::Few => 0,
                 Accelerator::Many(bvh) => bvh.bytes(),
             }
-    }
-
-    /// What rays may meet that go to lights, and those inside of bodies; found out once.
-    pub(crate) fn outlook(&self) -> &ShadowCandidates {
-        self.outlook.get_or_init(|| ShadowCandidates::of(self))
     }
 
     /// The unbounded bodies.

@@ -1,6 +1,6 @@
 //! How a surface answers light: directions of reflected and refracted rays, and the local terms.
 
-use crate::lanes::{Mask as _, Float32, Word as _};
+use crate::lanes::{Float32, Mask as _, Word as _};
 use crate::vector::Vector;
 
 /// No light that a surface sends on and no weight of a ray is more. Sums of products of both are finite, so that no
@@ -81,7 +81,11 @@ pub fn phong_highlight<R: Float32>(
 
 /// Ŝ·R̂ of [`phong_highlight`].
 #[inline(always)]
-pub(crate) fn highlight_cosine<R: Float32>(to_viewer: Vector<R>, to_light: Vector<R>, normal: Vector<R>) -> R {
+pub(crate) fn highlight_cosine<R: Float32>(
+    to_viewer: Vector<R>,
+    to_light: Vector<R>,
+    normal: Vector<R>,
+) -> R {
     // Ŝ·(2(n̂·L̂)n̂ - L̂), the parts of which do not wait for each other. Rounding may make the product of two unit vectors
     // more than 1, and a power of it much more.
     let cos = (normal.dot(to_light) * 2.0).times_plus(normal.dot(to_viewer), -to_light.dot(to_viewer));

@@ -5,13 +5,16 @@ mod light;
 use glam::{DVec2, UVec2, Vec2};
 
 use crate::counts::RayCounts;
-use crate::lanes::{MOST_LANES, Mask as _, Width, Word as _, SimdKernel};
+use crate::lanes::{MOST_LANES, Mask as _, SimdKernel, Width, Word as _};
 use crate::render::RenderControl;
 use crate::sampling::sample_offset;
 use crate::stage::ahead::fetch_all;
-use crate::stage::{CameraRays, STREAM, RenderScene, RenderCamera};
+use crate::stage::{CameraRays, RenderCamera, RenderScene, STREAM};
 use crate::vector::Vector;
-use crate::whitted::{PathState, Sampler, PacketRadiance, SecondaryRays, PacketSource, RayQueue, StreamShading, WhittedIntegrator};
+use crate::whitted::{
+    PacketRadiance, PacketSource, PathState, RayQueue, Sampler, SecondaryRays, StreamShading,
+    WhittedIntegrator,
+};
 
 pub(crate) use light::TileRadiance;
 
@@ -294,16 +297,14 @@ impl TileRenderer<'_> {
                 beams.lanes = w.mask(PixelBlock::<W>::lanes(place, left, top));
                 beams.pixel = block.pixel.plus(w.word(first as u32));
                 self.whitted.launch(w, beams);
-                let (mut light, mut on_floor) = (Vector::splat(w.real(0.0), [0.0; 3]), false);
+                let mut light = Vector::splat(w.real(0.0), [0.0; 3]);
                 if by_stream {
                     self.levels[0].reflected.push(beams);
                 } else {
-                    let followed = self.follow::<W, FULL>(w, beams, PacketSource::Eye, 0, &mut grown[0]);
-                    (light, on_floor) = (followed.light, followed.on_floor);
+                    light = self.follow::<W, FULL>(w, beams, PacketSource::Eye, 0, &mut grown[0]).light;
                 }
                 self.light.set::<W>(first, light);
                 if grown[0].lanes.any() {
-                    self.whitted.expect_reflections(on_floor);
                     self.pursue::<W, FULL>(w, &mut grown, 1);
                 }
                 first += W::LANES;

@@ -18,10 +18,10 @@ use crate::stage::{BOX_TINY, BOX_WIDEN, BoundingSphere, TEXTURE_LEVEL};
 use crate::surface::MOST_LIGHT;
 use crate::tile::TILE;
 
-pub use bytes::{FRAME_PLACES, FrameUniforms, SceneArrays, CameraRaysBytes, tile_rays};
-pub use fit::{SceneContents, EnvironmentKind, ShaderSpecialization, UnsupportedOnGpu};
+pub use bytes::{CameraRaysBytes, FRAME_PLACES, FrameUniforms, SceneArrays, tile_rays};
+pub use fit::{EnvironmentKind, SceneContents, ShaderSpecialization, UnsupportedOnGpu};
 pub use laws::{PhysicalFeatures, WavelengthUniforms};
-pub use pictures::{PICTURES_ACROSS, PictureAtlas, AtlasTexel};
+pub use pictures::{AtlasTexel, PICTURES_ACROSS, PictureAtlas};
 
 /// Bytes before the first pixel of a film: the counts of rays and the words behind them.
 pub const FILM_HEAD: u64 = 32;

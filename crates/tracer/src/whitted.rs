@@ -20,26 +20,26 @@ use catoptric_scene::Tracing;
 use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, ScalarWidth, Float32 as _, Width, Word as _};
+use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, ScalarWidth, Width, Word as _};
 use crate::media::{AIR, BodyMembership, MediumStacks};
 use crate::ray::{NO_BODY, Ray, RayPacket};
 use crate::render::RenderControl;
-use crate::search::{Candidates, RayQuery, PacketHits, MediumIntervals, ShadowScratch, Transmittance};
-use crate::stage::{TraversalStack, CameraRays, RenderScene, RenderCamera, RenderLight};
+use crate::search::{Candidates, MediumIntervals, PacketHits, RayQuery, ShadowScratch, Transmittance};
+use crate::stage::{CameraRays, RenderCamera, RenderLight, RenderScene, TraversalStack};
 use crate::surface::{MOST_OF_PIXEL, phong_highlight};
 use crate::vector::Vector;
 
-pub(crate) use beams::{PathState, InterfaceCrossing, SecondaryRays, RayQueue};
+pub(crate) use beams::{InterfaceCrossing, PathState, RayQueue, SecondaryRays};
 use dice::SampleDimension;
-pub(crate) use dice::{Sampler, Sample2D};
+pub(crate) use dice::{Sample2D, Sampler};
 use encounter::SurfaceInteraction;
 pub use record::{
-    BranchRecord, BranchOutcome, InterfaceRecord, LightContribution, LightTerm, RayKind, ReflectionModel, ShadowRecord, ShadowCrossing,
-    SurfaceRecord, RayRecord,
+    BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
+    ReflectionModel, ShadowCrossing, ShadowRecord, SurfaceRecord,
 };
 pub(crate) use streams::StreamShading;
 pub use tally::PixelStatistics;
-use views::{TileCandidates, CandidateSource};
+use views::TileCandidates;
 pub(crate) use waves::SampledWavelengths;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
@@ -93,7 +93,11 @@ impl<'a> WhittedIntegrator<'a> {
             eye_media: None,
             counts: RayCounts::default(),
             dice: Sampler::default(),
-            waves: if stage.disperses { SampledWavelengths::of_sample(0) } else { SampledWavelengths::default() },
+            waves: if stage.disperses {
+                SampledWavelengths::of_sample(0)
+            } else {
+                SampledWavelengths::default()
+            },
         }
     }
 
@@ -121,7 +125,10 @@ impl<'a> WhittedIntegrator<'a> {
         let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
-            light += Vec3A::from(self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending).light);
+            light += Vec3A::from(
+                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
+                    .light,
+            );
             light = light.clamp(Vec3A::splat(-MOST_OF_PIXEL), Vec3A::splat(MOST_OF_PIXEL));
             until_look -= 1;
             if until_look == 0 {
@@ -169,13 +176,6 @@ impl<'a> WhittedIntegrator<'a> {
     /// Prepares for rays from the eye within `reach` pixels of the middle of these.
     pub(crate) fn aim(&mut self, rays: &CameraRays, reach: DVec2) {
         self.views.aim(self.stage, rays, reach.as_vec2().to_array());
-    }
-
-    /// Says whether the next rays that do not come from the eye are its own, reflected by the floor of the tile. As another
-    /// [`PacketSource`] it would have the loop that pursues rays compiled twice, which takes 1.05 of the time.
-    #[inline(always)]
-    pub(crate) fn expect_reflections(&mut self, are_of_floor: bool) {
-        self.views.expect_reflections(are_of_floor);
     }
 
     /// Takes up rays from the eye: the media where they start.
@@ -265,10 +265,9 @@ impl<'a> WhittedIntegrator<'a> {
             if let Some((streams, at)) = from.stream() {
                 streams.keep(w, at, background, beams.weight);
             }
-            return PacketRadiance { light: weighted(beams, is_whole, background), hits, on_floor: false };
+            return PacketRadiance { light: weighted(beams, is_whole, background), hits };
         }
-        let mut at = SurfaceInteraction::new::<FULL>(w, self.stage, &beams.rays, &hits);
-        at.on_floor = matches!(from, PacketSource::Eye) && self.views.is_floor(at.only);
+        let at = SurfaceInteraction::new::<FULL>(w, self.stage, &beams.rays, &hits);
         offspring.meets(&at);
         let light = self.local_light::<W, FULL>(w, beams, &mut from, inside, &at, offspring);
         offspring.shades(light);
@@ -286,33 +285,39 @@ impl<'a> WhittedIntegrator<'a> {
         if at_limit.any() {
             self.pass_at_limit::<W, FULL>(w, *beams, at, at_limit, offspring);
         }
-        PacketRadiance { light, hits, on_floor: at.on_floor }
+        PacketRadiance { light, hits }
     }
 
     #[inline(always)]
-    fn nearest<W: Width>(&mut self, w: W, beams: &PathState<W>, from: &PacketSource<'_>, inside: &BodyMembership) -> PacketHits<W> {
+    fn nearest<W: Width>(
+        &mut self,
+        w: W,
+        beams: &PathState<W>,
+        from: &PacketSource<'_>,
+        inside: &BodyMembership,
+    ) -> PacketHits<W> {
         if let PacketSource::Stream { streams, at } = from {
-            let flight = RayQuery::new(w, self.stage, &beams.rays, beams.lanes, inside, Candidates::Anything);
+            let flight = RayQuery::new(w, self.stage, &beams.rays, beams.lanes, inside, Candidates::All);
             return streams.rays.hits(w, *at, &flight);
         }
-        let whence = self.views.whence(matches!(from, PacketSource::Eye), inside.sole(beams.lanes.bits()));
-        if self.views.along(whence).is_free() {
+        let are_from_eye = matches!(from, PacketSource::Eye);
+        if are_from_eye && self.views.through_tile().is_empty() {
             return PacketHits::none(w);
         }
-        self.nearest_of_packet(w, beams, whence, inside).settled(w, self.stage, &beams.rays, inside)
+        self.nearest_of_packet(w, beams, are_from_eye, inside).settled(w, self.stage, &beams.rays, inside)
     }
 
     fn nearest_of_packet<W: Width>(
         &mut self,
         w: W,
         beams: &PathState<W>,
-        whence: CandidateSource,
+        are_from_eye: bool,
         inside: &BodyMembership,
     ) -> PacketHits<W> {
         w.run(
             #[inline(always)]
             move || {
-                let along = self.views.along(whence);
+                let along = if are_from_eye { self.views.through_tile() } else { Candidates::All };
                 let flight = RayQuery::new(w, self.stage, &beams.rays, beams.lanes, inside, along);
                 flight.nearest_unsettled(&mut self.parts)
             },
@@ -360,7 +365,8 @@ impl<'a> WhittedIntegrator<'a> {
             if !source.shines {
                 continue;
             }
-            let LightSample { to_light, distance, power } = self.way_to::<W, FULL>(w, beams, at, (index, source));
+            let LightSample { to_light, distance, power } =
+                self.way_to::<W, FULL>(w, beams, at, (index, source));
             let cos = at.normal.dot(to_light);
             offspring.faces(index, to_light, distance, cos);
             rays.direction = to_light;
@@ -380,9 +386,9 @@ impl<'a> WhittedIntegrator<'a> {
             self.counts.shadow += u64::from(lit.bits().count_ones());
             let streams = from.stream();
             let mut through = Transmittance::all(lit);
-            let along = self.views.to_light(index, at.only, at.on_floor);
+            let along = self.views.to_light(index);
             if streams.is_none() {
-                if !along.is_free() {
+                if !along.is_empty() {
                     let memory = (&mut self.parts, &mut self.intervals, &mut self.blockers[index]);
                     let around = (inside, (&self.media, &beams.media));
                     through = transmittance(w, self.stage, (&rays, lit), around, (along, &distance), memory);
@@ -484,6 +490,4 @@ pub(crate) struct PacketRadiance<W: Width> {
     /// What each adds to its pixel; of rays that do not fly, anything.
     pub light: Vector<W::R>,
     pub hits: PacketHits<W>,
-    /// Whether all that rays from the eye met is the floor of their tile.
-    pub on_floor: bool,
 }

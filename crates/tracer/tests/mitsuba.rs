@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use catoptric_picture::{Picture, write_exr};
 use catoptric_scene::{Body, Color, Environment, Falloff, Light, Material, Scene};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 
 /// Fewer scenes than this mean that the folder was not found whole.

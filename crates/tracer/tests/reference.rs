@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use catoptric_picture::{
     BitDepth, Development, Difference, HeatMap, Picture, heat_map, write_exr, write_png,
 };
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 
 /// Fewer scenes than this mean that the folder was not found whole.
 const LEAST_SCENES: usize = 14;

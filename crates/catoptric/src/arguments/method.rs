@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use catoptric_tracer::method::{
-    CubeMapSettings, SsrFallback, LightModel, Method, MethodKind, ShadingSettings, SsrSettings,
+    CubeMapSettings, LightModel, Method, MethodKind, ShadingSettings, SsrFallback, SsrSettings,
 };
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};

@@ -3,7 +3,7 @@
 use anyhow::{Context as _, Result};
 use catoptric_lab::audit::{Audit, AuditSettings, audit};
 use catoptric_lab::exact;
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
 use super::Outcome;
 use crate::arguments::AuditArguments;

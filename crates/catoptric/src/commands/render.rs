@@ -8,8 +8,8 @@ use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions};
-use catoptric_tracer::method::{MethodOutput, GBufferLayer, Method};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::method::{GBufferLayer, Method, MethodOutput};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
 use super::Outcome;
 use crate::arguments::RenderArguments;
@@ -183,7 +183,12 @@ fn layer_file(layer: GBufferLayer) -> String {
 
 /// Writes the buffers behind the picture: `depth.png` and the like, and of each cube map `cube-map-3.png`, 3 being the
 /// number of its body in the scene.
-fn write_layers(files: &CommandFiles, folder: &Path, stage: &RenderScene, drawing: &MethodOutput) -> Result<()> {
+fn write_layers(
+    files: &CommandFiles,
+    folder: &Path,
+    stage: &RenderScene,
+    drawing: &MethodOutput,
+) -> Result<()> {
     let options = SaveOptions::new(PictureFormat::Png, None)?;
     let write = |name: String, picture: &Picture| {
         files.write_picture(&folder.join(name), &options, picture).map(|_| ())

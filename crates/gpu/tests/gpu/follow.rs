@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuFilm, StageOnCard, render};
 use catoptric_scene::{Body, Light, Material, MaterialChoice, Model, Projection, Scene, Shape};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::DVec3;
 
 use crate::common::{card, stage_of};

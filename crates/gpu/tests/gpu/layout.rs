@@ -8,8 +8,8 @@ use catoptric_scene::{
     Sky, Surroundings,
 };
 use catoptric_tracer::twin::{
-    FILM_HEAD, FILM_PIXEL, FrameUniforms, PhysicalFeatures, WavelengthUniforms, ShaderSpecialization, SceneArrays, AtlasTexel, CameraRaysBytes,
-    shader, tile_rays,
+    AtlasTexel, CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FrameUniforms, PhysicalFeatures, SceneArrays,
+    ShaderSpecialization, WavelengthUniforms, shader, tile_rays,
 };
 use catoptric_tracer::{RenderScene, SceneChanges};
 use glam::DVec3;
@@ -69,7 +69,8 @@ fn scene(bodies: usize) -> Scene {
 #[test]
 fn records_have_the_size_of_the_shaders() {
     let (few, many) = (module(0), module(4));
-    let (two, hundred) = (RenderScene::prepare(&scene(2)).unwrap(), RenderScene::prepare(&scene(100)).unwrap());
+    let (two, hundred) =
+        (RenderScene::prepare(&scene(2)).unwrap(), RenderScene::prepare(&scene(100)).unwrap());
     let arrays = SceneArrays(&two);
     assert_eq!(layout(&few, "Body").1 as usize * 2, arrays.bodies().len());
     assert_eq!(layout(&few, "Material").1 as usize, arrays.materials().len());
@@ -86,8 +87,12 @@ fn records_have_the_size_of_the_shaders() {
 
 #[test]
 fn physical_records_are_read_where_they_are_written() {
-    let special =
-        ShaderSpecialization { shapes: 63, physical: PhysicalFeatures::ALL, media: 1, ..ShaderSpecialization::default() };
+    let special = ShaderSpecialization {
+        shapes: 63,
+        physical: PhysicalFeatures::ALL,
+        media: 1,
+        ..ShaderSpecialization::default()
+    };
     let physical = parsed(&shader(&special)).unwrap();
     let mut scene = scene(2);
     scene.lights[0].radius = 0.7;

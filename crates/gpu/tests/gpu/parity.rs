@@ -2,7 +2,7 @@
 
 use catoptric_gpu::{Gpu, GpuFilm, StageOnCard};
 use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
-use catoptric_tracer::{RenderControl, NO_BODY, RayCounts, RenderSettings, RenderScene, render};
+use catoptric_tracer::{NO_BODY, RayCounts, RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec2;
 
 use crate::common::{all_scenes, card, stage_of};

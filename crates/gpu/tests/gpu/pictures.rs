@@ -9,7 +9,7 @@ use catoptric_scene::{
     Anchor, Body, Checker, Color, Image, Light, Material, MaterialChoice, Model, Placement, Projection,
     Scene, Shape, Sky, Surroundings,
 };
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::DVec3;
 
 use crate::common::{card, stage_of};

@@ -1,6 +1,6 @@
 //! Every shader that a stage may need is sound, which naga tells without a card.
 
-use catoptric_tracer::twin::{ENTRY_POINT, PhysicalFeatures, EnvironmentKind, ShaderSpecialization, shader};
+use catoptric_tracer::twin::{ENTRY_POINT, EnvironmentKind, PhysicalFeatures, ShaderSpecialization, shader};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// The shader as naga has it, or why it is none.
@@ -46,7 +46,10 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
                 kinds.extend(with_pictures(plain));
                 if [0, 63].contains(&shapes) {
                     kinds.extend(PHYSICAL.map(|physical| ShaderSpecialization { physical, ..plain }));
-                    kinds.extend(with_pictures(ShaderSpecialization { physical: PhysicalFeatures::ALL, ..plain }));
+                    kinds.extend(with_pictures(ShaderSpecialization {
+                        physical: PhysicalFeatures::ALL,
+                        ..plain
+                    }));
                 }
             }
         }
@@ -56,7 +59,12 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
 
 /// The same with skies and textures.
 fn with_pictures(kind: ShaderSpecialization) -> [ShaderSpecialization; 4] {
-    let all = [(EnvironmentKind::Gradient, false), (EnvironmentKind::Picture, false), (EnvironmentKind::Even, true), (EnvironmentKind::Picture, true)];
+    let all = [
+        (EnvironmentKind::Gradient, false),
+        (EnvironmentKind::Picture, false),
+        (EnvironmentKind::Even, true),
+        (EnvironmentKind::Picture, true),
+    ];
     all.map(|(sky, textures)| ShaderSpecialization { sky, textures, ..kind })
 }
 
@@ -78,7 +86,10 @@ fn shaders_without_pictures_know_nothing_of_them() {
         for own in ["pictures: texture", "fn image_at", "fn texture_place", "fn angle_of"] {
             assert!(!shader(&even).contains(own), "{own}");
             assert!(shader(&ShaderSpecialization { textures: true, ..even }).contains(own), "{own}");
-            assert!(!shader(&ShaderSpecialization { sky: EnvironmentKind::Gradient, ..even }).contains(own), "{own}");
+            assert!(
+                !shader(&ShaderSpecialization { sky: EnvironmentKind::Gradient, ..even }).contains(own),
+                "{own}"
+            );
         }
     }
 }

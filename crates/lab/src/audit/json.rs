@@ -1,6 +1,6 @@
 //! The audit as JSON.
 
-use catoptric_tracer::{BranchRecord, BranchOutcome, LightTerm, ShadowRecord, SurfaceRecord};
+use catoptric_tracer::{BranchOutcome, BranchRecord, LightTerm, ShadowRecord, SurfaceRecord};
 use serde_json::{Value, json};
 
 use super::{Audit, Node, Proof, RayTree};

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use catoptric_tracer::{BranchRecord, BranchOutcome, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord};
+use catoptric_tracer::{
+    BranchOutcome, BranchRecord, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord,
+};
 use glam::Vec3;
 
 use super::numbers::{degrees, exact, exact_color, exact_double, short, short_color, short_vector};
@@ -396,7 +398,9 @@ impl Page<'_> {
         let BranchRecord { coefficient, weight, fate } = branch;
         let weight = exact_color(weight);
         let rest = match fate {
-            BranchOutcome::Followed(child) => format!("ray {}, weight × {}", child + 1, exact_color(coefficient)),
+            BranchOutcome::Followed(child) => {
+                format!("ray {}, weight × {}", child + 1, exact_color(coefficient))
+            }
             BranchOutcome::Nothing => "nothing, the coefficient is 0".to_owned(),
             BranchOutcome::TotalReflection => "nothing, all light is reflected".to_owned(),
             BranchOutcome::GenerationLimit => {

@@ -1,6 +1,6 @@
 //! The tree of one sample, with the sums of its branches.
 
-use catoptric_tracer::{BranchOutcome, RayKind, SurfaceRecord, RayRecord};
+use catoptric_tracer::{BranchOutcome, RayKind, RayRecord, SurfaceRecord};
 use glam::{DVec2, DVec3, Vec3};
 
 use super::sum::ExactSum;

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_scene::{Body, Camera, Light, List, Material, MaterialChoice, Scene, Tracing};
-use catoptric_tracer::{RayKind, RenderScene, RayRecord, WhittedIntegrator};
+use catoptric_tracer::{RayKind, RayRecord, RenderScene, WhittedIntegrator};
 use glam::{DVec3, Vec3};
 
 /// A stage of a few bodies, for a few rays.

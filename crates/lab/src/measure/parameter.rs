@@ -4,7 +4,7 @@ use std::fmt;
 
 use catoptric_scene::Tracing;
 use catoptric_tracer::method::{CubeMapSettings, Method, ShadingSettings};
-use catoptric_tracer::{RenderSettings, AcceleratorChoice, RenderScene};
+use catoptric_tracer::{AcceleratorChoice, RenderScene, RenderSettings};
 
 use crate::variant::Variant;
 
@@ -155,7 +155,9 @@ impl Parameter {
             }
             Self::Fineness => counts(&[1, 2, 4, 8, 16, 32, 64]),
             Self::CubeMapSize => counts(&[16, 32, 64, 128, 256, 512]),
-            Self::Search => [AcceleratorChoice::Quickest, AcceleratorChoice::OneByOne].map(Value::Search).to_vec(),
+            Self::Search => {
+                [AcceleratorChoice::Quickest, AcceleratorChoice::OneByOne].map(Value::Search).to_vec()
+            }
         }
     }
 

@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 
 use catoptric_scene::Scene;
 use catoptric_tracer::method::{Method, MethodError, PassName, draw};
-use catoptric_tracer::{RenderControl, RayCounts, RenderSettings, AcceleratorChoice, RenderScene, SceneBuildError};
+use catoptric_tracer::{
+    AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, SceneBuildError,
+};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::parameter::{Axis, AxisError, Parameter, Value};

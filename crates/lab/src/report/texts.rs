@@ -261,7 +261,9 @@ impl Language {
             Value::Search(AcceleratorChoice::Quickest) => {
                 self.choose("hierarchy of boxes", "иерархия объёмов").to_owned()
             }
-            Value::Search(AcceleratorChoice::OneByOne) => self.choose("one by one", "полный перебор").to_owned(),
+            Value::Search(AcceleratorChoice::OneByOne) => {
+                self.choose("one by one", "полный перебор").to_owned()
+            }
             Value::Method(variant) => variant.name.clone(),
         }
     }

@@ -5,7 +5,7 @@ use std::panic::AssertUnwindSafe;
 use catoptric_lab::audit::{Audit, AuditError, AuditSettings, NodeKind, Proof, audit};
 use catoptric_picture::Picture;
 use catoptric_scene::{Color, Example, Material, Scene};
-use catoptric_tracer::{RenderControl, BranchOutcome, ReflectionModel, RenderSettings, RenderScene, render};
+use catoptric_tracer::{BranchOutcome, ReflectionModel, RenderControl, RenderScene, RenderSettings, render};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;

@@ -4,7 +4,7 @@ use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, ExcessKind, e
 use catoptric_scene::{
     Checker, Color, Example, Image, Material, MaterialChoice, Model, NamedMaterial, Scene, Shape,
 };
-use catoptric_tracer::{RenderControl, RenderError, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderSettings, render};
 use glam::{DVec3, UVec2};
 
 use crate::scenes::{ball, body};

@@ -23,7 +23,8 @@ fn the_pixel_explained_is_the_pixel() {
     let stage = RenderScene::prepare(&scene).unwrap();
     let pixel = UVec2::new(800, 440);
     let audit =
-        audit(&scene, &stage, stage.camera(), pixel, &AuditSettings::default(), &RenderControl::default()).unwrap();
+        audit(&scene, &stage, stage.camera(), pixel, &AuditSettings::default(), &RenderControl::default())
+            .unwrap();
     let listing = audit.to_text(None);
     for language in ["en", "ru"] {
         let path = format!("{}/../../docs/{language}/audit.md", env!("CARGO_MANIFEST_DIR"));

@@ -2,7 +2,7 @@
 
 use catoptric_lab::maps::{Map, MapKind, MapSettings, map};
 use catoptric_scene::{Color, Example, Material, Scene, Shape, Tracing};
-use catoptric_tracer::{RenderControl, RenderError, RenderSettings, RenderScene, WhittedIntegrator, render};
+use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderSettings, WhittedIntegrator, render};
 use glam::{DVec3, UVec2};
 
 use crate::scenes::{ball, body};

@@ -2,7 +2,7 @@
 
 use catoptric_lab::work::RayEstimate;
 use catoptric_scene::{Example, Material, Model, Scene, Shape};
-use catoptric_tracer::{RenderControl, RenderError, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderSettings, render};
 use glam::{DVec3, UVec2};
 
 use crate::scenes::{ball, body};

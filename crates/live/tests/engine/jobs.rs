@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_live::{JobError, RenderJob};
 use catoptric_scene::{Body, MaterialChoice, Scene};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderOutput, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderOutput, RenderScene, RenderSettings, render};
 
 use crate::{endless, four_bodies};
 

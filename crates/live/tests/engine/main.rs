@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use catoptric_live::{Frame, Live, LiveOptions, Request, Status};
 use catoptric_picture::{BitDepth, Codes, Development};
 use catoptric_scene::{Camera, Example, Scene};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render_through};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render_through};
 use glam::DVec3;
 
 /// A live engine and its bell.

@@ -2,8 +2,10 @@
 
 use catoptric_live::{LiveError, RenderJob, Request, Shows};
 use catoptric_picture::{Development, Picture};
-use catoptric_tracer::method::{CubeMapSettings, GBufferLayer, Method, MethodKind, ShadingSettings, draw_through};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::method::{
+    CubeMapSettings, GBufferLayer, Method, MethodKind, ShadingSettings, draw_through,
+};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use std::sync::Arc;
 
 use crate::{Window, developed, four_bodies, from_side, request};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_lab::audit::{Audit, AuditError, AuditSettings, Node, NodeKind, RayTree, audit};
 use catoptric_scene::Scene;
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
 use super::Pin;
 use super::clock::LightSpan;

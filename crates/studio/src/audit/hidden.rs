@@ -1,7 +1,7 @@
 //! Which parts of the ways run behind bodies, as the viewport's camera sees them: found by tracing.
 
 use catoptric_scene::{Camera, Scene};
-use catoptric_tracer::{RenderControl, Ray, RenderScene};
+use catoptric_tracer::{Ray, RenderControl, RenderScene};
 use glam::{DVec2, DVec3};
 
 use super::ways::Way;

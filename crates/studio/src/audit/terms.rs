@@ -3,7 +3,9 @@
 use catoptric_editor::Item;
 use catoptric_lab::audit::{Audit, Node};
 use catoptric_scene::Scene;
-use catoptric_tracer::{BranchRecord, BranchOutcome, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord};
+use catoptric_tracer::{
+    BranchOutcome, BranchRecord, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord,
+};
 use glam::{DVec3, Vec3};
 
 use super::numbers::{color, degrees, short, vector};

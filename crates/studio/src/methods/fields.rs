@@ -1,7 +1,9 @@
 //! The settings of a method as fields.
 
 use catoptric_scene::format::spec::Limits;
-use catoptric_tracer::method::{CubeMapSettings, SsrFallback, LightModel, Method, ShadingSettings, SsrSettings};
+use catoptric_tracer::method::{
+    CubeMapSettings, LightModel, Method, ShadingSettings, SsrFallback, SsrSettings,
+};
 use egui::{Grid, Ui};
 
 use crate::texts::Texts;

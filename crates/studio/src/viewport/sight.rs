@@ -5,7 +5,7 @@ use std::sync::Arc;
 use catoptric_editor::Item;
 use catoptric_live::Live;
 use catoptric_scene::{Camera, Scene};
-use catoptric_tracer::{RenderScene, RenderCamera, RayOrigin, RayIntersection};
+use catoptric_tracer::{RayIntersection, RayOrigin, RenderCamera, RenderScene};
 use egui::{Pos2, Rect, pos2};
 use glam::{DVec2, DVec3};
 

@@ -8,7 +8,7 @@ use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, encode_exr, e
 use catoptric_scene::Scene;
 use catoptric_studio::host::PictureClipboard;
 use catoptric_studio::{Command, Language, Start, Studio, Zoom};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use egui::accesskit::Role;
 use egui::{OutputCommand, ViewportCommand};
 use egui_kittest::Harness;

@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Sub};
 
 use super::wide::widest_fuses;
-use super::{Float8, Float, Mask, Float32, Width, Word};
+use super::{Float, Float8, Float32, Mask, Width, Word};
 
 /// One number.
 #[derive(Clone, Copy, Debug)]

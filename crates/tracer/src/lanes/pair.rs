@@ -5,7 +5,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use super::{Float, Mask, Float32, Width, Word};
+use super::{Float, Float32, Mask, Width, Word};
 
 /// Twice the numbers of `W`.
 #[derive(Clone, Copy, Debug)]

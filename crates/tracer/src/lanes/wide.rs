@@ -8,7 +8,7 @@ use fearless_simd::{
 };
 
 use super::eight::SimdFloat8;
-use super::{Float, MOST_LANES, Mask, PairWidth, Float32, Width, Word, SimdKernel};
+use super::{Float, Float32, MOST_LANES, Mask, PairWidth, SimdKernel, Width, Word};
 
 /// A width that the processor has.
 #[derive(Clone, Copy, Debug)]

@@ -5,13 +5,13 @@ use glam::DVec2;
 
 use super::canvas::FrameSize;
 use super::fronts::MinDepthGrid;
-use super::probe::{ShadingPoint, PointShader, color_at, exact, vector};
+use super::probe::{PointShader, ShadingPoint, color_at, exact, vector};
 use super::{LightModel, MethodError};
 use crate::counts::RayCounts;
 use crate::ray::{NO_BODY, Ray, RayOrigin};
 use crate::render::RenderControl;
 use crate::sampling::sample_offset;
-use crate::stage::{RenderScene, RenderCamera};
+use crate::stage::{RenderCamera, RenderScene};
 use crate::surface::{mend_unit, reflect};
 use crate::vector::Vector;
 
@@ -33,8 +33,13 @@ pub(super) struct GBufferTexel {
 const NOTHING: Vector<f32> = Vector { x: 0.0, y: 0.0, z: 0.0 };
 
 impl GBufferTexel {
-    pub(super) const EMPTY: Self =
-        Self { start: RayOrigin::FREE, depth: f32::INFINITY, position: NOTHING, normal: NOTHING, color: NOTHING };
+    pub(super) const EMPTY: Self = Self {
+        start: RayOrigin::FREE,
+        depth: f32::INFINITY,
+        position: NOTHING,
+        normal: NOTHING,
+        color: NOTHING,
+    };
 
     pub(super) fn is_empty(&self) -> bool {
         self.start.body == NO_BODY
@@ -172,7 +177,9 @@ impl GBuffer {
             Some(match layer {
                 GBufferLayer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
                 GBufferLayer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
-                GBufferLayer::Coefficients => Vector::new(material.diffuse, material.specular, material.reflection),
+                GBufferLayer::Coefficients => {
+                    Vector::new(material.diffuse, material.specular, material.reflection)
+                }
                 GBufferLayer::Body => color_at_number(stage.scene_index(texel.start.body)?),
                 _ => texel.color,
             })
@@ -195,7 +202,9 @@ pub(super) fn seen(
 ) -> GBufferTexel {
     let ray = camera.ray(at, size);
     let rays = ray.alone();
-    let Some(hit) = probe.primary(&ray) else { return GBufferTexel { normal: rays.direction, ..GBufferTexel::EMPTY } };
+    let Some(hit) = probe.primary(&ray) else {
+        return GBufferTexel { normal: rays.direction, ..GBufferTexel::EMPTY };
+    };
     let point = stage.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
     GBufferTexel {
         start: RayOrigin { body: hit.body, inwards: hit.leaving },

@@ -5,16 +5,18 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::canvas::{SampleSums, PassTimer, FrameSize};
+use super::canvas::{FrameSize, PassTimer, SampleSums};
 use super::cube_map::{CubeMap, CubeMapUse, CubeMaps, ParallaxBox};
 use super::gbuffer::{GBuffer, GBufferTexel};
 use super::probe::{exact, reflection_of, vector};
 use super::screen::{MarchOutcome, ScreenMarcher};
-use super::{CubeMapSettings, MethodOutput, FirstSampleBuffers, SsrFallback, MethodError, PassName, SsrSettings};
+use super::{
+    CubeMapSettings, FirstSampleBuffers, MethodError, MethodOutput, PassName, SsrFallback, SsrSettings,
+};
 use crate::counts::RayCounts;
 use crate::ray::NO_BODY;
 use crate::render::{RenderControl, RenderSettings};
-use crate::stage::{RenderScene, RenderCamera};
+use crate::stage::{RenderCamera, RenderScene};
 use crate::vector::Vector;
 
 /// The cube maps that a picture uses, by the bodies' places in the stage, and the boxes of their corrections.
@@ -30,7 +32,11 @@ impl ActiveCubeMaps {
     }
 
     /// The direction in which the map of a body is asked for a reflected ray, and the map.
-    pub(super) fn looked_up(&self, texel: &GBufferTexel, direction: Vector<f32>) -> Option<(DVec3, &CubeMap)> {
+    pub(super) fn looked_up(
+        &self,
+        texel: &GBufferTexel,
+        direction: Vector<f32>,
+    ) -> Option<(DVec3, &CubeMap)> {
         let (map, proxy) = self.maps.get(&texel.start.body)?;
         let direction = exact(direction);
         let corrected =

@@ -6,9 +6,9 @@ use super::LightModel;
 use crate::counts::RayCounts;
 use crate::lanes::ScalarWidth;
 use crate::media::{AIR, BodyMembership, MediumStacks};
-use crate::ray::{NO_BODY, Ray, RayPacket, RayOrigin};
-use crate::search::{Candidates, RayQuery, HitRecord, MediumIntervals, ShadowScratch, found_in};
-use crate::stage::{TraversalStack, RenderScene, RenderCamera, SurfacePoint};
+use crate::ray::{NO_BODY, Ray, RayOrigin, RayPacket};
+use crate::search::{Candidates, HitRecord, MediumIntervals, RayQuery, ShadowScratch, found_in};
+use crate::stage::{RenderCamera, RenderScene, SurfacePoint, TraversalStack};
 use crate::surface::phong_highlight;
 use crate::vector::Vector;
 
@@ -88,7 +88,7 @@ impl<'a> PointShader<'a> {
         self.counts.primary += 1;
         let rays = ray.alone();
         found_in(
-            &RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::Anything)
+            &RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::All)
                 .nearest(&mut self.parts),
         )
     }
@@ -129,10 +129,11 @@ impl<'a> PointShader<'a> {
     /// What reaches a point from a light.
     fn transmittance(&mut self, at: &ShadingPoint, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
         self.counts.shadow += 1;
-        let rays: RayPacket<ScalarWidth> = RayPacket { origin: at.position, direction: to_light, start: at.start.word() };
+        let rays: RayPacket<ScalarWidth> =
+            RayPacket { origin: at.position, direction: to_light, start: at.start.word() };
         let Self { parts, intervals, .. } = self;
         let memory = ShadowScratch { parts, intervals, blocker: &mut { NO_BODY } };
-        RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::Anything)
+        RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::All)
             .transmittance(distance, (&self.table, self.media), memory)
             .shares(ScalarWidth)
     }

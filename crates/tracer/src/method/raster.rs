@@ -64,7 +64,12 @@ pub(super) struct ScreenTriangle {
 
 impl ScreenTriangle {
     /// The triangle of these corners of `all`; `None` if it has no area or cannot be seen.
-    pub(super) fn new(all: &[TriangleCorner], corners: [u32; 3], start: u32, frame: FrameSize) -> Option<Self> {
+    pub(super) fn new(
+        all: &[TriangleCorner],
+        corners: [u32; 3],
+        start: u32,
+        frame: FrameSize,
+    ) -> Option<Self> {
         let [a, b, c] = corners.map(|corner| all.get(corner as usize).map(|corner| corner.seen));
         let seen = [a?, b?, c?];
         let [a, b, c] = seen.map(|corner| corner.at);
@@ -189,7 +194,9 @@ mod tests {
         let frame = FrameSize { width: 16, height: 12 };
         let mut rows = vec![vec![Fragment::EMPTY; frame.width]; frame.height];
         for (number, triangle) in triangles.iter().enumerate() {
-            let Some(triangle) = ScreenTriangle::new(corners, *triangle, number as u32, frame) else { continue };
+            let Some(triangle) = ScreenTriangle::new(corners, *triangle, number as u32, frame) else {
+                continue;
+            };
             for (y, row) in rows.iter_mut().enumerate() {
                 triangle.draw(corners, y, DVec2::splat(0.5), row);
             }

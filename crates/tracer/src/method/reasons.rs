@@ -12,10 +12,10 @@ use rayon::prelude::*;
 
 use super::canvas::FrameSize;
 use super::cube_map::around;
-use super::{MethodOutput, FirstSampleBuffers, Method, MethodError};
+use super::{FirstSampleBuffers, Method, MethodError, MethodOutput};
 use crate::render::{RenderControl, RenderSettings};
 use crate::sampling::sample_offset;
-use crate::stage::{RenderScene, RenderCamera};
+use crate::stage::{RenderCamera, RenderScene};
 use witness::ReferencePixel;
 
 /// Why a pixel differs from the traced truth.
@@ -158,7 +158,8 @@ pub fn reasons(
     control.expect(groups.values().map(|pixels| pixels.len() as u64).sum());
     for (body, pixels) in groups {
         let others = body.map(|body| around(stage, body));
-        let case = ReasonInput { stage, camera: stage.camera(), method, drawing, frame, others: others.as_ref() };
+        let case =
+            ReasonInput { stage, camera: stage.camera(), method, drawing, frame, others: others.as_ref() };
         let found = pixels.par_iter().map_init(
             || ReferencePixel::new(&case, control),
             |witness, &pixel| {
@@ -223,9 +224,10 @@ impl ReasonInput<'_> {
         let ray = self.camera.ray(at, self.frame.size());
         let drawn = Vec3::from(*self.drawing.picture.pixels().get(pixel)?);
         match (self.method, &self.drawing.evidence) {
-            (Method::Flat(how) | Method::Gouraud(how) | Method::Phong(how), FirstSampleBuffers::Bodies(bodies)) => {
-                self.of_shading(witness, how, ray, *bodies.get(pixel)?, drawn)
-            }
+            (
+                Method::Flat(how) | Method::Gouraud(how) | Method::Phong(how),
+                FirstSampleBuffers::Bodies(bodies),
+            ) => self.of_shading(witness, how, ray, *bodies.get(pixel)?, drawn),
             (Method::Ssr(how), FirstSampleBuffers::Buffers(buffer, maps)) => {
                 self.of_screen(witness, how, ray, (buffer, maps), pixel)
             }

@@ -72,7 +72,10 @@ impl ScreenRay {
     fn at(&self, s: f64) -> ScreenRayPoint {
         let inverse_w = self.inverse_w[0] + (self.inverse_w[1] - self.inverse_w[0]) * s;
         let t = self.far * s / inverse_w;
-        ScreenRayPoint { at: self.places[0].lerp(self.places[1], s), depth: self.from.depth + t * self.along.depth }
+        ScreenRayPoint {
+            at: self.places[0].lerp(self.places[1], s),
+            depth: self.from.depth + t * self.along.depth,
+        }
     }
 }
 
@@ -167,7 +170,13 @@ impl ScreenMarcher<'_> {
     }
 
     /// Halves the step in which a surface was met.
-    fn refine(&self, way: &ScreenRay, own: u32, direction: DVec3, [mut low, mut high]: [f64; 2]) -> Option<DVec2> {
+    fn refine(
+        &self,
+        way: &ScreenRay,
+        own: u32,
+        direction: DVec3,
+        [mut low, mut high]: [f64; 2],
+    ) -> Option<DVec2> {
         for _ in 0..self.settings.refinements {
             let middle = 0.5 * (low + high);
             if self.behind(own, direction, way.at(middle)).is_some() {

@@ -8,17 +8,17 @@ mod faces;
 
 use glam::{DVec2, DVec3};
 
-use super::canvas::{SampleSums, PassTimer, FrameSize};
-use super::probe::{DirectLight, ShadingPoint, PointShader, color_of, exact, vector};
+use super::canvas::{FrameSize, PassTimer, SampleSums};
+use super::probe::{DirectLight, PointShader, ShadingPoint, color_of, exact, vector};
 use super::raster::Fragment;
-use super::{MethodOutput, FirstSampleBuffers, MethodError, PassName, ShadingSettings};
+use super::{FirstSampleBuffers, MethodError, MethodOutput, PassName, ShadingSettings};
 use crate::counts::RayCounts;
 use crate::ray::RayOrigin;
 use crate::render::{RenderControl, RenderSettings};
 use crate::sampling::sample_offset;
-use crate::stage::{RenderScene, RenderCamera};
+use crate::stage::{RenderCamera, RenderScene};
 use crate::vector::Vector;
-use batch::{FaceBatch, BatchBuilder};
+use batch::{BatchBuilder, FaceBatch};
 
 /// Where the local terms are worked out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +80,13 @@ pub(super) fn draw(
         counts += clock.time(PassName::Light, || job.shade(&fragments, offset, &mut canvas))?;
     }
     let picture = canvas.picture(samples)?;
-    Ok(MethodOutput { picture, counts, passes: clock.passes, cube_maps: None, evidence: FirstSampleBuffers::Bodies(bodies) })
+    Ok(MethodOutput {
+        picture,
+        counts,
+        passes: clock.passes,
+        cube_maps: None,
+        evidence: FirstSampleBuffers::Bodies(bodies),
+    })
 }
 
 impl ShadingJob<'_> {
@@ -121,7 +127,13 @@ impl ShadingJob<'_> {
         light.with_color(color_of(self.stage, start.body, fragment.in_body, fragment.in_body))
     }
 
-    fn light(&self, probe: &mut PointShader<'_>, start: RayOrigin, at: DVec3, normal: Vector<f32>) -> DirectLight {
+    fn light(
+        &self,
+        probe: &mut PointShader<'_>,
+        start: RayOrigin,
+        at: DVec3,
+        normal: Vector<f32>,
+    ) -> DirectLight {
         let to_viewer = vector(self.camera.toward_viewer(at));
         let point = ShadingPoint { start, position: vector(at), normal, to_viewer };
         probe.light(&point, self.settings.model, self.settings.shadows)

@@ -6,7 +6,7 @@
 
 use std::cmp::Ordering;
 
-use crate::lanes::{MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::lanes::{Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::media::MediumStacks;
 use crate::stage::RenderScene;
 use crate::surface::exponential;

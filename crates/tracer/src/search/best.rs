@@ -1,7 +1,7 @@
 //! The nearest hits so far.
 
-use super::{PacketHits, BodyIntersection};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32, Width, Word as _};
+use super::{BodyIntersection, PacketHits};
+use crate::lanes::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word as _};
 use crate::ray::POINT_ROUNDING;
 use crate::stage::RenderScene;
 

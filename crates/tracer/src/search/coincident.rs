@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::{Candidates, ClosestHits, RayQuery, ClosestHitVisitor, GRAZING, PacketHits};
-use crate::lanes::{MOST_LANES, Mask as _, ScalarWidth, Float32, Width, Word as _};
+use super::{Candidates, ClosestHitVisitor, ClosestHits, GRAZING, PacketHits, RayQuery};
+use crate::lanes::{Float32, MOST_LANES, Mask as _, ScalarWidth, Width, Word as _};
 use crate::media::BodyMembership;
 use crate::ray::{POINT_ROUNDING, RayPacket, slack_at};
-use crate::stage::{TraversalStack, RenderScene, BodyVisitor};
+use crate::stage::{BodyVisitor, RenderScene, TraversalStack};
 use crate::vector::Vector;
 
 /// Where one ray crosses the surface of a body.
@@ -44,9 +44,11 @@ pub(super) fn settle<W: Width>(
         let lane = left.trailing_zeros() as usize % MOST_LANES;
         left &= left - 1;
         let vector = |rows: &[[f32; MOST_LANES]; 3]| Vector::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-        let rays = RayPacket { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
+        let rays =
+            RayPacket { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
         let inside = inside.of_lane(lane);
-        let first = RayQuery::new(ScalarWidth, stage, &rays, true, &inside, Candidates::Anything).first_settled(&mut parts);
+        let first = RayQuery::new(ScalarWidth, stage, &rays, true, &inside, Candidates::All)
+            .first_settled(&mut parts);
         (ts[lane], faces[lane], bodies[lane]) = (first.t, first.face, first.body);
         let at = 1 << lane;
         leaving = leaving & !at | if first.leaving { at } else { 0 };
@@ -88,7 +90,12 @@ impl RayQuery<'_, ScalarWidth> {
     }
 
     /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
-    fn first_of_coincident(&self, nearest: SurfaceCrossing, leaving: bool, parts: &mut TraversalStack) -> SurfaceCrossing {
+    fn first_of_coincident(
+        &self,
+        nearest: SurfaceCrossing,
+        leaving: bool,
+        parts: &mut TraversalStack,
+    ) -> SurfaceCrossing {
         let slack_there = slack_at(self.origin) + nearest.t * POINT_ROUNDING;
         let slack = |body: u32| self.stage.body(body).slack;
         let reach = nearest.t + GRAZING * (slack_there + self.stage.largest_slack);

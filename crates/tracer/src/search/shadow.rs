@@ -3,11 +3,11 @@
 use std::ops::Range;
 
 use super::absorption::MediumIntervals;
-use super::{RayQuery, AllHitsVisitor, HitRecord, BodyIntersection, RayBodyLanes};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width};
+use super::{AllHitsVisitor, BodyIntersection, HitRecord, RayBodyLanes, RayQuery};
+use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width};
 use crate::media::MediumStacks;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::stage::{Bvh, Accelerator, TraversalStack, RenderBody, BodyVisitor};
+use crate::stage::{Accelerator, BodyVisitor, Bvh, RenderBody, TraversalStack};
 use crate::vector::Vector;
 
 /// Where rays cross a body's surface before a light.
@@ -119,7 +119,8 @@ impl<'a, W: Width> RayQuery<'a, W> {
         if !lanes.any() {
             return None;
         }
-        let BodyIntersection { entering, enter, leaving, exit, .. } = self.meeting((index, body), lanes, inside)?;
+        let BodyIntersection { entering, enter, leaving, exit, .. } =
+            self.meeting((index, body), lanes, inside)?;
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
         Some(BodyCrossing { in_front, enter, within: leaving, behind, exit })

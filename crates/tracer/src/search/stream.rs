@@ -5,11 +5,16 @@ use std::ops::Range;
 use bytemuck::{Zeroable, zeroed_box};
 
 use super::best::{margin, reach_for};
-use super::{Candidates, ClosestHits, RayQuery, PacketHits, MediumIntervals, ClosestHit, Transmittance, all_of};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, ScalarWidth, Float32 as _, Width};
+use super::{
+    Candidates, ClosestHit, ClosestHits, MediumIntervals, PacketHits, RayQuery, Transmittance, all_of,
+};
+use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, ScalarWidth, Width};
 use crate::media::{BodyMembership, MediumStacks};
 use crate::ray::{POINT_ROUNDING, RayPacket};
-use crate::stage::{Accelerator, StreamRow, STREAM, RenderScene, StreamTraversalStack, StreamRayRows, StreamVisitor, vector_at};
+use crate::stage::{
+    Accelerator, RenderScene, STREAM, StreamRayRows, StreamRow, StreamTraversalStack, StreamVisitor,
+    vector_at,
+};
 use crate::vector::Vector;
 
 /// Rays that are searched for together, and what they met.
@@ -188,7 +193,13 @@ impl ShadowStream {
     /// Finds what the media leave of the light of each ray, once it is known which bounded ones it goes through.
     #[cold]
     #[inline(never)]
-    fn absorb<W: Width>(&mut self, w: W, stage: &RenderScene, table: &MediumStacks, memory: &mut StreamScratch) {
+    fn absorb<W: Width>(
+        &mut self,
+        w: W,
+        stage: &RenderScene,
+        table: &MediumStacks,
+        memory: &mut StreamScratch,
+    ) {
         let StreamScratch { inside, intervals, .. } = memory;
         let Self { rays: stream, left, count, .. } = self;
         left.iter_mut().take(*count).for_each(|left| *left = [1.0; 4]);
@@ -200,7 +211,7 @@ impl ShadowStream {
                     let lanes = w.first(*count - at) & reach.gt(w.real(f32::NEG_INFINITY));
                     inside.fill::<W>(table, stream.media(w, at), lanes);
                     let first = intervals.len();
-                    let flight = RayQuery::new(w, stage, &rays, lanes, inside, Candidates::Anything);
+                    let flight = RayQuery::new(w, stage, &rays, lanes, inside, Candidates::All);
                     for index in stage.planes() {
                         flight.note_medium(index, stage.body(index), reach, lanes, intervals);
                     }
@@ -225,7 +236,12 @@ impl ShadowStream {
 
     /// What the rays from number `at` on, which are in `flight`, bring, and which of them bring any.
     #[inline(always)]
-    pub(crate) fn brought<W: Width>(&self, w: W, at: usize, flight: &RayQuery<'_, W>) -> (W::M, Vector<W::R>) {
+    pub(crate) fn brought<W: Width>(
+        &self,
+        w: W,
+        at: usize,
+        flight: &RayQuery<'_, W>,
+    ) -> (W::M, Vector<W::R>) {
         let (_, reach) = self.rays.load(w, at);
         let lanes = reach.gt(w.real(f32::NEG_INFINITY)) & flight.lanes;
         let share = Some(vector_at(w, &self.share, at));
@@ -287,7 +303,7 @@ impl<W: Width> StreamVisitor for ClosestHitVisitor<'_, W> {
             if stage.has_transparency {
                 self.inside.fill::<W>(self.table, media, lanes);
             }
-            let flight = RayQuery::new(w, stage, &rays, lanes, self.inside, Candidates::Anything);
+            let flight = RayQuery::new(w, stage, &rays, lanes, self.inside, Candidates::All);
             for index in bodies.clone() {
                 let lanes = lanes & flight.comes_near(index, reach);
                 if !lanes.any() {
@@ -388,7 +404,7 @@ impl<W: Width> StreamVisitor for TransmittanceVisitor<'_, W> {
                 let [x, y, z, _] = w.gather(self.share, numbers);
                 share = Some(Vector::new(x, y, z));
             }
-            let flight = RayQuery::new(w, stage, &rays, lanes, self.inside, Candidates::Anything);
+            let flight = RayQuery::new(w, stage, &rays, lanes, self.inside, Candidates::All);
             let mut passed: Transmittance<W> = Transmittance { lanes, share, blocker: 0 };
             let first = self.intervals.len();
             for index in bodies.clone() {

@@ -13,7 +13,12 @@ pub(crate) const TINY: f32 = 1e-30;
 /// A line along the layer lies in it everywhere or nowhere. Of the two planes themselves one belongs to the layer, so
 /// that a stack of layers has no gap.
 #[inline(always)]
-pub(super) fn half_open<R: Float>(origin: R, direction: R, low: (f32, FaceId), high: (f32, FaceId)) -> ShapeSpan<R> {
+pub(super) fn half_open<R: Float>(
+    origin: R,
+    direction: R,
+    low: (f32, FaceId),
+    high: (f32, FaceId),
+) -> ShapeSpan<R> {
     let tiny = direction.like(TINY);
     let is_along = direction.abs().lt(tiny);
     let inverse = origin.like(1.0) / R::select(is_along, tiny.copysign(direction), direction);
@@ -34,7 +39,12 @@ pub(super) fn half_open<R: Float>(origin: R, direction: R, low: (f32, FaceId), h
 
 /// The same with both planes.
 #[inline(always)]
-pub(super) fn closed<R: Float>(origin: R, direction: R, low: (f32, FaceId), high: (f32, FaceId)) -> ShapeSpan<R> {
+pub(super) fn closed<R: Float>(
+    origin: R,
+    direction: R,
+    low: (f32, FaceId),
+    high: (f32, FaceId),
+) -> ShapeSpan<R> {
     let mut span = half_open(origin, direction, low, high);
     let is_along = direction.abs().lt(direction.like(TINY));
     if is_along.any() {

@@ -19,9 +19,9 @@ use glam::{Vec3, Vec3A};
 use super::Bounds;
 use crate::lanes::{Float8 as _, Width};
 pub(crate) use entry::BuildEntry;
-pub(crate) use packet::{TraversalStack, BodyVisitor};
+pub(crate) use packet::{BodyVisitor, TraversalStack};
 pub(crate) use refit::NodePath;
-pub(crate) use stream::{StreamRow, STREAM, StreamTraversalStack, StreamRayRows, StreamVisitor, vector_at};
+pub(crate) use stream::{STREAM, StreamRayRows, StreamRow, StreamTraversalStack, StreamVisitor, vector_at};
 
 /// No path from the root is longer than this.
 const MAX_DEPTH: usize = 64;

@@ -289,7 +289,8 @@ impl TwoFloatVector {
 impl CameraRays {
     /// As the shaders read them.
     pub(crate) fn as_tile_rays(&self) -> CameraRaysBytes {
-        let (RayDifferentials::OfDirection([across, down]) | RayDifferentials::OfOrigin([across, down])) = self.steps;
+        let (RayDifferentials::OfDirection([across, down]) | RayDifferentials::OfOrigin([across, down])) =
+            self.steps;
         CameraRaysBytes {
             start: self.start.near,
             way: self.way,

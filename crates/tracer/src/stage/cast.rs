@@ -7,7 +7,7 @@ use super::body::BodyParts;
 use super::double::Body64;
 use super::material::{MaterialTable, NamedMaterials};
 use super::space::RenderSpace;
-use super::{BuildEntry, RenderBody, CheckerTexture, SceneBuildError, RenderMaterial};
+use super::{BuildEntry, CheckerTexture, RenderBody, RenderMaterial, SceneBuildError};
 use crate::ray::NO_BODY;
 
 /// What is known of a scene's bodies before they are brought into the hierarchy's order.

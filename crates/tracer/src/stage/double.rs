@@ -9,7 +9,7 @@ use catoptric_scene::Body;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::body::{SurfacePoint, canonical_ratio, inverse_linear};
-use crate::lanes::{Float64, Float as _, MOST_LANES, Mask as _, Float32, Width};
+use crate::lanes::{Float as _, Float32, Float64, MOST_LANES, Mask as _, Width};
 use crate::shape::{CanonicalShape, ShapeKind, ShapeSpan};
 use crate::vector::Vector;
 
@@ -63,7 +63,12 @@ impl Body64 {
     /// Where lines cross the body, as [`RenderBody::span`](super::StageBody::span).
     #[cold]
     #[inline(never)]
-    pub(crate) fn span<W: Width>(&self, w: W, origin: Vector<W::R>, direction: Vector<W::R>) -> ShapeSpan<W::R> {
+    pub(crate) fn span<W: Width>(
+        &self,
+        w: W,
+        origin: Vector<W::R>,
+        direction: Vector<W::R>,
+    ) -> ShapeSpan<W::R> {
         let rays = LineRows::of(&origin, &direction);
         let mut found = ShapeSpanRows::default();
         w.run(

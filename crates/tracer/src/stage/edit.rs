@@ -10,8 +10,8 @@ use super::bvh::NodePath;
 use super::camera::SceneExtent;
 use super::space::RenderSpace;
 use super::{
-    BoundingSphere, Bounds, Accelerator, RenderScene, RenderBody, RenderCamera, SceneChanges, CheckerTexture, RenderLight,
-    RenderMaterial, EnvironmentLight, bounds_of_free_ways, numbers,
+    Accelerator, BoundingSphere, Bounds, CheckerTexture, EnvironmentLight, RenderBody, RenderCamera,
+    RenderLight, RenderMaterial, RenderScene, SceneChanges, bounds_of_free_ways, numbers,
 };
 use crate::ray::NO_BODY;
 
@@ -113,7 +113,7 @@ impl RenderScene {
         self.ambient = numbers(after.environment.ambient);
         self.generations = after.tracing.generations.clamp(1, Tracing::MAX_GENERATIONS);
         self.threshold = after.tracing.threshold as f32;
-        self.outlook = OnceLock::new();
+        self.to_lights = OnceLock::new();
     }
 
     /// The place of the body `index` of the scene, which is `body` there, and the way to its leaf, if it hangs on one.

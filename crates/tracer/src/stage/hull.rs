@@ -54,21 +54,8 @@ impl BoundingHull {
         self.points.iter().map(|&point| up.dot(point)).fold(f64::INFINITY, f64::min) - self.radius
     }
 
-    /// Whether more than a gap lies between it and another one across one of some directions: those of the axes, and the
-    /// one from its middle to that of the other.
-    pub(super) fn is_apart(&self, other: &Self, gap: f64) -> bool {
-        let between = (other.middle() - self.middle()).normalize_or_zero();
-        let axes = [between, DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
-        axes.into_iter().any(|axis| other.lowest(axis) + self.lowest(-axis) > gap)
-    }
-
     fn middle(&self) -> DVec3 {
         self.points.iter().sum::<DVec3>() / self.points.len() as f64
-    }
-
-    /// No part of it is further away from a point.
-    pub(super) fn farthest(&self, point: DVec3) -> f64 {
-        self.points.iter().map(|&at| at.distance(point)).fold(0.0, f64::max) + self.radius
     }
 
     /// The largest coordinate.

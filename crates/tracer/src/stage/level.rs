@@ -43,26 +43,4 @@ impl PlaneFrame {
     pub(super) fn is_below_hull(&self, hull: &BoundingHull) -> bool {
         self.height(hull.lowest(self.up)) >= -self.rounding(hull.extent())
     }
-
-    /// Whether all of this is surely above, and does not even stand on it.
-    pub(super) fn is_apart_from(&self, hull: &BoundingHull) -> bool {
-        self.height(hull.lowest(self.up)) > 4.0 * self.rounding(hull.extent())
-    }
-
-    /// How far a ray from a point above goes along `direction`, of length 1, until it meets the surface; infinitely if it
-    /// does not.
-    pub(super) fn way(&self, point: DVec3, direction: DVec3) -> f64 {
-        let sinks = -self.up.dot(direction);
-        if sinks > 0.0 { self.height_of(point) / sinks } else { f64::INFINITY }
-    }
-
-    /// A vector as it is seen in the surface.
-    pub(super) fn mirrored(&self, vector: DVec3) -> DVec3 {
-        vector - 2.0 * self.up.dot(vector) * self.up
-    }
-
-    /// The mirror image of a point.
-    pub(super) fn image(&self, point: DVec3) -> DVec3 {
-        point - 2.0 * self.height_of(point) * self.up
-    }
 }

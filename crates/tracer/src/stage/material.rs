@@ -158,9 +158,12 @@ impl RenderMaterial {
                 ..plain
             },
             Model::Matte => Self { diffuse: 1.0, ..plain },
-            Model::Mirror => {
-                Self { ambient: 0.0, reflection: material.reflection() as f32, law: MaterialModel::Mirror, ..plain }
-            }
+            Model::Mirror => Self {
+                ambient: 0.0,
+                reflection: material.reflection() as f32,
+                law: MaterialModel::Mirror,
+                ..plain
+            },
             Model::Dielectric => {
                 let reflection = straight(material.ior());
                 Self {

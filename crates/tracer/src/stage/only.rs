@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::Scene;
 
-use super::{EditLog, BuildEntry, Accelerator, AcceleratorChoice, RenderScene};
+use super::{Accelerator, AcceleratorChoice, BuildEntry, EditLog, RenderScene};
 
 /// Up to this many bodies are looked for one by one.
 const FEW_WANTED: usize = 256;
@@ -74,7 +74,7 @@ impl RenderScene {
             largest_extent: self.largest_extent,
             largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
             lanes: self.lanes,
-            outlook: OnceLock::new(),
+            to_lights: OnceLock::new(),
             added: 0,
             log: EditLog::new(),
         }

@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 
 use super::hull::BoundingHull;
 use super::level::PlaneFrame;
-use super::{RenderScene, RenderBody};
+use super::{RenderBody, RenderLight, RenderScene};
 use crate::lanes::Float32;
 use crate::vector::Vector;
 
@@ -37,34 +37,28 @@ pub(crate) struct BoundingCone {
 /// More than the rounding of a scalar product of unit vectors, and, relatively, than that of a length.
 pub(super) const ROUNDING: f64 = 1e-6;
 
-/// How far rounding may lead a ray from a point astray where it comes to a body, meters; `way` is that of
-/// [`RenderScene::seen_past`].
-fn margin(hull: &BoundingHull, point: DVec3, way: f64) -> f64 {
-    4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element() + way)
+/// How far rounding may lead a ray from a point astray where it comes to a body, meters.
+fn margin(hull: &BoundingHull, point: DVec3) -> f64 {
+    4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element())
 }
 
 impl RenderScene {
-    /// The bodies as they are seen from a point, if they are a handful.
-    pub(crate) fn seen_from(&self, point: [f32; 3]) -> Option<VisibleBodies> {
-        self.seen_past(DVec3::from(point.map(f64::from)), 0.0)
-    }
-
-    /// The same for rays that start as far from the point as `way` at most, and are as far off as the rounding of such
-    /// lengths makes them.
-    pub(super) fn seen_past(&self, point: DVec3, way: f64) -> Option<VisibleBodies> {
+    /// The bodies as they are seen from a point, if they are few.
+    pub(crate) fn visible_from(&self, point: [f32; 3]) -> Option<VisibleBodies> {
         if self.bounded as usize > Self::FEW || self.has_doubles() {
             return None;
         }
-        let sight = |(body, index): (&RenderBody, u32)| Some(BoundingCone::new(&body.hull()?, index, point, way));
+        let point = DVec3::from(point.map(f64::from));
+        let sight = |(body, index): (&RenderBody, u32)| Some(BoundingCone::new(&body.hull()?, index, point));
         let mut bodies: Vec<BoundingCone> = self.bodies.iter().zip(0..).filter_map(sight).collect();
         bodies.sort_by(|a, b| b.minus_depth.total_cmp(&a.minus_depth));
         Some(VisibleBodies { point, bodies, planes: self.planes().collect() })
     }
 
-    /// The same for rays that go to the point, whose directions are those from the bodies to it, without what cannot stand in
-    /// their way: the only plane, where the point and all other bodies are above it.
-    pub(crate) fn seen_from_light(&self, point: [f32; 3]) -> Option<VisibleBodies> {
-        let mut sights = self.seen_from(point)?;
+    /// What may stand in the way of rays to a point, if there are few bodies. The only plane cannot where the point and all
+    /// other bodies are above it.
+    pub(crate) fn candidates_to_light(&self, point: [f32; 3]) -> Option<VisibleBodies> {
+        let mut sights = self.visible_from(point)?;
         if let [plane] = sights.planes[..] {
             let level = PlaneFrame::of(self.body(plane));
             let mut hulls = self.bodies.iter().filter_map(RenderBody::hull);
@@ -78,74 +72,31 @@ impl RenderScene {
         Some(sights)
     }
 
-    /// What may lie between the outer side of each bounded body and the point that all are seen from. The body itself does
-    /// not: it is convex.
-    pub(crate) fn seen_before(&self, all: &VisibleBodies) -> Vec<VisibleBodies> {
-        let before = |index: u32| {
-            let own = all.bodies.iter().find(|sight| sight.body == index);
-            match (own, self.body(index).hull()) {
-                (Some(own), Some(hull)) => all.before(self, own, &hull),
-                _ => all.clone(),
-            }
+    /// For each light that is a point, what may stand in the way to it, if there are few bodies; found once.
+    pub(crate) fn candidates_to_lights(&self) -> &[Option<VisibleBodies>] {
+        let to_light = |light: &RenderLight| match light.radius {
+            0.0 => self.candidates_to_light(light.position),
+            _ => None,
         };
-        (0..self.bounded).map(before).collect()
-    }
-
-    /// What rays inside of each bounded body may meet before they have left it, if it is transparent: itself, and what
-    /// reaches into it.
-    pub(crate) fn seen_within(&self) -> Vec<Option<VisibleBodies>> {
-        let within = |index: u32| {
-            let body = self.body(index);
-            body.hull().filter(|_| body.is_transparent()).map(|hull| self.reaching_into(&hull))
-        };
-        (0..self.bounded).map(within).collect()
-    }
-
-    /// What has some part in a hull, by sights that tell no more.
-    fn reaching_into(&self, hull: &BoundingHull) -> VisibleBodies {
-        let is_apart = |other: BoundingHull| hull.is_apart(&other, 8.0 * ROUNDING * (hull.extent() + other.extent()));
-        let reaches_in = |&index: &u32| !self.body(index).hull().is_some_and(is_apart);
-        let crosses = |&plane: &u32| !PlaneFrame::of(self.body(plane)).is_apart_from(hull);
-        VisibleBodies {
-            bodies: (0..self.bounded).filter(reaches_in).map(BoundingCone::of_anywhere).collect(),
-            planes: self.planes().filter(crosses).collect(),
-            ..VisibleBodies::default()
-        }
+        self.to_lights.get_or_init(|| self.lights.iter().map(to_light).collect())
     }
 }
 
 impl VisibleBodies {
-    /// The same with one more body, that may lie in any direction.
-    pub(crate) fn and(&self, body: u32) -> Self {
-        let own = BoundingCone::of_anywhere(body);
-        Self { bodies: [own].into_iter().chain(self.bodies.iter().copied()).collect(), ..self.clone() }
-    }
-
-    /// What may lie between the point and one of the bodies.
-    fn before(&self, stage: &RenderScene, own: &BoundingCone, hull: &BoundingHull) -> Self {
-        let sin = (1.0 - own.cos * own.cos).max(0.0).sqrt();
-        let axis = Vector::splat(0.0, own.axis);
-        let farthest = hull.farthest(self.point) + margin(hull, self.point, 0.0);
-        let farthest = farthest as f32 * (1.0 + ROUNDING as f32);
-        let may_be_before = |sight: &&BoundingCone| {
-            let is_beside = own.cos > 0.0 && !sight.is_met_by_cone(axis, own.cos, sin);
-            sight.body != own.body && !is_beside && sight.minus_depth + farthest >= 0.0
-        };
-        let may_divide = |&&plane: &&u32| {
-            let level = PlaneFrame::of(stage.body(plane));
-            !level.is_below(self.point) || !level.is_below_hull(hull)
-        };
-        Self {
-            point: self.point,
-            bodies: self.bodies.iter().filter(may_be_before).copied().collect(),
-            planes: self.planes.iter().filter(may_divide).copied().collect(),
-        }
-    }
-
     /// Keeps of others what some ray may meet whose angle with `axis` has a cosine of at least `cos`, and that starts so far
     /// on the way from the point.
-    pub(crate) fn keep(&mut self, stage: &RenderScene, all: &Self, (axis, cos): (Vector<f32>, f32), way: f32) {
-        let sin = self.keep_bodies(all, (axis, cos), way);
+    pub(crate) fn keep(
+        &mut self,
+        stage: &RenderScene,
+        all: &Self,
+        (axis, cos): (Vector<f32>, f32),
+        way: f32,
+    ) {
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        self.bodies.clear();
+        let met = all.bodies.iter().filter(|sight| sight.is_met_by_cone(axis, cos, sin));
+        self.bodies.extend(met.map(|sight| sight.nearer_by(way)));
+        self.point = all.point;
         self.planes.clear();
         let axis = Vec3::from(axis).as_dvec3();
         let is_met = |&&plane: &&u32| {
@@ -156,21 +107,11 @@ impl VisibleBodies {
         };
         self.planes.extend(all.planes.iter().filter(is_met));
     }
-
-    /// Keeps of others the bodies that such a ray may meet. The sine of the angle.
-    pub(super) fn keep_bodies(&mut self, all: &Self, (axis, cos): (Vector<f32>, f32), way: f32) -> f32 {
-        let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        self.point = all.point;
-        self.bodies.clear();
-        let met = all.bodies.iter().filter(|sight| sight.is_met_by_cone(axis, cos, sin));
-        self.bodies.extend(met.map(|sight| sight.nearer_by(way)));
-        sin
-    }
 }
 
 impl BoundingCone {
-    fn new(hull: &BoundingHull, body: u32, point: DVec3, way: f64) -> Self {
-        let margin = margin(hull, point, way);
+    fn new(hull: &BoundingHull, body: u32, point: DVec3) -> Self {
+        let margin = margin(hull, point);
         let Some((axis, cos)) = hull.cone_from(point, margin) else { return Self::of_anywhere(body) };
         let depth = hull.lowest(axis) - axis.dot(point) - margin;
         let cos = (cos - ROUNDING) as f32;
@@ -210,12 +151,15 @@ impl BoundingCone {
 #[cfg(test)]
 pub(super) mod tests {
     use std::f64::consts::PI;
+    use std::sync::OnceLock;
 
-    use catoptric_scene::{Anchor, Body, Light, Placement, Scene, Shape};
+    use catoptric_scene::{Anchor, Body, Light, Material, MaterialChoice, Placement, Scene, Shape};
+    use proptest::collection::vec;
     use proptest::prelude::*;
 
     use super::super::space::RenderSpace;
     use super::*;
+    use crate::{RenderControl, RenderSettings, render};
 
     pub(in crate::stage) fn point(extent: f64) -> impl Strategy<Value = DVec3> {
         [-extent..extent, -extent..extent, -extent..extent].prop_map(DVec3::from)
@@ -269,6 +213,16 @@ pub(super) mod tests {
         body
     }
 
+    fn of(body: Body, transmission: f64) -> Body {
+        let material =
+            Material { diffuse: 0.3, reflection: Some(0.2), transmission, ior: 1.4, ..Material::default() };
+        Body { material: MaterialChoice::Inline(Box::new(material)), ..body }
+    }
+
+    fn floor() -> Body {
+        Body { shape: Shape::Plane, ..Body::default() }
+    }
+
     fn vector(v: DVec3) -> Vector<f32> {
         v.as_vec3().into()
     }
@@ -281,7 +235,7 @@ pub(super) mod tests {
             let target = body.placement.world_from_body().transform_point3(within);
             let stage_body = RenderBody::prepare(&body, &RenderSpace::default()).body;
             let eye = vector(eye);
-            let sight = BoundingCone::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3(), 0.0);
+            let sight = BoundingCone::new(&stage_body.hull().unwrap(), 0, Vec3::from(eye).as_dvec3());
             let (direction, distance) = (target - Vec3::from(eye).as_dvec3()).normalize_and_length();
             prop_assume!(distance > 1e-2);
             prop_assert!(sight.is_met(vector(direction), f32::MAX));
@@ -296,24 +250,29 @@ pub(super) mod tests {
             prop_assert!(sight.is_met_by_cone(vector(axis), cos, (1.0 - cos * cos).sqrt()));
         }
 
-        /// Nothing is passed over that stands between a point of a body and a light.
+        /// Candidates on the way to lights save time, and that is all.
         #[test]
-        fn nothing_before_a_body_is_missed(
-            (body, within) in body(),
-            other in body(),
-            light in point(50.0),
-            share in 0.0..1.0_f64,
+        fn candidates_change_no_picture(
+            bodies in vec((body(), point(1.0), any::<bool>()), 2..6),
+            lights in vec(point(8.0), 1..3),
+            stands in any::<bool>(),
         ) {
-            let target = body.placement.world_from_body().transform_point3(within);
-            let other = moved(other, light.lerp(target, share));
-            let scene = Scene { bodies: [body, other].into(), ..Scene::default() };
-            let stage = RenderScene::prepare(&scene).unwrap();
-            // Of bodies in double precision nothing is known beforehand.
-            prop_assume!(!stage.has_doubles());
-            let all = stage.seen_from(light.as_vec3().to_array()).unwrap();
-            let place = |of: usize| (0..2).find(|&place| stage.scene_index(place) == Some(of)).unwrap();
-            let before = &stage.seen_before(&all)[place(0) as usize];
-            prop_assert!(before.bodies.iter().map(|sight| sight.body).eq([place(1)]));
+            let placed = |(body, at, is_glass)| of(moved(body, at), if is_glass { 0.6 } else { 0.0 });
+            let mut bodies: Vec<_> = bodies.into_iter().map(placed).collect();
+            if stands {
+                bodies.push(floor());
+            }
+            let light = |position| Light { position, ..Light::default() };
+            let lights = lights.into_iter().map(light).collect();
+            let stage = RenderScene::prepare(&Scene { bodies: bodies.into(), lights, ..Scene::default() }).unwrap();
+            let blind = RenderScene { to_lights: OnceLock::from(Vec::new()), ..stage.clone() };
+            let settings = RenderSettings { width: 40, height: 24, samples: 1 };
+            let [seen, unseen] = [stage, blind].map(|stage| render(&stage, settings, &RenderControl::default()).unwrap());
+            prop_assert_eq!(seen.counts, unseen.counts);
+            let bits = |picture: &catoptric_picture::Picture| {
+                picture.pixels().iter().flatten().map(|part| part.to_bits()).collect::<Vec<_>>()
+            };
+            prop_assert_eq!(bits(&seen.picture), bits(&unseen.picture));
         }
 
         /// The sphere around a body is no larger than it needs to be: near its surface, on no side can it be moved away.
@@ -337,7 +296,7 @@ pub(super) mod tests {
     #[test]
     fn what_lies_elsewhere_or_behind_is_passed_over() {
         let ball = BoundingHull { points: vec![DVec3::new(0.0, 0.0, -10.0)], radius: 1.0 };
-        let sight = BoundingCone::new(&ball, 0, DVec3::ZERO, 0.0);
+        let sight = BoundingCone::new(&ball, 0, DVec3::ZERO);
         let at =
             |degrees: f64| vector(DVec3::new(degrees.to_radians().sin(), 0.0, -degrees.to_radians().cos()));
         // The sphere is seen under asin(1/10) = 5.74° from its center.
@@ -354,30 +313,10 @@ pub(super) mod tests {
         let wall = Shape::Cube { size: DVec3::new(8.0, 3.0, 0.1) };
         let wall = Body { shape: wall, placement, ..Body::default() };
         let wall = RenderBody::prepare(&wall, &RenderSpace::default()).body;
-        let sight = BoundingCone::new(&wall.hull().unwrap(), 0, DVec3::ZERO, 0.0);
+        let sight = BoundingCone::new(&wall.hull().unwrap(), 0, DVec3::ZERO);
         assert!(sight.is_met(at(53.0), 20.0) && !sight.is_met(at(58.0), 20.0));
         assert!(!sight.is_met(at(0.0), 2.9) && sight.is_met(at(0.0), 3.1));
         assert!(!sight.is_met(at(45.0), 4.1) && sight.is_met(at(45.0), 4.4));
-    }
-
-    /// What stands beside the way from a body to a light, or behind the body, does not shade it.
-    #[test]
-    fn what_stands_aside_or_behind_shades_nothing() {
-        let ball = |x: f64, z: f64| {
-            let anchor = Anchor::Frame { position: DVec3::new(x, 0.0, z), rotation_degrees: DVec3::ZERO };
-            let placement = Placement { anchor, ..Placement::default() };
-            Body { shape: Shape::Sphere { radius: 1.0 }, placement, ..Body::default() }
-        };
-        let shades = |x: f64, z: f64| {
-            let scene = Scene { bodies: [ball(0.0, -10.0), ball(x, z)].into(), ..Scene::default() };
-            let stage = RenderScene::prepare(&scene).unwrap();
-            let own = (0..2).find(|&place| stage.scene_index(place) == Some(0)).unwrap();
-            let all = stage.seen_from([0.0; 3]).unwrap();
-            !stage.seen_before(&all)[own as usize].bodies.is_empty()
-        };
-        // Ahead of the ball both are seen under asin(1/10) and asin(1/5) from their middles, 17.28° together.
-        assert_eq!([1.48, 1.50].map(|x| shades(x, -4.77)), [true, false]);
-        assert_eq!([-9.0, -11.9, -12.1].map(|z| shades(0.5, z)), [true, true, false]);
     }
 
     /// A floor is left out of the way to a light where all stands above it, and ahead of rays that go up.
@@ -400,7 +339,7 @@ pub(super) mod tests {
             .unwrap()
         };
         let planes = |bodies: Vec<Body>, height: f32| {
-            stage(bodies).seen_from_light([3.0, height, 0.0]).unwrap().planes.len()
+            stage(bodies).candidates_to_light([3.0, height, 0.0]).unwrap().planes.len()
         };
         let Shape::Sphere { radius } = Body::default().shape else {
             unreachable!("a body is a sphere at first")
@@ -414,7 +353,7 @@ pub(super) mod tests {
             let (sin, cos) = degrees.to_radians().sin_cos();
             let mut ahead = VisibleBodies::default();
             let cone = (vector(DVec3::new(0.0, sin, -cos)), 10.0_f32.to_radians().cos());
-            ahead.keep(&stage, &stage.seen_from(eye).unwrap(), cone, 0.0);
+            ahead.keep(&stage, &stage.visible_from(eye).unwrap(), cone, 0.0);
             ahead.planes.len()
         };
         assert_eq!([9.0, 11.0].map(|degrees| ahead([0.0, 1.0, 0.0], degrees)), [1, 0]);

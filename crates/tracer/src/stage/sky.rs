@@ -6,7 +6,7 @@ use catoptric_scene::{Environment, Surroundings};
 
 use super::image::{AddressMode, ImageLookup};
 use super::numbers;
-use crate::lanes::{MOST_LANES, Mask as _, ScalarWidth, Float32 as _, Width};
+use crate::lanes::{Float32 as _, MOST_LANES, Mask as _, ScalarWidth, Width};
 use crate::vector::Vector;
 
 /// What rays that hit nothing bring.
@@ -97,7 +97,9 @@ impl EnvironmentLight {
                 let longitude = x.atan2(-z) / TAU;
                 let latitude = y.atan2((x * x + z * z).sqrt()) / PI;
                 // Turned from z to x, the picture's middle, at -z, goes towards -x.
-                image.at(0.5 + longitude + turn, 0.5 - latitude, AddressMode::Repeats).map(|part| part * strength)
+                image
+                    .at(0.5 + longitude + turn, 0.5 - latitude, AddressMode::Repeats)
+                    .map(|part| part * strength)
             }
         }
     }
@@ -131,7 +133,8 @@ mod tests {
     #[test]
     fn the_middle_of_a_picture_is_ahead_and_turns_as_bodies_do() {
         // From left to right: behind, left, ahead, right. The pole has the mean of two rows.
-        let image = ImageLookup::of_grays(&[[10.0; 4], [0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 2.0, 3.0], [20.0; 4]]);
+        let image =
+            ImageLookup::of_grays(&[[10.0; 4], [0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 2.0, 3.0], [20.0; 4]]);
         let picture = |turn| EnvironmentLight::Picture { image: image.clone(), turn, strength: 1.0 };
         // A quarter of a pixel's width from centers: halves of pixels.
         let eighth = std::f32::consts::FRAC_PI_4;

@@ -5,7 +5,7 @@ use std::f32::consts::{PI, TAU};
 use catoptric_scene::Material;
 
 use super::image::{AddressMode, ImageLookup};
-use crate::lanes::{MOST_LANES, Mask as _, Float32 as _, Width};
+use crate::lanes::{Float32 as _, MOST_LANES, Mask as _, Width};
 use crate::shape::{CanonicalShape, ShapeKind};
 use crate::vector::Vector;
 

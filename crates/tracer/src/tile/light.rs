@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{PixelBlock, TileRect};
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::surface::MOST_OF_PIXEL;
 use crate::vector::Vector;
 use crate::whitted::PathState;
@@ -129,7 +129,12 @@ impl TileRadiance {
     }
 
     #[inline(always)]
-    fn write_all<W: Width, P: RadianceScalar>(&self, w: W, planes: &ChannelPlanes<P>, rows: &mut [&mut [[f32; 3]]]) {
+    fn write_all<W: Width, P: RadianceScalar>(
+        &self,
+        w: W,
+        planes: &ChannelPlanes<P>,
+        rows: &mut [&mut [[f32; 3]]],
+    ) {
         let [width, _] = PixelBlock::<W>::SIZE;
         let [reds, greens, blues] = planes;
         for (y, row) in rows.iter_mut().enumerate() {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::*;
 use crate::AcceleratorChoice;
-use crate::lanes::{SimdLevel, ScalarWidth};
+use crate::lanes::{ScalarWidth, SimdLevel};
 
 const SIZE: (usize, usize) = (90, 50);
 
@@ -87,7 +87,10 @@ fn the_hierarchy_leaves_out_nothing_that_is_met() {
         trace::<false>(&stage, |sample| lanes.run(sample))
     };
     for (name, lanes) in SimdLevel::all() {
-        assert!(taken(AcceleratorChoice::Quickest, lanes) == taken(AcceleratorChoice::OneByOne, lanes), "{name}");
+        assert!(
+            taken(AcceleratorChoice::Quickest, lanes) == taken(AcceleratorChoice::OneByOne, lanes),
+            "{name}"
+        );
     }
 }
 

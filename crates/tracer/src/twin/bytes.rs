@@ -8,14 +8,14 @@ use rayon::prelude::*;
 
 use crate::sampling::sample_offset;
 use crate::stage::{
-    Accelerator, BvhNode, RenderScene, RenderBody, RenderCamera, SceneChanges, CheckerTexture, LightFalloff, RenderLight,
-    RenderMaterial, EnvironmentLight,
+    Accelerator, BvhNode, CheckerTexture, EnvironmentLight, LightFalloff, RenderBody, RenderCamera,
+    RenderLight, RenderMaterial, RenderScene, SceneChanges,
 };
-use crate::tile::{TileRect, TILE};
+use crate::tile::{TILE, TileRect};
 
 use super::MOST_MEDIA;
 use super::fit::eye_media;
-use super::laws::{self, SphereLightBytes, PhysicalFeatures};
+use super::laws::{self, PhysicalFeatures, SphereLightBytes};
 use super::pictures::PictureAtlas;
 
 /// The most samples of one [`FrameUniforms`].
@@ -52,7 +52,8 @@ impl<'a> SceneArrays<'a> {
             let range = |range: &Range<u32>| range.start as usize * bytes..range.end as usize * bytes;
             changes.bodies.iter().map(range).collect()
         };
-        let node = |&node: &u32| node as usize * size_of::<BvhNode>()..(node as usize + 1) * size_of::<BvhNode>();
+        let node =
+            |&node: &u32| node as usize * size_of::<BvhNode>()..(node as usize + 1) * size_of::<BvhNode>();
         [bodies(size_of::<RenderBody>()), changes.nodes.iter().map(node).collect(), bodies(ORDER_BYTES)]
     }
 

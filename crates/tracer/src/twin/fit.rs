@@ -2,7 +2,9 @@
 
 use crate::media::MediumStacks;
 use crate::shape::ShapeKind;
-use crate::stage::{Accelerator, RenderScene, RenderBody, RenderCamera, SceneChanges, RenderMaterial, EnvironmentLight};
+use crate::stage::{
+    Accelerator, EnvironmentLight, RenderBody, RenderCamera, RenderMaterial, RenderScene, SceneChanges,
+};
 
 use super::{MOST_INTERVALS, MOST_MEDIA, MOST_RAYS, PhysicalFeatures};
 
@@ -111,7 +113,11 @@ impl ShaderSpecialization {
     ///
     /// # Errors
     /// What is known beforehand not to fit; [`UnsupportedOnGpu::NestedMedia`] only shows while drawing.
-    pub fn of(contents: &SceneContents, stage: &RenderScene, camera: &RenderCamera) -> Result<Self, UnsupportedOnGpu> {
+    pub fn of(
+        contents: &SceneContents,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+    ) -> Result<Self, UnsupportedOnGpu> {
         if stage.has_doubles() {
             return Err(UnsupportedOnGpu::DoublePrecision);
         }

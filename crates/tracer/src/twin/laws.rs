@@ -8,7 +8,7 @@ use bytemuck::{Pod, Zeroable};
 use catoptric_optics::{Dispersion, observer};
 
 use crate::media::WAVES;
-use crate::stage::{CURVE_STEPS, ConductorTable, MaterialModel, RenderScene, RenderLight, RenderMaterial};
+use crate::stage::{CURVE_STEPS, ConductorTable, MaterialModel, RenderLight, RenderMaterial, RenderScene};
 use crate::whitted::SampledWavelengths;
 
 use super::bytes::{FRAME_PLACES, LightBytes};
@@ -114,7 +114,8 @@ type MaterialRow = [u32; 4];
 /// The materials, then the tables that they point to.
 pub(super) fn rows(stage: &RenderScene) -> Vec<MaterialRow> {
     let first = stage.materials.len() as u32 * ROWS;
-    let mut tables = MaterialRowTables { first, pictures: PictureAtlas::of(stage), ..MaterialRowTables::default() };
+    let mut tables =
+        MaterialRowTables { first, pictures: PictureAtlas::of(stage), ..MaterialRowTables::default() };
     let mut rows: Vec<MaterialRow> = Vec::new();
     for material in stage.materials.iter() {
         rows.extend(rows_of(material, &mut tables));
@@ -226,7 +227,8 @@ impl WavelengthUniforms {
     /// Those of so many samples (at most [`FRAME_PLACES`]) of pixels that have `samples_done`.
     pub fn new(samples_done: u32, samples: u32) -> Self {
         let mut places = [[0.0; 4]; SAMPLE_WAVES];
-        let all = (samples_done..).take(samples as usize).zip(places.chunks_exact_mut(SampledWavelengths::COUNT));
+        let all =
+            (samples_done..).take(samples as usize).zip(places.chunks_exact_mut(SampledWavelengths::COUNT));
         for (sample, places) in all {
             let waves = SampledWavelengths::of_sample(sample);
             for (number, place) in places.iter_mut().enumerate() {
@@ -273,11 +275,20 @@ mod tests {
         let metal = PhysicalFeatures::LAWS | PhysicalFeatures::METALS;
         assert_eq!(PhysicalFeatures::of(&stage_of(&[rough], 0.0)), metal | PhysicalFeatures::FACETS);
         let glass = Material { attenuation_distance: 0.1, ..made_of(Model::Dielectric) };
-        assert_eq!(PhysicalFeatures::of(&stage_of(std::slice::from_ref(&glass), 0.0)), PhysicalFeatures::LAWS);
+        assert_eq!(
+            PhysicalFeatures::of(&stage_of(std::slice::from_ref(&glass), 0.0)),
+            PhysicalFeatures::LAWS
+        );
         let tinted = Material { attenuation_color: catoptric_scene::Color::gray(0.5), ..glass.clone() };
-        assert_eq!(PhysicalFeatures::of(&stage_of(&[tinted], 0.0)), PhysicalFeatures::LAWS | PhysicalFeatures::ABSORBS);
+        assert_eq!(
+            PhysicalFeatures::of(&stage_of(&[tinted], 0.0)),
+            PhysicalFeatures::LAWS | PhysicalFeatures::ABSORBS
+        );
         let torn = Material { dispersion: true, ..glass };
-        assert_eq!(PhysicalFeatures::of(&stage_of(&[torn], 0.0)), PhysicalFeatures::LAWS | PhysicalFeatures::DISPERSES);
+        assert_eq!(
+            PhysicalFeatures::of(&stage_of(&[torn], 0.0)),
+            PhysicalFeatures::LAWS | PhysicalFeatures::DISPERSES
+        );
     }
 
     /// Scenes of Phong's model pay nothing for what they do not have.
@@ -333,7 +344,9 @@ mod tests {
         let WavelengthUniforms(waves) = WavelengthUniforms::new(5, 3);
         for (place, sample) in (5..8).enumerate() {
             let own = SampledWavelengths::of_sample(sample);
-            for (number, wave) in waves[place * SampledWavelengths::COUNT..].iter().take(SampledWavelengths::COUNT).enumerate() {
+            for (number, wave) in
+                waves[place * SampledWavelengths::COUNT..].iter().take(SampledWavelengths::COUNT).enumerate()
+            {
                 assert_eq!(wave[..3], own.color(number));
                 assert_eq!(wave[3], own.nanometers(number as u32).unwrap() as f32);
             }

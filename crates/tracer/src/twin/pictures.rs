@@ -1,6 +1,6 @@
 //! The pictures of a stage as the shaders read them.
 
-use crate::stage::{RenderScene, ImageLookup, EnvironmentLight, ImageTexture};
+use crate::stage::{EnvironmentLight, ImageLookup, ImageTexture, RenderScene};
 
 /// Texels to a row of the texture in which all pictures lie. Cards have no narrower limit (WebGPU's is the same).
 pub const PICTURES_ACROSS: u32 = 8192;

@@ -5,7 +5,7 @@ use std::ops::Range;
 use bytemuck::{Zeroable, zeroed_vec};
 
 use super::encounter::SurfaceInteraction;
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, ScalarWidth, Float32, Width, Word};
+use crate::lanes::{Float as _, Float32, MOST_LANES, Mask as _, ScalarWidth, Width, Word};
 use crate::media::{AIR, BodyMembership};
 use crate::ray::{NO_START, RayPacket};
 use crate::search::Transmittance;
@@ -90,7 +90,14 @@ pub(crate) trait SecondaryRays<W: Width> {
 
     /// Shadow rays towards that light, and what they let pass.
     #[inline(always)]
-    fn asks(&mut self, _rays: &RayPacket<W>, _distance: W::R, _inside: &BodyMembership, _through: &Transmittance<W>) {}
+    fn asks(
+        &mut self,
+        _rays: &RayPacket<W>,
+        _distance: W::R,
+        _inside: &BodyMembership,
+        _through: &Transmittance<W>,
+    ) {
+    }
 
     /// That light's highlight, with k_s.
     #[inline(always)]

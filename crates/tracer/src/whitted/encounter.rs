@@ -1,9 +1,9 @@
 //! The points that rays met, with all that shading needs.
 
-use crate::lanes::{Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::ray::{INWARDS, NO_BODY, RayPacket};
 use crate::search::PacketHits;
-use crate::stage::{ConductorTable, MaterialModel, RenderScene, RenderMaterial};
+use crate::stage::{ConductorTable, MaterialModel, RenderMaterial, RenderScene};
 use crate::surface::fresnel;
 use crate::vector::Vector;
 
@@ -14,8 +14,6 @@ pub(crate) struct SurfaceInteraction<W: Width> {
     pub(super) body: W::W,
     /// The only body that all of them met, with [`INWARDS`] if they met it from within; else [`NO_BODY`].
     pub(super) only: u32,
-    /// Whether that is the floor of the tile, met by its own rays.
-    pub(super) on_floor: bool,
     /// The body, and [`INWARDS`] where the ray came from within: the start of rays on this side.
     pub(super) start: W::W,
     pub(super) position: Vector<W::R>,
@@ -60,7 +58,12 @@ pub(crate) struct SurfaceInteraction<W: Width> {
 impl<W: Width> SurfaceInteraction<W> {
     /// Looks at the bodies one after the other: rays side by side mostly meet the same.
     #[inline(always)]
-    pub(super) fn new<const FULL: bool>(w: W, stage: &RenderScene, rays: &RayPacket<W>, hits: &PacketHits<W>) -> Self {
+    pub(super) fn new<const FULL: bool>(
+        w: W,
+        stage: &RenderScene,
+        rays: &RayPacket<W>,
+        hits: &PacketHits<W>,
+    ) -> Self {
         let (zero, none) = (w.real(0.0), w.mask(0));
         let nowhere = Vector::new(zero, zero, zero);
         let leaving = W::W::select(hits.leaving, w.word(INWARDS), w.word(0));
@@ -68,7 +71,6 @@ impl<W: Width> SurfaceInteraction<W> {
             t: hits.t,
             body: hits.body,
             only: NO_BODY,
-            on_floor: false,
             start: hits.body.or(leaving),
             position: nowhere,
             normal: nowhere,

@@ -2,7 +2,7 @@
 
 use super::encounter::SurfaceInteraction;
 use super::gloss::Macrosurface;
-use super::{PathState, InterfaceCrossing, SecondaryRays, WhittedIntegrator};
+use super::{InterfaceCrossing, PathState, SecondaryRays, WhittedIntegrator};
 use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::media::AIR;
 use crate::ray::RayPacket;

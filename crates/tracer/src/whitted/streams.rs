@@ -8,7 +8,7 @@ use crate::lanes::{Mask as _, Width};
 use crate::media::BodyMembership;
 use crate::ray::RayPacket;
 use crate::search::{Candidates, RayQuery, RayStream, ShadowStream, StreamScratch};
-use crate::stage::{Accelerator, StreamRow, STREAM, RenderScene, vector_at};
+use crate::stage::{Accelerator, RenderScene, STREAM, StreamRow, vector_at};
 use crate::vector::Vector;
 
 /// A stream of rays with the light that they bring: working memory.
@@ -32,7 +32,12 @@ struct StreamRadiance {
 
 impl Default for StreamShading {
     fn default() -> Self {
-        Self { rays: zeroed_box(), light: zeroed_box(), shadows: Vec::new(), memory: StreamScratch::default() }
+        Self {
+            rays: zeroed_box(),
+            light: zeroed_box(),
+            shadows: Vec::new(),
+            memory: StreamScratch::default(),
+        }
     }
 }
 
@@ -143,7 +148,7 @@ impl WhittedIntegrator<'_> {
         lanes: W::M,
         inside: &BodyMembership,
     ) -> Vector<W::R> {
-        let flight = RayQuery::new(w, self.stage, &shadows.rays(w, at), lanes, inside, Candidates::Anything);
+        let flight = RayQuery::new(w, self.stage, &shadows.rays(w, at), lanes, inside, Candidates::All);
         let (lit, more) = shadows.brought(w, at, &flight);
         if lit.any() { Vector::select(lit, light + more, light).bounded() } else { light }
     }

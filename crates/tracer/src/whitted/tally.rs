@@ -2,10 +2,10 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
-use super::{PathState, Sampler, PacketSource, WhittedIntegrator};
+use super::{PacketSource, PathState, Sampler, WhittedIntegrator};
 use crate::counts::RayCounts;
 use crate::lanes::ScalarWidth;
-use crate::tile::{TileRect, TILE};
+use crate::tile::{TILE, TileRect};
 
 /// What the rays of one sample of a pixel come to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -72,7 +72,13 @@ impl WhittedIntegrator<'_> {
     /// Counts the rays of one sample of a pixel (column, row) of a picture of `size` pixels, and adds up their light
     /// generation by generation. After about `most_rays`, shadow rays not counted, it gives up; so it does when it is
     /// cancelled. A pixel that is not in the picture has no rays.
-    pub fn pixel_tally(&mut self, pixel: UVec2, size: UVec2, sample: u32, most_rays: usize) -> PixelStatistics {
+    pub fn pixel_tally(
+        &mut self,
+        pixel: UVec2,
+        size: UVec2,
+        sample: u32,
+        most_rays: usize,
+    ) -> PixelStatistics {
         let before = self.counts;
         let mut generations: Vec<DVec3> = Vec::new();
         let is_complete = self.pixel_rays(pixel, size, sample, most_rays, |generation, light| {
@@ -108,7 +114,9 @@ impl WhittedIntegrator<'_> {
         {
             take(
                 beam.generation,
-                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending).light.into(),
+                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
+                    .light
+                    .into(),
             );
             followed += 1;
         }

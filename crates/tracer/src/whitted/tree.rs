@@ -7,18 +7,20 @@ use glam::{UVec2, Vec3};
 
 use super::encounter::SurfaceInteraction;
 use super::record::{
-    BranchRecord, BranchOutcome, InterfaceRecord, LightContribution, LightTerm, RayKind, ShadowRecord, ShadowCrossing, SurfaceRecord,
-    RayRecord,
+    BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
+    ShadowCrossing, ShadowRecord, SurfaceRecord,
 };
-use super::{PathState, InterfaceCrossing, Sampler, PacketRadiance, SecondaryRays, PacketSource, WhittedIntegrator};
+use super::{
+    InterfaceCrossing, PacketRadiance, PacketSource, PathState, Sampler, SecondaryRays, WhittedIntegrator,
+};
 use crate::lanes::ScalarWidth;
 use crate::media::{BodyMembership, MediumStacks};
 use crate::pick::RayIntersection;
 use crate::ray::{Ray, RayPacket};
-use crate::search::{Candidates, RayQuery, HitRecord, Transmittance, found_in};
+use crate::search::{Candidates, HitRecord, RayQuery, Transmittance, found_in};
 use crate::stage::RenderScene;
 use crate::surface::highlight_cosine;
-use crate::tile::{TileRect, TILE};
+use crate::tile::{TILE, TileRect};
 use crate::vector::Vector;
 
 /// A ray that waits, and why. The heaviest goes first, of equal ones the one sent first.
@@ -123,9 +125,15 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         self.lights.push(LightTerm { light, direction, distance, cosine, shadow: None, answer: None });
     }
 
-    fn asks(&mut self, rays: &RayPacket<ScalarWidth>, distance: f32, inside: &BodyMembership, through: &Transmittance<ScalarWidth>) {
+    fn asks(
+        &mut self,
+        rays: &RayPacket<ScalarWidth>,
+        distance: f32,
+        inside: &BodyMembership,
+        through: &Transmittance<ScalarWidth>,
+    ) {
         let mut hits: Vec<HitRecord> = Vec::new();
-        RayQuery::new(ScalarWidth, self.stage, rays, true, inside, Candidates::Anything)
+        RayQuery::new(ScalarWidth, self.stage, rays, true, inside, Candidates::All)
             .crossings(distance, |hit| hits.push(hit));
         hits.sort_by(|a, b| {
             let order = || self.stage.scene_order(a.body, b.body);
@@ -157,8 +165,11 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         }
         let through_last = left_until(distance, &media);
         if let Some(term) = self.lights.last_mut() {
-            term.shadow =
-                Some(ShadowRecord { passed: through.shares(ScalarWidth).into(), crossings, through: through_last });
+            term.shadow = Some(ShadowRecord {
+                passed: through.shares(ScalarWidth).into(),
+                crossings,
+                through: through_last,
+            });
         }
     }
 
@@ -255,7 +266,8 @@ impl<'a> WhittedIntegrator<'a> {
             }
             let place = tree.len();
             let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
-            let followed = self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
+            let followed =
+                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
                 waiting.push(QueuedPath { beam, kind, coefficient, parent: Some(place), number });
                 number += 1;
@@ -304,7 +316,12 @@ impl<'a> WhittedIntegrator<'a> {
         }
     }
 
-    fn answer(&mut self, beam: &PathState<ScalarWidth>, at: &SurfaceInteraction<ScalarWidth>, scribe: PathRecorder<'_>) -> SurfaceRecord {
+    fn answer(
+        &mut self,
+        beam: &PathState<ScalarWidth>,
+        at: &SurfaceInteraction<ScalarWidth>,
+        scribe: PathRecorder<'_>,
+    ) -> SurfaceRecord {
         let is_last = beam.generation >= self.generations;
         let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
         let grown = beyond.as_ref().unwrap_or(&scribe);
@@ -347,7 +364,11 @@ impl<'a> WhittedIntegrator<'a> {
     }
 
     /// What would grow from a surface from which no ray goes on any more.
-    fn growth_beyond(&mut self, beam: &PathState<ScalarWidth>, at: &SurfaceInteraction<ScalarWidth>) -> PathRecorder<'a> {
+    fn growth_beyond(
+        &mut self,
+        beam: &PathState<ScalarWidth>,
+        at: &SurfaceInteraction<ScalarWidth>,
+    ) -> PathRecorder<'a> {
         let counts = self.counts;
         let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
         self.spawn::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);

@@ -5,8 +5,8 @@ use catoptric_scene::{
     Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, Placement, Projection, Scene,
     Shape, Tracing,
 };
-use catoptric_tracer::method::{MethodOutput, Method, draw};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, render};
+use catoptric_tracer::method::{Method, MethodOutput, draw};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 
 pub(crate) fn v(x: f64, y: f64, z: f64) -> DVec3 {

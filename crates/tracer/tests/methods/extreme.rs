@@ -9,7 +9,7 @@ use catoptric_scene::format::keys;
 use catoptric_scene::format::read;
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits, TableSpec, When};
 use catoptric_tracer::method::{Method, MethodKind, draw};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 

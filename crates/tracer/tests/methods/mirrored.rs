@@ -3,7 +3,8 @@
 use catoptric_picture::Picture;
 use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
 use catoptric_tracer::method::{
-    CubeMap, CubeMapSettings, CubeMaps, SsrFallback, GBufferLayer, Method, PassName, SsrSettings, draw_through,
+    CubeMap, CubeMapSettings, CubeMaps, GBufferLayer, Method, PassName, SsrFallback, SsrSettings,
+    draw_through,
 };
 use catoptric_tracer::{RenderControl, RenderScene};
 use glam::{DVec3, Vec3};

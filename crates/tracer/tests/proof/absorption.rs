@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_scene::{Body, Color, Falloff, Light, Material, Model, Scene, Shape};
-use catoptric_tracer::{RenderControl, RenderSettings, RenderScene, RayRecord, WhittedIntegrator, render};
+use catoptric_tracer::{RayRecord, RenderControl, RenderScene, RenderSettings, WhittedIntegrator, render};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 

@@ -2,7 +2,8 @@
 
 use catoptric_scene::{Color, Material, Model, Shape};
 use catoptric_tracer::{
-    RenderControl, RenderError, RenderSettings, RenderOutput, RenderScene, SceneBuildError, render, render_pixel, sample_offset,
+    RenderControl, RenderError, RenderOutput, RenderScene, RenderSettings, SceneBuildError, render,
+    render_pixel, sample_offset,
 };
 use glam::{DVec2, DVec3, UVec2, Vec3A};
 use rayon::ThreadPoolBuilder;

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use catoptric_scene::{Body, Falloff, Image, Scene, Shape, Sky, Surroundings};
-use catoptric_tracer::{RenderControl, Ray, RenderSettings, RenderScene, RayIntersection, render};
+use catoptric_tracer::{Ray, RayIntersection, RenderControl, RenderScene, RenderSettings, render};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -149,7 +149,8 @@ fn assert_same_hits(followed: &RenderScene, fresh: &RenderScene) {
 #[track_caller]
 fn assert_same_pictures(followed: &RenderScene, fresh: &RenderScene) {
     let settings = RenderSettings { width: 48, height: 36, samples: 1 };
-    let [one, other] = [followed, fresh].map(|stage| render(stage, settings, &RenderControl::default()).unwrap());
+    let [one, other] =
+        [followed, fresh].map(|stage| render(stage, settings, &RenderControl::default()).unwrap());
     assert_eq!(one.counts, other.counts);
     for (one, other) in one.picture.pixels().iter().zip(other.picture.pixels()) {
         let is_close = |(a, b): (&f32, &f32)| (a - b).abs() <= 1e-5 * b.abs();

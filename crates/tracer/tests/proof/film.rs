@@ -2,7 +2,8 @@
 
 use catoptric_scene::{Camera, Projection, Scene};
 use catoptric_tracer::{
-    RenderControl, Film, Ray, RayCounts, RenderError, RenderSettings, RenderScene, RenderCamera, render, render_through,
+    Film, Ray, RayCounts, RenderCamera, RenderControl, RenderError, RenderScene, RenderSettings, render,
+    render_through,
 };
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;

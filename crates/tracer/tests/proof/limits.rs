@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_scene::{Body, Color, Material, Model, Scene, Tracing};
-use catoptric_tracer::{RenderControl, BranchOutcome, RenderSettings, WhittedIntegrator, render};
+use catoptric_tracer::{BranchOutcome, RenderControl, RenderSettings, WhittedIntegrator, render};
 use glam::{DVec3, UVec2, Vec3};
 
 use crate::common::{
@@ -81,7 +81,8 @@ fn equal_indices_within_glass_are_passed_at_the_limit() {
 fn what_is_visible_ends_at_the_limit() {
     let scene = look(vec![ball(1.0, DVec3::ZERO, clear(1.5))], 1);
     let (stage, cancel) = (stage(&scene), AtomicBool::new(false));
-    let rays = WhittedIntegrator::new(&stage, &cancel).pixel_tree(UVec2::new(30, 20), UVec2::new(60, 40), 0, 100);
+    let rays =
+        WhittedIntegrator::new(&stage, &cancel).pixel_tree(UVec2::new(30, 20), UVec2::new(60, 40), 0, 100);
     assert_eq!(rays.len(), 1);
     assert_eq!(rays[0].answer.as_ref().unwrap().refracted.fate, BranchOutcome::GenerationLimit);
     assert_eq!(rays[0].light, Vec3::ZERO);

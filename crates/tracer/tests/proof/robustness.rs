@@ -319,7 +319,8 @@ fn touching_bodies_shade_the_floor_up_to_the_contact() {
 fn starts_within_a_mirror_image_are_told_apart_from_hits() {
     // The same point and direction, with and without knowledge of the surface.
     let stage = stage_of(vec![ball(1.0, DVec3::ZERO, glass(1.5))]);
-    let inwards = Ray { start: RayOrigin { body: 0, inwards: true }, ..Ray::from_point(Vec3::Z, Vec3::NEG_Z) };
+    let inwards =
+        Ray { start: RayOrigin { body: 0, inwards: true }, ..Ray::from_point(Vec3::Z, Vec3::NEG_Z) };
     assert_close(f64::from(stage.nearest(&inwards).unwrap().hit.t), 2.0, 1e-6);
     let outwards = Ray { start: RayOrigin { body: 0, inwards: false }, ..inwards };
     assert_eq!(stage.nearest(&outwards), None);

@@ -8,7 +8,7 @@ use super::{CubeMap, center_of};
 use crate::counts::RayCounts;
 use crate::method::MethodError;
 use crate::render::RenderControl;
-use crate::stage::{RenderScene, RenderBody, CheckerTexture, RenderLight, RenderMaterial, EnvironmentLight};
+use crate::stage::{CheckerTexture, EnvironmentLight, RenderBody, RenderLight, RenderMaterial, RenderScene};
 
 /// The cube maps of reflecting bodies, kept from picture to picture as long as nothing that they show has changed.
 ///
@@ -96,7 +96,8 @@ impl CubeMaps {
     /// Drops the maps that show what has changed; and those that are not needed now, if all would take too much memory.
     fn drop_outdated(&mut self, stage: &RenderScene, needed: &BTreeSet<u32>, size: u32) {
         let shown = CubeMapInputs::of(stage);
-        let changes = self.shown.as_ref().map_or(CubeMapInvalidation::Everything, |before| before.changes(&shown));
+        let changes =
+            self.shown.as_ref().map_or(CubeMapInvalidation::Everything, |before| before.changes(&shown));
         self.shown = Some(shown);
         let needed: BTreeMap<usize, u32> =
             needed.iter().filter_map(|&index| Some((stage.scene_index(index)?, index))).collect();

@@ -40,7 +40,8 @@ pub(super) fn sphere(fineness: u32) -> Mesh {
 pub(super) fn frustum(ratio: f64, fineness: u32) -> Mesh {
     let steps = || (0..=fineness).map(|step| f64::from(step) / f64::from(fineness));
     let mut mesh = Mesh::default();
-    let side = |y: f64| RevolutionRing { y, radius: 1.0 + (ratio - 1.0) * y, normal: DVec2::new(1.0, 1.0 - ratio) };
+    let side =
+        |y: f64| RevolutionRing { y, radius: 1.0 + (ratio - 1.0) * y, normal: DVec2::new(1.0, 1.0 - ratio) };
     let mut rings: Vec<RevolutionRing> = steps().map(side).collect();
     // The end exactly as the cap's.
     rings.last_mut().into_iter().for_each(|top| top.radius = ratio);

@@ -3,12 +3,12 @@
 use glam::{DVec2, DVec3, Vec3};
 
 use super::witness::{PixelParts, ReferencePixel};
-use super::{ReasonInput, Reason, largest};
+use super::{Reason, ReasonInput, largest};
 use crate::method::gbuffer::{GBuffer, GBufferTexel, seen};
 use crate::method::mirrored::{ActiveCubeMaps, reflecting};
 use crate::method::probe::{exact, vector};
 use crate::method::screen::{MarchOutcome, ScreenMarcher};
-use crate::method::{SsrFallback, LightModel, SsrSettings};
+use crate::method::{LightModel, SsrFallback, SsrSettings};
 use crate::pick::RayIntersection;
 use crate::ray::Ray;
 
@@ -44,7 +44,8 @@ impl ReasonInput<'_> {
         let screen = ScreenMarcher { buffer, camera: self.camera, settings: how };
         let fate = screen.march(had.texel, exact(had.texel.reflected(self.camera)));
         // A cube map shows the reflections of what is reflected, too.
-        let is_mapped = !matches!(fate, MarchOutcome::Met(_)) && matches!(how.fallback, SsrFallback::CubeMap(_));
+        let is_mapped =
+            !matches!(fate, MarchOutcome::Met(_)) && matches!(how.fallback, SsrFallback::CubeMap(_));
         let second = if is_mapped { Vec3::ZERO } else { parts.second };
         let first = had.found * had.share - (parts.first() + parts.second - second);
         match largest([
@@ -69,7 +70,11 @@ impl ReasonInput<'_> {
         let Some((mirrored, hit)) = parts.mirrored.as_ref().and_then(|ray| Some((ray, ray.hit?))) else {
             // Nothing is reflected but the background: a surface was met that the ray only passes behind, or the map
             // shows something in this direction.
-            return Some(if matches!(fate, MarchOutcome::Met(_)) { Reason::Thickness } else { Reason::Parallax });
+            return Some(if matches!(fate, MarchOutcome::Met(_)) {
+                Reason::Thickness
+            } else {
+                Reason::Parallax
+            });
         };
         if f64::from(hit.hit.t) > screen.settings.range {
             return Some(Reason::OutOfRange);

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::witness::ReferencePixel;
-use super::{ReasonInput, Reason, largest};
+use super::{Reason, ReasonInput, largest};
 use crate::method::{LightModel, Method, ShadingSettings};
 use crate::ray::{NO_BODY, Ray};
 

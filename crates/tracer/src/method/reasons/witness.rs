@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::ReasonInput;
 use crate::method::LightModel;
-use crate::method::probe::{ShadingPoint, PointShader, color_at, exact, vector};
+use crate::method::probe::{PointShader, ShadingPoint, color_at, exact, vector};
 use crate::ray::{Ray, RayOrigin};
 use crate::render::RenderControl;
 use crate::stage::RenderScene;

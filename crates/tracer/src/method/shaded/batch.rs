@@ -4,11 +4,11 @@ use glam::DVec2;
 use rayon::prelude::*;
 
 use super::faces::{FaceList, MeshCache, WorldFace, WorldVertex};
-use super::{ShadingJob, ShadingFrequency};
+use super::{ShadingFrequency, ShadingJob};
 use crate::counts::RayCounts;
 use crate::method::canvas::PassTimer;
 use crate::method::probe::{PointShader, vector};
-use crate::method::raster::{TriangleCorner, Fragment, ScreenTriangle};
+use crate::method::raster::{Fragment, ScreenTriangle, TriangleCorner};
 use crate::method::{MethodError, PassName};
 use crate::ray::RayOrigin;
 use crate::stage::RenderScene;
@@ -115,7 +115,9 @@ fn of_vertices(job: &ShadingJob<'_>, vertices: &[WorldVertex]) -> VertexLights {
 fn place(shading: ShadingFrequency, number: usize, face: &WorldFace, corner: usize) -> u32 {
     match shading {
         ShadingFrequency::Flat => (4 * number + corner) as u32,
-        ShadingFrequency::Gouraud | ShadingFrequency::Phong => 2 * face.corners[corner] + u32::from(face.start.inwards),
+        ShadingFrequency::Gouraud | ShadingFrequency::Phong => {
+            2 * face.corners[corner] + u32::from(face.start.inwards)
+        }
     }
 }
 

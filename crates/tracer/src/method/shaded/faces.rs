@@ -9,7 +9,7 @@ use crate::method::mesh::{Mesh, PlanePatch};
 use crate::method::probe::vector;
 use crate::ray::{NO_BODY, RayOrigin};
 use crate::shape::ShapeKind;
-use crate::stage::{RenderScene, RenderBody, RenderCamera};
+use crate::stage::{RenderBody, RenderCamera, RenderScene};
 use crate::vector::Vector;
 
 /// A vertex in the world.

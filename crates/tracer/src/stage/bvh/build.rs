@@ -7,9 +7,9 @@
 
 use rayon::prelude::*;
 
-use super::entry::{BuildEntry, BoundsAccumulator};
+use super::entry::{BoundsAccumulator, BuildEntry};
 use super::split::{best_split, partition};
-use super::{MAX_DEPTH, BvhNode, WIDTH};
+use super::{BvhNode, MAX_DEPTH, WIDTH};
 
 /// A leaf holds at most this many bodies.
 pub(super) const LEAF_SIZE: usize = 6;
@@ -39,7 +39,10 @@ type NodeList = Vec<BvhNode>;
 /// Builds the nodes, and sorts `entries` into their leaves' order.
 pub(super) fn build(entries: &mut [BuildEntry]) -> Vec<BvhNode> {
     let of = |entries: &[BuildEntry]| entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with);
-    let extent = entries.par_chunks(PARALLEL_SIZE).map(of).reduce(|| BoundsAccumulator::EMPTY, BoundsAccumulator::union);
+    let extent = entries
+        .par_chunks(PARALLEL_SIZE)
+        .map(of)
+        .reduce(|| BoundsAccumulator::EMPTY, BoundsAccumulator::union);
     let root = BuildRange { start: 0, count: entries.len(), extent, depth: 0, is_whole: false };
     let pieces = large_node(entries, root);
     let mut nodes: Vec<BvhNode> = bytemuck::zeroed_vec(pieces.iter().map(Vec::len).sum());
@@ -156,7 +159,8 @@ fn open<'a>(entries: &mut [BuildEntry], parts: &'a mut [BuildRange; WIDTH]) -> &
 
 /// Parts a part in two; `None` when it stays one leaf, since it has one body or all centers coincide.
 fn divide(entries: &mut [BuildEntry], part: &BuildRange) -> Option<[BuildRange; 2]> {
-    let extent_of = |entries: &[BuildEntry]| entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with);
+    let extent_of =
+        |entries: &[BuildEntry]| entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with);
     let split = if part.depth < SAH_DEPTH && part.count > 2 { best_split(entries) } else { None };
     let (middle, [left, right]) = match split {
         Some(split) => (partition(entries, &split), split.sides),

@@ -7,9 +7,9 @@
 
 use std::ops::Range;
 
-use super::alone::{SingleRay, SingleRayStackEntry, BoxOrder, SingleRayVisitor};
+use super::alone::{BoxOrder, SingleRay, SingleRayStackEntry, SingleRayVisitor};
 use super::{Bvh, BvhNode, WIDEN};
-use crate::lanes::{Float8 as _, Float as _, MOST_LANES, Mask as _, Float32 as _, Width};
+use crate::lanes::{Float as _, Float8 as _, Float32 as _, MOST_LANES, Mask as _, Width};
 use crate::vector::Vector;
 
 /// What is done with the leaves.
@@ -110,7 +110,14 @@ impl Bvh {
         let (mut origins, mut inverses) = ([[0.0; MOST_LANES]; 3], [[0.0; MOST_LANES]; 3]);
         store(origin, &mut origins);
         store(inverse, &mut inverses);
-        PacketBoxTest { origin, inverse, lanes, origins, inverses, beam: PacketInterval::of(w, origin, inverse, lanes) }
+        PacketBoxTest {
+            origin,
+            inverse,
+            lanes,
+            origins,
+            inverses,
+            beam: PacketInterval::of(w, origin, inverse, lanes),
+        }
     }
 
     /// Shows `visitor` the bodies of the leaves whose boxes some of the rays meet, mostly the nearer ones first.

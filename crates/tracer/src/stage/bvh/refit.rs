@@ -17,7 +17,11 @@ const MOST_WORN: f64 = 1.5;
 
 impl Bvh {
     /// The way to the leaf for which `is_wanted` holds; a body with these bounds is in it.
-    pub(crate) fn path_to(&self, bounds: &Bounds, is_wanted: impl Fn(Range<u32>) -> bool) -> Option<NodePath> {
+    pub(crate) fn path_to(
+        &self,
+        bounds: &Bounds,
+        is_wanted: impl Fn(Range<u32>) -> bool,
+    ) -> Option<NodePath> {
         let mut path = vec![(0, 0)];
         while let Some(last) = path.last_mut() {
             let (place, slot) = *last;

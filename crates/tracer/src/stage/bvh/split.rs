@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::entry::{BuildEntry, BoundsAccumulator, BinGrid};
+use super::entry::{BinGrid, BoundsAccumulator, BuildEntry};
 
 /// Lists are worked on by several threads in pieces of this length. It decides the order of what is parted, so that it
 /// must not depend on the number of threads.
@@ -80,7 +80,9 @@ fn best_of<const COUNT: usize>(entries: &[BuildEntry]) -> Option<SahSplit> {
 
 /// The limits of all entries' centers.
 fn centers_of(entries: &[BuildEntry]) -> BoundsAccumulator {
-    let of = |entries: &[BuildEntry]| entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with_center);
+    let of = |entries: &[BuildEntry]| {
+        entries.iter().fold(BoundsAccumulator::EMPTY, BoundsAccumulator::with_center)
+    };
     if entries.len() <= PIECE {
         return of(entries);
     }
@@ -112,7 +114,9 @@ fn fill<const COUNT: usize>(entries: &[BuildEntry], intervals: &BinGrid) -> SahB
 
 /// The boundary (index of the first bin to its right) with the least sum of area × count over both sides, that sum,
 /// and the boxes of the sides.
-fn cheapest_boundary<const COUNT: usize>(bins: &[SahBin; COUNT]) -> Option<(usize, f32, [BoundsAccumulator; 2])> {
+fn cheapest_boundary<const COUNT: usize>(
+    bins: &[SahBin; COUNT],
+) -> Option<(usize, f32, [BoundsAccumulator; 2])> {
     let mut right_sides = [SahBin::EMPTY; COUNT];
     let mut right = SahBin::EMPTY;
     for (at, bin) in bins.iter().enumerate().rev() {

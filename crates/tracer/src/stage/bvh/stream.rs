@@ -14,10 +14,10 @@ use std::ops::Range;
 
 use bytemuck::Zeroable;
 
-use super::alone::{SingleRay, SingleRayStackEntry, BoxOrder, SingleRayVisitor};
+use super::alone::{BoxOrder, SingleRay, SingleRayStackEntry, SingleRayVisitor};
 use super::packet::inverse_of;
 use super::{Bounds, Bvh, BvhNode, WIDEN};
-use crate::lanes::{Float8 as _, Float as _, MOST_LANES, Mask as _, Float32 as _, Width, Word as _};
+use crate::lanes::{Float as _, Float8 as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::ray::RayPacket;
 use crate::vector::Vector;
 
@@ -110,7 +110,11 @@ impl StreamRayRows {
         let origin = Vector::new(x, y, z);
         let [.., start] = w.gather(&self.inverse, rays);
         let [x, y, z, media] = w.gather(&self.direction, rays);
-        (RayPacket { origin, direction: Vector::new(x, y, z), start: start.to_word() }, media.to_word(), reach)
+        (
+            RayPacket { origin, direction: Vector::new(x, y, z), start: start.to_word() },
+            media.to_word(),
+            reach,
+        )
     }
 
     /// How far a ray reaches.

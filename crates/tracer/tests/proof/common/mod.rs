@@ -10,7 +10,10 @@ use catoptric_scene::{
     Anchor, Body, Camera, Color, Environment, Falloff, Light, Material, MaterialChoice, Placement,
     Projection, Scene, Shape, Tracing,
 };
-use catoptric_tracer::{RenderControl, Ray, RenderSettings, RenderScene, RayOrigin, RayIntersection, RayRecord, WhittedIntegrator, render};
+use catoptric_tracer::{
+    Ray, RayIntersection, RayOrigin, RayRecord, RenderControl, RenderScene, RenderSettings,
+    WhittedIntegrator, render,
+};
 use glam::{DVec2, DVec3, Vec3};
 use proptest::test_runner::{Config, RngSeed};
 
