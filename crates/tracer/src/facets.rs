@@ -11,11 +11,11 @@ use crate::whitted::Sample2D;
 /// A facet that is seen along `-direction`, chosen as often as it is seen (J. Dupuy, A. Benyoub 2023, Sampling visible GGX
 /// normals with spherical caps): its unit normal. `normal` faces the viewer; `alpha` is the width of the slopes.
 #[inline(always)]
-pub(crate) fn seen_facet<W: Width>(
+pub(crate) fn sample_visible_normal<W: Width>(
     direction: Vector<W::R>,
     normal: Vector<W::R>,
     alpha: W::R,
-    throw: &Sample2D<W>,
+    sample: &Sample2D<W>,
 ) -> Vector<W::R> {
     let [zero, one] = [0.0, 1.0].map(|value| alpha.like(value));
     let (right, up) = frame(normal);
@@ -23,16 +23,16 @@ pub(crate) fn seen_facet<W: Width>(
     // The facets stretched to a half-sphere.
     let view = Vector::new(right.dot(to_viewer) * alpha, up.dot(to_viewer) * alpha, normal.dot(to_viewer));
     let view = view.normalize_or(Vector::new(zero, zero, one));
-    let z = (one - throw.second) * (one + view.z) - view.z;
+    let z = (one - sample.second) * (one + view.z) - view.z;
     let across = (one - z * z).max(zero).sqrt();
-    let cap = Vector::new(across * throw.cos, across * throw.sin, z) + view;
+    let cap = Vector::new(across * sample.cos, across * sample.sin, z) + view;
     let facet = right * (cap.x * alpha) + up * (cap.y * alpha) + normal * cap.z.max(zero);
     facet.normalize_or(normal)
 }
 
 /// The share of facets that is seen under an angle to the normal of this cosine, G₁ (Walter et al., eq. 34).
 #[inline(always)]
-pub(crate) fn unhidden<R: Float32>(cos: R, alpha: R) -> R {
+pub(crate) fn smith_g1<R: Float32>(cos: R, alpha: R) -> R {
     let one = cos.like(1.0);
     let square = (cos * cos).max(cos.like(f32::MIN_POSITIVE));
     let slope = (one - square).max(cos.like(0.0)) / square;
@@ -42,7 +42,7 @@ pub(crate) fn unhidden<R: Float32>(cos: R, alpha: R) -> R {
 /// What facets send on to the viewer of light from a direction, but for what each reflects: π·D·G/(4·(n̂·Ŝ)) (Walter et al.,
 /// eq. 20), with `half` the normal of the facets that do.
 #[inline(always)]
-pub(crate) fn sent_on<R: Float32>(
+pub(crate) fn reflected_density<R: Float32>(
     to_viewer: Vector<R>,
     to_light: Vector<R>,
     normal: Vector<R>,
@@ -51,15 +51,15 @@ pub(crate) fn sent_on<R: Float32>(
 ) -> R {
     let least = alpha.like(1e-6);
     let (cos_viewer, cos_light) = (normal.dot(to_viewer).max(least), normal.dot(to_light).max(least));
-    let seen = unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha);
-    density(normal, half, alpha) * seen / (cos_viewer * 4.0)
+    let seen = smith_g1(cos_viewer, alpha) * smith_g1(cos_light, alpha);
+    ggx_density(normal, half, alpha) * seen / (cos_viewer * 4.0)
 }
 
 /// What facets send through to a viewer inside of light from outside (Walter et al., eq. 21, times π and the cosine, of
 /// radiance by the square of the index): that share but for the part that is reflected, and the cosine under which the
 /// viewer sees the facet. `ratio` is the index on the viewer's side divided by that on the light's.
 #[inline(always)]
-pub(crate) fn sent_through<R: Float32>(
+pub(crate) fn transmitted_density<R: Float32>(
     to_viewer: Vector<R>,
     to_light: Vector<R>,
     normal: Vector<R>,
@@ -71,17 +71,17 @@ pub(crate) fn sent_through<R: Float32>(
     let half = half * one.copysign(normal.dot(half));
     let (viewer, light) = (half.dot(to_viewer), -half.dot(to_light));
     let (cos_viewer, cos_light) = (normal.dot(to_viewer).max(least), (-normal.dot(to_light)).max(least));
-    let seen = unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha);
+    let seen = smith_g1(cos_viewer, alpha) * smith_g1(cos_light, alpha);
     let width = ratio * viewer - light;
     let sent =
-        density(normal, half, alpha) * seen * viewer * light / (cos_viewer * (width * width).max(least));
+        ggx_density(normal, half, alpha) * seen * viewer * light / (cos_viewer * (width * width).max(least));
     let is_met = viewer.gt(zero) & light.gt(zero);
     (R::select(is_met, sent, zero), viewer.min(one).max(zero))
 }
 
 /// π times the density of facets with this normal (Walter et al., eq. 33).
 #[inline(always)]
-fn density<R: Float32>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
+fn ggx_density<R: Float32>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
     let cos = normal.dot(half);
     // sin² + α²·cos², without a difference of squares near 1.
     let across = half - normal * cos;

@@ -41,7 +41,7 @@ impl MediumStacks {
     const MOST: usize = 1 << 20;
 
     /// Forgets all lists if they have become very many, and says so. None may be in use.
-    pub(crate) fn tidy(&mut self) -> bool {
+    pub(crate) fn trim(&mut self) -> bool {
         let is_full = self.links.len().max(self.crossings.len()) > Self::MOST;
         if is_full {
             *self = Self::default();
@@ -101,7 +101,7 @@ impl MediumStacks {
     }
 
     /// What a ray in `media` that crosses the surface of `body` comes to.
-    pub(crate) fn crossing(
+    pub(crate) fn interface(
         &mut self,
         stage: &RenderScene,
         waves: &SampledWavelengths,

@@ -159,7 +159,7 @@ impl<'a> TileRenderer<'a> {
         sample: u32,
         rows: &mut [&mut [[f32; 3]]],
     ) -> bool {
-        self.whitted.tidy();
+        self.whitted.trim_media();
         let (lanes, is_full) = (self.whitted.stage.lanes, self.whitted.is_full());
         let is_finished = if is_full {
             lanes.run(TileSampleKernel::<true> { tracer: self, place, size, sample, rows })
@@ -200,7 +200,7 @@ impl<const FULL: bool> SimdKernel for TileSampleKernel<'_, '_, '_, FULL> {
     fn run<W: Width>(self, w: W) -> bool {
         let Self { tracer, place, size, sample, rows } = self;
         let is_finished =
-            tracer.primary::<W, FULL>(w, place, size, sample, rows) && tracer.drain::<W, FULL>(w);
+            tracer.primary::<W, FULL>(w, place, size, sample, rows) && tracer.trace_queues::<W, FULL>(w);
         if is_finished {
             tracer.light.write(w, rows);
         }
@@ -246,7 +246,7 @@ impl TileRenderer<'_> {
         for tile in place.squares(TILE) {
             let first_block = (tile.y - place.y) / height * across + (tile.x - place.x) / width;
             let (near, reach, offset) = tile.rays(self.whitted.camera, size, sample);
-            self.whitted.aim(&near, reach);
+            self.whitted.begin_tile(&near, reach);
             if !self.primary_of_tile::<W, FULL>(
                 w,
                 tile,
@@ -278,7 +278,7 @@ impl TileRenderer<'_> {
         let mut grown = [PathState::none(w); 2];
         // Two that take turns: only what differs from packet to packet is written.
         let mut rooted = [PathState::from_eye(w); 2];
-        let [mut beams, mut next] = rooted.each_mut();
+        let [mut paths, mut next] = rooted.each_mut();
         for (row, top) in (0..place.height).step_by(height).enumerate() {
             if self.is_cancelled() {
                 return false;
@@ -292,20 +292,20 @@ impl TileRenderer<'_> {
             next.rays.set(near.rays(block.x + offset.x, y));
             for left in (0..place.width).step_by(width) {
                 // Made one block ahead: their root and division take long, and nothing waits for them here.
-                std::mem::swap(&mut beams, &mut next);
+                std::mem::swap(&mut paths, &mut next);
                 next.rays.set(near.rays(block.x + (left + width) as f32 + offset.x, y));
-                beams.lanes = w.mask(PixelBlock::<W>::lanes(place, left, top));
-                beams.pixel = block.pixel.plus(w.word(first as u32));
-                self.whitted.launch(w, beams);
+                paths.lanes = w.mask(PixelBlock::<W>::lanes(place, left, top));
+                paths.pixel = block.pixel.plus(w.word(first as u32));
+                self.whitted.start_paths(w, paths);
                 let mut light = Vector::splat(w.real(0.0), [0.0; 3]);
                 if by_stream {
-                    self.levels[0].reflected.push(beams);
+                    self.levels[0].reflected.push(paths);
                 } else {
-                    light = self.follow::<W, FULL>(w, beams, PacketSource::Eye, 0, &mut grown[0]).light;
+                    light = self.trace_packet::<W, FULL>(w, paths, PacketSource::Eye, 0, &mut grown[0]).light;
                 }
                 self.light.set::<W>(first, light);
                 if grown[0].lanes.any() {
-                    self.pursue::<W, FULL>(w, &mut grown, 1);
+                    self.trace_while_full::<W, FULL>(w, &mut grown, 1);
                 }
                 first += W::LANES;
             }
@@ -315,7 +315,7 @@ impl TileRenderer<'_> {
 
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
-    fn drain<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
+    fn trace_queues<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
         let by_streams = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
         let most_waiting = if by_streams { STREAM } else { Self::MOST_WAITING };
         let mut taken = [PathState::none(w); 2];
@@ -333,11 +333,11 @@ impl TileRenderer<'_> {
                 };
                 at = next;
             } else if by_streams {
-                self.follow_stream::<W, FULL>(w, at);
+                self.trace_stream::<W, FULL>(w, at);
             } else {
                 for _ in 0..Self::AT_ONCE {
                     taken[0] = self.levels[at].take(w);
-                    self.pursue::<W, FULL>(w, &mut taken, at + 1);
+                    self.trace_while_full::<W, FULL>(w, &mut taken, at + 1);
                     if self.waiting(at) == 0 {
                         break;
                     }
@@ -350,7 +350,7 @@ impl TileRenderer<'_> {
 
     /// Traces a stream of rays that wait at a level.
     #[inline(always)]
-    fn follow_stream<W: Width, const FULL: bool>(&mut self, w: W, level: usize) {
+    fn trace_stream<W: Width, const FULL: bool>(&mut self, w: W, level: usize) {
         if self.levels.len() <= level + 1 {
             self.levels.resize_with(level + 2, DepthQueues::default);
         }
@@ -360,14 +360,14 @@ impl TileRenderer<'_> {
         let count = streams.begin(w, queue);
         self.whitted.search(w, streams);
         for at in (0..count).step_by(W::LANES) {
-            let beams = queue.look(w, at);
-            self.whitted.follow::<W, FULL>(w, &beams, PacketSource::Stream { streams, at }, next);
+            let paths = queue.look(w, at);
+            self.whitted.li::<W, FULL>(w, &paths, PacketSource::Stream { streams, at }, next);
         }
         self.whitted.search_shadows(w, streams);
         for at in (0..count).step_by(W::LANES) {
-            let beams = queue.look(w, at);
-            let light = self.whitted.gather(w, &beams, streams, at);
-            self.light.add(w, &beams, light);
+            let paths = queue.look(w, at);
+            let light = self.whitted.gather(w, &paths, streams, at);
+            self.light.add(w, &paths, light);
         }
         queue.skip(count);
     }
@@ -378,16 +378,16 @@ impl TileRenderer<'_> {
 
     /// Traces the first of these rays, and what grows from them as long as all of them go on; others wait, those of the
     /// first ones at `level`.
-    fn pursue<W: Width, const FULL: bool>(&mut self, w: W, beams: &mut [PathState<W>; 2], level: usize) {
+    fn trace_while_full<W: Width, const FULL: bool>(&mut self, w: W, paths: &mut [PathState<W>; 2], level: usize) {
         w.run(
             #[inline(always)]
             || {
-                let [mut beams, mut grown] = beams.each_mut();
+                let [mut paths, mut grown] = paths.each_mut();
                 for level in level.. {
-                    let light = self.follow::<W, FULL>(w, beams, PacketSource::Anywhere, level, grown).light;
-                    self.light.add(w, beams, light);
-                    std::mem::swap(&mut beams, &mut grown);
-                    if !beams.lanes.any() {
+                    let light = self.trace_packet::<W, FULL>(w, paths, PacketSource::Anywhere, level, grown).light;
+                    self.light.add(w, paths, light);
+                    std::mem::swap(&mut paths, &mut grown);
+                    if !paths.lanes.any() {
                         break;
                     }
                 }
@@ -398,10 +398,10 @@ impl TileRenderer<'_> {
     /// Traces rays: the light that each brings. Of those that grow from them, some may be traced `next`, as they are;
     /// others wait at `level`.
     #[inline(always)]
-    fn follow<W: Width, const FULL: bool>(
+    fn trace_packet<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         from: PacketSource<'_>,
         level: usize,
         next: &mut PathState<W>,
@@ -412,7 +412,7 @@ impl TileRenderer<'_> {
         next.lanes = w.mask(0);
         let waits = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
         let mut grown = SecondaryRayQueues { level: &mut self.levels[level], next, waits };
-        self.whitted.follow::<W, FULL>(w, beams, from, &mut grown)
+        self.whitted.li::<W, FULL>(w, paths, from, &mut grown)
     }
 }
 
@@ -436,20 +436,20 @@ impl<W: Width> SecondaryRayQueues<'_, W> {
 
 impl<W: Width> SecondaryRays<W> for SecondaryRayQueues<'_, W> {
     #[inline(always)]
-    fn reflected(&mut self, beams: PathState<W>) {
-        if self.takes(beams.lanes) {
-            *self.next = beams;
+    fn reflected(&mut self, paths: PathState<W>) {
+        if self.takes(paths.lanes) {
+            *self.next = paths;
         } else {
-            self.level.reflected.push(&beams);
+            self.level.reflected.push(&paths);
         }
     }
 
     #[inline(always)]
-    fn refracted(&mut self, beams: PathState<W>) {
-        if self.takes(beams.lanes) {
-            *self.next = beams;
+    fn refracted(&mut self, paths: PathState<W>) {
+        if self.takes(paths.lanes) {
+            *self.next = paths;
         } else {
-            self.level.refracted.push(&beams);
+            self.level.refracted.push(&paths);
         }
     }
 }
@@ -473,13 +473,13 @@ impl DepthQueues {
 
 impl<W: Width> SecondaryRays<W> for DepthQueues {
     #[inline(always)]
-    fn reflected(&mut self, beams: PathState<W>) {
-        self.reflected.push(&beams);
+    fn reflected(&mut self, paths: PathState<W>) {
+        self.reflected.push(&paths);
     }
 
     #[inline(always)]
-    fn refracted(&mut self, beams: PathState<W>) {
-        self.refracted.push(&beams);
+    fn refracted(&mut self, paths: PathState<W>) {
+        self.refracted.push(&paths);
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! Turner Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980.
 
-mod beams;
-mod dice;
+mod paths;
+mod sampler;
 mod encounter;
 mod gloss;
 mod record;
@@ -11,7 +11,7 @@ mod spawn;
 mod streams;
 mod tally;
 mod tree;
-mod views;
+mod candidates;
 mod waves;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -29,9 +29,9 @@ use crate::stage::{CameraRays, RenderCamera, RenderLight, RenderScene, Traversal
 use crate::surface::{MOST_OF_PIXEL, phong_highlight};
 use crate::vector::Vector;
 
-pub(crate) use beams::{InterfaceCrossing, PathState, RayQueue, SecondaryRays};
-use dice::SampleDimension;
-pub(crate) use dice::{Sample2D, Sampler};
+pub(crate) use paths::{InterfaceCrossing, PathState, RayQueue, SecondaryRays};
+use sampler::SampleDimension;
+pub(crate) use sampler::{Sample2D, Sampler};
 use encounter::SurfaceInteraction;
 pub use record::{
     BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
@@ -39,7 +39,7 @@ pub use record::{
 };
 pub(crate) use streams::StreamShading;
 pub use tally::PixelStatistics;
-use views::TileCandidates;
+use candidates::TileCandidates;
 pub(crate) use waves::SampledWavelengths;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
@@ -55,14 +55,14 @@ pub struct WhittedIntegrator<'a> {
     parts: TraversalStack,
     intervals: MediumIntervals,
     /// The body that hid each light last.
-    blockers: Vec<u32>,
-    views: TileCandidates<'a>,
+    last_occluders: Vec<u32>,
+    candidates: TileCandidates<'a>,
     media: MediumStacks,
     inside: BodyMembership,
     /// The media at the eye, if all rays start there and the table knows them.
     eye_media: Option<u32>,
     counts: RayCounts,
-    dice: Sampler,
+    sampler: Sampler,
     /// The colors of this sample.
     waves: SampledWavelengths,
 }
@@ -86,13 +86,13 @@ impl<'a> WhittedIntegrator<'a> {
             threshold: stage.threshold(),
             parts: TraversalStack::default(),
             intervals: MediumIntervals::default(),
-            blockers: vec![NO_BODY; stage.lights.len()],
-            views: TileCandidates::new(stage, camera),
+            last_occluders: vec![NO_BODY; stage.lights.len()],
+            candidates: TileCandidates::new(stage, camera),
             media: MediumStacks::default(),
             inside: BodyMembership::default(),
             eye_media: None,
             counts: RayCounts::default(),
-            dice: Sampler::default(),
+            sampler: Sampler::default(),
             waves: if stage.disperses {
                 SampledWavelengths::of_sample(0)
             } else {
@@ -126,7 +126,7 @@ impl<'a> WhittedIntegrator<'a> {
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
             light += Vec3A::from(
-                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
+                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
                     .light,
             );
             light = light.clamp(Vec3A::splat(-MOST_OF_PIXEL), Vec3A::splat(MOST_OF_PIXEL));
@@ -144,15 +144,15 @@ impl<'a> WhittedIntegrator<'a> {
     /// The first ray of a tree.
     fn root(&mut self, primary: &Ray) -> PathState<ScalarWidth> {
         let rays = primary.alone();
-        self.tidy();
+        self.trim_media();
         let media = self.media.at_point(self.stage, rays.origin);
         self.counts.primary += 1;
         PathState { rays, weight: Vector::new(1.0, 1.0, 1.0), generation: 1, media, pixel: 0, lanes: true }
     }
 
     /// Forgets what was learned of media if it has become much. No rays may be in flight.
-    pub(crate) fn tidy(&mut self) {
-        if self.media.tidy() {
+    pub(crate) fn trim_media(&mut self) {
+        if self.media.trim() {
             self.eye_media = None;
         }
     }
@@ -163,8 +163,8 @@ impl<'a> WhittedIntegrator<'a> {
     }
 
     /// Prepares for a sample; no rays may be in flight.
-    pub(crate) fn begin(&mut self, sample: u32, dice: Sampler) {
-        self.dice = dice;
+    pub(crate) fn begin(&mut self, sample: u32, sampler: Sampler) {
+        self.sampler = sampler;
         if self.stage.disperses {
             self.waves = SampledWavelengths::of_sample(sample);
             // Indices of refraction are others now.
@@ -174,31 +174,31 @@ impl<'a> WhittedIntegrator<'a> {
     }
 
     /// Prepares for rays from the eye within `reach` pixels of the middle of these.
-    pub(crate) fn aim(&mut self, rays: &CameraRays, reach: DVec2) {
-        self.views.aim(self.stage, rays, reach.as_vec2().to_array());
+    pub(crate) fn begin_tile(&mut self, rays: &CameraRays, reach: DVec2) {
+        self.candidates.begin_tile(self.stage, rays, reach.as_vec2().to_array());
     }
 
     /// Takes up rays from the eye: the media where they start.
     #[inline(always)]
-    pub(crate) fn launch<W: Width>(&mut self, w: W, beams: &mut PathState<W>) {
-        self.counts.primary += u64::from(beams.lanes.bits().count_ones());
+    pub(crate) fn start_paths<W: Width>(&mut self, w: W, paths: &mut PathState<W>) {
+        self.counts.primary += u64::from(paths.lanes.bits().count_ones());
         if self.stage.has_transparency {
-            beams.media = match self.camera.eye() {
+            paths.media = match self.camera.eye() {
                 Some(eye) => {
                     let at_eye = || self.media.at_point(self.stage, eye);
                     w.word(*self.eye_media.get_or_insert_with(at_eye))
                 }
-                None => self.media_at(w, beams.rays.origin, beams.lanes),
+                None => self.media_at(w, paths.rays.origin, paths.lanes),
             };
         }
     }
 
     /// The first ray of a tree, as rays side by side have it.
-    fn launched(&mut self, ray: (Vector<f32>, Vector<f32>)) -> PathState<ScalarWidth> {
-        let mut beams = PathState { lanes: true, ..PathState::from_eye(ScalarWidth) };
-        beams.rays.set(ray);
-        self.launch(ScalarWidth, &mut beams);
-        beams
+    fn started_path(&mut self, ray: (Vector<f32>, Vector<f32>)) -> PathState<ScalarWidth> {
+        let mut paths = PathState { lanes: true, ..PathState::from_eye(ScalarWidth) };
+        paths.rays.set(ray);
+        self.start_paths(ScalarWidth, &mut paths);
+        paths
     }
 
     /// The media at the rays' starts.
@@ -215,75 +215,75 @@ impl<'a> WhittedIntegrator<'a> {
     }
 
     /// Traces rays side by side: what each adds to its pixel, and what it meets. The rays that grow from them go to
-    /// `offspring`.
+    /// `secondary`.
     ///
     /// `FULL` stands where [`RenderScene::is_full`] may be true: what other surfaces, lights and surroundings need would cost
     /// plain scenes a tenth of their time.
     #[inline(always)]
-    pub(crate) fn follow<W: Width, const FULL: bool>(
+    pub(crate) fn li<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         from: PacketSource<'_>,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) -> PacketRadiance<W> {
         let mut inside = std::mem::take(&mut self.inside);
-        inside.fill::<W>(&self.media, beams.media, beams.lanes);
-        let followed = self.follow_inside::<W, FULL>(w, beams, from, &inside, offspring);
+        inside.fill::<W>(&self.media, paths.media, paths.lanes);
+        let followed = self.li_inside::<W, FULL>(w, paths, from, &inside, secondary);
         self.inside = inside;
         followed
     }
 
     #[inline(always)]
-    fn follow_inside<W: Width, const FULL: bool>(
+    fn li_inside<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         mut from: PacketSource<'_>,
         inside: &BodyMembership,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) -> PacketRadiance<W> {
         let mut is_whole = matches!(from, PacketSource::Eye);
-        let hits = self.nearest(w, beams, &from, inside);
-        let hit = hits.hit & beams.lanes;
+        let hits = self.nearest(w, paths, &from, inside);
+        let hit = hits.hit & paths.lanes;
         let hits = PacketHits { hit, ..hits };
-        let mut beams = beams;
+        let mut paths = paths;
         let absorbed;
         if FULL && self.stage.absorbs && !inside.is_empty() {
-            let through = self.media.left_after(w, self.stage, beams.media, hits.t, beams.lanes);
-            offspring.travels(through);
+            let through = self.media.left_after(w, self.stage, paths.media, hits.t, paths.lanes);
+            secondary.on_medium(through);
             is_whole = false;
-            absorbed = PathState { weight: beams.weight.times(through), ..*beams };
-            beams = &absorbed;
+            absorbed = PathState { weight: paths.weight.times(through), ..*paths };
+            paths = &absorbed;
         }
         let background = if FULL {
-            self.stage.sky.light(w, beams.rays.direction, beams.lanes & !hit)
+            self.stage.sky.light(w, paths.rays.direction, paths.lanes & !hit)
         } else {
             Vector::splat(w.real(0.0), self.stage.sky.even())
         };
         if !hit.any() {
             if let Some((streams, at)) = from.stream() {
-                streams.keep(w, at, background, beams.weight);
+                streams.keep(w, at, background, paths.weight);
             }
-            return PacketRadiance { light: weighted(beams, is_whole, background), hits };
+            return PacketRadiance { light: weighted(paths, is_whole, background), hits };
         }
-        let at = SurfaceInteraction::new::<FULL>(w, self.stage, &beams.rays, &hits);
-        offspring.meets(&at);
-        let light = self.local_light::<W, FULL>(w, beams, &mut from, inside, &at, offspring);
-        offspring.shades(light);
+        let at = SurfaceInteraction::new::<FULL>(w, self.stage, &paths.rays, &hits);
+        secondary.on_hit(&at);
+        let light = self.local_light::<W, FULL>(w, paths, &mut from, inside, &at, secondary);
+        secondary.on_local_light(light);
         let light = Vector::select(hit, light, background);
         if let Some((streams, at)) = from.stream() {
-            streams.keep(w, at, light, beams.weight);
+            streams.keep(w, at, light, paths.weight);
         }
-        let light = weighted(beams, is_whole, light);
-        let below = beams.below(w, self.generations);
+        let light = weighted(paths, is_whole, light);
+        let below = paths.below(w, self.generations);
         let goes_on = hit & below;
         if goes_on.any() {
-            self.spawn::<W, FULL>(w, beams, &at, goes_on, offspring);
+            self.scatter::<W, FULL>(w, paths, &at, goes_on, secondary);
         }
         let at_limit = at.transparent & hit & !below;
         if at_limit.any() {
-            self.pass_at_limit::<W, FULL>(w, *beams, at, at_limit, offspring);
+            self.pass_at_limit::<W, FULL>(w, *paths, at, at_limit, secondary);
         }
         PacketRadiance { light, hits }
     }
@@ -292,33 +292,33 @@ impl<'a> WhittedIntegrator<'a> {
     fn nearest<W: Width>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         from: &PacketSource<'_>,
         inside: &BodyMembership,
     ) -> PacketHits<W> {
         if let PacketSource::Stream { streams, at } = from {
-            let flight = RayQuery::new(w, self.stage, &beams.rays, beams.lanes, inside, Candidates::All);
+            let flight = RayQuery::new(w, self.stage, &paths.rays, paths.lanes, inside, Candidates::All);
             return streams.rays.hits(w, *at, &flight);
         }
         let are_from_eye = matches!(from, PacketSource::Eye);
-        if are_from_eye && self.views.through_tile().is_empty() {
+        if are_from_eye && self.candidates.through_tile().is_empty() {
             return PacketHits::none(w);
         }
-        self.nearest_of_packet(w, beams, are_from_eye, inside).settled(w, self.stage, &beams.rays, inside)
+        self.nearest_of_packet(w, paths, are_from_eye, inside).settled(w, self.stage, &paths.rays, inside)
     }
 
     fn nearest_of_packet<W: Width>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         are_from_eye: bool,
         inside: &BodyMembership,
     ) -> PacketHits<W> {
         w.run(
             #[inline(always)]
             move || {
-                let along = if are_from_eye { self.views.through_tile() } else { Candidates::All };
-                let flight = RayQuery::new(w, self.stage, &beams.rays, beams.lanes, inside, along);
+                let along = if are_from_eye { self.candidates.through_tile() } else { Candidates::All };
+                let flight = RayQuery::new(w, self.stage, &paths.rays, paths.lanes, inside, along);
                 flight.nearest_unsettled(&mut self.parts)
             },
         )
@@ -326,10 +326,10 @@ impl<'a> WhittedIntegrator<'a> {
 
     /// The way to a light, or to a point of a ball.
     #[inline(always)]
-    fn way_to<W: Width, const FULL: bool>(
+    fn sample_li<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         at: &SurfaceInteraction<W>,
         (index, source): (usize, &RenderLight),
     ) -> LightSample<W> {
@@ -339,8 +339,8 @@ impl<'a> WhittedIntegrator<'a> {
         if !FULL || source.radius == 0.0 {
             return LightSample { to_light, distance, power: None };
         }
-        let throw = self.dice.throw(w, self.stage, beams, at.body, SampleDimension::Light(index));
-        let (to_point, before, share) = source.point_of_ball((to_light, distance), &throw);
+        let sample = self.sampler.sample_2d(w, self.stage, paths, at.body, SampleDimension::Light(index));
+        let (to_point, before, share) = source.sample_sphere((to_light, distance), &sample);
         LightSample { to_light: to_point, distance: before, power: Some(source.power_at(distance) * share) }
     }
 
@@ -349,32 +349,32 @@ impl<'a> WhittedIntegrator<'a> {
     fn local_light<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         from: &mut PacketSource<'_>,
         inside: &BodyMembership,
         at: &SurfaceInteraction<W>,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) -> Vector<W::R> {
         let zero = w.real(0.0);
         let mut light = at.ambient;
         if !at.answers.any() {
             return light;
         }
-        let mut rays = at.rays_on_this_side(beams.rays.direction);
+        let mut rays = at.rays_on_this_side(paths.rays.direction);
         for (index, source) in self.stage.lights.iter().enumerate() {
             if !source.shines {
                 continue;
             }
             let LightSample { to_light, distance, power } =
-                self.way_to::<W, FULL>(w, beams, at, (index, source));
+                self.sample_li::<W, FULL>(w, paths, at, (index, source));
             let cos = at.normal.dot(to_light);
-            offspring.faces(index, to_light, distance, cos);
+            secondary.on_light(index, to_light, distance, cos);
             rays.direction = to_light;
             let mut faces = cos.gt(zero);
             if FULL {
                 // The body's own surface lies between its inner side and a light; what it lets through from there is seen
                 // where the viewer's ray leaves it.
-                let within = at.frosted_within();
+                let within = at.rough_interior();
                 faces = (faces & !within) | (within & cos.lt(zero));
                 rays.start = W::W::select(within, at.rays_on_far_side(to_light).start, at.start);
             }
@@ -386,14 +386,14 @@ impl<'a> WhittedIntegrator<'a> {
             self.counts.shadow += u64::from(lit.bits().count_ones());
             let streams = from.stream();
             let mut through = Transmittance::all(lit);
-            let along = self.views.to_light(index);
+            let along = self.candidates.to_light(index);
             if streams.is_none() {
                 if !along.is_empty() {
-                    let memory = (&mut self.parts, &mut self.intervals, &mut self.blockers[index]);
-                    let around = (inside, (&self.media, &beams.media));
+                    let memory = (&mut self.parts, &mut self.intervals, &mut self.last_occluders[index]);
+                    let around = (inside, (&self.media, &paths.media));
                     through = transmittance(w, self.stage, (&rays, lit), around, (along, &distance), memory);
                 }
-                offspring.asks(&rays, distance, inside, &through);
+                secondary.on_shadow_ray(&rays, distance, inside, &through);
                 lit = lit & through.lanes;
                 if let Some(share) = &through.share {
                     lit = lit & !share.is_zero();
@@ -402,25 +402,25 @@ impl<'a> WhittedIntegrator<'a> {
                     continue;
                 }
             }
-            let to_viewer = -beams.rays.direction;
-            let mut answer = if FULL { at.scattered(cos) } else { at.diffuse * cos };
+            let to_viewer = -paths.rays.direction;
+            let mut answer = if FULL { at.eval_diffuse(cos) } else { at.diffuse * cos };
             if at.glossy.any() {
                 let highlight = at.specular * phong_highlight(to_viewer, to_light, at.normal, at.shininess);
-                offspring.shines(to_viewer, highlight);
+                secondary.on_highlight(to_viewer, highlight);
                 answer = answer.map(|diffuse| diffuse + highlight);
             }
             if FULL && at.rough.any() {
-                let glints = self.glints(w, beams, at, to_light);
-                offspring.glints(glints);
+                let glints = self.eval_microfacets(w, paths, at, to_light);
+                secondary.on_microfacets(glints);
                 answer = answer + glints;
             }
             let power = power.unwrap_or_else(|| source.power_at(distance));
             let answer = power.times(answer);
             if let Some((streams, place)) = streams {
-                streams.ask(w, index, place, &rays, (beams.media, distance), answer, lit);
+                streams.ask(w, index, place, &rays, (paths.media, distance), answer, lit);
             } else {
                 let more = through.share.map_or(answer, |share| answer.times(share));
-                offspring.answers(power, more);
+                secondary.on_light_answer(power, more);
                 light = Vector::select(lit, light + more, light);
             }
         }
@@ -481,8 +481,8 @@ fn transmittance<W: Width>(
 
 /// What light adds to pixels; all of it, where the weights are known to be 1.
 #[inline(always)]
-fn weighted<W: Width>(beams: &PathState<W>, is_whole: bool, light: Vector<W::R>) -> Vector<W::R> {
-    if is_whole { light } else { beams.weight.times(light) }
+fn weighted<W: Width>(paths: &PathState<W>, is_whole: bool, light: Vector<W::R>) -> Vector<W::R> {
+    if is_whole { light } else { paths.weight.times(light) }
 }
 
 /// What became of rays side by side.

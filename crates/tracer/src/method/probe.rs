@@ -74,7 +74,7 @@ impl<'a> PointShader<'a> {
     /// From now on, primary rays start here.
     pub(super) fn stand_at(&mut self, point: Vector<f32>) {
         if self.stage.has_transparency {
-            self.table.tidy();
+            self.table.trim();
             self.media = self.table.at_point(self.stage, point);
             self.inside.fill::<ScalarWidth>(&self.table, self.media, true);
         }

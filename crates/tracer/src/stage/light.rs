@@ -58,18 +58,18 @@ impl RenderLight {
     /// The mean of these is the light of the point in the middle, on a ground that faces all of the ball. Who stands in the
     /// ball gets light from the half-space of its middle.
     #[inline(always)]
-    pub(crate) fn point_of_ball<W: Width>(
+    pub(crate) fn sample_sphere<W: Width>(
         &self,
         (to_middle, d): (Vector<W::R>, W::R),
-        throw: &Sample2D<W>,
+        sample: &Sample2D<W>,
     ) -> (Vector<W::R>, W::R, W::R) {
         let (zero, one) = (d.like(0.0), d.like(1.0));
         let square = d.like(self.radius) * self.radius;
         let least = (one - square / (d * d)).max(zero).sqrt();
-        let cos = one - throw.second * (one - least);
+        let cos = one - sample.second * (one - least);
         let sin = ((one - cos) * (one + cos)).max(zero).sqrt();
         let (right, up) = frame(to_middle);
-        let direction = to_middle * cos + right * (sin * throw.cos) + up * (sin * throw.sin);
+        let direction = to_middle * cos + right * (sin * sample.cos) + up * (sin * sample.sin);
         let before = d * cos - (square - d * d * sin * sin).max(zero).sqrt();
         (mend_unit(direction), before.max(zero), d.like(2.0) / (one + least))
     }

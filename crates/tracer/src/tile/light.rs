@@ -79,26 +79,26 @@ impl TileRadiance {
 
     /// Adds light to the pixels that it belongs to.
     #[inline(always)]
-    pub(super) fn add<W: Width>(&mut self, w: W, beams: &PathState<W>, light: Vector<W::R>) {
+    pub(super) fn add<W: Width>(&mut self, w: W, paths: &PathState<W>, light: Vector<W::R>) {
         if !self.is_sum {
             self.sum_up();
         }
         let [reds, greens, blues] = &mut self.sums;
         let mut pixels = [0; MOST_LANES];
-        beams.pixel.store(&mut pixels);
+        paths.pixel.store(&mut pixels);
         let first = pixels[0];
         // Rays that were neither mixed with others nor thinned out belong to pixels that are neighbors in memory.
-        let others = !beams.pixel.plus(w.load_words(&BEFORE)).is(first);
+        let others = !paths.pixel.plus(w.load_words(&BEFORE)).is(first);
         if !others.any() {
             let (first, zero) = (first as usize, w.real(0.0));
-            let flies = |part| W::R::select(beams.lanes, part, zero);
+            let flies = |part| W::R::select(paths.lanes, part, zero);
             each_with::<W>(&mut reds[first..], flies(light.x), |sum, part| *sum += part);
             each_with::<W>(&mut greens[first..], flies(light.y), |sum, part| *sum += part);
             each_with::<W>(&mut blues[first..], flies(light.z), |sum, part| *sum += part);
             return;
         }
         let [red, green, blue] = [numbers::<W>(light.x), numbers::<W>(light.y), numbers::<W>(light.z)];
-        let mut left = beams.lanes.bits();
+        let mut left = paths.lanes.bits();
         while left != 0 {
             let lane = left.trailing_zeros() as usize % MOST_LANES;
             left &= left - 1;

@@ -1,7 +1,7 @@
 //! The points that rays met, with all that shading needs.
 
 use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
-use crate::ray::{INWARDS, NO_BODY, RayPacket};
+use crate::ray::{INWARDS, RayPacket};
 use crate::search::PacketHits;
 use crate::stage::{ConductorTable, MaterialModel, RenderMaterial, RenderScene};
 use crate::surface::fresnel;
@@ -12,8 +12,6 @@ use crate::vector::Vector;
 pub(crate) struct SurfaceInteraction<W: Width> {
     pub(super) t: W::R,
     pub(super) body: W::W,
-    /// The only body that all of them met, with [`INWARDS`] if they met it from within; else [`NO_BODY`].
-    pub(super) only: u32,
     /// The body, and [`INWARDS`] where the ray came from within: the start of rays on this side.
     pub(super) start: W::W,
     pub(super) position: Vector<W::R>,
@@ -70,7 +68,6 @@ impl<W: Width> SurfaceInteraction<W> {
         let mut all = Self {
             t: hits.t,
             body: hits.body,
-            only: NO_BODY,
             start: hits.body.or(leaving),
             position: nowhere,
             normal: nowhere,
@@ -103,9 +100,6 @@ impl<W: Width> SurfaceInteraction<W> {
         };
         if left != 0 {
             let (index, same) = next(&mut left);
-            if left == 0 {
-                all.only = only_of(index, hits.leaving.bits() & same.bits(), same.bits());
-            }
             all.look_at::<FULL, true>(w, stage, index, rays, hits, same);
         }
         while left != 0 {
@@ -167,7 +161,7 @@ impl<W: Width> SurfaceInteraction<W> {
         }
         self.reflection = real(material.reflection, self.reflection);
         if FULL && !matches!(material.law, MaterialModel::Constant) {
-            self.obey(w, material, (color, stage.ambient), rays.direction, lanes);
+            self.add_lobes(w, material, (color, stage.ambient), rays.direction, lanes);
         }
         if body.is_transparent() {
             self.transparent = self.transparent | lanes;
@@ -178,7 +172,7 @@ impl<W: Width> SurfaceInteraction<W> {
     /// Takes up what rays `lanes` find on a surface that reflects by a law of its own.
     #[cold]
     #[inline(never)]
-    fn obey(
+    fn add_lobes(
         &mut self,
         w: W,
         material: &RenderMaterial,
@@ -226,7 +220,7 @@ impl<W: Width> SurfaceInteraction<W> {
 
     /// What is reflected under another angle: the normals of rough surfaces were turned.
     #[inline(always)]
-    pub(super) fn tilt(&mut self, w: W, stage: &RenderScene, direction: Vector<W::R>) {
+    pub(super) fn set_microfacet_normal(&mut self, w: W, stage: &RenderScene, direction: Vector<W::R>) {
         let one = w.real(1.0);
         let cos = (-self.normal.dot(direction)).min(one).max(w.real(0.0));
         let coated = self.rough & self.coated;
@@ -267,7 +261,7 @@ impl<W: Width> SurfaceInteraction<W> {
     /// What the ground scatters of light that falls in under an angle of this cosine: k_d·C·(n̂·L̂), or what a coat leaves
     /// of it.
     #[inline(always)]
-    pub(super) fn scattered(&self, cos: W::R) -> Vector<W::R> {
+    pub(super) fn eval_diffuse(&self, cos: W::R) -> Vector<W::R> {
         let all = self.diffuse * cos;
         if !self.coated.any() {
             return all;
@@ -279,7 +273,7 @@ impl<W: Width> SurfaceInteraction<W> {
 
     /// Rays that met the surface of a rough clear body from within.
     #[inline(always)]
-    pub(super) fn frosted_within(&self) -> W::M {
+    pub(super) fn rough_interior(&self) -> W::M {
         self.rough & self.clear & self.leaves()
     }
 
@@ -300,16 +294,6 @@ impl<W: Width> SurfaceInteraction<W> {
     pub(super) fn rays_on_far_side(&self, direction: Vector<W::R>) -> RayPacket<W> {
         let other = self.start.plus(self.start.like(INWARDS));
         RayPacket { origin: self.position, direction, start: other }
-    }
-}
-
-/// The only body that rays met, from outside or, as these of them did, from within; [`NO_BODY`] where some did.
-#[inline(always)]
-fn only_of(body: u32, leaving: u32, all: u32) -> u32 {
-    match leaving {
-        0 => body,
-        _ if leaving == all => body | INWARDS,
-        _ => NO_BODY,
     }
 }
 

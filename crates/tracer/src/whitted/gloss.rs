@@ -1,9 +1,9 @@
 //! Rough surfaces in the tree: one facet of each is looked at in every sample.
 
-use super::beams::PathState;
+use super::paths::PathState;
 use super::encounter::SurfaceInteraction;
 use super::{SampleDimension, WhittedIntegrator};
-use crate::facets::{seen_facet, sent_on, sent_through, unhidden};
+use crate::facets::{sample_visible_normal, reflected_density, transmitted_density, smith_g1};
 use crate::lanes::{Float as _, Mask as _, Width};
 use crate::surface::fresnel;
 use crate::vector::Vector;
@@ -20,7 +20,7 @@ impl<W: Width> Macrosurface<W> {
     /// What is left of the weight of rays that a facet sends this way, and which of them fly: none into the surface that
     /// they should leave, or out of the one that they should enter.
     #[inline(always)]
-    pub(super) fn let_off(
+    pub(super) fn masking(
         &self,
         direction: Vector<W::R>,
         is_beyond: bool,
@@ -29,7 +29,7 @@ impl<W: Width> Macrosurface<W> {
         let cos = self.normal.dot(direction);
         let cos = if is_beyond { -cos } else { cos };
         let flies = cos.gt(cos.like(0.0));
-        let seen = W::R::select(self.rough, unhidden(cos, self.alpha), cos.like(1.0));
+        let seen = W::R::select(self.rough, smith_g1(cos, self.alpha), cos.like(1.0));
         (weight * seen, flies | !self.rough)
     }
 }
@@ -37,58 +37,58 @@ impl<W: Width> Macrosurface<W> {
 impl WhittedIntegrator<'_> {
     /// The same points, with those on rough surfaces seen as the facets that rays meet there, and what the facets make up.
     #[inline(never)]
-    pub(super) fn on_facets<W: Width>(
+    pub(super) fn sample_microfacet<W: Width>(
         &self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         at: &SurfaceInteraction<W>,
     ) -> (SurfaceInteraction<W>, Macrosurface<W>) {
-        let throw = self.dice.throw(w, self.stage, beams, at.body, SampleDimension::Facet);
+        let sample = self.sampler.sample_2d(w, self.stage, paths, at.body, SampleDimension::Facet);
         w.run(
             #[inline(always)]
             || {
-                let direction = beams.rays.direction;
-                let facet = seen_facet(direction, at.normal, at.alpha, &throw);
-                let ground = Macrosurface { normal: at.normal, alpha: at.alpha, rough: at.rough };
+                let direction = paths.rays.direction;
+                let facet = sample_visible_normal(direction, at.normal, at.alpha, &sample);
+                let macrosurface = Macrosurface { normal: at.normal, alpha: at.alpha, rough: at.rough };
                 let mut on = *at;
                 on.normal = Vector::select(at.rough, facet, at.normal);
-                on.tilt(w, self.stage, direction);
-                (on, ground)
+                on.set_microfacet_normal(w, self.stage, direction);
+                (on, macrosurface)
             },
         )
     }
 
     /// What rough surfaces send on of a light in this direction, for each unit of its power; nothing from smooth ones.
     #[inline(never)]
-    pub(super) fn glints<W: Width>(
+    pub(super) fn eval_microfacets<W: Width>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         at: &SurfaceInteraction<W>,
         to_light: Vector<W::R>,
     ) -> Vector<W::R> {
         let clear = at.rough & at.clear;
-        let ratio = if clear.any() { self.cross(w, beams.media, at.body, clear).0 } else { w.real(1.0) };
+        let ratio = if clear.any() { self.cross_interface(w, paths.media, at.body, clear).0 } else { w.real(1.0) };
         w.run(
             #[inline(always)]
             || {
                 let (zero, one) = (w.real(0.0), w.real(1.0));
-                let to_viewer = -beams.rays.direction;
+                let to_viewer = -paths.rays.direction;
                 let half = (to_viewer + to_light).normalize_or(at.normal);
                 let mut facets = *at;
                 facets.normal = half;
-                facets.tilt(w, self.stage, beams.rays.direction);
+                facets.set_microfacet_normal(w, self.stage, paths.rays.direction);
                 let mut reflection = facets.reflection;
                 if clear.any() {
                     let cos = half.dot(to_viewer).min(one).max(zero);
                     reflection = W::R::select(clear, fresnel(cos, ratio), reflection);
                 }
-                let sent = sent_on(to_viewer, to_light, at.normal, half, at.alpha);
+                let sent = reflected_density(to_viewer, to_light, at.normal, half, at.alpha);
                 let sent = W::R::select(at.rough, sent, zero);
                 let mut glints = facets.reflected(reflection) * sent;
-                let within = at.frosted_within();
+                let within = at.rough_interior();
                 if within.any() {
-                    let (sent, cos) = sent_through(to_viewer, to_light, at.normal, ratio, at.alpha);
+                    let (sent, cos) = transmitted_density(to_viewer, to_light, at.normal, ratio, at.alpha);
                     let sent = sent * (one - fresnel(cos, ratio));
                     glints = Vector::select(within, Vector::new(sent, sent, sent), glints);
                 }

@@ -14,7 +14,7 @@ struct ScatterContext<'e, W: Width> {
     /// Where they start, rough surfaces turned to the facet that is seen.
     at: &'e SurfaceInteraction<W>,
     /// The surface that the facets make up.
-    ground: Option<Macrosurface<W>>,
+    macrosurface: Option<Macrosurface<W>>,
     /// Their generation.
     next: W::W,
     /// Whether only those go on that are the same ray still.
@@ -35,39 +35,39 @@ struct DielectricInterface<W: Width> {
 impl WhittedIntegrator<'_> {
     /// Sends the reflected and refracted rays, each if it carries anything.
     #[inline(always)]
-    pub(super) fn spawn<W: Width, const FULL: bool>(
+    pub(super) fn scatter<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         at: &SurfaceInteraction<W>,
         goes_on: W::M,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) {
-        let next = beams.generation.plus(w.word(1));
+        let next = paths.generation.plus(w.word(1));
         let facets;
-        let mut growth = ScatterContext { at, ground: None, next, is_last: false };
+        let mut context = ScatterContext { at, macrosurface: None, next, is_last: false };
         if FULL && at.rough.any() {
-            let (on, ground) = self.on_facets(w, beams, at);
+            let (on, macrosurface) = self.sample_microfacet(w, paths, at);
             facets = on;
-            (growth.at, growth.ground) = (&facets, Some(ground));
+            (context.at, context.macrosurface) = (&facets, Some(macrosurface));
         }
-        let mut reflection = growth.reflected::<FULL>(growth.at.reflection);
+        let mut reflection = context.reflected::<FULL>(context.at.reflection);
         let transparent = goes_on & at.transparent;
         if transparent.any() {
-            reflection = self.refracted::<W, FULL>(w, beams, &growth, transparent, offspring);
+            reflection = self.refracted::<W, FULL>(w, paths, &context, transparent, secondary);
         }
-        let at = growth.at;
+        let at = context.at;
         let mut lanes = goes_on;
         if FULL {
-            (reflection, lanes) = growth.let_off(mirrored(beams, at), false, reflection, goes_on);
+            (reflection, lanes) = context.masking(mirrored(paths, at), false, reflection, goes_on);
         }
-        offspring.reflects(reflection);
-        let weight = beams.weight.times(reflection).bounded();
-        let lanes = lanes & self.carries(w, weight);
+        secondary.on_reflection(reflection);
+        let weight = paths.weight.times(reflection).bounded();
+        let lanes = lanes & self.is_above_threshold(w, weight);
         if lanes.any() {
             self.counts.reflected += u64::from(lanes.bits().count_ones());
-            let rays = at.rays_on_this_side(mirrored(beams, at));
-            offspring.reflected(growth.beams(beams, rays, weight, (beams.media, lanes)));
+            let rays = at.rays_on_this_side(mirrored(paths, at));
+            secondary.reflected(context.paths(paths, rays, weight, (paths.media, lanes)));
         }
     }
 
@@ -78,21 +78,21 @@ impl WhittedIntegrator<'_> {
     pub(super) fn pass_at_limit<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: PathState<W>,
+        paths: PathState<W>,
         at: SurfaceInteraction<W>,
         at_limit: W::M,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) {
-        let (ratio, _) = self.cross(w, beams.media, at.body, at_limit);
+        let (ratio, _) = self.cross_interface(w, paths.media, at.body, at_limit);
         // Between equal indices there is no surface that could be rough.
         let straight = at_limit & ratio.eq(w.real(1.0));
         if straight.any() {
             w.run(
                 #[inline(always)]
                 || {
-                    let next = beams.generation.plus(w.word(1));
-                    let growth = ScatterContext { at: &at, ground: None, next, is_last: true };
-                    self.refracted::<W, FULL>(w, &beams, &growth, straight, offspring);
+                    let next = paths.generation.plus(w.word(1));
+                    let context = ScatterContext { at: &at, macrosurface: None, next, is_last: true };
+                    self.refracted::<W, FULL>(w, &paths, &context, straight, secondary);
                 },
             );
         }
@@ -103,27 +103,27 @@ impl WhittedIntegrator<'_> {
     fn refracted<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
-        growth: &ScatterContext<'_, W>,
+        paths: &PathState<W>,
+        context: &ScatterContext<'_, W>,
         transparent: W::M,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) -> Vector<W::R> {
         let mut white = transparent;
         let mut split = None;
         if FULL && self.stage.disperses {
-            let lanes = transparent & growth.at.disperses & self.are_white(w, beams.media);
+            let lanes = transparent & context.at.disperses & self.are_white(w, paths.media);
             if lanes.any() {
-                split = Some((lanes, self.split(w, beams, growth, lanes, offspring)));
+                split = Some((lanes, self.disperse(w, paths, context, lanes, secondary)));
                 white = white & !lanes;
             }
         }
-        let crossing = self.crossing::<W, FULL>(w, beams, beams.media, growth.at, transparent);
+        let crossing = self.interface::<W, FULL>(w, paths, paths.media, context.at, transparent);
         let DielectricInterface { ratio, passes, filter, .. } = crossing;
-        offspring.crosses(InterfaceCrossing { ratio, passes });
+        secondary.on_interface(InterfaceCrossing { ratio, passes });
         if white.any() {
-            self.send_through::<W, FULL>(w, beams, growth, &crossing, filter, white, offspring);
+            self.send_through::<W, FULL>(w, paths, context, &crossing, filter, white, secondary);
         }
-        let reflection = growth.reflected::<FULL>(crossing.reflection);
+        let reflection = context.reflected::<FULL>(crossing.reflection);
         match split {
             Some((lanes, colored)) => Vector::select(lanes, colored, reflection),
             None => reflection,
@@ -132,13 +132,13 @@ impl WhittedIntegrator<'_> {
 
     /// Sends each wave of white light by itself. What is reflected of all together.
     #[inline(never)]
-    fn split<W: Width>(
+    fn disperse<W: Width>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
-        growth: &ScatterContext<'_, W>,
+        paths: &PathState<W>,
+        context: &ScatterContext<'_, W>,
         lanes: W::M,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) -> Vector<W::R> {
         w.run(
             #[inline(always)]
@@ -147,11 +147,11 @@ impl WhittedIntegrator<'_> {
                 let mut reflection = Vector::new(nothing, nothing, nothing);
                 for number in 0..self.waves.len() {
                     let color = self.waves.color(number);
-                    let media = self.colored(w, beams.media, number, lanes);
-                    let crossing = self.crossing::<W, true>(w, beams, media, growth.at, lanes);
+                    let media = self.colored(w, paths.media, number, lanes);
+                    let crossing = self.interface::<W, true>(w, paths, media, context.at, lanes);
                     reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
                     let filter = crossing.filter.times_all(color);
-                    self.send_through::<W, true>(w, beams, growth, &crossing, filter, lanes, offspring);
+                    self.send_through::<W, true>(w, paths, context, &crossing, filter, lanes, secondary);
                 }
                 reflection
             },
@@ -160,17 +160,17 @@ impl WhittedIntegrator<'_> {
 
     /// What becomes of rays in these media across the surfaces that they met.
     #[inline(always)]
-    fn crossing<W: Width, const FULL: bool>(
+    fn interface<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         media: W::W,
         at: &SurfaceInteraction<W>,
         transparent: W::M,
     ) -> DielectricInterface<W> {
         let one = w.real(1.0);
-        let direction = beams.rays.direction;
-        let (ratio, beyond) = self.cross(w, media, at.body, transparent);
+        let direction = paths.rays.direction;
+        let (ratio, beyond) = self.cross_interface(w, media, at.body, transparent);
         let (bent, passes) = refract(direction, at.normal, ratio);
         let (mut reflection, mut filter) = (at.reflection, at.filter);
         let clear = transparent & at.clear;
@@ -191,49 +191,49 @@ impl WhittedIntegrator<'_> {
     fn send_through<W: Width, const FULL: bool>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
-        growth: &ScatterContext<'_, W>,
+        paths: &PathState<W>,
+        context: &ScatterContext<'_, W>,
         crossing: &DielectricInterface<W>,
         filter: Vector<W::R>,
         lanes: W::M,
-        offspring: &mut impl SecondaryRays<W>,
+        secondary: &mut impl SecondaryRays<W>,
     ) {
         let DielectricInterface { ratio, beyond, bent, passes, .. } = *crossing;
         let straight = ratio.eq(w.real(1.0));
         let (mut filter, mut lanes) = (filter, lanes & passes);
         if FULL {
-            let (left, flies) = growth.let_off(bent, true, filter, lanes);
+            let (left, flies) = context.masking(bent, true, filter, lanes);
             // Between equal indices there is no surface, and nothing that could be rough.
             filter = Vector::select(straight, filter, left);
             lanes = flies | (lanes & straight);
         }
-        offspring.lets_through(filter);
-        let weight = beams.weight.times(filter).bounded();
+        secondary.on_refraction(filter);
+        let weight = paths.weight.times(filter).bounded();
         // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than rounding
         // it could go on for ever.
-        let same = straight & growth.at.t.gt(beams.rays.slack());
-        if growth.is_last {
+        let same = straight & context.at.t.gt(paths.rays.slack());
+        if context.is_last {
             lanes = lanes & same;
         }
-        let lanes = lanes & self.carries(w, weight);
+        let lanes = lanes & self.is_above_threshold(w, weight);
         if lanes.any() {
             self.counts.refracted += u64::from(lanes.bits().count_ones());
-            let mut through = growth.beams(beams, growth.at.rays_on_far_side(bent), weight, (beyond, lanes));
-            through.generation = W::W::select(same, beams.generation, growth.next);
-            offspring.refracted(through);
+            let mut through = context.paths(paths, context.at.rays_on_far_side(bent), weight, (beyond, lanes));
+            through.generation = W::W::select(same, paths.generation, context.next);
+            secondary.refracted(through);
         }
     }
 
     /// Whether rays of this weight are traced.
     #[inline(always)]
-    pub(super) fn carries<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
+    pub(super) fn is_above_threshold<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
         let strongest = weight.largest();
         strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.threshold))
     }
 
     /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.
     #[inline(always)]
-    pub(super) fn cross<W: Width>(&mut self, w: W, media: W::W, body: W::W, lanes: W::M) -> (W::R, W::W) {
+    pub(super) fn cross_interface<W: Width>(&mut self, w: W, media: W::W, body: W::W, lanes: W::M) -> (W::R, W::W) {
         let (mut lists, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
         media.store(&mut lists);
         body.store(&mut bodies);
@@ -244,7 +244,7 @@ impl WhittedIntegrator<'_> {
             let same = media.is(lists[lane]) & body.is(bodies[lane]);
             left &= !same.bits();
             let same = same & lanes;
-            let crossing = self.media.crossing(self.stage, &self.waves, lists[lane], bodies[lane]);
+            let crossing = self.media.interface(self.stage, &self.waves, lists[lane], bodies[lane]);
             ratio = W::R::select(same, w.real(crossing.ratio), ratio);
             beyond = W::W::select(same, w.word(crossing.beyond), beyond);
         }
@@ -272,8 +272,8 @@ impl WhittedIntegrator<'_> {
 
 /// The directions of the reflected rays.
 #[inline(always)]
-fn mirrored<W: Width>(beams: &PathState<W>, at: &SurfaceInteraction<W>) -> Vector<W::R> {
-    mend_unit(reflect(beams.rays.direction, at.normal))
+fn mirrored<W: Width>(paths: &PathState<W>, at: &SurfaceInteraction<W>) -> Vector<W::R> {
+    mend_unit(reflect(paths.rays.direction, at.normal))
 }
 
 impl<W: Width> ScatterContext<'_, W> {
@@ -285,24 +285,24 @@ impl<W: Width> ScatterContext<'_, W> {
 
     /// The coefficients and rays that are left where facets let them off.
     #[inline(always)]
-    fn let_off(
+    fn masking(
         &self,
         direction: Vector<W::R>,
         is_beyond: bool,
         coefficients: Vector<W::R>,
         lanes: W::M,
     ) -> (Vector<W::R>, W::M) {
-        match &self.ground {
+        match &self.macrosurface {
             None => (coefficients, lanes),
-            Some(ground) => {
-                let (coefficients, flies) = ground.let_off(direction, is_beyond, coefficients);
+            Some(macrosurface) => {
+                let (coefficients, flies) = macrosurface.masking(direction, is_beyond, coefficients);
                 (coefficients, lanes & flies)
             }
         }
     }
 
     #[inline(always)]
-    fn beams(
+    fn paths(
         &self,
         of: &PathState<W>,
         rays: RayPacket<W>,

@@ -49,8 +49,8 @@ impl StreamShading {
         let count = queue.len().min(STREAM);
         self.shadows.iter_mut().for_each(|shadows| shadows.begin(count));
         for at in (0..count).step_by(W::LANES) {
-            let beams = queue.look(w, at);
-            self.rays.push(w, &beams.rays, beams.media, beams.lanes);
+            let paths = queue.look(w, at);
+            self.rays.push(w, &paths.rays, paths.media, paths.lanes);
         }
         count
     }
@@ -124,15 +124,15 @@ impl WhittedIntegrator<'_> {
     pub(crate) fn gather<W: Width>(
         &mut self,
         w: W,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         streams: &StreamShading,
         at: usize,
     ) -> Vector<W::R> {
         let mut inside = std::mem::take(&mut self.inside);
-        inside.fill::<W>(&self.media, beams.media, beams.lanes);
+        inside.fill::<W>(&self.media, paths.media, paths.lanes);
         let mut light = vector_at(w, &streams.light.own, at);
         for shadows in streams.shadows.iter().filter(|shadows| !shadows.is_empty()) {
-            light = self.lit(w, shadows, at, light, beams.lanes, &inside);
+            light = self.lit(w, shadows, at, light, paths.lanes, &inside);
         }
         self.inside = inside;
         vector_at(w, &streams.light.weight, at).times(light)

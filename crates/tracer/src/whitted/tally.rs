@@ -48,7 +48,7 @@ impl WhittedIntegrator<'_> {
         let (mut stands_for, mut rays) = (1.0, 0.0);
         for _ in 0..LONGEST_WALK {
             let before = self.counts.shadow;
-            self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut branches);
+            self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut branches);
             rays += stands_for * (1 + self.counts.shadow - before) as f64;
             if branches.is_empty() {
                 break;
@@ -63,10 +63,10 @@ impl WhittedIntegrator<'_> {
 
     /// The primary ray of a sample of a pixel of a picture that has it.
     fn primary_of(&mut self, pixel: UVec2, size: UVec2, sample: u32) -> PathState<ScalarWidth> {
-        self.tidy();
+        self.trim_media();
         self.begin(sample, Sampler::of_pixel(sample, pixel));
         let ray = TileRect::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
-        self.launched(ray)
+        self.started_path(ray)
     }
 
     /// Counts the rays of one sample of a pixel (column, row) of a picture of `size` pixels, and adds up their light
@@ -114,7 +114,7 @@ impl WhittedIntegrator<'_> {
         {
             take(
                 beam.generation,
-                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
+                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
                     .light
                     .into(),
             );

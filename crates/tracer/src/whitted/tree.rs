@@ -115,17 +115,17 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         self.sent.push((RayKind::Refracted, self.through_last, beam));
     }
 
-    fn meets(&mut self, at: &SurfaceInteraction<ScalarWidth>) {
+    fn on_hit(&mut self, at: &SurfaceInteraction<ScalarWidth>) {
         self.at = Some(*at);
     }
 
-    fn faces(&mut self, light: usize, to_light: Vector<f32>, distance: f32, cosine: f32) {
+    fn on_light(&mut self, light: usize, to_light: Vector<f32>, distance: f32, cosine: f32) {
         self.highlight = None;
         let direction = to_light.into();
         self.lights.push(LightTerm { light, direction, distance, cosine, shadow: None, answer: None });
     }
 
-    fn asks(
+    fn on_shadow_ray(
         &mut self,
         rays: &RayPacket<ScalarWidth>,
         distance: f32,
@@ -173,11 +173,11 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         }
     }
 
-    fn shines(&mut self, to_viewer: Vector<f32>, highlight: f32) {
+    fn on_highlight(&mut self, to_viewer: Vector<f32>, highlight: f32) {
         self.highlight = Some((to_viewer, highlight));
     }
 
-    fn answers(&mut self, power: Vector<f32>, light: Vector<f32>) {
+    fn on_light_answer(&mut self, power: Vector<f32>, light: Vector<f32>) {
         let Some((at, term)) = self.at.zip(self.lights.last_mut()) else { return };
         let (highlight_cosine, highlight) =
             self.highlight.map_or((f32::NAN, 0.0), |(to_viewer, highlight)| {
@@ -185,7 +185,7 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
             });
         term.answer = Some(LightContribution {
             power: power.into(),
-            diffuse: at.scattered(term.cosine).into(),
+            diffuse: at.eval_diffuse(term.cosine).into(),
             highlight_cosine,
             highlight,
             glints: std::mem::take(&mut self.glints),
@@ -193,28 +193,28 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         });
     }
 
-    fn shades(&mut self, local: Vector<f32>) {
+    fn on_local_light(&mut self, local: Vector<f32>) {
         self.local = Some(local);
     }
 
-    fn crosses(&mut self, crossed: InterfaceCrossing<ScalarWidth>) {
+    fn on_interface(&mut self, crossed: InterfaceCrossing<ScalarWidth>) {
         self.crossing = Some(crossed);
     }
 
-    fn lets_through(&mut self, coefficients: Vector<f32>) {
+    fn on_refraction(&mut self, coefficients: Vector<f32>) {
         self.through_last = coefficients.into();
         self.through_all += self.through_last;
     }
 
-    fn reflects(&mut self, coefficients: Vector<f32>) {
+    fn on_reflection(&mut self, coefficients: Vector<f32>) {
         self.reflected = coefficients.into();
     }
 
-    fn glints(&mut self, glints: Vector<f32>) {
+    fn on_microfacets(&mut self, glints: Vector<f32>) {
         self.glints = glints.into();
     }
 
-    fn travels(&mut self, through: Vector<f32>) {
+    fn on_medium(&mut self, through: Vector<f32>) {
         self.through = through;
     }
 }
@@ -239,10 +239,10 @@ impl<'a> WhittedIntegrator<'a> {
         if pixel.x >= size.x || pixel.y >= size.y {
             return Vec::new();
         }
-        self.tidy();
+        self.trim_media();
         self.begin(sample, Sampler::of_pixel(sample, pixel));
         let ray = TileRect::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
-        let root = self.launched(ray);
+        let root = self.started_path(ray);
         let mut tree = self.grow(root, limit);
         if let Some(primary) = tree.first_mut() {
             let Ray { origin, direction, .. } = primary.ray;
@@ -267,7 +267,7 @@ impl<'a> WhittedIntegrator<'a> {
             let place = tree.len();
             let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
             let followed =
-                self.follow::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
+                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
                 waiting.push(QueuedPath { beam, kind, coefficient, parent: Some(place), number });
                 number += 1;
@@ -326,7 +326,7 @@ impl<'a> WhittedIntegrator<'a> {
         let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
         let grown = beyond.as_ref().unwrap_or(&scribe);
         let interface = grown.crossing.map(|InterfaceCrossing { ratio, passes }| {
-            let beyond = self.media.crossing(self.stage, &self.waves, beam.media, at.body).beyond;
+            let beyond = self.media.interface(self.stage, &self.waves, beam.media, at.body).beyond;
             let ior_beyond = self.media.ior(self.stage, &self.waves, beyond);
             InterfaceRecord { ior_beyond, ratio, is_total: !passes }
         });
@@ -371,7 +371,7 @@ impl<'a> WhittedIntegrator<'a> {
     ) -> PathRecorder<'a> {
         let counts = self.counts;
         let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
-        self.spawn::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);
+        self.scatter::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);
         self.counts = counts;
         scribe
     }
@@ -379,7 +379,7 @@ impl<'a> WhittedIntegrator<'a> {
     /// A branch before it is known which ray it is: one that is followed counts as left out.
     fn branch(&self, weight: Vector<f32>, coefficient: Vec3, is_last: bool) -> BranchRecord {
         let weight = weight.times(coefficient.into()).bounded();
-        let fate = match self.carries(ScalarWidth, weight) {
+        let fate = match self.is_above_threshold(ScalarWidth, weight) {
             true if is_last => BranchOutcome::GenerationLimit,
             true => BranchOutcome::LeftOut,
             false if weight.largest() > 0.0 => BranchOutcome::Threshold,

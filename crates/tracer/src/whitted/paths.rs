@@ -77,20 +77,20 @@ pub(crate) struct InterfaceCrossing<W: Width> {
 ///
 /// Rendering does not look: what is seen is dropped, at no cost. A [tree](super::Whitted::tree) writes it down.
 pub(crate) trait SecondaryRays<W: Width> {
-    fn reflected(&mut self, beams: PathState<W>);
-    fn refracted(&mut self, beams: PathState<W>);
+    fn reflected(&mut self, paths: PathState<W>);
+    fn refracted(&mut self, paths: PathState<W>);
 
     /// The points that were met.
     #[inline(always)]
-    fn meets(&mut self, _at: &SurfaceInteraction<W>) {}
+    fn on_hit(&mut self, _at: &SurfaceInteraction<W>) {}
 
     /// The direction to a light of the stage, its distance, and the cosine to the normal.
     #[inline(always)]
-    fn faces(&mut self, _light: usize, _to_light: Vector<W::R>, _distance: W::R, _cos: W::R) {}
+    fn on_light(&mut self, _light: usize, _to_light: Vector<W::R>, _distance: W::R, _cos: W::R) {}
 
     /// Shadow rays towards that light, and what they let pass.
     #[inline(always)]
-    fn asks(
+    fn on_shadow_ray(
         &mut self,
         _rays: &RayPacket<W>,
         _distance: W::R,
@@ -101,45 +101,45 @@ pub(crate) trait SecondaryRays<W: Width> {
 
     /// That light's highlight, with k_s.
     #[inline(always)]
-    fn shines(&mut self, _to_viewer: Vector<W::R>, _highlight: W::R) {}
+    fn on_highlight(&mut self, _to_viewer: Vector<W::R>, _highlight: W::R) {}
 
     /// What arrives of that light if nothing is in the way, and what the surface sends on of it.
     #[inline(always)]
-    fn answers(&mut self, _power: Vector<W::R>, _light: Vector<W::R>) {}
+    fn on_light_answer(&mut self, _power: Vector<W::R>, _light: Vector<W::R>) {}
 
     /// The sum of the local terms.
     #[inline(always)]
-    fn shades(&mut self, _local: Vector<W::R>) {}
+    fn on_local_light(&mut self, _local: Vector<W::R>) {}
 
     /// What becomes of rays across a transparent surface.
     #[inline(always)]
-    fn crosses(&mut self, _crossed: InterfaceCrossing<W>) {}
+    fn on_interface(&mut self, _crossed: InterfaceCrossing<W>) {}
 
     /// The coefficients of rays that are refracted, before they are, if at all.
     #[inline(always)]
-    fn lets_through(&mut self, _coefficients: Vector<W::R>) {}
+    fn on_refraction(&mut self, _coefficients: Vector<W::R>) {}
 
     /// The same of reflected ones.
     #[inline(always)]
-    fn reflects(&mut self, _coefficients: Vector<W::R>) {}
+    fn on_reflection(&mut self, _coefficients: Vector<W::R>) {}
 
     /// What facets send on of a light, for each unit of its power.
     #[inline(always)]
-    fn glints(&mut self, _glints: Vector<W::R>) {}
+    fn on_microfacets(&mut self, _glints: Vector<W::R>) {}
 
     /// The share of light that the media leave on the way to what was met.
     #[inline(always)]
-    fn travels(&mut self, _through: Vector<W::R>) {}
+    fn on_medium(&mut self, _through: Vector<W::R>) {}
 }
 
 /// A stack of single rays: the reflected one is taken first.
 impl SecondaryRays<ScalarWidth> for Vec<PathState<ScalarWidth>> {
-    fn reflected(&mut self, beams: PathState<ScalarWidth>) {
-        self.push(beams);
+    fn reflected(&mut self, paths: PathState<ScalarWidth>) {
+        self.push(paths);
     }
 
-    fn refracted(&mut self, beams: PathState<ScalarWidth>) {
-        self.push(beams);
+    fn refracted(&mut self, paths: PathState<ScalarWidth>) {
+        self.push(paths);
     }
 }
 
@@ -161,8 +161,8 @@ impl RayQueue {
 
     /// Appends the rays that fly.
     #[inline(always)]
-    pub(crate) fn push<W: Width>(&mut self, beams: &PathState<W>) {
-        let PathState { rays, weight, generation, media, pixel, lanes } = *beams;
+    pub(crate) fn push<W: Width>(&mut self, paths: &PathState<W>) {
+        let PathState { rays, weight, generation, media, pixel, lanes } = *paths;
         let end = self.len + MOST_LANES;
         if self.words[0].len() < end {
             self.grow(end);
@@ -200,9 +200,9 @@ impl RayQueue {
     /// Takes the first rays: as many as there are side by side, or the rest.
     #[inline(always)]
     pub(crate) fn take<W: Width>(&mut self, w: W) -> PathState<W> {
-        let beams = self.look(w, 0);
+        let paths = self.look(w, 0);
         self.skip(W::LANES);
-        beams
+        paths
     }
 
     /// The rays behind the first `at`: as many as there are side by side, or the rest.

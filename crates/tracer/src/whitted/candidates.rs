@@ -22,7 +22,7 @@ impl<'a> TileCandidates<'a> {
     }
 
     /// Goes on to the tile whose rays lie within `reach` pixels of the middle of these.
-    pub(super) fn aim(&mut self, stage: &RenderScene, rays: &CameraRays, reach: [f32; 2]) {
+    pub(super) fn begin_tile(&mut self, stage: &RenderScene, rays: &CameraRays, reach: [f32; 2]) {
         if let Some(from_eye) = &self.from_eye {
             self.in_tile.keep(stage, from_eye, rays.cone(reach), rays.way());
         }

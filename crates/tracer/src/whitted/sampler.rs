@@ -41,17 +41,17 @@ impl Sampler {
 
     /// Two numbers for each ray that met one of these bodies.
     #[inline(never)]
-    pub(super) fn throw<W: Width>(
+    pub(super) fn sample_2d<W: Width>(
         &self,
         w: W,
         stage: &RenderScene,
-        beams: &PathState<W>,
+        paths: &PathState<W>,
         body: W::W,
         what_for: SampleDimension,
     ) -> Sample2D<W> {
         let [mut pixels, mut generations, mut bodies] = [[0; MOST_LANES]; 3];
-        beams.pixel.store(&mut pixels);
-        beams.generation.store(&mut generations);
+        paths.pixel.store(&mut pixels);
+        paths.generation.store(&mut generations);
         body.store(&mut bodies);
         let [mut cos, mut sin, mut second] = [[0.0; MOST_LANES]; 3];
         for lane in 0..W::LANES {
@@ -60,7 +60,7 @@ impl Sampler {
             let body = stage.scene_index(bodies[lane]).unwrap_or_default() as u32;
             let key = [x, y, generations[lane], body, what_for.number()].into_iter().fold(0, hashed);
             let [first, other] = pair(self.sample, key);
-            [cos[lane], sin[lane]] = turn(first);
+            [cos[lane], sin[lane]] = cos_sin_of_turn(first);
             second[lane] = other;
         }
         Sample2D { cos: w.load(&cos), sin: w.load(&sin), second: w.load(&second) }
@@ -143,7 +143,7 @@ fn scrambled(number: u32, key: u32) -> u32 {
 }
 
 /// Cosine and sine of a part of a full turn, the same on every machine.
-fn turn(part: f32) -> [f32; 2] {
+fn cos_sin_of_turn(part: f32) -> [f32; 2] {
     let quarters = part * 4.0;
     let quarter = quarters.floor();
     let x = (quarters - quarter) * std::f32::consts::FRAC_PI_2;
@@ -170,7 +170,7 @@ mod tests {
         for step in 0..10_000_u16 {
             let part = f32::from(step) / 10_000.0;
             let (sin, cos) = (f64::from(part) * std::f64::consts::TAU).sin_cos();
-            let [found_cos, found_sin] = turn(part);
+            let [found_cos, found_sin] = cos_sin_of_turn(part);
             assert!(
                 (f64::from(found_cos) - cos).abs() < 4e-7 && (f64::from(found_sin) - sin).abs() < 4e-7,
                 "{part}"
