@@ -6,8 +6,10 @@
 mod counts;
 mod facets;
 mod film;
+mod geometry;
 mod lanes;
 mod media;
+mod membership;
 pub mod method;
 mod pick;
 mod ray;
@@ -24,6 +26,7 @@ mod whitted;
 
 pub use counts::RayCounts;
 pub use film::Film;
+pub use geometry::AcceleratorChoice;
 pub use lanes::{Float, Float32};
 pub use pick::RayIntersection;
 pub use ray::{NO_BODY, Ray, RayOrigin};
@@ -33,7 +36,7 @@ pub use render::{
 };
 pub use sampling::sample_offset;
 pub use search::HitRecord;
-pub use stage::{AcceleratorChoice, RenderCamera, RenderScene, SceneBuildError, SceneChanges, SceneEdit};
+pub use stage::{RenderCamera, RenderScene, SceneBuildError, SceneChanges, SceneEdit};
 pub use vector::Vector;
 pub use whitted::{
     BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, PixelStatistics, RayKind,

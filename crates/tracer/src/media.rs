@@ -2,8 +2,10 @@
 
 use std::collections::HashMap;
 
+use crate::geometry::Accelerator;
 use crate::lanes::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
-use crate::stage::{Accelerator, RenderScene};
+use crate::membership::{BodyMembership, MembershipSource};
+use crate::stage::RenderScene;
 use crate::surface::exponential;
 use crate::vector::Vector;
 use crate::whitted::SampledWavelengths;
@@ -47,6 +49,11 @@ impl MediumStacks {
             *self = Self::default();
         }
         is_full
+    }
+
+    /// Adds rays that have the same list.
+    fn add_to(&self, membership: &mut BodyMembership, list: u32, rays: u32) {
+        self.bodies(list).for_each(|body| membership.add(body, rays));
     }
 
     /// The bodies of a list, the one entered last first.
@@ -122,7 +129,7 @@ impl MediumStacks {
     /// The index of refraction in these media: that of the body entered last, or of air.
     pub(crate) fn ior(&self, stage: &RenderScene, waves: &SampledWavelengths, media: u32) -> f32 {
         let Some(index) = self.bodies(media).next() else { return 1.0 };
-        let material = stage.material(stage.body(index));
+        let material = stage.material(stage.geometry.body(index));
         let wavelength = || waves.nanometers(self.wave(media)?);
         match material.dispersion.zip(wavelength()) {
             Some((dispersion, nanometers)) => dispersion.index(nanometers) as f32,
@@ -146,7 +153,7 @@ impl MediumStacks {
         let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
         for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
             if let Some(body) = self.bodies(lists[lane]).next() {
-                [red[lane], green[lane], blue[lane]] = stage.material(stage.body(body)).absorption;
+                [red[lane], green[lane], blue[lane]] = stage.material(stage.geometry.body(body)).absorption;
             }
         }
         w.run(
@@ -166,51 +173,32 @@ impl MediumStacks {
 
     /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.
     pub(crate) fn at_point(&mut self, stage: &RenderScene, point: Vector<f32>) -> u32 {
-        if !stage.has_transparency {
+        if !stage.geometry.has_transparency {
             return AIR;
         }
         let mut around = Vec::new();
         let mut test = |index: u32| {
-            let body = stage.body(index);
-            if body.is_transparent() && stage.contains(index, point) {
+            let body = stage.geometry.body(index);
+            if body.is_transparent() && stage.geometry.contains(index, point) {
                 around.push(index);
             }
         };
-        match &stage.hierarchy {
-            Accelerator::Few => (0..stage.bounded).for_each(&mut test),
+        match &stage.geometry.hierarchy {
+            Accelerator::Few => (0..stage.geometry.bounded).for_each(&mut test),
             Accelerator::Many(bvh) => bvh.visit_at(point.into(), |leaf| leaf.for_each(&mut test)),
         }
-        stage.planes().for_each(&mut test);
-        let volume = |index: u32| stage.body(index).volume();
-        around.sort_by(|&a, &b| volume(b).total_cmp(&volume(a)).then_with(|| stage.scene_order(a, b)));
+        stage.geometry.planes().for_each(&mut test);
+        let volume = |index: u32| stage.geometry.body(index).volume();
+        around
+            .sort_by(|&a, &b| volume(b).total_cmp(&volume(a)).then_with(|| stage.geometry.scene_order(a, b)));
         around.into_iter().fold(AIR, |media, body| self.entered(media, body))
     }
 }
 
-/// Which rays side by side are inside of which bodies.
-#[derive(Debug, Default)]
-pub(crate) struct BodyMembership {
-    /// Bodies, sorted, and a bit for each ray.
-    bodies: Vec<(u32, u32)>,
-}
-
-impl BodyMembership {
-    /// Whether all are in air.
+impl MembershipSource for MediumStacks {
     #[inline(always)]
-    pub(crate) fn is_empty(&self) -> bool {
-        self.bodies.is_empty()
-    }
-
-    /// The bodies that one of the rays is inside of, as those of a ray by itself.
-    pub(crate) fn of_lane(&self, lane: usize) -> Self {
-        let of_lane = |&(body, rays): &(u32, u32)| (rays >> lane & 1 == 1).then_some((body, 1));
-        Self { bodies: self.bodies.iter().filter_map(of_lane).collect() }
-    }
-
-    /// Looks up the lists of these rays.
-    #[inline(always)]
-    pub(crate) fn fill<W: Width>(&mut self, table: &MediumStacks, media: W::W, lanes: W::M) {
-        self.bodies.clear();
+    fn fill<W: Width>(&self, membership: &mut BodyMembership, media: W::W, lanes: W::M) {
+        membership.clear();
         let mut wet = (lanes & !media.is(AIR)).bits();
         if wet == 0 {
             return;
@@ -221,24 +209,8 @@ impl BodyMembership {
             let list = lists[wet.trailing_zeros() as usize % MOST_LANES];
             let same = media.is(list).bits() & wet;
             wet &= !same;
-            self.add(table, list, same);
+            self.add_to(membership, list, same);
         }
-    }
-
-    /// Adds rays that have the same list.
-    fn add(&mut self, table: &MediumStacks, list: u32, rays: u32) {
-        for body in table.bodies(list) {
-            match self.bodies.binary_search_by_key(&body, |entry| entry.0) {
-                Ok(place) => self.bodies[place].1 |= rays,
-                Err(place) => self.bodies.insert(place, (body, rays)),
-            }
-        }
-    }
-
-    /// A bit for each ray that is inside of `body`.
-    #[inline(always)]
-    pub(crate) fn of(&self, body: u32) -> u32 {
-        self.bodies.binary_search_by_key(&body, |entry| entry.0).map_or(0, |place| self.bodies[place].1)
     }
 }
 
@@ -286,8 +258,8 @@ mod tests {
         let one = table.entered(AIR, 5);
         let both = table.entered(one, 2);
         let mut inside = BodyMembership::default();
-        inside.add(&table, one, 0b1_0000);
-        inside.add(&table, both, 0b10_0000_1000);
+        table.add_to(&mut inside, one, 0b1_0000);
+        table.add_to(&mut inside, both, 0b10_0000_1000);
         assert_eq!((inside.of(5), inside.of(2), inside.of(3)), (0b10_0001_1000, 0b10_0000_1000, 0));
     }
 }

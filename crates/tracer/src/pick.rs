@@ -3,7 +3,8 @@
 use glam::{DVec3, Vec3};
 
 use crate::lanes::ScalarWidth;
-use crate::media::{BodyMembership, MediumStacks};
+use crate::media::MediumStacks;
+use crate::membership::{BodyMembership, MembershipSource as _};
 use crate::ray::Ray;
 use crate::search::{Candidates, HitRecord, RayQuery, found_in};
 use crate::stage::{RenderScene, TraversalStack};
@@ -24,7 +25,7 @@ pub struct RayIntersection {
 impl RayIntersection {
     pub(crate) fn new(stage: &RenderScene, ray: &Ray, hit: HitRecord) -> Option<Self> {
         let rays = ray.alone();
-        let point = stage.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
+        let point = stage.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
         Some(Self {
             body: stage.scene_index(hit.body)?,
             hit,
@@ -59,7 +60,7 @@ impl RenderScene {
                 is_later(a)
                     .cmp(&is_later(b))
                     .then(a.t.total_cmp(&b.t))
-                    .then_with(|| self.scene_order(a.body, b.body))
+                    .then_with(|| self.geometry.scene_order(a.body, b.body))
             });
             hits
         });
@@ -75,7 +76,7 @@ impl RenderScene {
         let mut table = MediumStacks::default();
         let media = table.at_point(self, rays.origin);
         let mut inside = BodyMembership::default();
-        inside.fill::<ScalarWidth>(&table, media, true);
-        Some(look(RayQuery::new(ScalarWidth, self, &rays, true, &inside, Candidates::All)))
+        table.fill::<ScalarWidth>(&mut inside, media, true);
+        Some(look(RayQuery::new(ScalarWidth, &self.geometry, &rays, true, &inside, Candidates::All)))
     }
 }

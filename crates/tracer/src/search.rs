@@ -5,16 +5,16 @@ mod along;
 mod best;
 mod coincident;
 mod shadow;
+mod shadow_stream;
 mod stream;
 
 use std::ops::Range;
 
+use crate::geometry::{Accelerator, Geometry};
 use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
-use crate::media::BodyMembership;
+use crate::membership::BodyMembership;
 use crate::ray::{INWARDS, RayPacket, slack_at};
-use crate::stage::{
-    Accelerator, BodyVisitor, BoundingCone, Bvh, RenderBody, RenderScene, TraversalStack, VisibleBodies,
-};
+use crate::stage::{BodyVisitor, BoundingCone, Bvh, RenderBody, TraversalStack, VisibleBodies};
 use crate::vector::Vector;
 
 pub(crate) use absorption::MediumIntervals;
@@ -24,7 +24,8 @@ use best::{ClosestHit, ClosestHits};
 use coincident::settle;
 use shadow::all_of;
 pub(crate) use shadow::{ShadowScratch, Transmittance};
-pub(crate) use stream::{RayStream, ShadowStream, StreamScratch};
+pub(crate) use shadow_stream::ShadowStream;
+pub(crate) use stream::{RayStream, StreamScratch};
 
 /// Where a ray meets a body: the cheap record kept during the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +77,7 @@ struct BodyIntersection<W: Width> {
 #[derive(Clone, Copy)]
 pub(crate) struct RayQuery<'a, W: Width> {
     w: W,
-    stage: &'a RenderScene,
+    geometry: &'a Geometry,
     origin: Vector<W::R>,
     direction: Vector<W::R>,
     /// The bodies that they start from, with [`INWARDS`].
@@ -100,14 +101,14 @@ impl<W: Width> PacketHits<W> {
     pub(crate) fn settled(
         self,
         w: W,
-        stage: &RenderScene,
+        geometry: &Geometry,
         rays: &RayPacket<W>,
         inside: &BodyMembership,
     ) -> Self {
         // Number by number: masks that were just written are slow to read as parts of a whole.
         let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
         if contested.any() {
-            let first = settle(w, stage, rays, inside, Self { t, body, leaving, face, hit, contested });
+            let first = settle(w, geometry, rays, inside, Self { t, body, leaving, face, hit, contested });
             (t, body, leaving, face, hit) = (first.t, first.body, first.leaving, first.face, first.hit);
         }
         Self { t, body, leaving, face, hit, contested }
@@ -118,7 +119,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     pub(crate) fn new(
         w: W,
-        stage: &'a RenderScene,
+        geometry: &'a Geometry,
         rays: &RayPacket<W>,
         lanes: W::M,
         inside: &'a BodyMembership,
@@ -126,7 +127,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     ) -> Self {
         Self {
             w,
-            stage,
+            geometry,
             origin: rays.origin,
             direction: rays.direction,
             start: rays.start,
@@ -161,7 +162,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     /// The nearest body that each ray meets.
     #[inline(always)]
     pub(crate) fn nearest(&self, parts: &mut TraversalStack) -> PacketHits<W> {
-        self.nearest_unsettled(parts).settled(self.w, self.stage, &self.rays(), self.inside)
+        self.nearest_unsettled(parts).settled(self.w, self.geometry, &self.rays(), self.inside)
     }
 
     /// The nearest body that each ray meets, hits to be [settled](Hits::settled) among them.
@@ -179,10 +180,10 @@ impl<'a, W: Width> RayQuery<'a, W> {
     /// The nearest body that each ray meets, of planes and the bounded bodies that `visit` shows.
     #[inline(always)]
     fn nearest_by(&self, visit: impl FnOnce(&mut ClosestHitVisitor<'_, 'a, W>)) -> PacketHits<W> {
-        let mut best = ClosestHits::new(self.w, self.stage, self.start_slack());
+        let mut best = ClosestHits::new(self.w, self.geometry, self.start_slack());
         visit(&mut ClosestHitVisitor(self, &mut best));
         self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
-        best.first(self.w, self.stage, self.lanes)
+        best.first(self.w, self.geometry, self.lanes)
     }
 
     fn rays(&self) -> RayPacket<W> {
@@ -192,7 +193,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     /// The boxes in which bodies are looked for, if they are.
     #[inline(always)]
     fn hierarchy(&self) -> Option<&'a Bvh> {
-        match &self.stage.hierarchy {
+        match &self.geometry.hierarchy {
             Accelerator::Many(bvh) if W::USES_HIERARCHY => Some(bvh),
             Accelerator::Few | Accelerator::Many(_) => None,
         }
@@ -231,8 +232,8 @@ impl<'a, W: Width> RayQuery<'a, W> {
                 }
             }
             Candidates::All => {
-                if !self.stage.planes().is_empty() {
-                    visitor.leaf(self.stage.planes(), self.lanes);
+                if !self.geometry.planes().is_empty() {
+                    visitor.leaf(self.geometry.planes(), self.lanes);
                 }
             }
         }
@@ -243,7 +244,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
 
     #[inline(always)]
     fn visit_all(&self, visitor: &mut impl BodyVisitor<W>) {
-        let spheres = &self.stage.spheres;
+        let spheres = &self.geometry.spheres;
         if spheres.len() > Self::ONE_BY_ONE {
             return self.visit_tested(
                 spheres,
@@ -320,19 +321,19 @@ impl<'a, W: Width> RayQuery<'a, W> {
     /// The first meeting of one ray with every body that it meets, in no particular order.
     pub(crate) fn each(&self, parts: &mut TraversalStack, mut found: impl FnMut(HitRecord)) {
         let mut test = |index: u32| {
-            let mut best = ClosestHits::new(self.w, self.stage, self.start_slack());
-            self.test(index, self.stage.body(index), self.lanes, &mut best);
-            found_in(&best.first(self.w, self.stage, self.lanes)).into_iter().for_each(&mut found);
+            let mut best = ClosestHits::new(self.w, self.geometry, self.start_slack());
+            self.test(index, self.geometry.body(index), self.lanes, &mut best);
+            found_in(&best.first(self.w, self.geometry, self.lanes)).into_iter().for_each(&mut found);
         };
         self.visit(parts, &mut AllHitsVisitor(self.w, &mut test));
-        self.stage.planes().for_each(&mut test);
+        self.geometry.planes().for_each(&mut test);
     }
 
     /// Which rays come near a body of a leaf before `reach`, but for those that have just left it: a sphere is a fraction of
     /// a body in memory, and of its test.
     #[inline(always)]
     fn comes_near(&self, index: u32, reach: W::R) -> W::M {
-        self.stage.sphere(index).is_met(self.origin, self.direction, reach) & !self.leaves(index)
+        self.geometry.sphere(index).is_met(self.origin, self.direction, reach) & !self.leaves(index)
     }
 
     /// Where rays meet a body first, if they may at all.
@@ -356,7 +357,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     /// Where rays meet a body first, if any do.
     #[inline(always)]
     fn meeting(&self, body: (u32, &RenderBody), lanes: W::M, inside: W::M) -> Option<BodyIntersection<W>> {
-        let span = self.stage.span(self.w, body, self.origin, self.direction);
+        let span = self.geometry.span(self.w, body, self.origin, self.direction);
         if !(lanes & (inside | span.hit)).any() {
             return None;
         }
@@ -376,7 +377,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
         if within.any() {
             let start = start_within(
                 self.w,
-                (self.stage, body.0),
+                (self.geometry, body.0),
                 (self.origin, self.direction),
                 self.start_slack(),
                 within,
@@ -420,7 +421,7 @@ fn nearest_of_many<W: Width>(
 #[inline(never)]
 fn start_within<W: Width>(
     w: W,
-    (stage, body): (&RenderScene, u32),
+    (geometry, body): (&Geometry, u32),
     (origin, direction): (Vector<W::R>, Vector<W::R>),
     start_slack: W::R,
     within: W::M,
@@ -428,8 +429,8 @@ fn start_within<W: Width>(
     w.run(
         #[inline(always)]
         || {
-            let (span, [at_enter, at_exit]) = stage.span_and_cosines(w, body, origin, direction);
-            let slack = start_slack + stage.body(body).slack;
+            let (span, [at_enter, at_exit]) = geometry.span_and_cosines(w, body, origin, direction);
+            let slack = start_slack + geometry.body(body).slack;
             let behind_entry = -span.enter * at_enter;
             let before_exit = span.exit * at_exit;
             let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
@@ -478,7 +479,7 @@ impl<W: Width> BodyVisitor<W> for ClosestHitVisitor<'_, '_, W> {
     #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
         for index in bodies {
-            self.0.test(index, self.0.stage.body(index), lanes, self.1);
+            self.0.test(index, self.0.geometry.body(index), lanes, self.1);
         }
     }
 }

@@ -378,13 +378,19 @@ impl TileRenderer<'_> {
 
     /// Traces the first of these rays, and what grows from them as long as all of them go on; others wait, those of the
     /// first ones at `level`.
-    fn trace_while_full<W: Width, const FULL: bool>(&mut self, w: W, paths: &mut [PathState<W>; 2], level: usize) {
+    fn trace_while_full<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: &mut [PathState<W>; 2],
+        level: usize,
+    ) {
         w.run(
             #[inline(always)]
             || {
                 let [mut paths, mut grown] = paths.each_mut();
                 for level in level.. {
-                    let light = self.trace_packet::<W, FULL>(w, paths, PacketSource::Anywhere, level, grown).light;
+                    let light =
+                        self.trace_packet::<W, FULL>(w, paths, PacketSource::Anywhere, level, grown).light;
                     self.light.add(w, paths, light);
                     std::mem::swap(&mut paths, &mut grown);
                     if !paths.lanes.any() {

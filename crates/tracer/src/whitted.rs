@@ -2,16 +2,16 @@
 //!
 //! Turner Whitted, An improved illumination model for shaded display, Communications of the ACM 23(6), 1980.
 
-mod paths;
-mod sampler;
+mod candidates;
 mod encounter;
 mod gloss;
+mod paths;
 mod record;
+mod sampler;
 mod spawn;
 mod streams;
 mod tally;
 mod tree;
-mod candidates;
 mod waves;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,7 +21,8 @@ use glam::{DVec2, Vec3A};
 
 use crate::counts::RayCounts;
 use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, ScalarWidth, Width, Word as _};
-use crate::media::{AIR, BodyMembership, MediumStacks};
+use crate::media::{AIR, MediumStacks};
+use crate::membership::{BodyMembership, MembershipSource as _};
 use crate::ray::{NO_BODY, Ray, RayPacket};
 use crate::render::RenderControl;
 use crate::search::{Candidates, MediumIntervals, PacketHits, RayQuery, ShadowScratch, Transmittance};
@@ -29,17 +30,17 @@ use crate::stage::{CameraRays, RenderCamera, RenderLight, RenderScene, Traversal
 use crate::surface::{MOST_OF_PIXEL, phong_highlight};
 use crate::vector::Vector;
 
-pub(crate) use paths::{InterfaceCrossing, PathState, RayQueue, SecondaryRays};
-use sampler::SampleDimension;
-pub(crate) use sampler::{Sample2D, Sampler};
+use candidates::TileCandidates;
 use encounter::SurfaceInteraction;
+pub(crate) use paths::{InterfaceCrossing, PathState, RayQueue, SecondaryRays};
 pub use record::{
     BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
     ReflectionModel, ShadowCrossing, ShadowRecord, SurfaceRecord,
 };
+use sampler::SampleDimension;
+pub(crate) use sampler::{Sample2D, Sampler};
 pub(crate) use streams::StreamShading;
 pub use tally::PixelStatistics;
-use candidates::TileCandidates;
 pub(crate) use waves::SampledWavelengths;
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
@@ -126,8 +127,7 @@ impl<'a> WhittedIntegrator<'a> {
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
             light += Vec3A::from(
-                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
-                    .light,
+                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending).light,
             );
             light = light.clamp(Vec3A::splat(-MOST_OF_PIXEL), Vec3A::splat(MOST_OF_PIXEL));
             until_look -= 1;
@@ -182,7 +182,7 @@ impl<'a> WhittedIntegrator<'a> {
     #[inline(always)]
     pub(crate) fn start_paths<W: Width>(&mut self, w: W, paths: &mut PathState<W>) {
         self.counts.primary += u64::from(paths.lanes.bits().count_ones());
-        if self.stage.has_transparency {
+        if self.stage.geometry.has_transparency {
             paths.media = match self.camera.eye() {
                 Some(eye) => {
                     let at_eye = || self.media.at_point(self.stage, eye);
@@ -228,7 +228,7 @@ impl<'a> WhittedIntegrator<'a> {
         secondary: &mut impl SecondaryRays<W>,
     ) -> PacketRadiance<W> {
         let mut inside = std::mem::take(&mut self.inside);
-        inside.fill::<W>(&self.media, paths.media, paths.lanes);
+        self.media.fill::<W>(&mut inside, paths.media, paths.lanes);
         let followed = self.li_inside::<W, FULL>(w, paths, from, &inside, secondary);
         self.inside = inside;
         followed
@@ -297,14 +297,20 @@ impl<'a> WhittedIntegrator<'a> {
         inside: &BodyMembership,
     ) -> PacketHits<W> {
         if let PacketSource::Stream { streams, at } = from {
-            let flight = RayQuery::new(w, self.stage, &paths.rays, paths.lanes, inside, Candidates::All);
+            let flight =
+                RayQuery::new(w, &self.stage.geometry, &paths.rays, paths.lanes, inside, Candidates::All);
             return streams.rays.hits(w, *at, &flight);
         }
         let are_from_eye = matches!(from, PacketSource::Eye);
         if are_from_eye && self.candidates.through_tile().is_empty() {
             return PacketHits::none(w);
         }
-        self.nearest_of_packet(w, paths, are_from_eye, inside).settled(w, self.stage, &paths.rays, inside)
+        self.nearest_of_packet(w, paths, are_from_eye, inside).settled(
+            w,
+            &self.stage.geometry,
+            &paths.rays,
+            inside,
+        )
     }
 
     fn nearest_of_packet<W: Width>(
@@ -318,7 +324,7 @@ impl<'a> WhittedIntegrator<'a> {
             #[inline(always)]
             move || {
                 let along = if are_from_eye { self.candidates.through_tile() } else { Candidates::All };
-                let flight = RayQuery::new(w, self.stage, &paths.rays, paths.lanes, inside, along);
+                let flight = RayQuery::new(w, &self.stage.geometry, &paths.rays, paths.lanes, inside, along);
                 flight.nearest_unsettled(&mut self.parts)
             },
         )
@@ -472,9 +478,9 @@ fn transmittance<W: Width>(
     w.run(
         #[inline(always)]
         move || {
-            let flight = RayQuery::new(w, stage, rays, lanes, inside, along);
+            let flight = RayQuery::new(w, &stage.geometry, rays, lanes, inside, along);
             let memory = ShadowScratch { parts, intervals, blocker };
-            flight.transmittance(*distance, (table, *media), memory)
+            flight.transmittance(stage, *distance, (table, *media), memory)
         },
     )
 }

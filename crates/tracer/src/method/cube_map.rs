@@ -76,7 +76,7 @@ impl CubeMap {
         let projection = Projection::Perspective { fov_degrees: 2.0 * half_angle.to_degrees() };
         let settings = RenderSettings { width: side, height: side, samples: 1 };
         for (face, pixels) in FACES.iter().zip(map.pixels.chunks_mut((side * side) as usize)) {
-            let position = stage.space.origin + center;
+            let position = stage.geometry.space.origin + center;
             let camera = Camera { position, target: position + face.forward, up: face.up, projection };
             let rendering = render_through(stage, &stage.camera_for(&camera), settings, control)?;
             counts += rendering.counts;

@@ -173,7 +173,7 @@ impl GBuffer {
                 _ => {}
             }
             let texel = self.texels.get(index).filter(|texel| !texel.is_empty())?;
-            let material = stage.material(stage.body(texel.start.body));
+            let material = stage.material(stage.geometry.body(texel.start.body));
             Some(match layer {
                 GBufferLayer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
                 GBufferLayer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
@@ -205,7 +205,7 @@ pub(super) fn seen(
     let Some(hit) = probe.primary(&ray) else {
         return GBufferTexel { normal: rays.direction, ..GBufferTexel::EMPTY };
     };
-    let point = stage.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
+    let point = stage.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
     GBufferTexel {
         start: RayOrigin { body: hit.body, inwards: hit.leaving },
         depth: camera.homogeneous(exact(point.in_world).extend(1.0), size).depth as f32,

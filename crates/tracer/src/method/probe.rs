@@ -5,7 +5,8 @@ use glam::DVec3;
 use super::LightModel;
 use crate::counts::RayCounts;
 use crate::lanes::ScalarWidth;
-use crate::media::{AIR, BodyMembership, MediumStacks};
+use crate::media::{AIR, MediumStacks};
+use crate::membership::{BodyMembership, MembershipSource as _};
 use crate::ray::{NO_BODY, Ray, RayOrigin, RayPacket};
 use crate::search::{Candidates, HitRecord, MediumIntervals, RayQuery, ShadowScratch, found_in};
 use crate::stage::{RenderCamera, RenderScene, SurfacePoint, TraversalStack};
@@ -73,10 +74,10 @@ impl<'a> PointShader<'a> {
 
     /// From now on, primary rays start here.
     pub(super) fn stand_at(&mut self, point: Vector<f32>) {
-        if self.stage.has_transparency {
+        if self.stage.geometry.has_transparency {
             self.table.trim();
             self.media = self.table.at_point(self.stage, point);
-            self.inside.fill::<ScalarWidth>(&self.table, self.media, true);
+            self.table.fill::<ScalarWidth>(&mut self.inside, self.media, true);
         }
     }
 
@@ -88,7 +89,7 @@ impl<'a> PointShader<'a> {
         self.counts.primary += 1;
         let rays = ray.alone();
         found_in(
-            &RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::All)
+            &RayQuery::new(ScalarWidth, &self.stage.geometry, &rays, true, &self.inside, Candidates::All)
                 .nearest(&mut self.parts),
         )
     }
@@ -97,7 +98,7 @@ impl<'a> PointShader<'a> {
     pub(super) fn light(&mut self, at: &ShadingPoint, model: LightModel, shadows: bool) -> DirectLight {
         let stage = self.stage;
         let nothing = Vector::new(0.0, 0.0, 0.0);
-        let material = stage.material(stage.body(at.start.body));
+        let material = stage.material(stage.geometry.body(at.start.body));
         let specular = if model == LightModel::Phong { material.specular } else { 0.0 };
         let on_color = Vector::from(glam::Vec3::from(stage.ambient)) * material.ambient;
         let mut light = DirectLight { on_color, highlight: nothing };
@@ -133,15 +134,15 @@ impl<'a> PointShader<'a> {
             RayPacket { origin: at.position, direction: to_light, start: at.start.word() };
         let Self { parts, intervals, .. } = self;
         let memory = ShadowScratch { parts, intervals, blocker: &mut { NO_BODY } };
-        RayQuery::new(ScalarWidth, self.stage, &rays, true, &self.inside, Candidates::All)
-            .transmittance(distance, (&self.table, self.media), memory)
+        RayQuery::new(ScalarWidth, &self.stage.geometry, &rays, true, &self.inside, Candidates::All)
+            .transmittance(self.stage, distance, (&self.table, self.media), memory)
             .shares(ScalarWidth)
     }
 }
 
 /// The color C of a body at a point of its surface.
 pub(super) fn color_at(stage: &RenderScene, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
-    color_of(stage, body, point.in_body, point.on_checker(stage.body(body)))
+    color_of(stage, body, point.in_body, point.on_checker(stage.geometry.body(body)))
 }
 
 /// The color C of a body at a point of its own frame, which its checkerboard sees as `on_checker`.
@@ -151,7 +152,7 @@ pub(super) fn color_of(
     in_body: Vector<f32>,
     on_checker: Vector<f32>,
 ) -> Vector<f32> {
-    let body = stage.body(body);
+    let body = stage.geometry.body(body);
     let checker = stage.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(on_checker));
     match checker {
         Some(checker) => Vector::splat(0.0, checker.color),
@@ -161,7 +162,7 @@ pub(super) fn color_of(
 
 /// Coefficient k_r, if a ray that carries it is traced at all.
 pub(super) fn reflection_of(stage: &RenderScene, body: u32) -> Option<f32> {
-    let reflection = stage.material(stage.body(body)).reflection;
+    let reflection = stage.material(stage.geometry.body(body)).reflection;
     (stage.generations > 1 && reflection > 0.0 && reflection >= stage.threshold).then_some(reflection)
 }
 

@@ -156,9 +156,9 @@ fn in_order_of_entry(
     let place = |body: u32| table.bodies(media).position(|other| other == body);
     b.is_within.cmp(&a.is_within).then_with(|| {
         if a.is_within {
-            place(b.body).cmp(&place(a.body)).then_with(|| stage.scene_order(a.body, b.body))
+            place(b.body).cmp(&place(a.body)).then_with(|| stage.geometry.scene_order(a.body, b.body))
         } else {
-            a.enter.total_cmp(&b.enter).then_with(|| stage.scene_order(a.body, b.body))
+            a.enter.total_cmp(&b.enter).then_with(|| stage.geometry.scene_order(a.body, b.body))
         }
     })
 }
@@ -177,7 +177,7 @@ fn loss_of(stage: &RenderScene, intervals: &[MediumInterval], open: &mut Vec<Med
         while let Some(last) = open.last() {
             let until = last.exit.min(end);
             if until > at {
-                let absorption = stage.material(stage.body(last.body)).absorption;
+                let absorption = stage.material(stage.geometry.body(last.body)).absorption;
                 for (loss, absorption) in loss.iter_mut().zip(absorption) {
                     *loss += absorption * (until - at);
                 }

@@ -1,9 +1,9 @@
 //! The nearest hits so far.
 
 use super::{BodyIntersection, PacketHits};
+use crate::geometry::Geometry;
 use crate::lanes::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word as _};
 use crate::ray::POINT_ROUNDING;
-use crate::stage::RenderScene;
 
 /// Hits that coincide may lie so many times the bound of rounding apart along a ray: it is a bound across the surface, which
 /// the ray may graze. Rounding is far less than its bound, so that more than a thousandfold is allowed for.
@@ -33,8 +33,8 @@ pub(super) struct ClosestHits<W: Width> {
 
 /// How far apart hits that coincide may lie at the start of rays, [`GRAZING`] and the slacks of two bodies included.
 #[inline(always)]
-pub(super) fn margin<R: Float32>(stage: &RenderScene, start_slack: R) -> R {
-    (start_slack + 2.0 * stage.largest_slack) * GRAZING
+pub(super) fn margin<R: Float32>(geometry: &Geometry, start_slack: R) -> R {
+    (start_slack + 2.0 * geometry.largest_slack) * GRAZING
 }
 
 /// Up to where hits may coincide with one at `t`; `margin` is how far apart they may lie at the start of the rays.
@@ -45,10 +45,10 @@ pub(super) fn reach_for<R: Float32>(t: R, margin: R) -> R {
 
 impl<W: Width> ClosestHits<W> {
     #[inline(always)]
-    pub(super) fn new(w: W, stage: &RenderScene, start_slack: W::R) -> Self {
+    pub(super) fn new(w: W, geometry: &Geometry, start_slack: W::R) -> Self {
         let infinity = w.real(f32::INFINITY);
         let nearest = ClosestHit { t: infinity, body: w.word(0), face: w.real(0.0), second: infinity };
-        let margin = margin(stage, start_slack);
+        let margin = margin(geometry, start_slack);
         let reach = w.real(f32::MAX);
         Self { leaving: nearest, entering: nearest, reach, start_slack, margin }
     }
@@ -79,7 +79,7 @@ impl<W: Width> ClosestHits<W> {
     /// The first hits of `lanes`, before those that are contested are settled. Of hits that coincide within rounding, the
     /// one that leads out comes before the one that leads in: bodies that touch have a film of air between them.
     #[inline(always)]
-    pub(super) fn first(&self, w: W, stage: &RenderScene, lanes: W::M) -> PacketHits<W> {
+    pub(super) fn first(&self, w: W, geometry: &Geometry, lanes: W::M) -> PacketHits<W> {
         let infinity = w.real(f32::INFINITY);
         let ClosestHit { t, body, face, .. } = self.entering;
         let leaves = self.leaving.t.lt(infinity);
@@ -95,10 +95,10 @@ impl<W: Width> ClosestHits<W> {
             hits.contested = hits.contested | lanes & self.leaving.is_contested(w, self.margin);
             let out = self.leaving.t;
             let surely = leaves & out.le(t + self.slack_at(t, w.real(0.0)));
-            let perhaps = leaves & out.le(t + self.slack_at(t, w.real(stage.largest_slack)));
+            let perhaps = leaves & out.le(t + self.slack_at(t, w.real(geometry.largest_slack)));
             hits.leaving = surely;
             if (perhaps & !surely).any() {
-                let larger = larger_slack(w, stage, body, self.leaving.body);
+                let larger = larger_slack(w, geometry, body, self.leaving.body);
                 hits.leaving = leaves & out.le(t + self.slack_at(t, larger));
             }
             hits.t = W::R::select(hits.leaving, self.leaving.t, t);
@@ -131,13 +131,13 @@ impl<W: Width> ClosestHit<W> {
 /// The larger slack of two bodies.
 #[cold]
 #[inline(never)]
-fn larger_slack<W: Width>(w: W, stage: &RenderScene, one: W::W, other: W::W) -> W::R {
+fn larger_slack<W: Width>(w: W, geometry: &Geometry, one: W::W, other: W::W) -> W::R {
     let (mut ones, mut others) = ([0; MOST_LANES], [0; MOST_LANES]);
     one.store(&mut ones);
     other.store(&mut others);
     let mut slacks = [0.0; MOST_LANES];
     for (slack, (&one, &other)) in slacks.iter_mut().zip(ones.iter().zip(&others)) {
-        *slack = stage.body(one).slack.max(stage.body(other).slack);
+        *slack = geometry.body(one).slack.max(geometry.body(other).slack);
     }
     w.load(&slacks)
 }

@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 use super::{Candidates, ClosestHitVisitor, ClosestHits, GRAZING, PacketHits, RayQuery};
+use crate::geometry::Geometry;
 use crate::lanes::{Float32, MOST_LANES, Mask as _, ScalarWidth, Width, Word as _};
-use crate::media::BodyMembership;
+use crate::membership::BodyMembership;
 use crate::ray::{POINT_ROUNDING, RayPacket, slack_at};
-use crate::stage::{BodyVisitor, RenderScene, TraversalStack};
+use crate::stage::{BodyVisitor, TraversalStack};
 use crate::vector::Vector;
 
 /// Where one ray crosses the surface of a body.
@@ -25,7 +26,7 @@ struct SurfaceCrossing {
 #[inline(never)]
 pub(super) fn settle<W: Width>(
     w: W,
-    stage: &RenderScene,
+    geometry: &Geometry,
     rays: &RayPacket<W>,
     inside: &BodyMembership,
     hits: PacketHits<W>,
@@ -47,7 +48,7 @@ pub(super) fn settle<W: Width>(
         let rays =
             RayPacket { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
         let inside = inside.of_lane(lane);
-        let first = RayQuery::new(ScalarWidth, stage, &rays, true, &inside, Candidates::All)
+        let first = RayQuery::new(ScalarWidth, geometry, &rays, true, &inside, Candidates::All)
             .first_settled(&mut parts);
         (ts[lane], faces[lane], bodies[lane]) = (first.t, first.face, first.body);
         let at = 1 << lane;
@@ -76,7 +77,7 @@ fn rows<R: Float32>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
 impl RayQuery<'_, ScalarWidth> {
     /// The first hit of the ray, of bodies that are entered where it is, or left, the first in the scene.
     fn first_settled(&self, parts: &mut TraversalStack) -> PacketHits<ScalarWidth> {
-        let mut best = ClosestHits::new(ScalarWidth, self.stage, self.start_slack());
+        let mut best = ClosestHits::new(ScalarWidth, self.geometry, self.start_slack());
         self.visit(parts, &mut ClosestHitVisitor(self, &mut best));
         self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
         for (nearest, leaving) in [(&mut best.entering, false), (&mut best.leaving, true)] {
@@ -86,7 +87,7 @@ impl RayQuery<'_, ScalarWidth> {
                 (nearest.t, nearest.face, nearest.body) = (counts.t, counts.face, counts.body);
             }
         }
-        best.first(ScalarWidth, self.stage, false)
+        best.first(ScalarWidth, self.geometry, false)
     }
 
     /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
@@ -97,15 +98,15 @@ impl RayQuery<'_, ScalarWidth> {
         parts: &mut TraversalStack,
     ) -> SurfaceCrossing {
         let slack_there = slack_at(self.origin) + nearest.t * POINT_ROUNDING;
-        let slack = |body: u32| self.stage.body(body).slack;
-        let reach = nearest.t + GRAZING * (slack_there + self.stage.largest_slack);
+        let slack = |body: u32| self.geometry.body(body).slack;
+        let reach = nearest.t + GRAZING * (slack_there + self.geometry.largest_slack);
         let mut crossings = Vec::new();
         let mut visitor = CrossingVisitor { flight: self, leaving, reach, crossings: &mut crossings };
         self.visit(parts, &mut visitor);
         self.visit_planes(&mut visitor);
         // Of equal ones the first in the scene, so that the order of visits does not matter.
         let order = |one: &SurfaceCrossing, other: &SurfaceCrossing| {
-            one.t.total_cmp(&other.t).then_with(|| self.stage.scene_order(one.body, other.body))
+            one.t.total_cmp(&other.t).then_with(|| self.geometry.scene_order(one.body, other.body))
         };
         let nearest = crossings.iter().copied().min_by(order).unwrap_or(nearest);
         let own_slack = slack(nearest.body);
@@ -116,13 +117,13 @@ impl RayQuery<'_, ScalarWidth> {
         };
         let others = crossings.into_iter().filter(|other| other.body != nearest.body && coincides(other));
         others.fold(nearest, |first, other| {
-            if self.stage.scene_order(other.body, first.body).is_lt() { other } else { first }
+            if self.geometry.scene_order(other.body, first.body).is_lt() { other } else { first }
         })
     }
 
     /// |cos| of the angle between the ray and the normal where it enters or leaves a body.
     fn cosine(&self, body: u32, leaving: bool) -> f32 {
-        let cosines = self.stage.span_and_cosines(ScalarWidth, body, self.origin, self.direction).1;
+        let cosines = self.geometry.span_and_cosines(ScalarWidth, body, self.origin, self.direction).1;
         cosines[usize::from(leaving)]
     }
 }
@@ -144,7 +145,7 @@ impl BodyVisitor<ScalarWidth> for CrossingVisitor<'_, '_> {
 
     fn leaf(&mut self, bodies: Range<u32>, lanes: bool) {
         for index in bodies {
-            let body = self.flight.stage.body(index);
+            let body = self.flight.geometry.body(index);
             let Some(meeting) = self.flight.meets(index, body, lanes) else { continue };
             let (is_met, t, face) = if self.leaving {
                 (meeting.leaving, meeting.exit, meeting.exit_face)

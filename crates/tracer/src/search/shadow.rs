@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use super::absorption::MediumIntervals;
 use super::{AllHitsVisitor, BodyIntersection, HitRecord, RayBodyLanes, RayQuery};
+use crate::geometry::Accelerator;
 use crate::lanes::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width};
 use crate::media::MediumStacks;
 use crate::ray::{NO_BODY, POINT_ROUNDING};
-use crate::stage::{Accelerator, BodyVisitor, Bvh, RenderBody, TraversalStack};
+use crate::stage::{BodyVisitor, Bvh, RenderBody, RenderScene, TraversalStack};
 use crate::vector::Vector;
 
 /// Where rays cross a body's surface before a light.
@@ -37,6 +38,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     pub(crate) fn transmittance(
         &self,
+        scene: &RenderScene,
         distance: W::R,
         media: (&MediumStacks, W::W),
         memory: ShadowScratch<'_>,
@@ -46,18 +48,19 @@ impl<'a, W: Width> RayQuery<'a, W> {
         let distance = distance * (1.0 - POINT_ROUNDING);
         let mut passed = Transmittance { lanes: self.lanes, share: None, blocker: *blocker };
         if W::USES_HIERARCHY
-            && let Accelerator::Many(_) = &self.stage.hierarchy
-            && let Some(body) = self.stage.bodies.get(*blocker as usize)
+            && let Accelerator::Many(_) = &self.geometry.hierarchy
+            && let Some(body) = self.geometry.bodies.get(*blocker as usize)
             && !body.is_transparent()
         {
-            self.filter(*blocker, body, distance, passed.lanes, (&mut passed, None));
+            self.filter(scene, *blocker, body, distance, passed.lanes, (&mut passed, None));
             if !passed.lanes.any() {
                 return passed;
             }
         }
         match self.hierarchy() {
-            Some(bvh) => passed = pass_many(*self, distance, passed, intervals, (bvh, parts)),
+            Some(bvh) => passed = pass_many(*self, scene, distance, passed, intervals, (bvh, parts)),
             None => self.pass(
+                scene,
                 distance,
                 &mut passed,
                 intervals,
@@ -66,8 +69,8 @@ impl<'a, W: Width> RayQuery<'a, W> {
             ),
         }
         *blocker = passed.blocker;
-        if self.stage.absorbs && !intervals.is_empty() {
-            let left = intervals.left_after(self.w, self.stage, media);
+        if scene.absorbs && !intervals.is_empty() {
+            let left = intervals.left_after(self.w, scene, media);
             passed.share = Some(passed.share.unwrap_or_else(|| all_of(self.w)).times(left));
         }
         passed
@@ -77,13 +80,14 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     fn pass(
         &self,
+        scene: &RenderScene,
         distance: W::R,
         passed: &mut Transmittance<W>,
         intervals: &mut MediumIntervals,
         visit: impl FnOnce(&mut TransmittanceVisitor<'_, 'a, W>),
     ) {
         let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
-        let mut shadow = TransmittanceVisitor { flight: self, passed, intervals, distance, reach };
+        let mut shadow = TransmittanceVisitor { flight: self, scene, passed, intervals, distance, reach };
         visit(&mut shadow);
         self.visit_planes(&mut shadow);
     }
@@ -98,7 +102,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             first[0]
         };
         let mut test = |index: u32| {
-            let body = self.stage.body(index);
+            let body = self.geometry.body(index);
             let Some(crossed) = self.crossed(index, body, distance, self.lanes) else { return };
             let BodyCrossing { in_front, enter, behind, exit, .. } = crossed;
             if in_front.any() {
@@ -109,7 +113,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             }
         };
         self.visit(&mut TraversalStack::default(), &mut AllHitsVisitor(self.w, &mut test));
-        self.stage.planes().for_each(&mut test);
+        self.geometry.planes().for_each(&mut test);
     }
 
     /// Where rays cross the surface of one body before `distance`, if any may.
@@ -131,6 +135,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     pub(super) fn filter(
         &self,
+        scene: &RenderScene,
         index: u32,
         body: &RenderBody,
         distance: W::R,
@@ -150,7 +155,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             }
             return;
         }
-        if self.stage.absorbs
+        if scene.absorbs
             && let Some(intervals) = intervals
         {
             intervals.note::<W>(index, (in_front, enter), (within, exit.min(distance)));
@@ -159,7 +164,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             return;
         }
         let both = in_front & exit.lt(distance);
-        let material = self.stage.material(body);
+        let material = scene.material(body);
         let all = passed.share.unwrap_or_else(|| all_of(self.w));
         let once = all.times_all(material.filter);
         let mut share = Vector::select(crossed, once, all);
@@ -190,6 +195,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
 #[inline(never)]
 fn pass_many<W: Width>(
     flight: RayQuery<'_, W>,
+    scene: &RenderScene,
     distance: W::R,
     passed: Transmittance<W>,
     intervals: &mut MediumIntervals,
@@ -200,6 +206,7 @@ fn pass_many<W: Width>(
         || {
             let mut passed = passed;
             flight.pass(
+                scene,
                 distance,
                 &mut passed,
                 intervals,
@@ -214,6 +221,7 @@ fn pass_many<W: Width>(
 /// Looks for what shades.
 struct TransmittanceVisitor<'f, 'a, W: Width> {
     flight: &'f RayQuery<'a, W>,
+    scene: &'f RenderScene,
     passed: &'f mut Transmittance<W>,
     intervals: &'f mut MediumIntervals,
     distance: W::R,
@@ -232,10 +240,10 @@ impl<W: Width> BodyVisitor<W> for TransmittanceVisitor<'_, '_, W> {
     #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
         for index in bodies {
-            let body = self.flight.stage.body(index);
+            let body = self.flight.geometry.body(index);
             let lanes = lanes & self.passed.lanes;
             let noted = (&mut *self.passed, Some(&mut *self.intervals));
-            self.flight.filter(index, body, self.distance, lanes, noted);
+            self.flight.filter(self.scene, index, body, self.distance, lanes, noted);
         }
         self.reach = W::R::select(self.passed.lanes, self.reach, self.flight.w.real(f32::NEG_INFINITY));
     }

@@ -3,7 +3,7 @@
 /// Asks the processor to fetch an item of `list`, without waiting for it. Nothing happens if there is none, or on processors
 /// other than x86-64.
 #[inline(always)]
-pub(super) fn fetch<T>(list: &[T], index: u32) {
+pub(crate) fn fetch<T>(list: &[T], index: u32) {
     if let Some(item) = list.get(index as usize) {
         fetch_all(std::slice::from_ref(item));
     }

@@ -59,14 +59,14 @@ pub(crate) const TINY: f32 = 1e-20;
 
 impl Bvh {
     /// Builds the hierarchy and sorts `entries` into the order of its leaves, each leaf by the bodies' shapes.
-    pub(super) fn build(entries: &mut [BuildEntry]) -> Self {
+    pub(crate) fn build(entries: &mut [BuildEntry]) -> Self {
         let nodes = build::build(entries);
         let cost = refit::cost_of(&nodes);
         Self { nodes, cost, built_cost: cost }
     }
 
     /// The box of everything.
-    pub(super) fn bounds(&self) -> Bounds {
+    pub(crate) fn bounds(&self) -> Bounds {
         self.nodes.first().map_or(Bounds::EMPTY, BvhNode::bounds)
     }
 

@@ -45,7 +45,7 @@ impl RenderScene {
     /// removed, hidden or shown, named materials changed, very many bodies did, the hierarchy would become a poor one, or a
     /// body needs double precision. Whether the stage [suits](Self::suits) the camera is asked apart.
     pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<SceneEdit> {
-        let Accelerator::Many(bvh) = &self.hierarchy else { return None };
+        let Accelerator::Many(bvh) = &self.geometry.hierarchy else { return None };
         let is_known = before.bodies.len() == after.bodies.len() && before.materials == after.materials;
         if !is_known || changed.len() > after.bodies.len() / 64 + 1 || self.added > Self::MOST_ADDED {
             return None;
@@ -62,15 +62,15 @@ impl RenderScene {
                 return None;
             }
             let (place, path) = self.find(old, index as u32)?;
-            let BodyParts { body, bounds, double } = RenderBody::prepare(new, &self.space);
-            if double.is_some() || self.doubles.get(index as u32).is_some() {
+            let BodyParts { body, bounds, double } = RenderBody::prepare(new, &self.geometry.space);
+            if double.is_some() || self.geometry.doubles.get(index as u32).is_some() {
                 return None;
             }
             if let (Some(path), Some(bounds)) = (&path, bounds) {
                 cost += bvh.growth(path, bounds);
             }
             let material = after.material(&new.material)?;
-            edit.changes.push(BodyEdit::new(place, path, body, material, (new, &self.space)));
+            edit.changes.push(BodyEdit::new(place, path, body, material, (new, &self.geometry.space)));
         }
         bvh.allows(cost).then_some(edit)
     }
@@ -84,29 +84,35 @@ impl RenderScene {
             changes.bodies.push(change.place..change.place + 1);
             paths.extend(change.path);
         }
-        if let Accelerator::Many(bvh) = &mut self.hierarchy {
+        if let Accelerator::Many(bvh) = &mut self.geometry.hierarchy {
             for path in &paths {
                 let leaf = bvh.leaf(path);
                 changes.bodies.push(leaf.clone());
                 changes.nodes.extend(path.iter().map(|(node, _)| node));
-                sort_leaf(&mut self.bodies, &mut self.spheres, &mut self.scene_indices, leaf.clone());
-                let indices = self.scene_indices.get(range(&leaf)).unwrap_or_default();
-                let boxes = indices.iter().filter_map(|&index| bounds_of(after, index, &self.space));
+                sort_leaf(
+                    &mut self.geometry.bodies,
+                    &mut self.geometry.spheres,
+                    &mut self.geometry.scene_indices,
+                    leaf.clone(),
+                );
+                let indices = self.geometry.scene_indices.get(range(&leaf)).unwrap_or_default();
+                let boxes = indices.iter().filter_map(|&index| bounds_of(after, index, &self.geometry.space));
                 bvh.refit(path, boxes.fold(Bounds::EMPTY, Bounds::union));
             }
-            let own_planes = self.bodies.iter().skip(self.bounded as usize);
+            let own_planes = self.geometry.bodies.iter().skip(self.geometry.bounded as usize);
             let bounds = bounds_of_free_ways(bvh.bounds(), own_planes, &self.materials);
-            let planes = self.scene_indices.get(self.bounded as usize..).unwrap_or_default();
+            let planes =
+                self.geometry.scene_indices.get(self.geometry.bounded as usize..).unwrap_or_default();
             let planes = planes.iter().filter_map(|&index| after.bodies.get(index as usize));
-            let surroundings = SceneExtent::new(bounds, planes, &self.space);
-            self.camera = RenderCamera::new(&after.camera, surroundings, self.space.origin);
+            let surroundings = SceneExtent::new(bounds, planes, &self.geometry.space);
+            self.camera = RenderCamera::new(&after.camera, surroundings, self.geometry.space.origin);
         }
         self.log.add(changes);
         self.lights = after
             .lights
             .iter()
             .filter(|light| !light.hidden)
-            .map(|light| RenderLight::new(light, &self.space))
+            .map(|light| RenderLight::new(light, &self.geometry.space))
             .collect();
         self.sky = EnvironmentLight::new(&after.environment);
         self.is_full |= self.lights.iter().any(|light| light.radius > 0.0) || self.sky.is_full();
@@ -119,15 +125,15 @@ impl RenderScene {
     /// The place of the body `index` of the scene, which is `body` there, and the way to its leaf, if it hangs on one.
     pub(super) fn find(&self, body: &Body, index: u32) -> Option<(u32, Option<NodePath>)> {
         let place_in = |places: Range<u32>| {
-            let indices = self.scene_indices.get(range(&places))?;
+            let indices = self.geometry.scene_indices.get(range(&places))?;
             let place = indices.iter().position(|&at| at == index)?;
             Some(places.start + place as u32)
         };
-        let Some(bounds) = RenderBody::prepare(body, &self.space).bounds else {
-            return Some((place_in(self.planes())?, None));
+        let Some(bounds) = RenderBody::prepare(body, &self.geometry.space).bounds else {
+            return Some((place_in(self.geometry.planes())?, None));
         };
-        match &self.hierarchy {
-            Accelerator::Few => Some((place_in(0..self.bounded)?, None)),
+        match &self.geometry.hierarchy {
+            Accelerator::Few => Some((place_in(0..self.geometry.bounded)?, None)),
             Accelerator::Many(bvh) => {
                 let path = bvh.path_to(&bounds, |leaf| place_in(leaf).is_some())?;
                 Some((place_in(bvh.leaf(&path))?, Some(path)))
@@ -136,21 +142,21 @@ impl RenderScene {
     }
 
     fn replace(&mut self, change: &BodyEdit) {
-        let Some(old) = self.bodies.get(change.place as usize) else { return };
+        let Some(old) = self.geometry.bodies.get(change.place as usize) else { return };
         let (material, checker) = (old.material, old.checker);
         let material = self.material_index(&change.material, material);
         let checker = self.checker_index(change.checker, checker);
-        if let Some(body) = self.bodies.get_mut(change.place as usize) {
+        if let Some(body) = self.geometry.bodies.get_mut(change.place as usize) {
             *body = RenderBody { material, checker, ..change.body };
-            if let Some(sphere) = self.spheres.get_mut(change.place as usize) {
+            if let Some(sphere) = self.geometry.spheres.get_mut(change.place as usize) {
                 *sphere = body.bounding_sphere();
             }
-            self.has_transparency |= body.is_transparent();
+            self.geometry.has_transparency |= body.is_transparent();
             self.is_full |= change.material.is_full();
             self.absorbs |= change.material.absorbs();
             self.disperses |= change.material.dispersion.is_some();
-            self.largest_slack = self.largest_slack.max(body.slack);
-            self.largest_extent = self.largest_extent.max(body.extent());
+            self.geometry.largest_slack = self.geometry.largest_slack.max(body.slack);
+            self.geometry.largest_extent = self.geometry.largest_extent.max(body.extent());
         }
     }
 

@@ -5,7 +5,8 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::Scene;
 
-use super::{Accelerator, AcceleratorChoice, BuildEntry, EditLog, RenderScene};
+use super::{BuildEntry, EditLog, RenderScene};
+use crate::geometry::{Accelerator, AcceleratorChoice, Geometry};
 
 /// Up to this many bodies are looked for one by one.
 const FEW_WANTED: usize = 256;
@@ -22,7 +23,7 @@ impl RenderScene {
             let place = |&index: &usize| Some(self.find(scene.bodies.get(index)?, index as u32)?.0);
             wanted.iter().filter_map(place).collect()
         } else {
-            let places = self.scene_indices.iter().zip(0..);
+            let places = self.geometry.scene_indices.iter().zip(0..);
             let chosen = places.filter(|&(&index, _)| wanted.contains(&(index as usize)));
             chosen.map(|(_, place)| place).collect()
         };
@@ -31,7 +32,8 @@ impl RenderScene {
 
     /// The same stage without its body `index`.
     pub(crate) fn without(&self, index: u32) -> Self {
-        let others: Vec<u32> = (0..self.bodies.len() as u32).filter(|&other| other != index).collect();
+        let others: Vec<u32> =
+            (0..self.geometry.bodies.len() as u32).filter(|&other| other != index).collect();
         self.with_bodies(&others)
     }
 
@@ -39,7 +41,7 @@ impl RenderScene {
         let mut entries = Vec::new();
         let mut planes = Vec::new();
         for &index in chosen {
-            let body = self.body(index);
+            let body = self.geometry.body(index);
             match body.bounds() {
                 Some(bounds) => entries.push(BuildEntry::new(bounds, index, u32::from(body.kind))),
                 None => planes.push(index),
@@ -47,16 +49,24 @@ impl RenderScene {
         }
         let hierarchy = Accelerator::over(&mut entries, AcceleratorChoice::Quickest);
         let order: Vec<u32> = entries.iter().map(BuildEntry::place).chain(planes).collect();
-        Self {
-            bodies: order.iter().map(|&index| *self.body(index)).collect(),
+        let geometry = Geometry {
+            bodies: order.iter().map(|&index| *self.geometry.body(index)).collect(),
             scene_indices: order
                 .iter()
-                .filter_map(|&index| self.scene_indices.get(index as usize))
+                .filter_map(|&index| self.geometry.scene_indices.get(index as usize))
                 .copied()
                 .collect(),
             bounded: entries.len() as u32,
             hierarchy,
-            spheres: entries.iter().map(|entry| *self.sphere(entry.place())).collect(),
+            spheres: entries.iter().map(|entry| *self.geometry.sphere(entry.place())).collect(),
+            has_transparency: order.iter().any(|&index| self.geometry.body(index).is_transparent()),
+            doubles: Arc::clone(&self.geometry.doubles),
+            space: self.geometry.space,
+            largest_extent: self.geometry.largest_extent,
+            largest_slack: order.iter().map(|&index| self.geometry.body(index).slack).fold(0.0, f32::max),
+        };
+        Self {
+            geometry,
             materials: Arc::clone(&self.materials),
             checkers: Arc::clone(&self.checkers),
             lights: Arc::clone(&self.lights),
@@ -65,14 +75,9 @@ impl RenderScene {
             ambient: self.ambient,
             generations: self.generations,
             threshold: self.threshold,
-            has_transparency: order.iter().any(|&index| self.body(index).is_transparent()),
             is_full: self.is_full,
             absorbs: self.absorbs,
             disperses: self.disperses,
-            doubles: Arc::clone(&self.doubles),
-            space: self.space,
-            largest_extent: self.largest_extent,
-            largest_slack: order.iter().map(|&index| self.body(index).slack).fold(0.0, f32::max),
             lanes: self.lanes,
             to_lights: OnceLock::new(),
             added: 0,

@@ -5,9 +5,10 @@
 
 use glam::{DVec3, Vec3};
 
+use super::RenderBody;
 use super::hull::BoundingHull;
 use super::level::PlaneFrame;
-use super::{RenderBody, RenderLight, RenderScene};
+use crate::geometry::Geometry;
 use crate::lanes::Float32;
 use crate::vector::Vector;
 
@@ -42,7 +43,7 @@ fn margin(hull: &BoundingHull, point: DVec3) -> f64 {
     4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element())
 }
 
-impl RenderScene {
+impl Geometry {
     /// The bodies as they are seen from a point, if they are few.
     pub(crate) fn visible_from(&self, point: [f32; 3]) -> Option<VisibleBodies> {
         if self.bounded as usize > Self::FEW || self.has_doubles() {
@@ -71,15 +72,6 @@ impl RenderScene {
         }
         Some(sights)
     }
-
-    /// For each light that is a point, what may stand in the way to it, if there are few bodies; found once.
-    pub(crate) fn candidates_to_lights(&self) -> &[Option<VisibleBodies>] {
-        let to_light = |light: &RenderLight| match light.radius {
-            0.0 => self.candidates_to_light(light.position),
-            _ => None,
-        };
-        self.to_lights.get_or_init(|| self.lights.iter().map(to_light).collect())
-    }
 }
 
 impl VisibleBodies {
@@ -87,7 +79,7 @@ impl VisibleBodies {
     /// on the way from the point.
     pub(crate) fn keep(
         &mut self,
-        stage: &RenderScene,
+        geometry: &Geometry,
         all: &Self,
         (axis, cos): (Vector<f32>, f32),
         way: f32,
@@ -100,7 +92,7 @@ impl VisibleBodies {
         self.planes.clear();
         let axis = Vec3::from(axis).as_dvec3();
         let is_met = |&&plane: &&u32| {
-            let level = PlaneFrame::of(stage.body(plane));
+            let level = PlaneFrame::of(geometry.body(plane));
             let rise = level.up.dot(axis);
             let least_rise = rise * f64::from(cos) - (1.0 - rise * rise).max(0.0).sqrt() * f64::from(sin);
             !level.is_below(all.point) || least_rise < 4.0 * ROUNDING
@@ -157,6 +149,7 @@ pub(super) mod tests {
     use proptest::collection::vec;
     use proptest::prelude::*;
 
+    use super::super::RenderScene;
     use super::super::space::RenderSpace;
     use super::*;
     use crate::{RenderControl, RenderSettings, render};
@@ -339,7 +332,7 @@ pub(super) mod tests {
             .unwrap()
         };
         let planes = |bodies: Vec<Body>, height: f32| {
-            stage(bodies).candidates_to_light([3.0, height, 0.0]).unwrap().planes.len()
+            stage(bodies).geometry.candidates_to_light([3.0, height, 0.0]).unwrap().planes.len()
         };
         let Shape::Sphere { radius } = Body::default().shape else {
             unreachable!("a body is a sphere at first")
@@ -353,7 +346,7 @@ pub(super) mod tests {
             let (sin, cos) = degrees.to_radians().sin_cos();
             let mut ahead = VisibleBodies::default();
             let cone = (vector(DVec3::new(0.0, sin, -cos)), 10.0_f32.to_radians().cos());
-            ahead.keep(&stage, &stage.visible_from(eye).unwrap(), cone, 0.0);
+            ahead.keep(&stage.geometry, &stage.geometry.visible_from(eye).unwrap(), cone, 0.0);
             ahead.planes.len()
         };
         assert_eq!([9.0, 11.0].map(|degrees| ahead([0.0, 1.0, 0.0], degrees)), [1, 0]);

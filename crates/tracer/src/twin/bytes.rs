@@ -6,10 +6,11 @@ use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use rayon::prelude::*;
 
+use crate::geometry::Accelerator;
 use crate::sampling::sample_offset;
 use crate::stage::{
-    Accelerator, BvhNode, CheckerTexture, EnvironmentLight, LightFalloff, RenderBody, RenderCamera,
-    RenderLight, RenderMaterial, RenderScene, SceneChanges,
+    BvhNode, CheckerTexture, EnvironmentLight, LightFalloff, RenderBody, RenderCamera, RenderLight,
+    RenderMaterial, RenderScene, SceneChanges,
 };
 use crate::tile::{TILE, TileRect};
 
@@ -35,13 +36,13 @@ pub struct SceneArrays<'a>(pub &'a RenderScene);
 impl<'a> SceneArrays<'a> {
     /// The bodies, as they stand in the stage.
     pub fn bodies(self) -> &'a [u8] {
-        bytemuck::cast_slice(&self.0.bodies)
+        bytemuck::cast_slice(&self.0.geometry.bodies)
     }
 
     /// Nodes of the hierarchy, or bounding spheres, as they stand in the stage.
     pub fn boxes(self) -> &'a [u8] {
-        match &self.0.hierarchy {
-            Accelerator::Few => bytemuck::cast_slice(&self.0.spheres),
+        match &self.0.geometry.hierarchy {
+            Accelerator::Few => bytemuck::cast_slice(&self.0.geometry.spheres),
             Accelerator::Many(bvh) => bytemuck::cast_slice(bvh.nodes()),
         }
     }
@@ -61,10 +62,14 @@ impl<'a> SceneArrays<'a> {
     /// (see [`ShaderSpecialization::asks_each_start`](super::Specialization::asks_each_start)).
     pub fn scene_order(self, ranked: bool) -> Vec<u8> {
         let stage = self.0;
-        let mut order: Vec<[u32; 2]> = stage.scene_indices.iter().map(|&index| [index, 0]).collect();
+        let mut order: Vec<[u32; 2]> = stage.geometry.scene_indices.iter().map(|&index| [index, 0]).collect();
         if ranked {
-            let places =
-                stage.bodies.par_iter().zip(&stage.scene_indices).zip(0_u32..stage.bodies.len() as u32);
+            let places = stage
+                .geometry
+                .bodies
+                .par_iter()
+                .zip(&stage.geometry.scene_indices)
+                .zip(0_u32..stage.geometry.bodies.len() as u32);
             let mut volumes: Vec<(f64, u32, u32)> =
                 places.map(|((body, &index), place)| (body.volume(), index, place)).collect();
             volumes.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
@@ -219,10 +224,10 @@ impl FrameUniforms {
             threshold: stage.threshold(),
             size,
             tiles_across: tiles_across(size[0]),
-            bounded: stage.bounded,
-            bodies: stage.bodies.len() as u32,
+            bounded: stage.geometry.bounded,
+            bodies: stage.geometry.bodies.len() as u32,
             lights: stage.lights.len() as u32,
-            largest_slack: stage.largest_slack,
+            largest_slack: stage.geometry.largest_slack,
             eye_media_count: media.len().min(MOST_MEDIA) as u32,
             ..Self::zeroed()
         };

@@ -1,10 +1,9 @@
 //! Which shader fits a stage, and which stages none does.
 
+use crate::geometry::Accelerator;
 use crate::media::MediumStacks;
 use crate::shape::ShapeKind;
-use crate::stage::{
-    Accelerator, EnvironmentLight, RenderBody, RenderCamera, RenderMaterial, RenderScene, SceneChanges,
-};
+use crate::stage::{EnvironmentLight, RenderBody, RenderCamera, RenderMaterial, RenderScene, SceneChanges};
 
 use super::{MOST_INTERVALS, MOST_MEDIA, MOST_RAYS, PhysicalFeatures};
 
@@ -88,7 +87,7 @@ impl SceneContents {
     /// Looks at all bodies of a stage.
     pub fn of(stage: &RenderScene) -> Self {
         let mut contents = Self { depth: depth(stage), ..Self::default() };
-        contents.add(&stage.bodies);
+        contents.add(&stage.geometry.bodies);
         contents
     }
 
@@ -96,7 +95,7 @@ impl SceneContents {
     pub fn follow(&mut self, stage: &RenderScene, changes: &SceneChanges) {
         for range in &changes.bodies {
             let range = range.start as usize..range.end as usize;
-            self.add(stage.bodies.get(range).unwrap_or_default());
+            self.add(stage.geometry.bodies.get(range).unwrap_or_default());
         }
     }
 
@@ -118,7 +117,7 @@ impl ShaderSpecialization {
         stage: &RenderScene,
         camera: &RenderCamera,
     ) -> Result<Self, UnsupportedOnGpu> {
-        if stage.has_doubles() {
+        if stage.geometry.has_doubles() {
             return Err(UnsupportedOnGpu::DoublePrecision);
         }
         let physical = PhysicalFeatures::of(stage);
@@ -164,7 +163,7 @@ pub(super) fn eye_media(stage: &RenderScene, camera: &RenderCamera) -> Vec<u32> 
 
 /// The longest way from the root through the nodes of the hierarchy; 0 without one.
 fn depth(stage: &RenderScene) -> u32 {
-    let Accelerator::Many(bvh) = &stage.hierarchy else { return 0 };
+    let Accelerator::Many(bvh) = &stage.geometry.hierarchy else { return 0 };
     let nodes = bvh.nodes();
     let mut depths = vec![1_u32; nodes.len()];
     let mut deepest = 1;

@@ -15,7 +15,7 @@ pub(super) struct TileCandidates<'a> {
 impl<'a> TileCandidates<'a> {
     pub(super) fn new(stage: &'a RenderScene, camera: &RenderCamera) -> Self {
         Self {
-            from_eye: camera.eye().and_then(|eye| stage.visible_from(eye.into())),
+            from_eye: camera.eye().and_then(|eye| stage.geometry.visible_from(eye.into())),
             in_tile: VisibleBodies::default(),
             to_lights: stage.candidates_to_lights(),
         }
@@ -24,7 +24,7 @@ impl<'a> TileCandidates<'a> {
     /// Goes on to the tile whose rays lie within `reach` pixels of the middle of these.
     pub(super) fn begin_tile(&mut self, stage: &RenderScene, rays: &CameraRays, reach: [f32; 2]) {
         if let Some(from_eye) = &self.from_eye {
-            self.in_tile.keep(stage, from_eye, rays.cone(reach), rays.way());
+            self.in_tile.keep(&stage.geometry, from_eye, rays.cone(reach), rays.way());
         }
     }
 

@@ -121,11 +121,11 @@ impl<W: Width> SurfaceInteraction<W> {
         hits: &PacketHits<W>,
         lanes: W::M,
     ) {
-        let body = stage.body(index);
+        let body = stage.geometry.body(index);
         let material = stage.material(body);
         let zero = w.real(0.0);
         let line = (rays.origin, rays.direction);
-        let point = stage.point_on_face(w, (index, body), line, hits.t, hits.leaving, hits.face);
+        let point = stage.geometry.point_on_face(w, (index, body), line, hits.t, hits.leaving, hits.face);
         let mut color = Vector::splat(zero, material.color);
         if FULL {
             color = material.color_at(w, body, point.in_body, lanes);
@@ -236,7 +236,7 @@ impl<W: Width> SurfaceInteraction<W> {
                 let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
                 let same = self.body.is(index) & colored;
                 left &= !same.bits();
-                if let MaterialModel::Conductor(curve) = &stage.material(stage.body(index)).law {
+                if let MaterialModel::Conductor(curve) = &stage.material(stage.geometry.body(index)).law {
                     self.sheen = Vector::select(same, curve_at(w, curve, cos), self.sheen);
                 }
             }

@@ -1,9 +1,9 @@
 //! Rough surfaces in the tree: one facet of each is looked at in every sample.
 
-use super::paths::PathState;
 use super::encounter::SurfaceInteraction;
+use super::paths::PathState;
 use super::{SampleDimension, WhittedIntegrator};
-use crate::facets::{sample_visible_normal, reflected_density, transmitted_density, smith_g1};
+use crate::facets::{reflected_density, sample_visible_normal, smith_g1, transmitted_density};
 use crate::lanes::{Float as _, Mask as _, Width};
 use crate::surface::fresnel;
 use crate::vector::Vector;
@@ -68,7 +68,8 @@ impl WhittedIntegrator<'_> {
         to_light: Vector<W::R>,
     ) -> Vector<W::R> {
         let clear = at.rough & at.clear;
-        let ratio = if clear.any() { self.cross_interface(w, paths.media, at.body, clear).0 } else { w.real(1.0) };
+        let ratio =
+            if clear.any() { self.cross_interface(w, paths.media, at.body, clear).0 } else { w.real(1.0) };
         w.run(
             #[inline(always)]
             || {

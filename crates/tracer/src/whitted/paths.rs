@@ -6,7 +6,8 @@ use bytemuck::{Zeroable, zeroed_vec};
 
 use super::encounter::SurfaceInteraction;
 use crate::lanes::{Float as _, Float32, MOST_LANES, Mask as _, ScalarWidth, Width, Word};
-use crate::media::{AIR, BodyMembership};
+use crate::media::AIR;
+use crate::membership::BodyMembership;
 use crate::ray::{NO_START, RayPacket};
 use crate::search::Transmittance;
 use crate::vector::Vector;

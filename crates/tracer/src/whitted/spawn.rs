@@ -218,7 +218,8 @@ impl WhittedIntegrator<'_> {
         let lanes = lanes & self.is_above_threshold(w, weight);
         if lanes.any() {
             self.counts.refracted += u64::from(lanes.bits().count_ones());
-            let mut through = context.paths(paths, context.at.rays_on_far_side(bent), weight, (beyond, lanes));
+            let mut through =
+                context.paths(paths, context.at.rays_on_far_side(bent), weight, (beyond, lanes));
             through.generation = W::W::select(same, paths.generation, context.next);
             secondary.refracted(through);
         }
@@ -233,7 +234,13 @@ impl WhittedIntegrator<'_> {
 
     /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.
     #[inline(always)]
-    pub(super) fn cross_interface<W: Width>(&mut self, w: W, media: W::W, body: W::W, lanes: W::M) -> (W::R, W::W) {
+    pub(super) fn cross_interface<W: Width>(
+        &mut self,
+        w: W,
+        media: W::W,
+        body: W::W,
+        lanes: W::M,
+    ) -> (W::R, W::W) {
         let (mut lists, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
         media.store(&mut lists);
         body.store(&mut bodies);

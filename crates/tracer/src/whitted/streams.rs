@@ -4,11 +4,12 @@
 use bytemuck::{Zeroable, zeroed_box};
 
 use super::{PathState, RayQueue, WhittedIntegrator};
+use crate::geometry::Accelerator;
 use crate::lanes::{Mask as _, Width};
-use crate::media::BodyMembership;
+use crate::membership::{BodyMembership, MembershipSource as _};
 use crate::ray::RayPacket;
-use crate::search::{Candidates, RayQuery, RayStream, ShadowStream, StreamScratch};
-use crate::stage::{Accelerator, RenderScene, STREAM, StreamRow, vector_at};
+use crate::search::{Candidates, MediumIntervals, RayQuery, RayStream, ShadowStream, StreamScratch};
+use crate::stage::{RenderScene, STREAM, StreamRow, vector_at};
 use crate::vector::Vector;
 
 /// A stream of rays with the light that they bring: working memory.
@@ -19,6 +20,7 @@ pub(crate) struct StreamShading {
     /// By light.
     shadows: Vec<Box<ShadowStream>>,
     memory: StreamScratch,
+    intervals: MediumIntervals,
 }
 
 /// What the rays of a stream bring.
@@ -37,6 +39,7 @@ impl Default for StreamShading {
             light: zeroed_box(),
             shadows: Vec::new(),
             memory: StreamScratch::default(),
+            intervals: MediumIntervals::default(),
         }
     }
 }
@@ -87,35 +90,28 @@ impl StreamShading {
 impl RenderScene {
     /// A stream keeps 1.3 MB for each light; with more lights than these all rays go by packets.
     const MOST_LIGHTS: usize = 16;
-    /// Among so many bodies even neighbors from the eye part before they meet one, and order counts for more than company.
-    const VERY_MANY: u32 = 50_000;
 
     /// Whether rays that do not come from the eye are better traced by streams.
     pub(crate) fn goes_by_streams(&self) -> bool {
-        matches!(self.hierarchy, Accelerator::Many(_)) && self.lights.len() <= Self::MOST_LIGHTS
+        matches!(self.geometry.hierarchy, Accelerator::Many(_)) && self.lights.len() <= Self::MOST_LIGHTS
     }
 
     /// Whether rays from the eye are, too.
     pub(crate) fn eye_goes_by_streams(&self) -> bool {
-        self.goes_by_streams() && self.parts_streams()
-    }
-
-    /// Whether the rays of a stream that run into different octants are better searched for apart.
-    pub(crate) fn parts_streams(&self) -> bool {
-        self.bounded >= Self::VERY_MANY
+        self.goes_by_streams() && self.geometry.parts_streams()
     }
 }
 
 impl WhittedIntegrator<'_> {
     /// Looks for what the rays of a stream meet.
     pub(crate) fn search<W: Width>(&self, w: W, streams: &mut StreamShading) {
-        streams.rays.search(w, self.stage, &self.media, &mut streams.memory);
+        streams.rays.search(w, &self.stage.geometry, &self.media, &mut streams.memory);
     }
 
     /// Looks for what their shadow rays meet.
     pub(crate) fn search_shadows<W: Width>(&self, w: W, streams: &mut StreamShading) {
         for shadows in streams.shadows.iter_mut().filter(|shadows| !shadows.is_empty()) {
-            shadows.search(w, self.stage, &self.media, &mut streams.memory);
+            shadows.search(w, self.stage, &self.media, &mut streams.memory, &mut streams.intervals);
         }
     }
 
@@ -129,7 +125,7 @@ impl WhittedIntegrator<'_> {
         at: usize,
     ) -> Vector<W::R> {
         let mut inside = std::mem::take(&mut self.inside);
-        inside.fill::<W>(&self.media, paths.media, paths.lanes);
+        self.media.fill::<W>(&mut inside, paths.media, paths.lanes);
         let mut light = vector_at(w, &streams.light.own, at);
         for shadows in streams.shadows.iter().filter(|shadows| !shadows.is_empty()) {
             light = self.lit(w, shadows, at, light, paths.lanes, &inside);
@@ -148,8 +144,9 @@ impl WhittedIntegrator<'_> {
         lanes: W::M,
         inside: &BodyMembership,
     ) -> Vector<W::R> {
-        let flight = RayQuery::new(w, self.stage, &shadows.rays(w, at), lanes, inside, Candidates::All);
-        let (lit, more) = shadows.brought(w, at, &flight);
+        let flight =
+            RayQuery::new(w, &self.stage.geometry, &shadows.rays(w, at), lanes, inside, Candidates::All);
+        let (lit, more) = shadows.brought(w, at, self.stage, &flight);
         if lit.any() { Vector::select(lit, light + more, light).bounded() } else { light }
     }
 }

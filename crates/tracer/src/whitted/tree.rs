@@ -14,7 +14,8 @@ use super::{
     InterfaceCrossing, PacketRadiance, PacketSource, PathState, Sampler, SecondaryRays, WhittedIntegrator,
 };
 use crate::lanes::ScalarWidth;
-use crate::media::{BodyMembership, MediumStacks};
+use crate::media::MediumStacks;
+use crate::membership::BodyMembership;
 use crate::pick::RayIntersection;
 use crate::ray::{Ray, RayPacket};
 use crate::search::{Candidates, HitRecord, RayQuery, Transmittance, found_in};
@@ -133,10 +134,10 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         through: &Transmittance<ScalarWidth>,
     ) {
         let mut hits: Vec<HitRecord> = Vec::new();
-        RayQuery::new(ScalarWidth, self.stage, rays, true, inside, Candidates::All)
+        RayQuery::new(ScalarWidth, &self.stage.geometry, rays, true, inside, Candidates::All)
             .crossings(distance, |hit| hits.push(hit));
         hits.sort_by(|a, b| {
-            let order = || self.stage.scene_order(a.body, b.body);
+            let order = || self.stage.geometry.scene_order(a.body, b.body);
             a.t.total_cmp(&b.t).then(b.leaving.cmp(&a.leaving)).then_with(order)
         });
         let mut media = self.media.clone();
@@ -145,12 +146,12 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         let mut from = 0.0;
         let mut left_until = |until: f32, media: &[u32]| {
             let way = (until - std::mem::replace(&mut from, until)).max(0.0);
-            let material = media.last().map(|&body| self.stage.material(self.stage.body(body)));
+            let material = media.last().map(|&body| self.stage.material(self.stage.geometry.body(body)));
             material.map_or(Vec3::ONE, |material| material.left_after(way).into())
         };
         let mut crossings = Vec::new();
         for hit in &hits {
-            let body = self.stage.body(hit.body);
+            let body = self.stage.geometry.body(hit.body);
             let mut filter = None;
             if body.is_transparent() {
                 let own = Vec3::from(self.stage.material(body).filter);
@@ -338,10 +339,10 @@ impl<'a> WhittedIntegrator<'a> {
         if is_total {
             refracted.fate = BranchOutcome::TotalReflection;
         }
-        let body = self.stage.body(at.body);
+        let body = self.stage.geometry.body(at.body);
         let material = self.stage.material(body);
         let line = (beam.rays.origin, beam.rays.direction);
-        let point = self.stage.surface_point(at.body, line, at.t, at.leaves());
+        let point = self.stage.geometry.surface_point(at.body, line, at.t, at.leaves());
         let checker = self.stage.checkers.get(body.checker as usize);
         let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
         let own = material.color_at(ScalarWidth, body, point.in_body, true);

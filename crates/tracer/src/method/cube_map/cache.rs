@@ -156,7 +156,7 @@ impl CubeMapInputs {
             (*place, (plain, stage.material(body).clone(), checker))
         };
         Self {
-            bodies: stage.bodies.iter().zip(&stage.scene_indices).map(body).collect(),
+            bodies: stage.geometry.bodies.iter().zip(&stage.geometry.scene_indices).map(body).collect(),
             lights: Arc::clone(&stage.lights),
             surroundings: (stage.sky.clone(), stage.ambient, stage.generations, stage.threshold),
         }

@@ -8,7 +8,7 @@ use crate::stage::{Bounds, RenderScene};
 /// The point around which the map of a body is made, meters: the middle of the body; of a plane, the point below (or
 /// above) the middle of all bounded bodies.
 pub(in crate::method) fn center_of(stage: &RenderScene, index: u32) -> DVec3 {
-    let body = stage.body(index);
+    let body = stage.geometry.body(index);
     let to_world = |point: DVec3| {
         let rows = body.world_from_body.map(|row| DVec3::from(row.map(f64::from)));
         DVec3::from(body.origin.map(f64::from)) + DVec3::from(rows.map(|row| row.dot(point)))
@@ -30,12 +30,12 @@ pub(in crate::method) fn center_of(stage: &RenderScene, index: u32) -> DVec3 {
 
 /// The box of all bounded bodies but one.
 fn extent(stage: &RenderScene, but: Option<u32>) -> Bounds {
-    let others = (0..stage.bounded).filter(|&index| Some(index) != but);
-    others.filter_map(|index| stage.body(index).bounds()).fold(Bounds::EMPTY, Bounds::union)
+    let others = (0..stage.geometry.bounded).filter(|&index| Some(index) != but);
+    others.filter_map(|index| stage.geometry.body(index).bounds()).fold(Bounds::EMPTY, Bounds::union)
 }
 
 fn plane_normal(stage: &RenderScene, index: u32) -> DVec3 {
-    Vec3::from(stage.body(index).body_from_world[1]).as_dvec3().normalize_or(DVec3::Y)
+    Vec3::from(stage.geometry.body(index).body_from_world[1]).as_dvec3().normalize_or(DVec3::Y)
 }
 
 /// The box on which the surroundings of a body are thought to be painted (Lagarde, Zanuttini 2012, Local Image-based
@@ -56,9 +56,9 @@ impl ParallaxBox {
         /// A plane counts as a wall if it runs along the box but for the rounding of single precision.
         const ALONG: f64 = 1.0 - 1e-6;
         let (mut min, mut max) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
-        for plane in stage.planes().filter(|&plane| plane != index) {
+        for plane in stage.geometry.planes().filter(|&plane| plane != index) {
             let normal = plane_normal(stage, plane);
-            let at = DVec3::from(stage.body(plane).origin.map(f64::from));
+            let at = DVec3::from(stage.geometry.body(plane).origin.map(f64::from));
             for axis in (0..3).filter(|&axis| normal[axis].abs() >= ALONG) {
                 if at[axis] < center[axis] {
                     min[axis] = min[axis].max(at[axis]);

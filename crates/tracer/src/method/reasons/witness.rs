@@ -97,7 +97,7 @@ impl<'a> ReferencePixel<'a> {
         let Some(hit) = ray.hit else { return stage.sky.along(ray.ray.alone().direction).into() };
         let rays = ray.ray.alone();
         let line = (rays.origin, rays.direction);
-        let found = stage.surface_point(hit.hit.body, line, hit.hit.t, hit.hit.leaving);
+        let found = stage.geometry.surface_point(hit.hit.body, line, hit.hit.t, hit.hit.leaving);
         let point = ShadingPoint {
             start: RayOrigin { body: hit.hit.body, inwards: hit.hit.leaving },
             position: found.in_world,

@@ -68,12 +68,12 @@ impl FaceList {
         fineness: u32,
         meshes: &mut MeshCache,
     ) {
-        let body = stage.body(index);
+        let body = stage.geometry.body(index);
         let mesh = meshes.of(body, camera, fineness);
         let first = self.vertices.len() as u32;
         self.add_vertices(body, index, &mesh);
         // Of a body that is seen from outside only the side that faces the eye is seen.
-        let hides_inside = camera.eye().is_some_and(|eye| !stage.contains(index, eye))
+        let hides_inside = camera.eye().is_some_and(|eye| !stage.geometry.contains(index, eye))
             && body.canonical().kind != ShapeKind::Plane;
         for corners in &mesh.faces {
             let corners = corners.map(|corner| corner + first);
