@@ -48,7 +48,7 @@ pub(crate) fn run(arguments: &GalleryArguments) -> Result<()> {
 }
 
 fn picture(example: &Example, samples: u32) -> Result<Picture> {
-    let stage = RenderScene::prepare(&example.load()?.scene)?;
+    let stage = RenderScene::build(&example.load()?.scene)?;
     let settings = RenderSettings { width: SIZE.0, height: SIZE.1, samples };
     Ok(render(&stage, settings, &RenderControl::default())?.picture)
 }

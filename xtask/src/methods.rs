@@ -3,7 +3,7 @@
 use anyhow::{Context as _, Result};
 use catoptric_picture::{HeatMap, Picture, heat_map};
 use catoptric_scene::Example;
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, GBufferLayer, Method, MethodKind, MethodOutput, ShadingSettings, SsrSettings, draw,
 };
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
@@ -22,7 +22,7 @@ pub(crate) fn run() -> Result<()> {
     let folder = root().join("docs/methods");
     std::fs::create_dir_all(&folder).context("docs/methods")?;
     let example = Example::find("four-bodies").context("the example four-bodies")?;
-    let stage = RenderScene::prepare(&example.load()?.scene)?;
+    let stage = RenderScene::build(&example.load()?.scene)?;
     let truth = drawn(&stage, &Method::Whitted)?.picture;
     for kind in MethodKind::ALL.into_iter().filter(|kind| *kind != MethodKind::Whitted) {
         println!("{kind}");

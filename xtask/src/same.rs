@@ -5,7 +5,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
 use catoptric_picture::Picture;
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use clap::Args;
 
 use crate::{root, shell};

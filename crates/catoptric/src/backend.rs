@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context as _, Result, anyhow, bail};
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuInfo};
 use catoptric_picture::Picture;
-use catoptric_tracer::method::{Method, MethodOutput, draw};
+use catoptric_tracer::raster::{Method, MethodOutput, draw};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render_into};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 

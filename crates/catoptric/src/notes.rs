@@ -13,7 +13,7 @@ const MOST: usize = 10;
 /// trees that have very many rays.
 pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     let mut notes: Vec<String> = excesses(scene).iter().map(of_excess).collect();
-    if let Ok(stage) = RenderScene::prepare(scene) {
+    if let Ok(stage) = RenderScene::build(scene) {
         notes.extend(of_bound(scene, &DepthBound::of(scene, &stage)));
         let work = RayForecast::of(&stage, RenderSettings { width: 1280, height: 720, samples: 1 });
         notes.extend(work.and_then(|work| work.warning));

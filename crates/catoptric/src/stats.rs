@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use catoptric_gpu::GpuInfo;
 use catoptric_tracer::RayCounts;
-use catoptric_tracer::method::{CubeMapUse, PassName};
+use catoptric_tracer::raster::{CubeMapUse, PassName};
 use serde_json::{Map, Value, json};
 
 /// Milliseconds of each step.

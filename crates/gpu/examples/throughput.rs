@@ -97,7 +97,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     for case in &arguments.cases {
         let case = Case::parse(case)?;
-        let stage = RenderScene::prepare(&case.scene)?;
+        let stage = RenderScene::build(&case.scene)?;
         let (frame, alike) = measure(&gpu, &stage, case.size, arguments.frames.max(1))?;
         println!("{}", row(&case, &frame, alike, peak));
     }

@@ -1,7 +1,7 @@
 //! Why a graphics card does not draw.
 
 use catoptric_picture::SizeError;
-use catoptric_tracer::twin::UnsupportedOnGpu;
+use catoptric_tracer::shaders::UnsupportedOnGpu;
 
 /// Why a graphics card does not draw. The CPU can draw in its place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -4,7 +4,7 @@ use std::ops::AddAssign;
 use std::time::{Duration, Instant};
 
 use catoptric_picture::Picture;
-use catoptric_tracer::twin::{
+use catoptric_tracer::shaders::{
     CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FRAME_PLACES, FrameUniforms, PhysicalFeatures, TILE_BLOCKS,
     UnsupportedOnGpu, WavelengthUniforms, tile_rays,
 };

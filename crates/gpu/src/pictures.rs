@@ -1,6 +1,6 @@
 //! The pictures of a stage in the memory of a card.
 
-use catoptric_tracer::twin::{AtlasTexel, PICTURES_ACROSS, PictureAtlas};
+use catoptric_tracer::shaders::{AtlasTexel, PICTURES_ACROSS, PictureAtlas};
 
 use crate::card::Gpu;
 use crate::error::GpuError;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
-use catoptric_tracer::twin::{ENTRY_POINT, ShaderSpecialization, shader};
+use catoptric_tracer::shaders::{ENTRY_POINT, ShaderSpecialization, shader};
 
 use crate::card::Gpu;
 use crate::error::GpuError;

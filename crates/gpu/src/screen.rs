@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_picture::Development;
-use catoptric_tracer::twin::FILM_HEAD;
+use catoptric_tracer::shaders::FILM_HEAD;
 
 use crate::card::Gpu;
 use crate::error::GpuError;

@@ -1,6 +1,6 @@
 //! A stage in the memory of a card.
 
-use catoptric_tracer::twin::{SceneArrays, SceneContents, ShaderSpecialization};
+use catoptric_tracer::shaders::{SceneArrays, SceneContents, ShaderSpecialization};
 use catoptric_tracer::{RenderCamera, RenderScene};
 
 use crate::card::Gpu;

@@ -6,7 +6,7 @@ use catoptric_picture::{
     CompareError as PictureError, Comparison, Difference, Flip, FlipMap, Picture, SizeError, ssim,
 };
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{MethodError, MethodOutput, PassName, ReasonMap, draw, reasons};
+use catoptric_tracer::raster::{MethodError, MethodOutput, PassName, ReasonMap, draw, reasons};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, SceneBuildError};
 
 use crate::measure::summarize;
@@ -131,7 +131,7 @@ pub fn draw_all(
 ) -> Result<Vec<Contender>, CompareError> {
     let runs = job.runs.max(1);
     let total = job.variants.len() * (runs as usize + 1);
-    let stage = RenderScene::prepare(job.scene)?;
+    let stage = RenderScene::build(job.scene)?;
     let mut works: Vec<Work<'_>> =
         job.variants.iter().map(|variant| Work::new(job, variant, &stage)).collect();
     for round in 0..=runs {
@@ -202,7 +202,7 @@ impl<'a> Work<'a> {
         bound: f64,
         control: &RenderControl,
     ) -> Result<Option<ReasonMap>, CompareError> {
-        use catoptric_tracer::method::MethodKind;
+        use catoptric_tracer::raster::MethodKind;
         let Some(drawing) = &self.drawing else { return Ok(None) };
         let alike = self.variant.generations == truth.generations && self.variant.samples == truth.samples;
         let traced = truth.method.kind() == MethodKind::Whitted;
@@ -320,8 +320,8 @@ pub fn reason_picture(map: &ReasonMap) -> Result<Picture, SizeError> {
 pub const AGREED: [u8; 3] = [0xd9, 0xd9, 0xd9];
 
 /// The color of a reason, sRGB codes: fifteen that differ in hue and lightness.
-pub fn reason_color(reason: catoptric_tracer::method::Reason) -> [u8; 3] {
-    use catoptric_tracer::method::Reason;
+pub fn reason_color(reason: catoptric_tracer::raster::Reason) -> [u8; 3] {
+    use catoptric_tracer::raster::Reason;
     match reason {
         Reason::LeftScreen => [0x00, 0x72, 0xb2],
         Reason::Hidden => [0xd5, 0x5e, 0x00],

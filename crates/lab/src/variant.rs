@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, LightModel, Method, MethodKind, SettingError, ShadingSettings, SsrFallback, SsrSettings,
 };
 

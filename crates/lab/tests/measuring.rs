@@ -11,7 +11,7 @@ use catoptric_picture::decode;
 use catoptric_scene::{
     Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
 };
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use catoptric_tracer::{AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 
@@ -116,7 +116,7 @@ fn the_picture_does_not_depend_on_the_search() {
     let scene = grown(&Example::find("four-bodies").unwrap().load().unwrap().scene, 150);
     let settings = RenderSettings { width: 48, height: 27, samples: 1 };
     let picture = |search| {
-        let stage = RenderScene::prepare_for(&scene, search).unwrap();
+        let stage = RenderScene::build_with(&scene, search).unwrap();
         render(&stage, settings, &RenderControl::default()).unwrap().picture
     };
     assert!(picture(AcceleratorChoice::Quickest) == picture(AcceleratorChoice::OneByOne));

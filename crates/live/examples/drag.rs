@@ -73,7 +73,7 @@ fn check(live: &Live, editor: &Editor) -> Result<(), Box<dyn Error>> {
     while !live.status().is_idle {
         std::thread::sleep(Duration::from_millis(1));
     }
-    let stage = RenderScene::prepare(editor.scene())?;
+    let stage = RenderScene::build(editor.scene())?;
     let settings = RenderSettings { width: SIZE[0], height: SIZE[1], samples: 1 };
     let picture = render(&stage, settings, &RenderControl::default())?.picture;
     let mut codes = vec![[0; 4]; picture.pixels().len()];

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScreen, StageOnCard};
 use catoptric_picture::SizeError;
-use catoptric_tracer::twin::UnsupportedOnGpu;
+use catoptric_tracer::shaders::UnsupportedOnGpu;
 use catoptric_tracer::{Film, RayCounts, RenderCamera, RenderControl, RenderError, RenderScene};
 
 /// The light of a picture.

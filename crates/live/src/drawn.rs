@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::time::Instant;
 
 use catoptric_picture::{Picture, SizeError};
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, CubeMaps, GBufferLayer, Method, MethodError, MethodOutput, PassName, SsrFallback,
     draw_through,
 };

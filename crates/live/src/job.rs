@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_picture::{Picture, SizeError};
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{Method, MethodError, SettingError, draw};
+use catoptric_tracer::raster::{Method, MethodError, SettingError, draw};
 use catoptric_tracer::{
     RenderControl, RenderError, RenderOutput, RenderScene, RenderSettings, SceneBuildError, render,
 };
@@ -185,7 +185,7 @@ impl Work {
         let go_on = || if self.control.is_cancelled() { Err(JobError::Cancelled) } else { Ok(()) };
         pool.install(|| {
             go_on()?;
-            let mut stage = RenderScene::prepare(&self.scene)?;
+            let mut stage = RenderScene::build(&self.scene)?;
             if let Some(generations) = self.generations {
                 stage = stage.with_generations(generations);
             }

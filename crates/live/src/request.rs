@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_picture::Development;
 use catoptric_scene::{Camera, Scene};
-use catoptric_tracer::method::{GBufferLayer, Method};
+use catoptric_tracer::raster::{GBufferLayer, Method};
 
 /// A snapshot of all that decides what the view shows.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use catoptric_gpu::GpuError;
 use catoptric_picture::SizeError;
 use catoptric_tracer::SceneBuildError;
-use catoptric_tracer::method::{CubeMapUse, MethodKind, PassName, SettingError};
+use catoptric_tracer::raster::{CubeMapUse, MethodKind, PassName, SettingError};
 
 /// How the worker is doing, for a status bar.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -7,7 +7,7 @@ use catoptric_gpu::GpuPicture;
 use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
-use catoptric_tracer::method::Method;
+use catoptric_tracer::raster::Method;
 use catoptric_tracer::{RayCounts, RenderCamera, RenderScene, SceneEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
-use catoptric_tracer::method::Method;
+use catoptric_tracer::raster::Method;
 use catoptric_tracer::{AcceleratorChoice, Film, RayCounts, RenderCamera, RenderControl, RenderScene};
 use rayon::ThreadPool;
 use rayon::prelude::*;
@@ -145,7 +145,7 @@ impl Worker {
         let revision = request.revision;
         let publish = |stage: &Arc<RenderScene>| self.shared.publish_stage(revision, Arc::clone(stage));
         let Some(old) = old else {
-            let stage = Arc::new(RenderScene::prepare_seen(
+            let stage = Arc::new(RenderScene::build_for_camera(
                 &request.scene,
                 &request.camera,
                 AcceleratorChoice::Quickest,
@@ -163,7 +163,7 @@ impl Worker {
                 self.shared.edit_stage(revision, stage, |stage| stage.apply(edit, &scene))
             }),
             Step::Anew => {
-                let stage = Arc::new(RenderScene::prepare_seen(
+                let stage = Arc::new(RenderScene::build_for_camera(
                     &scene,
                     &request.camera,
                     AcceleratorChoice::Quickest,

@@ -4,7 +4,7 @@ use std::sync::{Arc, Weak};
 
 use catoptric_gpu::{Gpu, GpuError, GpuPicture, Watch};
 use catoptric_live::Live;
-use catoptric_tracer::twin::UnsupportedOnGpu;
+use catoptric_tracer::shaders::UnsupportedOnGpu;
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 

@@ -10,7 +10,7 @@ use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
 use catoptric_live::Shows;
 use catoptric_scene::ShapeKind;
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use egui::KeyboardShortcut;
 use egui_material_icons::MaterialIcon;
 

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use catoptric_scene::Camera;
-use catoptric_tracer::method::Method;
+use catoptric_tracer::raster::Method;
 use egui::Context;
 
 use crate::app::Studio;

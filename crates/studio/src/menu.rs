@@ -7,7 +7,7 @@ use catoptric_editor::Action;
 use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
 use catoptric_scene::{Example, ShapeKind};
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use egui::containers::menu::{MenuBar, SubMenuButton};
 use egui::{
     Align, Button, Id, Layout, Popup, Response, ScrollArea, SetOpenCommand, Style, TextWrapMode, Ui, Vec2,

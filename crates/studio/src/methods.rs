@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use catoptric_lab::Variant;
 use catoptric_live::Shows;
-use catoptric_tracer::method::{GBufferLayer, Method, MethodKind};
+use catoptric_tracer::raster::{GBufferLayer, Method, MethodKind};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 use serde::{Deserialize, Serialize};
@@ -150,7 +150,7 @@ pub(crate) const fn shown_key(shows: Shows) -> &'static str {
 
 /// Whether a method's drawings have what is to be seen.
 pub(crate) fn has(method: &Method, shows: Shows) -> bool {
-    use catoptric_tracer::method::SsrFallback;
+    use catoptric_tracer::raster::SsrFallback;
     match (shows, method) {
         (Shows::Picture, _) | (_, Method::CubeMap(_)) | (Shows::Layer(_), Method::Ssr(_)) => true,
         (Shows::UnfoldedCube(_), Method::Ssr(ssr)) => matches!(ssr.fallback, SsrFallback::CubeMap(_)),
@@ -180,7 +180,7 @@ pub(crate) fn report_language(texts: &Texts) -> catoptric_lab::report::Language 
 
 #[cfg(test)]
 mod tests {
-    use catoptric_tracer::method::{CubeMapSettings, ShadingSettings};
+    use catoptric_tracer::raster::{CubeMapSettings, ShadingSettings};
 
     use super::*;
 

@@ -17,7 +17,7 @@ use std::time::Duration;
 use catoptric_live::{JobError, RenderJob, Shows};
 use catoptric_picture::{Development, Picture};
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{GBufferLayer, Method};
+use catoptric_tracer::raster::{GBufferLayer, Method};
 use egui::{ColorImage, Context, Ui, UserAttentionType, ViewportCommand};
 
 use crate::app::Studio;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use egui_tiles::Tree;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};

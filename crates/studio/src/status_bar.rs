@@ -1,7 +1,7 @@
 //! The bar at the bottom: how the picture is doing.
 
 use catoptric_live::{LiveError, Status};
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use egui::{Align, Label, Layout, ProgressBar, Response, RichText, Sides, TextStyle, Ui, vec2};
 
 use egui_material_icons::icons;

@@ -76,7 +76,7 @@ impl<K: Clone + PartialEq + Send + 'static> Thumbnails<K> {
 }
 
 fn trace(scene: &Scene, settings: RenderSettings, control: &RenderControl) -> Option<ColorImage> {
-    let stage = RenderScene::prepare(scene).ok()?;
+    let stage = RenderScene::build(scene).ok()?;
     let picture = render(&stage, settings, control).ok()?.picture;
     let mut pixels = vec![[0; 4]; picture.pixels().len()];
     Development::default().develop_rgba8(picture.pixels(), &mut pixels);

@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scene = load(&path)?.scene;
     let bodies = scene.bodies.len();
     let mut stage = None;
-    let prepare = best_of(runs, || stage = Some(RenderScene::prepare(&scene)));
+    let prepare = best_of(runs, || stage = Some(RenderScene::build(&scene)));
     let stage = stage.ok_or("no run")??;
     println!(
         "{bodies} bodies: prepared in {prepare:.1} ms, {:.1} bytes a body",
@@ -49,7 +49,7 @@ fn follow(mut scene: Scene, mut stage: RenderScene, runs: usize) -> Result<(), B
             match stage.edit(&before, &scene, &[middle]) {
                 Some(edit) => stage.apply(edit, &scene),
                 None => {
-                    stage = RenderScene::prepare(&scene)?;
+                    stage = RenderScene::build(&scene)?;
                     anew += 1;
                 }
             }
@@ -59,7 +59,7 @@ fn follow(mut scene: Scene, mut stage: RenderScene, runs: usize) -> Result<(), B
         let (median, most) = (took[took.len() / 2], took[took.len() - 1]);
         println!("moved {what}: median {median:.3} ms, at most {most:.3} ms, {anew} times prepared anew");
     }
-    let fresh = RenderScene::prepare(&scene)?;
+    let fresh = RenderScene::build(&scene)?;
     let settings = RenderSettings { width: 640, height: 360, samples: 1 };
     let traced = |stage: &RenderScene| {
         let mut picture = None;

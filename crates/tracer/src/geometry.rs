@@ -1,17 +1,36 @@
 //! The bodies of a scene, without what they are made of, and how the ones that a ray meets are found.
 
+pub(crate) mod body;
+pub(crate) mod bounds;
+pub(crate) mod bvh;
+pub(crate) mod canonical;
+pub(crate) mod hull;
+pub(crate) mod membership;
+pub(crate) mod plane_frame;
+pub(crate) mod prefetch;
+pub(crate) mod query;
+pub(crate) mod ray;
+pub mod shape;
+pub(crate) mod space;
+pub(crate) mod sphere;
+pub(crate) mod visible_bodies;
+
 use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 
-use crate::lanes::{ScalarWidth, Width};
-use crate::shape::ShapeSpan;
-use crate::stage::ahead;
-use crate::stage::double::{Bodies64, Body64};
-use crate::stage::space::RenderSpace;
-use crate::stage::{BoundingSphere, Bounds, BuildEntry, Bvh, RenderBody, SurfacePoint};
-use crate::vector::Vector;
+use crate::geometry::body::double::{Bodies64, Body64};
+use crate::geometry::body::{RenderBody, SurfacePoint};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::bvh::Bvh;
+use crate::geometry::bvh::entry::BuildEntry;
+use crate::geometry::shape::ShapeSpan;
+use crate::geometry::space::RenderSpace;
+use crate::geometry::sphere::BoundingSphere;
+use crate::simd::Width;
+use crate::simd::scalar::ScalarWidth;
+use crate::simd::vector::Vector;
 
 /// The bodies of a scene.
 ///
@@ -79,7 +98,7 @@ impl Accelerator {
 
 impl Geometry {
     /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
-    pub const FEW: usize = 48;
+    pub(crate) const FEW: usize = 48;
 
     /// Among so many bodies even neighboring rays part before they meet one, and order counts for more than company.
     const VERY_MANY: u32 = 50_000;
@@ -224,11 +243,11 @@ impl Geometry {
     #[inline(always)]
     pub(crate) fn fetch(&self, places: Range<u32>) {
         // Seldom there is a line of the cache between the first and the last one.
-        ahead::fetch(&self.spheres, places.start);
-        ahead::fetch(&self.spheres, places.end.saturating_sub(1));
+        prefetch::fetch(&self.spheres, places.start);
+        prefetch::fetch(&self.spheres, places.end.saturating_sub(1));
         places.for_each(
             #[inline(always)]
-            |index| ahead::fetch(&self.bodies, index),
+            |index| prefetch::fetch(&self.bodies, index),
         );
     }
 }

@@ -31,7 +31,7 @@ fn scene_of(path: &Path) -> Result<Scene, String> {
 
 /// Renders a scene in the size of its reference picture.
 fn trace(scene: &Scene, reference: &Picture) -> Result<Picture, String> {
-    let stage = RenderScene::prepare(scene).map_err(|error| error.to_string())?;
+    let stage = RenderScene::build(scene).map_err(|error| error.to_string())?;
     let settings = RenderSettings { width: reference.width(), height: reference.height(), samples: SAMPLES };
     let rendering = render(&stage, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
     Ok(rendering.picture)

@@ -30,7 +30,7 @@ fn trace(scene: &Path, reference: &Picture) -> Result<Picture, String> {
     if !loaded.warnings.is_empty() {
         return Err(format!("the reader warns: {}", loaded.warnings));
     }
-    let stage = RenderScene::prepare(&loaded.scene).map_err(|error| error.to_string())?;
+    let stage = RenderScene::build(&loaded.scene).map_err(|error| error.to_string())?;
     let settings = RenderSettings { width: reference.width(), height: reference.height(), samples: 1 };
     let rendering = render(&stage, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
     Ok(rendering.picture)

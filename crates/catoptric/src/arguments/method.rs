@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, LightModel, Method, MethodKind, ShadingSettings, SsrFallback, SsrSettings,
 };
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};

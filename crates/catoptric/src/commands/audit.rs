@@ -19,7 +19,7 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
     let input = input::scene(&arguments.scene, &mut files)?;
     input.warn();
     let scene = &input.loaded.scene;
-    let stage = RenderScene::prepare(scene).with_context(|| input.name.clone())?;
+    let stage = RenderScene::build(scene).with_context(|| input.name.clone())?;
     let stage = match arguments.generations {
         Some(generations) => stage.with_generations(generations),
         None => stage,

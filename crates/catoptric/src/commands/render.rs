@@ -8,7 +8,7 @@ use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions};
-use catoptric_tracer::method::{GBufferLayer, Method, MethodOutput};
+use catoptric_tracer::raster::{GBufferLayer, Method, MethodOutput};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
 use super::Outcome;
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
 
     let start = Instant::now();
     canvas.iter().for_each(Canvas::make_way);
-    let stage = pool.install(|| RenderScene::prepare(&input.loaded.scene));
+    let stage = pool.install(|| RenderScene::build(&input.loaded.scene));
     let mut stage = stage.with_context(|| input.name.clone())?;
     drop(input.loaded);
     if let Some(generations) = arguments.generations {

@@ -30,7 +30,7 @@ pub(crate) fn card(test: &str) -> Option<Arc<Gpu>> {
 }
 
 pub(crate) fn stage_of(scene: &Scene) -> RenderScene {
-    RenderScene::prepare(scene).unwrap()
+    RenderScene::build(scene).unwrap()
 }
 
 pub(crate) fn reference(name: &str) -> Scene {

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, StageOnCard, render};
 use catoptric_scene::{Body, Color, Material, MaterialChoice, Scene};
-use catoptric_tracer::twin::UnsupportedOnGpu;
+use catoptric_tracer::shaders::UnsupportedOnGpu;
 use catoptric_tracer::{RenderControl, RenderSettings};
 
 use crate::common::{card, own_card, reference, stage_of};

@@ -7,7 +7,7 @@ use catoptric_scene::{
     Body, Camera, Checker, Color, Environment, Image, Light, Material, MaterialChoice, Projection, Scene,
     Sky, Surroundings,
 };
-use catoptric_tracer::twin::{
+use catoptric_tracer::shaders::{
     AtlasTexel, CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FrameUniforms, PhysicalFeatures, SceneArrays,
     ShaderSpecialization, WavelengthUniforms, shader, tile_rays,
 };
@@ -69,8 +69,7 @@ fn scene(bodies: usize) -> Scene {
 #[test]
 fn records_have_the_size_of_the_shaders() {
     let (few, many) = (module(0), module(4));
-    let (two, hundred) =
-        (RenderScene::prepare(&scene(2)).unwrap(), RenderScene::prepare(&scene(100)).unwrap());
+    let (two, hundred) = (RenderScene::build(&scene(2)).unwrap(), RenderScene::build(&scene(100)).unwrap());
     let arrays = SceneArrays(&two);
     assert_eq!(layout(&few, "Body").1 as usize * 2, arrays.bodies().len());
     assert_eq!(layout(&few, "Material").1 as usize, arrays.materials().len());
@@ -96,7 +95,7 @@ fn physical_records_are_read_where_they_are_written() {
     let physical = parsed(&shader(&special)).unwrap();
     let mut scene = scene(2);
     scene.lights[0].radius = 0.7;
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let lights = SceneArrays(&stage).lights();
     assert_eq!(layout(&physical, "Light").1 as usize, lights.len());
     let of_light = |member| number(&lights, offset(&physical, "Light", member));
@@ -120,7 +119,7 @@ fn physical_records_are_read_where_they_are_written() {
 fn bodies_and_materials_are_read_where_they_are_written() {
     let few = module(0);
     let scene = scene(2);
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let arrays = SceneArrays(&stage);
     let at = |member| offset(&few, "Body", member);
     let first = stage.scene_index(0).unwrap();
@@ -147,7 +146,7 @@ fn frames_and_rays_are_read_where_they_are_written() {
     let few = module(0);
     let mut scene = scene(2);
     scene.camera = Camera { projection: Projection::Parallel { height: 4.0 }, ..scene.camera };
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let frame = FrameUniforms::new(&stage, stage.camera(), [140, 80]).dispatch(5, 1, 2);
     let bytes = bytemuck::bytes_of(&frame);
     let word_of = |member| word(bytes, offset(&few, "Frame", member));
@@ -174,7 +173,7 @@ fn skies_are_read_where_they_are_written() {
     let at = |frame: &FrameUniforms, member| number(bytemuck::bytes_of(frame), offset(&few, "Frame", member));
     let members = ["background", "horizon", "nadir", "turn"];
     let frame_of = |scene: &Scene| {
-        let stage = RenderScene::prepare(scene).unwrap();
+        let stage = RenderScene::build(scene).unwrap();
         FrameUniforms::new(&stage, stage.camera(), [70, 40])
     };
     scene.environment.background = Color::gray(0.31);
@@ -207,7 +206,7 @@ fn pictures_lie_where_their_records_point() {
         ..Body::default()
     };
     scene.bodies = textures.map(of).into();
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let pictures = SceneArrays(&stage).pictures();
     assert_eq!(pictures.rows(), 2, "3 records and 9011 pixels");
     let texels: Vec<AtlasTexel> =
@@ -235,7 +234,7 @@ fn pictures_lie_where_their_records_point() {
 
 #[test]
 fn changes_are_ranges_of_bytes() {
-    let stage = RenderScene::prepare(&scene(100)).unwrap();
+    let stage = RenderScene::build(&scene(100)).unwrap();
     let arrays = SceneArrays(&stage);
     let changes = SceneChanges { bodies: [2..4, 7..8].into(), nodes: vec![1, 2] };
     let [bodies, boxes, order] = arrays.parts(&changes);

@@ -1,6 +1,8 @@
 //! Every shader that a stage may need is sound, which naga tells without a card.
 
-use catoptric_tracer::twin::{ENTRY_POINT, EnvironmentKind, PhysicalFeatures, ShaderSpecialization, shader};
+use catoptric_tracer::shaders::{
+    ENTRY_POINT, EnvironmentKind, PhysicalFeatures, ShaderSpecialization, shader,
+};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// The shader as naga has it, or why it is none.

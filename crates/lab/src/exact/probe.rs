@@ -62,7 +62,7 @@ impl Probe {
         let camera = Camera { position: seen.position - origin, target: seen.target - origin, ..seen };
         let lights = light.map(point).into_iter().collect();
         let alone = Scene { bodies, lights, tracing, camera, ..Scene::default() };
-        Some(Self { stage: RenderScene::prepare(&alone).ok()?, origin })
+        Some(Self { stage: RenderScene::build(&alone).ok()?, origin })
     }
 
     /// The first rays of the tree from a point in a direction; their places are those of the stage.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use catoptric_scene::Tracing;
-use catoptric_tracer::method::{CubeMapSettings, Method, ShadingSettings};
+use catoptric_tracer::raster::{CubeMapSettings, Method, ShadingSettings};
 use catoptric_tracer::{AcceleratorChoice, RenderScene, RenderSettings};
 
 use crate::variant::Variant;
@@ -150,7 +150,7 @@ impl Parameter {
                 counts(&values)
             }
             Self::Method => {
-                let kinds = catoptric_tracer::method::MethodKind::ALL;
+                let kinds = catoptric_tracer::raster::MethodKind::ALL;
                 kinds.map(|kind| Value::Method(kind.method().into())).to_vec()
             }
             Self::Fineness => counts(&[1, 2, 4, 8, 16, 32, 64]),

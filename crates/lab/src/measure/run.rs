@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use catoptric_scene::Scene;
-use catoptric_tracer::method::{Method, MethodError, PassName, draw};
+use catoptric_tracer::raster::{Method, MethodError, PassName, draw};
 use catoptric_tracer::{
     AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, SceneBuildError,
 };
@@ -380,7 +380,7 @@ impl Sweep<'_> {
         let control = self.control;
         let pool = self.pool(work.threads)?;
         let start = Instant::now();
-        let stage = pool.install(|| RenderScene::prepare_for(scene, work.search))?;
+        let stage = pool.install(|| RenderScene::build_with(scene, work.search))?;
         let prepare = start.elapsed().as_secs_f64() * 1e3;
         let stage = match work.variant.generations {
             Some(generations) => stage.with_generations(generations),

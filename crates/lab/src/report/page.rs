@@ -9,7 +9,7 @@ use base64::Engine as _;
 use catoptric_picture::{
     BitDepth, CompareError, Development, EncodeError, Picture, SizeError, encode_png, inferno,
 };
-use catoptric_tracer::method::PassName;
+use catoptric_tracer::raster::PassName;
 
 use super::html::{escape, table};
 use super::language::Language;

@@ -1,6 +1,6 @@
 //! All that reports say, in both languages. What stands in braces is filled in.
 
-use catoptric_tracer::method::{PassName, Reason};
+use catoptric_tracer::raster::{PassName, Reason};
 
 use super::language::Language;
 use crate::measure::{Law, Parameter, Value};

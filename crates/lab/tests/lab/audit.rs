@@ -14,13 +14,13 @@ use proptest::test_runner::TestRunner;
 use crate::scenes::{any_physical_scene, any_scene, ball, cases};
 
 fn look(scene: &Scene, picture: RenderSettings, pixel: UVec2) -> Audit {
-    let stage = RenderScene::prepare(scene).unwrap();
+    let stage = RenderScene::build(scene).unwrap();
     let settings = AuditSettings { picture, ..AuditSettings::default() };
     audit(scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default()).unwrap()
 }
 
 fn rendered(scene: &Scene, picture: RenderSettings) -> Picture {
-    render(&RenderScene::prepare(scene).unwrap(), picture, &RenderControl::default()).unwrap().picture
+    render(&RenderScene::build(scene).unwrap(), picture, &RenderControl::default()).unwrap().picture
 }
 
 fn bits(light: [f32; 3]) -> [u32; 3] {
@@ -173,7 +173,7 @@ fn glass_heap() -> Scene {
 fn a_tree_that_is_too_large_says_what_it_leaves_out() {
     let mut scene = glass_heap();
     scene.tracing.generations = 14;
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let picture = RenderSettings { width: 33, height: 33, samples: 1 };
     let settings = AuditSettings { picture, most_rays: 100 };
     let pixel = UVec2::new(16, 16);
@@ -240,7 +240,7 @@ fn ends_of_branches_have_reasons() {
 #[test]
 fn pixels_beyond_the_picture_are_refused() {
     let scene = Scene::default();
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let try_at = |pixel: UVec2, width: u32| {
         let picture = RenderSettings { width, height: 4, samples: 1 };
         let settings = AuditSettings { picture, ..AuditSettings::default() };
@@ -260,7 +260,7 @@ fn pixels_beyond_the_picture_are_refused() {
 #[test]
 fn a_cancelled_audit_has_no_result() {
     let scene = glass_heap();
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let picture = RenderSettings { width: 9, height: 9, samples: 1 };
     let settings = AuditSettings { picture, most_rays: usize::MAX };
     let control = RenderControl::default();

@@ -30,11 +30,11 @@ fn between_mirrors(first: f64, second: f64) -> Scene {
 }
 
 fn bound(scene: &Scene) -> DepthBound {
-    DepthBound::of(scene, &RenderScene::prepare(scene).unwrap())
+    DepthBound::of(scene, &RenderScene::build(scene).unwrap())
 }
 
 fn measure(scene: &Scene) -> DepthMeasure {
-    let stage = RenderScene::prepare(scene).unwrap();
+    let stage = RenderScene::build(scene).unwrap();
     DepthMeasure::of(&stage, stage.camera(), UVec2::new(40, 30), &RenderControl::default()).unwrap()
 }
 
@@ -88,7 +88,7 @@ fn the_advice_is_enough() {
     for name in ["ring-of-images", "concave-mirror", "whitted"] {
         let scene = Example::find(name).unwrap().load().unwrap().scene;
         let found = measure(&scene);
-        let stage = RenderScene::prepare(&scene).unwrap();
+        let stage = RenderScene::build(&scene).unwrap();
         let picture = |generations: u32| {
             let settings = RenderSettings { width: 40, height: 30, samples: 1 };
             let stage = stage.clone().with_generations(generations);
@@ -109,7 +109,7 @@ fn the_advice_is_enough() {
 #[test]
 fn a_measurement_can_be_cancelled() {
     let scene = between_mirrors(0.5, 0.5);
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let control = RenderControl::default();
     control.cancel();
     let outcome = DepthMeasure::of(&stage, stage.camera(), UVec2::new(9, 9), &control);

@@ -20,7 +20,7 @@ fn the_pixel_explained_is_the_pixel() {
         return;
     }
     let scene = Example::find("whitted").unwrap().load().unwrap().scene;
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let pixel = UVec2::new(800, 440);
     let audit =
         audit(&scene, &stage, stage.camera(), pixel, &AuditSettings::default(), &RenderControl::default())

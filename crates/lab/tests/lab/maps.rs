@@ -10,7 +10,7 @@ use crate::scenes::{ball, body};
 const PICTURE: RenderSettings = RenderSettings { width: 37, height: 35, samples: 1 };
 
 fn made(scene: &Scene, kind: MapKind, picture: RenderSettings) -> Map {
-    let stage = RenderScene::prepare(scene).unwrap();
+    let stage = RenderScene::build(scene).unwrap();
     let settings = MapSettings { kind, picture, exposure_stops: 0.0 };
     let control = RenderControl::default();
     let map = map(&stage, stage.camera(), &settings, &control).unwrap();
@@ -38,7 +38,7 @@ fn corridor(rho: f64, generations: u32) -> Scene {
 #[test]
 fn rays_and_generations_are_those_of_the_trees() {
     let scene = Example::find("whitted").unwrap().load().unwrap().scene;
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let (rays, generations) =
         (made(&scene, MapKind::Rays, PICTURE), made(&scene, MapKind::Generations, PICTURE));
     let control = RenderControl::default();
@@ -89,7 +89,7 @@ fn light_beyond_white_is_counted_after_exposure() {
     scene.environment.background = Color::new(3.0, 0.5, 0.5);
     let clipped = made(&scene, MapKind::Clipped, PICTURE);
     assert!(clipped.values.iter().all(|share| *share == 0.5));
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let settings = MapSettings { kind: MapKind::Clipped, picture: PICTURE, exposure_stops: -2.0 };
     let darker = map(&stage, stage.camera(), &settings, &RenderControl::default()).unwrap();
     assert_eq!(darker.greatest(), 0.0);
@@ -103,7 +103,7 @@ fn a_map_is_the_same_for_any_number_of_threads_and_can_be_cancelled() {
         pool.install(|| made(&scene, MapKind::LimitLoss, PICTURE))
     };
     assert_eq!(with(1), with(5));
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let control = RenderControl::default();
     control.cancel();
     for kind in MapKind::ALL {

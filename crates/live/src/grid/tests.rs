@@ -15,13 +15,13 @@ fn body(shape: Shape, position: DVec3) -> Body {
 }
 
 fn grid(scene: &Scene) -> Vec<GridLine> {
-    let stage = RenderScene::prepare(scene).unwrap();
+    let stage = RenderScene::build(scene).unwrap();
     trace(GridSpec::default(), &scene.camera, stage.camera(), &stage, SIZE)
 }
 
 /// The place on the ground that a pixel shows.
 fn ground(camera: &Camera, at: DVec2) -> DVec3 {
-    let stage = RenderScene::prepare(&Scene { camera: *camera, ..Scene::default() }).unwrap();
+    let stage = RenderScene::build(&Scene { camera: *camera, ..Scene::default() }).unwrap();
     let ray = stage.camera().ray(at, SIZE);
     let (origin, direction) = (stage.world_from_render(ray.origin), ray.direction.as_dvec3());
     origin - origin.y / direction.y * direction
@@ -69,7 +69,7 @@ fn bodies_hide_what_is_behind_them_and_a_floor_hides_nothing() {
     let ball = Scene { bodies: [body(Shape::SPHERE, DVec3::new(0.0, 1.0, 0.0))].into(), ..Scene::default() };
     let cut = grid(&ball);
     assert!(length(&cut) < 0.97 * length(&grid(&open)));
-    let stage = RenderScene::prepare(&ball).unwrap();
+    let stage = RenderScene::build(&ball).unwrap();
     for line in &cut {
         for share in [0.02, 0.5, 0.98] {
             let at = line.from.lerp(line.to, share).as_dvec2();
@@ -112,7 +112,7 @@ fn the_step_follows_the_distance_without_jumps() {
 
 #[test]
 fn what_is_not_wanted_is_not_there_and_odd_cameras_have_no_grid() {
-    let stage = RenderScene::prepare(&Scene::default()).unwrap();
+    let stage = RenderScene::build(&Scene::default()).unwrap();
     let of = |spec| trace(spec, &Camera::default(), stage.camera(), &stage, SIZE);
     assert_eq!(of(GridSpec { lines: false, axes: false }), []);
     let is_axis = |line: &GridLine| matches!(line.kind, GridKind::AxisX | GridKind::AxisZ);

@@ -29,13 +29,13 @@ fn scene(bodies: Vec<Body>) -> Scene {
 /// The stage of one body, and where it can be in a view of this size.
 pub(super) fn one_body(shape: Shape, position: DVec3, degrees: DVec3, size: DVec2) -> (RenderScene, Area) {
     let scene = scene(vec![turned(shape, position, degrees)]);
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let area = Area::of_bodies(scene.bodies.iter(), stage.camera(), size).unwrap();
     (stage, area)
 }
 
 fn outlines(scene: &Scene, bodies: &[usize]) -> Vec<Polyline> {
-    let stage = RenderScene::prepare(scene).unwrap();
+    let stage = RenderScene::build(scene).unwrap();
     Outlines::new(scene, &stage, bodies).trace(scene, &stage, stage.camera(), SIZE)
 }
 
@@ -72,7 +72,7 @@ fn assert_same(found: &[Polyline], expected: &[DVec2]) {
 
 /// The outline of a sphere: where a cone around it meets the window.
 fn sphere_outline(scene: &Scene, center: DVec3, radius: f64) -> Vec<DVec2> {
-    let stage = RenderScene::prepare(scene).unwrap();
+    let stage = RenderScene::build(scene).unwrap();
     let position = scene.camera.position;
     let offset = center - position;
     let axis = offset.normalize();
@@ -137,7 +137,7 @@ fn the_outline_of_a_box_is_the_hull_of_its_corners() {
     ] {
         let center = DVec3::new(0.3, 1.1, 0.0);
         let scene = scene(vec![turned(Shape::Cube { size }, center, rotation)]);
-        let stage = RenderScene::prepare(&scene).unwrap();
+        let stage = RenderScene::build(&scene).unwrap();
         let frame = scene.bodies[0].placement.world_from_body();
         let corners: Vec<DVec2> = (0..8)
             .map(|k| {
@@ -163,7 +163,7 @@ fn a_body_three_pixels_wide_has_an_outline() {
 #[test]
 fn the_apex_of_a_cone_is_reached() {
     let scene = scene(vec![body(Shape::Cone { radius: 0.3, top_radius: 0.0, height: 2.0 }, DVec3::ZERO)]);
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let apex = stage.camera().project(DVec3::new(0.0, 2.0, 0.0), SIZE).unwrap().0;
     let found = outlines(&scene, &[0]);
     assert_eq!(found.len(), 1);
@@ -179,7 +179,7 @@ fn a_plane_has_its_horizon_and_is_cut_by_the_view() {
     let found = outlines(&scene, &[0]);
     assert_eq!(found.len(), 1);
     assert!(!found[0].closed);
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let horizon = stage.camera().project(DVec3::new(0.0, 2.2, -1e6), SIZE).unwrap().0.y;
     for point in points(&found[0]) {
         assert!((point.y - horizon).abs() < TOLERANCE, "{point}, not {horizon}");
@@ -223,7 +223,7 @@ fn parts_behind_other_bodies_are_hidden() {
     assert_eq!(center.len(), 1);
     assert_eq!(found.iter().filter(|line| line.hidden).count(), 1);
     assert_eq!(found.iter().filter(|line| !line.hidden).count(), 1);
-    let stage = RenderScene::prepare(&scene).unwrap();
+    let stage = RenderScene::build(&scene).unwrap();
     let edge = stage.camera().project(DVec3::new(0.0, 1.0, 1.0), SIZE).unwrap().0.x;
     for line in &found {
         assert_eq!(line.body, Some(0));
@@ -266,7 +266,7 @@ fn no_camera_and_no_body_is_too_odd() {
             odd.placement.scale = DVec3::splat(scale);
             let mut scene = scene(vec![odd, body(Shape::Plane, DVec3::ZERO)]);
             scene.camera = Camera { position, ..Camera::default() };
-            let stage = RenderScene::prepare(&scene).unwrap();
+            let stage = RenderScene::build(&scene).unwrap();
             for size in [DVec2::ONE, DVec2::new(1.0, 500.0), DVec2::new(3000.0, 2.0)] {
                 Outlines::new(&scene, &stage, &[0, 1]).trace(&scene, &stage, stage.camera(), size);
             }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuError};
-use catoptric_tracer::method::Method;
+use catoptric_tracer::raster::Method;
 
 use super::Worker;
 use crate::canvas::{Card, PassError};

@@ -30,7 +30,7 @@ fn a_job_makes_the_picture_of_a_render() {
         let progress = job.progress();
         assert_eq!((progress.fraction, progress.remaining), (1.0, Some(Duration::ZERO)));
         assert_eq!(job.progress().elapsed, progress.elapsed);
-        let stage = RenderScene::prepare(&four_bodies()).unwrap();
+        let stage = RenderScene::build(&four_bodies()).unwrap();
         let stage = if let Some(limit) = generations { stage.with_generations(limit) } else { stage };
         let expected = render(&stage, SETTINGS, &RenderControl::default()).unwrap();
         assert!(found.picture == expected.picture);

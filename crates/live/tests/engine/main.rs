@@ -106,7 +106,7 @@ fn from_side(camera: &Camera, degrees: f64) -> Camera {
 
 /// What `render` and `develop` make of a request.
 fn expected(request: &Request, samples: u32) -> Vec<u8> {
-    let stage = RenderScene::prepare(&request.scene).unwrap();
+    let stage = RenderScene::build(&request.scene).unwrap();
     let [width, height] = request.size;
     let settings = RenderSettings { width, height, samples };
     let camera = stage.camera_for(&request.camera);

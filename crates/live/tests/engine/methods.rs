@@ -2,7 +2,7 @@
 
 use catoptric_live::{LiveError, RenderJob, Request, Shows};
 use catoptric_picture::{Development, Picture};
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, GBufferLayer, Method, MethodKind, ShadingSettings, draw_through,
 };
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
@@ -12,7 +12,7 @@ use crate::{Window, developed, four_bodies, from_side, request};
 
 /// A drawing of the request and what is to be seen of it.
 fn drawn(request: &Request, samples: u32) -> Picture {
-    let stage = RenderScene::prepare(&request.scene).unwrap();
+    let stage = RenderScene::build(&request.scene).unwrap();
     let [width, height] = request.size;
     let settings = RenderSettings { width, height, samples };
     let camera = stage.camera_for(&request.camera);

@@ -100,7 +100,7 @@ mod tests {
         };
         let mut scene = Scene { bodies: (0..panes).map(pane).collect(), ..Scene::default() };
         (scene.tracing.generations, scene.tracing.threshold) = (6, 0.0);
-        let stage = Arc::new(RenderScene::prepare(&scene).unwrap());
+        let stage = Arc::new(RenderScene::build(&scene).unwrap());
         let camera = scene.camera;
         let pin = Pin { pixel: UVec2::new(80, 70), size: UVec2::new(160, 90), camera, home: camera };
         let order = Order { serial: 1, pin, scene: Arc::new(scene), stage, before: None };

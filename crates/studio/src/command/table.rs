@@ -5,7 +5,7 @@ use catoptric_editor::navigate::Axis;
 use catoptric_lab::maps::MapKind;
 use catoptric_live::Shows;
 use catoptric_scene::ShapeKind;
-use catoptric_tracer::method::{GBufferLayer, MethodKind};
+use catoptric_tracer::raster::{GBufferLayer, MethodKind};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use catoptric_lab::compare::{AGREED, Contender, Drawn, Metrics, reason_color};
 use catoptric_lab::report::Language;
 use catoptric_picture::Picture;
-use catoptric_tracer::method::ReasonMap;
+use catoptric_tracer::raster::ReasonMap;
 use egui::{Align, Color32, Label, Layout, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::Source;

@@ -7,7 +7,7 @@ use catoptric_picture::{Development, FormatError};
 use catoptric_scene::Tracing;
 use catoptric_scene::format::spec::Limits;
 use catoptric_tracer::RenderSettings;
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use egui::{ComboBox, Grid, Label, Response, RichText, Ui};
 use egui_material_icons::icons::{ICON_INFO, ICON_MEMORY, ICON_SCHEDULE, ICON_WARNING};
 

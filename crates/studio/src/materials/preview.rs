@@ -49,7 +49,7 @@ mod tests {
         let scene = preview.scene().unwrap();
         let is_shown = |choice: &MaterialChoice| *choice == MaterialChoice::Inline(material.clone());
         assert_eq!(scene.bodies.iter().filter(|body| is_shown(&body.material)).count(), 1);
-        assert!(catoptric_tracer::RenderScene::prepare(&scene).is_ok());
+        assert!(catoptric_tracer::RenderScene::build(&scene).is_ok());
         assert_eq!(preview.settings().samples, 16);
         let rough =
             Preview { material: Box::new(Material { roughness: 0.2, ..(*material).clone() }), side: 96 };

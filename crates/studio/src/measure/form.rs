@@ -6,7 +6,7 @@ use catoptric_lab::report::Language;
 use catoptric_scene::Scene;
 use catoptric_scene::format::spec::Limits;
 use catoptric_tracer::RenderSettings;
-use catoptric_tracer::method::{Method, MethodKind};
+use catoptric_tracer::raster::{Method, MethodKind};
 use egui::{Button, ComboBox, Popup, PopupCloseBehavior, RichText, TextEdit, Ui};
 
 use crate::methods::chooser::methods_ui;

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use catoptric_lab::Machine;
 use catoptric_lab::measure::{MeasureError, Measured, Parameter, Plan, measure};
 use catoptric_tracer::RenderControl;
-use catoptric_tracer::method::MethodError;
+use catoptric_tracer::raster::MethodError;
 use egui::Context;
 
 use super::form::Wrong;

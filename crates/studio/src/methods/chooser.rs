@@ -1,6 +1,6 @@
 //! The chooser over the picture: how it is drawn, and what of the drawing is seen.
 
-use catoptric_tracer::method::MethodKind;
+use catoptric_tracer::raster::MethodKind;
 use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui, vec2};
 use egui_material_icons::icons::{ICON_LAYERS, ICON_SAVE_AS};
 

@@ -1,7 +1,7 @@
 //! The settings of a method as fields.
 
 use catoptric_scene::format::spec::Limits;
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, LightModel, Method, ShadingSettings, SsrFallback, SsrSettings,
 };
 use egui::{Grid, Ui};

@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn it_sees_what_the_tracer_sees() {
         let size = DVec2::new(640.0, 360.0);
-        let stage = RenderScene::prepare(&Scene::default()).unwrap();
+        let stage = RenderScene::build(&Scene::default()).unwrap();
         for camera in cameras() {
             let (lens, tracer) = (Lens::new(&camera, size), stage.camera_for(&camera));
             for point in [DVec3::ZERO, DVec3::new(0.4, 1.5, -0.8), camera.target] {

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_live::Shows;
 use catoptric_studio::{Command, CompareAct, MeasureAct, Pane, Start, Studio};
-use catoptric_tracer::method::{GBufferLayer, Method, MethodKind};
+use catoptric_tracer::raster::{GBufferLayer, Method, MethodKind};
 use egui::{Key, Modifiers, accesskit};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};

@@ -87,7 +87,7 @@ fn start_small(harness: &mut Hands) {
 
 /// What the tracer makes of it.
 fn truth(scene: &Scene, [width, height]: [u32; 2], samples: u32, generations: Option<u32>) -> Picture {
-    let mut stage = RenderScene::prepare(scene).unwrap();
+    let mut stage = RenderScene::build(scene).unwrap();
     if let Some(generations) = generations {
         stage = stage.with_generations(generations);
     }

@@ -5,7 +5,7 @@ use catoptric_scene::{
     Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, Placement, Projection, Scene,
     Shape, Tracing,
 };
-use catoptric_tracer::method::{Method, MethodOutput, draw};
+use catoptric_tracer::raster::{Method, MethodOutput, draw};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 
@@ -82,7 +82,7 @@ pub(crate) fn scene(bodies: Vec<Body>, camera: Camera, lights: Vec<Light>) -> Sc
 }
 
 pub(crate) fn stage(scene: &Scene) -> RenderScene {
-    RenderScene::prepare(scene).unwrap()
+    RenderScene::build(scene).unwrap()
 }
 
 pub(crate) fn size(width: u32, height: u32) -> RenderSettings {

@@ -1,7 +1,7 @@
 //! What is true of all methods: refusals, cancellation, odd scenes.
 
 use catoptric_scene::{Example, Projection, Scene, Shape};
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, Method, MethodError, MethodKind, ShadingSettings, SsrSettings, draw,
 };
 use catoptric_tracer::{RenderControl, RenderSettings};

@@ -8,7 +8,7 @@ use catoptric_scene::Scene;
 use catoptric_scene::format::keys;
 use catoptric_scene::format::read;
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits, TableSpec, When};
-use catoptric_tracer::method::{Method, MethodKind, draw};
+use catoptric_tracer::raster::{Method, MethodKind, draw};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
@@ -183,7 +183,7 @@ fn watched(work: impl FnOnce(&Sender<Word>) + Send + 'static) {
 
 /// Draws a scene by all methods.
 fn draw_all(text: &str, scene: &Scene, (width, height): (u32, u32), sender: &Sender<Word>) {
-    let stage = RenderScene::prepare(scene).unwrap();
+    let stage = RenderScene::build(scene).unwrap();
     for kind in MethodKind::ALL {
         sender.send(Word::Next(format!("{kind}\n{text}"))).unwrap();
         let mut method = kind.method();

@@ -2,7 +2,7 @@
 
 use catoptric_picture::Picture;
 use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMap, CubeMapSettings, CubeMaps, GBufferLayer, Method, PassName, SsrFallback, SsrSettings,
     draw_through,
 };

@@ -2,7 +2,7 @@
 
 use catoptric_picture::Picture;
 use catoptric_scene::{Material, Scene, Shape};
-use catoptric_tracer::method::{
+use catoptric_tracer::raster::{
     CubeMapSettings, LightModel, Method, MethodError, Reason, ReasonMap, ShadingSettings, SsrSettings,
     reasons,
 };

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
 use catoptric_tracer::RenderScene;
-use catoptric_tracer::method::{LightModel, Method, ShadingSettings};
+use catoptric_tracer::raster::{LightModel, Method, ShadingSettings};
 use glam::DVec3;
 
 use crate::common::*;

@@ -188,15 +188,15 @@ fn every_pixel_by_itself_is_that_of_the_picture() {
 fn undefined_materials_are_errors_that_say_where() {
     let mut scene = scene(vec![ball(1.0, DVec3::ZERO, Material::default()); 2]);
     scene.bodies[1].material = catoptric_scene::MaterialChoice::Named("gold".into());
-    let error = RenderScene::prepare(&scene).unwrap_err();
+    let error = RenderScene::build(&scene).unwrap_err();
     let body = "number 2".to_owned();
     assert_eq!(error, SceneBuildError::UndefinedMaterial { body, material: "gold".into() });
     assert!(error.to_string().contains("gold"));
     scene.bodies[1].name = "crown".into();
-    assert!(RenderScene::prepare(&scene).unwrap_err().to_string().contains("\"crown\""));
+    assert!(RenderScene::build(&scene).unwrap_err().to_string().contains("\"crown\""));
     let material = Material { color: Color::WHITE, ..Material::default() };
     scene.materials = vec![catoptric_scene::NamedMaterial { name: "gold".into(), material }];
-    assert_eq!(RenderScene::prepare(&scene).unwrap().body_count(), 2);
+    assert_eq!(RenderScene::build(&scene).unwrap().body_count(), 2);
 }
 
 #[test]

@@ -116,7 +116,7 @@ fn follow(stage: &mut RenderScene, before: &Scene, after: &Scene, changed: &[usi
             true
         }
         None => {
-            *stage = RenderScene::prepare(after).unwrap();
+            *stage = RenderScene::build(after).unwrap();
             false
         }
     }
@@ -169,9 +169,9 @@ fn a_stage_that_followed_edits_is_the_edited_scenes() {
             let changed = edit.make(&mut scene);
             edits.set(edits.get() + 1);
             followed.set(followed.get() + u32::from(follow(&mut stage, &before, &scene, &changed)));
-            assert_same_hits(&stage, &RenderScene::prepare(&scene).unwrap());
+            assert_same_hits(&stage, &RenderScene::build(&scene).unwrap());
         }
-        assert_same_pictures(&stage, &RenderScene::prepare(&scene).unwrap());
+        assert_same_pictures(&stage, &RenderScene::build(&scene).unwrap());
         Ok(())
     });
     result.unwrap();
@@ -225,7 +225,7 @@ fn a_hierarchy_that_would_get_poor_is_built_anew() {
         times += u32::from(!follow(&mut stage, &before, &scene, &[at]));
     }
     assert!((1..100).contains(&times), "built anew {times} times");
-    assert_same_hits(&stage, &RenderScene::prepare(&scene).unwrap());
+    assert_same_hits(&stage, &RenderScene::build(&scene).unwrap());
 }
 
 #[test]
@@ -235,5 +235,5 @@ fn a_new_glass_is_seen_through_and_tints_alike() {
     let mut after = before.clone();
     after.bodies[7] = ball(0.4, v(7.0, 0.6, 0.0), glass(1.4));
     assert!(follow(&mut stage, &before, &after, &[7]));
-    assert_same_pictures(&stage, &RenderScene::prepare(&after).unwrap());
+    assert_same_pictures(&stage, &RenderScene::build(&after).unwrap());
 }

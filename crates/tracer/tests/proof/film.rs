@@ -255,7 +255,7 @@ fn a_stage_of_some_bodies_looks_as_their_scene_does() {
     let mut part = whole.clone();
     part.bodies = chosen.iter().map(|&index| whole.bodies[index].clone()).collect();
     let one = render(&stage(&whole).only(&whole, &chosen), settings(1), &RenderControl::default()).unwrap();
-    let part = RenderScene::prepare(&part).unwrap();
+    let part = RenderScene::build(&part).unwrap();
     let camera = stage(&whole).camera().clone();
     let other = render_through(&part, &camera, settings(1), &RenderControl::default()).unwrap();
     assert!(one.picture == other.picture);

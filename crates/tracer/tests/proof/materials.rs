@@ -142,7 +142,7 @@ fn lit(material: Material) -> DVec3 {
     let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, material)]);
     scene.environment.ambient = Color::BLACK;
     scene.lights = vec![Light { position: v(0.0, 4.0, 0.0), ..Light::default() }];
-    light_along(&catoptric_tracer::RenderScene::prepare(&scene).unwrap(), ray(v(0.0, 2.0, 0.0), -DVec3::Y))
+    light_along(&catoptric_tracer::RenderScene::build(&scene).unwrap(), ray(v(0.0, 2.0, 0.0), -DVec3::Y))
         .as_dvec3()
 }
 

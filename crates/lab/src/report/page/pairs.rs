@@ -114,7 +114,7 @@ impl Page<'_> {
     }
 
     /// The table of reasons, which is the legend of their map too.
-    fn shares(&self, html: &mut String, map: &catoptric_tracer::method::ReasonMap, metrics: &Metrics) {
+    fn shares(&self, html: &mut String, map: &catoptric_tracer::raster::ReasonMap, metrics: &Metrics) {
         let language = self.settings.language;
         let counts = map.counts();
         let explained: u64 = counts.iter().map(|(_, count)| count).sum();

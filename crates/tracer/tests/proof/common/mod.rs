@@ -121,7 +121,7 @@ pub(crate) fn light(position: DVec3, intensity: f64, falloff: Falloff) -> Light 
 }
 
 pub(crate) fn stage(scene: &Scene) -> RenderScene {
-    RenderScene::prepare(scene).unwrap()
+    RenderScene::build(scene).unwrap()
 }
 
 pub(crate) fn stage_of(bodies: Vec<Body>) -> RenderScene {

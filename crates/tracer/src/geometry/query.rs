@@ -1,0 +1,520 @@
+//! What rays meet: the nearest body, and what lies between a point and a light.
+
+pub(crate) mod candidates;
+pub(crate) mod closest;
+pub(crate) mod coincident;
+pub(crate) mod stream;
+
+use std::ops::Range;
+
+use crate::geometry::body::RenderBody;
+use crate::geometry::bvh::Bvh;
+use crate::geometry::bvh::packet::{BodyVisitor, TraversalStack};
+use crate::geometry::membership::BodyMembership;
+use crate::geometry::query::candidates::Candidates;
+use crate::geometry::query::closest::ClosestHits;
+use crate::geometry::query::coincident::settle;
+use crate::geometry::ray::{INWARDS, RayPacket, slack_at};
+use crate::geometry::visible_bodies::{BoundingCone, VisibleBodies};
+use crate::geometry::{Accelerator, Geometry};
+use crate::simd::vector::Vector;
+use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
+
+/// Where a ray meets a body: the cheap record kept during the search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HitRecord {
+    /// Parameter along the ray, 0 or more, finite.
+    pub t: f32,
+    /// The body's place in the stage.
+    pub body: u32,
+    /// Whether the ray meets the body's surface from within.
+    pub leaving: bool,
+}
+
+/// Where rays meet bodies.
+#[derive(Clone, Copy)]
+pub(crate) struct PacketHits<W: Width> {
+    pub t: W::R,
+    pub body: W::W,
+    pub leaving: W::M,
+    /// The face of the body's [`ShapeSpan`](crate::shape::Span).
+    pub face: W::R,
+    /// The rays that meet one at all.
+    pub hit: W::M,
+    /// The rays that may meet other bodies there too: they have to be [settled](Self::settled).
+    pub contested: W::M,
+}
+
+/// What the rays know about a body before it is tested.
+pub(crate) struct RayBodyLanes<M> {
+    /// Those that may meet it: they have not just left this convex body.
+    pub(crate) lanes: M,
+    /// Those that are inside: they meet the far side only.
+    pub(crate) inside: M,
+}
+
+/// Where rays meet a body first.
+pub(crate) struct BodyIntersection<W: Width> {
+    /// Those that enter it, and where.
+    pub(crate) entering: W::M,
+    pub(crate) enter: W::R,
+    pub(crate) enter_face: W::R,
+    /// Those that leave it without having entered.
+    pub(crate) leaving: W::M,
+    /// Where all of them leave it.
+    pub(crate) exit: W::R,
+    pub(crate) exit_face: W::R,
+}
+
+/// Rays in flight.
+#[derive(Clone, Copy)]
+pub(crate) struct RayQuery<'a, W: Width> {
+    pub(crate) w: W,
+    pub(crate) geometry: &'a Geometry,
+    origin: Vector<W::R>,
+    direction: Vector<W::R>,
+    /// The bodies that they start from, with [`INWARDS`].
+    start: W::W,
+    /// Those that fly.
+    pub(crate) lanes: W::M,
+    inside: &'a BodyMembership,
+    along: Candidates<'a>,
+}
+
+impl<W: Width> PacketHits<W> {
+    /// None at all.
+    #[inline(always)]
+    pub(crate) fn none(w: W) -> Self {
+        let (zero, none) = (w.real(0.0), w.mask(0));
+        Self { t: zero, body: w.word(0), leaving: none, face: zero, hit: none, contested: none }
+    }
+
+    /// The first hits of these rays, of bodies that they meet where others are the first in the scene.
+    #[inline(always)]
+    pub(crate) fn settled(
+        self,
+        w: W,
+        geometry: &Geometry,
+        rays: &RayPacket<W>,
+        inside: &BodyMembership,
+    ) -> Self {
+        // Number by number: masks that were just written are slow to read as parts of a whole.
+        let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
+        if contested.any() {
+            let first = settle(w, geometry, rays, inside, Self { t, body, leaving, face, hit, contested });
+            (t, body, leaving, face, hit) = (first.t, first.body, first.leaving, first.face, first.hit);
+        }
+        Self { t, body, leaving, face, hit, contested }
+    }
+}
+
+impl<'a, W: Width> RayQuery<'a, W> {
+    #[inline(always)]
+    pub(crate) fn new(
+        w: W,
+        geometry: &'a Geometry,
+        rays: &RayPacket<W>,
+        lanes: W::M,
+        inside: &'a BodyMembership,
+        along: Candidates<'a>,
+    ) -> Self {
+        Self {
+            w,
+            geometry,
+            origin: rays.origin,
+            direction: rays.direction,
+            start: rays.start,
+            lanes,
+            inside,
+            along,
+        }
+    }
+
+    /// How far the starts may lie from their true places by rounding, meters.
+    #[inline(always)]
+    fn start_slack(&self) -> W::R {
+        slack_at(self.origin)
+    }
+
+    #[inline(always)]
+    pub(crate) fn relation(&self, index: u32, body: &RenderBody, lanes: W::M) -> RayBodyLanes<W::M> {
+        let leaves = self.leaves(index);
+        let mut inside = self.start.is(index | INWARDS);
+        if body.is_transparent() && !self.inside.is_empty() {
+            inside = inside | (self.w.mask(self.inside.of(index)) & !leaves);
+        }
+        RayBodyLanes { lanes: lanes & !leaves, inside }
+    }
+
+    /// The rays that have just left this body: they meet it no more.
+    #[inline(always)]
+    fn leaves(&self, index: u32) -> W::M {
+        self.start.is(index)
+    }
+
+    /// The nearest body that each ray meets.
+    #[inline(always)]
+    pub(crate) fn nearest(&self, parts: &mut TraversalStack) -> PacketHits<W> {
+        self.nearest_unsettled(parts).settled(self.w, self.geometry, &self.rays(), self.inside)
+    }
+
+    /// The nearest body that each ray meets, hits to be [settled](Hits::settled) among them.
+    #[inline(always)]
+    pub(crate) fn nearest_unsettled(&self, parts: &mut TraversalStack) -> PacketHits<W> {
+        match self.hierarchy() {
+            Some(bvh) => nearest_of_many(*self, bvh, parts),
+            None => self.nearest_by(
+                #[inline(always)]
+                |visitor| self.visit_few(visitor),
+            ),
+        }
+    }
+
+    /// The nearest body that each ray meets, of planes and the bounded bodies that `visit` shows.
+    #[inline(always)]
+    fn nearest_by(&self, visit: impl FnOnce(&mut ClosestHitVisitor<'_, 'a, W>)) -> PacketHits<W> {
+        let mut best = ClosestHits::new(self.w, self.geometry, self.start_slack());
+        visit(&mut ClosestHitVisitor(self, &mut best));
+        self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
+        best.first(self.w, self.geometry, self.lanes)
+    }
+
+    fn rays(&self) -> RayPacket<W> {
+        RayPacket { origin: self.origin, direction: self.direction, start: self.start }
+    }
+
+    /// The boxes in which bodies are looked for, if they are.
+    #[inline(always)]
+    pub(crate) fn hierarchy(&self) -> Option<&'a Bvh> {
+        match &self.geometry.hierarchy {
+            Accelerator::Many(bvh) if W::USES_HIERARCHY => Some(bvh),
+            Accelerator::Few | Accelerator::Many(_) => None,
+        }
+    }
+
+    /// Shows `visitor` the bounded bodies that some of the rays may meet.
+    #[inline(always)]
+    pub(crate) fn visit(&self, parts: &mut TraversalStack, visitor: &mut impl BodyVisitor<W>) {
+        match self.hierarchy() {
+            Some(bvh) => self.visit_many(bvh, parts, visitor),
+            None => self.visit_few(visitor),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn visit_many(
+        &self,
+        bvh: &Bvh,
+        parts: &mut TraversalStack,
+        visitor: &mut impl BodyVisitor<W>,
+    ) {
+        let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
+        bvh.traverse_packet(self.w, &boxes, parts, &mut SphereCull { flight: self, visitor });
+    }
+
+    #[inline(always)]
+    pub(crate) fn visit_few(&self, visitor: &mut impl BodyVisitor<W>) {
+        match self.along {
+            Candidates::Only(sights) => self.visit_seen(&sights.bodies, visitor),
+            Candidates::All => self.visit_all(visitor),
+        }
+    }
+
+    /// Shows `visitor` the planes that some of the rays may meet.
+    #[inline(always)]
+    pub(crate) fn visit_planes(&self, visitor: &mut impl BodyVisitor<W>) {
+        match self.along {
+            Candidates::Only(VisibleBodies { planes, .. }) => {
+                for &index in planes {
+                    visitor.leaf(index..index + 1, self.lanes);
+                }
+            }
+            Candidates::All => {
+                if !self.geometry.planes().is_empty() {
+                    visitor.leaf(self.geometry.planes(), self.lanes);
+                }
+            }
+        }
+    }
+
+    /// Up to so many bodies are tested and visited one after the other; of more, all are tested first.
+    const ONE_BY_ONE: usize = 10;
+
+    #[inline(always)]
+    fn visit_all(&self, visitor: &mut impl BodyVisitor<W>) {
+        let spheres = &self.geometry.spheres;
+        if spheres.len() > Self::ONE_BY_ONE {
+            return self.visit_tested(
+                spheres,
+                visitor,
+                #[inline(always)]
+                |sphere, reach| sphere.is_met(self.origin, self.direction, reach),
+                #[inline(always)]
+                |_, place| place as u32,
+            );
+        }
+        for (sphere, index) in spheres.iter().zip(0..) {
+            // Often all have just left the same body.
+            let lanes = self.lanes & !self.leaves(index);
+            if !lanes.any() {
+                continue;
+            }
+            let lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
+            if lanes.any() {
+                visitor.leaf(index..index + 1, lanes);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn visit_seen(&self, sights: &[BoundingCone], visitor: &mut impl BodyVisitor<W>) {
+        if sights.len() > Self::ONE_BY_ONE {
+            return self.visit_tested(
+                sights,
+                visitor,
+                #[inline(always)]
+                |sight, reach| sight.is_met(self.direction, reach),
+                #[inline(always)]
+                |sight, _| sight.body,
+            );
+        }
+        for sight in sights {
+            let lanes = self.lanes & sight.is_met(self.direction, visitor.reach());
+            if lanes.any() {
+                visitor.leaf(sight.body..sight.body + 1, lanes);
+            }
+        }
+    }
+
+    /// Tests bodies, then shows `visitor` those that some of the rays may meet: tests do not wait for each other, and nobody
+    /// has to guess after each of them whether there will be a visit.
+    #[inline(always)]
+    fn visit_tested<T>(
+        &self,
+        bodies: &[T],
+        visitor: &mut impl BodyVisitor<W>,
+        is_met: impl Fn(&T, W::R) -> W::M,
+        index: impl Fn(&T, usize) -> u32,
+    ) {
+        const AT_ONCE: usize = 64;
+        for (bodies, start) in bodies.chunks(AT_ONCE).zip((0..).step_by(AT_ONCE)) {
+            let reach = visitor.reach();
+            let (mut lanes, mut some) = ([0; AT_ONCE], 0_u64);
+            for (at, body) in bodies.iter().enumerate() {
+                let met = (self.lanes & is_met(body, reach)).bits();
+                lanes[at % AT_ONCE] = met;
+                some |= u64::from(met != 0) << at;
+            }
+            while some != 0 {
+                let at = some.trailing_zeros() as usize % AT_ONCE;
+                some &= some - 1;
+                if let Some(body) = bodies.get(at) {
+                    let index = index(body, start + at);
+                    visitor.leaf(index..index + 1, self.w.mask(lanes[at]));
+                }
+            }
+        }
+    }
+
+    /// The first meeting of one ray with every body that it meets, in no particular order.
+    pub(crate) fn each(&self, parts: &mut TraversalStack, mut found: impl FnMut(HitRecord)) {
+        let mut test = |index: u32| {
+            let mut best = ClosestHits::new(self.w, self.geometry, self.start_slack());
+            self.test(index, self.geometry.body(index), self.lanes, &mut best);
+            found_in(&best.first(self.w, self.geometry, self.lanes)).into_iter().for_each(&mut found);
+        };
+        self.visit(parts, &mut AllHitsVisitor(self.w, &mut test));
+        self.geometry.planes().for_each(&mut test);
+    }
+
+    /// Which rays come near a body of a leaf before `reach`, but for those that have just left it: a sphere is a fraction of
+    /// a body in memory, and of its test.
+    #[inline(always)]
+    pub(crate) fn comes_near(&self, index: u32, reach: W::R) -> W::M {
+        self.geometry.sphere(index).is_met(self.origin, self.direction, reach) & !self.leaves(index)
+    }
+
+    /// Where rays meet a body first, if they may at all.
+    #[inline(always)]
+    fn meets(&self, index: u32, body: &RenderBody, lanes: W::M) -> Option<BodyIntersection<W>> {
+        let RayBodyLanes { lanes, inside } = self.relation(index, body, lanes);
+        if lanes.any() { self.meeting((index, body), lanes, inside) } else { None }
+    }
+
+    #[inline(always)]
+    fn test(&self, index: u32, body: &RenderBody, lanes: W::M, best: &mut ClosestHits<W>) {
+        let Some(meeting) = self.meets(index, body, lanes) else { return };
+        if meeting.entering.any() {
+            best.enter(self.w, index, &meeting);
+        }
+        if meeting.leaving.any() {
+            best.leave(self.w, index, &meeting);
+        }
+    }
+
+    /// Where rays meet a body first, if any do.
+    #[inline(always)]
+    pub(crate) fn meeting(
+        &self,
+        body: (u32, &RenderBody),
+        lanes: W::M,
+        inside: W::M,
+    ) -> Option<BodyIntersection<W>> {
+        let span = self.geometry.span(self.w, body, self.origin, self.direction);
+        if !(lanes & (inside | span.hit)).any() {
+            return None;
+        }
+        let zero = self.w.real(0.0);
+        let ahead = lanes & !inside & span.hit & span.exit.gt(zero);
+        let enters = span.enter.gt(zero);
+        let mut meeting = BodyIntersection {
+            entering: ahead & enters,
+            enter: span.enter,
+            enter_face: span.enter_face,
+            leaving: lanes & inside,
+            // Rounding may put the far side just behind a start inside.
+            exit: span.exit.max(zero),
+            exit_face: span.exit_face,
+        };
+        let within = ahead & !enters;
+        if within.any() {
+            let start = start_within(
+                self.w,
+                (self.geometry, body.0),
+                (self.origin, self.direction),
+                self.start_slack(),
+                within,
+            );
+            meeting.entering = meeting.entering | start.at_entry;
+            meeting.enter = W::R::select(start.at_entry, zero, span.enter);
+            meeting.leaving = meeting.leaving | start.inside;
+        }
+        Some(meeting)
+    }
+}
+
+/// The nearest body that each ray meets, of many. In a function of its own: the numbers of the loop over a few bodies stay
+/// in registers only where nothing is given their address.
+#[inline(never)]
+fn nearest_of_many<W: Width>(
+    flight: RayQuery<'_, W>,
+    bvh: &Bvh,
+    parts: &mut TraversalStack,
+) -> PacketHits<W> {
+    flight.w.run(
+        #[inline(always)]
+        || {
+            flight.nearest_by(
+                #[inline(always)]
+                |visitor| flight.visit_many(bvh, parts, visitor),
+            )
+        },
+    )
+}
+
+/// What is true of the rays that start within a body by the numbers, but perhaps only by their rounding.
+///
+/// Bodies often touch: a box stands on a floor, two panes share a face. A start that is no deeper than the bound of
+/// rounding counts as outside: heading in it meets the surface at once, heading out it does not. So neither side of a
+/// contact can be slipped through or shade itself. Depths are measured across the surface: along the ray they grow
+/// without bound when it grazes. In a body thinner than rounding the nearer surface counts.
+///
+/// What is rare is given copies: a reference would keep the numbers of the loop that it is called from in memory.
+#[cold]
+#[inline(never)]
+fn start_within<W: Width>(
+    w: W,
+    (geometry, body): (&Geometry, u32),
+    (origin, direction): (Vector<W::R>, Vector<W::R>),
+    start_slack: W::R,
+    within: W::M,
+) -> OriginSide<W::M> {
+    w.run(
+        #[inline(always)]
+        || {
+            let (span, [at_enter, at_exit]) = geometry.span_and_cosines(w, body, origin, direction);
+            let slack = start_slack + geometry.body(body).slack;
+            let behind_entry = -span.enter * at_enter;
+            let before_exit = span.exit * at_exit;
+            let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
+            let inside = within & !at_entry & !before_exit.le(slack);
+            OriginSide { at_entry, inside }
+        },
+    )
+}
+
+/// Shows a visitor those bodies of leaves of whose spheres rays come near.
+struct SphereCull<'f, 'a, W: Width, V> {
+    flight: &'f RayQuery<'a, W>,
+    visitor: &'f mut V,
+}
+
+impl<W: Width, V: BodyVisitor<W>> BodyVisitor<W> for SphereCull<'_, '_, W, V> {
+    const NEAREST_FIRST: bool = V::NEAREST_FIRST;
+
+    #[inline(always)]
+    fn reach(&self) -> W::R {
+        self.visitor.reach()
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
+        for index in bodies {
+            let lanes = lanes & self.flight.comes_near(index, self.reach());
+            if lanes.any() {
+                self.visitor.leaf(index..index + 1, lanes);
+            }
+        }
+    }
+}
+
+/// Looks for the nearest bodies.
+struct ClosestHitVisitor<'f, 'a, W: Width>(&'f RayQuery<'a, W>, &'f mut ClosestHits<W>);
+
+impl<W: Width> BodyVisitor<W> for ClosestHitVisitor<'_, '_, W> {
+    const NEAREST_FIRST: bool = true;
+
+    #[inline(always)]
+    fn reach(&self) -> W::R {
+        self.1.reach
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
+        for index in bodies {
+            self.0.test(index, self.0.geometry.body(index), lanes, self.1);
+        }
+    }
+}
+
+/// Looks for all bodies.
+pub(crate) struct AllHitsVisitor<'f, W, F>(pub(crate) W, pub(crate) &'f mut F);
+
+impl<W: Width, F: FnMut(u32)> BodyVisitor<W> for AllHitsVisitor<'_, W, F> {
+    const NEAREST_FIRST: bool = false;
+
+    fn reach(&self) -> W::R {
+        self.0.real(f32::INFINITY)
+    }
+
+    fn leaf(&mut self, bodies: Range<u32>, _lanes: W::M) {
+        bodies.for_each(&mut *self.1);
+    }
+}
+
+/// See [`RayQuery::start_within`].
+struct OriginSide<M> {
+    /// Those that meet the surface at once, on the way in.
+    at_entry: M,
+    /// Those that are inside indeed.
+    inside: M,
+}
+
+/// The hit of one ray.
+pub(crate) fn found_in<W: Width>(hits: &PacketHits<W>) -> Option<HitRecord> {
+    let (mut t, mut body) = ([0.0; MOST_LANES], [0; MOST_LANES]);
+    hits.t.store(&mut t);
+    hits.body.store(&mut body);
+    let is_hit = hits.hit.bits() & 1 == 1 && t[0] < f32::INFINITY;
+    is_hit.then(|| HitRecord { t: t[0], body: body[0], leaving: hits.leaving.bits() & 1 == 1 })
+}

@@ -1,0 +1,143 @@
+//! The nearest hits so far.
+
+use crate::geometry::Geometry;
+use crate::geometry::query::{BodyIntersection, PacketHits};
+use crate::geometry::ray::POINT_ROUNDING;
+use crate::simd::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word as _};
+
+/// Hits that coincide may lie so many times the bound of rounding apart along a ray: it is a bound across the surface, which
+/// the ray may graze. Rounding is far less than its bound, so that more than a thousandfold is allowed for.
+pub(crate) const GRAZING: f32 = 64.0;
+
+/// The nearest hits so far of one direction through the surface.
+#[derive(Clone, Copy)]
+pub(crate) struct ClosestHit<W: Width> {
+    pub(crate) t: W::R,
+    pub(crate) body: W::W,
+    pub(crate) face: W::R,
+    /// The parameter of the hit after it.
+    pub(crate) second: W::R,
+}
+
+/// The nearest hits so far: those that lead out of a body and those that lead in, each by themselves, so that the
+/// outcome does not depend on the order in which bodies are tested.
+pub(crate) struct ClosestHits<W: Width> {
+    pub(crate) leaving: ClosestHit<W>,
+    pub(crate) entering: ClosestHit<W>,
+    /// No body beyond this parameter can change the outcome any more; finite.
+    pub(crate) reach: W::R,
+    pub(crate) start_slack: W::R,
+    /// The [`margin`] of these rays, meters.
+    pub(crate) margin: W::R,
+}
+
+/// How far apart hits that coincide may lie at the start of rays, [`GRAZING`] and the slacks of two bodies included.
+#[inline(always)]
+pub(crate) fn margin<R: Float32>(geometry: &Geometry, start_slack: R) -> R {
+    (start_slack + 2.0 * geometry.largest_slack) * GRAZING
+}
+
+/// Up to where hits may coincide with one at `t`; `margin` is how far apart they may lie at the start of the rays.
+#[inline(always)]
+pub(crate) fn reach_for<R: Float32>(t: R, margin: R) -> R {
+    t.times_plus(t.like(1.0 + GRAZING * POINT_ROUNDING), margin)
+}
+
+impl<W: Width> ClosestHits<W> {
+    #[inline(always)]
+    pub(crate) fn new(w: W, geometry: &Geometry, start_slack: W::R) -> Self {
+        let infinity = w.real(f32::INFINITY);
+        let nearest = ClosestHit { t: infinity, body: w.word(0), face: w.real(0.0), second: infinity };
+        let margin = margin(geometry, start_slack);
+        let reach = w.real(f32::MAX);
+        Self { leaving: nearest, entering: nearest, reach, start_slack, margin }
+    }
+
+    /// Takes note of hits that lead into a body.
+    #[inline(always)]
+    pub(crate) fn enter(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
+        let met = (meeting.enter, meeting.enter_face);
+        self.entering.offer(w, index, met, meeting.entering);
+        self.reach = self.reach.min(reach_for(self.entering.t, self.margin));
+    }
+
+    /// Takes note of hits that lead out of a body.
+    #[inline(always)]
+    pub(crate) fn leave(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
+        let met = (meeting.exit, meeting.exit_face);
+        self.leaving.offer(w, index, met, meeting.leaving);
+        self.reach = self.reach.min(reach_for(self.leaving.t, self.margin));
+    }
+
+    /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
+    /// this: each slack is twice its bound, so the larger one covers both.
+    #[inline(always)]
+    fn slack_at(&self, t: W::R, larger: W::R) -> W::R {
+        t.times_plus(t.like(POINT_ROUNDING), self.start_slack + larger)
+    }
+
+    /// The first hits of `lanes`, before those that are contested are settled. Of hits that coincide within rounding, the
+    /// one that leads out comes before the one that leads in: bodies that touch have a film of air between them.
+    #[inline(always)]
+    pub(crate) fn first(&self, w: W, geometry: &Geometry, lanes: W::M) -> PacketHits<W> {
+        let infinity = w.real(f32::INFINITY);
+        let ClosestHit { t, body, face, .. } = self.entering;
+        let leaves = self.leaving.t.lt(infinity);
+        let mut hits: PacketHits<W> = PacketHits {
+            t,
+            body,
+            leaving: leaves & !leaves,
+            face,
+            hit: t.lt(infinity) | leaves,
+            contested: lanes & self.entering.is_contested(w, self.margin),
+        };
+        if leaves.any() {
+            hits.contested = hits.contested | lanes & self.leaving.is_contested(w, self.margin);
+            let out = self.leaving.t;
+            let surely = leaves & out.le(t + self.slack_at(t, w.real(0.0)));
+            let perhaps = leaves & out.le(t + self.slack_at(t, w.real(geometry.largest_slack)));
+            hits.leaving = surely;
+            if (perhaps & !surely).any() {
+                let larger = larger_slack(w, geometry, body, self.leaving.body);
+                hits.leaving = leaves & out.le(t + self.slack_at(t, larger));
+            }
+            hits.t = W::R::select(hits.leaving, self.leaving.t, t);
+            hits.face = W::R::select(hits.leaving, self.leaving.face, face);
+            hits.body = W::W::select(hits.leaving, self.leaving.body, body);
+        }
+        hits
+    }
+}
+
+impl<W: Width> ClosestHit<W> {
+    /// Takes note of hits. Which of equal ones counts is left to [`settle`](crate::geometry::query::coincident::settle).
+    #[inline(always)]
+    fn offer(&mut self, w: W, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
+        let t = W::R::select(lanes, t, w.real(f32::INFINITY));
+        self.second = self.second.min(t.max(self.t));
+        let is_nearer = t.lt(self.t);
+        self.t = self.t.min(t);
+        self.body = W::W::select(is_nearer, w.word(index), self.body);
+        self.face = W::R::select(is_nearer, face, self.face);
+    }
+
+    /// The rays whose two nearest hits may coincide.
+    #[inline(always)]
+    fn is_contested(&self, w: W, margin: W::R) -> W::M {
+        self.second.le(reach_for(self.t, margin)) & self.second.lt(w.real(f32::INFINITY))
+    }
+}
+
+/// The larger slack of two bodies.
+#[cold]
+#[inline(never)]
+fn larger_slack<W: Width>(w: W, geometry: &Geometry, one: W::W, other: W::W) -> W::R {
+    let (mut ones, mut others) = ([0; MOST_LANES], [0; MOST_LANES]);
+    one.store(&mut ones);
+    other.store(&mut others);
+    let mut slacks = [0.0; MOST_LANES];
+    for (slack, (&one, &other)) in slacks.iter_mut().zip(ones.iter().zip(&others)) {
+        *slack = geometry.body(one).slack.max(geometry.body(other).slack);
+    }
+    w.load(&slacks)
+}

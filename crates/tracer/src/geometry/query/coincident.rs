@@ -1,0 +1,163 @@
+//! Surfaces that coincide: of bodies that are entered, or left, at the same place the first in the scene counts.
+
+use std::ops::Range;
+
+use crate::geometry::Geometry;
+use crate::geometry::bvh::packet::{BodyVisitor, TraversalStack};
+use crate::geometry::membership::BodyMembership;
+use crate::geometry::query::candidates::Candidates;
+use crate::geometry::query::closest::{ClosestHits, GRAZING};
+use crate::geometry::query::{ClosestHitVisitor, PacketHits, RayQuery};
+use crate::geometry::ray::{POINT_ROUNDING, RayPacket, slack_at};
+use crate::simd::scalar::ScalarWidth;
+use crate::simd::vector::Vector;
+use crate::simd::{Float32, MOST_LANES, Mask as _, Width, Word as _};
+
+/// Where one ray crosses the surface of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct SurfaceCrossing {
+    t: f32,
+    face: f32,
+    body: u32,
+}
+
+/// The first hits of rays, those that are contested found anew by the rule for surfaces that coincide: within the bound of
+/// rounding, measured across the surfaces, the body that comes first in the scene counts. They are rare, and are looked at
+/// ray by ray, so that the outcome depends neither on the width nor on the order in which bodies are met; and that what
+/// they need is not in the way of all others.
+#[cold]
+#[inline(never)]
+pub(crate) fn settle<W: Width>(
+    w: W,
+    geometry: &Geometry,
+    rays: &RayPacket<W>,
+    inside: &BodyMembership,
+    hits: PacketHits<W>,
+) -> PacketHits<W> {
+    let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
+    let [mut bodies, mut starts] = [[0; MOST_LANES]; 2];
+    hits.t.store(&mut ts);
+    hits.face.store(&mut faces);
+    hits.body.store(&mut bodies);
+    rays.start.store(&mut starts);
+    let (mut leaving, mut hit) = (hits.leaving.bits(), hits.hit.bits());
+    let [origins, directions] = [rays.origin, rays.direction].map(rows);
+    let mut parts = TraversalStack::default();
+    let mut left = hits.contested.bits();
+    while left != 0 {
+        let lane = left.trailing_zeros() as usize % MOST_LANES;
+        left &= left - 1;
+        let vector = |rows: &[[f32; MOST_LANES]; 3]| Vector::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+        let rays =
+            RayPacket { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
+        let inside = inside.of_lane(lane);
+        let first = RayQuery::new(ScalarWidth, geometry, &rays, true, &inside, Candidates::All)
+            .first_settled(&mut parts);
+        (ts[lane], faces[lane], bodies[lane]) = (first.t, first.face, first.body);
+        let at = 1 << lane;
+        leaving = leaving & !at | if first.leaving { at } else { 0 };
+        hit = hit & !at | if first.hit { at } else { 0 };
+    }
+    PacketHits {
+        t: w.load(&ts),
+        body: w.load_words(&bodies),
+        leaving: w.mask(leaving),
+        face: w.load(&faces),
+        hit: w.mask(hit),
+        contested: w.mask(0),
+    }
+}
+
+/// The components of vectors side by side.
+fn rows<R: Float32>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
+    let mut rows = [[0.0; MOST_LANES]; 3];
+    vector.x.store(&mut rows[0]);
+    vector.y.store(&mut rows[1]);
+    vector.z.store(&mut rows[2]);
+    rows
+}
+
+impl RayQuery<'_, ScalarWidth> {
+    /// The first hit of the ray, of bodies that are entered where it is, or left, the first in the scene.
+    fn first_settled(&self, parts: &mut TraversalStack) -> PacketHits<ScalarWidth> {
+        let mut best = ClosestHits::new(ScalarWidth, self.geometry, self.start_slack());
+        self.visit(parts, &mut ClosestHitVisitor(self, &mut best));
+        self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
+        for (nearest, leaving) in [(&mut best.entering, false), (&mut best.leaving, true)] {
+            if nearest.t < f32::INFINITY {
+                let first = SurfaceCrossing { t: nearest.t, face: nearest.face, body: nearest.body };
+                let counts = self.first_of_coincident(first, leaving, parts);
+                (nearest.t, nearest.face, nearest.body) = (counts.t, counts.face, counts.body);
+            }
+        }
+        best.first(ScalarWidth, self.geometry, false)
+    }
+
+    /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
+    fn first_of_coincident(
+        &self,
+        nearest: SurfaceCrossing,
+        leaving: bool,
+        parts: &mut TraversalStack,
+    ) -> SurfaceCrossing {
+        let slack_there = slack_at(self.origin) + nearest.t * POINT_ROUNDING;
+        let slack = |body: u32| self.geometry.body(body).slack;
+        let reach = nearest.t + GRAZING * (slack_there + self.geometry.largest_slack);
+        let mut crossings = Vec::new();
+        let mut visitor = CrossingVisitor { flight: self, leaving, reach, crossings: &mut crossings };
+        self.visit(parts, &mut visitor);
+        self.visit_planes(&mut visitor);
+        // Of equal ones the first in the scene, so that the order of visits does not matter.
+        let order = |one: &SurfaceCrossing, other: &SurfaceCrossing| {
+            one.t.total_cmp(&other.t).then_with(|| self.geometry.scene_order(one.body, other.body))
+        };
+        let nearest = crossings.iter().copied().min_by(order).unwrap_or(nearest);
+        let own_slack = slack(nearest.body);
+        let own_cosine = self.cosine(nearest.body, leaving);
+        let coincides = |crossing: &SurfaceCrossing| {
+            let across = (crossing.t - nearest.t) * own_cosine.max(self.cosine(crossing.body, leaving));
+            across <= slack_there + own_slack.max(slack(crossing.body))
+        };
+        let others = crossings.into_iter().filter(|other| other.body != nearest.body && coincides(other));
+        others.fold(nearest, |first, other| {
+            if self.geometry.scene_order(other.body, first.body).is_lt() { other } else { first }
+        })
+    }
+
+    /// |cos| of the angle between the ray and the normal where it enters or leaves a body.
+    fn cosine(&self, body: u32, leaving: bool) -> f32 {
+        let cosines = self.geometry.span_and_cosines(ScalarWidth, body, self.origin, self.direction).1;
+        cosines[usize::from(leaving)]
+    }
+}
+
+/// Writes down where a ray enters bodies, or leaves them.
+struct CrossingVisitor<'f, 'a> {
+    flight: &'f RayQuery<'a, ScalarWidth>,
+    leaving: bool,
+    reach: f32,
+    crossings: &'f mut Vec<SurfaceCrossing>,
+}
+
+impl BodyVisitor<ScalarWidth> for CrossingVisitor<'_, '_> {
+    const NEAREST_FIRST: bool = false;
+
+    fn reach(&self) -> f32 {
+        self.reach
+    }
+
+    fn leaf(&mut self, bodies: Range<u32>, lanes: bool) {
+        for index in bodies {
+            let body = self.flight.geometry.body(index);
+            let Some(meeting) = self.flight.meets(index, body, lanes) else { continue };
+            let (is_met, t, face) = if self.leaving {
+                (meeting.leaving, meeting.exit, meeting.exit_face)
+            } else {
+                (meeting.entering, meeting.enter, meeting.enter_face)
+            };
+            if is_met && t <= self.reach {
+                self.crossings.push(SurfaceCrossing { t, face, body: index });
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Bounding spheres of bodies.
+//!
+//! Below some number of bodies to test them all is quicker than any hierarchy: no order, no stack, one short loop. Among
+//! many they tell which bodies of a leaf need not be looked at.
+
+use bytemuck::{Pod, Zeroable};
+use glam::DAffine3;
+
+use crate::geometry::ray::POINT_ROUNDING;
+use crate::geometry::shape::ShapeKind;
+use crate::simd::Float32;
+use crate::simd::vector::Vector;
+
+/// A sphere around a body.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct BoundingSphere {
+    pub(crate) center: [f32; 3],
+    pub(crate) radius: f32,
+}
+
+impl BoundingSphere {
+    /// The smallest sphere around the canonical shape that `transform` carries to the world, widened by the rounding of
+    /// single precision; that of a plane is infinite. The axes of the frame are perpendicular in the world.
+    ///
+    /// Of a frustum of height h between discs of radius r and k·r, k ≤ 1, it has its center at the height s on the axis
+    /// where it meets the rims of both, s² + r² = (h - s)² + (k·r)², or in the middle of the larger disc.
+    pub(crate) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Self {
+        let [x, y, z] = [transform.matrix3.x_axis, transform.matrix3.y_axis, transform.matrix3.z_axis];
+        let (offset, radius) = match kind {
+            ShapeKind::Sphere | ShapeKind::Ellipsoid => (0.0 * y, x.length().max(y.length()).max(z.length())),
+            ShapeKind::Cube => {
+                (0.0 * y, (x.length_squared() + y.length_squared() + z.length_squared()).sqrt())
+            }
+            ShapeKind::Cylinder | ShapeKind::Cone => {
+                let larger = x.length_squared().max(z.length_squared());
+                let height = y.length_squared();
+                let share = (0.5 - 0.5 * (1.0 - ratio * ratio) * larger / height).max(0.0);
+                (share * y, (larger + share * share * height).sqrt())
+            }
+            ShapeKind::Plane => (0.0 * y, f64::INFINITY),
+        };
+        let center = transform.translation + offset;
+        let radius = radius + f64::from(POINT_ROUNDING) * (center.abs().max_element() + radius);
+        Self { center: center.as_vec3().to_array(), radius: radius as f32 }
+    }
+
+    /// All roundings of a test are less than this share of the squared distance.
+    pub(crate) const ROUNDING: f32 = 32.0 * f32::EPSILON;
+
+    /// Whether a ray of length 1 comes no further from the center than the radius, before `reach`.
+    ///
+    /// With m the way to the center and s = m·d, the ray passes at √(m·m - s²). All roundings of that together are
+    /// less than `ROUNDING` of m·m.
+    #[inline(always)]
+    pub(crate) fn is_met<R: Float32>(&self, origin: Vector<R>, direction: Vector<R>, reach: R) -> R::Mask {
+        let to_center = Vector::splat(reach, self.center) - origin;
+        let along = to_center.dot(direction);
+        let distance_squared = to_center.dot(to_center);
+        let within = along.times_plus(along, reach.like(self.radius * self.radius * (1.0 + Self::ROUNDING)));
+        let near = within.ge(distance_squared * (1.0 - Self::ROUNDING));
+        let radius = self.radius * (1.0 + Self::ROUNDING);
+        let enter = along.times_plus(reach.like(1.0 - POINT_ROUNDING), reach.like(-radius));
+        near & along.ge(reach.like(-radius)) & enter.le(reach)
+    }
+}

@@ -1,0 +1,245 @@
+//! The geometry buffer: for each pixel the point that it shows, and how it is lit (Saito, Takahashi 1990).
+
+pub(crate) mod min_depth;
+
+use catoptric_picture::{Picture, SizeError};
+use glam::DVec2;
+
+use crate::geometry::ray::{NO_BODY, Ray, RayOrigin};
+use crate::raster::error::MethodError;
+use crate::raster::gbuffer::min_depth::MinDepthGrid;
+use crate::raster::point_shader::{PointShader, ShadingPoint, color_at, exact, vector};
+use crate::raster::sample_sums::FrameSize;
+use crate::raster::settings::LightModel;
+use crate::simd::vector::Vector;
+use crate::transport::camera::RenderCamera;
+use crate::transport::control::RenderControl;
+use crate::transport::counts::RayCounts;
+use crate::transport::sampling::sample_offset;
+use crate::transport::scene::RenderScene;
+use crate::transport::surface::{mend_unit, reflect};
+
+/// The point that a pixel shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct GBufferTexel {
+    /// Body and side; of background no body.
+    pub(crate) start: RayOrigin,
+    /// Distance along the view, meters; infinite for background.
+    pub(crate) depth: f32,
+    /// World space, meters.
+    pub(crate) position: Vector<f32>,
+    /// Unit normal facing the viewer; of background, the direction of view.
+    pub(crate) normal: Vector<f32>,
+    /// Color C.
+    pub(crate) color: Vector<f32>,
+}
+
+const NOTHING: Vector<f32> = Vector { x: 0.0, y: 0.0, z: 0.0 };
+
+impl GBufferTexel {
+    pub(crate) const EMPTY: Self = Self {
+        start: RayOrigin::FREE,
+        depth: f32::INFINITY,
+        position: NOTHING,
+        normal: NOTHING,
+        color: NOTHING,
+    };
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.start.body == NO_BODY
+    }
+
+    /// The direction of the ray that is reflected to the viewer.
+    pub(crate) fn reflected(&self, camera: &RenderCamera) -> Vector<f32> {
+        let direction = -vector(camera.toward_viewer(exact(self.position)));
+        mend_unit(reflect(direction, self.normal))
+    }
+
+    /// The ray that is reflected to the viewer.
+    pub(crate) fn reflected_ray(&self, camera: &RenderCamera) -> Ray {
+        let direction = self.reflected(camera);
+        Ray { origin: self.position.into(), direction: direction.into(), start: self.start }
+    }
+}
+
+/// What can be looked at of the buffers behind a picture; see [`MethodOutput::layer`](super::Drawing::layer).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum GBufferLayer {
+    /// The least depth of the picture divided by the depth: white is near, black the background.
+    Depth,
+    /// The normal facing the viewer: red, green and blue are its x, y and z from -1 (black) to 1.
+    Normal,
+    /// The color C of the body.
+    Color,
+    /// The coefficients k_d, k_s and k_r as red, green and blue.
+    Coefficients,
+    /// A color of its own for each body.
+    Body,
+    /// The local terms: what a reflected ray finds on the screen.
+    Lit,
+    /// What reflected rays found, before it is multiplied by k_r; black where nothing reflects.
+    Reflected,
+}
+
+impl GBufferLayer {
+    /// All layers.
+    pub const ALL: [Self; 7] =
+        [Self::Depth, Self::Normal, Self::Color, Self::Coefficients, Self::Body, Self::Lit, Self::Reflected];
+
+    /// The layer's name in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Normal => "normal",
+            Self::Color => "color",
+            Self::Coefficients => "coefficients",
+            Self::Body => "body",
+            Self::Lit => "lit",
+            Self::Reflected => "reflected",
+        }
+    }
+}
+
+/// The buffers of one sample of a picture.
+#[derive(Clone, Debug)]
+pub(crate) struct GBuffer {
+    pub(crate) frame: FrameSize,
+    /// Where the sample lies in its pixel.
+    pub(crate) offset: DVec2,
+    pub(crate) texels: Vec<GBufferTexel>,
+    pub(crate) fronts: MinDepthGrid,
+    /// The local terms.
+    pub(crate) lit: Vec<Vector<f32>>,
+    /// What reflected rays brought.
+    pub(crate) reflected: Vec<Vector<f32>>,
+}
+
+impl GBuffer {
+    pub(crate) fn new(frame: FrameSize) -> Result<Self, SizeError> {
+        Ok(Self {
+            frame,
+            offset: sample_offset(0),
+            texels: frame.buffer(GBufferTexel::EMPTY)?,
+            fronts: MinDepthGrid::new(frame)?,
+            lit: frame.buffer(NOTHING)?,
+            reflected: frame.buffer(NOTHING)?,
+        })
+    }
+
+    /// The geometry pass: finds the points of a sample.
+    pub(crate) fn look(
+        &mut self,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+        sample: u32,
+        control: &RenderControl,
+    ) -> Result<RayCounts, MethodError> {
+        self.offset = sample_offset(sample);
+        let (offset, frame) = (self.offset, self.frame);
+        let make = || PointShader::new(stage, camera);
+        let counts = frame.each_row(&mut self.texels, control, make, |probe, y, row| {
+            let before = probe.counts;
+            for (x, texel) in row.iter_mut().enumerate() {
+                let at = DVec2::new(x as f64, y as f64) + offset;
+                *texel = seen(stage, camera, probe, at, frame.size());
+            }
+            probe.counts - before
+        })?;
+        self.fronts.find(&self.texels);
+        Ok(counts)
+    }
+
+    /// The lighting pass: the local terms with shadows.
+    pub(crate) fn light(
+        &mut self,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+        control: &RenderControl,
+    ) -> Result<RayCounts, MethodError> {
+        let (texels, frame) = (&self.texels, self.frame);
+        let make = || PointShader::new(stage, camera);
+        frame.each_row(&mut self.lit, control, make, |probe, y, row| {
+            let before = probe.counts;
+            for (lit, texel) in row.iter_mut().zip(texels.iter().skip(y * frame.width)) {
+                *lit = light_of(stage, camera, probe, texel);
+            }
+            probe.counts - before
+        })
+    }
+
+    /// A layer as a picture.
+    pub(crate) fn picture(&self, stage: &RenderScene, layer: GBufferLayer) -> Result<Picture, SizeError> {
+        let nearest = self.texels.iter().map(|texel| texel.depth).fold(f32::INFINITY, f32::min);
+        let color = |index: usize| -> Option<Vector<f32>> {
+            match layer {
+                GBufferLayer::Lit => return self.lit.get(index).copied(),
+                GBufferLayer::Reflected => return self.reflected.get(index).copied(),
+                _ => {}
+            }
+            let texel = self.texels.get(index).filter(|texel| !texel.is_empty())?;
+            let material = stage.material(stage.geometry.body(texel.start.body));
+            Some(match layer {
+                GBufferLayer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
+                GBufferLayer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
+                GBufferLayer::Coefficients => {
+                    Vector::new(material.diffuse, material.specular, material.reflection)
+                }
+                GBufferLayer::Body => color_at_number(stage.scene_index(texel.start.body)?),
+                _ => texel.color,
+            })
+        };
+        let width = self.frame.width;
+        Picture::from_fn(width as u32, self.frame.height as u32, |x, y| {
+            let Vector { x, y, z } = color(y as usize * width + x as usize).unwrap_or(NOTHING);
+            [x, y, z]
+        })
+    }
+}
+
+/// The point that the ray through a place of the picture meets.
+pub(crate) fn seen(
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    probe: &mut PointShader<'_>,
+    at: DVec2,
+    size: DVec2,
+) -> GBufferTexel {
+    let ray = camera.ray(at, size);
+    let rays = ray.alone();
+    let Some(hit) = probe.primary(&ray) else {
+        return GBufferTexel { normal: rays.direction, ..GBufferTexel::EMPTY };
+    };
+    let point = stage.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
+    GBufferTexel {
+        start: RayOrigin { body: hit.body, inwards: hit.leaving },
+        depth: camera.homogeneous(exact(point.in_world).extend(1.0), size).depth as f32,
+        position: point.in_world,
+        normal: point.normal,
+        color: color_at(stage, hit.body, &point),
+    }
+}
+
+/// The local terms, or the background.
+pub(crate) fn light_of(
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    probe: &mut PointShader<'_>,
+    texel: &GBufferTexel,
+) -> Vector<f32> {
+    if texel.is_empty() {
+        return stage.sky.along(texel.normal);
+    }
+    let GBufferTexel { start, position, normal, .. } = *texel;
+    let to_viewer = vector(camera.toward_viewer(exact(position)));
+    let light = probe.light(&ShadingPoint { start, position, normal, to_viewer }, LightModel::Phong, true);
+    light.with_color(texel.color)
+}
+
+/// Colors that are far apart for neighboring numbers: hues a golden section of the circle apart.
+fn color_at_number(number: usize) -> Vector<f32> {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let hue = (number as f64 * GOLDEN).fract() as f32 * 6.0;
+    // The ramps of red, green and blue around the circle of hues.
+    let ramp = |middle: f32| (2.0 - ((hue - middle + 9.0) % 6.0 - 3.0).abs()).clamp(0.0, 1.0);
+    Vector::new(ramp(0.0), ramp(2.0), ramp(4.0)).map(|part| 0.15 + 0.7 * part)
+}

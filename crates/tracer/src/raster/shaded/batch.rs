@@ -1,0 +1,196 @@
+//! Bodies as faces, so many at a time that memory is bounded, and their way into the picture.
+
+use glam::DVec2;
+use rayon::prelude::*;
+
+use crate::geometry::ray::RayOrigin;
+use crate::raster::error::MethodError;
+use crate::raster::pass::PassName;
+use crate::raster::point_shader::{PointShader, vector};
+use crate::raster::rasterizer::{Fragment, ScreenTriangle, TriangleCorner};
+use crate::raster::sample_sums::PassTimer;
+use crate::raster::shaded::faces::{FaceList, MeshCache, WorldFace, WorldVertex};
+use crate::raster::shaded::{ShadingFrequency, ShadingJob};
+use crate::simd::vector::Vector;
+use crate::transport::counts::RayCounts;
+use crate::transport::scene::RenderScene;
+
+/// Makes batches of the stage's bodies, one after the other.
+pub(crate) struct BatchBuilder<'a> {
+    job: &'a ShadingJob<'a>,
+    meshes: MeshCache,
+    /// The next body.
+    next: u32,
+}
+
+/// Faces of some bodies, ready to be drawn.
+pub(crate) struct FaceBatch {
+    corners: Vec<TriangleCorner>,
+    triangles: Vec<ScreenTriangle>,
+    bodies: u32,
+}
+
+/// What is interpolated, of corners, and the rays that it took.
+type VertexLights = (Vec<TriangleCorner>, RayCounts);
+
+impl<'a> BatchBuilder<'a> {
+    /// From so many vertices on, no further body is taken up.
+    const MOST_VERTICES: usize = 1 << 17;
+
+    pub(crate) fn new(job: &'a ShadingJob<'a>) -> Self {
+        Self { job, meshes: MeshCache::default(), next: 0 }
+    }
+
+    /// Starts from the first body again.
+    pub(crate) fn begin(&mut self) {
+        self.next = 0;
+    }
+
+    /// The faces of the next bodies; `None` after the last.
+    pub(crate) fn batch(
+        &mut self,
+        clock: &mut PassTimer,
+        counts: &mut RayCounts,
+    ) -> Result<Option<FaceBatch>, MethodError> {
+        let (job, first) = (self.job, self.next);
+        if first as usize == job.stage.body_count() {
+            return Ok(None);
+        }
+        let faces = clock.time(PassName::Tessellate, || self.faces());
+        if job.control.is_cancelled() {
+            return Err(MethodError::Cancelled);
+        }
+        let (corners, rays) = clock.time(PassName::Light, || match job.shading {
+            ShadingFrequency::Flat => of_faces(job, &faces),
+            ShadingFrequency::Gouraud | ShadingFrequency::Phong => of_vertices(job, &faces.vertices),
+        });
+        *counts += rays;
+        let triangles = clock.time(PassName::Rasterize, || triangles(job, &corners, &faces.faces));
+        Ok(Some(FaceBatch { corners, triangles, bodies: self.next - first }))
+    }
+
+    fn faces(&mut self) -> FaceList {
+        let ShadingJob { stage, camera, settings, control, .. } = *self.job;
+        let mut faces = FaceList::default();
+        while (self.next as usize) < stage.body_count()
+            && faces.vertices.len() < Self::MOST_VERTICES
+            && !control.is_cancelled()
+        {
+            faces.add(stage, camera, self.next, settings.fineness, &mut self.meshes);
+            self.next += 1;
+        }
+        faces
+    }
+}
+
+/// The corners of flat faces, four for each: all have the light of the face's middle.
+fn of_faces(job: &ShadingJob<'_>, all: &FaceList) -> VertexLights {
+    in_chunks(job, &all.faces, |probe, face, corners| {
+        let light = job.light(probe, face.start, face.middle, vector(face.normal));
+        let values = [light.on_color, light.highlight];
+        let vertices = face.corners.iter().filter_map(|&index| all.vertices.get(index as usize));
+        corners.extend(vertices.map(|vertex| corner(job, vertex, values)));
+    })
+}
+
+/// The corners of other faces, which they share: two for each vertex, of the outer side and of the inner.
+fn of_vertices(job: &ShadingJob<'_>, vertices: &[WorldVertex]) -> VertexLights {
+    in_chunks(job, vertices, |probe, vertex, corners| {
+        for (inwards, is_seen) in [false, true].into_iter().zip(vertex.seen) {
+            let normal = vector(if inwards { -vertex.normal } else { vertex.normal });
+            let values = if job.shading == ShadingFrequency::Phong {
+                [vector(vertex.position), normal]
+            } else if is_seen {
+                let start = RayOrigin { body: vertex.body, inwards };
+                let light = job.light(probe, start, vertex.position, normal);
+                [light.on_color, light.highlight]
+            } else {
+                [Vector::new(0.0, 0.0, 0.0); 2]
+            };
+            corners.push(corner(job, vertex, values));
+        }
+    })
+}
+
+/// The place of a face's corner among those of [`of_faces`] or [`of_vertices`].
+fn place(shading: ShadingFrequency, number: usize, face: &WorldFace, corner: usize) -> u32 {
+    match shading {
+        ShadingFrequency::Flat => (4 * number + corner) as u32,
+        ShadingFrequency::Gouraud | ShadingFrequency::Phong => {
+            2 * face.corners[corner] + u32::from(face.start.inwards)
+        }
+    }
+}
+
+fn corner(job: &ShadingJob<'_>, vertex: &WorldVertex, values: [Vector<f32>; 2]) -> TriangleCorner {
+    let seen = job.camera.homogeneous(vertex.position.extend(1.0), job.frame.size());
+    TriangleCorner { seen, in_body: vertex.in_body, values }
+}
+
+/// What `make` appends for each item, in their order, made on all threads.
+fn in_chunks<T: Sync>(
+    job: &ShadingJob<'_>,
+    items: &[T],
+    make: impl Fn(&mut PointShader<'_>, &T, &mut Vec<TriangleCorner>) + Sync,
+) -> VertexLights {
+    /// Small enough to balance, large enough to be worth a task.
+    const CHUNK: usize = 256;
+    let chunks = items.par_chunks(CHUNK).map_init(
+        || PointShader::new(job.stage, job.camera),
+        |probe, items| {
+            let before = probe.counts;
+            let mut corners = Vec::with_capacity(4 * items.len());
+            items.iter().for_each(|item| make(probe, item, &mut corners));
+            (corners, probe.counts - before)
+        },
+    );
+    let mut all = VertexLights::default();
+    for (corners, counts) in chunks.collect::<Vec<VertexLights>>() {
+        all.0.extend(corners);
+        all.1 += counts;
+    }
+    all
+}
+
+/// Cuts the faces into triangles.
+fn triangles(job: &ShadingJob<'_>, corners: &[TriangleCorner], faces: &[WorldFace]) -> Vec<ScreenTriangle> {
+    let triangles = faces.par_iter().enumerate().flat_map_iter(|(number, face)| {
+        let at = |corner| place(job.shading, number, face, corner);
+        let halves = [[0, 1, 2], [0, 2, 3]].map(|half| half.map(at));
+        halves.into_iter().filter_map(|half| ScreenTriangle::new(corners, half, face.start.word(), job.frame))
+    });
+    triangles.collect()
+}
+
+impl FaceBatch {
+    /// Whether it has all bodies of the stage.
+    pub(crate) fn is_all(&self, stage: &RenderScene) -> bool {
+        self.bodies as usize == stage.body_count()
+    }
+
+    /// Draws the faces into the fragments of a sample.
+    pub(crate) fn rasterize(
+        &self,
+        job: &ShadingJob<'_>,
+        offset: DVec2,
+        fragments: &mut [Fragment],
+    ) -> Result<(), MethodError> {
+        /// Each band of rows looks at all triangles.
+        const BANDS: usize = 256;
+        let height = job.frame.height.div_ceil(BANDS).max(8);
+        let width = job.frame.width;
+        fragments.par_chunks_mut(width * height).enumerate().for_each(|(band, rows)| {
+            let top = band * height;
+            for triangle in &self.triangles {
+                if job.control.is_cancelled() {
+                    return;
+                }
+                for y in triangle.rows_within(top..top + height) {
+                    let row = rows.chunks_mut(width).nth(y - top);
+                    row.into_iter().for_each(|row| triangle.draw(&self.corners, y, offset, row));
+                }
+            }
+        });
+        if job.control.is_cancelled() { Err(MethodError::Cancelled) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,132 @@
+//! The faces of bodies in the world.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use crate::geometry::body::RenderBody;
+use crate::geometry::ray::{NO_BODY, RayOrigin};
+use crate::geometry::shape::ShapeKind;
+use crate::raster::mesh::Mesh;
+use crate::raster::mesh::patch::PlanePatch;
+use crate::raster::point_shader::vector;
+use crate::simd::vector::Vector;
+use crate::transport::camera::RenderCamera;
+use crate::transport::scene::RenderScene;
+
+/// A vertex in the world.
+#[derive(Clone, Copy)]
+pub(crate) struct WorldVertex {
+    pub(crate) position: DVec3,
+    /// Outward, of length 1.
+    pub(crate) normal: DVec3,
+    pub(crate) in_body: Vector<f32>,
+    pub(crate) body: u32,
+    /// Whether faces around it show their outer side, and their inner side.
+    pub(crate) seen: [bool; 2],
+}
+
+/// A face in the world, and the side of it that is seen.
+pub(crate) struct WorldFace {
+    /// Numbers of vertices; of a triangle the last counts twice.
+    pub(crate) corners: [u32; 4],
+    /// The mean of its corners.
+    pub(crate) middle: DVec3,
+    /// Of length 1, on the side that is seen.
+    pub(crate) normal: DVec3,
+    pub(crate) start: RayOrigin,
+}
+
+/// The faces of some bodies.
+#[derive(Default)]
+pub(crate) struct FaceList {
+    pub(crate) vertices: Vec<WorldVertex>,
+    pub(crate) faces: Vec<WorldFace>,
+}
+
+/// Meshes of shapes that many bodies share, by their kinds.
+#[derive(Default)]
+pub(crate) struct MeshCache(HashMap<u8, Arc<Mesh>>);
+
+impl MeshCache {
+    fn of(&mut self, body: &RenderBody, camera: &RenderCamera, fineness: u32) -> Arc<Mesh> {
+        let shape = body.canonical();
+        let make = || Arc::new(Mesh::of(shape, fineness, PlanePatch::seen(body, camera)));
+        match shape.kind {
+            // Each plane and each cone has faces of its own.
+            ShapeKind::Plane | ShapeKind::Cone => make(),
+            _ => Arc::clone(self.0.entry(body.kind).or_insert_with(make)),
+        }
+    }
+}
+
+impl FaceList {
+    /// Adds the faces of a body that the camera may see.
+    pub(crate) fn add(
+        &mut self,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+        index: u32,
+        fineness: u32,
+        meshes: &mut MeshCache,
+    ) {
+        let body = stage.geometry.body(index);
+        let mesh = meshes.of(body, camera, fineness);
+        let first = self.vertices.len() as u32;
+        self.add_vertices(body, index, &mesh);
+        // Of a body that is seen from outside only the side that faces the eye is seen.
+        let hides_inside = camera.eye().is_some_and(|eye| !stage.geometry.contains(index, eye))
+            && body.canonical().kind != ShapeKind::Plane;
+        for corners in &mesh.faces {
+            let corners = corners.map(|corner| corner + first);
+            let Some(mut face) = self.face(corners, index) else { continue };
+            face.start.inwards = face.normal.dot(camera.toward_viewer(face.middle)) < 0.0;
+            if face.start.inwards {
+                if hides_inside {
+                    continue;
+                }
+                face.normal = -face.normal;
+            }
+            for corner in corners {
+                if let Some(vertex) = self.vertices.get_mut(corner as usize) {
+                    vertex.seen[usize::from(face.start.inwards)] = true;
+                }
+            }
+            self.faces.push(face);
+        }
+    }
+
+    fn add_vertices(&mut self, body: &RenderBody, index: u32, mesh: &Mesh) {
+        let matrix = |rows: [[f32; 3]; 3]| DMat3::from_cols_array_2d(&rows.map(|row| row.map(f64::from)));
+        let world_from_body = matrix(body.world_from_body).transpose();
+        // Normals go back by the inverse transpose.
+        let normal_from_body = matrix(body.body_from_world);
+        let origin = DVec3::from(body.origin.map(f64::from));
+        // The checkerboard of a body in double precision looks at points of the world.
+        let is_checkered = body.is_double() && body.checker != NO_BODY;
+        self.vertices.extend(mesh.vertices.iter().map(|vertex| {
+            let position = origin + world_from_body * vertex.point;
+            WorldVertex {
+                position,
+                normal: (normal_from_body * vertex.normal).normalize_or(DVec3::Y),
+                in_body: vector(if is_checkered { position } else { vertex.point }),
+                body: index,
+                seen: [false; 2],
+            }
+        }));
+    }
+
+    /// The outer side of the face of these corners.
+    fn face(&self, corners: [u32; 4], body: u32) -> Option<WorldFace> {
+        let [a, b, c, d] = corners.map(|corner| self.vertices.get(corner as usize));
+        let [a, b, c, d] = [a?, b?, c?, d?];
+        let three = a.position + b.position + c.position;
+        let is_triangle = corners[2] == corners[3];
+        let middle = if is_triangle { three / 3.0 } else { (three + d.position) / 4.0 };
+        let across = (c.position - a.position).cross(d.position - b.position);
+        let outward = across.dot(a.normal + b.normal + c.normal).signum();
+        let normal = (across * outward).normalize_or(a.normal);
+        Some(WorldFace { corners, middle, normal, start: RayOrigin { body, inwards: false } })
+    }
+}

@@ -1,0 +1,331 @@
+//! From a place in the picture to its primary ray.
+
+use std::sync::Arc;
+
+use catoptric_scene::{Body, Camera, Projection};
+use glam::{DVec2, DVec3, DVec4, Vec3};
+
+use crate::geometry::bounds::Bounds;
+use crate::geometry::ray::Ray;
+use crate::geometry::space::RenderSpace;
+use crate::simd::Float32;
+use crate::simd::vector::Vector;
+
+/// The camera's frame, in double precision: near the horizon of a plane the smallest error of a primary ray's
+/// direction moves the hit point far, and one frame is small.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RenderCamera {
+    /// The origin of the space of the rays in the world, and the eye in that space, meters.
+    origin: DVec3,
+    position: DVec3,
+    /// Unit vectors to the right, up, and against the view.
+    u: DVec3,
+    v: DVec3,
+    w: DVec3,
+    window: ImagePlane,
+    surroundings: SceneExtent,
+}
+
+/// Where a ray can meet something at all: a sphere around the bounded bodies, and the planes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SceneExtent {
+    center: DVec3,
+    radius: f64,
+    /// A point and a normal of each plane.
+    planes: Arc<[(DVec3, DVec3)]>,
+}
+
+impl SceneExtent {
+    /// Around bodies with these bounds, and planes.
+    pub(crate) fn new<'a>(
+        bounds: Bounds,
+        planes: impl Iterator<Item = &'a Body>,
+        space: &RenderSpace,
+    ) -> Self {
+        let (center, radius) = if bounds == Bounds::EMPTY {
+            (DVec3::ZERO, f64::INFINITY)
+        } else {
+            (0.5 * bounds.doubled_center().as_dvec3(), 0.5 * f64::from(bounds.min.distance(bounds.max)))
+        };
+        let plane = |body: &Body| {
+            let frame = body.placement.world_from_body();
+            let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
+            (space.render_from_world(frame.translation), normal.normalize_or(DVec3::Y))
+        };
+        Self { center, radius, planes: planes.map(plane).collect() }
+    }
+
+    /// How far a ray from `origin` along the unit vector `direction` can surely go without meeting anything; 0 or
+    /// more.
+    fn free_way(&self, origin: DVec3, direction: DVec3) -> f64 {
+        /// Keeps well away from what rounding of the sphere or a plane could put in the way.
+        const MARGIN: f64 = 0.01;
+        let way = (self.center - origin).dot(direction) - (1.0 + MARGIN) * self.radius;
+        if way <= 0.0 {
+            return 0.0;
+        }
+        let crossings = self
+            .planes
+            .iter()
+            .map(|(point, normal)| (1.0 - MARGIN) * (*point - origin).dot(*normal) / direction.dot(*normal));
+        crossings.filter(|&crossing| crossing >= 0.0).fold(way, f64::min)
+    }
+}
+
+impl SceneExtent {
+    /// Whether a plane lies between some of the points.
+    fn divide(&self, points: [DVec3; 4]) -> bool {
+        self.planes.iter().any(|(on_plane, normal)| {
+            let sides = points.map(|point| (point - on_plane).dot(*normal) > 0.0);
+            sides.iter().any(|side| *side != sides[0])
+        })
+    }
+}
+
+/// Where primary rays start and point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum ImagePlane {
+    /// From the eye through a window 1 high at this distance.
+    Perspective { distance: f64 },
+    /// From a window this high, along the view.
+    Parallel { height: f64 },
+}
+
+impl RenderCamera {
+    /// A camera of the world in the space of rays with this origin, where the surroundings are known.
+    pub(crate) fn new(camera: &Camera, surroundings: SceneExtent, origin: DVec3) -> Self {
+        let w = (camera.position - camera.target).normalize_or(DVec3::Z);
+        let u = camera.up.cross(w).try_normalize().unwrap_or_else(|| w.any_orthonormal_vector());
+        let window = match camera.projection {
+            Projection::Perspective { fov_degrees } => {
+                ImagePlane::Perspective { distance: 0.5 / (0.5 * fov_degrees.to_radians()).tan() }
+            }
+            Projection::Parallel { height } => ImagePlane::Parallel { height },
+        };
+        Self { origin, position: camera.position - origin, u, v: w.cross(u), w, window, surroundings }
+    }
+
+    /// The ray through the point (x, y) of a picture of `size` pixels, in the space of the rays, x to the right and y down from the upper left
+    /// corner: the center of the first pixel is (0.5, 0.5).
+    ///
+    /// When the eye is away from the bodies, the ray starts closer to them, where nothing has been passed yet: in
+    /// single precision a long way would blur what it meets.
+    pub fn ray(&self, at: DVec2, size: DVec2) -> Ray {
+        let (origin, direction) = self.line(at, size);
+        let start = origin + self.surroundings.free_way(origin, direction) * direction;
+        Ray::from_point(start.as_vec3a(), direction.as_vec3a())
+    }
+
+    /// Where the ray through a point of the picture starts, and its unit direction.
+    fn line(&self, at: DVec2, size: DVec2) -> (DVec3, DVec3) {
+        let on_window = (at - 0.5 * size) / size.y;
+        let offset = on_window.x * self.u - on_window.y * self.v;
+        match self.window {
+            ImagePlane::Perspective { distance } => (self.position, (offset - distance * self.w).normalize()),
+            ImagePlane::Parallel { height } => (self.position + height * offset, -self.w),
+        }
+    }
+
+    /// Prepares the rays near the point `at` of a picture of `size` pixels: within `reach` pixels of it.
+    pub(crate) fn near(&self, at: DVec2, reach: DVec2, size: DVec2) -> CameraRays {
+        let (origin, direction) = self.line(at, size);
+        let way = self.free_way(at, reach, size);
+        let (across, down) = (self.u / size.y, -self.v / size.y);
+        let steps = match self.window {
+            ImagePlane::Perspective { distance } => {
+                let on_window = (at - 0.5 * size) / size.y;
+                let through = on_window.x * self.u - on_window.y * self.v - distance * self.w;
+                RayDifferentials::OfDirection(
+                    [across, down].map(|step| (step * through.length_recip()).as_vec3().to_array()),
+                )
+            }
+            ImagePlane::Parallel { height } => {
+                RayDifferentials::OfOrigin([across, down].map(|step| (height * step).as_vec3().to_array()))
+            }
+        };
+        CameraRays {
+            start: TwoFloatVector::new(origin + way * direction),
+            direction: TwoFloatVector::new(direction),
+            way: way as f32,
+            steps,
+        }
+    }
+
+    /// How far all rays within `reach` pixels of `at` can surely go without meeting anything.
+    fn free_way(&self, at: DVec2, reach: DVec2, size: DVec2) -> f64 {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].map(DVec2::from);
+        let lines = corners.map(|corner| self.line(at + corner * reach, size));
+        if self.surroundings.divide(lines.map(|line| line.0)) {
+            return 0.0;
+        }
+        let ways = lines.map(|(origin, direction)| self.surroundings.free_way(origin, direction));
+        ways.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Where a point of the world lies in a picture of `size` pixels, and its depth, the distance along the view: the
+    /// inverse of [`Self::ray`]. `None` for a point that is not before the eye.
+    pub fn project(&self, point: DVec3, size: DVec2) -> Option<(DVec2, f64)> {
+        let offset = point - self.origin - self.position;
+        let depth = -offset.dot(self.w);
+        let scale = match self.window {
+            ImagePlane::Perspective { distance } => distance / depth,
+            ImagePlane::Parallel { height } => 1.0 / height,
+        };
+        let on_window = scale * DVec2::new(offset.dot(self.u), -offset.dot(self.v));
+        let at = on_window * size.y + 0.5 * size;
+        (depth > 0.0 && at.is_finite()).then_some((at, depth))
+    }
+
+    /// Where a point of the space of the rays (w = 1) or a direction (w = 0) lies in a picture of `size` pixels, in homogeneous
+    /// coordinates: (x·w', y·w', w'), and its depth. All four are linear, before the eye and behind it; w' is the depth
+    /// for a perspective and w for a parallel projection.
+    pub(crate) fn homogeneous(&self, point: DVec4, size: DVec2) -> HomogeneousPoint {
+        let offset = point.truncate() - point.w * self.position;
+        let depth = -offset.dot(self.w);
+        let (scale, w) = match self.window {
+            ImagePlane::Perspective { distance } => (distance, depth),
+            ImagePlane::Parallel { height } => (height.recip(), point.w),
+        };
+        let on_window = DVec2::new(offset.dot(self.u), -offset.dot(self.v));
+        let at = scale * size.y * on_window + 0.5 * w * size;
+        HomogeneousPoint { at: at.extend(w), depth }
+    }
+
+    /// The unit direction from a point towards the viewer.
+    pub(crate) fn toward_viewer(&self, point: DVec3) -> DVec3 {
+        match self.window {
+            ImagePlane::Perspective { .. } => (self.position - point).normalize_or(self.w),
+            ImagePlane::Parallel { .. } => self.w,
+        }
+    }
+
+    /// The eye, or the middle of the window of a parallel projection, meters.
+    pub(crate) fn position(&self) -> DVec3 {
+        self.position
+    }
+
+    /// The height of the window of a parallel projection, meters.
+    pub(crate) fn parallel_height(&self) -> Option<f64> {
+        match self.window {
+            ImagePlane::Perspective { .. } => None,
+            ImagePlane::Parallel { height } => Some(height),
+        }
+    }
+
+    /// The unit vectors of the view: to the right, up, and forward.
+    pub fn axes(&self) -> [DVec3; 3] {
+        [self.u, self.v, -self.w]
+    }
+
+    /// The same surroundings seen by another camera.
+    pub(crate) fn replaced_by(&self, camera: &Camera) -> Self {
+        Self::new(camera, self.surroundings.clone(), self.origin)
+    }
+
+    /// A point of the space of the rays in the world, meters.
+    pub fn world_from_render(&self, point: impl Into<Vec3>) -> DVec3 {
+        self.origin + point.into().as_dvec3()
+    }
+
+    /// The eye in the space of the rays, if all rays start there.
+    pub fn eye(&self) -> Option<Vector<f32>> {
+        matches!(self.window, ImagePlane::Perspective { .. }).then(|| self.position.as_vec3().into())
+    }
+}
+
+/// A point or direction as a picture has it; see [`RenderCamera::homogeneous`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct HomogeneousPoint {
+    /// x·w, y·w (pixels from the upper left corner) and w.
+    pub at: DVec3,
+    /// Along the view, meters.
+    pub depth: f64,
+}
+
+/// The rays through a small part of the picture: one, computed in double precision, and the small difference of the
+/// others from it in single. So all are as exact as that one, but for the last digit.
+pub(crate) struct CameraRays {
+    pub(crate) start: TwoFloatVector,
+    pub(crate) direction: TwoFloatVector,
+    /// How far the starts lie along the rays from the eye.
+    pub(crate) way: f32,
+    pub(crate) steps: RayDifferentials,
+}
+
+/// What changes from pixel to pixel, across and down.
+pub(crate) enum RayDifferentials {
+    /// The direction, in units of the length of the middle ray up to the window.
+    OfDirection([[f32; 3]; 2]),
+    OfOrigin([[f32; 3]; 2]),
+}
+
+/// A vector in twice the precision of single.
+pub(crate) struct TwoFloatVector {
+    pub(crate) near: [f32; 3],
+    pub(crate) rest: [f32; 3],
+}
+
+impl TwoFloatVector {
+    fn new(vector: DVec3) -> Self {
+        let near = vector.as_vec3();
+        Self { near: near.to_array(), rest: (vector - near.as_dvec3()).as_vec3().to_array() }
+    }
+
+    /// The sum with small vectors.
+    #[inline(always)]
+    fn plus<R: Float32>(&self, small: Vector<R>) -> Vector<R> {
+        small.plus_all(self.rest).plus_all(self.near)
+    }
+
+    /// The sum with small vectors times `t`.
+    #[inline(always)]
+    fn plus_times<R: Float32>(&self, small: Vector<R>, t: R) -> Vector<R> {
+        Vector::splat(t, self.rest).plus_times(small, t).plus_all(self.near)
+    }
+}
+
+impl CameraRays {
+    /// How far the starts lie along the rays from the eye, meters.
+    pub(crate) fn way(&self) -> f32 {
+        self.way
+    }
+
+    /// The middle ray's direction, and the least cosine of the angle between it and another within `reach` pixels.
+    pub(crate) fn cone(&self, [x, y]: [f32; 2]) -> (Vector<f32>, f32) {
+        let axis = Vector::splat(0.0, self.direction.near);
+        let cosines = self.corners([x, y]).map(|corner| axis.dot(corner));
+        (axis, cosines.into_iter().fold(1.0, f32::min))
+    }
+
+    /// The directions of the rays in the corners, so many pixels from the middle.
+    pub(crate) fn corners(&self, [x, y]: [f32; 2]) -> [Vector<f32>; 4] {
+        [(x, y), (-x, y), (x, -y), (-x, -y)].map(|(x, y)| self.rays(x, y).1)
+    }
+
+    /// The origins and directions of the rays through the points so many pixels right of and below the middle.
+    #[inline(always)]
+    pub(crate) fn rays<R: Float32>(&self, x: R, y: R) -> (Vector<R>, Vector<R>) {
+        match &self.steps {
+            RayDifferentials::OfDirection([across, down]) => {
+                // D = direction + δ, and 1/|D| = 1 + c.
+                let middle = Vector::splat(x, self.direction.near);
+                let delta = spread(x, y, *across, *down);
+                let more = delta.dot(middle + middle + delta);
+                let root = (more + 1.0).sqrt();
+                let c = -more / (root * (root + 1.0));
+                let small = (delta * (c + 1.0)).plus_times(middle, c);
+                (self.start.plus_times(small, x.like(self.way)), self.direction.plus(small))
+            }
+            RayDifferentials::OfOrigin([across, down]) => {
+                let zero = x.like(0.0);
+                let none = Vector::new(zero, zero, zero);
+                (self.start.plus(spread(x, y, *across, *down)), self.direction.plus(none))
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn spread<R: Float32>(x: R, y: R, across: [f32; 3], down: [f32; 3]) -> Vector<R> {
+    Vector::new(x, x, x).times_all(across).plus_times(Vector::splat(x, down), y)
+}

@@ -1,0 +1,3 @@
+//! Integrators: each says what light reaches the eye along a ray.
+
+pub(crate) mod whitted;

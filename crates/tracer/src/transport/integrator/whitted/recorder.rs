@@ -1,0 +1,440 @@
+//! The tree of rays behind one pixel, ray by ray, with every number on the way.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use glam::{UVec2, Vec3};
+
+use crate::geometry::membership::BodyMembership;
+use crate::geometry::query::candidates::Candidates;
+use crate::geometry::query::{HitRecord, RayQuery, found_in};
+use crate::geometry::ray::{Ray, RayPacket};
+use crate::simd::scalar::ScalarWidth;
+use crate::simd::vector::Vector;
+use crate::transport::integrator::whitted::{PacketRadiance, PacketSource, WhittedIntegrator};
+use crate::transport::interaction::SurfaceInteraction;
+use crate::transport::media::MediumStacks;
+use crate::transport::media::transmittance::Transmittance;
+use crate::transport::path::{InterfaceCrossing, PathState, SecondaryRays};
+use crate::transport::pick::RayIntersection;
+use crate::transport::record::{
+    BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
+    ShadowCrossing, ShadowRecord, SurfaceRecord,
+};
+use crate::transport::sampler::Sampler;
+use crate::transport::scene::RenderScene;
+use crate::transport::surface::highlight_cosine;
+use crate::transport::tile_rect::{TILE, TileRect};
+
+/// A ray that waits, and why. The heaviest goes first, of equal ones the one sent first.
+struct QueuedPath {
+    beam: PathState<ScalarWidth>,
+    kind: RayKind,
+    coefficient: Vec3,
+    parent: Option<usize>,
+    number: usize,
+}
+
+impl QueuedPath {
+    fn key(&self) -> (f32, usize) {
+        (self.beam.weight.largest(), self.number)
+    }
+}
+
+impl Ord for QueuedPath {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let ((weight, number), (other_weight, other_number)) = (self.key(), other.key());
+        weight.total_cmp(&other_weight).then(other_number.cmp(&number))
+    }
+}
+
+impl PartialOrd for QueuedPath {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for QueuedPath {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for QueuedPath {}
+
+/// Writes down what becomes of one ray.
+struct PathRecorder<'a> {
+    stage: &'a RenderScene,
+    /// The bodies that the ray flies in, the one entered last at the end.
+    media: Vec<u32>,
+    at: Option<SurfaceInteraction<ScalarWidth>>,
+    local: Option<Vector<f32>>,
+    lights: Vec<LightTerm>,
+    highlight: Option<(Vector<f32>, f32)>,
+    crossing: Option<InterfaceCrossing<ScalarWidth>>,
+    /// What the way there leaves of the light.
+    through: Vector<f32>,
+    /// The coefficients of what was let through last, and of all that was.
+    through_last: Vec3,
+    through_all: Vec3,
+    reflected: Vec3,
+    glints: Vec3,
+    /// Whether a ray has been let through.
+    has_refracted: bool,
+    /// The rays that go on, with their coefficients.
+    sent: Vec<(RayKind, Vec3, PathState<ScalarWidth>)>,
+}
+
+impl<'a> PathRecorder<'a> {
+    fn new(stage: &'a RenderScene, table: &MediumStacks, media: u32) -> Self {
+        let mut media: Vec<u32> = table.bodies(media).collect();
+        media.reverse();
+        Self {
+            stage,
+            media,
+            at: None,
+            local: None,
+            lights: Vec::new(),
+            highlight: None,
+            crossing: None,
+            through: Vector::new(1.0, 1.0, 1.0),
+            through_last: Vec3::ZERO,
+            through_all: Vec3::ZERO,
+            reflected: Vec3::ZERO,
+            glints: Vec3::ZERO,
+            has_refracted: false,
+            sent: Vec::new(),
+        }
+    }
+}
+
+impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
+    fn reflected(&mut self, beam: PathState<ScalarWidth>) {
+        self.sent.push((RayKind::Reflected, self.reflected, beam));
+    }
+
+    fn refracted(&mut self, beam: PathState<ScalarWidth>) {
+        self.has_refracted = true;
+        self.sent.push((RayKind::Refracted, self.through_last, beam));
+    }
+
+    fn on_hit(&mut self, at: &SurfaceInteraction<ScalarWidth>) {
+        self.at = Some(*at);
+    }
+
+    fn on_light(&mut self, light: usize, to_light: Vector<f32>, distance: f32, cosine: f32) {
+        self.highlight = None;
+        let direction = to_light.into();
+        self.lights.push(LightTerm { light, direction, distance, cosine, shadow: None, answer: None });
+    }
+
+    fn on_shadow_ray(
+        &mut self,
+        rays: &RayPacket<ScalarWidth>,
+        distance: f32,
+        inside: &BodyMembership,
+        through: &Transmittance<ScalarWidth>,
+    ) {
+        let mut hits: Vec<HitRecord> = Vec::new();
+        RayQuery::new(ScalarWidth, &self.stage.geometry, rays, true, inside, Candidates::All)
+            .crossings(distance, |hit| hits.push(hit));
+        hits.sort_by(|a, b| {
+            let order = || self.stage.geometry.scene_order(a.body, b.body);
+            a.t.total_cmp(&b.t).then(b.leaving.cmp(&a.leaving)).then_with(order)
+        });
+        let mut media = self.media.clone();
+        // Rays that start outwards have left the body that they start from.
+        media.retain(|&body| rays.start != body);
+        let mut from = 0.0;
+        let mut left_until = |until: f32, media: &[u32]| {
+            let way = (until - std::mem::replace(&mut from, until)).max(0.0);
+            let material = media.last().map(|&body| self.stage.material(self.stage.geometry.body(body)));
+            material.map_or(Vec3::ONE, |material| material.left_after(way).into())
+        };
+        let mut crossings = Vec::new();
+        for hit in &hits {
+            let body = self.stage.geometry.body(hit.body);
+            let mut filter = None;
+            if body.is_transparent() {
+                let own = Vec3::from(self.stage.material(body).filter);
+                filter = Some(own * left_until(hit.t, &media));
+                media.retain(|&other| other != hit.body);
+                if !hit.leaving {
+                    media.push(hit.body);
+                }
+            }
+            let Some(body) = self.stage.scene_index(hit.body) else { continue };
+            crossings.push(ShadowCrossing { body, distance: hit.t, leaving: hit.leaving, filter });
+        }
+        let through_last = left_until(distance, &media);
+        if let Some(term) = self.lights.last_mut() {
+            term.shadow = Some(ShadowRecord {
+                passed: through.shares(ScalarWidth).into(),
+                crossings,
+                through: through_last,
+            });
+        }
+    }
+
+    fn on_highlight(&mut self, to_viewer: Vector<f32>, highlight: f32) {
+        self.highlight = Some((to_viewer, highlight));
+    }
+
+    fn on_light_answer(&mut self, power: Vector<f32>, light: Vector<f32>) {
+        let Some((at, term)) = self.at.zip(self.lights.last_mut()) else { return };
+        let (highlight_cosine, highlight) =
+            self.highlight.map_or((f32::NAN, 0.0), |(to_viewer, highlight)| {
+                (highlight_cosine(to_viewer, term.direction.into(), at.normal), highlight)
+            });
+        term.answer = Some(LightContribution {
+            power: power.into(),
+            diffuse: at.eval_diffuse(term.cosine).into(),
+            highlight_cosine,
+            highlight,
+            glints: std::mem::take(&mut self.glints),
+            light: light.into(),
+        });
+    }
+
+    fn on_local_light(&mut self, local: Vector<f32>) {
+        self.local = Some(local);
+    }
+
+    fn on_interface(&mut self, crossed: InterfaceCrossing<ScalarWidth>) {
+        self.crossing = Some(crossed);
+    }
+
+    fn on_refraction(&mut self, coefficients: Vector<f32>) {
+        self.through_last = coefficients.into();
+        self.through_all += self.through_last;
+    }
+
+    fn on_reflection(&mut self, coefficients: Vector<f32>) {
+        self.reflected = coefficients.into();
+    }
+
+    fn on_microfacets(&mut self, glints: Vector<f32>) {
+        self.glints = glints.into();
+    }
+
+    fn on_medium(&mut self, through: Vector<f32>) {
+        self.through = through;
+    }
+}
+
+impl<'a> WhittedIntegrator<'a> {
+    /// The tree of rays that grows from `primary`, at most `limit` of them: each ray after its parent, the reflected
+    /// branch of a hit before the refracted one. The sum of all [`RayRecord::light`] is what reaches the start.
+    ///
+    /// A tree of glass bodies doubles with every generation, hence the limit: the heaviest rays are followed first, and
+    /// what was not followed is marked [`BranchOutcome::LeftOut`]. The tree ends early, too, when it is cancelled.
+    pub fn tree(&mut self, primary: Ray, limit: usize) -> Vec<RayRecord> {
+        let root = self.root(&primary);
+        self.grow(root, limit)
+    }
+
+    /// The tree of rays of one sample of a pixel (column, row) of a picture of `size` pixels, as [`tree`](Self::tree).
+    /// It is the tree that [`render`](crate::transport::render) has there, bit by bit: its rays are the same, as are the numbers on
+    /// each. Only the order is another in which light is added up.
+    ///
+    /// A pixel that is not in the picture has no rays.
+    pub fn pixel_tree(&mut self, pixel: UVec2, size: UVec2, sample: u32, limit: usize) -> Vec<RayRecord> {
+        if pixel.x >= size.x || pixel.y >= size.y {
+            return Vec::new();
+        }
+        self.trim_media();
+        self.begin(sample, Sampler::of_pixel(sample, pixel));
+        let ray = TileRect::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
+        let root = self.started_path(ray);
+        let mut tree = self.grow(root, limit);
+        if let Some(primary) = tree.first_mut() {
+            let Ray { origin, direction, .. } = primary.ray;
+            let from_eye = origin.as_dvec3() - self.camera.position();
+            primary.start_distance = from_eye.dot(direction.as_dvec3()).max(0.0);
+        }
+        tree
+    }
+
+    fn grow(&mut self, root: PathState<ScalarWidth>, limit: usize) -> Vec<RayRecord> {
+        let mut waiting = BinaryHeap::new();
+        let (kind, coefficient) = (RayKind::Primary, Vec3::ONE);
+        waiting.push(QueuedPath { beam: root, kind, coefficient, parent: None, number: 0 });
+        let mut tree: Vec<RayRecord> = Vec::new();
+        let mut number = 1;
+        while tree.len() < limit
+            && let Some(QueuedPath { beam, kind, coefficient, parent, .. }) = waiting.pop()
+        {
+            if self.is_cancelled_at(tree.len()) {
+                break;
+            }
+            let place = tree.len();
+            let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
+            let followed =
+                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
+            for (kind, coefficient, beam) in scribe.sent.drain(..) {
+                waiting.push(QueuedPath { beam, kind, coefficient, parent: Some(place), number });
+                number += 1;
+            }
+            let ray = self.write_down(&beam, kind, parent, &followed, scribe);
+            tree.push(RayRecord { coefficient, ..ray });
+        }
+        in_depth_first_order(tree)
+    }
+
+    /// Whether a look at the cancel flag is due, and it is set.
+    pub(crate) fn is_cancelled_at(&self, done: usize) -> bool {
+        done > 0
+            && done.is_multiple_of(Self::CANCEL_INTERVAL as usize)
+            && self.cancel.load(std::sync::atomic::Ordering::Relaxed)
+    }
+
+    fn write_down(
+        &mut self,
+        beam: &PathState<ScalarWidth>,
+        kind: RayKind,
+        parent: Option<usize>,
+        followed: &PacketRadiance<ScalarWidth>,
+        scribe: PathRecorder<'_>,
+    ) -> RayRecord {
+        let ray = beam.rays.ray();
+        let bodies = self.media.bodies(beam.media);
+        let media = bodies.filter_map(|body| self.stage.scene_index(body)).collect();
+        RayRecord {
+            ray,
+            origin: self.stage.world_from_render(ray.origin),
+            kind,
+            parent,
+            generation: beam.generation,
+            wavelength: self.media.wave(beam.media).and_then(|wave| self.waves.nanometers(wave)),
+            coefficient: Vec3::ONE,
+            start_distance: 0.0,
+            weight: beam.weight.into(),
+            through: scribe.through.into(),
+            light: followed.light.into(),
+            local: scribe.local.unwrap_or_else(|| self.stage.sky.along(beam.rays.direction)).into(),
+            media,
+            ior: self.media.ior(self.stage, &self.waves, beam.media),
+            hit: found_in(&followed.hits).and_then(|hit| RayIntersection::new(self.stage, &ray, hit)),
+            answer: scribe.at.map(|at| self.answer(beam, &at, scribe)),
+        }
+    }
+
+    fn answer(
+        &mut self,
+        beam: &PathState<ScalarWidth>,
+        at: &SurfaceInteraction<ScalarWidth>,
+        scribe: PathRecorder<'_>,
+    ) -> SurfaceRecord {
+        let is_last = beam.generation >= self.generations;
+        let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
+        let grown = beyond.as_ref().unwrap_or(&scribe);
+        let interface = grown.crossing.map(|InterfaceCrossing { ratio, passes }| {
+            let beyond = self.media.interface(self.stage, &self.waves, beam.media, at.body).beyond;
+            let ior_beyond = self.media.ior(self.stage, &self.waves, beyond);
+            InterfaceRecord { ior_beyond, ratio, is_total: !passes }
+        });
+        let is_total = interface.is_some_and(|interface| interface.is_total);
+        let weight = beam.weight.times(scribe.through);
+        let reflected = self.branch(weight, grown.reflected, is_last);
+        // What goes straight on does so at the limit, too.
+        let mut refracted = self.branch(weight, grown.through_all, is_last && !scribe.has_refracted);
+        if is_total {
+            refracted.fate = BranchOutcome::TotalReflection;
+        }
+        let body = self.stage.geometry.body(at.body);
+        let material = self.stage.material(body);
+        let line = (beam.rays.origin, beam.rays.direction);
+        let point = self.stage.geometry.surface_point(at.body, line, at.t, at.leaves());
+        let checker = self.stage.checkers.get(body.checker as usize);
+        let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
+        let own = material.color_at(ScalarWidth, body, point.in_body, true);
+        SurfaceRecord {
+            color: odd.map_or(own, |checker| Vector::splat(0.0, checker.color)).into(),
+            is_odd_cell: odd.is_some(),
+            law: material.law.name(),
+            alpha: material.alpha,
+            ambient_coefficient: material.ambient,
+            ambient_light: self.stage.ambient.into(),
+            ambient: at.ambient.into(),
+            diffuse_coefficient: material.diffuse,
+            specular_coefficient: material.specular,
+            shininess: material.shininess,
+            lights: scribe.lights,
+            interface,
+            reflected,
+            refracted,
+        }
+    }
+
+    /// What would grow from a surface from which no ray goes on any more.
+    fn growth_beyond(
+        &mut self,
+        beam: &PathState<ScalarWidth>,
+        at: &SurfaceInteraction<ScalarWidth>,
+    ) -> PathRecorder<'a> {
+        let counts = self.counts;
+        let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
+        self.scatter::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);
+        self.counts = counts;
+        scribe
+    }
+
+    /// A branch before it is known which ray it is: one that is followed counts as left out.
+    fn branch(&self, weight: Vector<f32>, coefficient: Vec3, is_last: bool) -> BranchRecord {
+        let weight = weight.times(coefficient.into()).bounded();
+        let fate = match self.is_above_threshold(ScalarWidth, weight) {
+            true if is_last => BranchOutcome::GenerationLimit,
+            true => BranchOutcome::LeftOut,
+            false if weight.largest() > 0.0 => BranchOutcome::Threshold,
+            false => BranchOutcome::Nothing,
+        };
+        BranchRecord { coefficient, weight: weight.into(), fate }
+    }
+}
+
+fn fate_of(answer: &mut SurfaceRecord, kind: RayKind) -> &mut BranchOutcome {
+    match kind {
+        RayKind::Refracted => &mut answer.refracted.fate,
+        _ => &mut answer.reflected.fate,
+    }
+}
+
+/// Puts a tree in order: each ray after its parent, the whole reflected branch of a hit before the refracted ones; tells
+/// parents which rays follow them.
+fn in_depth_first_order(tree: Vec<RayRecord>) -> Vec<RayRecord> {
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); tree.len()];
+    for (place, ray) in tree.iter().enumerate() {
+        if let Some(siblings) = ray.parent.and_then(|parent| children.get_mut(parent)) {
+            siblings.push(place);
+        }
+    }
+    let mut rays: Vec<Option<RayRecord>> = tree.into_iter().map(Some).collect();
+    let mut ordered: Vec<RayRecord> = Vec::with_capacity(rays.len());
+    let mut pending = vec![(0, None::<usize>)];
+    while let Some((old, parent)) = pending.pop() {
+        let Some(mut ray) = rays.get_mut(old).and_then(Option::take) else { continue };
+        let place = ordered.len();
+        ray.parent = parent;
+        if let Some(answer) = parent.and_then(|parent| ordered.get_mut(parent)?.answer.as_mut()) {
+            // Of the waves of split light the first one stands for all.
+            let fate = fate_of(answer, ray.kind);
+            if !matches!(fate, BranchOutcome::Followed(_)) {
+                *fate = BranchOutcome::Followed(place);
+            }
+        }
+        let mut own = children.get_mut(old).map(std::mem::take).unwrap_or_default();
+        // The last one is taken first.
+        own.sort_by(|&a, &b| {
+            let key = |place: usize| {
+                let ray = rays.get(place).and_then(Option::as_ref);
+                ray.map_or((false, 0.0), |ray| {
+                    (ray.kind == RayKind::Refracted, ray.wavelength.unwrap_or(0.0))
+                })
+            };
+            key(b).0.cmp(&key(a).0).then(key(b).1.total_cmp(&key(a).1))
+        });
+        pending.extend(own.into_iter().map(|child| (child, Some(place))));
+        ordered.push(ray);
+    }
+    ordered
+}

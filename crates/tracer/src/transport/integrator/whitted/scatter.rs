@@ -1,0 +1,322 @@
+//! The rays that grow from the points that others met.
+
+use crate::geometry::ray::RayPacket;
+use crate::simd::vector::Vector;
+use crate::simd::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
+use crate::transport::integrator::whitted::WhittedIntegrator;
+use crate::transport::integrator::whitted::rough::Macrosurface;
+use crate::transport::interaction::SurfaceInteraction;
+use crate::transport::media::AIR;
+use crate::transport::path::{InterfaceCrossing, PathState, SecondaryRays};
+use crate::transport::surface::{fresnel, mend_unit, reflect, refract};
+
+/// What is needed to send rays on.
+struct ScatterContext<'e, W: Width> {
+    /// Where they start, rough surfaces turned to the facet that is seen.
+    at: &'e SurfaceInteraction<W>,
+    /// The surface that the facets make up.
+    macrosurface: Option<Macrosurface<W>>,
+    /// Their generation.
+    next: W::W,
+    /// Whether only those go on that are the same ray still.
+    is_last: bool,
+}
+
+/// What becomes of rays at a clear surface.
+struct DielectricInterface<W: Width> {
+    ratio: W::R,
+    beyond: W::W,
+    bent: Vector<W::R>,
+    /// Those that are not totally reflected.
+    passes: W::M,
+    reflection: W::R,
+    filter: Vector<W::R>,
+}
+
+impl WhittedIntegrator<'_> {
+    /// Sends the reflected and refracted rays, each if it carries anything.
+    #[inline(always)]
+    pub(crate) fn scatter<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: &PathState<W>,
+        at: &SurfaceInteraction<W>,
+        goes_on: W::M,
+        secondary: &mut impl SecondaryRays<W>,
+    ) {
+        let next = paths.generation.plus(w.word(1));
+        let facets;
+        let mut context = ScatterContext { at, macrosurface: None, next, is_last: false };
+        if FULL && at.rough.any() {
+            let (on, macrosurface) = self.sample_microfacet(w, paths, at);
+            facets = on;
+            (context.at, context.macrosurface) = (&facets, Some(macrosurface));
+        }
+        let mut reflection = context.reflected::<FULL>(context.at.reflection);
+        let transparent = goes_on & at.transparent;
+        if transparent.any() {
+            reflection = self.refracted::<W, FULL>(w, paths, &context, transparent, secondary);
+        }
+        let at = context.at;
+        let mut lanes = goes_on;
+        if FULL {
+            (reflection, lanes) = context.masking(mirrored(paths, at), false, reflection, goes_on);
+        }
+        secondary.on_reflection(reflection);
+        let weight = paths.weight.times(reflection).bounded();
+        let lanes = lanes & self.is_above_threshold(w, weight);
+        if lanes.any() {
+            self.counts.reflected += u64::from(lanes.bits().count_ones());
+            let rays = at.rays_on_this_side(mirrored(paths, at));
+            secondary.reflected(context.paths(paths, rays, weight, (paths.media, lanes)));
+        }
+    }
+
+    /// Sends on the rays of the last generation that go straight through the surfaces of transparent bodies: they are the
+    /// same rays still. They are rare: copies leave those of all others where they are.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn pass_at_limit<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: PathState<W>,
+        at: SurfaceInteraction<W>,
+        at_limit: W::M,
+        secondary: &mut impl SecondaryRays<W>,
+    ) {
+        let (ratio, _) = self.cross_interface(w, paths.media, at.body, at_limit);
+        // Between equal indices there is no surface that could be rough.
+        let straight = at_limit & ratio.eq(w.real(1.0));
+        if straight.any() {
+            w.run(
+                #[inline(always)]
+                || {
+                    let next = paths.generation.plus(w.word(1));
+                    let context = ScatterContext { at: &at, macrosurface: None, next, is_last: true };
+                    self.refracted::<W, FULL>(w, &paths, &context, straight, secondary);
+                },
+            );
+        }
+    }
+
+    /// Sends rays through clear surfaces. What is reflected from them and all others.
+    #[inline(always)]
+    fn refracted<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: &PathState<W>,
+        context: &ScatterContext<'_, W>,
+        transparent: W::M,
+        secondary: &mut impl SecondaryRays<W>,
+    ) -> Vector<W::R> {
+        let mut white = transparent;
+        let mut split = None;
+        if FULL && self.stage.disperses {
+            let lanes = transparent & context.at.disperses & self.are_white(w, paths.media);
+            if lanes.any() {
+                split = Some((lanes, self.disperse(w, paths, context, lanes, secondary)));
+                white = white & !lanes;
+            }
+        }
+        let crossing = self.interface::<W, FULL>(w, paths, paths.media, context.at, transparent);
+        let DielectricInterface { ratio, passes, filter, .. } = crossing;
+        secondary.on_interface(InterfaceCrossing { ratio, passes });
+        if white.any() {
+            self.send_through::<W, FULL>(w, paths, context, &crossing, filter, white, secondary);
+        }
+        let reflection = context.reflected::<FULL>(crossing.reflection);
+        match split {
+            Some((lanes, colored)) => Vector::select(lanes, colored, reflection),
+            None => reflection,
+        }
+    }
+
+    /// Sends each wave of white light by itself. What is reflected of all together.
+    #[inline(never)]
+    fn disperse<W: Width>(
+        &mut self,
+        w: W,
+        paths: &PathState<W>,
+        context: &ScatterContext<'_, W>,
+        lanes: W::M,
+        secondary: &mut impl SecondaryRays<W>,
+    ) -> Vector<W::R> {
+        w.run(
+            #[inline(always)]
+            || {
+                let nothing = w.real(0.0);
+                let mut reflection = Vector::new(nothing, nothing, nothing);
+                for number in 0..self.waves.len() {
+                    let color = self.waves.color(number);
+                    let media = self.colored(w, paths.media, number, lanes);
+                    let crossing = self.interface::<W, true>(w, paths, media, context.at, lanes);
+                    reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
+                    let filter = crossing.filter.times_all(color);
+                    self.send_through::<W, true>(w, paths, context, &crossing, filter, lanes, secondary);
+                }
+                reflection
+            },
+        )
+    }
+
+    /// What becomes of rays in these media across the surfaces that they met.
+    #[inline(always)]
+    fn interface<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: &PathState<W>,
+        media: W::W,
+        at: &SurfaceInteraction<W>,
+        transparent: W::M,
+    ) -> DielectricInterface<W> {
+        let one = w.real(1.0);
+        let direction = paths.rays.direction;
+        let (ratio, beyond) = self.cross_interface(w, media, at.body, transparent);
+        let (bent, passes) = refract(direction, at.normal, ratio);
+        let (mut reflection, mut filter) = (at.reflection, at.filter);
+        let clear = transparent & at.clear;
+        if FULL && clear.any() {
+            let cos = (-at.normal.dot(direction)).min(one).max(w.real(0.0));
+            let share = fresnel(cos, ratio);
+            reflection = W::R::select(clear, share, reflection);
+            let rest = one - share;
+            filter = Vector::select(clear, Vector::new(rest, rest, rest), filter);
+        }
+        // Total internal reflection: all of the light, and nothing twice.
+        reflection = W::R::select(transparent & !passes, one, reflection);
+        DielectricInterface { ratio, beyond, bent, passes, reflection, filter }
+    }
+
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "each is a vector of its own")]
+    fn send_through<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: &PathState<W>,
+        context: &ScatterContext<'_, W>,
+        crossing: &DielectricInterface<W>,
+        filter: Vector<W::R>,
+        lanes: W::M,
+        secondary: &mut impl SecondaryRays<W>,
+    ) {
+        let DielectricInterface { ratio, beyond, bent, passes, .. } = *crossing;
+        let straight = ratio.eq(w.real(1.0));
+        let (mut filter, mut lanes) = (filter, lanes & passes);
+        if FULL {
+            let (left, flies) = context.masking(bent, true, filter, lanes);
+            // Between equal indices there is no surface, and nothing that could be rough.
+            filter = Vector::select(straight, filter, left);
+            lanes = flies | (lanes & straight);
+        }
+        secondary.on_refraction(filter);
+        let weight = paths.weight.times(filter).bounded();
+        // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than rounding
+        // it could go on for ever.
+        let same = straight & context.at.t.gt(paths.rays.slack());
+        if context.is_last {
+            lanes = lanes & same;
+        }
+        let lanes = lanes & self.is_above_threshold(w, weight);
+        if lanes.any() {
+            self.counts.refracted += u64::from(lanes.bits().count_ones());
+            let mut through =
+                context.paths(paths, context.at.rays_on_far_side(bent), weight, (beyond, lanes));
+            through.generation = W::W::select(same, paths.generation, context.next);
+            secondary.refracted(through);
+        }
+    }
+
+    /// Whether rays of this weight are traced.
+    #[inline(always)]
+    pub(crate) fn is_above_threshold<W: Width>(&self, w: W, weight: Vector<W::R>) -> W::M {
+        let strongest = weight.largest();
+        strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.threshold))
+    }
+
+    /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.
+    #[inline(always)]
+    pub(crate) fn cross_interface<W: Width>(
+        &mut self,
+        w: W,
+        media: W::W,
+        body: W::W,
+        lanes: W::M,
+    ) -> (W::R, W::W) {
+        let (mut lists, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
+        media.store(&mut lists);
+        body.store(&mut bodies);
+        let (mut ratio, mut beyond) = (w.real(1.0), media);
+        let mut left = lanes.bits();
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % MOST_LANES;
+            let same = media.is(lists[lane]) & body.is(bodies[lane]);
+            left &= !same.bits();
+            let same = same & lanes;
+            let crossing = self.media.interface(self.stage, &self.waves, lists[lane], bodies[lane]);
+            ratio = W::R::select(same, w.real(crossing.ratio), ratio);
+            beyond = W::W::select(same, w.word(crossing.beyond), beyond);
+        }
+        (ratio, beyond)
+    }
+
+    /// The rays whose light has not been split yet.
+    fn are_white<W: Width>(&self, w: W, media: W::W) -> W::M {
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        let white = |lane: usize| u32::from(self.media.wave(lists[lane]).is_none()) << lane;
+        w.mask((0..W::LANES).map(white).fold(0, |bits, bit| bits | bit))
+    }
+
+    /// The same media for light of one wave.
+    fn colored<W: Width>(&mut self, w: W, media: W::W, wave: usize, lanes: W::M) -> W::W {
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
+            lists[lane] = self.media.colored(lists[lane], wave as u32);
+        }
+        w.load_words(&lists)
+    }
+}
+
+/// The directions of the reflected rays.
+#[inline(always)]
+fn mirrored<W: Width>(paths: &PathState<W>, at: &SurfaceInteraction<W>) -> Vector<W::R> {
+    mend_unit(reflect(paths.rays.direction, at.normal))
+}
+
+impl<W: Width> ScatterContext<'_, W> {
+    /// What is reflected, of each channel.
+    #[inline(always)]
+    fn reflected<const FULL: bool>(&self, reflection: W::R) -> Vector<W::R> {
+        if FULL { self.at.reflected(reflection) } else { Vector::new(reflection, reflection, reflection) }
+    }
+
+    /// The coefficients and rays that are left where facets let them off.
+    #[inline(always)]
+    fn masking(
+        &self,
+        direction: Vector<W::R>,
+        is_beyond: bool,
+        coefficients: Vector<W::R>,
+        lanes: W::M,
+    ) -> (Vector<W::R>, W::M) {
+        match &self.macrosurface {
+            None => (coefficients, lanes),
+            Some(macrosurface) => {
+                let (coefficients, flies) = macrosurface.masking(direction, is_beyond, coefficients);
+                (coefficients, lanes & flies)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn paths(
+        &self,
+        of: &PathState<W>,
+        rays: RayPacket<W>,
+        weight: Vector<W::R>,
+        (media, lanes): (W::W, W::M),
+    ) -> PathState<W> {
+        PathState { rays, weight, generation: self.next, media, pixel: of.pixel, lanes }
+    }
+}

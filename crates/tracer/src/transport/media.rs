@@ -1,0 +1,269 @@
+//! The transparent bodies that rays are inside of.
+
+pub(crate) mod absorption;
+pub(crate) mod shadow_stream;
+pub(crate) mod transmittance;
+
+use std::collections::HashMap;
+
+use crate::geometry::Accelerator;
+use crate::geometry::membership::{BodyMembership, MembershipSource};
+use crate::simd::vector::Vector;
+use crate::simd::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
+use crate::transport::scene::RenderScene;
+use crate::transport::spectrum::SampledWavelengths;
+use crate::transport::surface::exponential;
+
+/// From here on numbers of bodies stand for waves: what a ray that is of one color has at the end of its list.
+pub(crate) const WAVES: u32 = u32::MAX - 0xff;
+
+/// In no body: in air.
+pub(crate) const AIR: u32 = u32::MAX;
+
+/// The lists of transparent bodies that the rays of a picture are inside of, each in the order entered.
+///
+/// A list is a number: [`AIR`], or the place of its link, the body entered last and the rest of the list. Equal lists are
+/// the same number, so that there are only as many as there are ways to stand in the scene, however many rays; and what
+/// a surface makes of a list is worked out once.
+#[derive(Debug, Default)]
+pub(crate) struct MediumStacks {
+    /// Each link: a body and the rest of the list.
+    links: Vec<(u32, u32)>,
+    places: HashMap<(u32, u32), u32>,
+    crossings: HashMap<(u32, u32), MediumTransition>,
+}
+
+/// What becomes of a list at the surface of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct MediumTransition {
+    /// The list beyond it.
+    pub beyond: u32,
+    /// The index of refraction here divided by that beyond.
+    pub ratio: f32,
+}
+
+impl MediumStacks {
+    /// So many links and crossings are kept; a scene of ordinary bodies has as many as bodies.
+    const MOST: usize = 1 << 20;
+
+    /// Forgets all lists if they have become very many, and says so. None may be in use.
+    pub(crate) fn trim(&mut self) -> bool {
+        let is_full = self.links.len().max(self.crossings.len()) > Self::MOST;
+        if is_full {
+            *self = Self::default();
+        }
+        is_full
+    }
+
+    /// Adds rays that have the same list.
+    fn add_to(&self, membership: &mut BodyMembership, list: u32, rays: u32) {
+        self.bodies(list).for_each(|body| membership.add(body, rays));
+    }
+
+    /// The bodies of a list, the one entered last first.
+    pub(crate) fn bodies(&self, media: u32) -> impl Iterator<Item = u32> {
+        let mut at = media;
+        std::iter::from_fn(move || {
+            let &(body, rest) = self.links.get(at as usize)?;
+            at = rest;
+            (body < WAVES).then_some(body)
+        })
+    }
+
+    /// The wave of a ray in these media, if its light is of one color.
+    pub(crate) fn wave(&self, media: u32) -> Option<u32> {
+        let mut at = media;
+        while let Some(&(body, rest)) = self.links.get(at as usize) {
+            if body >= WAVES {
+                return Some(body - WAVES);
+            }
+            at = rest;
+        }
+        None
+    }
+
+    /// The same media for light of one wave, less than 256.
+    pub(crate) fn colored(&mut self, media: u32, wave: u32) -> u32 {
+        let mut bodies: Vec<u32> = self.bodies(media).collect();
+        bodies.push(WAVES + wave.min(u32::MAX - 1 - WAVES));
+        bodies.into_iter().rev().fold(AIR, |list, body| self.entered(list, body))
+    }
+
+    /// The list after entering `body`.
+    fn entered(&mut self, media: u32, body: u32) -> u32 {
+        *self.places.entry((body, media)).or_insert_with(|| {
+            self.links.push((body, media));
+            self.links.len() as u32 - 1
+        })
+    }
+
+    /// The list after leaving `body`, which it contains.
+    fn left(&mut self, media: u32, body: u32) -> u32 {
+        let mut later: Vec<u32> = Vec::new();
+        let mut at = media;
+        while let Some(&(entered, rest)) = self.links.get(at as usize) {
+            at = rest;
+            if entered == body {
+                break;
+            }
+            later.push(entered);
+        }
+        later.iter().rev().fold(at, |list, &body| self.entered(list, body))
+    }
+
+    /// What a ray in `media` that crosses the surface of `body` comes to.
+    pub(crate) fn interface(
+        &mut self,
+        stage: &RenderScene,
+        waves: &SampledWavelengths,
+        media: u32,
+        body: u32,
+    ) -> MediumTransition {
+        if let Some(known) = self.crossings.get(&(media, body)) {
+            return *known;
+        }
+        let is_inside = self.bodies(media).any(|other| other == body);
+        let beyond = if is_inside { self.left(media, body) } else { self.entered(media, body) };
+        let ratio = self.ior(stage, waves, media) / self.ior(stage, waves, beyond);
+        let crossing = MediumTransition { beyond, ratio };
+        self.crossings.insert((media, body), crossing);
+        crossing
+    }
+
+    /// The index of refraction in these media: that of the body entered last, or of air.
+    pub(crate) fn ior(&self, stage: &RenderScene, waves: &SampledWavelengths, media: u32) -> f32 {
+        let Some(index) = self.bodies(media).next() else { return 1.0 };
+        let material = stage.material(stage.geometry.body(index));
+        let wavelength = || waves.nanometers(self.wave(media)?);
+        match material.dispersion.zip(wavelength()) {
+            Some((dispersion, nanometers)) => dispersion.index(nanometers) as f32,
+            None => material.ior,
+        }
+    }
+
+    /// The share of light that is left after ways of these lengths in the body entered last: for each way 1 if that is
+    /// clear, or none.
+    #[inline(never)]
+    pub(crate) fn left_after<W: Width>(
+        &self,
+        w: W,
+        stage: &RenderScene,
+        media: W::W,
+        lengths: W::R,
+        lanes: W::M,
+    ) -> Vector<W::R> {
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
+        for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
+            if let Some(body) = self.bodies(lists[lane]).next() {
+                [red[lane], green[lane], blue[lane]] = stage.material(stage.geometry.body(body)).absorption;
+            }
+        }
+        w.run(
+            #[inline(always)]
+            || {
+                Vector::new(w.load(&red), w.load(&green), w.load(&blue)).map(
+                    #[inline(always)]
+                    |loss: W::R| {
+                        // A way without end through a clear body loses nothing.
+                        let is_clear = loss.eq(w.real(0.0));
+                        W::R::select(is_clear, w.real(1.0), exponential(-(loss * lengths)))
+                    },
+                )
+            },
+        )
+    }
+
+    /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.
+    pub(crate) fn at_point(&mut self, stage: &RenderScene, point: Vector<f32>) -> u32 {
+        if !stage.geometry.has_transparency {
+            return AIR;
+        }
+        let mut around = Vec::new();
+        let mut test = |index: u32| {
+            let body = stage.geometry.body(index);
+            if body.is_transparent() && stage.geometry.contains(index, point) {
+                around.push(index);
+            }
+        };
+        match &stage.geometry.hierarchy {
+            Accelerator::Few => (0..stage.geometry.bounded).for_each(&mut test),
+            Accelerator::Many(bvh) => bvh.visit_at(point.into(), |leaf| leaf.for_each(&mut test)),
+        }
+        stage.geometry.planes().for_each(&mut test);
+        let volume = |index: u32| stage.geometry.body(index).volume();
+        around
+            .sort_by(|&a, &b| volume(b).total_cmp(&volume(a)).then_with(|| stage.geometry.scene_order(a, b)));
+        around.into_iter().fold(AIR, |media, body| self.entered(media, body))
+    }
+}
+
+impl MembershipSource for MediumStacks {
+    #[inline(always)]
+    fn fill<W: Width>(&self, membership: &mut BodyMembership, media: W::W, lanes: W::M) {
+        membership.clear();
+        let mut wet = (lanes & !media.is(AIR)).bits();
+        if wet == 0 {
+            return;
+        }
+        let mut lists = [AIR; MOST_LANES];
+        media.store(&mut lists);
+        while wet != 0 {
+            let list = lists[wet.trailing_zeros() as usize % MOST_LANES];
+            let same = media.is(list).bits() & wet;
+            wet &= !same;
+            self.add_to(membership, list, same);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn list(table: &MediumStacks, media: u32) -> Vec<u32> {
+        table.bodies(media).collect()
+    }
+
+    #[test]
+    fn leaving_the_innermost_returns_to_the_one_around() {
+        let mut table = MediumStacks::default();
+        let outer = table.entered(AIR, 7);
+        let inner = table.entered(outer, 3);
+        assert_eq!(list(&table, inner), [3, 7]);
+        assert_eq!(table.left(inner, 3), outer);
+    }
+
+    #[test]
+    fn leaving_an_outer_body_keeps_the_inner_ones_in_order() {
+        let mut table = MediumStacks::default();
+        let media = [1, 2, 3].into_iter().fold(AIR, |media, body| table.entered(media, body));
+        let media = table.left(media, 1);
+        assert_eq!(list(&table, media), [3, 2]);
+        let media = table.left(media, 3);
+        assert_eq!(list(&table, media), [2]);
+        assert_eq!(table.left(media, 2), AIR);
+    }
+
+    #[test]
+    fn equal_lists_are_one() {
+        let mut table = MediumStacks::default();
+        let once = table.entered(AIR, 1);
+        let deeper = table.entered(once, 2);
+        assert_eq!(table.entered(AIR, 1), once);
+        assert_eq!(table.left(deeper, 2), once);
+        assert_eq!(table.links.len(), 2);
+    }
+
+    #[test]
+    fn rays_side_by_side_know_their_own_bodies() {
+        let mut table = MediumStacks::default();
+        let one = table.entered(AIR, 5);
+        let both = table.entered(one, 2);
+        let mut inside = BodyMembership::default();
+        table.add_to(&mut inside, one, 0b1_0000);
+        table.add_to(&mut inside, both, 0b10_0000_1000);
+        assert_eq!((inside.of(5), inside.of(2), inside.of(3)), (0b10_0001_1000, 0b10_0000_1000, 0));
+    }
+}

@@ -1,0 +1,84 @@
+//! What one ray meets: for picking bodies with the pointer, and for looking at rays one by one.
+
+use glam::{DVec3, Vec3};
+
+use crate::geometry::bvh::packet::TraversalStack;
+use crate::geometry::membership::{BodyMembership, MembershipSource as _};
+use crate::geometry::query::candidates::Candidates;
+use crate::geometry::query::{HitRecord, RayQuery, found_in};
+use crate::geometry::ray::Ray;
+use crate::simd::scalar::ScalarWidth;
+use crate::transport::media::MediumStacks;
+use crate::transport::scene::RenderScene;
+
+/// The point at which a ray meets a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayIntersection {
+    /// The place of the body in [`Scene::bodies`](catoptric_scene::Scene::bodies).
+    pub body: usize,
+    /// Parameter, place in the stage and side, as the search found them.
+    pub hit: HitRecord,
+    /// The point on the surface in the world, meters.
+    pub position: DVec3,
+    /// Unit normal there, facing the ray.
+    pub normal: Vec3,
+}
+
+impl RayIntersection {
+    pub(crate) fn new(stage: &RenderScene, ray: &Ray, hit: HitRecord) -> Option<Self> {
+        let rays = ray.alone();
+        let point = stage.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
+        Some(Self {
+            body: stage.scene_index(hit.body)?,
+            hit,
+            position: stage.world_from_render(point.in_world),
+            normal: point.normal.into(),
+        })
+    }
+}
+
+impl RenderScene {
+    /// The nearest body that a ray meets, as a primary ray or, if [`Ray::start`] names a surface, as one that has left it.
+    ///
+    /// The direction must be a unit vector. A ray that is not finite meets nothing.
+    pub fn nearest(&self, ray: &Ray) -> Option<RayIntersection> {
+        self.on_flight(ray, |flight| {
+            found_in(&flight.nearest(&mut TraversalStack::default()))
+                .and_then(|hit| RayIntersection::new(self, ray, hit))
+        })?
+    }
+
+    /// The first meeting of a ray with each body in its way, the nearest first, the others in order of distance: a second
+    /// click picks the body behind. The first is [`Self::nearest`]. Bodies are looked through whatever they are made
+    /// of, and no ray is bent; each body is tested once.
+    pub fn hits_along(&self, ray: &Ray) -> Vec<RayIntersection> {
+        let hits = self.on_flight(ray, |flight| {
+            let mut hits = Vec::new();
+            flight.each(&mut TraversalStack::default(), |hit| hits.push(hit));
+            // Bodies that touch are ordered by the search, within rounding.
+            let first = found_in(&flight.nearest(&mut TraversalStack::default())).map(|hit| hit.body);
+            hits.sort_by(|a, b| {
+                let is_later = |hit: &HitRecord| Some(hit.body) != first;
+                is_later(a)
+                    .cmp(&is_later(b))
+                    .then(a.t.total_cmp(&b.t))
+                    .then_with(|| self.geometry.scene_order(a.body, b.body))
+            });
+            hits
+        });
+        hits.into_iter().flatten().filter_map(|hit| RayIntersection::new(self, ray, hit)).collect()
+    }
+
+    /// What `look` finds on the way of a ray in the media of its start, if it is finite.
+    fn on_flight<T>(&self, ray: &Ray, look: impl FnOnce(RayQuery<'_, ScalarWidth>) -> T) -> Option<T> {
+        if !(ray.origin.is_finite() && ray.direction.is_finite()) {
+            return None;
+        }
+        let rays = ray.alone();
+        let mut table = MediumStacks::default();
+        let media = table.at_point(self, rays.origin);
+        let mut inside = BodyMembership::default();
+        table.fill::<ScalarWidth>(&mut inside, media, true);
+        Some(look(RayQuery::new(ScalarWidth, &self.geometry, &rays, true, &inside, Candidates::All)))
+    }
+}

@@ -1,0 +1,222 @@
+//! The CPU driver: tiles over all threads, progress, cancellation.
+
+use catoptric_picture::{Picture, SizeError};
+use glam::{DVec2, DVec3, UVec2};
+use rayon::prelude::*;
+
+use crate::transport::camera::RenderCamera;
+pub(crate) use crate::transport::control::RenderControl;
+use crate::transport::counts::RayCounts;
+use crate::transport::scene::RenderScene;
+use crate::transport::tile::{TileRenderer, edge_for};
+use crate::transport::tile_rect::{TILE, TileRect};
+
+/// What to render.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RenderSettings {
+    /// Width of the picture, pixels.
+    pub width: u32,
+    /// Height of the picture, pixels.
+    pub height: u32,
+    /// Samples per pixel, at least 1; one goes through the pixel's center.
+    pub samples: u32,
+}
+
+impl RenderSettings {
+    /// The most samples per pixel that are offered.
+    pub const MAX_SAMPLES: u32 = 65536;
+}
+
+/// A finished render.
+#[derive(Clone, Debug)]
+pub struct RenderOutput {
+    /// Linear light.
+    pub picture: Picture,
+    /// Rays traced.
+    pub counts: RayCounts,
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum RenderError {
+    /// The size cannot be.
+    #[error(transparent)]
+    Size(#[from] SizeError),
+    /// [`RenderControl::cancel`] was called.
+    #[error("the render was cancelled")]
+    Cancelled,
+}
+
+/// Traces `stage` into a picture on the threads of the current rayon pool.
+///
+/// The picture does not depend on the number of threads: each pixel is computed by one thread from the stage alone.
+///
+/// # Errors
+/// When the size is 0 or too large, or the render is cancelled.
+pub fn render(
+    stage: &RenderScene,
+    settings: RenderSettings,
+    control: &RenderControl,
+) -> Result<RenderOutput, RenderError> {
+    render_through(stage, stage.camera(), settings, control)
+}
+
+/// The same through a camera of [`RenderScene::camera_for`].
+///
+/// # Errors
+/// As for [`render`].
+pub fn render_through(
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    settings: RenderSettings,
+    control: &RenderControl,
+) -> Result<RenderOutput, RenderError> {
+    let mut picture = Picture::new(settings.width, settings.height)?;
+    let counts = render_into(&mut picture, stage, camera, settings.samples, control)?;
+    Ok(RenderOutput { picture, counts })
+}
+
+/// The same into a picture that shows anything, of the size that is wanted. The rays that were traced.
+///
+/// # Errors
+/// When the render is cancelled; then the picture shows some of both.
+pub fn render_into(
+    picture: &mut Picture,
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    samples: u32,
+    control: &RenderControl,
+) -> Result<RayCounts, RenderError> {
+    let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
+    let samples = samples.max(1);
+    // Who is free takes the next tile: of two halves of a picture one may have all that takes long.
+    let counts = tiles(stage, picture)
+        .par_bridge()
+        .map_init(
+            || (None, Vec::new()),
+            |(tracer, sums), mut tile| {
+                // Threads that find no tile left make no tracer.
+                let tracer = tracer.get_or_insert_with(|| TileRenderer::new(stage, camera, control));
+                let before = tracer.counts();
+                if tile.trace(tracer, sums, size, samples) {
+                    control.add_pixels(tile.place.pixels() as u64);
+                }
+                tracer.counts() - before
+            },
+        )
+        .reduce(RayCounts::default, std::ops::Add::add);
+    if control.is_cancelled() { Err(RenderError::Cancelled) } else { Ok(counts) }
+}
+
+/// The light of one pixel (column, row) as [`render_through`] has it, bit by bit, at the cost of the tiles around it;
+/// `None` if the pixel is not in the picture.
+///
+/// # Errors
+/// As for [`render`].
+pub fn render_pixel(
+    stage: &RenderScene,
+    camera: &RenderCamera,
+    settings: RenderSettings,
+    pixel: UVec2,
+    control: &RenderControl,
+) -> Result<Option<[f32; 3]>, RenderError> {
+    let RenderSettings { width, height, samples } = settings;
+    Picture::check_size(width, height)?;
+    let size = UVec2::new(width, height);
+    if pixel.x >= width || pixel.y >= height {
+        return Ok(None);
+    }
+    let place = TileRect::around(pixel, size, edge_for(stage, width as usize, height as usize));
+    let [x, y] = [pixel.x as usize - place.x, pixel.y as usize - place.y];
+    let mut tracer = TileRenderer::new(stage, camera, control);
+    let mut row = vec![[0.0; 3]; place.width];
+    let mut sum = DVec3::ZERO;
+    for sample in 0..samples.max(1) {
+        let light = tracer.trace(place, size.as_dvec2(), sample).ok_or(RenderError::Cancelled)?;
+        light.each(y, &mut row, |pixel, light| *pixel = light);
+        sum += row.get(x).map_or(DVec3::ZERO, |light| DVec3::from(light.map(f64::from)));
+    }
+    Ok(Some(mean_of(sum, samples.max(1))))
+}
+
+/// The mean of the samples of a pixel.
+pub(crate) fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
+    (sum / f64::from(samples)).as_vec3().to_array()
+}
+
+/// A tile or a group of tiles and its part of each of the picture's rows.
+struct TileTarget<'a> {
+    place: TileRect,
+    rows: Vec<&'a mut [[f32; 3]]>,
+}
+
+impl TileTarget<'_> {
+    /// Traces all samples. False if it was cancelled midway.
+    fn trace(
+        &mut self,
+        tracer: &mut TileRenderer<'_>,
+        sums: &mut Vec<DVec3>,
+        size: DVec2,
+        samples: u32,
+    ) -> bool {
+        if samples == 1 {
+            return tracer.trace_into(self.place, size, 0, &mut self.rows);
+        }
+        sums.resize(self.place.pixels(), DVec3::ZERO);
+        let width = self.place.width;
+        for sample in 0..samples {
+            let Some(light) = tracer.trace(self.place, size, sample) else { return false };
+            light.sum_into(sums, width, sample == 0);
+        }
+        for (row, sums) in self.rows.iter_mut().zip(sums.chunks(width)) {
+            for (pixel, sum) in row.iter_mut().zip(sums) {
+                *pixel = mean_of(*sum, samples);
+            }
+        }
+        true
+    }
+}
+
+/// The tiles of a picture, each made when it is asked for.
+///
+/// Every thread has a strip of the picture to begin in, and goes on in those of others when it is through: where two take
+/// neighbors at once, the system clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take
+/// too long for that to count; they go row by row, since the picture's middle, which mostly takes longest, must not be last.
+fn tiles<'p>(
+    stage: &RenderScene,
+    picture: &'p mut Picture,
+) -> impl Iterator<Item = TileTarget<'p>> + use<'p> {
+    let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
+    let edge = edge_for(stage, width, height);
+    let strips = if edge == TILE { rayon::current_num_threads() } else { 1 };
+    let strip = height.div_ceil(edge).div_ceil(strips) * edge;
+    let parts = picture.pixels_mut().chunks_mut(width * strip).zip((0..).step_by(strip));
+    let mut strips: Vec<_> = parts.map(|(pixels, top)| tiles_of_strip(pixels, top, width, edge)).collect();
+    std::iter::from_fn(move || {
+        let own = rayon::current_thread_index().unwrap_or_default() % strips.len();
+        let (before, from_own_on) = strips.split_at_mut(own);
+        from_own_on.iter_mut().chain(before).find_map(Iterator::next)
+    })
+}
+
+/// The tiles of some rows of a picture that begin at `top`, row by row.
+fn tiles_of_strip(
+    pixels: &mut [[f32; 3]],
+    top: usize,
+    width: usize,
+    edge: usize,
+) -> impl Iterator<Item = TileTarget<'_>> {
+    let strip = TileRect { x: 0, y: top, width, height: pixels.len() / width };
+    let mut bands = pixels.chunks_mut(width * edge);
+    let mut band = Vec::new();
+    strip.squares(edge).map(move |place| {
+        if place.x == 0 {
+            let rows = bands.next().unwrap_or_default().chunks_mut(width);
+            band.clear();
+            band.extend(rows.map(|row| row.chunks_mut(edge)));
+        }
+        let mut rows = Vec::with_capacity(place.height);
+        rows.extend(band.iter_mut().filter_map(Iterator::next));
+        TileTarget { place, rows }
+    })
+}

@@ -1,0 +1,309 @@
+//! The prepared scene: everything a ray can meet, in flat arrays.
+
+pub(crate) mod build;
+pub(crate) mod edit;
+pub(crate) mod log;
+pub(crate) mod subset;
+
+use std::sync::{Arc, OnceLock};
+
+use catoptric_scene::{Camera, Scene, Tracing};
+use glam::{DVec3, Vec3, Vec3A};
+use rayon::prelude::*;
+
+use crate::geometry::body::RenderBody;
+use crate::geometry::body::double::Bodies64;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::bvh::entry::BuildEntry;
+use crate::geometry::ray::Ray;
+use crate::geometry::space::RenderSpace;
+use crate::geometry::visible_bodies::VisibleBodies;
+use crate::geometry::{Accelerator, AcceleratorChoice, Geometry};
+use crate::simd::wide::SimdLevel;
+use crate::transport::camera::{RenderCamera, SceneExtent};
+pub(crate) use crate::transport::color::linear_rgb;
+use crate::transport::environment::EnvironmentLight;
+use crate::transport::light::RenderLight;
+use crate::transport::scene::build::BodyBuild;
+use crate::transport::scene::log::EditLog;
+pub(crate) use crate::transport::scene::log::SceneChanges;
+use crate::transport::surface::material::RenderMaterial;
+use crate::transport::texture::checker::CheckerTexture;
+
+/// A scene prepared for tracing, shared by reference between threads.
+///
+/// Bodies stand in the order of the bounding volume hierarchy's leaves, the unbounded ones last. What
+/// the search reads is plain single-precision data.
+#[derive(Clone, Debug)]
+pub struct RenderScene {
+    pub(crate) geometry: Geometry,
+    // Shared with the stages of some of the bodies.
+    pub(crate) materials: Arc<Vec<RenderMaterial>>,
+    pub(crate) checkers: Arc<Vec<CheckerTexture>>,
+    pub(crate) lights: Arc<[RenderLight]>,
+    pub(crate) camera: RenderCamera,
+    pub(crate) sky: EnvironmentLight,
+    pub(crate) ambient: [f32; 3],
+    pub(crate) generations: u32,
+    pub(crate) threshold: f32,
+    /// Whether there is more than Phong's model in plain colors, point lights and even surroundings, or was before an edit.
+    pub(crate) is_full: bool,
+    /// Whether light is lost in some body.
+    pub(crate) absorbs: bool,
+    /// Whether some body splits light into its colors.
+    pub(crate) disperses: bool,
+    /// How many rays are traced side by side: kept, since asking the processor can take longer than a tile.
+    pub(crate) lanes: SimdLevel,
+    /// See [`Self::candidates_to_lights`].
+    to_lights: OnceLock<Vec<Option<VisibleBodies>>>,
+    /// Materials and checkers that edits have added.
+    added: u32,
+    /// What edits have changed of the bodies and the hierarchy.
+    log: EditLog,
+}
+
+/// Why a scene cannot be prepared.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SceneBuildError {
+    /// A body names a material that the scene does not define.
+    #[error("body {body}: the material \"{material}\" is not defined")]
+    UndefinedMaterial {
+        /// The body's name, or its number in the scene counted from 1.
+        body: String,
+        /// The name that was looked for.
+        material: String,
+    },
+    /// More bodies than the stage can number.
+    #[error("{0} bodies are too many: at most {limit} can be traced", limit = RenderScene::MAX_BODIES)]
+    TooManyBodies(usize),
+}
+
+/// Bounds outside of which rays from the eye may start nearer to the bodies: none, where light is absorbed on the way there,
+/// within a plane.
+fn bounds_of_free_ways<'b>(
+    bounds: Bounds,
+    mut planes: impl Iterator<Item = &'b RenderBody>,
+    materials: &[RenderMaterial],
+) -> Bounds {
+    let absorbs =
+        |body: &RenderBody| materials.get(body.material as usize).is_some_and(RenderMaterial::absorbs);
+    if planes.any(absorbs) { Bounds::EMPTY } else { bounds }
+}
+
+impl RenderScene {
+    /// The largest number of bodies.
+    pub const MAX_BODIES: usize = 1 << 30;
+
+    /// Prepares `scene`, whose values are taken to be valid. Hidden bodies and lights are left out.
+    ///
+    /// # Errors
+    /// When a body that is not hidden names an undefined material, or there are too many bodies.
+    pub fn build(scene: &Scene) -> Result<Self, SceneBuildError> {
+        Self::build_with(scene, AcceleratorChoice::Quickest)
+    }
+
+    /// Prepares `scene` with a choice of how bodies are found, for measuring what it is worth.
+    ///
+    /// # Errors
+    /// As for [`Self::build`].
+    pub fn build_with(scene: &Scene, search: AcceleratorChoice) -> Result<Self, SceneBuildError> {
+        Self::build_for_camera(scene, &scene.camera, search)
+    }
+
+    /// Prepares `scene` to be seen by a camera that may be another than its own.
+    ///
+    /// Numbers are exact for pictures from where this camera is; [`Self::suits`] tells whether they are for another.
+    ///
+    /// # Errors
+    /// As for [`Self::build`].
+    pub fn build_for_camera(
+        scene: &Scene,
+        camera: &Camera,
+        search: AcceleratorChoice,
+    ) -> Result<Self, SceneBuildError> {
+        if scene.bodies.len() > Self::MAX_BODIES {
+            return Err(SceneBuildError::TooManyBodies(scene.bodies.len()));
+        }
+        let space = RenderSpace::of(scene, camera);
+        let BodyBuild { mut entries, planes, chunks, materials, checkers, doubles } =
+            BodyBuild::of(scene, &space)?;
+        let hierarchy = Accelerator::over(&mut entries, search);
+        let bounds = hierarchy.bounds(&entries);
+        let scene_indices: Vec<u32> =
+            entries.par_iter().map(BuildEntry::place).chain(planes.par_iter().copied()).collect();
+        let bounded = entries.len() as u32;
+        drop(entries);
+        let bodies: Vec<RenderBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
+        let surroundings = SceneExtent::new(
+            bounds_of_free_ways(bounds, bodies.iter().skip(bounded as usize), &materials),
+            planes.iter().map(|&index| &scene.bodies[index as usize]),
+            &space,
+        );
+        let Tracing { generations, threshold } = scene.tracing;
+        let sky = EnvironmentLight::new(&scene.environment);
+        let lanes = match &hierarchy {
+            _ if !doubles.is_empty() => SimdLevel::with_doubles(),
+            Accelerator::Few => SimdLevel::for_few(),
+            Accelerator::Many(_) => SimdLevel::widest(),
+        };
+        let geometry = Geometry {
+            bounded,
+            spheres: bodies[..bounded as usize].par_iter().map(RenderBody::bounding_sphere).collect(),
+            largest_slack: bodies.par_iter().map(|body| body.slack).reduce(|| 0.0, f32::max),
+            largest_extent: bodies.par_iter().map(RenderBody::extent).reduce(|| 0.0, f64::max),
+            doubles: Arc::new(Bodies64::new(doubles)),
+            has_transparency: materials.iter().any(RenderMaterial::is_transparent),
+            hierarchy,
+            space,
+            bodies,
+            scene_indices,
+        };
+        let stage = Self {
+            geometry,
+            is_full: materials.iter().any(RenderMaterial::is_full)
+                || scene.lights.iter().any(|light| light.radius > 0.0)
+                || sky.is_full(),
+            absorbs: materials.iter().any(RenderMaterial::absorbs),
+            disperses: materials.iter().any(|material| material.dispersion.is_some()),
+            materials: materials.into(),
+            checkers: checkers.into(),
+            lights: scene
+                .lights
+                .iter()
+                .filter(|light| !light.hidden)
+                .map(|light| RenderLight::new(light, &space))
+                .collect(),
+            camera: RenderCamera::new(&scene.camera, surroundings, space.origin),
+            sky,
+            ambient: linear_rgb(scene.environment.ambient),
+            generations: generations.clamp(1, Tracing::MAX_GENERATIONS),
+            threshold: threshold as f32,
+            lanes,
+            to_lights: OnceLock::new(),
+            added: 0,
+            log: EditLog::new(),
+        };
+        stage.candidates_to_lights();
+        Ok(stage)
+    }
+
+    /// The same stage with another limit of generations (at least 1).
+    pub fn with_generations(mut self, generations: u32) -> Self {
+        self.generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
+        self
+    }
+
+    /// Whether samples of one pixel differ by chance, so that a picture wants many: rough surfaces, lights that are balls,
+    /// bodies that split light.
+    pub fn is_noisy(&self) -> bool {
+        self.disperses
+            || self.lights.iter().any(|light| light.radius > 0.0)
+            || self.materials.iter().any(|material| material.alpha > 0.0)
+    }
+
+    /// Whether rays may split in two, so that trees may grow with a power of the generations: light passes through some body.
+    pub fn forks(&self) -> bool {
+        self.geometry.has_transparency
+    }
+
+    /// Number of bodies.
+    pub fn body_count(&self) -> usize {
+        self.geometry.bodies.len()
+    }
+
+    /// Number of lights.
+    pub fn light_count(&self) -> usize {
+        self.lights.len()
+    }
+
+    /// The limit of generations.
+    pub fn generations(&self) -> u32 {
+        self.generations
+    }
+
+    /// The weight below which rays are not traced.
+    pub fn threshold(&self) -> f32 {
+        self.threshold
+    }
+
+    /// The camera.
+    pub fn camera(&self) -> &RenderCamera {
+        &self.camera
+    }
+
+    /// The same stage seen by another camera; nothing is prepared again.
+    pub fn camera_for(&self, camera: &Camera) -> RenderCamera {
+        self.camera.replaced_by(camera)
+    }
+
+    /// How far all bodies of `scene`, which the stage was prepared from, are from the camera's target, meters, if a parallel or
+    /// very narrow view is aimed so far beside them that the rounding of single precision shows in its picture.
+    pub fn target_beside(&self, scene: &Scene) -> Option<f64> {
+        self.geometry.space.target_beside(scene)
+    }
+
+    /// Whether pictures through a camera are as exact in this stage of `scene` as in one prepared for it.
+    pub fn suits(&self, scene: &Scene, camera: &Camera) -> bool {
+        let is_double = |scene_index: usize| self.geometry.doubles.get(scene_index as u32).is_some();
+        let largest = if self.geometry.has_doubles() { f64::INFINITY } else { self.geometry.largest_extent };
+        self.geometry.space.suits(scene, camera, largest, is_double)
+    }
+
+    /// A point of the space of the rays in the world, meters: rays are traced about an origin near what is seen, where
+    /// single precision is exact.
+    pub fn world_from_render(&self, point: impl Into<Vec3>) -> DVec3 {
+        self.geometry.world_from_render(point)
+    }
+
+    /// A point of the world in the space of the rays, meters.
+    pub(crate) fn render_from_world(&self, point: DVec3) -> DVec3 {
+        self.geometry.space.render_from_world(point)
+    }
+
+    /// A ray from a free point of the world in a direction of length 1.
+    pub fn ray_from_point(&self, point: DVec3, direction: impl Into<Vec3A>) -> Ray {
+        Ray::from_point(self.geometry.space.render_from_world(point).as_vec3a(), direction)
+    }
+
+    /// The place in [`Scene::bodies`] of the stage's body `index`.
+    pub fn scene_index(&self, index: u32) -> Option<usize> {
+        self.geometry.scene_index(index)
+    }
+
+    /// A number for the bodies and the hierarchy as they are: only copies that were not edited share it.
+    pub fn state(&self) -> u64 {
+        self.log.state()
+    }
+
+    /// What has changed of the bodies and the hierarchy since a [state](Self::state); `None` if that is not known.
+    pub fn changes_since(&self, state: u64) -> Option<SceneChanges> {
+        self.log.since(state)
+    }
+
+    /// Bytes held by the stage's arrays, without what is known of a handful of bodies beforehand.
+    pub fn bytes(&self) -> usize {
+        self.geometry.bytes()
+            + size_of_val(&*self.materials)
+            + size_of_val(&*self.checkers)
+            + size_of_val(&*self.lights)
+    }
+
+    /// For each light that is a point, what may stand in the way to it, if there are few bodies; found once.
+    pub(crate) fn candidates_to_lights(&self) -> &[Option<VisibleBodies>] {
+        let to_light = |light: &RenderLight| match light.radius {
+            0.0 => self.geometry.candidates_to_light(light.position),
+            _ => None,
+        };
+        self.to_lights.get_or_init(|| self.lights.iter().map(to_light).collect())
+    }
+
+    /// The scene with all bodies as candidates of shadow rays.
+    #[cfg(test)]
+    pub(crate) fn without_candidates(&self) -> Self {
+        Self { to_lights: OnceLock::from(Vec::new()), ..self.clone() }
+    }
+
+    pub(crate) fn material(&self, body: &RenderBody) -> &RenderMaterial {
+        &self.materials[body.material as usize]
+    }
+}

@@ -1,0 +1,111 @@
+//! A small stage with some of the bodies of another.
+
+use std::collections::BTreeSet;
+use std::sync::{Arc, OnceLock};
+
+use catoptric_scene::Scene;
+
+use crate::geometry::bvh::entry::BuildEntry;
+use crate::geometry::{Accelerator, AcceleratorChoice, Geometry};
+use crate::transport::scene::RenderScene;
+use crate::transport::scene::log::EditLog;
+
+/// Up to this many bodies are looked for one by one.
+const FEW_WANTED: usize = 256;
+
+impl RenderScene {
+    /// The same stage with just those of its bodies that stand at these places in [`Scene::bodies`], `scene` being what
+    /// the stage was prepared from; other places are passed over.
+    ///
+    /// Camera and numbering stay, so that the same rays meet the same points: what an outline needs. The cost grows
+    /// with the number of the bodies wanted; if there are many, with that of all, by a comparison each.
+    pub fn only(&self, scene: &Scene, scene_indices: &[usize]) -> Self {
+        let wanted: BTreeSet<usize> = scene_indices.iter().copied().collect();
+        let chosen: Vec<u32> = if wanted.len() <= FEW_WANTED {
+            let place = |&index: &usize| Some(self.find(scene.bodies.get(index)?, index as u32)?.0);
+            wanted.iter().filter_map(place).collect()
+        } else {
+            let places = self.geometry.scene_indices.iter().zip(0..);
+            let chosen = places.filter(|&(&index, _)| wanted.contains(&(index as usize)));
+            chosen.map(|(_, place)| place).collect()
+        };
+        self.with_bodies(&chosen)
+    }
+
+    /// The same stage without its body `index`.
+    pub(crate) fn without(&self, index: u32) -> Self {
+        let others: Vec<u32> =
+            (0..self.geometry.bodies.len() as u32).filter(|&other| other != index).collect();
+        self.with_bodies(&others)
+    }
+
+    fn with_bodies(&self, chosen: &[u32]) -> Self {
+        let mut entries = Vec::new();
+        let mut planes = Vec::new();
+        for &index in chosen {
+            let body = self.geometry.body(index);
+            match body.bounds() {
+                Some(bounds) => entries.push(BuildEntry::new(bounds, index, u32::from(body.kind))),
+                None => planes.push(index),
+            }
+        }
+        let hierarchy = Accelerator::over(&mut entries, AcceleratorChoice::Quickest);
+        let order: Vec<u32> = entries.iter().map(BuildEntry::place).chain(planes).collect();
+        let geometry = Geometry {
+            bodies: order.iter().map(|&index| *self.geometry.body(index)).collect(),
+            scene_indices: order
+                .iter()
+                .filter_map(|&index| self.geometry.scene_indices.get(index as usize))
+                .copied()
+                .collect(),
+            bounded: entries.len() as u32,
+            hierarchy,
+            spheres: entries.iter().map(|entry| *self.geometry.sphere(entry.place())).collect(),
+            has_transparency: order.iter().any(|&index| self.geometry.body(index).is_transparent()),
+            doubles: Arc::clone(&self.geometry.doubles),
+            space: self.geometry.space,
+            largest_extent: self.geometry.largest_extent,
+            largest_slack: order.iter().map(|&index| self.geometry.body(index).slack).fold(0.0, f32::max),
+        };
+        Self {
+            geometry,
+            materials: Arc::clone(&self.materials),
+            checkers: Arc::clone(&self.checkers),
+            lights: Arc::clone(&self.lights),
+            camera: self.camera.clone(),
+            sky: self.sky.clone(),
+            ambient: self.ambient,
+            generations: self.generations,
+            threshold: self.threshold,
+            is_full: self.is_full,
+            absorbs: self.absorbs,
+            disperses: self.disperses,
+            lanes: self.lanes,
+            to_lights: OnceLock::new(),
+            added: 0,
+            log: EditLog::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Body, Light, Scene, Shape};
+
+    use super::*;
+
+    #[test]
+    fn materials_and_lights_are_shared() {
+        let plane = Body { shape: Shape::Plane, ..Body::default() };
+        let scene = Scene {
+            bodies: [Body::default(), plane].into(),
+            lights: vec![Light::default()],
+            ..Scene::default()
+        };
+        let stage = RenderScene::build(&scene).unwrap();
+        let some = stage.only(&scene, &[0]);
+        assert!(Arc::ptr_eq(&some.materials, &stage.materials));
+        assert!(Arc::ptr_eq(&some.checkers, &stage.checkers));
+        assert!(Arc::ptr_eq(&some.lights, &stage.lights));
+    }
+}
