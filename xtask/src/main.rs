@@ -5,6 +5,8 @@ mod bench_gpu;
 mod ci;
 mod dist;
 mod gallery;
+#[cfg(test)]
+mod layers;
 mod methods;
 mod packages;
 mod povray;

@@ -76,7 +76,7 @@ fn every_direct_dependency_has_a_reason_in_architecture() {
     assert!(missing.is_empty(), "ARCHITECTURE.md gives no reason for {missing:?}");
 }
 
-fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+pub(crate) fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
