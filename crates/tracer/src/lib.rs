@@ -1,7 +1,4 @@
-//! The optics: a prepared [`Stage`], the mathematics of rays and bodies, Whitted's tree, and the CPU driver.
-//!
-//! [`Stage::prepare`] turns a scene into flat arrays once; [`render`] traces it into a linear-light picture, [`Film`]
-//! sample by sample.
+#![doc = include_str!("../README.md")]
 
 mod counts;
 mod facets;
