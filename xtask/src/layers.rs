@@ -55,10 +55,13 @@ fn imports() -> Imports {
             continue;
         }
         let module = names.iter().take(2).map(String::as_str).collect::<Vec<_>>().join("/");
-        let imported = paths_in(&code_of(&fs::read_to_string(&file).unwrap())).into_iter().map(|path| match path {
-            (layer, Some(name)) if source.join(&layer).join(format!("{name}.rs")).exists() => format!("{layer}/{name}"),
-            (layer, _) => layer,
-        });
+        let imported =
+            paths_in(&code_of(&fs::read_to_string(&file).unwrap())).into_iter().map(|path| match path {
+                (layer, Some(name)) if source.join(&layer).join(format!("{name}.rs")).exists() => {
+                    format!("{layer}/{name}")
+                }
+                (layer, _) => layer,
+            });
         all.entry(module.clone()).or_default().extend(imported.filter(|other| *other != module));
     }
     all

@@ -1,12 +1,4 @@
-//! The tracer on graphics cards: it uploads the stage, runs the tracer's shaders and brings the picture back.
-//!
-//! There is no optics here: what the shaders compute stands beside its Rust twin in `catoptric-tracer`
-//! ([`catoptric_tracer::shaders`]). This crate finds a card ([`Gpu::open`]) or takes a device from outside ([`Gpu::on`]),
-//! keeps a stage in its memory ([`StageOnCard`], to which an edit sends only what it changed) and adds samples to a
-//! picture there ([`GpuFilm`]). [`render`] does all of it once.
-//!
-//! Long work is cut into pieces, so that the desktop stays alive and work can be stopped. What a card cannot do is an
-//! error that says why; nothing is ever drawn wrongly, and nothing panics: the CPU draws then.
+#![doc = include_str!("../README.md")]
 
 mod card;
 mod choice;

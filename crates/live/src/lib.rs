@@ -1,16 +1,13 @@
-//! The picture that follows the document: a window asks, a worker traces, the newest picture is there to be shown.
+#![doc = include_str!("../README.md")]
+//! ## Resolution, processor and method
 //!
-//! [`Live`] never blocks the thread that asks. While something moves, pictures are traced at the resolution that holds
-//! the frame rate; then the picture grows to the full resolution and is antialiased sample by sample. The fully
-//! refined picture equals [`catoptric_tracer::render`] bit by bit. Beside the picture stand the [outlines](Polyline) of
-//! chosen bodies and a [ground grid](GridLine), both found by tracing.
+//! While something moves, pictures have the resolution that holds the frame rate. Outlines and the ground grid are found
+//! by tracing.
 //!
-//! A graphics card can draw in place of the processor ([`Live::draw_with`]); its pictures stay on it
-//! ([`Frame::card`]). What it cannot draw, the processor draws.
+//! A graphics card can draw in place of the processor ([`Live::draw_with`]); its pictures stay on it ([`Frame::card`]).
+//! What it cannot draw, the processor draws.
 //!
-//! Whitted's tree is the usual way of drawing; a [`Request`] may name another, or ask for what lies behind its picture.
-//!
-//! [`RenderJob`] renders a final picture in the background.
+//! A [`Request`] may name another method than Whitted's tree, or ask for [the layers behind its picture](Shows).
 
 mod canvas;
 mod drawn;

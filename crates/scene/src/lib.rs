@@ -1,8 +1,4 @@
-//! The Catoptric document: what a person describes and saves.
-//!
-//! A [`Scene`] holds bodies, their materials, lights, a camera, the surroundings and the limits of tracing, in the
-//! units of the file format `catoptric/1`: meters, degrees, linear RGB. It is plain data: cloning and comparing are
-//! cheap enough for undo, since copies of a list of bodies share what is alike, and nothing here traces, draws or starts a thread.
+#![doc = include_str!("../README.md")]
 
 mod body;
 mod camera;

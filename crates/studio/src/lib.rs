@@ -1,7 +1,4 @@
-//! The studio: a window in which reflections are seen and shaped.
-//!
-//! The picture in the window is the traced scene itself. The thread of the window never traces; it draws, and tells
-//! the worker of `catoptric-live` what to show.
+#![doc = include_str!("../README.md")]
 
 mod app;
 mod audit;

@@ -1,7 +1,4 @@
-//! The optics: a prepared [`RenderScene`], the mathematics of rays and bodies, Whitted's tree, and the CPU driver.
-//!
-//! [`RenderScene::build`] turns a scene into flat arrays once; [`render`] traces it into a linear-light picture, [`Film`]
-//! sample by sample.
+#![doc = include_str!("../README.md")]
 
 mod geometry;
 pub mod raster;
