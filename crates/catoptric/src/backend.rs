@@ -4,13 +4,11 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context as _, Result, anyhow, bail};
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuInfo};
-use catoptric_picture::Picture;
 use catoptric_tracer::raster::{Method, MethodOutput, draw};
-use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render_into};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Backend, BackendArguments};
-use crate::canvas::Canvas;
 
 /// So many threads; as many as the machine has for 0.
 pub(crate) fn threads(count: usize) -> Result<ThreadPool> {
@@ -62,40 +60,21 @@ impl Drawer {
         Ok(Self { gpu, may_fall_back: *backend == Backend::Auto })
     }
 
-    /// A canvas of this size, if what is drawn is what the processor traces.
-    pub(crate) fn canvas(
-        &self,
-        method: &Method,
-        settings: RenderSettings,
-        pool: &ThreadPool,
-    ) -> Result<Option<Canvas>> {
-        let is_traced = self.gpu.is_none() && *method == Method::Whitted;
-        let canvas = is_traced.then(|| Canvas::new(settings.width, settings.height, pool));
-        Ok(canvas.transpose()?)
-    }
-
     /// The card, if one is open.
     pub(crate) fn card(&self) -> Option<&GpuInfo> {
         self.gpu.as_ref().map(Gpu::info)
     }
 
-    /// Draws a stage, into `canvas` if there is [one](Self::canvas).
+    /// Draws a scene.
     pub(crate) fn draw(
         &self,
         stage: &RenderScene,
         method: &Method,
-        (settings, canvas): (RenderSettings, Option<Picture>),
+        settings: RenderSettings,
         pool: &ThreadPool,
         control: &RenderControl,
     ) -> Result<Drawn> {
         let on_cpu = || pool.install(|| draw(stage, method, settings, control));
-        if let Some(mut picture) = canvas {
-            let start = Instant::now();
-            let counts =
-                pool.install(|| render_into(&mut picture, stage, stage.camera(), settings.samples, control))?;
-            let drawing = MethodOutput::traced(picture, counts, start.elapsed());
-            return Ok(Drawn { drawing, on_card: None, fallen_back: None });
-        }
         let Some(gpu) = &self.gpu else {
             return Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: None });
         };

@@ -3,7 +3,6 @@
 mod allocator;
 mod arguments;
 mod backend;
-mod canvas;
 mod commands;
 mod console;
 mod files;

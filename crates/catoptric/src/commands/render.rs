@@ -14,7 +14,6 @@ use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use super::Outcome;
 use crate::arguments::RenderArguments;
 use crate::backend::{Drawer, Drawn, threads};
-use crate::canvas::Canvas;
 use crate::console::{count, json_text, say};
 use crate::files::CommandFiles;
 use crate::output::{format_for_output, milliseconds};
@@ -33,7 +32,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let (width, height) = (arguments.size.width, arguments.size.height);
     let settings = RenderSettings { width, height, samples: arguments.samples };
-    let canvas = if arguments.map.is_none() { drawer.canvas(&method, settings, &pool)? } else { None };
+    Picture::check_size(width, height)?;
 
     let start = Instant::now();
     let input = input::scene(&arguments.scene, &mut files)?;
@@ -43,14 +42,12 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     }
 
     let start = Instant::now();
-    canvas.iter().for_each(Canvas::make_way);
     let stage = pool.install(|| RenderScene::build(&input.loaded.scene));
     let mut stage = stage.with_context(|| input.name.clone())?;
     drop(input.loaded);
     if let Some(generations) = arguments.generations {
         stage = stage.with_generations(generations);
     }
-    let canvas = canvas.and_then(Canvas::take);
     times.prepare = milliseconds(start);
 
     if let Some(map) = arguments.map {
@@ -62,7 +59,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let rays = if estimates { warn_of_work(&stage, settings, &pool) } else { None };
     let start = Instant::now();
     let drawn = progress.of_tracing(&control, WorkEstimate { pixels, rays }, || {
-        drawer.draw(&stage, &method, (settings, canvas), &pool, &control)
+        drawer.draw(&stage, &method, settings, &pool, &control)
     })?;
     times.trace = milliseconds(start);
     let Drawn { drawing, on_card, fallen_back } = drawn;

@@ -1,4 +1,4 @@
-// Twin of body.rs; a body's bytes are those of `StageBody`.
+// Twin of body.rs; a body's bytes are those of `RenderBody`.
 
 struct Body {
     body_from_world: array<f32, 9>,

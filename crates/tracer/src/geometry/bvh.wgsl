@@ -10,15 +10,15 @@ struct Box {
 
 // A node of which some boxes are still to be visited: their slots, the nearest first, three bits for each, and in the
 // highest bits how many.
-struct Part {
+struct StackEntry {
     node: u32,
     slots: u32,
 }
 
-struct Walk {
+struct Traversal {
     inverse: vec3<f32>,
     depth: u32,
-    parts: array<Part, DEPTH>,
+    parts: array<StackEntry, DEPTH>,
 }
 
 struct Leaf {
@@ -34,17 +34,17 @@ fn box_inverse(direction: f32) -> f32 {
     return 1.0 / select(direction, tiny, abs(direction) < BOX_TINY);
 }
 
-fn walk_from(ray: Ray) -> Walk {
-    var walk: Walk;
+fn traversal_from(ray: Ray) -> Traversal {
+    var walk: Traversal;
     walk.inverse = vec3(box_inverse(ray.direction.x), box_inverse(ray.direction.y), box_inverse(ray.direction.z));
     // The root: its slots are found when it is opened.
     walk.depth = 1u;
-    walk.parts[0] = Part(0u, slots_met(0u, ray.origin, walk.inverse, INFINITY));
+    walk.parts[0] = StackEntry(0u, slots_met(0u, ray.origin, walk.inverse, INFINITY));
     return walk;
 }
 
 // The next bodies that the ray may meet before `reach`.
-fn walk_next(walk: ptr<function, Walk>, ray: Ray, reach: f32) -> Leaf {
+fn traversal_next(walk: ptr<function, Traversal>, ray: Ray, reach: f32) -> Leaf {
     while (*walk).depth > 0u {
         let depth = (*walk).depth;
         let part = (*walk).parts[depth - 1u];
@@ -65,7 +65,7 @@ fn walk_next(walk: ptr<function, Walk>, ray: Ray, reach: f32) -> Leaf {
             return Leaf(first, count);
         }
         if depth < DEPTH {
-            (*walk).parts[depth] = Part(first, slots_met(first, ray.origin, (*walk).inverse, reach));
+            (*walk).parts[depth] = StackEntry(first, slots_met(first, ray.origin, (*walk).inverse, reach));
             (*walk).depth = depth + 1u;
         }
     }
@@ -103,7 +103,7 @@ fn keys_of_four(node: u32, half: u32, origin: vec3<f32>, inverse: vec3<f32>, rea
     return select(vec4(NOT_MET), keys, met & used);
 }
 
-// The slots of a node that the ray meets before `reach`, as a `Part` has them: Batcher's odd-even merge sort (1968).
+// The slots of a node that the ray meets before `reach`, as a `StackEntry` has them: Batcher's odd-even merge sort (1968).
 fn slots_met(node: u32, origin: vec3<f32>, inverse: vec3<f32>, reach: f32) -> u32 {
     let a = keys_of_four(node, 0u, origin, inverse, reach);
     let b = keys_of_four(node, 1u, origin, inverse, reach);

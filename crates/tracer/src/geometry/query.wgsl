@@ -1,20 +1,20 @@
-// Twin of search.rs: what a ray meets.
+// Twin of query.rs: what a ray meets.
 
-struct Hit {
+struct HitRecord {
     t: f32,
     body: u32,
     leaving: bool,
     hit: bool,
 }
 
-struct Meeting {
+struct BodyIntersection {
     entering: bool,
     enter: f32,
     leaving: bool,
     exit: f32,
 }
 
-struct Nearest {
+struct ClosestHit {
     t: f32,
     body: u32,
     slack: f32,
@@ -22,17 +22,17 @@ struct Nearest {
     others: f32,
 }
 
-struct Best {
-    leaving: Nearest,
-    entering: Nearest,
+struct ClosestHits {
+    leaving: ClosestHit,
+    entering: ClosestHit,
     // No body beyond this parameter can change the outcome any more.
     reach: f32,
 }
 
-const NO_MEETING: Meeting = Meeting(false, 0.0, false, 0.0);
+const NO_MEETING: BodyIntersection = BodyIntersection(false, 0.0, false, 0.0);
 
 // Where a ray meets a body first, if it does.
-fn meeting(index: u32, ray: Ray, media: ptr<function, Media>) -> Meeting {
+fn meeting(index: u32, ray: Ray, media: ptr<function, Media>) -> BodyIntersection {
     let own = (ray.start & NO_START) == index;
     let heads_in = (ray.start & INWARDS) != 0u;
     if own && !heads_in {
@@ -44,19 +44,19 @@ fn meeting(index: u32, ray: Ray, media: ptr<function, Media>) -> Meeting {
     }
     let span = body_span(index, ray.origin, ray.direction);
     if inside {
-        return Meeting(false, 0.0, true, max(span.exit, 0.0));
+        return BodyIntersection(false, 0.0, true, max(span.exit, 0.0));
     }
     if !span.hit || !(span.exit > 0.0) {
         return NO_MEETING;
     }
     if span.enter > 0.0 {
-        return Meeting(true, span.enter, false, span.exit);
+        return BodyIntersection(true, span.enter, false, span.exit);
     }
     return start_within(index, ray, span);
 }
 
 // What is true of a ray that starts within a body by the numbers, but perhaps only by their rounding.
-fn start_within(index: u32, ray: Ray, span: Span) -> Meeting {
+fn start_within(index: u32, ray: Ray, span: Span) -> BodyIntersection {
     let slack = ray.slack + bodies[index].slack;
     let enter_cosine = body_cosine(index, ray.origin, ray.direction, span.enter, span.enter_face);
     let exit_cosine = body_cosine(index, ray.origin, ray.direction, span.exit, span.exit_face);
@@ -64,7 +64,7 @@ fn start_within(index: u32, ray: Ray, span: Span) -> Meeting {
     let before_exit = span.exit * exit_cosine;
     let at_entry = behind_entry <= slack && behind_entry <= before_exit;
     let inside = !at_entry && !(before_exit <= slack);
-    return Meeting(at_entry, 0.0, inside, max(span.exit, 0.0));
+    return BodyIntersection(at_entry, 0.0, inside, max(span.exit, 0.0));
 }
 
 // How far apart by rounding two hits at about `t` can lie that should coincide.
@@ -72,7 +72,7 @@ fn slack_at(ray: Ray, t: f32, larger: f32) -> f32 {
     return ray.slack + larger + t * POINT_ROUNDING;
 }
 
-fn is_closer(t: f32, index: u32, than: Nearest) -> bool {
+fn is_closer(t: f32, index: u32, than: ClosestHit) -> bool {
     if t == than.t && t < INFINITY {
         return scene_order[index].x < scene_order[than.body].x;
     }
@@ -80,15 +80,15 @@ fn is_closer(t: f32, index: u32, than: Nearest) -> bool {
 }
 
 // The nearer one of a hit with a body and the nearest so far.
-fn nearer(t: f32, index: u32, than: Nearest) -> Nearest {
+fn nearer(t: f32, index: u32, than: ClosestHit) -> ClosestHit {
     let slack = bodies[index].slack;
     if is_closer(t, index, than) {
-        return Nearest(t, index, slack, min(than.others, than.t - GRAZING * than.slack));
+        return ClosestHit(t, index, slack, min(than.others, than.t - GRAZING * than.slack));
     }
-    return Nearest(than.t, than.body, than.slack, min(than.others, t - GRAZING * slack));
+    return ClosestHit(than.t, than.body, than.slack, min(than.others, t - GRAZING * slack));
 }
 
-fn offer(index: u32, ray: Ray, media: ptr<function, Media>, best: ptr<function, Best>) {
+fn offer(index: u32, ray: Ray, media: ptr<function, Media>, best: ptr<function, ClosestHits>) {
     let met = meeting(index, ray, media);
     if met.entering {
         (*best).entering = nearer(met.enter, index, (*best).entering);
@@ -106,31 +106,31 @@ fn reach_of(ray: Ray, t: f32) -> f32 {
 }
 
 // Whether the nearest hit may coincide with another.
-fn is_contested(ray: Ray, nearest: Nearest) -> bool {
+fn is_contested(ray: Ray, nearest: ClosestHit) -> bool {
     let t = nearest.t;
     return t < INFINITY && nearest.others <= t + GRAZING * slack_at(ray, t, nearest.slack);
 }
 
 // Of hits that coincide within rounding, the one that leads out comes before the one that leads in.
-fn first_of(best: Best, ray: Ray) -> Hit {
+fn first_of(best: ClosestHits, ray: Ray) -> HitRecord {
     let entering = best.entering;
     let leaving = best.leaving;
     if leaving.t < INFINITY {
         let larger = max(entering.slack, leaving.slack);
         if leaving.t <= entering.t + slack_at(ray, entering.t, larger) {
-            return Hit(leaving.t, leaving.body, true, true);
+            return HitRecord(leaving.t, leaving.body, true, true);
         }
     }
-    return Hit(entering.t, entering.body, false, entering.t < INFINITY);
+    return HitRecord(entering.t, entering.body, false, entering.t < INFINITY);
 }
 
 // The nearest body that a ray meets.
-fn nearest(ray: Ray, media: ptr<function, Media>) -> Hit {
-    let none = Nearest(INFINITY, 0u, 0.0, INFINITY);
-    var best = Best(none, none, INFINITY);
-    var walk = walk_from(ray);
+fn closest_hit(ray: Ray, media: ptr<function, Media>) -> HitRecord {
+    let none = ClosestHit(INFINITY, 0u, 0.0, INFINITY);
+    var best = ClosestHits(none, none, INFINITY);
+    var walk = traversal_from(ray);
     loop {
-        let leaf = walk_next(&walk, ray, best.reach);
+        let leaf = traversal_next(&walk, ray, best.reach);
         if leaf.count == 0u {
             break;
         }
@@ -163,14 +163,14 @@ fn nearest(ray: Ray, media: ptr<function, Media>) -> Hit {
     return first_of(best, ray);
 }
 
-// Twin of search/coincident.rs: of the bodies that are entered, or left, where the nearest one is, the one that comes first
+// Twin of query/coincident.rs: of the bodies that are entered, or left, where the nearest one is, the one that comes first
 // in the scene.
-fn first_of_coincident(ray: Ray, media: ptr<function, Media>, nearest: Nearest, leaving: bool) -> Nearest {
+fn first_of_coincident(ray: Ray, media: ptr<function, Media>, nearest: ClosestHit, leaving: bool) -> ClosestHit {
     let reach = reach_of(ray, nearest.t);
     var first = nearest;
-    var walk = walk_from(ray);
+    var walk = traversal_from(ray);
     loop {
-        let leaf = walk_next(&walk, ray, reach);
+        let leaf = traversal_next(&walk, ray, reach);
         if leaf.count == 0u {
             break;
         }
@@ -191,10 +191,10 @@ fn first_of_two(
     index: u32,
     ray: Ray,
     media: ptr<function, Media>,
-    nearest: Nearest,
-    first: Nearest,
+    nearest: ClosestHit,
+    first: ClosestHit,
     leaving: bool,
-) -> Nearest {
+) -> ClosestHit {
     if index == nearest.body || scene_order[index].x > scene_order[first.body].x {
         return first;
     }
@@ -207,7 +207,7 @@ fn first_of_two(
     if !is_met || across > slack_at(ray, nearest.t, max(slack, nearest.slack)) {
         return first;
     }
-    return Nearest(t, index, slack, nearest.others);
+    return ClosestHit(t, index, slack, nearest.others);
 }
 
 // |cos| of the angle between the ray and the normal where it enters or leaves a body.
@@ -244,9 +244,9 @@ fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f
     if ABSORBS {
         forget_intervals();
     }
-    var walk = walk_from(ray);
+    var walk = traversal_from(ray);
     loop {
-        let leaf = walk_next(&walk, ray, distance);
+        let leaf = traversal_next(&walk, ray, distance);
         if leaf.count == 0u {
             break;
         }

@@ -3,7 +3,7 @@
 // Center and radius.
 alias Box = vec4<f32>;
 
-struct Walk {
+struct Traversal {
     next: u32,
 }
 
@@ -13,12 +13,12 @@ struct Leaf {
     count: u32,
 }
 
-fn walk_from(ray: Ray) -> Walk {
-    return Walk(0u);
+fn traversal_from(ray: Ray) -> Traversal {
+    return Traversal(0u);
 }
 
 // The next bodies that the ray may meet before `reach`.
-fn walk_next(walk: ptr<function, Walk>, ray: Ray, reach: f32) -> Leaf {
+fn traversal_next(walk: ptr<function, Traversal>, ray: Ray, reach: f32) -> Leaf {
     while (*walk).next < frame.bounded {
         let index = (*walk).next;
         (*walk).next = index + 1u;

@@ -232,7 +232,7 @@ mod tests {
     /// Scenes of Phong's model pay nothing for what they do not have.
     #[test]
     fn plain_shaders_know_nothing_of_physical_materials() {
-        let own = ["facet", "throw", "wave", "absorption", "curve", "radius: f32,\n"];
+        let own = ["facet", "Sample2D", "wave", "absorption", "curve", "radius: f32,\n"];
         let source = |name: &str| {
             let scene = Example::find(name).unwrap().load().unwrap().scene;
             shader(&special(&RenderScene::build(&scene).unwrap()))

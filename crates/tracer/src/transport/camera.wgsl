@@ -1,7 +1,7 @@
 // Twin of camera.rs: the rays of a tile.
 
 // One ray computed in double precision, as sums of two numbers in single, and what changes from pixel to pixel.
-struct RaysNear {
+struct CameraRays {
     start: vec3<f32>,
     // How far the starts lie along the rays from the eye, meters.
     way: f32,
@@ -18,7 +18,7 @@ struct RaysNear {
 }
 
 // The ray through the point so many pixels right of and below the middle.
-fn ray_near(near: RaysNear, x: f32, y: f32) -> Ray {
+fn ray_near(near: CameraRays, x: f32, y: f32) -> Ray {
     let delta = vec3(x) * near.across + vec3(y) * near.down;
     if near.is_parallel != 0u {
         let origin = delta + near.start_rest + near.start;

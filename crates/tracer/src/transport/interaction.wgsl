@@ -1,6 +1,6 @@
-// Twin of encounter.rs: the point that a ray met, with all that shading needs.
+// Twin of interaction.rs: the point that a ray met, with all that shading needs.
 
-struct Encounter {
+struct SurfaceInteraction {
     t: f32,
     body: u32,
     // The body, and INWARDS where the ray came from within: the start of rays on this side.
@@ -17,7 +17,7 @@ struct Encounter {
     material: Material,
 }
 
-fn encounter(ray: Ray, hit: Hit) -> Encounter {
+fn interaction(ray: Ray, hit: HitRecord) -> SurfaceInteraction {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
     let material = material_of(hit.body);
     var color = color_at(material.color, hit.body, point.in_body);
@@ -27,7 +27,7 @@ fn encounter(ray: Ray, hit: Hit) -> Encounter {
             color = checker.color;
         }
     }
-    var at: Encounter;
+    var at: SurfaceInteraction;
     at.t = hit.t;
     at.body = hit.body;
     at.start = hit.body | select(0u, INWARDS, hit.leaving);
@@ -37,16 +37,16 @@ fn encounter(ray: Ray, hit: Hit) -> Encounter {
     at.diffuse = color * material.diffuse;
     at.reflected = vec3(material.reflection);
     at.material = material;
-    obey(&at, color, ray.direction);
+    add_lobes(&at, color, ray.direction);
     return at;
 }
 
-fn cos_to(at: ptr<function, Encounter>, direction: vec3<f32>) -> f32 {
+fn cos_to(at: ptr<function, SurfaceInteraction>, direction: vec3<f32>) -> f32 {
     return clamp(-dot((*at).normal, direction), 0.0, 1.0);
 }
 
 // What is found on a surface that reflects by a law of its own.
-fn obey(at: ptr<function, Encounter>, color: vec3<f32>, direction: vec3<f32>) {
+fn add_lobes(at: ptr<function, SurfaceInteraction>, color: vec3<f32>, direction: vec3<f32>) {
     let law = (*at).material.law;
     if law == LAW_MIRROR {
         (*at).reflected = color * (*at).material.reflection;
@@ -68,7 +68,7 @@ fn obey(at: ptr<function, Encounter>, color: vec3<f32>, direction: vec3<f32>) {
 }
 
 // What is reflected under another angle: the normal of a rough surface was turned.
-fn tilt(at: ptr<function, Encounter>, direction: vec3<f32>) {
+fn set_microfacet_normal(at: ptr<function, SurfaceInteraction>, direction: vec3<f32>) {
     if (*at).material.law == LAW_COAT {
         (*at).reflected = vec3(fresnel(cos_to(at, direction), (*at).material.coat.ratio));
     } else if HAS_METALS && (*at).material.law == LAW_CONDUCTOR {
@@ -77,20 +77,20 @@ fn tilt(at: ptr<function, Encounter>, direction: vec3<f32>) {
 }
 
 // Whether it answers a light.
-fn answers(at: ptr<function, Encounter>) -> bool {
+fn answers(at: ptr<function, SurfaceInteraction>) -> bool {
     return (*at).material.diffuse != 0.0 || (*at).material.specular != 0.0 || is_rough(at);
 }
 
-fn is_rough(at: ptr<function, Encounter>) -> bool {
+fn is_rough(at: ptr<function, SurfaceInteraction>) -> bool {
     return HAS_FACETS && (*at).material.alpha > 0.0;
 }
 
-fn is_clear(at: ptr<function, Encounter>) -> bool {
+fn is_clear(at: ptr<function, SurfaceInteraction>) -> bool {
     return (*at).material.law == LAW_DIELECTRIC;
 }
 
 // What the ground scatters of light that falls in under an angle of this cosine: k_d·C·(n̂·L̂), or what a coat leaves of it.
-fn scattered(at: ptr<function, Encounter>, cos: f32) -> vec3<f32> {
+fn eval_diffuse(at: ptr<function, SurfaceInteraction>, cos: f32) -> vec3<f32> {
     let all = (*at).diffuse * cos;
     if (*at).material.law != LAW_COAT {
         return all;
@@ -99,6 +99,6 @@ fn scattered(at: ptr<function, Encounter>, cos: f32) -> vec3<f32> {
 }
 
 // Whether it is the surface of a rough clear body, met from within.
-fn frosted_within(at: ptr<function, Encounter>) -> bool {
+fn rough_interior(at: ptr<function, SurfaceInteraction>) -> bool {
     return is_rough(at) && is_clear(at) && ((*at).start & INWARDS) != 0u;
 }

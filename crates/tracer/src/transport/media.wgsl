@@ -70,10 +70,10 @@ fn media_at_start(ray: Ray, media: ptr<function, Media>) {
 
 // Every transparent body that contains the ray's start, the largest outermost.
 fn media_at_point(ray: Ray, media: ptr<function, Media>) {
-    var walk = walk_from(ray);
+    var walk = traversal_from(ray);
     loop {
         // What a ray meets at once is what contains its start.
-        let leaf = walk_next(&walk, ray, 0.0);
+        let leaf = traversal_next(&walk, ray, 0.0);
         if leaf.count == 0u {
             break;
         }

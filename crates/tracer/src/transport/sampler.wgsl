@@ -1,7 +1,7 @@
-// Twin of dice.rs: numbers that look random. All is computed in words, so that they are the CPU's to the last bit.
+// Twin of sampler.rs: numbers that look random. All is computed in words, so that they are the CPU's to the last bit.
 
 // Numbers for a ray.
-struct Throw {
+struct Sample2D {
     // Cosine and sine of an angle that is anything.
     cos: f32,
     sin: f32,
@@ -18,13 +18,13 @@ const FOR_FACET: u32 = 0u;
 const FOR_LIGHT: u32 = 1u;
 
 // Two numbers for a ray that met a body.
-fn throw_dice(generation: u32, body: u32, what_for: u32) -> Throw {
+fn sample_2d(generation: u32, body: u32, what_for: u32) -> Sample2D {
     var key = hashed(hashed(0u, dice_pixel.x), dice_pixel.y);
     // The body's place in the scene: that in the stage may change with edits of others.
     key = hashed(hashed(hashed(key, generation), scene_order[body].x), what_for);
-    let numbers = dice_pair(dice_sample, key);
-    let angle = turn(numbers.x);
-    return Throw(angle.x, angle.y, numbers.y);
+    let numbers = sampler_pair(dice_sample, key);
+    let angle = cos_sin_of_turn(numbers.x);
+    return Sample2D(angle.x, angle.y, numbers.y);
 }
 
 // A key with another number mixed in (the finalizer of MurmurHash3, A. Appleby 2011).
@@ -36,7 +36,7 @@ fn hashed(key: u32, number: u32) -> u32 {
 }
 
 // The numbers of a sample (B. Burley 2020, Practical hash-based Owen scrambling).
-fn dice_pair(sample: u32, key: u32) -> vec2<f32> {
+fn sampler_pair(sample: u32, key: u32) -> vec2<f32> {
     let index = scrambled(sample, key);
     let first = scrambled(reverseBits(index), hashed(key, 0x68bc21ebu)) >> 8u;
     let second = scrambled(second_of(index), hashed(key, 0x02e5be93u)) >> 8u;
@@ -65,7 +65,7 @@ fn scrambled(number: u32, key: u32) -> u32 {
 }
 
 // Cosine and sine of a part of a full turn: Taylor's series, since a card's own may be off by much more.
-fn turn(part: f32) -> vec2<f32> {
+fn cos_sin_of_turn(part: f32) -> vec2<f32> {
     let quarters = part * 4.0;
     let quarter = floor(quarters);
     let x = (quarters - quarter) * 1.5707964;

@@ -1,4 +1,4 @@
-// Twin of waves.rs: the colors that white light is split into.
+// Twin of spectrum.rs: the colors that white light is split into.
 
 // Of each sample of the dispatch its waves: linear light, and nanometers in vacuum.
 @group(0) @binding(9) var<uniform> sample_waves: array<vec4<f32>, SAMPLE_WAVES>;

@@ -8,20 +8,20 @@ fn mend_unit(vector: vec3<f32>) -> vec3<f32> {
     return vector * (1.5 - dot(vector, vector) * 0.5);
 }
 
-struct Refracted {
+struct RefractedDirection {
     direction: vec3<f32>,
     passes: bool,
 }
 
-fn refract_through(direction: vec3<f32>, normal: vec3<f32>, ratio: f32) -> Refracted {
+fn refract_through(direction: vec3<f32>, normal: vec3<f32>, ratio: f32) -> RefractedDirection {
     if ratio == 1.0 {
-        return Refracted(direction, true);
+        return RefractedDirection(direction, true);
     }
     let cos_in = -dot(direction, normal);
     let cos_out_squared = 1.0 - ratio * ratio * (1.0 - cos_in * cos_in);
     let cos_out = sqrt(max(cos_out_squared, 0.0));
     let bent = mend_unit(direction * ratio + normal * (ratio * cos_in - cos_out));
-    return Refracted(bent, !(cos_out_squared < 0.0));
+    return RefractedDirection(bent, !(cos_out_squared < 0.0));
 }
 
 // The share of unpolarized light that the smooth boundary of a clear body reflects (A. Fresnel 1823; Born, Wolf 1999,

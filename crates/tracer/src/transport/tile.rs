@@ -5,7 +5,6 @@ pub(crate) mod radiance;
 use glam::{DVec2, Vec2};
 
 use crate::geometry::bvh::stream::STREAM;
-use crate::geometry::prefetch::fetch_all;
 use crate::simd::vector::Vector;
 use crate::simd::{MOST_LANES, Mask as _, SimdKernel, Width, Word as _};
 use crate::transport::camera::{CameraRays, RenderCamera};
@@ -76,8 +75,7 @@ impl<'a> TileRenderer<'a> {
         self.trace_into(place, size, sample, &mut []).then_some(&self.light)
     }
 
-    /// Writes the light of one sample of each pixel into the rows of a picture, far memory, which is fetched meanwhile. False
-    /// if it was cancelled midway.
+    /// Writes the light of one sample of each pixel into the rows of a picture. False if it was cancelled midway.
     pub(crate) fn trace_into(
         &mut self,
         place: TileRect,
@@ -126,7 +124,7 @@ impl<const FULL: bool> SimdKernel for TileSampleKernel<'_, '_, '_, FULL> {
     fn run<W: Width>(self, w: W) -> bool {
         let Self { tracer, place, size, sample, rows } = self;
         let is_finished =
-            tracer.primary::<W, FULL>(w, place, size, sample, rows) && tracer.trace_queues::<W, FULL>(w);
+            tracer.primary::<W, FULL>(w, place, size, sample) && tracer.trace_queues::<W, FULL>(w);
         if is_finished {
             tracer.light.write(w, rows);
         }
@@ -157,14 +155,11 @@ impl TileRenderer<'_> {
         place: TileRect,
         size: DVec2,
         sample: u32,
-        rows: &[&mut [[f32; 3]]],
     ) -> bool {
         let [width, height] = PixelBlock::<W>::SIZE;
         self.light.begin(place, [width, height]);
         let across = place.width.div_ceil(width);
         self.whitted.begin(sample, Sampler::new(sample, [place.x, place.y], [width, height], across));
-        // What is fetched for a group would be gone again until it is through.
-        let rows = if place.width.max(place.height) > TILE { &[] } else { rows };
         let by_stream = W::USES_HIERARCHY && self.whitted.stage.eye_goes_by_streams();
         if by_stream && self.levels.is_empty() {
             self.levels.push(DepthQueues::default());
@@ -179,7 +174,6 @@ impl TileRenderer<'_> {
                 (&near, offset),
                 (first_block, across),
                 by_stream,
-                rows,
             ) {
                 return false;
             }
@@ -197,7 +191,6 @@ impl TileRenderer<'_> {
         (near, offset): (&CameraRays, Vec2),
         (first_block, across): (usize, usize),
         by_stream: bool,
-        rows: &[&mut [[f32; 3]]],
     ) -> bool {
         let block = PixelBlock::new(w);
         let [width, height] = PixelBlock::<W>::SIZE;
@@ -208,9 +201,6 @@ impl TileRenderer<'_> {
         for (row, top) in (0..place.height).step_by(height).enumerate() {
             if self.is_cancelled() {
                 return false;
-            }
-            for row in rows.iter().skip(top).take(height) {
-                fetch_all(row);
             }
             let mut first = (first_block + row * across) * W::LANES;
             // Whole numbers are added first: a pixel's ray is the same in blocks of every width.

@@ -54,7 +54,7 @@ struct Film {
 // The fourth, `materials`, is declared where their form is.
 @group(0) @binding(5) var<storage, read> checkers: array<Checker>;
 @group(0) @binding(6) var<storage, read> lights: array<Light>;
-@group(0) @binding(7) var<storage, read> tiles: array<RaysNear>;
+@group(0) @binding(7) var<storage, read> tiles: array<CameraRays>;
 @group(0) @binding(8) var<storage, read_write> film: Film;
 
 // Rays of a workgroup by kind.
@@ -94,7 +94,7 @@ fn sample_pixel(tile: u32, within: vec2<u32>, extent: vec2<u32>, place: u32) {
     for (; sample < frame.samples; sample++) {
         let offset = frame.places[sample].xy - 0.5 * vec2<f32>(extent);
         let at = vec2<f32>(within) + offset;
-        begin(place, sample);
+        begin_sample(place, sample);
         let light = trace(ray_near(near, at.x, at.y), &body);
         let done = frame.samples_done + sample;
         // What the first sample finds in the buffer means nothing.

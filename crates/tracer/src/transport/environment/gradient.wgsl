@@ -1,4 +1,4 @@
-// Twin of sky.rs for stages with light that changes with the height.
+// Twin of environment.rs for stages with light that changes with the height.
 
 fn sky_light(direction: vec3<f32>) -> vec3<f32> {
     let end = select(frame.background, frame.nadir, direction.y < 0.0);

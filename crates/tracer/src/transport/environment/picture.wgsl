@@ -1,4 +1,4 @@
-// Twin of sky.rs for stages with a picture around them, which is the first of all.
+// Twin of environment.rs for stages with a picture around them, which is the first of all.
 
 fn sky_light(direction: vec3<f32>) -> vec3<f32> {
     let longitude = angle_of(direction.x, -direction.z) / (2.0 * PI);

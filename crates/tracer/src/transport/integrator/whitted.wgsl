@@ -14,7 +14,7 @@ var<private> counts: Counts = Counts(0u, 0u, 0u);
 var<private> tree_overflowed: bool = false;
 
 // Whether rays of this weight are traced.
-fn carries(weight: vec3<f32>) -> bool {
+fn is_above_threshold(weight: vec3<f32>) -> bool {
     let strongest = largest(weight);
     return strongest > 0.0 && strongest >= frame.threshold;
 }

@@ -13,7 +13,7 @@ struct Light {
     unused_3: f32,
 }
 
-struct PointOfBall {
+struct SphereSample {
     // To the point, of length 1.
     direction: vec3<f32>,
     distance: f32,
@@ -23,7 +23,7 @@ struct PointOfBall {
 
 // A point of the ball as it is seen from a distance `d` > 0 in a direction; all directions to the ball are as likely
 // (P. Shirley, C. Wang, K. Zimmerman 1996).
-fn point_of_ball(light: Light, to_middle: vec3<f32>, d: f32, thrown: Throw) -> PointOfBall {
+fn sample_sphere(light: Light, to_middle: vec3<f32>, d: f32, thrown: Sample2D) -> SphereSample {
     let square = light.radius * light.radius;
     let least = sqrt(max(1.0 - min(square / max(d * d, LEAST_NORMAL), 1.0), 0.0));
     let cos = 1.0 - thrown.second * (1.0 - least);
@@ -31,5 +31,5 @@ fn point_of_ball(light: Light, to_middle: vec3<f32>, d: f32, thrown: Throw) -> P
     let across = frame_of(to_middle);
     let direction = to_middle * cos + across.right * (sin * thrown.cos) + across.up * (sin * thrown.sin);
     let before = d * cos - sqrt(max(square - d * d * sin * sin, 0.0));
-    return PointOfBall(mend_unit(direction), max(before, 0.0), 2.0 / (1.0 + least));
+    return SphereSample(mend_unit(direction), max(before, 0.0), 2.0 / (1.0 + least));
 }

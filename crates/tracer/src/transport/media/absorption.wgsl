@@ -45,7 +45,7 @@ fn is_entered_before(a: MediumInterval, b: MediumInterval, media: ptr<function, 
 }
 
 // Notes the part of the way to a light at `distance` that lies within a transparent body.
-fn note_interval(body: u32, met: Meeting, distance: f32, media: ptr<function, Media>) {
+fn note_interval(body: u32, met: BodyIntersection, distance: f32, media: ptr<function, Media>) {
     if !met.leaving && !(met.entering && met.enter < distance) {
         return;
     }

@@ -1,22 +1,22 @@
-// Twin of facets.rs: rough surfaces.
+// Twin of microfacet.rs: rough surfaces.
 
-struct Across {
+struct AcrossInterface {
     right: vec3<f32>,
     up: vec3<f32>,
 }
 
 // Two unit vectors across a third (T. Duff et al. 2017, Building an orthonormal basis, revisited).
-fn frame_of(axis: vec3<f32>) -> Across {
+fn frame_of(axis: vec3<f32>) -> AcrossInterface {
     let sign = select(1.0, -1.0, axis.z < 0.0);
     let a = -(1.0 / (sign + axis.z));
     let b = axis.x * axis.y * a;
     let right = vec3(1.0 + sign * axis.x * axis.x * a, sign * b, -(sign * axis.x));
-    return Across(right, vec3(b, sign + axis.y * axis.y * a, -axis.y));
+    return AcrossInterface(right, vec3(b, sign + axis.y * axis.y * a, -axis.y));
 }
 
 // A facet that is seen along `-direction`, chosen as often as it is seen (J. Dupuy, A. Benyoub 2023, Sampling visible GGX
 // normals with spherical caps): its unit normal.
-fn seen_facet(direction: vec3<f32>, normal: vec3<f32>, alpha: f32, thrown: Throw) -> vec3<f32> {
+fn sample_visible_normal(direction: vec3<f32>, normal: vec3<f32>, alpha: f32, thrown: Sample2D) -> vec3<f32> {
     let across = frame_of(normal);
     let to_viewer = -direction;
     // The facets stretched to a half-sphere.
@@ -30,14 +30,14 @@ fn seen_facet(direction: vec3<f32>, normal: vec3<f32>, alpha: f32, thrown: Throw
 }
 
 // The share of facets that is seen under an angle to the normal of this cosine, G₁ (Walter et al. 2007, eq. 34).
-fn unhidden(cos: f32, alpha: f32) -> f32 {
+fn smith_g1(cos: f32, alpha: f32) -> f32 {
     let square = max(cos * cos, LEAST_NORMAL);
     let slope = max(1.0 - square, 0.0) / square;
     return 2.0 / (1.0 + sqrt(1.0 + alpha * alpha * slope));
 }
 
 // π times the density of facets with this normal (Walter et al. 2007, eq. 33).
-fn facet_density(normal: vec3<f32>, half: vec3<f32>, alpha: f32) -> f32 {
+fn ggx_density(normal: vec3<f32>, half: vec3<f32>, alpha: f32) -> f32 {
     let cos = dot(normal, half);
     // sin² + α²·cos², without a difference of squares near 1.
     let across = half - normal * cos;
@@ -48,14 +48,14 @@ fn facet_density(normal: vec3<f32>, half: vec3<f32>, alpha: f32) -> f32 {
 
 // What facets send on to the viewer of light from a direction, but for what each reflects: π·D·G/(4·(n̂·Ŝ)) (Walter et al.
 // 2007, eq. 20).
-fn sent_on(to_viewer: vec3<f32>, to_light: vec3<f32>, normal: vec3<f32>, half: vec3<f32>, alpha: f32) -> f32 {
+fn reflected_density(to_viewer: vec3<f32>, to_light: vec3<f32>, normal: vec3<f32>, half: vec3<f32>, alpha: f32) -> f32 {
     let cos_viewer = max(dot(normal, to_viewer), 1e-6);
     let cos_light = max(dot(normal, to_light), 1e-6);
-    let seen = unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha);
-    return facet_density(normal, half, alpha) * seen / (cos_viewer * 4.0);
+    let seen = smith_g1(cos_viewer, alpha) * smith_g1(cos_light, alpha);
+    return ggx_density(normal, half, alpha) * seen / (cos_viewer * 4.0);
 }
 
-struct SentThrough {
+struct TransmittedDensity {
     share: f32,
     // Under which the viewer sees the facet.
     cos: f32,
@@ -63,21 +63,21 @@ struct SentThrough {
 
 // What facets send through to a viewer inside of light from outside (Walter et al. 2007, eq. 21), but for what each
 // reflects. `ratio` is the index on the viewer's side divided by that on the light's.
-fn sent_through(
+fn transmitted_density(
     to_viewer: vec3<f32>,
     to_light: vec3<f32>,
     normal: vec3<f32>,
     ratio: f32,
     alpha: f32,
-) -> SentThrough {
+) -> TransmittedDensity {
     var half = normalize_or(to_viewer * ratio + to_light, normal);
     half *= select(1.0, -1.0, dot(normal, half) < 0.0);
     let viewer = dot(half, to_viewer);
     let light = -dot(half, to_light);
     let cos_viewer = max(dot(normal, to_viewer), 1e-6);
     let cos_light = max(-dot(normal, to_light), 1e-6);
-    let seen = unhidden(cos_viewer, alpha) * unhidden(cos_light, alpha);
+    let seen = smith_g1(cos_viewer, alpha) * smith_g1(cos_light, alpha);
     let width = ratio * viewer - light;
-    let sent = facet_density(normal, half, alpha) * seen * viewer * light / (cos_viewer * max(width * width, 1e-6));
-    return SentThrough(select(0.0, sent, viewer > 0.0 && light > 0.0), clamp(viewer, 0.0, 1.0));
+    let sent = ggx_density(normal, half, alpha) * seen * viewer * light / (cos_viewer * max(width * width, 1e-6));
+    return TransmittedDensity(select(0.0, sent, viewer > 0.0 && light > 0.0), clamp(viewer, 0.0, 1.0));
 }

@@ -1,4 +1,4 @@
-// Twin of image.rs. The pictures lie one behind the other in the rows of one texture of words, which hold exact numbers:
+// Twin of lookup.rs. The pictures lie one behind the other in the rows of one texture of words, which hold exact numbers:
 // cards need not have more storage arrays than are taken. First comes a record for each picture, then their pixels.
 
 @group(0) @binding(10) var pictures: texture_2d<u32>;

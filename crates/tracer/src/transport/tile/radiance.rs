@@ -14,13 +14,8 @@ use crate::transport::tile_rect::TileRect;
 /// Pixels are numbered block by block, so that those whose rays are traced side by side are neighbors in memory too.
 #[derive(Debug, Default)]
 pub(crate) struct TileRadiance {
-    /// What the rays from the eye bring.
-    first: ChannelPlanes<f32>,
-    /// The sums of what all rays of a pixel bring, once there are others.
-    sums: ChannelPlanes<f64>,
-    is_sum: bool,
-    /// No pixel has been set from this one on.
-    end: usize,
+    /// The sums of what all rays of a pixel bring.
+    sums: ChannelPlanes,
     /// Size of a block, pixels.
     block: [usize; 2],
     /// Blocks across.
@@ -28,62 +23,39 @@ pub(crate) struct TileRadiance {
 }
 
 /// Red, green and blue of all pixels, each in a row of its own; as long as the largest tile so far needed.
-type ChannelPlanes<T> = [Vec<T>; 3];
+type ChannelPlanes = [Vec<f64>; 3];
 
-/// Light, or a sum of light.
-trait RadianceScalar: Copy {
-    fn rounded(self) -> f32;
-}
-
-impl RadianceScalar for f32 {
-    #[inline(always)]
-    fn rounded(self) -> f32 {
-        self
-    }
-}
-
-impl RadianceScalar for f64 {
-    /// Sums may be of very many rays; none is infinite afterwards.
-    #[inline(always)]
-    fn rounded(self) -> f32 {
-        (self as f32).clamp(-MOST_OF_PIXEL, MOST_OF_PIXEL)
-    }
+/// A sum of light in single precision. Sums may be of very many rays; none is infinite afterwards.
+#[inline(always)]
+fn rounded(sum: f64) -> f32 {
+    (sum as f32).clamp(-MOST_OF_PIXEL, MOST_OF_PIXEL)
 }
 
 impl TileRadiance {
     /// Prepares for the pixels of a tile or a group in blocks of this size.
     pub(crate) fn begin(&mut self, place: TileRect, block: [usize; 2]) {
-        self.is_sum = false;
-        self.end = 0;
         self.block = block;
         self.across = place.width.div_ceil(block[0]);
         let pixels = self.across * place.height.div_ceil(block[1]) * block[0] * block[1];
-        make_room(&mut self.first, pixels);
+        for plane in &mut self.sums {
+            if plane.len() < pixels {
+                plane.resize(pixels, 0.0);
+            }
+        }
     }
 
     /// Sets the light of the pixels of a block, from number `first` on.
     #[inline(always)]
     pub(crate) fn set<W: Width>(&mut self, first: usize, light: Vector<W::R>) {
-        self.end = self.end.max(first + W::LANES);
-        if self.is_sum {
-            let [red, green, blue] = &mut self.sums;
-            each_with::<W>(&mut red[first..], light.x, |sum, part| *sum = part);
-            each_with::<W>(&mut green[first..], light.y, |sum, part| *sum = part);
-            each_with::<W>(&mut blue[first..], light.z, |sum, part| *sum = part);
-        } else {
-            let [red, green, blue] = &mut self.first;
-            light.x.store(&mut red[first..]);
-            light.y.store(&mut green[first..]);
-            light.z.store(&mut blue[first..]);
-        }
+        let [red, green, blue] = &mut self.sums;
+        each_with::<W>(&mut red[first..], light.x, |sum, part| *sum = part);
+        each_with::<W>(&mut green[first..], light.y, |sum, part| *sum = part);
+        each_with::<W>(&mut blue[first..], light.z, |sum, part| *sum = part);
     }
 
     /// Adds light to the pixels that it belongs to.
     #[inline(always)]
     pub(crate) fn add<W: Width>(&mut self, w: W, paths: &PathState<W>, light: Vector<W::R>) {
-        if !self.is_sum {
-            self.sum_up();
-        }
         let [reds, greens, blues] = &mut self.sums;
         let mut pixels = [0; MOST_LANES];
         paths.pixel.store(&mut pixels);
@@ -110,34 +82,11 @@ impl TileRadiance {
         }
     }
 
-    /// From now on light is added.
-    #[cold]
-    #[inline(never)]
-    fn sum_up(&mut self) {
-        self.is_sum = true;
-        make_room(&mut self.sums, self.first[0].len());
-        for (sums, light) in self.sums.iter_mut().zip(&self.first) {
-            for (sum, &light) in sums.iter_mut().zip(&light[..self.end]) {
-                *sum = f64::from(light);
-            }
-        }
-    }
-
     /// Writes rows of pixels, from the uppermost on, as the blocks are that rays of this width were traced in.
     #[inline(always)]
     pub(crate) fn write<W: Width>(&self, w: W, rows: &mut [&mut [[f32; 3]]]) {
-        if self.is_sum { self.write_all(w, &self.sums, rows) } else { self.write_all(w, &self.first, rows) }
-    }
-
-    #[inline(always)]
-    fn write_all<W: Width, P: RadianceScalar>(
-        &self,
-        w: W,
-        planes: &ChannelPlanes<P>,
-        rows: &mut [&mut [[f32; 3]]],
-    ) {
         let [width, _] = PixelBlock::<W>::SIZE;
-        let [reds, greens, blues] = planes;
+        let [reds, greens, blues] = &self.sums;
         for (y, row) in rows.iter_mut().enumerate() {
             let (mut start, (whole, rest)) =
                 (self.start(y), row.split_at_mut(row.len() / W::LANES * W::LANES));
@@ -152,7 +101,7 @@ impl TileRadiance {
             }
             for (x, to) in rest.iter_mut().enumerate() {
                 let at = start + x / width * W::LANES + x % width;
-                *to = [reds[at].rounded(), greens[at].rounded(), blues[at].rounded()];
+                *to = [rounded(reds[at]), rounded(greens[at]), rounded(blues[at])];
             }
         }
     }
@@ -182,36 +131,21 @@ impl TileRadiance {
 
     /// Shows `take` the pixels of row `y`, from left to right, each with one of `to`.
     #[inline]
-    pub(crate) fn each<T>(&self, y: usize, to: &mut [T], take: impl FnMut(&mut T, [f32; 3])) {
-        if self.is_sum {
-            self.each_of(&self.sums, y, to, take);
-        } else {
-            self.each_of(&self.first, y, to, take);
-        }
-    }
-
-    #[inline]
-    fn each_of<P: RadianceScalar, T>(
-        &self,
-        planes: &ChannelPlanes<P>,
-        y: usize,
-        to: &mut [T],
-        mut take: impl FnMut(&mut T, [f32; 3]),
-    ) {
+    pub(crate) fn each<T>(&self, y: usize, to: &mut [T], mut take: impl FnMut(&mut T, [f32; 3])) {
         let [width, _] = self.block;
         for (to, start) in to.chunks_mut(width).zip((self.start(y)..).step_by(self.lanes())) {
-            let row = planes.each_ref().map(|plane| &plane[start..start + to.len()]);
+            let row = self.sums.each_ref().map(|plane| &plane[start..start + to.len()]);
             // Blocks are four pixels wide or eight, and four numbers are read at once.
-            let [(reds, red), (greens, green), (blues, blue)] = row.map(<[P]>::as_chunks::<4>);
+            let [(reds, red), (greens, green), (blues, blue)] = row.map(<[f64]>::as_chunks::<4>);
             let (fours, rest) = to.as_chunks_mut::<4>();
             for (((to, red), green), blue) in fours.iter_mut().zip(reds).zip(greens).zip(blues) {
-                let [red, green, blue] = [red, green, blue].map(|numbers| numbers.map(P::rounded));
+                let [red, green, blue] = [red, green, blue].map(|numbers| numbers.map(rounded));
                 for (at, to) in to.iter_mut().enumerate() {
                     take(to, [red[at], green[at], blue[at]]);
                 }
             }
             for (((to, &red), &green), &blue) in rest.iter_mut().zip(red).zip(green).zip(blue) {
-                take(to, [red.rounded(), green.rounded(), blue.rounded()]);
+                take(to, [rounded(red), rounded(green), rounded(blue)]);
             }
         }
     }
@@ -219,23 +153,14 @@ impl TileRadiance {
 
 /// A row of as many neighboring blocks as make a vector; the first one begins here.
 #[inline(always)]
-fn row_of_blocks<W: Width>(w: W, parts: &[impl RadianceScalar]) -> W::R {
+fn row_of_blocks<W: Width>(w: W, parts: &[f64]) -> W::R {
     let [width, _] = PixelBlock::<W>::SIZE;
     let parts = &parts[..(W::LANES / width - 1) * W::LANES + width];
     let mut numbers = [0.0; MOST_LANES];
     for (lane, number) in numbers[..W::LANES].iter_mut().enumerate() {
-        *number = parts[lane / width * W::LANES + lane % width].rounded();
+        *number = rounded(parts[lane / width * W::LANES + lane % width]);
     }
     w.load(&numbers)
-}
-
-/// Makes planes at least so long.
-fn make_room<T: Copy + Default>(planes: &mut ChannelPlanes<T>, pixels: usize) {
-    for plane in planes {
-        if plane.len() < pixels {
-            plane.resize(pixels, T::default());
-        }
-    }
 }
 
 /// What makes the numbers of neighbors equal.

@@ -1,7 +1,7 @@
 // Twin of whitted.rs for stages with physical materials or lights that are balls.
 
 // A ray that waits.
-struct Beam {
+struct PathState {
     ray: Ray,
     // Product of the coefficients on the way from the eye.
     weight: vec3<f32>,
@@ -24,11 +24,11 @@ struct Split {
 
 // Rays that wait while a reflected one is followed. That one always is a generation further on, so that no more than one
 // waits for each generation; or one more among the waves of a split ray, the first of which may be as old as that.
-var<private> waiting: array<Beam, STACK>;
+var<private> waiting: array<PathState, STACK>;
 var<private> splits: array<Split, SPLITS>;
 var<private> waits: u32 = 0u;
 
-fn wait(beam: Beam) {
+fn wait(beam: PathState) {
     waiting[waits] = beam;
     if DISPERSES {
         splits[waits].wave = WAVE_COUNT;
@@ -37,7 +37,7 @@ fn wait(beam: Beam) {
 }
 
 // Prepares for a sample of a pixel.
-fn begin(place: u32, sample: u32) {
+fn begin_sample(place: u32, sample: u32) {
     dice_pixel = vec2(place % frame.size.x, place / frame.size.x);
     dice_sample = frame.samples_done + sample;
     first_wave = sample * WAVE_COUNT;
@@ -51,7 +51,7 @@ struct Lit {
 }
 
 // The light of the stage with this number at a point; none at the distance 0.
-fn light_at(index: u32, at: ptr<function, Encounter>, generation: u32) -> Lit {
+fn light_at(index: u32, at: ptr<function, SurfaceInteraction>, generation: u32) -> Lit {
     let light = lights[index];
     let offset = light.position - (*at).position;
     let distance = sqrt(dot(offset, offset));
@@ -62,8 +62,8 @@ fn light_at(index: u32, at: ptr<function, Encounter>, generation: u32) -> Lit {
     let to_light = offset * (1.0 / distance);
     let power = power_at(light, distance);
     if HAS_BALLS && light.radius > 0.0 {
-        let thrown = throw_dice(generation, (*at).body, FOR_LIGHT + index);
-        let point = point_of_ball(light, to_light, distance, thrown);
+        let thrown = sample_2d(generation, (*at).body, FOR_LIGHT + index);
+        let point = sample_sphere(light, to_light, distance, thrown);
         return Lit(point.direction, point.distance, power * point.share);
     }
     return Lit(to_light, distance, power);
@@ -72,7 +72,7 @@ fn light_at(index: u32, at: ptr<function, Encounter>, generation: u32) -> Lit {
 // The ambient, diffuse and highlight terms.
 fn local_light(
     ray: Ray,
-    at: ptr<function, Encounter>,
+    at: ptr<function, SurfaceInteraction>,
     generation: u32,
     media: ptr<function, Media>,
 ) -> vec3<f32> {
@@ -82,7 +82,7 @@ fn local_light(
     }
     // The body's own surface lies between its inner side and a light; what it lets through from there is seen where the
     // viewer's ray leaves it.
-    let within = frosted_within(at);
+    let within = rough_interior(at);
     let start = (*at).start ^ select(0u, INWARDS, within);
     for (var index = 0u; index < frame.lights; index++) {
         if all(lights[index].power == vec3(0.0)) {
@@ -98,13 +98,13 @@ fn local_light(
         if all(passed == vec3(0.0)) {
             continue;
         }
-        var answer = scattered(at, cos);
+        var answer = eval_diffuse(at, cos);
         let material = (*at).material;
         if material.specular != 0.0 {
             answer += material.specular * phong_highlight(-ray.direction, lit.to_light, (*at).normal, material.shininess);
         }
         if is_rough(at) {
-            answer += glints(at, ray.direction, lit.to_light, media);
+            answer += eval_microfacets(at, ray.direction, lit.to_light, media);
         }
         sum += lit.power * answer * passed;
     }
@@ -132,23 +132,23 @@ struct Follower {
 
 // Makes `follower` the ray that is reflected at a point, while refracted ones wait. Whether there is one. In the last
 // generation only those wait that are the same ray still.
-fn spawn(
+fn scatter(
     follower: ptr<function, Follower>,
-    at: ptr<function, Encounter>,
+    at: ptr<function, SurfaceInteraction>,
     media: ptr<function, Media>,
 ) -> bool {
     let is_last = (*follower).generation >= frame.generations;
     let ray = (*follower).ray;
     let weight = (*follower).weight;
     let generation = (*follower).generation;
-    var ground = Ground((*at).normal, 0.0);
+    var ground = Macrosurface((*at).normal, 0.0);
     if is_rough(at) && !is_last {
-        ground = on_facets(at, ray.direction, generation);
+        ground = sample_microfacet(at, ray.direction, generation);
     }
     var reflected = (*at).reflected;
     if HAS_TRANSPARENCY && body_is_transparent((*at).body) {
         if DISPERSES && (*at).material.indices != NO_ROWS && is_white(media) {
-            reflected = split(ray, weight, generation, *at, ground, *media);
+            reflected = disperse(ray, weight, generation, *at, ground, *media);
         } else {
             reflected = send_through(ray, weight, generation, *at, ground, *media);
         }
@@ -157,9 +157,9 @@ fn spawn(
         return false;
     }
     let direction = mend_unit(reflect_about(ray.direction, (*at).normal));
-    let off = let_off(ground, direction, false, reflected);
+    let off = masking(ground, direction, false, reflected);
     let mirrored = bounded(weight * off.weight);
-    if !off.flies || !carries(mirrored) {
+    if !off.flies || !is_above_threshold(mirrored) {
         return false;
     }
     counts.reflected += 1u;
@@ -200,7 +200,7 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
     waits = 0u;
     let before = counts.shadow + counts.reflected + counts.refracted;
     loop {
-        let hit = nearest(follower.ray, &media);
+        let hit = closest_hit(follower.ray, &media);
         if is_first {
             *first_body = select(NO_BODY, hit.body, hit.hit);
             is_first = false;
@@ -212,10 +212,10 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
         if !hit.hit {
             light += follower.weight * sky_light(follower.ray.direction);
         } else {
-            var at = encounter(follower.ray, hit);
+            var at = interaction(follower.ray, hit);
             light += follower.weight * local_light(follower.ray, &at, follower.generation, &media);
             if follower.generation < frame.generations || (HAS_TRANSPARENCY && body_is_transparent(at.body)) {
-                goes_on = spawn(&follower, &at, &media);
+                goes_on = scatter(&follower, &at, &media);
             }
         }
         if counts.shadow + counts.reflected + counts.refracted - before > MOST_RAYS {

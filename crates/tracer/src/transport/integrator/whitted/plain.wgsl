@@ -1,7 +1,7 @@
 // Twin of whitted.rs for stages without physical materials: surfaces reflect a constant share, lights are points.
 
 // A ray that waits.
-struct Beam {
+struct PathState {
     ray: Ray,
     // Product of the coefficients on the way from the eye.
     weight: vec3<f32>,
@@ -10,13 +10,13 @@ struct Beam {
 }
 
 // The points that a ray met, with all that shading needs.
-struct Encounter {
+struct SurfaceInteraction {
     position: vec3<f32>,
     normal: vec3<f32>,
     color: vec3<f32>,
 }
 
-fn encounter(ray: Ray, hit: Hit) -> Encounter {
+fn interaction(ray: Ray, hit: HitRecord) -> SurfaceInteraction {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
     var color = color_at(materials[bodies[hit.body].material].color, hit.body, point.in_body);
     if HAS_CHECKERS && bodies[hit.body].checker != NO_BODY {
@@ -25,16 +25,16 @@ fn encounter(ray: Ray, hit: Hit) -> Encounter {
             color = checker.color;
         }
     }
-    return Encounter(point.in_world, point.normal, color);
+    return SurfaceInteraction(point.in_world, point.normal, color);
 }
 
 // Prepares for a sample of a pixel.
-fn begin(place: u32, sample: u32) {}
+fn begin_sample(place: u32, sample: u32) {}
 
 // The ambient, diffuse and highlight terms.
 fn local_light(
     ray: Ray,
-    at: Encounter,
+    at: SurfaceInteraction,
     start: u32,
     material: Material,
     media: ptr<function, Media>,
@@ -79,14 +79,14 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
     media_at_start(primary, &media);
     // Rays that wait while a reflected one is followed. That one always is a generation further on, so that no more
     // than one waits for each generation.
-    var waiting: array<Beam, STACK>;
+    var waiting: array<PathState, STACK>;
     var waits = 0u;
     var light = vec3(0.0);
     var is_first = true;
     var is_whole = false;
     let before = counts.shadow + counts.reflected + counts.refracted;
     loop {
-        let hit = nearest(ray, &media);
+        let hit = closest_hit(ray, &media);
         if is_first {
             *first_body = select(NO_BODY, hit.body, hit.hit);
             is_first = false;
@@ -95,7 +95,7 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
         if !hit.hit {
             light += weight * sky_light(ray.direction);
         } else {
-            let at = encounter(ray, hit);
+            let at = interaction(ray, hit);
             let material = materials[bodies[hit.body].material];
             let start = hit.body | select(0u, INWARDS, hit.leaving);
             light += weight * local_light(ray, at, start, material, &media);
@@ -114,15 +114,15 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
                     if !bent.passes {
                         // Total internal reflection: all of the light, and nothing twice.
                         reflection = 1.0;
-                    } else if (same || !is_last) && carries(passing) {
+                    } else if (same || !is_last) && is_above_threshold(passing) {
                         counts.refracted += 1u;
                         let on = ray_from(at.position, bent.direction, start ^ INWARDS);
-                        waiting[waits] = Beam(on, passing, generation + select(1u, 0u, same), beyond);
+                        waiting[waits] = PathState(on, passing, generation + select(1u, 0u, same), beyond);
                         waits += 1u;
                     }
                 }
                 let mirrored = bounded(weight * reflection);
-                if !is_last && carries(mirrored) {
+                if !is_last && is_above_threshold(mirrored) {
                     counts.reflected += 1u;
                     let direction = mend_unit(reflect_about(ray.direction, at.normal));
                     ray = ray_from(at.position, direction, start);

@@ -1,39 +1,39 @@
-// Twin of gloss.rs: rough surfaces in the tree. One facet of each is looked at in every sample.
+// Twin of rough.rs: rough surfaces in the tree. One facet of each is looked at in every sample.
 
 // The surface that facets make up; α is 0 where there are none.
-struct Ground {
+struct Macrosurface {
     normal: vec3<f32>,
     alpha: f32,
 }
 
 // What is left of rays, and whether they fly.
-struct LetOff {
+struct Masking {
     weight: vec3<f32>,
     flies: bool,
 }
 
 // What is left of the weight of a ray that a facet sends this way, and whether it flies: not into the surface that it should
 // leave, or out of the one that it should enter.
-fn let_off(ground: Ground, direction: vec3<f32>, is_beyond: bool, weight: vec3<f32>) -> LetOff {
+fn masking(ground: Macrosurface, direction: vec3<f32>, is_beyond: bool, weight: vec3<f32>) -> Masking {
     if !HAS_FACETS || !(ground.alpha > 0.0) {
-        return LetOff(weight, true);
+        return Masking(weight, true);
     }
     let cos = dot(ground.normal, direction) * select(1.0, -1.0, is_beyond);
-    return LetOff(weight * unhidden(cos, ground.alpha), cos > 0.0);
+    return Masking(weight * smith_g1(cos, ground.alpha), cos > 0.0);
 }
 
 // Turns a point on a rough surface to the facet that the ray meets there; returns what the facets make up.
-fn on_facets(at: ptr<function, Encounter>, direction: vec3<f32>, generation: u32) -> Ground {
-    let ground = Ground((*at).normal, (*at).material.alpha);
-    let thrown = throw_dice(generation, (*at).body, FOR_FACET);
-    (*at).normal = seen_facet(direction, ground.normal, ground.alpha, thrown);
-    tilt(at, direction);
+fn sample_microfacet(at: ptr<function, SurfaceInteraction>, direction: vec3<f32>, generation: u32) -> Macrosurface {
+    let ground = Macrosurface((*at).normal, (*at).material.alpha);
+    let thrown = sample_2d(generation, (*at).body, FOR_FACET);
+    (*at).normal = sample_visible_normal(direction, ground.normal, ground.alpha, thrown);
+    set_microfacet_normal(at, direction);
     return ground;
 }
 
 // What a rough surface sends on of a light in this direction, for each unit of its power.
-fn glints(
-    at: ptr<function, Encounter>,
+fn eval_microfacets(
+    at: ptr<function, SurfaceInteraction>,
     direction: vec3<f32>,
     to_light: vec3<f32>,
     media: ptr<function, Media>,
@@ -44,17 +44,17 @@ fn glints(
     let half = normalize_or(to_viewer + to_light, normal);
     var facet = *at;
     facet.normal = half;
-    tilt(&facet, direction);
+    set_microfacet_normal(&facet, direction);
     var reflected = facet.reflected;
     if is_clear(at) {
         var beyond = *media;
         let ratio = media_cross(&beyond, (*at).body);
-        if frosted_within(at) {
-            let through = sent_through(to_viewer, to_light, normal, ratio, alpha);
+        if rough_interior(at) {
+            let through = transmitted_density(to_viewer, to_light, normal, ratio, alpha);
             return bounded(vec3(through.share * (1.0 - fresnel(through.cos, ratio))));
         }
         reflected = vec3(fresnel(clamp(dot(half, to_viewer), 0.0, 1.0), ratio));
     }
     // With the power of a light, their product is finite.
-    return bounded(reflected * sent_on(to_viewer, to_light, normal, half, alpha));
+    return bounded(reflected * reflected_density(to_viewer, to_light, normal, half, alpha));
 }

@@ -1,7 +1,7 @@
-// Twin of spawn.rs: the rays that grow from the point that another met.
+// Twin of scatter.rs: the rays that grow from the point that another met.
 
 // What becomes of a ray at a transparent surface.
-struct Crossing {
+struct MediumTransition {
     ratio: f32,
     bent: vec3<f32>,
     // Whether it is not totally reflected.
@@ -17,7 +17,7 @@ fn crossing(
     body: u32,
     material: Material,
     media: ptr<function, Media>,
-) -> Crossing {
+) -> MediumTransition {
     let ratio = media_cross(media, body);
     let bent = refract_through(direction, normal, ratio);
     var reflection = material.reflection;
@@ -29,40 +29,40 @@ fn crossing(
         filter_color = filter_of(body);
     }
     // Total internal reflection: all of the light, and nothing twice.
-    return Crossing(ratio, bent.direction, bent.passes, select(1.0, reflection, bent.passes), filter_color);
+    return MediumTransition(ratio, bent.direction, bent.passes, select(1.0, reflection, bent.passes), filter_color);
 }
 
 // The coefficients of a ray that crosses a surface, and whether there is one.
-fn let_through(across: Crossing, ground: Ground, filter_color: vec3<f32>) -> LetOff {
+fn let_through(across: MediumTransition, ground: Macrosurface, filter_color: vec3<f32>) -> Masking {
     // Between equal indices there is no surface, and nothing that could be rough.
     if across.ratio == 1.0 {
-        return LetOff(filter_color, across.passes);
+        return Masking(filter_color, across.passes);
     }
-    let left = let_off(ground, across.bent, true, filter_color);
-    return LetOff(left.weight, left.flies && across.passes);
+    let left = masking(ground, across.bent, true, filter_color);
+    return Masking(left.weight, left.flies && across.passes);
 }
 
 // Sends a ray through a surface, if it carries anything: it waits.
-fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, ground: Ground, media: Media) -> vec3<f32> {
+fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: SurfaceInteraction, ground: Macrosurface, media: Media) -> vec3<f32> {
     var beyond = media;
     let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
     let through = let_through(across, ground, across.filter_color);
     let passing = bounded(weight * through.weight);
     // A ray that goes straight on is the same ray still, unless it stands still; in the last generation only that goes on.
     let same = across.ratio == 1.0 && at.t > ray.slack;
-    if through.flies && (same || generation < frame.generations) && carries(passing) {
+    if through.flies && (same || generation < frame.generations) && is_above_threshold(passing) {
         counts.refracted += 1u;
         let on = ray_from(at.position, across.bent, at.start ^ INWARDS);
-        wait(Beam(on, passing, generation + select(1u, 0u, same), beyond));
+        wait(PathState(on, passing, generation + select(1u, 0u, same), beyond));
     }
     return vec3(across.reflection);
 }
 
 // Lets each wave of a white ray wait for its turn. What is reflected of all together.
-fn split(ray: Ray, weight: vec3<f32>, generation: u32, at: Encounter, ground: Ground, media: Media) -> vec3<f32> {
+fn disperse(ray: Ray, weight: vec3<f32>, generation: u32, at: SurfaceInteraction, ground: Macrosurface, media: Media) -> vec3<f32> {
     let here = Ray(at.position, ray.slack, ray.direction, at.start);
     splits[waits] = Split(at.normal, 0u, ground.normal, at.t > ray.slack);
-    waiting[waits] = Beam(here, weight, generation, media);
+    waiting[waits] = PathState(here, weight, generation, media);
     waits += 1u;
     var reflection = vec3(0.0);
     for (var wave = 0u; wave < WAVE_COUNT; wave++) {
@@ -88,12 +88,12 @@ fn send_wave(
     let material = material_of(body);
     media_colored(media, wave);
     let across = crossing(ray.direction, waits_there.normal, body, material, media);
-    let ground = Ground(waits_there.ground, material.alpha);
+    let ground = Macrosurface(waits_there.ground, material.alpha);
     let through = let_through(across, ground, across.filter_color * wave_color(wave));
     let passing = bounded(waiting[place].weight * through.weight);
     let same = across.ratio == 1.0 && waits_there.moves;
     let generation = waiting[place].generation + select(1u, 0u, same);
-    if !through.flies || generation > frame.generations || !carries(passing) {
+    if !through.flies || generation > frame.generations || !is_above_threshold(passing) {
         return false;
     }
     counts.refracted += 1u;

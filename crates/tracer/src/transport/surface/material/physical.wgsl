@@ -1,7 +1,7 @@
 // Twin of material.rs for stages with physical materials. A material is some rows of four words; behind all of them lie
 // the curves of metals and the indices of bodies that split light.
 
-struct Coat {
+struct CoatedMaterial {
     // Index of air divided by that of the coat.
     ratio: f32,
     // 1/η².
@@ -27,7 +27,7 @@ struct Material {
     curve: u32,
     // The row where its indices by wavelength begin, or NO_ROWS.
     indices: u32,
-    coat: Coat,
+    coat: CoatedMaterial,
 }
 
 @group(0) @binding(4) var<storage, read> materials: array<vec4<u32>>;
@@ -49,7 +49,7 @@ fn material_of(body: u32) -> Material {
     return Material(
         color.xyz, color.w, phong.x, phong.y, phong.z, phong.w,
         law.x, bitcast<f32>(law.y), law.z, law.w,
-        Coat(coat.x, coat.y, coat.z, coat.w),
+        CoatedMaterial(coat.x, coat.y, coat.z, coat.w),
     );
 }
 
