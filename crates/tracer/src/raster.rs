@@ -1,6 +1,6 @@
 //! The ways of drawing reflections: the traced picture and what is drawn instead of it where tracing is too dear.
 //!
-//! [`draw`] makes a picture of a stage by any [`Method`], all with the same camera and the same local terms, so that
+//! [`draw`] makes a picture of a scene by any [`Method`], all with the same camera and the same local terms, so that
 //! pictures can be held against each other pixel by pixel. What a method gets wrong, [`reasons`] tells by tracing.
 
 pub(crate) mod cube_map;
@@ -42,17 +42,17 @@ pub use crate::raster::settings::{
     CubeMapSettings, LightModel, SettingError, ShadingSettings, SsrFallback, SsrSettings,
 };
 
-/// Draws `stage` by `method`, on the threads of the current rayon pool. The picture does not depend on their number.
+/// Draws `scene` by `method`, on the threads of the current rayon pool. The picture does not depend on their number.
 ///
 /// # Errors
 /// When a setting is out of its range, the size is 0 or too large, memory is short, or the drawing is cancelled.
 pub fn draw(
-    stage: &RenderScene,
+    scene: &RenderScene,
     method: &Method,
     settings: RenderSettings,
     control: &RenderControl,
 ) -> Result<MethodOutput, MethodError> {
-    draw_through(stage, stage.camera(), method, settings, control, &mut CubeMaps::new())
+    draw_through(scene, scene.camera(), method, settings, control, &mut CubeMaps::new())
 }
 
 /// The same through a camera of [`RenderScene::camera_for`], with cube maps that are kept in `maps` from picture to picture.
@@ -60,7 +60,7 @@ pub fn draw(
 /// # Errors
 /// As for [`draw`].
 pub fn draw_through(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     method: &Method,
     settings: RenderSettings,
@@ -68,23 +68,23 @@ pub fn draw_through(
     maps: &mut CubeMaps,
 ) -> Result<MethodOutput, MethodError> {
     method.check()?;
-    let shade = |shading, how: &ShadingSettings| shaded::draw(stage, camera, shading, how, settings, control);
+    let shade = |shading, how: &ShadingSettings| shaded::draw(scene, camera, shading, how, settings, control);
     match method {
-        Method::Whitted => trace(stage, camera, settings, control),
+        Method::Whitted => trace(scene, camera, settings, control),
         Method::Flat(how) => shade(ShadingFrequency::Flat, how),
         Method::Gouraud(how) => shade(ShadingFrequency::Gouraud, how),
         Method::Phong(how) => shade(ShadingFrequency::Phong, how),
         Method::Ssr(how) => {
-            mirrored::draw(stage, camera, ReflectionSources::of_screen(how), settings, control, maps)
+            mirrored::draw(scene, camera, ReflectionSources::of_screen(how), settings, control, maps)
         }
         Method::CubeMap(how) => {
-            mirrored::draw(stage, camera, ReflectionSources::of_maps(how), settings, control, maps)
+            mirrored::draw(scene, camera, ReflectionSources::of_maps(how), settings, control, maps)
         }
     }
 }
 
 fn trace(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     settings: RenderSettings,
     control: &RenderControl,
@@ -94,6 +94,6 @@ fn trace(
     control.expect(u64::from(width) * u64::from(height));
     // As by other methods, memory that has to be cleared is no part of a pass.
     let start = Instant::now();
-    let counts = render_into(&mut picture, stage, camera, samples, control)?;
+    let counts = render_into(&mut picture, scene, camera, samples, control)?;
     Ok(MethodOutput::traced(picture, counts, start.elapsed()))
 }

@@ -1,7 +1,7 @@
-//! What a graphics card needs to trace as this crate does: the shaders and the stage as bytes.
+//! What a graphics card needs to trace as this crate does: the shaders and the scene as bytes.
 //!
 //! The shaders stand beside the Rust files whose twins they are, step for step and name for name (`search.wgsl` beside
-//! `search.rs`); [`shader`] puts them together for what a stage contains. Constants that both need come from the Rust
+//! `search.rs`); [`shader`] puts them together for what a scene contains. Constants that both need come from the Rust
 //! side. Nothing here talks to a card.
 
 pub(crate) mod bytes;
@@ -43,7 +43,7 @@ const _: () = assert!(TILE.is_multiple_of(8), "a tile is made of whole blocks");
 /// The function to dispatch.
 pub const ENTRY_POINT: &str = "add_samples";
 
-/// The shaders of every stage, in the order of their Rust twins.
+/// The shaders of every scene, in the order of their Rust twins.
 const ALWAYS: &[&str] = &[
     include_str!("simd/vector.wgsl"),
     include_str!("geometry/ray.wgsl"),
@@ -65,14 +65,14 @@ const ALWAYS: &[&str] = &[
     include_str!("transport/tile.wgsl"),
 ];
 
-/// Those of stages without physical materials.
+/// Those of scenes without physical materials.
 const PLAIN: &[&str] = &[
     include_str!("transport/surface/material/plain.wgsl"),
     include_str!("transport/light/point.wgsl"),
     include_str!("transport/integrator/whitted/plain.wgsl"),
 ];
 
-/// Those of stages with physical materials, or lights that are balls.
+/// Those of scenes with physical materials, or lights that are balls.
 const PHYSICAL: &[&str] = &[
     include_str!("transport/surface/material/physical.wgsl"),
     include_str!("transport/surface/conductor_table.wgsl"),
@@ -86,7 +86,7 @@ const PHYSICAL: &[&str] = &[
     include_str!("transport/integrator/whitted/physical.wgsl"),
 ];
 
-/// The source of the shader for stages of this kind, in WGSL.
+/// The source of the shader for scenes of this kind, in WGSL.
 pub fn shader(special: &ShaderSpecialization) -> String {
     let walk = match special.depth {
         0 => include_str!("geometry/sphere.wgsl"),
@@ -119,7 +119,7 @@ pub fn shader(special: &ShaderSpecialization) -> String {
     source
 }
 
-/// The constants of shaders for stages with pictures.
+/// The constants of shaders for scenes with pictures.
 fn picture_constants() -> ShaderConstants {
     ShaderConstants {
         words: vec![("PICTURES_ACROSS", PICTURES_ACROSS)],

@@ -37,9 +37,9 @@ pub(crate) struct RenderBody {
     pub slack: f32,
     /// Cone: ratio of the smaller to the larger radius. Sphere: radius, meters.
     pub parameter: f32,
-    /// Index into the stage's materials.
+    /// Index into the scene's materials.
     pub material: u32,
-    /// Index into the stage's checkers, or [`NO_BODY`].
+    /// Index into the scene's checkers, or [`NO_BODY`].
     pub checker: u32,
     /// [`ShapeKind`] as a number.
     pub kind: u8,
@@ -51,7 +51,7 @@ pub(crate) struct RenderBody {
     pub double: u8,
 }
 
-/// A body made ready for a stage: opaque, without a checker, of the first material.
+/// A body made ready for a scene: opaque, without a checker, of the first material.
 pub(crate) struct BodyParts {
     pub(crate) body: RenderBody,
     /// `None` for a plane.
@@ -61,7 +61,7 @@ pub(crate) struct BodyParts {
 }
 
 impl RenderBody {
-    /// The body in the space of a stage's rays.
+    /// The body in the space of a scene's rays.
     pub(crate) fn prepare(body: &Body, space: &RenderSpace) -> BodyParts {
         let mut world_from_body = world_from_canonical(body);
         let (kind, cone_ratio) = canonical(body, &world_from_body);

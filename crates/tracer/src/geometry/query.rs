@@ -25,7 +25,7 @@ use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word a
 pub struct HitRecord {
     /// Parameter along the ray, 0 or more, finite.
     pub t: f32,
-    /// The body's place in the stage.
+    /// The body's place in the scene.
     pub body: u32,
     /// Whether the ray meets the body's surface from within.
     pub leaving: bool,

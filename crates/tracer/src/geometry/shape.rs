@@ -14,7 +14,7 @@ pub(crate) mod sphere;
 use crate::simd::vector::Vector;
 use crate::simd::{Float, Mask as _};
 
-/// Which canonical shape, as it stands in the stage.
+/// Which canonical shape, as it stands in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u32)]
 pub enum ShapeKind {

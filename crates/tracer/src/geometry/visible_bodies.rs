@@ -12,7 +12,7 @@ use crate::geometry::plane_frame::{PlaneFrame, ROUNDING};
 use crate::simd::Float32;
 use crate::simd::vector::Vector;
 
-/// The bodies of a stage as they are seen from a point.
+/// The bodies of a scene as they are seen from a point.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct VisibleBodies {
     pub(crate) point: DVec3,
@@ -25,7 +25,7 @@ pub(crate) struct VisibleBodies {
 /// The cone of directions in which a body may lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BoundingCone {
-    /// The body's place in the stage.
+    /// The body's place in the scene.
     pub(crate) body: u32,
     /// From the point to the body, or the other way if rays go there, of length 1.
     axis: [f32; 3],
@@ -254,10 +254,10 @@ pub(crate) mod tests {
             }
             let light = |position| Light { position, ..Light::default() };
             let lights = lights.into_iter().map(light).collect();
-            let stage = RenderScene::build(&Scene { bodies: bodies.into(), lights, ..Scene::default() }).unwrap();
-            let blind = stage.without_candidates();
+            let scene = RenderScene::build(&Scene { bodies: bodies.into(), lights, ..Scene::default() }).unwrap();
+            let blind = scene.without_candidates();
             let settings = RenderSettings { width: 40, height: 24, samples: 1 };
-            let [seen, unseen] = [stage, blind].map(|stage| render(&stage, settings, &RenderControl::default()).unwrap());
+            let [seen, unseen] = [scene, blind].map(|scene| render(&scene, settings, &RenderControl::default()).unwrap());
             prop_assert_eq!(seen.counts, unseen.counts);
             let bits = |picture: &catoptric_picture::Picture| {
                 picture.pixels().iter().flatten().map(|part| part.to_bits()).collect::<Vec<_>>()
@@ -320,7 +320,7 @@ pub(crate) mod tests {
             ..Body::default()
         };
         let floor = Body { shape: Shape::Plane, ..Body::default() };
-        let stage = |bodies: Vec<Body>| {
+        let scene = |bodies: Vec<Body>| {
             RenderScene::build(&Scene {
                 bodies: bodies.into(),
                 lights: vec![Light::default()],
@@ -329,7 +329,7 @@ pub(crate) mod tests {
             .unwrap()
         };
         let planes = |bodies: Vec<Body>, height: f32| {
-            stage(bodies).geometry.candidates_to_light([3.0, height, 0.0]).unwrap().planes.len()
+            scene(bodies).geometry.candidates_to_light([3.0, height, 0.0]).unwrap().planes.len()
         };
         let Shape::Sphere { radius } = Body::default().shape else {
             unreachable!("a body is a sphere at first")
@@ -338,12 +338,12 @@ pub(crate) mod tests {
         assert_eq!(planes(vec![floor.clone(), at(radius - 0.01)], 2.0), 1, "a sphere that is sunk in");
         assert_eq!(planes(vec![floor.clone(), at(radius)], -2.0), 1, "a light below");
         assert_eq!(planes(vec![floor.clone(), at(radius), floor.clone()], 2.0), 2, "two planes");
-        let stage = stage(vec![floor, at(1.0)]);
+        let scene = scene(vec![floor, at(1.0)]);
         let ahead = |eye: [f32; 3], degrees: f64| {
             let (sin, cos) = degrees.to_radians().sin_cos();
             let mut ahead = VisibleBodies::default();
             let cone = (vector(DVec3::new(0.0, sin, -cos)), 10.0_f32.to_radians().cos());
-            ahead.keep(&stage.geometry, &stage.geometry.visible_from(eye).unwrap(), cone, 0.0);
+            ahead.keep(&scene.geometry, &scene.geometry.visible_from(eye).unwrap(), cone, 0.0);
             ahead.planes.len()
         };
         assert_eq!([9.0, 11.0].map(|degrees| ahead([0.0, 1.0, 0.0], degrees)), [1, 0]);

@@ -57,12 +57,12 @@ pub struct CubeMap {
 }
 
 impl CubeMap {
-    /// Renders what surrounds `center`, in the space of the rays, in `stage`, in faces of `size`² pixels.
+    /// Renders what surrounds `center`, in the space of the rays, in `scene`, in faces of `size`² pixels.
     ///
     /// # Errors
     /// When the size is 0 or too large, memory is short, or the work is cancelled.
     pub fn render(
-        stage: &RenderScene,
+        scene: &RenderScene,
         center: DVec3,
         size: u32,
         control: &RenderControl,
@@ -74,9 +74,9 @@ impl CubeMap {
         let projection = Projection::Perspective { fov_degrees: 2.0 * half_angle.to_degrees() };
         let settings = RenderSettings { width: side, height: side, samples: 1 };
         for (face, pixels) in FACES.iter().zip(map.pixels.chunks_mut((side * side) as usize)) {
-            let position = stage.geometry.space.origin + center;
+            let position = scene.geometry.space.origin + center;
             let camera = Camera { position, target: position + face.forward, up: face.up, projection };
-            let rendering = render_through(stage, &stage.camera_for(&camera), settings, control)?;
+            let rendering = render_through(scene, &scene.camera_for(&camera), settings, control)?;
             counts += rendering.counts;
             pixels.iter_mut().zip(rendering.picture.pixels()).for_each(|(to, from)| *to = *from);
         }

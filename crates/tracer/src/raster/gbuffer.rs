@@ -129,19 +129,19 @@ impl GBuffer {
     /// The geometry pass: finds the points of a sample.
     pub(crate) fn look(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         camera: &RenderCamera,
         sample: u32,
         control: &RenderControl,
     ) -> Result<RayCounts, MethodError> {
         self.offset = sample_offset(sample);
         let (offset, frame) = (self.offset, self.frame);
-        let make = || PointShader::new(stage, camera);
+        let make = || PointShader::new(scene, camera);
         let counts = frame.each_row(&mut self.texels, control, make, |probe, y, row| {
             let before = probe.counts;
             for (x, texel) in row.iter_mut().enumerate() {
                 let at = DVec2::new(x as f64, y as f64) + offset;
-                *texel = seen(stage, camera, probe, at, frame.size());
+                *texel = seen(scene, camera, probe, at, frame.size());
             }
             probe.counts - before
         })?;
@@ -152,23 +152,23 @@ impl GBuffer {
     /// The lighting pass: the local terms with shadows.
     pub(crate) fn light(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         camera: &RenderCamera,
         control: &RenderControl,
     ) -> Result<RayCounts, MethodError> {
         let (texels, frame) = (&self.texels, self.frame);
-        let make = || PointShader::new(stage, camera);
+        let make = || PointShader::new(scene, camera);
         frame.each_row(&mut self.lit, control, make, |probe, y, row| {
             let before = probe.counts;
             for (lit, texel) in row.iter_mut().zip(texels.iter().skip(y * frame.width)) {
-                *lit = light_of(stage, camera, probe, texel);
+                *lit = light_of(scene, camera, probe, texel);
             }
             probe.counts - before
         })
     }
 
     /// A layer as a picture.
-    pub(crate) fn picture(&self, stage: &RenderScene, layer: GBufferLayer) -> Result<Picture, SizeError> {
+    pub(crate) fn picture(&self, scene: &RenderScene, layer: GBufferLayer) -> Result<Picture, SizeError> {
         let nearest = self.texels.iter().map(|texel| texel.depth).fold(f32::INFINITY, f32::min);
         let color = |index: usize| -> Option<Vector<f32>> {
             match layer {
@@ -177,14 +177,14 @@ impl GBuffer {
                 _ => {}
             }
             let texel = self.texels.get(index).filter(|texel| !texel.is_empty())?;
-            let material = stage.material(stage.geometry.body(texel.start.body));
+            let material = scene.material(scene.geometry.body(texel.start.body));
             Some(match layer {
                 GBufferLayer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
                 GBufferLayer::Normal => texel.normal.map(|part| 0.5 * part + 0.5),
                 GBufferLayer::Coefficients => {
                     Vector::new(material.diffuse, material.specular, material.reflection)
                 }
-                GBufferLayer::Body => color_at_number(stage.scene_index(texel.start.body)?),
+                GBufferLayer::Body => color_at_number(scene.scene_index(texel.start.body)?),
                 _ => texel.color,
             })
         };
@@ -198,7 +198,7 @@ impl GBuffer {
 
 /// The point that the ray through a place of the picture meets.
 pub(crate) fn seen(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     probe: &mut PointShader<'_>,
     at: DVec2,
@@ -209,25 +209,25 @@ pub(crate) fn seen(
     let Some(hit) = probe.primary(&ray) else {
         return GBufferTexel { normal: rays.direction, ..GBufferTexel::EMPTY };
     };
-    let point = stage.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
+    let point = scene.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
     GBufferTexel {
         start: RayOrigin { body: hit.body, inwards: hit.leaving },
         depth: camera.homogeneous(exact(point.in_world).extend(1.0), size).depth as f32,
         position: point.in_world,
         normal: point.normal,
-        color: color_at(stage, hit.body, &point),
+        color: color_at(scene, hit.body, &point),
     }
 }
 
 /// The local terms, or the background.
 pub(crate) fn light_of(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     probe: &mut PointShader<'_>,
     texel: &GBufferTexel,
 ) -> Vector<f32> {
     if texel.is_empty() {
-        return stage.sky.along(texel.normal);
+        return scene.sky.along(texel.normal);
     }
     let GBufferTexel { start, position, normal, .. } = *texel;
     let to_viewer = vector(camera.toward_viewer(exact(position)));

@@ -45,7 +45,7 @@ impl<'a> ReflectionSources<'a> {
 }
 
 pub(crate) fn draw(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     mirrors: ReflectionSources<'_>,
     render: RenderSettings,
@@ -61,18 +61,18 @@ pub(crate) fn draw(
     let (mut maps, mut used) = (ActiveCubeMaps::default(), CubeMapUse::default());
     // The first sample last: its buffers are kept.
     for sample in (0..samples).rev() {
-        counts += clock.time(PassName::Geometry, || buffer.look(stage, camera, sample, control))?;
-        counts += clock.time(PassName::Light, || buffer.light(stage, camera, control))?;
+        counts += clock.time(PassName::Geometry, || buffer.look(scene, camera, sample, control))?;
+        counts += clock.time(PassName::Light, || buffer.light(scene, camera, control))?;
         if let Some(settings) = mirrors.maps {
             counts += clock.time(PassName::CubeMaps, || {
-                take_maps(stage, &buffer, settings, control, cache, (&mut maps, &mut used))
+                take_maps(scene, &buffer, settings, control, cache, (&mut maps, &mut used))
             })?;
         }
         clock.time(PassName::Reflect, || {
-            reflect(stage, camera, mirrors, &mut buffer, &maps, control)?;
+            reflect(scene, camera, mirrors, &mut buffer, &maps, control)?;
             let both = canvas.sums().iter_mut().zip(buffer.lit.iter().zip(&buffer.reflected));
             for ((sum, (lit, reflected)), texel) in both.zip(&buffer.texels) {
-                let share = reflecting(stage, texel).unwrap_or(0.0);
+                let share = reflecting(scene, texel).unwrap_or(0.0);
                 *sum += exact(*lit + *reflected * share);
             }
             Ok::<(), MethodError>(())
@@ -85,13 +85,13 @@ pub(crate) fn draw(
 }
 
 /// k_r of what a texel shows, if its reflected ray would be traced.
-pub(crate) fn reflecting(stage: &RenderScene, texel: &GBufferTexel) -> Option<f32> {
-    if texel.is_empty() { None } else { reflection_of(stage, texel.start.body) }
+pub(crate) fn reflecting(scene: &RenderScene, texel: &GBufferTexel) -> Option<f32> {
+    if texel.is_empty() { None } else { reflection_of(scene, texel.start.body) }
 }
 
 /// Has the maps made of all bodies that reflect in the picture.
 fn take_maps(
-    stage: &RenderScene,
+    scene: &RenderScene,
     buffer: &GBuffer,
     settings: &CubeMapSettings,
     control: &RenderControl,
@@ -105,7 +105,7 @@ fn take_maps(
         // Neighboring pixels mostly show the same body.
         if texel.start.body != last {
             last = texel.start.body;
-            if reflecting(stage, texel).is_some() {
+            if reflecting(scene, texel).is_some() {
                 bodies.insert(last);
             }
         }
@@ -113,12 +113,12 @@ fn take_maps(
     if bodies.len() == before {
         return Ok(RayCounts::default());
     }
-    let (made, counts) = cache.prepare(stage, &bodies, settings.size, control)?;
+    let (made, counts) = cache.prepare(scene, &bodies, settings.size, control)?;
     // Maps that an earlier sample has had made are not there from before.
     *used = CubeMapUse { built: used.built + made.built, kept: made.kept.saturating_sub(used.built), ..made };
     for index in bodies {
-        let Some(map) = stage.scene_index(index).and_then(|place| cache.get(place)) else { continue };
-        let proxy = || settings.parallax.then(|| ParallaxBox::around(stage, index, map.center()));
+        let Some(map) = scene.scene_index(index).and_then(|place| cache.get(place)) else { continue };
+        let proxy = || settings.parallax.then(|| ParallaxBox::around(scene, index, map.center()));
         maps.maps.entry(index).or_insert_with(|| (Arc::clone(map), proxy()));
     }
     Ok(counts)
@@ -126,7 +126,7 @@ fn take_maps(
 
 /// Finds what each reflected ray brings.
 fn reflect(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     mirrors: ReflectionSources<'_>,
     buffer: &mut GBuffer,
@@ -143,7 +143,7 @@ fn reflect(
             MarchOutcome::Met(at) => Some(screen.light(at)),
             MarchOutcome::LeftScreen | MarchOutcome::OutOfRange => None,
         });
-        met.or_else(|| maps.light(texel, direction)).unwrap_or_else(|| stage.sky.along(direction))
+        met.or_else(|| maps.light(texel, direction)).unwrap_or_else(|| scene.sky.along(direction))
     };
     let done = frame.each_row(
         &mut reflected,
@@ -151,7 +151,7 @@ fn reflect(
         || (),
         |(), y, row| {
             for (found, texel) in row.iter_mut().zip(shown.texels.iter().skip(y * frame.width)) {
-                let reflects = reflecting(stage, texel).is_some();
+                let reflects = reflecting(scene, texel).is_some();
                 *found = if reflects { find(texel) } else { vector(DVec3::ZERO) };
             }
             RayCounts::default()

@@ -34,23 +34,23 @@ impl MethodOutput {
     }
 
     /// A layer of the buffers behind the picture (of `ssr` and `cube-map`; other methods have none), of the first sample.
-    /// `stage` is the one that was drawn.
+    /// `scene` is the one that was drawn.
     ///
     /// # Errors
     /// When memory is short.
-    pub fn layer(&self, stage: &RenderScene, layer: GBufferLayer) -> Result<Option<Picture>, SizeError> {
+    pub fn layer(&self, scene: &RenderScene, layer: GBufferLayer) -> Result<Option<Picture>, SizeError> {
         match &self.evidence {
-            FirstSampleBuffers::Buffers(buffer, _) => buffer.picture(stage, layer).map(Some),
+            FirstSampleBuffers::Buffers(buffer, _) => buffer.picture(scene, layer).map(Some),
             FirstSampleBuffers::None | FirstSampleBuffers::Bodies(_) => Ok(None),
         }
     }
 
     /// The cube maps that served the picture, each with the place in [`Scene::bodies`](catoptric_scene::Scene::bodies) of
     /// its body.
-    pub fn maps(&self, stage: &RenderScene) -> Vec<(usize, &CubeMap)> {
+    pub fn maps(&self, scene: &RenderScene) -> Vec<(usize, &CubeMap)> {
         match &self.evidence {
             FirstSampleBuffers::Buffers(_, maps) => {
-                maps.iter().filter_map(|(body, map)| Some((stage.scene_index(body)?, map))).collect()
+                maps.iter().filter_map(|(body, map)| Some((scene.scene_index(body)?, map))).collect()
             }
             FirstSampleBuffers::None | FirstSampleBuffers::Bodies(_) => Vec::new(),
         }
@@ -61,7 +61,7 @@ impl MethodOutput {
 #[derive(Clone, Debug)]
 pub(crate) enum FirstSampleBuffers {
     None,
-    /// The body in each pixel, by its place in the stage.
+    /// The body in each pixel, by its place in the scene.
     Bodies(Vec<u32>),
     /// What the pixels show and reflect, and the maps that they looked into.
     Buffers(Box<GBuffer>, ActiveCubeMaps),

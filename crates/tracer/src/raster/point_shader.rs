@@ -1,4 +1,4 @@
-//! One thread's means of asking the stage: what a ray meets, and how a point is lit.
+//! One thread's means of asking the scene: what a ray meets, and how a point is lit.
 
 use glam::DVec3;
 
@@ -48,9 +48,9 @@ impl DirectLight {
     }
 }
 
-/// Asks a stage; reusable from point to point by one thread. Counts the rays it sends.
+/// Asks a scene; reusable from point to point by one thread. Counts the rays it sends.
 pub(crate) struct PointShader<'a> {
-    stage: &'a RenderScene,
+    scene: &'a RenderScene,
     camera: &'a RenderCamera,
     table: MediumStacks,
     /// The transparent bodies around the start of the primary ray; a reflected ray stays in them.
@@ -63,9 +63,9 @@ pub(crate) struct PointShader<'a> {
 }
 
 impl<'a> PointShader<'a> {
-    pub(crate) fn new(stage: &'a RenderScene, camera: &'a RenderCamera) -> Self {
+    pub(crate) fn new(scene: &'a RenderScene, camera: &'a RenderCamera) -> Self {
         let mut probe = Self {
-            stage,
+            scene,
             camera,
             table: MediumStacks::default(),
             inside: BodyMembership::default(),
@@ -80,9 +80,9 @@ impl<'a> PointShader<'a> {
 
     /// From now on, primary rays start here.
     pub(crate) fn stand_at(&mut self, point: Vector<f32>) {
-        if self.stage.geometry.has_transparency {
+        if self.scene.geometry.has_transparency {
             self.table.trim();
-            self.media = self.table.at_point(self.stage, point);
+            self.media = self.table.at_point(self.scene, point);
             self.table.fill::<ScalarWidth>(&mut self.inside, self.media, true);
         }
     }
@@ -95,23 +95,23 @@ impl<'a> PointShader<'a> {
         self.counts.primary += 1;
         let rays = ray.alone();
         found_in(
-            &RayQuery::new(ScalarWidth, &self.stage.geometry, &rays, true, &self.inside, Candidates::All)
+            &RayQuery::new(ScalarWidth, &self.scene.geometry, &rays, true, &self.inside, Candidates::All)
                 .nearest(&mut self.parts),
         )
     }
 
     /// The local terms at a point.
     pub(crate) fn light(&mut self, at: &ShadingPoint, model: LightModel, shadows: bool) -> DirectLight {
-        let stage = self.stage;
+        let scene = self.scene;
         let nothing = Vector::new(0.0, 0.0, 0.0);
-        let material = stage.material(stage.geometry.body(at.start.body));
+        let material = scene.material(scene.geometry.body(at.start.body));
         let specular = if model == LightModel::Phong { material.specular } else { 0.0 };
-        let on_color = Vector::from(glam::Vec3::from(stage.ambient)) * material.ambient;
+        let on_color = Vector::from(glam::Vec3::from(scene.ambient)) * material.ambient;
         let mut light = DirectLight { on_color, highlight: nothing };
         if material.diffuse == 0.0 && specular == 0.0 {
             return light;
         }
-        for source in stage.lights.iter().filter(|light| light.shines) {
+        for source in scene.lights.iter().filter(|light| light.shines) {
             let offset = Vector::splat(0.0, source.position) - at.position;
             let distance = offset.length_squared().sqrt();
             let to_light = offset * (1.0 / distance);
@@ -140,36 +140,36 @@ impl<'a> PointShader<'a> {
             RayPacket { origin: at.position, direction: to_light, start: at.start.word() };
         let Self { parts, intervals, .. } = self;
         let memory = ShadowScratch { parts, intervals, blocker: &mut { NO_BODY } };
-        RayQuery::new(ScalarWidth, &self.stage.geometry, &rays, true, &self.inside, Candidates::All)
-            .transmittance(self.stage, distance, (&self.table, self.media), memory)
+        RayQuery::new(ScalarWidth, &self.scene.geometry, &rays, true, &self.inside, Candidates::All)
+            .transmittance(self.scene, distance, (&self.table, self.media), memory)
             .shares(ScalarWidth)
     }
 }
 
 /// The color C of a body at a point of its surface.
-pub(crate) fn color_at(stage: &RenderScene, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
-    color_of(stage, body, point.in_body, point.on_checker(stage.geometry.body(body)))
+pub(crate) fn color_at(scene: &RenderScene, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
+    color_of(scene, body, point.in_body, point.on_checker(scene.geometry.body(body)))
 }
 
 /// The color C of a body at a point of its own frame, which its checkerboard sees as `on_checker`.
 pub(crate) fn color_of(
-    stage: &RenderScene,
+    scene: &RenderScene,
     body: u32,
     in_body: Vector<f32>,
     on_checker: Vector<f32>,
 ) -> Vector<f32> {
-    let body = stage.geometry.body(body);
-    let checker = stage.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(on_checker));
+    let body = scene.geometry.body(body);
+    let checker = scene.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(on_checker));
     match checker {
         Some(checker) => Vector::splat(0.0, checker.color),
-        None => stage.material(body).color_at(ScalarWidth, body, in_body, true),
+        None => scene.material(body).color_at(ScalarWidth, body, in_body, true),
     }
 }
 
 /// Coefficient k_r, if a ray that carries it is traced at all.
-pub(crate) fn reflection_of(stage: &RenderScene, body: u32) -> Option<f32> {
-    let reflection = stage.material(stage.geometry.body(body)).reflection;
-    (stage.generations > 1 && reflection > 0.0 && reflection >= stage.threshold).then_some(reflection)
+pub(crate) fn reflection_of(scene: &RenderScene, body: u32) -> Option<f32> {
+    let reflection = scene.material(scene.geometry.body(body)).reflection;
+    (scene.generations > 1 && reflection > 0.0 && reflection >= scene.threshold).then_some(reflection)
 }
 
 pub(crate) fn vector(v: DVec3) -> Vector<f32> {

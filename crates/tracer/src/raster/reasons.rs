@@ -132,7 +132,7 @@ impl ReasonMap {
 }
 
 /// Tells for each pixel of `drawing` of which a channel differs from `truth` by more than `bound` why it does. Light is
-/// linear and not clamped. The method is that of the drawing; `truth` is the traced picture of the same stage and size. Of
+/// linear and not clamped. The method is that of the drawing; `truth` is the traced picture of the same scene and size. Of
 /// a traced drawing, nothing is told.
 ///
 /// Nothing is guessed: the tree of rays behind the pixel's center is traced, the light of its parts is held against what
@@ -141,7 +141,7 @@ impl ReasonMap {
 /// # Errors
 /// When the sizes differ from those of `settings`, memory is short, or the work is cancelled.
 pub fn reasons(
-    stage: &RenderScene,
+    scene: &RenderScene,
     method: &Method,
     settings: RenderSettings,
     truth: &Picture,
@@ -161,9 +161,9 @@ pub fn reasons(
     let groups = wrong_pixels(method, truth, drawing, bound);
     control.expect(groups.values().map(|pixels| pixels.len() as u64).sum());
     for (body, pixels) in groups {
-        let others = body.map(|body| around(stage, body));
+        let others = body.map(|body| around(scene, body));
         let case =
-            ReasonInput { stage, camera: stage.camera(), method, drawing, frame, others: others.as_ref() };
+            ReasonInput { scene, camera: scene.camera(), method, drawing, frame, others: others.as_ref() };
         let found = pixels.par_iter().map_init(
             || ReferencePixel::new(&case, control),
             |witness, &pixel| {
@@ -212,7 +212,7 @@ fn wrong_pixels(
 
 /// What is to be explained.
 pub(crate) struct ReasonInput<'a> {
-    stage: &'a RenderScene,
+    scene: &'a RenderScene,
     camera: &'a RenderCamera,
     method: &'a Method,
     drawing: &'a MethodOutput,

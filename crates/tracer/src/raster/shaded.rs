@@ -38,7 +38,7 @@ pub(crate) enum ShadingFrequency {
 
 /// What is drawn, and how.
 pub(crate) struct ShadingJob<'a> {
-    stage: &'a RenderScene,
+    scene: &'a RenderScene,
     camera: &'a RenderCamera,
     shading: ShadingFrequency,
     settings: &'a ShadingSettings,
@@ -47,7 +47,7 @@ pub(crate) struct ShadingJob<'a> {
 }
 
 pub(crate) fn draw(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     shading: ShadingFrequency,
     settings: &ShadingSettings,
@@ -55,7 +55,7 @@ pub(crate) fn draw(
     control: &RenderControl,
 ) -> Result<MethodOutput, MethodError> {
     let frame = FrameSize::new(render)?;
-    let job = ShadingJob { stage, camera, shading, settings, frame, control };
+    let job = ShadingJob { scene, camera, shading, settings, frame, control };
     let samples = render.samples.max(1);
     control.expect(2 * frame.pixels() as u64 * u64::from(samples));
     let mut canvas = SampleSums::new(frame)?;
@@ -74,7 +74,7 @@ pub(crate) fn draw(
             while let Some(batch) = maker.batch(&mut clock, &mut counts)? {
                 clock.time(PassName::Rasterize, || batch.rasterize(&job, offset, &mut fragments))?;
                 // Faces do not move from sample to sample: if they all are in one batch, it serves for all.
-                kept = batch.is_all(stage).then_some(batch);
+                kept = batch.is_all(scene).then_some(batch);
             }
         }
         control.add_pixels(frame.pixels() as u64);
@@ -103,7 +103,7 @@ impl ShadingJob<'_> {
         canvas: &mut SampleSums,
     ) -> Result<RayCounts, MethodError> {
         let width = self.frame.width;
-        let make = || PointShader::new(self.stage, self.camera);
+        let make = || PointShader::new(self.scene, self.camera);
         self.frame.each_row(canvas.sums(), self.control, make, |probe, y, sums| {
             let before = probe.counts;
             let row = fragments.iter().skip(y * width);
@@ -119,7 +119,7 @@ impl ShadingJob<'_> {
     fn color(&self, probe: &mut PointShader<'_>, fragment: &Fragment, at: impl Fn() -> DVec2) -> Vector<f32> {
         if fragment.is_empty() {
             let ray = self.camera.ray(at(), self.frame.size());
-            return self.stage.sky.along(ray.alone().direction);
+            return self.scene.sky.along(ray.alone().direction);
         }
         let start = RayOrigin::of_word(fragment.start);
         let [first, second] = fragment.values;
@@ -129,7 +129,7 @@ impl ShadingJob<'_> {
         } else {
             DirectLight { on_color: first, highlight: second }
         };
-        light.with_color(color_of(self.stage, start.body, fragment.in_body, fragment.in_body))
+        light.with_color(color_of(self.scene, start.body, fragment.in_body, fragment.in_body))
     }
 
     fn light(

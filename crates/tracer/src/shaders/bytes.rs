@@ -1,4 +1,4 @@
-//! The stage as the shaders read it.
+//! The scene as the shaders read it.
 
 use std::ops::Range;
 
@@ -31,17 +31,17 @@ pub(crate) const FALLOFF_NONE: u32 = 0;
 pub(crate) const FALLOFF_LINEAR: u32 = 1;
 const FALLOFF_INVERSE_SQUARE: u32 = 2;
 
-/// The arrays of a stage, each as the bytes of the shader's array of the same name.
+/// The arrays of a scene, each as the bytes of the shader's array of the same name.
 #[derive(Clone, Copy)]
 pub struct SceneArrays<'a>(pub &'a RenderScene);
 
 impl<'a> SceneArrays<'a> {
-    /// The bodies, as they stand in the stage.
+    /// The bodies, as they stand in the scene.
     pub fn bodies(self) -> &'a [u8] {
         bytemuck::cast_slice(&self.0.geometry.bodies)
     }
 
-    /// Nodes of the hierarchy, or bounding spheres, as they stand in the stage.
+    /// Nodes of the hierarchy, or bounding spheres, as they stand in the scene.
     pub fn boxes(self) -> &'a [u8] {
         match &self.0.geometry.hierarchy {
             Accelerator::Few => bytemuck::cast_slice(&self.0.geometry.spheres),
@@ -63,15 +63,15 @@ impl<'a> SceneArrays<'a> {
     /// Of each body its place in the scene and, if `ranked`, its place among all bodies in the order of their volumes
     /// (see [`ShaderSpecialization::asks_each_start`](super::Specialization::asks_each_start)).
     pub fn scene_order(self, ranked: bool) -> Vec<u8> {
-        let stage = self.0;
-        let mut order: Vec<[u32; 2]> = stage.geometry.scene_indices.iter().map(|&index| [index, 0]).collect();
+        let scene = self.0;
+        let mut order: Vec<[u32; 2]> = scene.geometry.scene_indices.iter().map(|&index| [index, 0]).collect();
         if ranked {
-            let places = stage
+            let places = scene
                 .geometry
                 .bodies
                 .par_iter()
-                .zip(&stage.geometry.scene_indices)
-                .zip(0_u32..stage.geometry.bodies.len() as u32);
+                .zip(&scene.geometry.scene_indices)
+                .zip(0_u32..scene.geometry.bodies.len() as u32);
             let mut volumes: Vec<(f64, u32, u32)> =
                 places.map(|((body, &index), place)| (body.volume(), index, place)).collect();
             volumes.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
@@ -84,7 +84,7 @@ impl<'a> SceneArrays<'a> {
         bytemuck::cast_slice(&order).to_vec()
     }
 
-    /// The materials, in the form that the shader of the stage's [`ShaderSpecialization`](super::Specialization) reads.
+    /// The materials, in the form that the shader of the scene's [`ShaderSpecialization`](super::Specialization) reads.
     pub fn materials(self) -> Vec<u8> {
         match PhysicalFeatures::of(self.0) {
             PhysicalFeatures::NOTHING => {
@@ -119,7 +119,7 @@ fn bytes<T: Pod>(records: impl Iterator<Item = T>) -> Vec<u8> {
     bytemuck::cast_slice(&records).to_vec()
 }
 
-/// Twin of the shader's `Material` for stages without physical materials.
+/// Twin of the shader's `Material` for scenes without physical materials.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 struct MaterialBytes {
@@ -208,10 +208,10 @@ pub struct FrameUniforms {
 
 impl FrameUniforms {
     /// For a picture of `size` pixels.
-    pub fn new(stage: &RenderScene, camera: &RenderCamera, size: [u32; 2]) -> Self {
-        let media = eye_media(stage, camera);
+    pub fn new(scene: &RenderScene, camera: &RenderCamera, size: [u32; 2]) -> Self {
+        let media = eye_media(scene, camera);
         let nothing = [0.0; 3];
-        let (background, horizon, nadir, turn) = match stage.sky {
+        let (background, horizon, nadir, turn) = match scene.sky {
             EnvironmentLight::Even(color) => (color, nothing, nothing, 0.0),
             EnvironmentLight::Gradient { zenith, horizon, nadir } => (zenith, horizon, nadir, 0.0),
             EnvironmentLight::Picture { image: _, turn, strength } => ([strength; 3], nothing, nothing, turn),
@@ -221,15 +221,15 @@ impl FrameUniforms {
             horizon,
             nadir,
             turn,
-            generations: stage.generations(),
-            ambient: stage.ambient,
-            threshold: stage.threshold(),
+            generations: scene.generations(),
+            ambient: scene.ambient,
+            threshold: scene.threshold(),
             size,
             tiles_across: tiles_across(size[0]),
-            bounded: stage.geometry.bounded,
-            bodies: stage.geometry.bodies.len() as u32,
-            lights: stage.lights.len() as u32,
-            largest_slack: stage.geometry.largest_slack,
+            bounded: scene.geometry.bounded,
+            bodies: scene.geometry.bodies.len() as u32,
+            lights: scene.lights.len() as u32,
+            largest_slack: scene.geometry.largest_slack,
             eye_media_count: media.len().min(MOST_MEDIA) as u32,
             ..Self::zeroed()
         };
@@ -301,7 +301,7 @@ pub fn tile_rays(camera: &RenderCamera, size: [u32; 2]) -> Vec<CameraRaysBytes> 
     places.par_iter().map(|place| CameraRaysBytes::new(&place.rays_near(camera, size))).collect()
 }
 
-/// Twin of the shader's `Light` for stages with physical materials.
+/// Twin of the shader's `Light` for scenes with physical materials.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct SphereLightBytes {

@@ -5,7 +5,7 @@ use std::ops::BitOr;
 use crate::transport::scene::RenderScene;
 use crate::transport::surface::material::{MaterialModel, RenderMaterial};
 
-/// What a stage has of physical materials and lights, a bit for each.
+/// What a scene has of physical materials and lights, a bit for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct PhysicalFeatures(u32);
 
@@ -32,15 +32,15 @@ impl PhysicalFeatures {
         self.0 & other.0 == other.0
     }
 
-    pub(crate) fn of(stage: &RenderScene) -> Self {
-        let any = |test: fn(&RenderMaterial) -> bool| stage.materials.iter().any(test);
+    pub(crate) fn of(scene: &RenderScene) -> Self {
+        let any = |test: fn(&RenderMaterial) -> bool| scene.materials.iter().any(test);
         let found = [
             (Self::LAWS, any(|material| !matches!(material.law, MaterialModel::Constant))),
             (Self::METALS, any(|material| matches!(material.law, MaterialModel::Conductor(_)))),
             (Self::FACETS, any(|material| material.alpha > 0.0)),
             (Self::ABSORBS, any(RenderMaterial::absorbs)),
             (Self::DISPERSES, any(|material| material.dispersion.is_some())),
-            (Self::BALLS, stage.lights.iter().any(|light| light.radius > 0.0)),
+            (Self::BALLS, scene.lights.iter().any(|light| light.radius > 0.0)),
         ];
         found.into_iter().filter(|(_, is_there)| *is_there).fold(Self::NOTHING, |all, (one, _)| all | one)
     }

@@ -16,7 +16,7 @@ use crate::transport::spectrum::SampledWavelengths;
 use crate::transport::surface::conductor_table::{ConductorTable, STEPS as CURVE_STEPS};
 use crate::transport::surface::material::{MaterialModel, RenderMaterial};
 
-/// The constants of shaders for such stages.
+/// The constants of shaders for such scenes.
 pub(crate) fn constants(special: &ShaderSpecialization) -> ShaderConstants {
     let has = |physical| special.physical.has(physical);
     ShaderConstants {
@@ -64,12 +64,12 @@ const INDEX_STEPS: u32 = 800;
 type MaterialRow = [u32; 4];
 
 /// The materials, then the tables that they point to.
-pub(crate) fn rows(stage: &RenderScene) -> Vec<MaterialRow> {
-    let first = stage.materials.len() as u32 * ROWS;
+pub(crate) fn rows(render_scene: &RenderScene) -> Vec<MaterialRow> {
+    let first = render_scene.materials.len() as u32 * ROWS;
     let mut tables =
-        MaterialRowTables { first, pictures: PictureAtlas::of(stage), ..MaterialRowTables::default() };
+        MaterialRowTables { first, pictures: PictureAtlas::of(render_scene), ..MaterialRowTables::default() };
     let mut rows: Vec<MaterialRow> = Vec::new();
-    for material in stage.materials.iter() {
+    for material in render_scene.materials.iter() {
         rows.extend(rows_of(material, &mut tables));
     }
     rows.extend(tables.rows);
@@ -199,9 +199,13 @@ mod tests {
         Material { model, ..Material::default() }
     }
 
-    fn special(stage: &RenderScene) -> ShaderSpecialization {
-        ShaderSpecialization::of(&crate::shaders::specialize::SceneContents::of(stage), stage, stage.camera())
-            .unwrap()
+    fn special(render_scene: &RenderScene) -> ShaderSpecialization {
+        ShaderSpecialization::of(
+            &crate::shaders::specialize::SceneContents::of(render_scene),
+            render_scene,
+            render_scene.camera(),
+        )
+        .unwrap()
     }
 
     #[test]
@@ -249,11 +253,11 @@ mod tests {
             ..made_of(Model::Conductor)
         };
         let glass = Material { dispersion: true, ..made_of(Model::Dielectric) };
-        let stage = stage_of(
+        let render_scene = stage_of(
             &[gold.clone(), glass, Material { roughness: 0.3, ..gold }, made_of(Model::Mirror)],
             0.0,
         );
-        let rows = rows(&stage);
+        let rows = rows(&render_scene);
         let laws: Vec<MaterialRow> = rows.chunks(ROWS as usize).take(4).map(|material| material[3]).collect();
         assert_eq!(
             laws.iter().map(|law| law[0]).collect::<Vec<_>>(),
@@ -261,12 +265,14 @@ mod tests {
         );
         // One curve for both.
         assert_eq!((laws[0][2], laws[3][2]), (laws[2][2], NO_ROWS));
-        let MaterialModel::Conductor(curve) = &stage.materials[0].law else { panic!("gold is a conductor") };
+        let MaterialModel::Conductor(curve) = &render_scene.materials[0].law else {
+            panic!("gold is a conductor")
+        };
         let first = laws[0][2] as usize;
         assert_eq!(rows[first + CURVE_STEPS + 1][..3], curve.at(1.0).map(f32::to_bits));
         let indices: Vec<f32> =
             rows[laws[1][3] as usize..].as_flattened().iter().map(|bits| f32::from_bits(*bits)).collect();
-        let dispersion = stage.materials[1].dispersion.unwrap();
+        let dispersion = render_scene.materials[1].dispersion.unwrap();
         for tenth in 3800_u16..7800 {
             let nanometers = f64::from(tenth) / 10.0;
             let place = (nanometers - 380.0) * INDEX_RATE;

@@ -1,4 +1,4 @@
-//! The pictures of a stage as the shaders read them.
+//! The pictures of a scene as the shaders read them.
 
 use crate::transport::environment::EnvironmentLight;
 use crate::transport::scene::RenderScene;
@@ -11,18 +11,18 @@ pub const PICTURES_ACROSS: u32 = 8192;
 /// A texel: the record of a picture (its first pixel, width and height), or a pixel.
 pub type AtlasTexel = [u32; 4];
 
-/// All pictures of a stage, each once, that around the bodies first. They are kept while this is, and equal only to
+/// All pictures of a scene, each once, that around the bodies first. They are kept while this is, and equal only to
 /// themselves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PictureAtlas(Vec<ImageLookup>);
 
 impl PictureAtlas {
-    pub(crate) fn of(stage: &RenderScene) -> Self {
-        let around = match &stage.sky {
+    pub(crate) fn of(scene: &RenderScene) -> Self {
+        let around = match &scene.sky {
             EnvironmentLight::Picture { image, .. } => Some(image),
             _ => None,
         };
-        let textures = stage.materials.iter().filter_map(|material| material.texture.as_ref());
+        let textures = scene.materials.iter().filter_map(|material| material.texture.as_ref());
         let mut on_bodies: Vec<&ImageLookup> =
             textures.map(ImageTexture::image).filter(|image| Some(*image) != around).collect();
         // An order that does not change with the materials': else all pictures would be sent again.

@@ -1,4 +1,4 @@
-//! Which shader fits a stage, and which stages none does.
+//! Which shader fits a scene, and which scenes none does.
 
 use crate::geometry::Accelerator;
 use crate::geometry::body::RenderBody;
@@ -12,7 +12,7 @@ use crate::transport::scene::RenderScene;
 use crate::transport::scene::log::SceneChanges;
 use crate::transport::surface::material::RenderMaterial;
 
-/// What is found among the bodies of a stage, or was before an edit.
+/// What is found among the bodies of a scene, or was before an edit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SceneContents {
     /// A bit for each kind of shape.
@@ -23,7 +23,7 @@ pub struct SceneContents {
     depth: u32,
 }
 
-/// What a shader is made for: stages and cameras of one kind share it.
+/// What a shader is made for: scenes and cameras of one kind share it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ShaderSpecialization {
     /// A bit for each [`ShapeKind`] that occurs.
@@ -46,7 +46,7 @@ pub struct ShaderSpecialization {
     pub textures: bool,
 }
 
-/// What surrounds the bodies of a stage.
+/// What surrounds the bodies of a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum EnvironmentKind {
     /// The same light from everywhere.
@@ -59,8 +59,8 @@ pub enum EnvironmentKind {
 }
 
 impl EnvironmentKind {
-    fn of(stage: &RenderScene) -> Self {
-        match stage.sky {
+    fn of(scene: &RenderScene) -> Self {
+        match scene.sky {
             EnvironmentLight::Even(_) => Self::Even,
             EnvironmentLight::Gradient { .. } => Self::Gradient,
             EnvironmentLight::Picture { .. } => Self::Picture,
@@ -89,18 +89,18 @@ pub enum UnsupportedOnGpu {
 }
 
 impl SceneContents {
-    /// Looks at all bodies of a stage.
-    pub fn of(stage: &RenderScene) -> Self {
-        let mut contents = Self { depth: depth(stage), ..Self::default() };
-        contents.add(&stage.geometry.bodies);
+    /// Looks at all bodies of a scene.
+    pub fn of(scene: &RenderScene) -> Self {
+        let mut contents = Self { depth: depth(scene), ..Self::default() };
+        contents.add(&scene.geometry.bodies);
         contents
     }
 
     /// Takes up what bodies that have changed are now.
-    pub fn follow(&mut self, stage: &RenderScene, changes: &SceneChanges) {
+    pub fn follow(&mut self, scene: &RenderScene, changes: &SceneChanges) {
         for range in &changes.bodies {
             let range = range.start as usize..range.end as usize;
-            self.add(stage.geometry.bodies.get(range).unwrap_or_default());
+            self.add(scene.geometry.bodies.get(range).unwrap_or_default());
         }
     }
 
@@ -113,21 +113,21 @@ impl SceneContents {
 }
 
 impl ShaderSpecialization {
-    /// The specialization for a stage seen through a camera, or what in them the shaders cannot draw.
+    /// The specialization for a scene seen through a camera, or what in them the shaders cannot draw.
     ///
     /// # Errors
     /// What is known beforehand not to fit; [`UnsupportedOnGpu::NestedMedia`] only shows while drawing.
     pub fn of(
         contents: &SceneContents,
-        stage: &RenderScene,
+        scene: &RenderScene,
         camera: &RenderCamera,
     ) -> Result<Self, UnsupportedOnGpu> {
-        if stage.geometry.has_doubles() {
+        if scene.geometry.has_doubles() {
             return Err(UnsupportedOnGpu::DoublePrecision);
         }
-        let physical = PhysicalFeatures::of(stage);
+        let physical = PhysicalFeatures::of(scene);
         let is_textured = |material: &RenderMaterial| material.texture.is_some();
-        let around_eye = eye_media(stage, camera).len();
+        let around_eye = eye_media(scene, camera).len();
         if around_eye > MOST_MEDIA {
             return Err(UnsupportedOnGpu::EyeMedia(around_eye));
         }
@@ -135,18 +135,18 @@ impl ShaderSpecialization {
         let is_clear = transparent > 0;
         // One ray may wait for each generation, in the last one only one that goes straight on, and one more among waves; in
         // steps, so that fewer shaders are needed.
-        let waiting = stage.generations() + u32::from(physical.has(PhysicalFeatures::DISPERSES));
+        let waiting = scene.generations() + u32::from(physical.has(PhysicalFeatures::DISPERSES));
         let media = transparent.min(MOST_MEDIA).next_power_of_two() as u32;
         Ok(Self {
             shapes,
             depth,
             media: if is_clear { media } else { 0 },
             stack: if is_clear { waiting.next_multiple_of(4) } else { 0 },
-            checkers: !stage.checkers.is_empty(),
+            checkers: !scene.checkers.is_empty(),
             asks_each_start: is_clear && camera.parallel_height().is_some(),
             physical,
-            sky: EnvironmentKind::of(stage),
-            textures: stage.materials.iter().any(is_textured),
+            sky: EnvironmentKind::of(scene),
+            textures: scene.materials.iter().any(is_textured),
         })
     }
 
@@ -157,18 +157,18 @@ impl ShaderSpecialization {
 }
 
 /// The transparent bodies around the eye, the outermost first; none for a parallel projection.
-pub(crate) fn eye_media(stage: &RenderScene, camera: &RenderCamera) -> Vec<u32> {
+pub(crate) fn eye_media(scene: &RenderScene, camera: &RenderCamera) -> Vec<u32> {
     let Some(eye) = camera.eye() else { return Vec::new() };
     let mut table = MediumStacks::default();
-    let media = table.at_point(stage, eye);
+    let media = table.at_point(scene, eye);
     let mut bodies: Vec<u32> = table.bodies(media).collect();
     bodies.reverse();
     bodies
 }
 
 /// The longest way from the root through the nodes of the hierarchy; 0 without one.
-fn depth(stage: &RenderScene) -> u32 {
-    let Accelerator::Many(bvh) = &stage.geometry.hierarchy else { return 0 };
+fn depth(scene: &RenderScene) -> u32 {
+    let Accelerator::Many(bvh) = &scene.geometry.hierarchy else { return 0 };
     let nodes = bvh.nodes();
     let mut depths = vec![1_u32; nodes.len()];
     let mut deepest = 1;

@@ -87,18 +87,18 @@ impl Film {
     }
 
     /// Adds the next sample of every pixel, on the threads of the current rayon pool, and returns the rays it took.
-    /// Stage and camera must be those of the earlier samples.
+    /// Scene and camera must be those of the earlier samples.
     ///
     /// # Errors
     /// When `control` is cancelled; see above for what becomes of the film. Before the first sample, when there is too
     /// little memory.
     pub fn add_sample(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         camera: &RenderCamera,
         control: &RenderControl,
     ) -> Result<RayCounts, RenderError> {
-        let edge = edge_for(stage, self.width as usize, self.height as usize);
+        let edge = edge_for(scene, self.width as usize, self.height as usize);
         if edge != self.edge {
             self.divide(edge)?;
         }
@@ -112,7 +112,7 @@ impl Film {
             .map_init(
                 || None,
                 |tracer, tile| {
-                    let tracer = tracer.get_or_insert_with(|| TileRenderer::new(stage, camera, control));
+                    let tracer = tracer.get_or_insert_with(|| TileRenderer::new(scene, camera, control));
                     tile.add_sample(tracer, size, control)
                 },
             )

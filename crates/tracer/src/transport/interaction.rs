@@ -60,7 +60,7 @@ impl<W: Width> SurfaceInteraction<W> {
     #[inline(always)]
     pub(crate) fn new<const FULL: bool>(
         w: W,
-        stage: &RenderScene,
+        scene: &RenderScene,
         rays: &RayPacket<W>,
         hits: &PacketHits<W>,
     ) -> Self {
@@ -102,11 +102,11 @@ impl<W: Width> SurfaceInteraction<W> {
         };
         if left != 0 {
             let (index, same) = next(&mut left);
-            all.look_at::<FULL, true>(w, stage, index, rays, hits, same);
+            all.look_at::<FULL, true>(w, scene, index, rays, hits, same);
         }
         while left != 0 {
             let (index, same) = next(&mut left);
-            all.look_at::<FULL, false>(w, stage, index, rays, hits, same);
+            all.look_at::<FULL, false>(w, scene, index, rays, hits, same);
         }
         all
     }
@@ -117,22 +117,22 @@ impl<W: Width> SurfaceInteraction<W> {
     fn look_at<const FULL: bool, const FIRST: bool>(
         &mut self,
         w: W,
-        stage: &RenderScene,
+        scene: &RenderScene,
         index: u32,
         rays: &RayPacket<W>,
         hits: &PacketHits<W>,
         lanes: W::M,
     ) {
-        let body = stage.geometry.body(index);
-        let material = stage.material(body);
+        let body = scene.geometry.body(index);
+        let material = scene.material(body);
         let zero = w.real(0.0);
         let line = (rays.origin, rays.direction);
-        let point = stage.geometry.point_on_face(w, (index, body), line, hits.t, hits.leaving, hits.face);
+        let point = scene.geometry.point_on_face(w, (index, body), line, hits.t, hits.leaving, hits.face);
         let mut color = Vector::splat(zero, material.color);
         if FULL {
             color = material.color_at(w, body, point.in_body, lanes);
         }
-        if let Some(checker) = stage.checkers.get(body.checker as usize) {
+        if let Some(checker) = scene.checkers.get(body.checker as usize) {
             color = Vector::select(
                 checker.is_odd(point.on_checker(body)),
                 Vector::splat(zero, checker.color),
@@ -145,7 +145,7 @@ impl<W: Width> SurfaceInteraction<W> {
         self.normal = select(point.normal, self.normal);
         let has = |coefficient: f32| coefficient != 0.0;
         if has(material.ambient) || !FIRST {
-            let ambient = stage.ambient.map(|light| light * material.ambient);
+            let ambient = scene.ambient.map(|light| light * material.ambient);
             self.ambient = select(color.times_all(ambient), self.ambient);
         }
         if has(material.diffuse) || !FIRST {
@@ -163,7 +163,7 @@ impl<W: Width> SurfaceInteraction<W> {
         }
         self.reflection = real(material.reflection, self.reflection);
         if FULL && !matches!(material.law, MaterialModel::Constant) {
-            self.add_lobes(w, material, (color, stage.ambient), rays.direction, lanes);
+            self.add_lobes(w, material, (color, scene.ambient), rays.direction, lanes);
         }
         if body.is_transparent() {
             self.transparent = self.transparent | lanes;
@@ -222,7 +222,7 @@ impl<W: Width> SurfaceInteraction<W> {
 
     /// What is reflected under another angle: the normals of rough surfaces were turned.
     #[inline(always)]
-    pub(crate) fn set_microfacet_normal(&mut self, w: W, stage: &RenderScene, direction: Vector<W::R>) {
+    pub(crate) fn set_microfacet_normal(&mut self, w: W, scene: &RenderScene, direction: Vector<W::R>) {
         let one = w.real(1.0);
         let cos = (-self.normal.dot(direction)).min(one).max(w.real(0.0));
         let coated = self.rough & self.coated;
@@ -238,7 +238,7 @@ impl<W: Width> SurfaceInteraction<W> {
                 let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
                 let same = self.body.is(index) & colored;
                 left &= !same.bits();
-                if let MaterialModel::Conductor(curve) = &stage.material(stage.geometry.body(index)).law {
+                if let MaterialModel::Conductor(curve) = &scene.material(scene.geometry.body(index)).law {
                     self.sheen = Vector::select(same, curve_at(w, curve, cos), self.sheen);
                 }
             }

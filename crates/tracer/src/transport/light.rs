@@ -1,4 +1,4 @@
-//! Lights of the stage.
+//! Lights of the scene.
 
 use catoptric_scene::{Falloff, Light};
 

@@ -114,7 +114,7 @@ impl MediumStacks {
     /// What a ray in `media` that crosses the surface of `body` comes to.
     pub(crate) fn interface(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         waves: &SampledWavelengths,
         media: u32,
         body: u32,
@@ -124,16 +124,16 @@ impl MediumStacks {
         }
         let is_inside = self.bodies(media).any(|other| other == body);
         let beyond = if is_inside { self.left(media, body) } else { self.entered(media, body) };
-        let ratio = self.ior(stage, waves, media) / self.ior(stage, waves, beyond);
+        let ratio = self.ior(scene, waves, media) / self.ior(scene, waves, beyond);
         let crossing = MediumTransition { beyond, ratio };
         self.crossings.insert((media, body), crossing);
         crossing
     }
 
     /// The index of refraction in these media: that of the body entered last, or of air.
-    pub(crate) fn ior(&self, stage: &RenderScene, waves: &SampledWavelengths, media: u32) -> f32 {
+    pub(crate) fn ior(&self, scene: &RenderScene, waves: &SampledWavelengths, media: u32) -> f32 {
         let Some(index) = self.bodies(media).next() else { return 1.0 };
-        let material = stage.material(stage.geometry.body(index));
+        let material = scene.material(scene.geometry.body(index));
         let wavelength = || waves.nanometers(self.wave(media)?);
         match material.dispersion.zip(wavelength()) {
             Some((dispersion, nanometers)) => dispersion.index(nanometers) as f32,
@@ -147,7 +147,7 @@ impl MediumStacks {
     pub(crate) fn left_after<W: Width>(
         &self,
         w: W,
-        stage: &RenderScene,
+        scene: &RenderScene,
         media: W::W,
         lengths: W::R,
         lanes: W::M,
@@ -157,7 +157,7 @@ impl MediumStacks {
         let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
         for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
             if let Some(body) = self.bodies(lists[lane]).next() {
-                [red[lane], green[lane], blue[lane]] = stage.material(stage.geometry.body(body)).absorption;
+                [red[lane], green[lane], blue[lane]] = scene.material(scene.geometry.body(body)).absorption;
             }
         }
         w.run(
@@ -176,25 +176,25 @@ impl MediumStacks {
     }
 
     /// The media at a point of space, such as the eye: every transparent body that contains it, the largest outermost.
-    pub(crate) fn at_point(&mut self, stage: &RenderScene, point: Vector<f32>) -> u32 {
-        if !stage.geometry.has_transparency {
+    pub(crate) fn at_point(&mut self, scene: &RenderScene, point: Vector<f32>) -> u32 {
+        if !scene.geometry.has_transparency {
             return AIR;
         }
         let mut around = Vec::new();
         let mut test = |index: u32| {
-            let body = stage.geometry.body(index);
-            if body.is_transparent() && stage.geometry.contains(index, point) {
+            let body = scene.geometry.body(index);
+            if body.is_transparent() && scene.geometry.contains(index, point) {
                 around.push(index);
             }
         };
-        match &stage.geometry.hierarchy {
-            Accelerator::Few => (0..stage.geometry.bounded).for_each(&mut test),
+        match &scene.geometry.hierarchy {
+            Accelerator::Few => (0..scene.geometry.bounded).for_each(&mut test),
             Accelerator::Many(bvh) => bvh.visit_at(point.into(), |leaf| leaf.for_each(&mut test)),
         }
-        stage.geometry.planes().for_each(&mut test);
-        let volume = |index: u32| stage.geometry.body(index).volume();
+        scene.geometry.planes().for_each(&mut test);
+        let volume = |index: u32| scene.geometry.body(index).volume();
         around
-            .sort_by(|&a, &b| volume(b).total_cmp(&volume(a)).then_with(|| stage.geometry.scene_order(a, b)));
+            .sort_by(|&a, &b| volume(b).total_cmp(&volume(a)).then_with(|| scene.geometry.scene_order(a, b)));
         around.into_iter().fold(AIR, |media, body| self.entered(media, body))
     }
 }

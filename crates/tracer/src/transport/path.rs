@@ -86,7 +86,7 @@ pub(crate) trait SecondaryRays<W: Width> {
     #[inline(always)]
     fn on_hit(&mut self, _at: &SurfaceInteraction<W>) {}
 
-    /// The direction to a light of the stage, its distance, and the cosine to the normal.
+    /// The direction to a light of the scene, its distance, and the cosine to the normal.
     #[inline(always)]
     fn on_light(&mut self, _light: usize, _to_light: Vector<W::R>, _distance: W::R, _cos: W::R) {}
 

@@ -16,7 +16,7 @@ use crate::transport::scene::RenderScene;
 pub struct RayIntersection {
     /// The place of the body in [`Scene::bodies`](catoptric_scene::Scene::bodies).
     pub body: usize,
-    /// Parameter, place in the stage and side, as the search found them.
+    /// Parameter, place in the scene and side, as the search found them.
     pub hit: HitRecord,
     /// The point on the surface in the world, meters.
     pub position: DVec3,
@@ -25,13 +25,13 @@ pub struct RayIntersection {
 }
 
 impl RayIntersection {
-    pub(crate) fn new(stage: &RenderScene, ray: &Ray, hit: HitRecord) -> Option<Self> {
+    pub(crate) fn new(scene: &RenderScene, ray: &Ray, hit: HitRecord) -> Option<Self> {
         let rays = ray.alone();
-        let point = stage.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
+        let point = scene.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
         Some(Self {
-            body: stage.scene_index(hit.body)?,
+            body: scene.scene_index(hit.body)?,
             hit,
-            position: stage.world_from_render(point.in_world),
+            position: scene.world_from_render(point.in_world),
             normal: point.normal.into(),
         })
     }

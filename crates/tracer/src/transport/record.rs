@@ -87,7 +87,7 @@ pub struct SurfaceRecord {
     pub specular_coefficient: f32,
     /// n.
     pub shininess: f32,
-    /// Each light that shines, in the order of the stage; none if the surface answers no light, k_d = k_s = 0.
+    /// Each light that shines, in the order of the scene; none if the surface answers no light, k_d = k_s = 0.
     pub lights: Vec<LightTerm>,
     /// What becomes of a ray across the surface, if it is transparent.
     pub interface: Option<InterfaceRecord>,

@@ -47,18 +47,18 @@ pub enum RenderError {
     Cancelled,
 }
 
-/// Traces `stage` into a picture on the threads of the current rayon pool.
+/// Traces `scene` into a picture on the threads of the current rayon pool.
 ///
-/// The picture does not depend on the number of threads: each pixel is computed by one thread from the stage alone.
+/// The picture does not depend on the number of threads: each pixel is computed by one thread from the scene alone.
 ///
 /// # Errors
 /// When the size is 0 or too large, or the render is cancelled.
 pub fn render(
-    stage: &RenderScene,
+    scene: &RenderScene,
     settings: RenderSettings,
     control: &RenderControl,
 ) -> Result<RenderOutput, RenderError> {
-    render_through(stage, stage.camera(), settings, control)
+    render_through(scene, scene.camera(), settings, control)
 }
 
 /// The same through a camera of [`RenderScene::camera_for`].
@@ -66,13 +66,13 @@ pub fn render(
 /// # Errors
 /// As for [`render`].
 pub fn render_through(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     settings: RenderSettings,
     control: &RenderControl,
 ) -> Result<RenderOutput, RenderError> {
     let mut picture = Picture::new(settings.width, settings.height)?;
-    let counts = render_into(&mut picture, stage, camera, settings.samples, control)?;
+    let counts = render_into(&mut picture, scene, camera, settings.samples, control)?;
     Ok(RenderOutput { picture, counts })
 }
 
@@ -82,7 +82,7 @@ pub fn render_through(
 /// When the render is cancelled; then the picture shows some of both.
 pub fn render_into(
     picture: &mut Picture,
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     samples: u32,
     control: &RenderControl,
@@ -90,13 +90,13 @@ pub fn render_into(
     let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
     let samples = samples.max(1);
     // Who is free takes the next tile: of two halves of a picture one may have all that takes long.
-    let counts = tiles(stage, picture)
+    let counts = tiles(scene, picture)
         .par_bridge()
         .map_init(
             || (None, Vec::new()),
             |(tracer, sums), mut tile| {
                 // Threads that find no tile left make no tracer.
-                let tracer = tracer.get_or_insert_with(|| TileRenderer::new(stage, camera, control));
+                let tracer = tracer.get_or_insert_with(|| TileRenderer::new(scene, camera, control));
                 let before = tracer.counts();
                 if tile.trace(tracer, sums, size, samples) {
                     control.add_pixels(tile.place.pixels() as u64);
@@ -114,7 +114,7 @@ pub fn render_into(
 /// # Errors
 /// As for [`render`].
 pub fn render_pixel(
-    stage: &RenderScene,
+    scene: &RenderScene,
     camera: &RenderCamera,
     settings: RenderSettings,
     pixel: UVec2,
@@ -126,9 +126,9 @@ pub fn render_pixel(
     if pixel.x >= width || pixel.y >= height {
         return Ok(None);
     }
-    let place = TileRect::around(pixel, size, edge_for(stage, width as usize, height as usize));
+    let place = TileRect::around(pixel, size, edge_for(scene, width as usize, height as usize));
     let [x, y] = [pixel.x as usize - place.x, pixel.y as usize - place.y];
-    let mut tracer = TileRenderer::new(stage, camera, control);
+    let mut tracer = TileRenderer::new(scene, camera, control);
     let mut row = vec![[0.0; 3]; place.width];
     let mut sum = DVec3::ZERO;
     for sample in 0..samples.max(1) {
@@ -183,11 +183,11 @@ impl TileTarget<'_> {
 /// neighbors at once, the system clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take
 /// too long for that to count; they go row by row, since the picture's middle, which mostly takes longest, must not be last.
 fn tiles<'p>(
-    stage: &RenderScene,
+    scene: &RenderScene,
     picture: &'p mut Picture,
 ) -> impl Iterator<Item = TileTarget<'p>> + use<'p> {
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
-    let edge = edge_for(stage, width, height);
+    let edge = edge_for(scene, width, height);
     let strips = if edge == TILE { rayon::current_num_threads() } else { 1 };
     let strip = height.div_ceil(edge).div_ceil(strips) * edge;
     let parts = picture.pixels_mut().chunks_mut(width * strip).zip((0..).step_by(strip));

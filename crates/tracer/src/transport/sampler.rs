@@ -45,7 +45,7 @@ impl Sampler {
     pub(crate) fn sample_2d<W: Width>(
         &self,
         w: W,
-        stage: &RenderScene,
+        scene: &RenderScene,
         paths: &PathState<W>,
         body: W::W,
         what_for: SampleDimension,
@@ -57,8 +57,8 @@ impl Sampler {
         let [mut cos, mut sin, mut second] = [[0.0; MOST_LANES]; 3];
         for lane in 0..W::LANES {
             let [x, y] = self.place_of(pixels[lane]);
-            // Its place in the scene: that in the stage may change with edits of others.
-            let body = stage.scene_index(bodies[lane]).unwrap_or_default() as u32;
+            // Its place in the scene: that in the scene may change with edits of others.
+            let body = scene.scene_index(bodies[lane]).unwrap_or_default() as u32;
             let key = [x, y, generations[lane], body, what_for.number()].into_iter().fold(0, hashed);
             let [first, other] = pair(self.sample, key);
             [cos[lane], sin[lane]] = cos_sin_of_turn(first);
@@ -83,7 +83,7 @@ impl Sampler {
 pub(crate) enum SampleDimension {
     /// The facet of a rough surface.
     Facet,
-    /// The point of a light, by its place in the stage.
+    /// The point of a light, by its place in the scene.
     Light(usize),
 }
 

@@ -37,7 +37,7 @@ use crate::transport::texture::checker::CheckerTexture;
 #[derive(Clone, Debug)]
 pub struct RenderScene {
     pub(crate) geometry: Geometry,
-    // Shared with the stages of some of the bodies.
+    // Shared with the scenes of some of the bodies.
     pub(crate) materials: Arc<Vec<RenderMaterial>>,
     pub(crate) checkers: Arc<Vec<CheckerTexture>>,
     pub(crate) lights: Arc<[RenderLight]>,
@@ -73,7 +73,7 @@ pub enum SceneBuildError {
         /// The name that was looked for.
         material: String,
     },
-    /// More bodies than the stage can number.
+    /// More bodies than the scene can number.
     #[error("{0} bodies are too many: at most {limit} can be traced", limit = RenderScene::MAX_BODIES)]
     TooManyBodies(usize),
 }
@@ -158,7 +158,7 @@ impl RenderScene {
             bodies,
             scene_indices,
         };
-        let stage = Self {
+        let render_scene = Self {
             geometry,
             is_full: materials.iter().any(RenderMaterial::is_full)
                 || scene.lights.iter().any(|light| light.radius > 0.0)
@@ -183,11 +183,11 @@ impl RenderScene {
             added: 0,
             log: EditLog::new(),
         };
-        stage.candidates_to_lights();
-        Ok(stage)
+        render_scene.candidates_to_lights();
+        Ok(render_scene)
     }
 
-    /// The same stage with another limit of generations (at least 1).
+    /// The same scene with another limit of generations (at least 1).
     pub fn with_generations(mut self, generations: u32) -> Self {
         self.generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
         self
@@ -231,18 +231,18 @@ impl RenderScene {
         &self.camera
     }
 
-    /// The same stage seen by another camera; nothing is prepared again.
+    /// The same scene seen by another camera; nothing is prepared again.
     pub fn camera_for(&self, camera: &Camera) -> RenderCamera {
         self.camera.replaced_by(camera)
     }
 
-    /// How far all bodies of `scene`, which the stage was prepared from, are from the camera's target, meters, if a parallel or
+    /// How far all bodies of `scene`, which the scene was prepared from, are from the camera's target, meters, if a parallel or
     /// very narrow view is aimed so far beside them that the rounding of single precision shows in its picture.
     pub fn target_beside(&self, scene: &Scene) -> Option<f64> {
         self.geometry.space.target_beside(scene)
     }
 
-    /// Whether pictures through a camera are as exact in this stage of `scene` as in one prepared for it.
+    /// Whether pictures through a camera are as exact in this scene of `scene` as in one prepared for it.
     pub fn suits(&self, scene: &Scene, camera: &Camera) -> bool {
         let is_double = |scene_index: usize| self.geometry.doubles.get(scene_index as u32).is_some();
         let largest = if self.geometry.has_doubles() { f64::INFINITY } else { self.geometry.largest_extent };
@@ -265,7 +265,7 @@ impl RenderScene {
         Ray::from_point(self.geometry.space.render_from_world(point).as_vec3a(), direction)
     }
 
-    /// The place in [`Scene::bodies`] of the stage's body `index`.
+    /// The place in [`Scene::bodies`] of the scene's body `index`.
     pub fn scene_index(&self, index: u32) -> Option<usize> {
         self.geometry.scene_index(index)
     }
@@ -280,7 +280,7 @@ impl RenderScene {
         self.log.since(state)
     }
 
-    /// Bytes held by the stage's arrays, without what is known of a handful of bodies beforehand.
+    /// Bytes held by the scene's arrays, without what is known of a handful of bodies beforehand.
     pub fn bytes(&self) -> usize {
         self.geometry.bytes()
             + size_of_val(&*self.materials)

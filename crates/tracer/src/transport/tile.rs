@@ -27,10 +27,10 @@ const LEAST_GROUPS: usize = 40;
 
 /// Edge of the squares of a picture that threads take one by one, pixels: one tile or a [`GROUP`]. It depends on no number
 /// of threads, since the order does in which the light of a pixel's rays is summed.
-pub(crate) fn edge_for(stage: &RenderScene, width: usize, height: usize) -> usize {
+pub(crate) fn edge_for(scene: &RenderScene, width: usize, height: usize) -> usize {
     let edge = GROUP * TILE;
     let is_large = width.div_ceil(edge) * height.div_ceil(edge) >= LEAST_GROUPS;
-    if is_large && stage.goes_by_streams() { edge } else { TILE }
+    if is_large && scene.goes_by_streams() { edge } else { TILE }
 }
 
 /// Traces tiles and groups of them; reusable from one to the next by one thread.
@@ -54,9 +54,9 @@ struct DepthQueues {
 }
 
 impl<'a> TileRenderer<'a> {
-    pub(crate) fn new(stage: &'a RenderScene, camera: &'a RenderCamera, control: &'a RenderControl) -> Self {
+    pub(crate) fn new(scene: &'a RenderScene, camera: &'a RenderCamera, control: &'a RenderControl) -> Self {
         Self {
-            whitted: WhittedIntegrator::through(stage, camera, &control.cancel),
+            whitted: WhittedIntegrator::through(scene, camera, &control.cancel),
             control,
             rays_told: 0,
             levels: Vec::new(),
@@ -84,7 +84,7 @@ impl<'a> TileRenderer<'a> {
         rows: &mut [&mut [[f32; 3]]],
     ) -> bool {
         self.whitted.trim_media();
-        let (lanes, is_full) = (self.whitted.stage.lanes, self.whitted.is_full());
+        let (lanes, is_full) = (self.whitted.scene.lanes, self.whitted.is_full());
         let is_finished = if is_full {
             lanes.run(TileSampleKernel::<true> { tracer: self, place, size, sample, rows })
         } else {
@@ -160,7 +160,7 @@ impl TileRenderer<'_> {
         self.light.begin(place, [width, height]);
         let across = place.width.div_ceil(width);
         self.whitted.begin(sample, Sampler::new(sample, [place.x, place.y], [width, height], across));
-        let by_stream = W::USES_HIERARCHY && self.whitted.stage.eye_goes_by_streams();
+        let by_stream = W::USES_HIERARCHY && self.whitted.scene.eye_goes_by_streams();
         if by_stream && self.levels.is_empty() {
             self.levels.push(DepthQueues::default());
         }
@@ -168,13 +168,7 @@ impl TileRenderer<'_> {
             let first_block = (tile.y - place.y) / height * across + (tile.x - place.x) / width;
             let (near, reach, offset) = tile.rays(self.whitted.camera, size, sample);
             self.whitted.begin_tile(&near, reach);
-            if !self.primary_of_tile::<W, FULL>(
-                w,
-                tile,
-                (&near, offset),
-                (first_block, across),
-                by_stream,
-            ) {
+            if !self.primary_of_tile::<W, FULL>(w, tile, (&near, offset), (first_block, across), by_stream) {
                 return false;
             }
         }
@@ -232,7 +226,7 @@ impl TileRenderer<'_> {
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
     fn trace_queues<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
-        let by_streams = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
+        let by_streams = W::USES_HIERARCHY && self.whitted.scene.goes_by_streams();
         let most_waiting = if by_streams { STREAM } else { Self::MOST_WAITING };
         let mut taken = [PathState::none(w); 2];
         let mut at = 0;
@@ -332,7 +326,7 @@ impl TileRenderer<'_> {
             self.levels.resize_with(level + 1, DepthQueues::default);
         }
         next.lanes = w.mask(0);
-        let waits = W::USES_HIERARCHY && self.whitted.stage.goes_by_streams();
+        let waits = W::USES_HIERARCHY && self.whitted.scene.goes_by_streams();
         let mut grown = SecondaryRayQueues { level: &mut self.levels[level], next, waits };
         self.whitted.li::<W, FULL>(w, paths, from, &mut grown)
     }

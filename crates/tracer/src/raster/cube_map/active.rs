@@ -11,7 +11,7 @@ use crate::raster::gbuffer::GBufferTexel;
 use crate::raster::point_shader::exact;
 use crate::simd::vector::Vector;
 
-/// The cube maps that a picture uses, by the bodies' places in the stage, and the boxes of their corrections.
+/// The cube maps that a picture uses, by the bodies' places in the scene, and the boxes of their corrections.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ActiveCubeMaps {
     pub(crate) maps: BTreeMap<u32, (Arc<CubeMap>, Option<ParallaxBox>)>,

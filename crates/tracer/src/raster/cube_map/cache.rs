@@ -56,11 +56,11 @@ impl CubeMaps {
         Self::default()
     }
 
-    /// Makes sure that there are maps of these bodies of the stage, with faces of `size`² pixels. Returns the rays that it
+    /// Makes sure that there are maps of these bodies of the scene, with faces of `size`² pixels. Returns the rays that it
     /// took.
     pub(crate) fn prepare(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         bodies: &BTreeSet<u32>,
         size: u32,
         control: &RenderControl,
@@ -72,24 +72,24 @@ impl CubeMaps {
         if bodies.is_empty() {
             return Ok(<(CubeMapUse, RayCounts)>::default());
         }
-        self.drop_outdated(stage, bodies, size);
+        self.drop_outdated(scene, bodies, size);
         let (mut made_use, mut counts) =
             (CubeMapUse { bytes, ..CubeMapUse::default() }, RayCounts::default());
         let missing =
-            |index: &&u32| stage.scene_index(**index).is_some_and(|place| !self.maps.contains_key(&place));
+            |index: &&u32| scene.scene_index(**index).is_some_and(|place| !self.maps.contains_key(&place));
         let missing: Vec<u32> = bodies.iter().filter(missing).copied().collect();
         control.expect(missing.len() as u64 * CubeMap::pixels_of(size) as u64);
         for &index in &missing {
             let start = Instant::now();
-            let (map, rays) = render_around(stage, index, size, control)?;
+            let (map, rays) = render_around(scene, index, size, control)?;
             counts += rays;
-            if let Some(place) = stage.scene_index(index) {
+            if let Some(place) = scene.scene_index(index) {
                 self.maps.insert(place, CubeMapBuild { map: Arc::new(map), time: start.elapsed() });
             }
         }
         made_use.built = missing.len() as u32;
         made_use.kept = (bodies.len() - missing.len()) as u32;
-        let used = bodies.iter().filter_map(|&index| self.maps.get(&stage.scene_index(index)?));
+        let used = bodies.iter().filter_map(|&index| self.maps.get(&scene.scene_index(index)?));
         made_use.build_time = used.map(|made| made.time).sum();
         Ok((made_use, counts))
     }
@@ -100,17 +100,17 @@ impl CubeMaps {
     }
 
     /// Drops the maps that show what has changed; and those that are not needed now, if all would take too much memory.
-    fn drop_outdated(&mut self, stage: &RenderScene, needed: &BTreeSet<u32>, size: u32) {
-        let shown = CubeMapInputs::of(stage);
+    fn drop_outdated(&mut self, scene: &RenderScene, needed: &BTreeSet<u32>, size: u32) {
+        let shown = CubeMapInputs::of(scene);
         let changes =
             self.shown.as_ref().map_or(CubeMapInvalidation::Everything, |before| before.changes(&shown));
         self.shown = Some(shown);
         let needed: BTreeMap<usize, u32> =
-            needed.iter().filter_map(|&index| Some((stage.scene_index(index)?, index))).collect();
+            needed.iter().filter_map(|&index| Some((scene.scene_index(index)?, index))).collect();
         let is_much =
             (self.maps.len() + needed.len()) as u64 * CubeMap::bytes_of(size) as u64 > Self::MOST_BYTES;
         self.maps.retain(|place, made| {
-            let is_in_place = |&index: &u32| center_of(stage, index) == made.map.center();
+            let is_in_place = |&index: &u32| center_of(scene, index) == made.map.center();
             let stays = match needed.get(place) {
                 Some(index) => is_in_place(index),
                 // Of bodies that are not seen only an unchanged scene tells that they are in place.
@@ -123,17 +123,17 @@ impl CubeMaps {
 
 /// Renders the map of a body.
 fn render_around(
-    stage: &RenderScene,
+    scene: &RenderScene,
     index: u32,
     size: u32,
     control: &RenderControl,
 ) -> Result<(CubeMap, RayCounts), MethodError> {
-    CubeMap::render(&around(stage, index), center_of(stage, index), size, control)
+    CubeMap::render(&around(scene, index), center_of(scene, index), size, control)
 }
 
-/// What the map of a body shows: the stage without it. The first rays of a map are the second generation of a picture.
-pub(crate) fn around(stage: &RenderScene, index: u32) -> RenderScene {
-    stage.without(index).with_generations(stage.generations.saturating_sub(1))
+/// What the map of a body shows: the scene without it. The first rays of a map are the second generation of a picture.
+pub(crate) fn around(scene: &RenderScene, index: u32) -> RenderScene {
+    scene.without(index).with_generations(scene.generations.saturating_sub(1))
 }
 
 /// All that maps can show.
@@ -146,7 +146,7 @@ struct CubeMapInputs {
     surroundings: (EnvironmentLight, [f32; 3], u32, f32),
 }
 
-/// What changed from one stage to another.
+/// What changed from one scene to another.
 enum CubeMapInvalidation {
     Everything,
     /// The bodies at these places in the scene.
@@ -154,17 +154,17 @@ enum CubeMapInvalidation {
 }
 
 impl CubeMapInputs {
-    fn of(stage: &RenderScene) -> Self {
+    fn of(scene: &RenderScene) -> Self {
         let body = |(body, place): (&RenderBody, &u32)| {
-            let checker = stage.checkers.get(body.checker as usize).copied();
-            // Numbers of materials mean nothing from stage to stage.
+            let checker = scene.checkers.get(body.checker as usize).copied();
+            // Numbers of materials mean nothing from scene to scene.
             let plain = RenderBody { material: 0, checker: 0, ..*body };
-            (*place, (plain, stage.material(body).clone(), checker))
+            (*place, (plain, scene.material(body).clone(), checker))
         };
         Self {
-            bodies: stage.geometry.bodies.iter().zip(&stage.geometry.scene_indices).map(body).collect(),
-            lights: Arc::clone(&stage.lights),
-            surroundings: (stage.sky.clone(), stage.ambient, stage.generations, stage.threshold),
+            bodies: scene.geometry.bodies.iter().zip(&scene.geometry.scene_indices).map(body).collect(),
+            lights: Arc::clone(&scene.lights),
+            surroundings: (scene.sky.clone(), scene.ambient, scene.generations, scene.threshold),
         }
     }
 

@@ -8,8 +8,8 @@ use crate::transport::scene::RenderScene;
 
 /// The point around which the map of a body is made, meters: the middle of the body; of a plane, the point below (or
 /// above) the middle of all bounded bodies.
-pub(crate) fn center_of(stage: &RenderScene, index: u32) -> DVec3 {
-    let body = stage.geometry.body(index);
+pub(crate) fn center_of(scene: &RenderScene, index: u32) -> DVec3 {
+    let body = scene.geometry.body(index);
     let to_world = |point: DVec3| {
         let rows = body.world_from_body.map(|row| DVec3::from(row.map(f64::from)));
         DVec3::from(body.origin.map(f64::from)) + DVec3::from(rows.map(|row| row.dot(point)))
@@ -18,8 +18,8 @@ pub(crate) fn center_of(stage: &RenderScene, index: u32) -> DVec3 {
         ShapeKind::Sphere | ShapeKind::Ellipsoid | ShapeKind::Cube => to_world(DVec3::ZERO),
         ShapeKind::Cylinder | ShapeKind::Cone => to_world(0.5 * DVec3::Y),
         ShapeKind::Plane => {
-            let all = extent(stage, None);
-            let (point, normal) = (to_world(DVec3::ZERO), plane_normal(stage, index));
+            let all = extent(scene, None);
+            let (point, normal) = (to_world(DVec3::ZERO), plane_normal(scene, index));
             if all == Bounds::EMPTY {
                 return point;
             }
@@ -30,13 +30,13 @@ pub(crate) fn center_of(stage: &RenderScene, index: u32) -> DVec3 {
 }
 
 /// The box of all bounded bodies but one.
-fn extent(stage: &RenderScene, but: Option<u32>) -> Bounds {
-    let others = (0..stage.geometry.bounded).filter(|&index| Some(index) != but);
-    others.filter_map(|index| stage.geometry.body(index).bounds()).fold(Bounds::EMPTY, Bounds::union)
+fn extent(scene: &RenderScene, but: Option<u32>) -> Bounds {
+    let others = (0..scene.geometry.bounded).filter(|&index| Some(index) != but);
+    others.filter_map(|index| scene.geometry.body(index).bounds()).fold(Bounds::EMPTY, Bounds::union)
 }
 
-fn plane_normal(stage: &RenderScene, index: u32) -> DVec3 {
-    Vec3::from(stage.geometry.body(index).body_from_world[1]).as_dvec3().normalize_or(DVec3::Y)
+fn plane_normal(scene: &RenderScene, index: u32) -> DVec3 {
+    Vec3::from(scene.geometry.body(index).body_from_world[1]).as_dvec3().normalize_or(DVec3::Y)
 }
 
 /// The box on which the surroundings of a body are thought to be painted (Lagarde, Zanuttini 2012, Local Image-based
@@ -53,13 +53,13 @@ pub(crate) struct ParallaxBox {
 
 impl ParallaxBox {
     /// The box around the body `index`, whose map is made around `center`.
-    pub(crate) fn around(stage: &RenderScene, index: u32, center: DVec3) -> Self {
+    pub(crate) fn around(scene: &RenderScene, index: u32, center: DVec3) -> Self {
         /// A plane counts as a wall if it runs along the box but for the rounding of single precision.
         const ALONG: f64 = 1.0 - 1e-6;
         let (mut min, mut max) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
-        for plane in stage.geometry.planes().filter(|&plane| plane != index) {
-            let normal = plane_normal(stage, plane);
-            let at = DVec3::from(stage.geometry.body(plane).origin.map(f64::from));
+        for plane in scene.geometry.planes().filter(|&plane| plane != index) {
+            let normal = plane_normal(scene, plane);
+            let at = DVec3::from(scene.geometry.body(plane).origin.map(f64::from));
             for axis in (0..3).filter(|&axis| normal[axis].abs() >= ALONG) {
                 if at[axis] < center[axis] {
                     min[axis] = min[axis].max(at[axis]);
@@ -68,7 +68,7 @@ impl ParallaxBox {
                 }
             }
         }
-        let others = extent(stage, Some(index));
+        let others = extent(scene, Some(index));
         for axis in 0..3 {
             let (low, high) = (f64::from(others.min[axis]), f64::from(others.max[axis]));
             if min[axis] == f64::NEG_INFINITY && low < center[axis] {
@@ -101,27 +101,27 @@ mod tests {
 
     use super::*;
 
-    fn stage(bodies: Vec<(Shape, DVec3)>) -> RenderScene {
+    fn scene(bodies: Vec<(Shape, DVec3)>) -> RenderScene {
         let body = |(shape, position)| Body { shape, placement: Placement::at(position), ..Body::default() };
         let bodies: Vec<Body> = bodies.into_iter().map(body).collect();
         RenderScene::build(&Scene { bodies: bodies.into(), ..Scene::default() }).unwrap()
     }
 
-    fn index(stage: &RenderScene, place: usize) -> u32 {
-        (0..).find(|&index| stage.scene_index(index) == Some(place)).unwrap()
+    fn index(scene: &RenderScene, place: usize) -> u32 {
+        (0..).find(|&index| scene.scene_index(index) == Some(place)).unwrap()
     }
 
     #[test]
     fn walls_come_before_bodies_and_open_sides_stay_open() {
-        let stage = stage(vec![
+        let scene = scene(vec![
             (Shape::SPHERE, DVec3::new(0.0, 2.0, 0.0)),
             (Shape::Plane, DVec3::ZERO),
             (Shape::Cube { size: DVec3::ONE }, DVec3::new(5.0, 2.0, 0.0)),
         ]);
-        let ball = index(&stage, 0);
-        let center = center_of(&stage, ball);
+        let ball = index(&scene, 0);
+        let center = center_of(&scene, ball);
         assert_eq!(center, DVec3::new(0.0, 2.0, 0.0));
-        let proxy = ParallaxBox::around(&stage, ball, center);
+        let proxy = ParallaxBox::around(&scene, ball, center);
         assert_eq!(proxy.min.y, 0.0);
         assert!((proxy.max - DVec3::new(5.5, 2.5, 0.5)).abs().max_element() < 1e-4, "{proxy:?}");
         assert_eq!(proxy.min.x, f64::NEG_INFINITY);
@@ -134,11 +134,11 @@ mod tests {
 
     #[test]
     fn the_map_of_a_plane_is_taken_below_the_bodies() {
-        let stage = stage(vec![
+        let scene = scene(vec![
             (Shape::Plane, DVec3::new(7.0, 1.0, 7.0)),
             (Shape::SPHERE, DVec3::new(2.0, 5.0, 3.0)),
         ]);
-        let center = center_of(&stage, index(&stage, 0));
+        let center = center_of(&scene, index(&scene, 0));
         assert!((center - DVec3::new(2.0, 1.0, 3.0)).length() < 1e-5, "{center}");
     }
 

@@ -73,8 +73,8 @@ fn a_rendered_map_is_that_of_its_directions() {
         }
     };
     let scene = Scene { bodies: walls.map(body).into(), ..Scene::default() };
-    let stage = RenderScene::build(&scene).unwrap();
-    let (map, counts) = CubeMap::render(&stage, DVec3::ZERO, 8, &RenderControl::default()).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let (map, counts) = CubeMap::render(&render_scene, DVec3::ZERO, 8, &RenderControl::default()).unwrap();
     assert_eq!(counts.primary, 6 * 10 * 10);
     for direction in directions() {
         let largest = direction.abs().max_element();

@@ -17,9 +17,10 @@ fn shapes() -> Vec<CanonicalShape> {
 }
 
 fn mesh(shape: CanonicalShape, fineness: u32) -> Mesh {
-    let stage = crate::transport::scene::RenderScene::build(&catoptric_scene::Scene::default()).unwrap();
+    let render_scene =
+        crate::transport::scene::RenderScene::build(&catoptric_scene::Scene::default()).unwrap();
     let body = bytemuck::Zeroable::zeroed();
-    Mesh::of(shape, fineness, PlanePatch::seen(&body, stage.camera()))
+    Mesh::of(shape, fineness, PlanePatch::seen(&body, render_scene.camera()))
 }
 
 /// The corners of a face, each once.

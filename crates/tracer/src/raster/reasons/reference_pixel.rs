@@ -47,8 +47,8 @@ impl<'a> ReferencePixel<'a> {
     pub(crate) fn new(case: &ReasonInput<'a>, control: &'a RenderControl) -> Self {
         let cancel: &AtomicBool = &control.cancel;
         Self {
-            probe: PointShader::new(case.stage, case.camera),
-            whitted: WhittedIntegrator::through(case.stage, case.camera, cancel),
+            probe: PointShader::new(case.scene, case.camera),
+            whitted: WhittedIntegrator::through(case.scene, case.camera, cancel),
             others: case.others.map(|others| WhittedIntegrator::new(others, cancel)),
         }
     }
@@ -89,16 +89,16 @@ impl<'a> ReferencePixel<'a> {
     /// background.
     pub(crate) fn local(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         ray: &RayRecord,
         viewer: Option<Vector<f32>>,
         model: LightModel,
         shadows: bool,
     ) -> Vec3 {
-        let Some(hit) = ray.hit else { return stage.sky.along(ray.ray.alone().direction).into() };
+        let Some(hit) = ray.hit else { return scene.sky.along(ray.ray.alone().direction).into() };
         let rays = ray.ray.alone();
         let line = (rays.origin, rays.direction);
-        let found = stage.geometry.surface_point(hit.hit.body, line, hit.hit.t, hit.hit.leaving);
+        let found = scene.geometry.surface_point(hit.hit.body, line, hit.hit.t, hit.hit.leaving);
         let point = ShadingPoint {
             start: RayOrigin { body: hit.hit.body, inwards: hit.hit.leaving },
             position: found.in_world,
@@ -106,6 +106,6 @@ impl<'a> ReferencePixel<'a> {
             to_viewer: viewer.unwrap_or_else(|| -vector(exact(rays.direction))),
         };
         let light = self.probe.light(&point, model, shadows);
-        light.with_color(color_at(stage, hit.hit.body, &found)).into()
+        light.with_color(color_at(scene, hit.hit.body, &found)).into()
     }
 }

@@ -25,7 +25,7 @@ struct MethodReflection<'a> {
 impl<'a> MethodReflection<'a> {
     fn of(case: &ReasonInput<'_>, buffer: &'a GBuffer, pixel: usize) -> Option<Self> {
         let texel = buffer.texels.get(pixel)?;
-        let share = reflecting(case.stage, texel).unwrap_or(0.0);
+        let share = reflecting(case.scene, texel).unwrap_or(0.0);
         Some(Self { texel, share, found: (*buffer.reflected.get(pixel)?).into() })
     }
 }
@@ -91,9 +91,9 @@ impl ReasonInput<'_> {
             return Some(Reason::Thickness);
         }
         // The right point: is it lit otherwise for the eye than for the mirror?
-        let to_eye = vector(self.camera.toward_viewer(self.stage.render_from_world(hit.position)));
-        let for_eye = witness.local(self.stage, mirrored, Some(to_eye), LightModel::Phong, true);
-        let for_mirror = witness.local(self.stage, mirrored, None, LightModel::Phong, true);
+        let to_eye = vector(self.camera.toward_viewer(self.scene.render_from_world(hit.position)));
+        let for_eye = witness.local(self.scene, mirrored, Some(to_eye), LightModel::Phong, true);
+        let for_mirror = witness.local(self.scene, mirrored, None, LightModel::Phong, true);
         largest([(Reason::Highlight, for_eye - for_mirror), (Reason::Sampling, had.found - for_eye)])
     }
 
@@ -109,7 +109,7 @@ impl ReasonInput<'_> {
         let size = self.frame.size();
         let projected = self.camera.project(hit.position, size);
         let (at, depth) = projected.filter(|(at, _)| self.frame.holds(*at)).ok_or(Reason::LeftScreen)?;
-        let shown = seen(self.stage, self.camera, &mut witness.probe, at, size);
+        let shown = seen(self.scene, self.camera, &mut witness.probe, at, size);
         let behind = depth - f64::from(shown.depth);
         if shown.start.body == hit.hit.body && behind <= SAME * depth {
             return Ok(at);

@@ -22,7 +22,7 @@ impl ReasonInput<'_> {
         if parts.primary.hit.map_or(NO_BODY, |hit| hit.hit.body) != body {
             return Some(Reason::Facet);
         }
-        let mut local = |model, shadows| witness.local(self.stage, &parts.primary, None, model, shadows);
+        let mut local = |model, shadows| witness.local(self.scene, &parts.primary, None, model, shadows);
         // From the truth to what the method would draw if its faces were the bodies, step by step.
         let truth = local(LightModel::Phong, true);
         let unshaded = local(LightModel::Phong, how.shadows);

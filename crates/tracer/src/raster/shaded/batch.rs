@@ -15,7 +15,7 @@ use crate::simd::vector::Vector;
 use crate::transport::counts::RayCounts;
 use crate::transport::scene::RenderScene;
 
-/// Makes batches of the stage's bodies, one after the other.
+/// Makes batches of the scene's bodies, one after the other.
 pub(crate) struct BatchBuilder<'a> {
     job: &'a ShadingJob<'a>,
     meshes: MeshCache,
@@ -53,7 +53,7 @@ impl<'a> BatchBuilder<'a> {
         counts: &mut RayCounts,
     ) -> Result<Option<FaceBatch>, MethodError> {
         let (job, first) = (self.job, self.next);
-        if first as usize == job.stage.body_count() {
+        if first as usize == job.scene.body_count() {
             return Ok(None);
         }
         let faces = clock.time(PassName::Tessellate, || self.faces());
@@ -70,13 +70,13 @@ impl<'a> BatchBuilder<'a> {
     }
 
     fn faces(&mut self) -> FaceList {
-        let ShadingJob { stage, camera, settings, control, .. } = *self.job;
+        let ShadingJob { scene, camera, settings, control, .. } = *self.job;
         let mut faces = FaceList::default();
-        while (self.next as usize) < stage.body_count()
+        while (self.next as usize) < scene.body_count()
             && faces.vertices.len() < Self::MOST_VERTICES
             && !control.is_cancelled()
         {
-            faces.add(stage, camera, self.next, settings.fineness, &mut self.meshes);
+            faces.add(scene, camera, self.next, settings.fineness, &mut self.meshes);
             self.next += 1;
         }
         faces
@@ -136,7 +136,7 @@ fn in_chunks<T: Sync>(
     /// Small enough to balance, large enough to be worth a task.
     const CHUNK: usize = 256;
     let chunks = items.par_chunks(CHUNK).map_init(
-        || PointShader::new(job.stage, job.camera),
+        || PointShader::new(job.scene, job.camera),
         |probe, items| {
             let before = probe.counts;
             let mut corners = Vec::with_capacity(4 * items.len());
@@ -163,9 +163,9 @@ fn triangles(job: &ShadingJob<'_>, corners: &[TriangleCorner], faces: &[WorldFac
 }
 
 impl FaceBatch {
-    /// Whether it has all bodies of the stage.
-    pub(crate) fn is_all(&self, stage: &RenderScene) -> bool {
-        self.bodies as usize == stage.body_count()
+    /// Whether it has all bodies of the scene.
+    pub(crate) fn is_all(&self, scene: &RenderScene) -> bool {
+        self.bodies as usize == scene.body_count()
     }
 
     /// Draws the faces into the fragments of a sample.

@@ -65,18 +65,18 @@ impl FaceList {
     /// Adds the faces of a body that the camera may see.
     pub(crate) fn add(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         camera: &RenderCamera,
         index: u32,
         fineness: u32,
         meshes: &mut MeshCache,
     ) {
-        let body = stage.geometry.body(index);
+        let body = scene.geometry.body(index);
         let mesh = meshes.of(body, camera, fineness);
         let first = self.vertices.len() as u32;
         self.add_vertices(body, index, &mesh);
         // Of a body that is seen from outside only the side that faces the eye is seen.
-        let hides_inside = camera.eye().is_some_and(|eye| !stage.geometry.contains(index, eye))
+        let hides_inside = camera.eye().is_some_and(|eye| !scene.geometry.contains(index, eye))
             && body.canonical().kind != ShapeKind::Plane;
         for corners in &mesh.faces {
             let corners = corners.map(|corner| corner + first);

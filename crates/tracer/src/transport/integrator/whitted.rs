@@ -40,7 +40,7 @@ use crate::transport::surface::{MOST_OF_PIXEL, phong_highlight};
 
 /// Walks trees of rays; reusable from pixel to pixel by one thread.
 pub struct WhittedIntegrator<'a> {
-    pub(crate) stage: &'a RenderScene,
+    pub(crate) scene: &'a RenderScene,
     pub(crate) camera: &'a RenderCamera,
     pub(crate) cancel: &'a AtomicBool,
     /// Rays of this generation are the last.
@@ -67,29 +67,29 @@ impl<'a> WhittedIntegrator<'a> {
     /// Rays between two looks at the cancel flag.
     const CANCEL_INTERVAL: u32 = 1024;
 
-    /// A walker over `stage` that stops early, with unfinished pixels, when `cancel` is set.
-    pub fn new(stage: &'a RenderScene, cancel: &'a AtomicBool) -> Self {
-        Self::through(stage, stage.camera(), cancel)
+    /// A walker over `scene` that stops early, with unfinished pixels, when `cancel` is set.
+    pub fn new(scene: &'a RenderScene, cancel: &'a AtomicBool) -> Self {
+        Self::through(scene, scene.camera(), cancel)
     }
 
     /// The same through a camera of [`RenderScene::camera_for`].
-    pub fn through(stage: &'a RenderScene, camera: &'a RenderCamera, cancel: &'a AtomicBool) -> Self {
+    pub fn through(scene: &'a RenderScene, camera: &'a RenderCamera, cancel: &'a AtomicBool) -> Self {
         Self {
-            stage,
+            scene,
             camera,
             cancel,
-            generations: stage.generations(),
-            threshold: stage.threshold(),
+            generations: scene.generations(),
+            threshold: scene.threshold(),
             parts: TraversalStack::default(),
             intervals: MediumIntervals::default(),
-            last_occluders: vec![NO_BODY; stage.lights.len()],
-            candidates: TileCandidates::new(stage, camera),
+            last_occluders: vec![NO_BODY; scene.lights.len()],
+            candidates: TileCandidates::new(scene, camera),
             media: MediumStacks::default(),
             inside: BodyMembership::default(),
             eye_media: None,
             counts: RayCounts::default(),
             sampler: Sampler::default(),
-            waves: if stage.disperses {
+            waves: if scene.disperses {
                 SampledWavelengths::of_sample(0)
             } else {
                 SampledWavelengths::default()
@@ -98,11 +98,11 @@ impl<'a> WhittedIntegrator<'a> {
     }
 
     /// The same, stopped by a [`RenderControl`].
-    pub fn watched(stage: &'a RenderScene, camera: &'a RenderCamera, control: &'a RenderControl) -> Self {
-        Self::through(stage, camera, &control.cancel)
+    pub fn watched(scene: &'a RenderScene, camera: &'a RenderCamera, control: &'a RenderControl) -> Self {
+        Self::through(scene, camera, &control.cancel)
     }
 
-    /// The same walker with other limits than the stage's: of generations (at least 1), and the weight below which rays
+    /// The same walker with other limits than the scene's: of generations (at least 1), and the weight below which rays
     /// are not traced.
     pub fn with_limits(self, generations: u32, threshold: f32) -> Self {
         let generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
@@ -140,7 +140,7 @@ impl<'a> WhittedIntegrator<'a> {
     fn root(&mut self, primary: &Ray) -> PathState<ScalarWidth> {
         let rays = primary.alone();
         self.trim_media();
-        let media = self.media.at_point(self.stage, rays.origin);
+        let media = self.media.at_point(self.scene, rays.origin);
         self.counts.primary += 1;
         PathState { rays, weight: Vector::new(1.0, 1.0, 1.0), generation: 1, media, pixel: 0, lanes: true }
     }
@@ -154,13 +154,13 @@ impl<'a> WhittedIntegrator<'a> {
 
     /// Whether there may be more than Phong's model in plain colors, point lights and even surroundings.
     pub(crate) fn is_full(&self) -> bool {
-        self.stage.is_full
+        self.scene.is_full
     }
 
     /// Prepares for a sample; no rays may be in flight.
     pub(crate) fn begin(&mut self, sample: u32, sampler: Sampler) {
         self.sampler = sampler;
-        if self.stage.disperses {
+        if self.scene.disperses {
             self.waves = SampledWavelengths::of_sample(sample);
             // Indices of refraction are others now.
             self.media = MediumStacks::default();
@@ -170,17 +170,17 @@ impl<'a> WhittedIntegrator<'a> {
 
     /// Prepares for rays from the eye within `reach` pixels of the middle of these.
     pub(crate) fn begin_tile(&mut self, rays: &CameraRays, reach: DVec2) {
-        self.candidates.begin_tile(self.stage, rays, reach.as_vec2().to_array());
+        self.candidates.begin_tile(self.scene, rays, reach.as_vec2().to_array());
     }
 
     /// Takes up rays from the eye: the media where they start.
     #[inline(always)]
     pub(crate) fn start_paths<W: Width>(&mut self, w: W, paths: &mut PathState<W>) {
         self.counts.primary += u64::from(paths.lanes.bits().count_ones());
-        if self.stage.geometry.has_transparency {
+        if self.scene.geometry.has_transparency {
             paths.media = match self.camera.eye() {
                 Some(eye) => {
-                    let at_eye = || self.media.at_point(self.stage, eye);
+                    let at_eye = || self.media.at_point(self.scene, eye);
                     w.word(*self.eye_media.get_or_insert_with(at_eye))
                 }
                 None => self.media_at(w, paths.rays.origin, paths.lanes),
@@ -204,7 +204,7 @@ impl<'a> WhittedIntegrator<'a> {
         origin.z.store(&mut z);
         let mut media = [AIR; MOST_LANES];
         for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
-            media[lane] = self.media.at_point(self.stage, Vector { x: x[lane], y: y[lane], z: z[lane] });
+            media[lane] = self.media.at_point(self.scene, Vector { x: x[lane], y: y[lane], z: z[lane] });
         }
         w.load_words(&media)
     }
@@ -244,17 +244,17 @@ impl<'a> WhittedIntegrator<'a> {
         let hits = PacketHits { hit, ..hits };
         let mut paths = paths;
         let absorbed;
-        if FULL && self.stage.absorbs && !inside.is_empty() {
-            let through = self.media.left_after(w, self.stage, paths.media, hits.t, paths.lanes);
+        if FULL && self.scene.absorbs && !inside.is_empty() {
+            let through = self.media.left_after(w, self.scene, paths.media, hits.t, paths.lanes);
             secondary.on_medium(through);
             is_whole = false;
             absorbed = PathState { weight: paths.weight.times(through), ..*paths };
             paths = &absorbed;
         }
         let background = if FULL {
-            self.stage.sky.light(w, paths.rays.direction, paths.lanes & !hit)
+            self.scene.sky.light(w, paths.rays.direction, paths.lanes & !hit)
         } else {
-            Vector::splat(w.real(0.0), self.stage.sky.even())
+            Vector::splat(w.real(0.0), self.scene.sky.even())
         };
         if !hit.any() {
             if let Some((streams, at)) = from.stream() {
@@ -262,7 +262,7 @@ impl<'a> WhittedIntegrator<'a> {
             }
             return PacketRadiance { light: weighted(paths, is_whole, background), hits };
         }
-        let at = SurfaceInteraction::new::<FULL>(w, self.stage, &paths.rays, &hits);
+        let at = SurfaceInteraction::new::<FULL>(w, self.scene, &paths.rays, &hits);
         secondary.on_hit(&at);
         let light = self.local_light::<W, FULL>(w, paths, &mut from, inside, &at, secondary);
         secondary.on_local_light(light);
@@ -293,7 +293,7 @@ impl<'a> WhittedIntegrator<'a> {
     ) -> PacketHits<W> {
         if let PacketSource::Stream { streams, at } = from {
             let flight =
-                RayQuery::new(w, &self.stage.geometry, &paths.rays, paths.lanes, inside, Candidates::All);
+                RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, inside, Candidates::All);
             return streams.rays.hits(w, *at, &flight);
         }
         let are_from_eye = matches!(from, PacketSource::Eye);
@@ -302,7 +302,7 @@ impl<'a> WhittedIntegrator<'a> {
         }
         self.nearest_of_packet(w, paths, are_from_eye, inside).settled(
             w,
-            &self.stage.geometry,
+            &self.scene.geometry,
             &paths.rays,
             inside,
         )
@@ -319,7 +319,7 @@ impl<'a> WhittedIntegrator<'a> {
             #[inline(always)]
             move || {
                 let along = if are_from_eye { self.candidates.through_tile() } else { Candidates::All };
-                let flight = RayQuery::new(w, &self.stage.geometry, &paths.rays, paths.lanes, inside, along);
+                let flight = RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, inside, along);
                 flight.nearest_unsettled(&mut self.parts)
             },
         )
@@ -340,7 +340,7 @@ impl<'a> WhittedIntegrator<'a> {
         if !FULL || source.radius == 0.0 {
             return LightSample { to_light, distance, power: None };
         }
-        let sample = self.sampler.sample_2d(w, self.stage, paths, at.body, SampleDimension::Light(index));
+        let sample = self.sampler.sample_2d(w, self.scene, paths, at.body, SampleDimension::Light(index));
         let (to_point, before, share) = source.sample_sphere((to_light, distance), &sample);
         LightSample { to_light: to_point, distance: before, power: Some(source.power_at(distance) * share) }
     }
@@ -362,7 +362,7 @@ impl<'a> WhittedIntegrator<'a> {
             return light;
         }
         let mut rays = at.rays_on_this_side(paths.rays.direction);
-        for (index, source) in self.stage.lights.iter().enumerate() {
+        for (index, source) in self.scene.lights.iter().enumerate() {
             if !source.shines {
                 continue;
             }
@@ -392,7 +392,7 @@ impl<'a> WhittedIntegrator<'a> {
                 if !along.is_empty() {
                     let memory = (&mut self.parts, &mut self.intervals, &mut self.last_occluders[index]);
                     let around = (inside, (&self.media, &paths.media));
-                    through = transmittance(w, self.stage, (&rays, lit), around, (along, &distance), memory);
+                    through = transmittance(w, self.scene, (&rays, lit), around, (along, &distance), memory);
                 }
                 secondary.on_shadow_ray(&rays, distance, inside, &through);
                 lit = lit & through.lanes;
@@ -464,7 +464,7 @@ struct LightSample<W: Width> {
 /// What bodies let through on the way to a light, and the media in which the rays start.
 fn transmittance<W: Width>(
     w: W,
-    stage: &RenderScene,
+    scene: &RenderScene,
     (rays, lanes): (&RayPacket<W>, W::M),
     (inside, (table, media)): (&BodyMembership, (&MediumStacks, &W::W)),
     (along, distance): (Candidates<'_>, &W::R),
@@ -473,9 +473,9 @@ fn transmittance<W: Width>(
     w.run(
         #[inline(always)]
         move || {
-            let flight = RayQuery::new(w, &stage.geometry, rays, lanes, inside, along);
+            let flight = RayQuery::new(w, &scene.geometry, rays, lanes, inside, along);
             let memory = ShadowScratch { parts, intervals, blocker };
-            flight.transmittance(stage, *distance, (table, *media), memory)
+            flight.transmittance(scene, *distance, (table, *media), memory)
         },
     )
 }

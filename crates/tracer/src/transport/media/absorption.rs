@@ -17,7 +17,7 @@ use crate::transport::surface::exponential;
 struct MediumInterval {
     /// The ray's place among those side by side, or its number in a stream.
     ray: u32,
-    /// The body's place in the stage.
+    /// The body's place in the scene.
     body: u32,
     /// Where it begins, the ray's parameter.
     enter: f32,
@@ -80,14 +80,14 @@ impl MediumIntervals {
     pub(crate) fn left_after<W: Width>(
         &mut self,
         w: W,
-        stage: &RenderScene,
+        scene: &RenderScene,
         (table, media): (&MediumStacks, W::W),
     ) -> Vector<W::R> {
         let mut lists = [0; MOST_LANES];
         media.store(&mut lists);
         let mut losses = [[0.0; MOST_LANES]; 3];
         self.each_loss(
-            stage,
+            scene,
             |ray| (table, lists[ray as usize % MOST_LANES]),
             |ray, loss| {
                 for (all, loss) in losses.iter_mut().zip(loss) {
@@ -111,13 +111,13 @@ impl MediumIntervals {
     /// all intervals.
     pub(crate) fn each_left(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         table: &MediumStacks,
         media_of: impl Fn(u32) -> u32,
         mut take: impl FnMut(u32, Vector<f32>),
     ) {
         self.each_loss(
-            stage,
+            scene,
             |ray| (table, media_of(ray)),
             |ray, loss| take(ray, Vector::splat(0.0, loss).map(|loss| exponential(-loss))),
         );
@@ -126,7 +126,7 @@ impl MediumIntervals {
     /// Shows `take` each ray with the negative logarithm of what is left of its light.
     fn each_loss<'t>(
         &mut self,
-        stage: &RenderScene,
+        scene: &RenderScene,
         media_of: impl Fn(u32) -> (&'t MediumStacks, u32),
         mut take: impl FnMut(u32, [f32; 3]),
     ) {
@@ -136,9 +136,9 @@ impl MediumIntervals {
             let ray = of_ray.first().map_or(0, |interval| interval.ray);
             if of_ray.len() > 1 {
                 let (table, media) = media_of(ray);
-                of_ray.sort_unstable_by(|a, b| in_order_of_entry(stage, (table, media), a, b));
+                of_ray.sort_unstable_by(|a, b| in_order_of_entry(scene, (table, media), a, b));
             }
-            take(ray, loss_of(stage, of_ray, open));
+            take(ray, loss_of(scene, of_ray, open));
         }
         list.clear();
     }
@@ -147,7 +147,7 @@ impl MediumIntervals {
 /// Which of two intervals a ray in these media enters first: those that it starts in come before others, in the order of
 /// its list; of bodies entered at once, the first of the scene.
 fn in_order_of_entry(
-    stage: &RenderScene,
+    scene: &RenderScene,
     (table, media): (&MediumStacks, u32),
     a: &MediumInterval,
     b: &MediumInterval,
@@ -156,16 +156,16 @@ fn in_order_of_entry(
     let place = |body: u32| table.bodies(media).position(|other| other == body);
     b.is_within.cmp(&a.is_within).then_with(|| {
         if a.is_within {
-            place(b.body).cmp(&place(a.body)).then_with(|| stage.geometry.scene_order(a.body, b.body))
+            place(b.body).cmp(&place(a.body)).then_with(|| scene.geometry.scene_order(a.body, b.body))
         } else {
-            a.enter.total_cmp(&b.enter).then_with(|| stage.geometry.scene_order(a.body, b.body))
+            a.enter.total_cmp(&b.enter).then_with(|| scene.geometry.scene_order(a.body, b.body))
         }
     })
 }
 
 /// The negative logarithm of what is left of light on its way through intervals in the order of entry: in each place, the
 /// body entered last absorbs.
-fn loss_of(stage: &RenderScene, intervals: &[MediumInterval], open: &mut Vec<MediumInterval>) -> [f32; 3] {
+fn loss_of(scene: &RenderScene, intervals: &[MediumInterval], open: &mut Vec<MediumInterval>) -> [f32; 3] {
     let mut loss = [0.0; 3];
     let mut at = 0.0;
     open.clear();
@@ -177,7 +177,7 @@ fn loss_of(stage: &RenderScene, intervals: &[MediumInterval], open: &mut Vec<Med
         while let Some(last) = open.last() {
             let until = last.exit.min(end);
             if until > at {
-                let absorption = stage.material(stage.geometry.body(last.body)).absorption;
+                let absorption = scene.material(scene.geometry.body(last.body)).absorption;
                 for (loss, absorption) in loss.iter_mut().zip(absorption) {
                     *loss += absorption * (until - at);
                 }

@@ -1,4 +1,4 @@
-//! The bodies of a scene on their way to the stage.
+//! The bodies of a scene on their way to the scene.
 
 use catoptric_scene::{Body, List, Scene};
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ const SLICES: usize = 16;
 /// The prepared bodies in the scene's order, the hidden ones with them.
 pub(crate) struct BodyChunks(Vec<(Vec<RenderBody>, ChunkIndices)>);
 
-/// What the materials and checkers of a chunk are numbered in the stage.
+/// What the materials and checkers of a chunk are numbered in the scene.
 struct ChunkIndices {
     materials: Vec<u32>,
     first_checker: u32,

@@ -21,7 +21,7 @@ use crate::transport::scene::{RenderScene, bounds_of_free_ways};
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::texture::checker::CheckerTexture;
 
-/// How a stage becomes that of an edited scene; [`RenderScene::edit`] makes it for [`RenderScene::apply`].
+/// How a scene becomes that of an edited scene; [`RenderScene::edit`] makes it for [`RenderScene::apply`].
 #[derive(Clone, Debug, Default)]
 pub struct SceneEdit {
     changes: Vec<BodyEdit>,
@@ -30,7 +30,7 @@ pub struct SceneEdit {
 /// A body that changes.
 #[derive(Clone, Debug)]
 struct BodyEdit {
-    /// Its place in the stage.
+    /// Its place in the scene.
     place: u32,
     body: RenderBody,
     material: RenderMaterial,
@@ -43,13 +43,13 @@ impl RenderScene {
     /// So many materials and checkers may be added before the next preparing tidies up.
     const MOST_ADDED: u32 = 256;
 
-    /// What makes this stage, prepared from `before`, that of `after`, where at most the bodies at the places `changed`
+    /// What makes this scene, prepared from `before`, that of `after`, where at most the bodies at the places `changed`
     /// are different: moved, resized, reshaped, made of something else. Camera, lights, environment and the limits of
     /// tracing may be too.
     ///
     /// `None` when this would not be right or not wise, and `after` has to be prepared anew: bodies were added,
     /// removed, hidden or shown, named materials changed, very many bodies did, the hierarchy would become a poor one, or a
-    /// body needs double precision. Whether the stage [suits](Self::suits) the camera is asked apart.
+    /// body needs double precision. Whether the scene [suits](Self::suits) the camera is asked apart.
     pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<SceneEdit> {
         let Accelerator::Many(bvh) = &self.geometry.hierarchy else { return None };
         let is_known = before.bodies.len() == after.bodies.len() && before.materials == after.materials;
@@ -81,7 +81,7 @@ impl RenderScene {
         bvh.allows(cost).then_some(edit)
     }
 
-    /// Carries out an edit that [`Self::edit`] planned for this stage and the scene `after`.
+    /// Carries out an edit that [`Self::edit`] planned for this scene and the scene `after`.
     pub fn apply(&mut self, edit: SceneEdit, after: &Scene) {
         let mut paths = Vec::with_capacity(edit.changes.len());
         let mut changes = SceneChanges::default();

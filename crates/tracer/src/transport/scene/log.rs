@@ -1,10 +1,10 @@
-//! What edits have changed of a stage's arrays, so that a copy of them elsewhere can follow.
+//! What edits have changed of a scene's arrays, so that a copy of them elsewhere can follow.
 
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// A state of a stage's arrays, and the edits that led to it.
+/// A state of a scene's arrays, and the edits that led to it.
 #[derive(Clone, Debug)]
 pub(crate) struct EditLog {
     state: u64,
@@ -18,7 +18,7 @@ struct EditLogEntry {
     changes: SceneChanges,
 }
 
-/// The parts of a stage's arrays that are different from what they were.
+/// The parts of a scene's arrays that are different from what they were.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SceneChanges {
     /// Places of bodies.
@@ -67,7 +67,7 @@ impl EditLog {
     }
 }
 
-/// A number that no state had before: copies of a stage may be edited apart.
+/// A number that no state had before: copies of a scene may be edited apart.
 fn new_state() -> u64 {
     static LAST: AtomicU64 = AtomicU64::new(0);
     LAST.fetch_add(1, Ordering::Relaxed) + 1

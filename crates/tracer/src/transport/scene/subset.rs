@@ -1,4 +1,4 @@
-//! A small stage with some of the bodies of another.
+//! A small scene with some of the bodies of another.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
@@ -14,8 +14,8 @@ use crate::transport::scene::log::EditLog;
 const FEW_WANTED: usize = 256;
 
 impl RenderScene {
-    /// The same stage with just those of its bodies that stand at these places in [`Scene::bodies`], `scene` being what
-    /// the stage was prepared from; other places are passed over.
+    /// The same scene with just those of its bodies that stand at these places in [`Scene::bodies`], `scene` being what
+    /// the scene was prepared from; other places are passed over.
     ///
     /// Camera and numbering stay, so that the same rays meet the same points: what an outline needs. The cost grows
     /// with the number of the bodies wanted; if there are many, with that of all, by a comparison each.
@@ -32,7 +32,7 @@ impl RenderScene {
         self.with_bodies(&chosen)
     }
 
-    /// The same stage without its body `index`.
+    /// The same scene without its body `index`.
     pub(crate) fn without(&self, index: u32) -> Self {
         let others: Vec<u32> =
             (0..self.geometry.bodies.len() as u32).filter(|&other| other != index).collect();
@@ -102,10 +102,10 @@ mod tests {
             lights: vec![Light::default()],
             ..Scene::default()
         };
-        let stage = RenderScene::build(&scene).unwrap();
-        let some = stage.only(&scene, &[0]);
-        assert!(Arc::ptr_eq(&some.materials, &stage.materials));
-        assert!(Arc::ptr_eq(&some.checkers, &stage.checkers));
-        assert!(Arc::ptr_eq(&some.lights, &stage.lights));
+        let render_scene = RenderScene::build(&scene).unwrap();
+        let some = render_scene.only(&scene, &[0]);
+        assert!(Arc::ptr_eq(&some.materials, &render_scene.materials));
+        assert!(Arc::ptr_eq(&some.checkers, &render_scene.checkers));
+        assert!(Arc::ptr_eq(&some.lights, &render_scene.lights));
     }
 }

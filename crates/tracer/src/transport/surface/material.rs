@@ -1,4 +1,4 @@
-//! Materials of the stage.
+//! Materials of the scene.
 
 use std::collections::HashMap;
 use std::sync::Arc;

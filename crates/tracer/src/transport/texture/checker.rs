@@ -32,7 +32,7 @@ impl CheckerTexture {
     /// A point on the border of two cells (a floor at y = 0) belongs to the one above.
     const BORDER: f32 = 1e-6;
 
-    /// The checkerboard of a body in a stage's space of rays; whether the body is there [in double
+    /// The checkerboard of a body in a scene's space of rays; whether the body is there [in double
     /// precision](super::StageBody::is_double).
     pub(crate) fn new(checker: &Checker, body: &Body, space: &RenderSpace, is_double: bool) -> Self {
         let transform = pattern_from(checker.space, body, space, is_double);

@@ -13,20 +13,20 @@ const SIZE: (usize, usize) = (90, 50);
 
 /// The light of a picture's pixels, traced in one width, and the rays that it took.
 fn trace<const FULL: bool>(
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     trace: impl FnMut(TileSampleKernel<'_, '_, '_, FULL>) -> bool,
 ) -> (Vec<[f32; 3]>, RayCounts) {
-    trace_parts(stage, TILE, trace)
+    trace_parts(render_scene, TILE, trace)
 }
 
 /// The same, of each square of the picture after the other.
 fn trace_parts<const FULL: bool>(
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     edge: usize,
     mut trace: impl FnMut(TileSampleKernel<'_, '_, '_, FULL>) -> bool,
 ) -> (Vec<[f32; 3]>, RayCounts) {
     let control = RenderControl::default();
-    let mut tracer = TileRenderer::new(stage, stage.camera(), &control);
+    let mut tracer = TileRenderer::new(render_scene, render_scene.camera(), &control);
     let size = DVec2::new(SIZE.0 as f64, SIZE.1 as f64);
     let mut light = Vec::new();
     for place in TileRect::all(SIZE.0, SIZE.1, edge) {
@@ -56,13 +56,13 @@ fn all_widths_trace_the_same_picture() {
     let patterned = ["../../crates/scene/examples/textures".to_owned()];
     for name in plain.map(str::to_owned).into_iter().chain(physical).chain(patterned) {
         let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
-        let stage = RenderScene::build(&scene).unwrap();
-        let (alone, rays) = trace::<true>(&stage, |sample| sample.run(ScalarWidth));
+        let render_scene = RenderScene::build(&scene).unwrap();
+        let (alone, rays) = trace::<true>(&render_scene, |sample| sample.run(ScalarWidth));
         for (lanes_name, lanes) in SimdLevel::all() {
-            let (wide, wide_rays) = if stage.is_full {
-                trace::<true>(&stage, |sample| lanes.run(sample))
+            let (wide, wide_rays) = if render_scene.is_full {
+                trace::<true>(&render_scene, |sample| lanes.run(sample))
             } else {
-                trace::<false>(&stage, |sample| lanes.run(sample))
+                trace::<false>(&render_scene, |sample| lanes.run(sample))
             };
             let same = lanes.rounds_like_widest();
             let tolerance = if same { f32::EPSILON } else { 1.0 / 255.0 };
@@ -86,8 +86,8 @@ fn the_hierarchy_leaves_out_nothing_that_is_met() {
         body.material = catoptric_scene::MaterialChoice::Inline(Box::new(glass.clone()));
     }
     let taken = |search, lanes: SimdLevel| {
-        let stage = RenderScene::build_with(&scene, search).unwrap();
-        trace::<false>(&stage, |sample| lanes.run(sample))
+        let render_scene = RenderScene::build_with(&scene, search).unwrap();
+        trace::<false>(&render_scene, |sample| lanes.run(sample))
     };
     for (name, lanes) in SimdLevel::all() {
         assert!(
@@ -104,9 +104,9 @@ fn groups_show_what_tiles_show() {
     // With rays that wait in many levels, and with chance.
     for name in ["cloud", "coloured-glass", "../mitsuba/soft-shadow"] {
         let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
-        let stage = RenderScene::build(&scene).unwrap();
+        let render_scene = RenderScene::build(&scene).unwrap();
         for (lanes_name, lanes) in SimdLevel::all() {
-            let taken = |edge| trace_parts::<true>(&stage, edge, |sample| lanes.run(sample));
+            let taken = |edge| trace_parts::<true>(&render_scene, edge, |sample| lanes.run(sample));
             let ((tiles, rays), (group, group_rays)) = (taken(TILE), taken(GROUP * TILE));
             assert_eq!(group_rays, rays, "{name}, {lanes_name}");
             // The group is one square, row by row; the tiles stand one after the other.
@@ -139,11 +139,11 @@ fn streams_from_the_eye_see_what_single_rays_see() {
             body
         }));
     }
-    let stage = RenderScene::build(&scene).unwrap();
-    let (light, _) = trace::<false>(&stage, |sample| SimdLevel::widest().run(sample));
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let (light, _) = trace::<false>(&render_scene, |sample| SimdLevel::widest().run(sample));
     let cancel = std::sync::atomic::AtomicBool::new(false);
-    let mut alone = WhittedIntegrator::new(&stage, &cancel);
-    assert!(stage.eye_goes_by_streams());
+    let mut alone = WhittedIntegrator::new(&render_scene, &cancel);
+    assert!(render_scene.eye_goes_by_streams());
     let size = UVec2::new(SIZE.0 as u32, SIZE.1 as u32);
     let pixels = TileRect::all(SIZE.0, SIZE.1, TILE).flat_map(|place| {
         let pixel = move |at| UVec2::new(at % place.width as u32, at / place.width as u32);

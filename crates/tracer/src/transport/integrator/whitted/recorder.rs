@@ -64,7 +64,7 @@ impl Eq for QueuedPath {}
 
 /// Writes down what becomes of one ray.
 struct PathRecorder<'a> {
-    stage: &'a RenderScene,
+    scene: &'a RenderScene,
     /// The bodies that the ray flies in, the one entered last at the end.
     media: Vec<u32>,
     at: Option<SurfaceInteraction<ScalarWidth>>,
@@ -86,11 +86,11 @@ struct PathRecorder<'a> {
 }
 
 impl<'a> PathRecorder<'a> {
-    fn new(stage: &'a RenderScene, table: &MediumStacks, media: u32) -> Self {
+    fn new(scene: &'a RenderScene, table: &MediumStacks, media: u32) -> Self {
         let mut media: Vec<u32> = table.bodies(media).collect();
         media.reverse();
         Self {
-            stage,
+            scene,
             media,
             at: None,
             local: None,
@@ -136,10 +136,10 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         through: &Transmittance<ScalarWidth>,
     ) {
         let mut hits: Vec<HitRecord> = Vec::new();
-        RayQuery::new(ScalarWidth, &self.stage.geometry, rays, true, inside, Candidates::All)
+        RayQuery::new(ScalarWidth, &self.scene.geometry, rays, true, inside, Candidates::All)
             .crossings(distance, |hit| hits.push(hit));
         hits.sort_by(|a, b| {
-            let order = || self.stage.geometry.scene_order(a.body, b.body);
+            let order = || self.scene.geometry.scene_order(a.body, b.body);
             a.t.total_cmp(&b.t).then(b.leaving.cmp(&a.leaving)).then_with(order)
         });
         let mut media = self.media.clone();
@@ -148,22 +148,22 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         let mut from = 0.0;
         let mut left_until = |until: f32, media: &[u32]| {
             let way = (until - std::mem::replace(&mut from, until)).max(0.0);
-            let material = media.last().map(|&body| self.stage.material(self.stage.geometry.body(body)));
+            let material = media.last().map(|&body| self.scene.material(self.scene.geometry.body(body)));
             material.map_or(Vec3::ONE, |material| material.left_after(way).into())
         };
         let mut crossings = Vec::new();
         for hit in &hits {
-            let body = self.stage.geometry.body(hit.body);
+            let body = self.scene.geometry.body(hit.body);
             let mut filter = None;
             if body.is_transparent() {
-                let own = Vec3::from(self.stage.material(body).filter);
+                let own = Vec3::from(self.scene.material(body).filter);
                 filter = Some(own * left_until(hit.t, &media));
                 media.retain(|&other| other != hit.body);
                 if !hit.leaving {
                     media.push(hit.body);
                 }
             }
-            let Some(body) = self.stage.scene_index(hit.body) else { continue };
+            let Some(body) = self.scene.scene_index(hit.body) else { continue };
             crossings.push(ShadowCrossing { body, distance: hit.t, leaving: hit.leaving, filter });
         }
         let through_last = left_until(distance, &media);
@@ -268,7 +268,7 @@ impl<'a> WhittedIntegrator<'a> {
                 break;
             }
             let place = tree.len();
-            let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
+            let mut scribe = PathRecorder::new(self.scene, &self.media, beam.media);
             let followed =
                 self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
@@ -298,10 +298,10 @@ impl<'a> WhittedIntegrator<'a> {
     ) -> RayRecord {
         let ray = beam.rays.ray();
         let bodies = self.media.bodies(beam.media);
-        let media = bodies.filter_map(|body| self.stage.scene_index(body)).collect();
+        let media = bodies.filter_map(|body| self.scene.scene_index(body)).collect();
         RayRecord {
             ray,
-            origin: self.stage.world_from_render(ray.origin),
+            origin: self.scene.world_from_render(ray.origin),
             kind,
             parent,
             generation: beam.generation,
@@ -311,10 +311,10 @@ impl<'a> WhittedIntegrator<'a> {
             weight: beam.weight.into(),
             through: scribe.through.into(),
             light: followed.light.into(),
-            local: scribe.local.unwrap_or_else(|| self.stage.sky.along(beam.rays.direction)).into(),
+            local: scribe.local.unwrap_or_else(|| self.scene.sky.along(beam.rays.direction)).into(),
             media,
-            ior: self.media.ior(self.stage, &self.waves, beam.media),
-            hit: found_in(&followed.hits).and_then(|hit| RayIntersection::new(self.stage, &ray, hit)),
+            ior: self.media.ior(self.scene, &self.waves, beam.media),
+            hit: found_in(&followed.hits).and_then(|hit| RayIntersection::new(self.scene, &ray, hit)),
             answer: scribe.at.map(|at| self.answer(beam, &at, scribe)),
         }
     }
@@ -329,8 +329,8 @@ impl<'a> WhittedIntegrator<'a> {
         let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
         let grown = beyond.as_ref().unwrap_or(&scribe);
         let interface = grown.crossing.map(|InterfaceCrossing { ratio, passes }| {
-            let beyond = self.media.interface(self.stage, &self.waves, beam.media, at.body).beyond;
-            let ior_beyond = self.media.ior(self.stage, &self.waves, beyond);
+            let beyond = self.media.interface(self.scene, &self.waves, beam.media, at.body).beyond;
+            let ior_beyond = self.media.ior(self.scene, &self.waves, beyond);
             InterfaceRecord { ior_beyond, ratio, is_total: !passes }
         });
         let is_total = interface.is_some_and(|interface| interface.is_total);
@@ -341,11 +341,11 @@ impl<'a> WhittedIntegrator<'a> {
         if is_total {
             refracted.fate = BranchOutcome::TotalReflection;
         }
-        let body = self.stage.geometry.body(at.body);
-        let material = self.stage.material(body);
+        let body = self.scene.geometry.body(at.body);
+        let material = self.scene.material(body);
         let line = (beam.rays.origin, beam.rays.direction);
-        let point = self.stage.geometry.surface_point(at.body, line, at.t, at.leaves());
-        let checker = self.stage.checkers.get(body.checker as usize);
+        let point = self.scene.geometry.surface_point(at.body, line, at.t, at.leaves());
+        let checker = self.scene.checkers.get(body.checker as usize);
         let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
         let own = material.color_at(ScalarWidth, body, point.in_body, true);
         SurfaceRecord {
@@ -354,7 +354,7 @@ impl<'a> WhittedIntegrator<'a> {
             law: material.law.name(),
             alpha: material.alpha,
             ambient_coefficient: material.ambient,
-            ambient_light: self.stage.ambient.into(),
+            ambient_light: self.scene.ambient.into(),
             ambient: at.ambient.into(),
             diffuse_coefficient: material.diffuse,
             specular_coefficient: material.specular,
@@ -373,7 +373,7 @@ impl<'a> WhittedIntegrator<'a> {
         at: &SurfaceInteraction<ScalarWidth>,
     ) -> PathRecorder<'a> {
         let counts = self.counts;
-        let mut scribe = PathRecorder::new(self.stage, &self.media, beam.media);
+        let mut scribe = PathRecorder::new(self.scene, &self.media, beam.media);
         self.scatter::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);
         self.counts = counts;
         scribe

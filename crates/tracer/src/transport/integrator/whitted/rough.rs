@@ -46,7 +46,7 @@ impl WhittedIntegrator<'_> {
         paths: &PathState<W>,
         at: &SurfaceInteraction<W>,
     ) -> (SurfaceInteraction<W>, Macrosurface<W>) {
-        let sample = self.sampler.sample_2d(w, self.stage, paths, at.body, SampleDimension::Facet);
+        let sample = self.sampler.sample_2d(w, self.scene, paths, at.body, SampleDimension::Facet);
         w.run(
             #[inline(always)]
             || {
@@ -55,7 +55,7 @@ impl WhittedIntegrator<'_> {
                 let macrosurface = Macrosurface { normal: at.normal, alpha: at.alpha, rough: at.rough };
                 let mut on = *at;
                 on.normal = Vector::select(at.rough, facet, at.normal);
-                on.set_microfacet_normal(w, self.stage, direction);
+                on.set_microfacet_normal(w, self.scene, direction);
                 (on, macrosurface)
             },
         )
@@ -81,7 +81,7 @@ impl WhittedIntegrator<'_> {
                 let half = (to_viewer + to_light).normalize_or(at.normal);
                 let mut facets = *at;
                 facets.normal = half;
-                facets.set_microfacet_normal(w, self.stage, paths.rays.direction);
+                facets.set_microfacet_normal(w, self.scene, paths.rays.direction);
                 let mut reflection = facets.reflection;
                 if clear.any() {
                     let cos = half.dot(to_viewer).min(one).max(zero);

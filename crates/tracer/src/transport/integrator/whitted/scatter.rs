@@ -111,7 +111,7 @@ impl WhittedIntegrator<'_> {
     ) -> Vector<W::R> {
         let mut white = transparent;
         let mut split = None;
-        if FULL && self.stage.disperses {
+        if FULL && self.scene.disperses {
             let lanes = transparent & context.at.disperses & self.are_white(w, paths.media);
             if lanes.any() {
                 split = Some((lanes, self.disperse(w, paths, context, lanes, secondary)));
@@ -252,7 +252,7 @@ impl WhittedIntegrator<'_> {
             let same = media.is(lists[lane]) & body.is(bodies[lane]);
             left &= !same.bits();
             let same = same & lanes;
-            let crossing = self.media.interface(self.stage, &self.waves, lists[lane], bodies[lane]);
+            let crossing = self.media.interface(self.scene, &self.waves, lists[lane], bodies[lane]);
             ratio = W::R::select(same, w.real(crossing.ratio), ratio);
             beyond = W::W::select(same, w.word(crossing.beyond), beyond);
         }

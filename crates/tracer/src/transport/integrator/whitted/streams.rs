@@ -14,13 +14,13 @@ use crate::transport::stream::StreamShading;
 impl WhittedIntegrator<'_> {
     /// Looks for what the rays of a stream meet.
     pub(crate) fn search<W: Width>(&self, w: W, streams: &mut StreamShading) {
-        streams.rays.search(w, &self.stage.geometry, &self.media, &mut streams.memory);
+        streams.rays.search(w, &self.scene.geometry, &self.media, &mut streams.memory);
     }
 
     /// Looks for what their shadow rays meet.
     pub(crate) fn search_shadows<W: Width>(&self, w: W, streams: &mut StreamShading) {
         for shadows in streams.shadows.iter_mut().filter(|shadows| !shadows.is_empty()) {
-            shadows.search(w, self.stage, &self.media, &mut streams.memory, &mut streams.intervals);
+            shadows.search(w, self.scene, &self.media, &mut streams.memory, &mut streams.intervals);
         }
     }
 
@@ -54,8 +54,8 @@ impl WhittedIntegrator<'_> {
         inside: &BodyMembership,
     ) -> Vector<W::R> {
         let flight =
-            RayQuery::new(w, &self.stage.geometry, &shadows.rays(w, at), lanes, inside, Candidates::All);
-        let (lit, more) = shadows.brought(w, at, self.stage, &flight);
+            RayQuery::new(w, &self.scene.geometry, &shadows.rays(w, at), lanes, inside, Candidates::All);
+        let (lit, more) = shadows.brought(w, at, self.scene, &flight);
         if lit.any() { Vector::select(lit, light + more, light).bounded() } else { light }
     }
 }

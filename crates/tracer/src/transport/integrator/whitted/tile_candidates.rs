@@ -15,18 +15,18 @@ pub(crate) struct TileCandidates<'a> {
 }
 
 impl<'a> TileCandidates<'a> {
-    pub(crate) fn new(stage: &'a RenderScene, camera: &RenderCamera) -> Self {
+    pub(crate) fn new(scene: &'a RenderScene, camera: &RenderCamera) -> Self {
         Self {
-            from_eye: camera.eye().and_then(|eye| stage.geometry.visible_from(eye.into())),
+            from_eye: camera.eye().and_then(|eye| scene.geometry.visible_from(eye.into())),
             in_tile: VisibleBodies::default(),
-            to_lights: stage.candidates_to_lights(),
+            to_lights: scene.candidates_to_lights(),
         }
     }
 
     /// Goes on to the tile whose rays lie within `reach` pixels of the middle of these.
-    pub(crate) fn begin_tile(&mut self, stage: &RenderScene, rays: &CameraRays, reach: [f32; 2]) {
+    pub(crate) fn begin_tile(&mut self, scene: &RenderScene, rays: &CameraRays, reach: [f32; 2]) {
         if let Some(from_eye) = &self.from_eye {
-            self.in_tile.keep(&stage.geometry, from_eye, rays.cone(reach), rays.way());
+            self.in_tile.keep(&scene.geometry, from_eye, rays.cone(reach), rays.way());
         }
     }
 
