@@ -226,7 +226,7 @@ impl Cutter<'_> {
         let ray = self.view.ray(line.pixel(place), self.size);
         let origin = self.view.world_from_render(ray.origin);
         let way = (line.point(place) - origin).dot(ray.direction.as_dvec3());
-        self.stage.nearest(&ray).is_none_or(|hit| f64::from(hit.hit.t) >= way * (1.0 - CONTACT))
+        self.stage.closest_hit(&ray).is_none_or(|hit| f64::from(hit.hit.t) >= way * (1.0 - CONTACT))
     }
 
     /// Where between a visible place and a hidden one the line vanishes.

@@ -56,7 +56,7 @@ impl Group {
     fn trace(&self, scene: &Scene, stage: &RenderScene, camera: &RenderCamera, size: DVec2) -> Vec<Polyline> {
         let bodies = self.bodies.iter().filter_map(|&body| scene.bodies.get(body));
         let Some(area) = Area::of_bodies(bodies, camera, size) else { return Vec::new() };
-        let is_inside = |at: DVec2| self.stage.nearest(&camera.ray(at, size)).is_some();
+        let is_inside = |at: DVec2| self.stage.closest_hit(&camera.ray(at, size)).is_some();
         let contours = contour::contours(&area, &is_inside);
         let body = match self.bodies[..] {
             [body] => Some(body),
@@ -71,7 +71,7 @@ impl Group {
         /// What lies this much closer, as a share of the way, hides; less is a contact.
         const CONTACT: f32 = 1e-4;
         let ray = camera.ray(at, size);
-        let (Some(own), Some(first)) = (self.stage.nearest(&ray), stage.nearest(&ray)) else { return false };
+        let (Some(own), Some(first)) = (self.stage.closest_hit(&ray), stage.closest_hit(&ray)) else { return false };
         first.body != own.body && first.hit.t < own.hit.t * (1.0 - CONTACT)
     }
 }

@@ -39,7 +39,7 @@ use crate::simd::vector::Vector;
 #[derive(Clone, Debug)]
 pub(crate) struct Geometry {
     pub(crate) bodies: Vec<RenderBody>,
-    /// The place in [`Scene::bodies`] of each body.
+    /// The place in the scene file of each body.
     pub(crate) scene_indices: Vec<u32>,
     /// How many of the bodies are bounded; planes follow them.
     pub(crate) bounded: u32,
@@ -51,8 +51,8 @@ pub(crate) struct Geometry {
     pub(crate) space: RenderSpace,
     /// The largest extent of the bodies in single precision, meters.
     pub(crate) largest_extent: f64,
-    /// The largest [`RenderBody::slack`], or more after an edit.
-    pub(crate) largest_slack: f32,
+    /// The largest [`RenderBody::error_bound`], or more after an edit.
+    pub(crate) largest_error_bound: f32,
     /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
 }

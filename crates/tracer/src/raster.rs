@@ -1,7 +1,7 @@
 //! The ways of drawing reflections: the traced picture and what is drawn instead of it where tracing is too dear.
 //!
 //! [`draw`] makes a picture of a scene by any [`Method`], all with the same camera and the same local terms, so that
-//! pictures can be held against each other pixel by pixel. What a method gets wrong, [`reasons`] tells by tracing.
+//! pictures can be held against each other pixel by pixel. What a method gets wrong, [`reasons()`] tells by tracing.
 
 pub(crate) mod cube_map;
 pub(crate) mod error;

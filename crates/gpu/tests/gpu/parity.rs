@@ -42,7 +42,7 @@ fn count_other_bodies(stage: &RenderScene, bodies: &[u32]) -> usize {
     let places = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
     let is_other = |&((x, y), &found): &((u32, u32), &u32)| {
         let ray = stage.camera().ray(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5), size);
-        stage.nearest(&ray).map_or(NO_BODY, |met| met.hit.body) != found
+        stage.closest_hit(&ray).map_or(NO_BODY, |met| met.hit.body) != found
     };
     places.zip(bodies).filter(is_other).count()
 }

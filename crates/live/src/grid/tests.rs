@@ -74,13 +74,13 @@ fn bodies_hide_what_is_behind_them_and_a_floor_hides_nothing() {
         for share in [0.02, 0.5, 0.98] {
             let at = line.from.lerp(line.to, share).as_dvec2();
             let ray = stage.camera().ray(at, SIZE);
-            if let Some(hit) = stage.nearest(&ray) {
+            if let Some(hit) = stage.closest_hit(&ray) {
                 let ground = ground(&ball.camera, at).distance(stage.world_from_render(ray.origin));
                 // A pixel at the ball's rim may be off.
                 let rim = (0..8).any(|k| {
                     let turn = f64::from(k) * std::f64::consts::FRAC_PI_4;
                     let beside = at + 2.0 * DVec2::from_angle(turn);
-                    stage.nearest(&stage.camera().ray(beside, SIZE)).is_none()
+                    stage.closest_hit(&stage.camera().ray(beside, SIZE)).is_none()
                 });
                 assert!(rim || f64::from(hit.hit.t) > 0.99 * ground, "{at} is behind the ball");
             }

@@ -231,7 +231,7 @@ mod tests {
             (Shape::CONE, DVec3::new(0.0, 0.0, 120.0)),
         ] {
             let (stage, area) = one_body(shape, DVec3::new(0.2, 1.0, 0.0), turns, size);
-            let is_inside = |at: DVec2| stage.nearest(&stage.camera().ray(at, size)).is_some();
+            let is_inside = |at: DVec2| stage.closest_hit(&stage.camera().ray(at, size)).is_some();
             let whole = Area { hull: Vec::new(), ..area.clone() };
             let found = contours(&area, &is_inside);
             assert!(!found.is_empty(), "{shape:?}");

@@ -124,14 +124,14 @@ fn a_stage_that_somebody_holds_stays_as_it_is() {
     let ball = 4 + 55;
     let from = scene.bodies[ball].placement.origin() + 0.2 * DVec3::Z;
     let ray = Ray::from_point(from.as_vec3(), DVec3::NEG_Z.as_vec3());
-    assert_eq!(held.nearest(&ray).map(|hit| hit.body), Some(ball));
+    assert_eq!(held.closest_hit(&ray).map(|hit| hit.body), Some(ball));
     scene.bodies[ball].placement = Placement::at(DVec3::new(0.0, 4.0, 0.0));
     let asked = Request { scene: Arc::new(scene), ..request(2) };
     assert!(*window.shown(asked.clone()).pixels == expected(&asked, 3));
     let (revision, edited) = window.live.stage().unwrap();
     assert_eq!(revision, 2);
-    assert_eq!(held.nearest(&ray).map(|hit| hit.body), Some(ball));
-    assert_ne!(edited.nearest(&ray).map(|hit| hit.body), Some(ball));
+    assert_eq!(held.closest_hit(&ray).map(|hit| hit.body), Some(ball));
+    assert_ne!(edited.closest_hit(&ray).map(|hit| hit.body), Some(ball));
 }
 
 #[test]

@@ -86,14 +86,14 @@ impl Sight {
     /// The nearest body under a place.
     pub(crate) fn body_at(&self, at: DVec2) -> Option<RayIntersection> {
         let (stage, camera) = self.stage.as_ref()?;
-        stage.nearest(&camera.ray(at, self.lens.size()))
+        stage.closest_hit(&camera.ray(at, self.lens.size()))
     }
 
     /// Under which angle the nearest body is seen at a place.
     pub(crate) fn seen_at(&self, at: DVec2) -> Option<Seen> {
         let (stage, camera) = self.stage.as_ref()?;
         let ray = camera.ray(at, self.lens.size());
-        let hit = stage.nearest(&ray)?;
+        let hit = stage.closest_hit(&ray)?;
         let (direction, normal) = (ray.direction.as_dvec3(), hit.normal.as_dvec3());
         let degrees = direction.cross(normal).length().atan2(-direction.dot(normal)).to_degrees();
         Some(Seen { body: hit.body, degrees: degrees.clamp(0.0, 90.0), is_from_inside: hit.hit.leaving })
@@ -119,7 +119,7 @@ impl Sight {
         const ARRIVED: f64 = 1e-3;
         let (stage, _) = self.stage.as_ref()?;
         let direction = (surface - from).normalize_or_zero();
-        let hit = stage.nearest(&stage.ray_from_point(from, direction.as_vec3()))?;
+        let hit = stage.closest_hit(&stage.ray_from_point(from, direction.as_vec3()))?;
         let way = surface.distance(from);
         (hit.position.distance(from) < way * (1.0 - ARRIVED)).then_some(hit)
     }
@@ -130,7 +130,7 @@ impl Sight {
         let mut ray = stage.ray_from_point(from.position, direction.as_vec3());
         // Bodies are convex: seen from outside, the surface itself is in nobody's way.
         ray.start = RayOrigin { body: from.hit.body, inwards: from.hit.leaving };
-        stage.nearest(&ray).map(|hit| hit.position.distance(from.position))
+        stage.closest_hit(&ray).map(|hit| hit.position.distance(from.position))
     }
 
     /// Whether nothing stands between a point and a surface point.

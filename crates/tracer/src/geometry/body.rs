@@ -34,7 +34,7 @@ pub(crate) struct RenderBody {
     /// The frame's origin in the world, meters.
     pub origin: [f32; 3],
     /// How far the surface may lie from its true place by rounding, meters.
-    pub slack: f32,
+    pub error_bound: f32,
     /// Cone: ratio of the smaller to the larger radius. Sphere: radius, meters.
     pub parameter: f32,
     /// Index into the scene's materials.
@@ -92,8 +92,8 @@ impl RenderBody {
             body_from_world,
             world_from_body: world_from_body_rows,
             origin: world_from_body.translation.as_vec3().to_array(),
-            slack: match &double {
-                Some(double) => double.slack() as f32,
+            error_bound: match &double {
+                Some(double) => double.error_bound() as f32,
                 None => POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
             },
             parameter: if kind == ShapeKind::Sphere { radius } else { cone_ratio },
@@ -299,7 +299,7 @@ pub(crate) struct SurfacePoint<R> {
 }
 
 impl<R: Float> SurfacePoint<R> {
-    /// The point as the [checkerboard](super::StageChecker) of its body wants it.
+    /// The point as the checkerboard of its body wants it.
     #[inline(always)]
     pub(crate) fn on_checker(&self, body: &RenderBody) -> Vector<R> {
         if body.is_double() { self.in_world } else { self.in_body }

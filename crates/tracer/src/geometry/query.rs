@@ -13,8 +13,8 @@ use crate::geometry::bvh::packet::{BodyVisitor, TraversalStack};
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::closest::ClosestHits;
-use crate::geometry::query::coincident::settle;
-use crate::geometry::ray::{INWARDS, RayPacket, slack_at};
+use crate::geometry::query::coincident::resolve_coincident;
+use crate::geometry::ray::{INWARDS, RayPacket, error_bound_at};
 use crate::geometry::visible_bodies::{BoundingCone, VisibleBodies};
 use crate::geometry::{Accelerator, Geometry};
 use crate::simd::vector::Vector;
@@ -37,7 +37,7 @@ pub(crate) struct PacketHits<W: Width> {
     pub t: W::R,
     pub body: W::W,
     pub leaving: W::M,
-    /// The face of the body's [`ShapeSpan`](crate::shape::Span).
+    /// The face of the body's [`ShapeSpan`](crate::shape::ShapeSpan).
     pub face: W::R,
     /// The rays that meet one at all.
     pub hit: W::M,
@@ -77,8 +77,8 @@ pub(crate) struct RayQuery<'a, W: Width> {
     start: W::W,
     /// Those that fly.
     pub(crate) lanes: W::M,
-    inside: &'a BodyMembership,
-    along: Candidates<'a>,
+    membership: &'a BodyMembership,
+    candidates: Candidates<'a>,
 }
 
 impl<W: Width> PacketHits<W> {
@@ -91,7 +91,7 @@ impl<W: Width> PacketHits<W> {
 
     /// The first hits of these rays, of bodies that they meet where others are the first in the scene.
     #[inline(always)]
-    pub(crate) fn settled(
+    pub(crate) fn resolved(
         self,
         w: W,
         geometry: &Geometry,
@@ -101,7 +101,7 @@ impl<W: Width> PacketHits<W> {
         // Number by number: masks that were just written are slow to read as parts of a whole.
         let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
         if contested.any() {
-            let first = settle(w, geometry, rays, inside, Self { t, body, leaving, face, hit, contested });
+            let first = resolve_coincident(w, geometry, rays, inside, Self { t, body, leaving, face, hit, contested });
             (t, body, leaving, face, hit) = (first.t, first.body, first.leaving, first.face, first.hit);
         }
         Self { t, body, leaving, face, hit, contested }
@@ -115,8 +115,8 @@ impl<'a, W: Width> RayQuery<'a, W> {
         geometry: &'a Geometry,
         rays: &RayPacket<W>,
         lanes: W::M,
-        inside: &'a BodyMembership,
-        along: Candidates<'a>,
+        membership: &'a BodyMembership,
+        candidates: Candidates<'a>,
     ) -> Self {
         Self {
             w,
@@ -125,23 +125,23 @@ impl<'a, W: Width> RayQuery<'a, W> {
             direction: rays.direction,
             start: rays.start,
             lanes,
-            inside,
-            along,
+            membership,
+            candidates,
         }
     }
 
     /// How far the starts may lie from their true places by rounding, meters.
     #[inline(always)]
-    fn start_slack(&self) -> W::R {
-        slack_at(self.origin)
+    fn origin_error_bound(&self) -> W::R {
+        error_bound_at(self.origin)
     }
 
     #[inline(always)]
     pub(crate) fn relation(&self, index: u32, body: &RenderBody, lanes: W::M) -> RayBodyLanes<W::M> {
         let leaves = self.leaves(index);
         let mut inside = self.start.is(index | INWARDS);
-        if body.is_transparent() && !self.inside.is_empty() {
-            inside = inside | (self.w.mask(self.inside.of(index)) & !leaves);
+        if body.is_transparent() && !self.membership.is_empty() {
+            inside = inside | (self.w.mask(self.membership.of(index)) & !leaves);
         }
         RayBodyLanes { lanes: lanes & !leaves, inside }
     }
@@ -154,16 +154,16 @@ impl<'a, W: Width> RayQuery<'a, W> {
 
     /// The nearest body that each ray meets.
     #[inline(always)]
-    pub(crate) fn nearest(&self, parts: &mut TraversalStack) -> PacketHits<W> {
-        self.nearest_unsettled(parts).settled(self.w, self.geometry, &self.rays(), self.inside)
+    pub(crate) fn closest_hit(&self, stack: &mut TraversalStack) -> PacketHits<W> {
+        self.closest_hit_unresolved(stack).resolved(self.w, self.geometry, &self.rays(), self.membership)
     }
 
-    /// The nearest body that each ray meets, hits to be [settled](Hits::settled) among them.
+    /// The nearest body that each ray meets, hits to be [settled](PacketHits::settled) among them.
     #[inline(always)]
-    pub(crate) fn nearest_unsettled(&self, parts: &mut TraversalStack) -> PacketHits<W> {
+    pub(crate) fn closest_hit_unresolved(&self, stack: &mut TraversalStack) -> PacketHits<W> {
         match self.hierarchy() {
-            Some(bvh) => nearest_of_many(*self, bvh, parts),
-            None => self.nearest_by(
+            Some(bvh) => closest_hit_of_many(*self, bvh, stack),
+            None => self.closest_hit_by(
                 #[inline(always)]
                 |visitor| self.visit_few(visitor),
             ),
@@ -172,8 +172,8 @@ impl<'a, W: Width> RayQuery<'a, W> {
 
     /// The nearest body that each ray meets, of planes and the bounded bodies that `visit` shows.
     #[inline(always)]
-    fn nearest_by(&self, visit: impl FnOnce(&mut ClosestHitVisitor<'_, 'a, W>)) -> PacketHits<W> {
-        let mut best = ClosestHits::new(self.w, self.geometry, self.start_slack());
+    fn closest_hit_by(&self, visit: impl FnOnce(&mut ClosestHitVisitor<'_, 'a, W>)) -> PacketHits<W> {
+        let mut best = ClosestHits::new(self.w, self.geometry, self.origin_error_bound());
         visit(&mut ClosestHitVisitor(self, &mut best));
         self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
         best.first(self.w, self.geometry, self.lanes)
@@ -194,9 +194,9 @@ impl<'a, W: Width> RayQuery<'a, W> {
 
     /// Shows `visitor` the bounded bodies that some of the rays may meet.
     #[inline(always)]
-    pub(crate) fn visit(&self, parts: &mut TraversalStack, visitor: &mut impl BodyVisitor<W>) {
+    pub(crate) fn visit(&self, stack: &mut TraversalStack, visitor: &mut impl BodyVisitor<W>) {
         match self.hierarchy() {
-            Some(bvh) => self.visit_many(bvh, parts, visitor),
+            Some(bvh) => self.visit_many(bvh, stack, visitor),
             None => self.visit_few(visitor),
         }
     }
@@ -205,16 +205,16 @@ impl<'a, W: Width> RayQuery<'a, W> {
     pub(crate) fn visit_many(
         &self,
         bvh: &Bvh,
-        parts: &mut TraversalStack,
+        stack: &mut TraversalStack,
         visitor: &mut impl BodyVisitor<W>,
     ) {
         let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-        bvh.traverse_packet(self.w, &boxes, parts, &mut SphereCull { flight: self, visitor });
+        bvh.traverse_packet(self.w, &boxes, stack, &mut SphereCull { query: self, visitor });
     }
 
     #[inline(always)]
     pub(crate) fn visit_few(&self, visitor: &mut impl BodyVisitor<W>) {
-        match self.along {
+        match self.candidates {
             Candidates::Only(sights) => self.visit_seen(&sights.bodies, visitor),
             Candidates::All => self.visit_all(visitor),
         }
@@ -223,7 +223,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     /// Shows `visitor` the planes that some of the rays may meet.
     #[inline(always)]
     pub(crate) fn visit_planes(&self, visitor: &mut impl BodyVisitor<W>) {
-        match self.along {
+        match self.candidates {
             Candidates::Only(VisibleBodies { planes, .. }) => {
                 for &index in planes {
                     visitor.leaf(index..index + 1, self.lanes);
@@ -248,7 +248,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
                 spheres,
                 visitor,
                 #[inline(always)]
-                |sphere, reach| sphere.is_met(self.origin, self.direction, reach),
+                |sphere, t_max| sphere.is_met(self.origin, self.direction, t_max),
                 #[inline(always)]
                 |_, place| place as u32,
             );
@@ -259,7 +259,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             if !lanes.any() {
                 continue;
             }
-            let lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.reach());
+            let lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.t_max());
             if lanes.any() {
                 visitor.leaf(index..index + 1, lanes);
             }
@@ -273,13 +273,13 @@ impl<'a, W: Width> RayQuery<'a, W> {
                 sights,
                 visitor,
                 #[inline(always)]
-                |sight, reach| sight.is_met(self.direction, reach),
+                |sight, t_max| sight.is_met(self.direction, t_max),
                 #[inline(always)]
                 |sight, _| sight.body,
             );
         }
         for sight in sights {
-            let lanes = self.lanes & sight.is_met(self.direction, visitor.reach());
+            let lanes = self.lanes & sight.is_met(self.direction, visitor.t_max());
             if lanes.any() {
                 visitor.leaf(sight.body..sight.body + 1, lanes);
             }
@@ -298,10 +298,10 @@ impl<'a, W: Width> RayQuery<'a, W> {
     ) {
         const AT_ONCE: usize = 64;
         for (bodies, start) in bodies.chunks(AT_ONCE).zip((0..).step_by(AT_ONCE)) {
-            let reach = visitor.reach();
+            let t_max = visitor.t_max();
             let (mut lanes, mut some) = ([0; AT_ONCE], 0_u64);
             for (at, body) in bodies.iter().enumerate() {
-                let met = (self.lanes & is_met(body, reach)).bits();
+                let met = (self.lanes & is_met(body, t_max)).bits();
                 lanes[at % AT_ONCE] = met;
                 some |= u64::from(met != 0) << at;
             }
@@ -317,33 +317,33 @@ impl<'a, W: Width> RayQuery<'a, W> {
     }
 
     /// The first meeting of one ray with every body that it meets, in no particular order.
-    pub(crate) fn each(&self, parts: &mut TraversalStack, mut found: impl FnMut(HitRecord)) {
+    pub(crate) fn all_hits(&self, stack: &mut TraversalStack, mut found: impl FnMut(HitRecord)) {
         let mut test = |index: u32| {
-            let mut best = ClosestHits::new(self.w, self.geometry, self.start_slack());
+            let mut best = ClosestHits::new(self.w, self.geometry, self.origin_error_bound());
             self.test(index, self.geometry.body(index), self.lanes, &mut best);
             found_in(&best.first(self.w, self.geometry, self.lanes)).into_iter().for_each(&mut found);
         };
-        self.visit(parts, &mut AllHitsVisitor(self.w, &mut test));
+        self.visit(stack, &mut AllHitsVisitor(self.w, &mut test));
         self.geometry.planes().for_each(&mut test);
     }
 
-    /// Which rays come near a body of a leaf before `reach`, but for those that have just left it: a sphere is a fraction of
+    /// Which rays come near a body of a leaf before `t_max`, but for those that have just left it: a sphere is a fraction of
     /// a body in memory, and of its test.
     #[inline(always)]
-    pub(crate) fn comes_near(&self, index: u32, reach: W::R) -> W::M {
-        self.geometry.sphere(index).is_met(self.origin, self.direction, reach) & !self.leaves(index)
+    pub(crate) fn meets_sphere(&self, index: u32, t_max: W::R) -> W::M {
+        self.geometry.sphere(index).is_met(self.origin, self.direction, t_max) & !self.leaves(index)
     }
 
     /// Where rays meet a body first, if they may at all.
     #[inline(always)]
-    fn meets(&self, index: u32, body: &RenderBody, lanes: W::M) -> Option<BodyIntersection<W>> {
+    fn intersect_body(&self, index: u32, body: &RenderBody, lanes: W::M) -> Option<BodyIntersection<W>> {
         let RayBodyLanes { lanes, inside } = self.relation(index, body, lanes);
-        if lanes.any() { self.meeting((index, body), lanes, inside) } else { None }
+        if lanes.any() { self.intersection((index, body), lanes, inside) } else { None }
     }
 
     #[inline(always)]
     fn test(&self, index: u32, body: &RenderBody, lanes: W::M, best: &mut ClosestHits<W>) {
-        let Some(meeting) = self.meets(index, body, lanes) else { return };
+        let Some(meeting) = self.intersect_body(index, body, lanes) else { return };
         if meeting.entering.any() {
             best.enter(self.w, index, &meeting);
         }
@@ -354,7 +354,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
 
     /// Where rays meet a body first, if any do.
     #[inline(always)]
-    pub(crate) fn meeting(
+    pub(crate) fn intersection(
         &self,
         body: (u32, &RenderBody),
         lanes: W::M,
@@ -382,7 +382,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
                 self.w,
                 (self.geometry, body.0),
                 (self.origin, self.direction),
-                self.start_slack(),
+                self.origin_error_bound(),
                 within,
             );
             meeting.entering = meeting.entering | start.at_entry;
@@ -396,17 +396,17 @@ impl<'a, W: Width> RayQuery<'a, W> {
 /// The nearest body that each ray meets, of many. In a function of its own: the numbers of the loop over a few bodies stay
 /// in registers only where nothing is given their address.
 #[inline(never)]
-fn nearest_of_many<W: Width>(
-    flight: RayQuery<'_, W>,
+fn closest_hit_of_many<W: Width>(
+    query: RayQuery<'_, W>,
     bvh: &Bvh,
-    parts: &mut TraversalStack,
+    stack: &mut TraversalStack,
 ) -> PacketHits<W> {
-    flight.w.run(
+    query.w.run(
         #[inline(always)]
         || {
-            flight.nearest_by(
+            query.closest_hit_by(
                 #[inline(always)]
-                |visitor| flight.visit_many(bvh, parts, visitor),
+                |visitor| query.visit_many(bvh, stack, visitor),
             )
         },
     )
@@ -426,18 +426,18 @@ fn start_within<W: Width>(
     w: W,
     (geometry, body): (&Geometry, u32),
     (origin, direction): (Vector<W::R>, Vector<W::R>),
-    start_slack: W::R,
+    origin_error_bound: W::R,
     within: W::M,
 ) -> OriginSide<W::M> {
     w.run(
         #[inline(always)]
         || {
             let (span, [at_enter, at_exit]) = geometry.span_and_cosines(w, body, origin, direction);
-            let slack = start_slack + geometry.body(body).slack;
+            let error_bound = origin_error_bound + geometry.body(body).error_bound;
             let behind_entry = -span.enter * at_enter;
             let before_exit = span.exit * at_exit;
-            let at_entry = within & behind_entry.le(slack) & behind_entry.le(before_exit);
-            let inside = within & !at_entry & !before_exit.le(slack);
+            let at_entry = within & behind_entry.le(error_bound) & behind_entry.le(before_exit);
+            let inside = within & !at_entry & !before_exit.le(error_bound);
             OriginSide { at_entry, inside }
         },
     )
@@ -445,7 +445,7 @@ fn start_within<W: Width>(
 
 /// Shows a visitor those bodies of leaves of whose spheres rays come near.
 struct SphereCull<'f, 'a, W: Width, V> {
-    flight: &'f RayQuery<'a, W>,
+    query: &'f RayQuery<'a, W>,
     visitor: &'f mut V,
 }
 
@@ -453,14 +453,14 @@ impl<W: Width, V: BodyVisitor<W>> BodyVisitor<W> for SphereCull<'_, '_, W, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
-    fn reach(&self) -> W::R {
-        self.visitor.reach()
+    fn t_max(&self) -> W::R {
+        self.visitor.t_max()
     }
 
     #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
         for index in bodies {
-            let lanes = lanes & self.flight.comes_near(index, self.reach());
+            let lanes = lanes & self.query.meets_sphere(index, self.t_max());
             if lanes.any() {
                 self.visitor.leaf(index..index + 1, lanes);
             }
@@ -475,8 +475,8 @@ impl<W: Width> BodyVisitor<W> for ClosestHitVisitor<'_, '_, W> {
     const NEAREST_FIRST: bool = true;
 
     #[inline(always)]
-    fn reach(&self) -> W::R {
-        self.1.reach
+    fn t_max(&self) -> W::R {
+        self.1.t_max
     }
 
     #[inline(always)]
@@ -493,7 +493,7 @@ pub(crate) struct AllHitsVisitor<'f, W, F>(pub(crate) W, pub(crate) &'f mut F);
 impl<W: Width, F: FnMut(u32)> BodyVisitor<W> for AllHitsVisitor<'_, W, F> {
     const NEAREST_FIRST: bool = false;
 
-    fn reach(&self) -> W::R {
+    fn t_max(&self) -> W::R {
         self.0.real(f32::INFINITY)
     }
 
@@ -502,7 +502,7 @@ impl<W: Width, F: FnMut(u32)> BodyVisitor<W> for AllHitsVisitor<'_, W, F> {
     }
 }
 
-/// See [`RayQuery::start_within`].
+/// Rays that start within a body by the numbers.
 struct OriginSide<M> {
     /// Those that meet the surface at once, on the way in.
     at_entry: M,

@@ -68,7 +68,7 @@ fn start_within(index: u32, ray: Ray, span: Span) -> BodyIntersection {
 }
 
 // How far apart by rounding two hits at about `t` can lie that should coincide.
-fn slack_at(ray: Ray, t: f32, larger: f32) -> f32 {
+fn error_bound_at(ray: Ray, t: f32, larger: f32) -> f32 {
     return ray.slack + larger + t * POINT_ROUNDING;
 }
 
@@ -102,13 +102,13 @@ fn offer(index: u32, ray: Ray, media: ptr<function, Media>, best: ptr<function, 
 
 // No body beyond this parameter may coincide with a hit at `t`.
 fn reach_of(ray: Ray, t: f32) -> f32 {
-    return t + GRAZING * slack_at(ray, t, frame.largest_slack);
+    return t + GRAZING * error_bound_at(ray, t, frame.largest_slack);
 }
 
 // Whether the nearest hit may coincide with another.
 fn is_contested(ray: Ray, nearest: ClosestHit) -> bool {
     let t = nearest.t;
-    return t < INFINITY && nearest.others <= t + GRAZING * slack_at(ray, t, nearest.slack);
+    return t < INFINITY && nearest.others <= t + GRAZING * error_bound_at(ray, t, nearest.slack);
 }
 
 // Of hits that coincide within rounding, the one that leads out comes before the one that leads in.
@@ -117,7 +117,7 @@ fn first_of(best: ClosestHits, ray: Ray) -> HitRecord {
     let leaving = best.leaving;
     if leaving.t < INFINITY {
         let larger = max(entering.slack, leaving.slack);
-        if leaving.t <= entering.t + slack_at(ray, entering.t, larger) {
+        if leaving.t <= entering.t + error_bound_at(ray, entering.t, larger) {
             return HitRecord(leaving.t, leaving.body, true, true);
         }
     }
@@ -204,7 +204,7 @@ fn first_of_two(
     let slack = bodies[index].slack;
     let cosine = max(crossing_cosine(index, ray, leaving), crossing_cosine(nearest.body, ray, leaving));
     let across = (t - nearest.t) * cosine;
-    if !is_met || across > slack_at(ray, nearest.t, max(slack, nearest.slack)) {
+    if !is_met || across > error_bound_at(ray, nearest.t, max(slack, nearest.slack)) {
         return first;
     }
     return ClosestHit(t, index, slack, nearest.others);

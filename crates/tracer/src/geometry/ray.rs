@@ -70,14 +70,14 @@ impl<W: Width> RayPacket<W> {
 
     /// How far the starts may lie from their true places by rounding, meters.
     #[inline(always)]
-    pub(crate) fn slack(&self) -> W::R {
-        slack_at(self.origin)
+    pub(crate) fn error_bound(&self) -> W::R {
+        error_bound_at(self.origin)
     }
 }
 
 /// How far points may lie from their true places by rounding, meters.
 #[inline(always)]
-pub(crate) fn slack_at<R: Float32>(point: Vector<R>) -> R {
+pub(crate) fn error_bound_at<R: Float32>(point: Vector<R>) -> R {
     point.map(R::abs).largest() * POINT_ROUNDING
 }
 

@@ -48,19 +48,19 @@ impl BoundingSphere {
     /// All roundings of a test are less than this share of the squared distance.
     pub(crate) const ROUNDING: f32 = 32.0 * f32::EPSILON;
 
-    /// Whether a ray of length 1 comes no further from the center than the radius, before `reach`.
+    /// Whether a ray of length 1 comes no further from the center than the radius, before `t_max`.
     ///
     /// With m the way to the center and s = m·d, the ray passes at √(m·m - s²). All roundings of that together are
     /// less than `ROUNDING` of m·m.
     #[inline(always)]
-    pub(crate) fn is_met<R: Float32>(&self, origin: Vector<R>, direction: Vector<R>, reach: R) -> R::Mask {
-        let to_center = Vector::splat(reach, self.center) - origin;
+    pub(crate) fn is_met<R: Float32>(&self, origin: Vector<R>, direction: Vector<R>, t_max: R) -> R::Mask {
+        let to_center = Vector::splat(t_max, self.center) - origin;
         let along = to_center.dot(direction);
         let distance_squared = to_center.dot(to_center);
-        let within = along.times_plus(along, reach.like(self.radius * self.radius * (1.0 + Self::ROUNDING)));
+        let within = along.times_plus(along, t_max.like(self.radius * self.radius * (1.0 + Self::ROUNDING)));
         let near = within.ge(distance_squared * (1.0 - Self::ROUNDING));
         let radius = self.radius * (1.0 + Self::ROUNDING);
-        let enter = along.times_plus(reach.like(1.0 - POINT_ROUNDING), reach.like(-radius));
-        near & along.ge(reach.like(-radius)) & enter.le(reach)
+        let enter = along.times_plus(t_max.like(1.0 - POINT_ROUNDING), t_max.like(-radius));
+        near & along.ge(t_max.like(-radius)) & enter.le(t_max)
     }
 }

@@ -17,7 +17,7 @@ pub enum MethodError {
     /// The size cannot be.
     #[error(transparent)]
     Size(#[from] SizeError),
-    /// [`RenderControl::cancel`] was called.
+    /// [`RenderControl::cancel`](crate::RenderControl::cancel) was called.
     #[error("the drawing was cancelled")]
     Cancelled,
     /// The cube maps of all reflecting bodies would take too much memory.

@@ -62,7 +62,7 @@ impl GBufferTexel {
     }
 }
 
-/// What can be looked at of the buffers behind a picture; see [`MethodOutput::layer`](super::Drawing::layer).
+/// What can be looked at of the buffers behind a picture, for [`MethodOutput::layer`](crate::raster::MethodOutput::layer).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GBufferLayer {
     /// The least depth of the picture divided by the depth: white is near, black the background.

@@ -57,7 +57,7 @@ impl MethodOutput {
     }
 }
 
-/// What [`reasons`] needs of a drawing, of its first sample.
+/// What [`reasons()`](crate::raster::reasons()) needs of a drawing, of its first sample.
 #[derive(Clone, Debug)]
 pub(crate) enum FirstSampleBuffers {
     None,

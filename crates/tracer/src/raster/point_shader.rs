@@ -57,7 +57,7 @@ pub(crate) struct PointShader<'a> {
     inside: BodyMembership,
     /// The list of `table` that holds the bodies of `inside` in the order in which they were entered.
     media: u32,
-    parts: TraversalStack,
+    stack: TraversalStack,
     intervals: MediumIntervals,
     pub(crate) counts: RayCounts,
 }
@@ -70,7 +70,7 @@ impl<'a> PointShader<'a> {
             table: MediumStacks::default(),
             inside: BodyMembership::default(),
             media: AIR,
-            parts: TraversalStack::default(),
+            stack: TraversalStack::default(),
             intervals: MediumIntervals::default(),
             counts: RayCounts::default(),
         };
@@ -96,7 +96,7 @@ impl<'a> PointShader<'a> {
         let rays = ray.alone();
         found_in(
             &RayQuery::new(ScalarWidth, &self.scene.geometry, &rays, true, &self.inside, Candidates::All)
-                .nearest(&mut self.parts),
+                .closest_hit(&mut self.stack),
         )
     }
 
@@ -138,8 +138,8 @@ impl<'a> PointShader<'a> {
         self.counts.shadow += 1;
         let rays: RayPacket<ScalarWidth> =
             RayPacket { origin: at.position, direction: to_light, start: at.start.word() };
-        let Self { parts, intervals, .. } = self;
-        let memory = ShadowScratch { parts, intervals, blocker: &mut { NO_BODY } };
+        let Self { stack, intervals, .. } = self;
+        let memory = ShadowScratch { stack, intervals, occluder: &mut { NO_BODY } };
         RayQuery::new(ScalarWidth, &self.scene.geometry, &rays, true, &self.inside, Candidates::All)
             .transmittance(self.scene, distance, (&self.table, self.media), memory)
             .shares(ScalarWidth)

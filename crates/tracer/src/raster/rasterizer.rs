@@ -28,7 +28,7 @@ pub(crate) struct TriangleCorner {
 pub(crate) struct Fragment {
     /// Distance along the view, meters.
     pub(crate) depth: f64,
-    /// [`RayOrigin::word`](crate::Start) of the body and side.
+    /// [`RayOrigin::word`](crate::RayOrigin) of the body and side.
     pub(crate) start: u32,
     /// As of the [`TriangleCorner`]s.
     pub(crate) in_body: Vector<f32>,

@@ -61,7 +61,7 @@ impl<'a> SceneArrays<'a> {
     }
 
     /// Of each body its place in the scene and, if `ranked`, its place among all bodies in the order of their volumes
-    /// (see [`ShaderSpecialization::asks_each_start`](super::Specialization::asks_each_start)).
+    /// (see [`ShaderSpecialization::asks_each_start`](super::ShaderSpecialization::asks_each_start)).
     pub fn scene_order(self, ranked: bool) -> Vec<u8> {
         let scene = self.0;
         let mut order: Vec<[u32; 2]> = scene.geometry.scene_indices.iter().map(|&index| [index, 0]).collect();
@@ -84,7 +84,7 @@ impl<'a> SceneArrays<'a> {
         bytemuck::cast_slice(&order).to_vec()
     }
 
-    /// The materials, in the form that the shader of the scene's [`ShaderSpecialization`](super::Specialization) reads.
+    /// The materials, in the form that the shader of the scene's [`ShaderSpecialization`](super::ShaderSpecialization) reads.
     pub fn materials(self) -> Vec<u8> {
         match PhysicalFeatures::of(self.0) {
             PhysicalFeatures::NOTHING => {
@@ -197,7 +197,7 @@ pub struct FrameUniforms {
     bounded: u32,
     bodies: u32,
     lights: u32,
-    largest_slack: f32,
+    largest_error_bound: f32,
     samples_done: u32,
     samples: u32,
     eye_media_count: u32,
@@ -229,7 +229,7 @@ impl FrameUniforms {
             bounded: scene.geometry.bounded,
             bodies: scene.geometry.bodies.len() as u32,
             lights: scene.lights.len() as u32,
-            largest_slack: scene.geometry.largest_slack,
+            largest_error_bound: scene.geometry.largest_error_bound,
             eye_media_count: media.len().min(MOST_MEDIA) as u32,
             ..Self::zeroed()
         };

@@ -11,7 +11,7 @@ pub(crate) const MOST_INTERVALS: u32 = 24;
 /// The most rays of one tree: what a thread of a slow card can trace before its driver takes it for hung.
 pub(crate) const MOST_RAYS: u32 = 1 << 16;
 
-/// The most samples of one [`FrameUniforms`].
+/// The most samples of one [`FrameUniforms`](super::FrameUniforms).
 pub const FRAME_PLACES: usize = 16;
 
 /// Constants of the Rust side, and those that a shader is specialized by.

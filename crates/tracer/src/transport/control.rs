@@ -32,7 +32,7 @@ impl RenderControl {
         self.pixels_expected.fetch_add(count, Ordering::Relaxed);
     }
 
-    /// Pixels to be gone through, as far as is known by now; 0 for [`render`], which goes through those of the picture.
+    /// Pixels to be gone through, as far as is known by now; 0 for [`render`](crate::render()), which goes through those of the picture.
     pub fn pixels_expected(&self) -> u64 {
         self.pixels_expected.load(Ordering::Relaxed)
     }

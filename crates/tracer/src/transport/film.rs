@@ -14,7 +14,7 @@ use crate::transport::tile_rect::{TILE, TileRect};
 
 /// The light gathered so far in every pixel of a picture.
 ///
-/// After n samples [`Self::picture`] equals [`render`](crate::transport::render) with n samples bit by bit: sums are kept in double
+/// After n samples [`Self::picture`] equals [`render`](crate::render()) with n samples bit by bit: sums are kept in double
 /// precision and grow in the order of the samples.
 ///
 /// A tile takes a sample as a whole or not at all, and remembers how many it has. So a cancelled pass spoils nothing:

@@ -20,7 +20,7 @@ pub(crate) struct PathState<W: Width> {
     /// Product of the coefficients on the way from the eye.
     pub(crate) weight: Vector<W::R>,
     pub(crate) generation: W::W,
-    /// Lists of a [`MediumStacks`](crate::media::MediaTable).
+    /// Lists of a [`MediumStacks`](crate::transport::media::MediumStacks).
     pub(crate) media: W::W,
     /// Whose light they bring.
     pub(crate) pixel: W::W,
@@ -77,7 +77,7 @@ pub(crate) struct InterfaceCrossing<W: Width> {
 
 /// Where the rays go that grow from others, and who looks on while they grow.
 ///
-/// Rendering does not look: what is seen is dropped, at no cost. A [tree](super::Whitted::tree) writes it down.
+/// Rendering does not look: what is seen is dropped, at no cost. A [tree](crate::WhittedIntegrator::pixel_tree) writes it down.
 pub(crate) trait SecondaryRays<W: Width> {
     fn reflected(&mut self, paths: PathState<W>);
     fn refracted(&mut self, paths: PathState<W>);

@@ -41,22 +41,22 @@ impl RenderScene {
     /// The nearest body that a ray meets, as a primary ray or, if [`Ray::start`] names a surface, as one that has left it.
     ///
     /// The direction must be a unit vector. A ray that is not finite meets nothing.
-    pub fn nearest(&self, ray: &Ray) -> Option<RayIntersection> {
-        self.on_flight(ray, |flight| {
-            found_in(&flight.nearest(&mut TraversalStack::default()))
+    pub fn closest_hit(&self, ray: &Ray) -> Option<RayIntersection> {
+        self.on_flight(ray, |query| {
+            found_in(&query.closest_hit(&mut TraversalStack::default()))
                 .and_then(|hit| RayIntersection::new(self, ray, hit))
         })?
     }
 
     /// The first meeting of a ray with each body in its way, the nearest first, the others in order of distance: a second
-    /// click picks the body behind. The first is [`Self::nearest`]. Bodies are looked through whatever they are made
+    /// click picks the body behind. The first is [`Self::closest_hit`]. Bodies are looked through whatever they are made
     /// of, and no ray is bent; each body is tested once.
     pub fn hits_along(&self, ray: &Ray) -> Vec<RayIntersection> {
-        let hits = self.on_flight(ray, |flight| {
+        let hits = self.on_flight(ray, |query| {
             let mut hits = Vec::new();
-            flight.each(&mut TraversalStack::default(), |hit| hits.push(hit));
+            query.all_hits(&mut TraversalStack::default(), |hit| hits.push(hit));
             // Bodies that touch are ordered by the search, within rounding.
-            let first = found_in(&flight.nearest(&mut TraversalStack::default())).map(|hit| hit.body);
+            let first = found_in(&query.closest_hit(&mut TraversalStack::default())).map(|hit| hit.body);
             hits.sort_by(|a, b| {
                 let is_later = |hit: &HitRecord| Some(hit.body) != first;
                 is_later(a)

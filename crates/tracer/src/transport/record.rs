@@ -67,7 +67,7 @@ impl RayRecord {
 /// How a surface answers a ray that meets it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceRecord {
-    /// By which law it reflects; the coefficients are those of the [branches](Branch).
+    /// By which law it reflects; the coefficients are those of the [branches](BranchRecord).
     pub law: ReflectionModel,
     /// Width of the slopes of its facets, α; 0 is smooth. The coefficients are those of the facet that this ray met.
     pub alpha: f32,

@@ -149,7 +149,7 @@ impl RenderScene {
         let geometry = Geometry {
             bounded,
             spheres: bodies[..bounded as usize].par_iter().map(RenderBody::bounding_sphere).collect(),
-            largest_slack: bodies.par_iter().map(|body| body.slack).reduce(|| 0.0, f32::max),
+            largest_error_bound: bodies.par_iter().map(|body| body.error_bound).reduce(|| 0.0, f32::max),
             largest_extent: bodies.par_iter().map(RenderBody::extent).reduce(|| 0.0, f64::max),
             doubles: Arc::new(Bodies64::new(doubles)),
             has_transparency: materials.iter().any(RenderMaterial::is_transparent),

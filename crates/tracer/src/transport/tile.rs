@@ -166,8 +166,8 @@ impl TileRenderer<'_> {
         }
         for tile in place.squares(TILE) {
             let first_block = (tile.y - place.y) / height * across + (tile.x - place.x) / width;
-            let (near, reach, offset) = tile.rays(self.whitted.camera, size, sample);
-            self.whitted.begin_tile(&near, reach);
+            let (near, t_max, offset) = tile.rays(self.whitted.camera, size, sample);
+            self.whitted.begin_tile(&near, t_max);
             if !self.primary_of_tile::<W, FULL>(w, tile, (&near, offset), (first_block, across), by_stream) {
                 return false;
             }

@@ -118,7 +118,7 @@ fn check(pair: &Pair, motion: &Motion, swapped: bool, more: &[Body]) -> usize {
     let mut count = 0;
     for (x, y) in (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y))) {
         let at = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let Some(hit) = stage.nearest(&stage.camera().ray(at, size)) else { continue };
+        let Some(hit) = stage.closest_hit(&stage.camera().ray(at, size)) else { continue };
         if hit.body < 2 && (pair.coincide)(motion.inverse(hit.position)) {
             assert_eq!(picture.pixel(x, y), Some(expected), "at ({x}, {y})");
             assert_eq!(hit.body, 0, "at ({x}, {y})");

@@ -218,5 +218,5 @@ fn extreme_bodies_are_prepared_without_panics() {
     // The same with the very same place many times over, which no split can part.
     let same = crate::common::stage_of(vec![ball(1.0, DVec3::ZERO, Material::default()); 1000]);
     assert_eq!(same.body_count(), 1000);
-    assert!(same.nearest(&crate::common::ray(v(0.0, 0.0, 9.0), DVec3::NEG_Z)).is_some());
+    assert!(same.closest_hit(&crate::common::ray(v(0.0, 0.0, 9.0), DVec3::NEG_Z)).is_some());
 }

@@ -139,7 +139,7 @@ fn assert_same_hits(followed: &RenderScene, fresh: &RenderScene) {
     let within: [Ray; 3] =
         [v(1.0, 0.2, 0.3), v(-0.5, 0.4, -0.6), v(0.1, -1.0, 0.2)].map(|to| ray(v(0.1, 1.1, 0.2), to));
     for ray in eye.chain(within) {
-        assert_eq!(followed.nearest(&ray).map(told), fresh.nearest(&ray).map(told), "{ray:?}");
+        assert_eq!(followed.closest_hit(&ray).map(told), fresh.closest_hit(&ray).map(told), "{ray:?}");
         let all = |stage: &RenderScene| stage.hits_along(&ray).into_iter().map(told).collect::<Vec<_>>();
         assert_eq!(all(followed), all(fresh), "{ray:?}");
     }

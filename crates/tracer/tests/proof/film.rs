@@ -194,7 +194,7 @@ fn a_click_can_go_to_the_bodies_behind_in_order() {
     let along = |from: DVec3, direction: DVec3| -> Vec<usize> {
         let ray = crate::common::ray(from, direction);
         let hits = stage.hits_along(&ray);
-        assert_eq!(hits.first().copied(), stage.nearest(&ray));
+        assert_eq!(hits.first().copied(), stage.closest_hit(&ray));
         assert!(hits.windows(2).all(|pair| pair[0].hit.t <= pair[1].hit.t));
         hits.iter().map(|hit| hit.body).collect()
     };
@@ -215,7 +215,7 @@ fn hits_along_a_ray_through_a_hierarchy_are_all_there() {
     // Bodies that touch keep to the order of the search.
     let stage = stage_of((0..60).map(|k| ball(0.5, v(0.0, 0.0, -f64::from(k)), glass(1.2))).collect());
     let ray = crate::common::ray(v(0.1, 0.0, 9.0), DVec3::NEG_Z);
-    assert_eq!(stage.hits_along(&ray).first().copied(), stage.nearest(&ray));
+    assert_eq!(stage.hits_along(&ray).first().copied(), stage.closest_hit(&ray));
 }
 
 #[test]

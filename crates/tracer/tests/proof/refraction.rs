@@ -283,11 +283,11 @@ proptest! {
 #[test]
 fn a_ray_from_a_hit_starts_on_its_side() {
     let stage = stage(&scene(vec![ball(1.0, DVec3::ZERO, glass(1.5))]));
-    let hit = stage.nearest(&ray(v(0.0, 0.0, 5.0), DVec3::NEG_Z)).unwrap();
-    assert!(!hit.hit.leaving && stage.nearest(&ray_from_hit(&hit, hit.normal)).is_none());
-    let inner = stage.nearest(&ray(DVec3::ZERO, DVec3::Z)).unwrap();
+    let hit = stage.closest_hit(&ray(v(0.0, 0.0, 5.0), DVec3::NEG_Z)).unwrap();
+    assert!(!hit.hit.leaving && stage.closest_hit(&ray_from_hit(&hit, hit.normal)).is_none());
+    let inner = stage.closest_hit(&ray(DVec3::ZERO, DVec3::Z)).unwrap();
     assert!(inner.hit.leaving);
-    let across = stage.nearest(&ray_from_hit(&inner, inner.normal)).unwrap();
+    let across = stage.closest_hit(&ray_from_hit(&inner, inner.normal)).unwrap();
     assert_close(f64::from(across.hit.t), 2.0, 1e-6);
     assert!(across.hit.leaving);
 }

@@ -58,16 +58,16 @@ proptest! {
         shape in shape(), placement in placement(), from in unit(), at in unit(), out in unit(),
     ) {
         let stage = stage_of(vec![placed(shape, placement, mirror())]);
-        let hit = stage.nearest(&ray_at(&placement, 4.0 * from, 0.3 * at));
+        let hit = stage.closest_hit(&ray_at(&placement, 4.0 * from, 0.3 * at));
         prop_assume!(hit.is_some());
         let hit = hit.unwrap();
         let out = out.as_vec3().normalize();
         let out = if out.dot(hit.normal) < 0.0 { -out } else { out };
         prop_assert!(!hit.hit.leaving);
-        prop_assert_eq!(stage.nearest(&ray_from_hit(&hit, out)), None);
+        prop_assert_eq!(stage.closest_hit(&ray_from_hit(&hit, out)), None);
         // Nor does one that grazes the surface.
         let grazing = out.reject_from(hit.normal).normalize_or(Vec3::X);
-        prop_assert_eq!(stage.nearest(&ray_from_hit(&hit, grazing)), None);
+        prop_assert_eq!(stage.closest_hit(&ray_from_hit(&hit, grazing)), None);
         // The mirrored one in particular: one reflection and off.
         prop_assert_eq!(chain(&stage, ray_at(&placement, 4.0 * from, 0.3 * at)).len(), 2);
     }
@@ -101,7 +101,7 @@ proptest! {
         scene.lights = vec![light(far, 1.0, Falloff::None)];
         let stage = crate::common::stage(&scene);
         let start = ray_at(&placement, 4.0 * from, 0.3 * at);
-        let hit = stage.nearest(&start);
+        let hit = stage.closest_hit(&start);
         prop_assume!(hit.is_some());
         let hit = hit.unwrap();
         let to_light = (far - hit.position).normalize();
@@ -119,7 +119,7 @@ proptest! {
         let stage = stage_of(vec![placed(shape, placement, mirror())]);
         let start = ray_at(&placement, 4.0 * from, 0.3 * at);
         let Anchor::Frame { position, .. } = placement.anchor else { unreachable!() };
-        if let Some(hit) = stage.nearest(&start) {
+        if let Some(hit) = stage.closest_hit(&start) {
             let body_from_world = placement.world_from_body().inverse();
             let own = body_from_world.transform_point3(hit.position);
             let off = textbook::implicit(&shape, own).abs() * placement.scale.min_element();
@@ -145,7 +145,7 @@ fn rays_that_are_not_finite_meet_nothing() {
                     numbers[place] = bad;
                     let bad =
                         Ray::from_point(Vec3::from_slice(&numbers[..3]), Vec3::from_slice(&numbers[3..]));
-                    assert_eq!(stage.nearest(&bad), None, "{bad:?}");
+                    assert_eq!(stage.closest_hit(&bad), None, "{bad:?}");
                 }
             }
         }
@@ -206,11 +206,11 @@ fn a_body_seen_from_10_000_sizes_away_is_whole() {
 fn a_plane_is_seen_up_to_its_horizon() {
     let stage = stage_of(vec![plane(DVec3::ZERO, 0.0, glow(Color::WHITE))]);
     for slope in [1.0, 1e-3, 1e-6, 1e-12, 1e-20, 1e-30] {
-        let hit = stage.nearest(&ray(v(0.0, 1.0, 0.0), v(0.3, -slope, -1.0)));
+        let hit = stage.closest_hit(&ray(v(0.0, 1.0, 0.0), v(0.3, -slope, -1.0)));
         assert_eq!(hit.map(|hit| hit.body), Some(0), "slope {slope}");
-        assert!(stage.nearest(&ray(v(0.0, 1.0, 0.0), v(0.3, slope, -1.0))).is_none());
+        assert!(stage.closest_hit(&ray(v(0.0, 1.0, 0.0), v(0.3, slope, -1.0))).is_none());
     }
-    assert!(stage.nearest(&ray(v(0.0, 1.0, 0.0), DVec3::NEG_Z)).is_none());
+    assert!(stage.closest_hit(&ray(v(0.0, 1.0, 0.0), DVec3::NEG_Z)).is_none());
     let light = light_along(&stage, ray(v(0.0, 1.0, 0.0), v(0.3, -1e-20, -1.0)));
     assert_eq!(light, Vec3::ONE);
 }
@@ -285,7 +285,7 @@ fn a_room_of_six_blocks_does_not_leak() {
         // Straight at the seams.
         let along = 4.0 * (f64::from(step) / 20_000.0 - 0.5);
         for seam in [v(along, -1.0, -2.0), v(2.0, 1.0, along), v(-2.0, 0.5 * along, 2.0)] {
-            let hit = stage.nearest(&ray(v(0.1, 0.2, 0.3), seam - v(0.1, 0.2, 0.3)));
+            let hit = stage.closest_hit(&ray(v(0.1, 0.2, 0.3), seam - v(0.1, 0.2, 0.3)));
             let t = f64::from(hit.expect("the seam is closed").hit.t);
             assert!(t < seam.distance(v(0.1, 0.2, 0.3)) + 1e-4, "through the seam at {seam}");
         }
@@ -321,9 +321,9 @@ fn starts_within_a_mirror_image_are_told_apart_from_hits() {
     let stage = stage_of(vec![ball(1.0, DVec3::ZERO, glass(1.5))]);
     let inwards =
         Ray { start: RayOrigin { body: 0, inwards: true }, ..Ray::from_point(Vec3::Z, Vec3::NEG_Z) };
-    assert_close(f64::from(stage.nearest(&inwards).unwrap().hit.t), 2.0, 1e-6);
+    assert_close(f64::from(stage.closest_hit(&inwards).unwrap().hit.t), 2.0, 1e-6);
     let outwards = Ray { start: RayOrigin { body: 0, inwards: false }, ..inwards };
-    assert_eq!(stage.nearest(&outwards), None);
+    assert_eq!(stage.closest_hit(&outwards), None);
 }
 
 #[test]
@@ -341,7 +341,7 @@ fn turned_transforms_agree_with_the_textbook_in_space() {
             let own = |vector: DVec3| (turn.transpose() * vector) / scale;
             let (o, d) = (own(start.origin.as_dvec3() - at), own(start.direction.as_dvec3()));
             let hits = textbook::crossings(&shape, o, d);
-            let found = stage_of(vec![placed(shape, placement, mirror())]).nearest(&start);
+            let found = stage_of(vec![placed(shape, placement, mirror())]).closest_hit(&start);
             let Some(&(t, normal)) = hits.first() else { return Ok(()) };
             // Only clear hits: through the middle, not along a surface.
             let normal = (turn * (normal / scale)).normalize();

@@ -114,7 +114,7 @@ fn balls_take_the_published_number_of_rays() {
     // Every one of the eye's rays meets something.
     let meets = |row: u32, column: u32| {
         let at = DVec2::new(f64::from(column), f64::from(row)) - 0.5;
-        stage.nearest(&stage.camera().ray(at, DVec2::splat(511.0))).is_some()
+        stage.closest_hit(&stage.camera().ray(at, DVec2::splat(511.0))).is_some()
     };
     assert!((0..513).into_par_iter().all(|row| (0..513).all(|column| meets(row, column))));
     for (counted, published) in [(counts.reflected, 175_095), (counts.shadow, 954_368)] {

@@ -14,7 +14,7 @@ impl Hand {
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
         let at = DVec2::new(f64::from(pos.x - rect.min.x), f64::from(pos.y - rect.min.y));
         let ray = stage.camera_for(&studio.live().latest().unwrap().camera).ray(at, size);
-        let hit = stage.nearest(&ray).unwrap();
+        let hit = stage.closest_hit(&ray).unwrap();
         (hit.body, hit.position, hit.normal.as_dvec3(), ray.direction.as_dvec3())
     }
 
@@ -73,7 +73,7 @@ fn a_shadow_is_dragged_by_the_point_that_casts_it() {
             let studio = hand.harness.state();
             let (_, stage) = studio.live().stage().unwrap();
             let ray = stage.ray_from_point(light, (shadow - light).normalize().as_vec3());
-            let hit = stage.nearest(&ray).filter(|hit| hit.body != FLOOR)?;
+            let hit = stage.closest_hit(&ray).filter(|hit| hit.body != FLOOR)?;
             let is_seen = |at: DVec3| hand.surface(hand.place(at)).0 == FLOOR;
             (is_seen(shadow) && is_seen(shadow + STEP)).then_some((hit.position, shadow))
         })

@@ -65,7 +65,7 @@ impl Hand {
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
         let camera = stage.camera_for(&studio.live().latest().unwrap().camera);
         let (at, _) = camera.project(own.center(), size).unwrap();
-        assert_eq!(stage.nearest(&camera.ray(at, size)).map(|hit| hit.body), Some(index), "{of} is hidden");
+        assert_eq!(stage.closest_hit(&camera.ray(at, size)).map(|hit| hit.body), Some(index), "{of} is hidden");
     }
 }
 
@@ -148,7 +148,7 @@ fn a_second_plane_is_a_wall_in_view() {
     let camera = stage.camera_for(&scene.camera);
     let size = DVec2::new(100.0, 100.0);
     let is_seen = (0..100).any(|row| {
-        let hit = stage.nearest(&camera.ray(DVec2::new(50.0, f64::from(row)), size));
+        let hit = stage.closest_hit(&camera.ray(DVec2::new(50.0, f64::from(row)), size));
         hit.is_some_and(|hit| hit.body == index)
     });
     assert!(is_seen);

@@ -3,7 +3,7 @@
 //! They are met as all others are, by the same formulas, but lane by lane in double precision, from the rays in single: a
 //! ray's start is exact beside the eye, and only the body's own numbers are too large or too small.
 //!
-//! [`RenderSpace`]: super::space::RenderSpace
+//! [`RenderSpace`]: crate::geometry::space::RenderSpace
 
 use catoptric_scene::Body;
 use glam::{DAffine3, DMat3, DVec3};
@@ -47,7 +47,7 @@ impl Body64 {
     }
 
     /// How far the surface may lie from its true place by rounding, meters.
-    pub(crate) fn slack(&self) -> f64 {
+    pub(crate) fn error_bound(&self) -> f64 {
         let extent = self.world_from_body.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         ROUNDING * (DVec3::from(self.origin).abs().max_element() + extent)
     }
@@ -62,7 +62,7 @@ impl Body64 {
         self.shape().contains(point).any()
     }
 
-    /// Where lines cross the body, as [`RenderBody::span`](super::StageBody::span).
+    /// Where lines cross the body, as [`RenderBody::span`](super::RenderBody::span).
     #[cold]
     #[inline(never)]
     pub(crate) fn span<W: Width>(
@@ -113,7 +113,7 @@ impl Body64 {
     }
 
     /// The points where lines cross the surface, on the way out where they are `leaving`; as
-    /// [`RenderBody::point_on_face`](super::StageBody::point_on_face), but that it finds parameters and faces anew: in
+    /// [`RenderBody::point_on_face`](super::RenderBody::point_on_face), but that it finds parameters and faces anew: in
     /// single precision they are not exact enough.
     #[cold]
     #[inline(never)]

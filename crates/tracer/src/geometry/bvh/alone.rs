@@ -11,7 +11,7 @@ pub(crate) trait SingleRayVisitor {
     const NEAREST_FIRST: bool;
 
     /// The parameter beyond which nothing is wanted any more.
-    fn reach(&self) -> f32;
+    fn t_max(&self) -> f32;
     /// Asks for bodies that will probably be met soon.
     #[inline(always)]
     fn fetch(&self, _bodies: Range<u32>) {}
@@ -49,12 +49,12 @@ impl Bvh {
         parts: &mut [SingleRayStackEntry],
         visitor: &mut V,
     ) {
-        let mut reach = visitor.reach();
+        let mut t_max = visitor.t_max();
         let mut index = index;
         let mut waiting = 0;
         loop {
             let node = &self.nodes[index as usize];
-            for (slot, enter) in ray.met(w, node, reach, V::NEAREST_FIRST) {
+            for (slot, enter) in ray.met(w, node, t_max, V::NEAREST_FIRST) {
                 let (first, count) = (node.first[slot], node.count[slot]);
                 visitor.fetch(self.fetch(first, count));
                 parts[waiting] = SingleRayStackEntry { first, count, enter };
@@ -66,7 +66,7 @@ impl Bvh {
                 }
                 waiting -= 1;
                 let SingleRayStackEntry { first, count, enter } = parts[waiting];
-                if enter > reach {
+                if enter > t_max {
                     continue;
                 }
                 if count == 0 {
@@ -74,7 +74,7 @@ impl Bvh {
                     break;
                 }
                 visitor.leaf(first..first + count);
-                reach = visitor.reach();
+                t_max = visitor.t_max();
             }
         }
     }
@@ -93,7 +93,7 @@ impl<W: Width> SingleRay<W> {
 
     /// Where the ray enters the boxes of a node, at least 0, and leaves them; see [`PacketBoxTest::enter`].
     ///
-    /// [`PacketBoxTest::enter`]: super::packet::PacketBoxes::enter
+    /// [`PacketBoxTest::enter`]: super::packet::PacketBoxTest::enter
     #[inline(always)]
     pub(crate) fn enter(&self, w: W, node: &BvhNode) -> (W::E, W::E) {
         let [x, y, z] = &self.0;
@@ -104,11 +104,11 @@ impl<W: Width> SingleRay<W> {
         (enter, exit * w.eight_like(crate::geometry::bvh::WIDEN))
     }
 
-    /// The boxes that it meets before `reach` and where it enters them, see [`BoxOrder::new`].
+    /// The boxes that it meets before `t_max` and where it enters them, see [`BoxOrder::new`].
     #[inline(always)]
-    fn met(&self, w: W, node: &BvhNode, reach: f32, is_sorted: bool) -> impl Iterator<Item = (usize, f32)> {
+    fn met(&self, w: W, node: &BvhNode, t_max: f32, is_sorted: bool) -> impl Iterator<Item = (usize, f32)> {
         let (enter, exit) = self.enter(w, node);
-        let met = enter.le(exit.min(w.eight_like(reach)));
+        let met = enter.le(exit.min(w.eight_like(t_max)));
         let words = enter.to_words();
         BoxOrder::new(&words, met, is_sorted).map(move |slot| (slot, f32::from_bits(words[slot])))
     }

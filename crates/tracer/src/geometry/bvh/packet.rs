@@ -18,7 +18,7 @@ pub(crate) trait BodyVisitor<W: Width> {
     const NEAREST_FIRST: bool;
 
     /// The parameters beyond which nothing is wanted any more.
-    fn reach(&self) -> W::R;
+    fn t_max(&self) -> W::R;
     /// Meets the bodies of a leaf, whose box these lanes meet.
     fn leaf(&mut self, bodies: Range<u32>, lanes: W::M);
 }
@@ -132,7 +132,7 @@ impl Bvh {
         let (shared, alone) = pending.ready(W::LANES > Self::FEW_RAYS as usize);
         let (mut index, mut lanes) = (0, boxes.lanes);
         let mut waiting = 0;
-        let mut farthest = boxes.farthest(w, visitor.reach());
+        let mut farthest = boxes.farthest(w, visitor.t_max());
         loop {
             let mut bits = lanes.bits();
             if bits.count_ones() <= Self::FEW_RAYS {
@@ -142,13 +142,13 @@ impl Bvh {
                     let mut alone_visits = PacketLane { w, lane, visitor: &mut *visitor };
                     self.traverse_alone(w, &boxes.alone(w, lane), index, alone, &mut alone_visits);
                 }
-                farthest = boxes.farthest(w, visitor.reach());
+                farthest = boxes.farthest(w, visitor.t_max());
             } else {
                 let node = &self.nodes[index as usize];
                 let order = boxes.order(w, node, bits, farthest, V::NEAREST_FIRST);
-                let reach = visitor.reach();
+                let t_max = visitor.t_max();
                 for slot in order {
-                    let (enter, met) = boxes.enter(w, node, slot, reach);
+                    let (enter, met) = boxes.enter(w, node, slot, t_max);
                     let met = (met & lanes).bits();
                     if met != 0 {
                         let part = &mut shared[waiting];
@@ -164,7 +164,7 @@ impl Bvh {
                 }
                 waiting -= 1;
                 let part = &shared[waiting];
-                let alive = w.mask(part.lanes) & w.load(&part.enter).le(visitor.reach());
+                let alive = w.mask(part.lanes) & w.load(&part.enter).le(visitor.t_max());
                 if !alive.any() {
                     continue;
                 }
@@ -173,7 +173,7 @@ impl Bvh {
                     break;
                 }
                 visitor.leaf(part.first..part.first + part.count, alive);
-                farthest = boxes.farthest(w, visitor.reach());
+                farthest = boxes.farthest(w, visitor.t_max());
             }
         }
     }
@@ -190,9 +190,9 @@ impl<W: Width, V: BodyVisitor<W>> SingleRayVisitor for PacketLane<'_, W, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
-    fn reach(&self) -> f32 {
+    fn t_max(&self) -> f32 {
         let mut all = [0.0; MOST_LANES];
-        self.visitor.reach().store(&mut all);
+        self.visitor.t_max().store(&mut all);
         all[self.lane]
     }
 
@@ -213,9 +213,9 @@ fn store<R: crate::simd::Float32>(vector: Vector<R>, to: &mut [[f32; MOST_LANES]
 impl<W: Width> PacketBoxTest<W> {
     /// How far any of the rays reaches.
     #[inline(always)]
-    fn farthest(&self, w: W, reach: W::R) -> f32 {
+    fn farthest(&self, w: W, t_max: W::R) -> f32 {
         match &self.beam {
-            Some(_) => W::R::select(self.lanes, reach, w.real(0.0)).greatest(),
+            Some(_) => W::R::select(self.lanes, t_max, w.real(0.0)).greatest(),
             None => f32::INFINITY,
         }
     }
@@ -241,16 +241,16 @@ impl<W: Width> PacketBoxTest<W> {
         SingleRay::new(w, self.origins.map(|axis| axis[lane]), self.inverses.map(|axis| axis[lane]))
     }
 
-    /// The parameters at which the rays enter a box, at least 0, and those which meet it before `reach`. The far sides
+    /// The parameters at which the rays enter a box, at least 0, and those which meet it before `t_max`. The far sides
     /// are moved outwards by the rounding of the three operations (Ize 2013, Robust BVH ray traversal, eq. 3).
     #[inline(always)]
-    fn enter(&self, w: W, node: &BvhNode, slot: usize, reach: W::R) -> (W::R, W::M) {
+    fn enter(&self, w: W, node: &BvhNode, slot: usize, t_max: W::R) -> (W::R, W::M) {
         let x = self.along(w, 0, node, slot, self.origin.x, self.inverse.x);
         let y = self.along(w, 1, node, slot, self.origin.y, self.inverse.y);
         let z = self.along(w, 2, node, slot, self.origin.z, self.inverse.z);
         let enter = x.0.max(y.0).max(z.0).max(w.real(0.0));
         let exit = x.1.min(y.1).min(z.1);
-        (enter, enter.le((exit * WIDEN).min(reach)))
+        (enter, enter.le((exit * WIDEN).min(t_max)))
     }
 
     /// Where the rays cross the two sides across one axis.
@@ -309,9 +309,9 @@ impl PacketInterval {
     }
 
     /// Bounds from below for where the rays enter the boxes of a node, and a bit for each box that any may meet before
-    /// `reach`. Rounding is monotonic: what holds for the ends of an interval holds for the rays in it.
+    /// `t_max`. Rounding is monotonic: what holds for the ends of an interval holds for the rays in it.
     #[inline(always)]
-    fn enter<W: Width>(&self, w: W, node: &BvhNode, reach: f32) -> (W::E, u32) {
+    fn enter<W: Width>(&self, w: W, node: &BvhNode, t_max: f32) -> (W::E, u32) {
         let (mut enter, mut exit) = (w.eight_like(0.0), w.eight_like(f32::INFINITY));
         for axis in &self.0 {
             let PacketIntervalAxis { near, near_origin, far_origin, least, greatest } = *axis;
@@ -321,7 +321,7 @@ impl PacketInterval {
             enter = enter.max((to_near * least).min(to_near * greatest));
             exit = exit.min((to_far * least).max(to_far * greatest));
         }
-        let exit = (exit * w.eight_like(WIDEN)).min(w.eight_like(reach));
+        let exit = (exit * w.eight_like(WIDEN)).min(w.eight_like(t_max));
         (enter, enter.le(exit))
     }
 }

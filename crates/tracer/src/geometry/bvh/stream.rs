@@ -76,10 +76,10 @@ struct StreamStackEntry {
 impl StreamRayRows {
     /// Writes down rays from number `at` on.
     #[inline(always)]
-    pub(crate) fn set<W: Width>(&mut self, w: W, at: usize, rays: &RayPacket<W>, media: W::W, reach: W::R) {
+    pub(crate) fn set<W: Width>(&mut self, w: W, at: usize, rays: &RayPacket<W>, media: W::W, t_max: W::R) {
         let RayPacket { origin, direction, start } = *rays;
         let inverse = inverse_of(w, direction);
-        w.store_fours([origin.x, origin.y, origin.z, reach], &mut self.origin[at..]);
+        w.store_fours([origin.x, origin.y, origin.z, t_max], &mut self.origin[at..]);
         w.store_fours([inverse.x, inverse.y, inverse.z, W::R::of_word(start)], &mut self.inverse[at..]);
         w.store_fours(
             [direction.x, direction.y, direction.z, W::R::of_word(media)],
@@ -90,11 +90,11 @@ impl StreamRayRows {
     /// The rays from number `at` on, and their reach.
     #[inline(always)]
     pub(crate) fn load<W: Width>(&self, w: W, at: usize) -> (RayPacket<W>, W::R) {
-        let [x, y, z, reach] = w.load_fours(&self.origin[at..]);
+        let [x, y, z, t_max] = w.load_fours(&self.origin[at..]);
         let origin = Vector::new(x, y, z);
         let [.., start] = w.load_fours(&self.inverse[at..]);
         let [x, y, z, _] = w.load_fours(&self.direction[at..]);
-        (RayPacket { origin, direction: Vector::new(x, y, z), start: start.to_word() }, reach)
+        (RayPacket { origin, direction: Vector::new(x, y, z), start: start.to_word() }, t_max)
     }
 
     /// The media of the rays from number `at` on.
@@ -107,28 +107,28 @@ impl StreamRayRows {
     /// These rays, their media and their reach.
     #[inline(always)]
     pub(crate) fn gather<W: Width>(&self, w: W, rays: &[u32]) -> (RayPacket<W>, W::W, W::R) {
-        let [x, y, z, reach] = w.gather(&self.origin, rays);
+        let [x, y, z, t_max] = w.gather(&self.origin, rays);
         let origin = Vector::new(x, y, z);
         let [.., start] = w.gather(&self.inverse, rays);
         let [x, y, z, media] = w.gather(&self.direction, rays);
         (
             RayPacket { origin, direction: Vector::new(x, y, z), start: start.to_word() },
             media.to_word(),
-            reach,
+            t_max,
         )
     }
 
     /// How far a ray reaches.
     #[inline(always)]
-    pub(crate) fn reach(&self, ray: u32) -> f32 {
+    pub(crate) fn t_max(&self, ray: u32) -> f32 {
         self.origin[ray as usize % STREAM][3]
     }
 
-    /// Nothing beyond `reach` is wanted any more of a ray.
+    /// Nothing beyond `t_max` is wanted any more of a ray.
     #[inline(always)]
-    pub(crate) fn shorten(&mut self, ray: u32, reach: f32) {
+    pub(crate) fn shorten(&mut self, ray: u32, t_max: f32) {
         let old = &mut self.origin[ray as usize % STREAM][3];
-        *old = old.min(reach);
+        *old = old.min(t_max);
     }
 
     /// Writes the numbers of the first `count` rays of which anything is wanted to lists, each of which has `room`: one for
@@ -147,8 +147,8 @@ impl StreamRayRows {
         let numbers = w.load_words(&numbers);
         let (told_apart, used) = if is_apart { (7, 8) } else { (0, 1) };
         for at in (0..count).step_by(W::LANES) {
-            let [.., reach] = w.load_fours(&self.origin[at..]);
-            let lanes = w.first(count - at) & reach.gt(w.real(f32::NEG_INFINITY));
+            let [.., t_max] = w.load_fours(&self.origin[at..]);
+            let lanes = w.first(count - at) & t_max.gt(w.real(f32::NEG_INFINITY));
             let [x, y, z, _] = w.load_fours(&self.inverse[at..]);
             let sign = |inverse: W::R, by: u32| inverse.to_word().shifted_right(31).shifted_left(by);
             let octants = sign(x, 0).or(sign(y, 1)).or(sign(z, 2)).and(told_apart);
@@ -171,7 +171,7 @@ impl StreamRayRows {
 
     /// Nothing is wanted any more of the first `count` rays.
     pub(crate) fn block(&mut self, count: usize) {
-        self.origin.iter_mut().take(count).for_each(|[.., reach]| *reach = f32::NEG_INFINITY);
+        self.origin.iter_mut().take(count).for_each(|[.., t_max]| *t_max = f32::NEG_INFINITY);
     }
 
     #[inline(always)]
@@ -350,13 +350,13 @@ fn sort<W: Width, const APART: bool>(
     for at in (0..len).step_by(W::LANES) {
         let numbers = &numbers[at..];
         let lanes = w.first(len - at);
-        let [x, y, z, reach] = w.gather(&rays.origin, numbers);
+        let [x, y, z, t_max] = w.gather(&rays.origin, numbers);
         let origin = Vector::new(x, y, z);
         let [x, y, z, _] = w.gather(&rays.inverse, numbers);
         let minus_inverse = -Vector::new(x, y, z);
         let words = w.load_words(numbers);
         for (slot, len) in lens.iter_mut().take(slots).enumerate() {
-            let met = lanes & meets::<W, APART>(w, sides, slot, (origin, minus_inverse), reach);
+            let met = lanes & meets::<W, APART>(w, sides, slot, (origin, minus_inverse), t_max);
             words.store_some(met, &mut lists[slot * room + *len..]);
             *len += met.bits().count_ones() as usize;
         }
@@ -364,14 +364,14 @@ fn sort<W: Width, const APART: bool>(
     lens
 }
 
-/// The rays that meet a box before `reach`; see [`PacketBoxTest::enter`](super::packet::PacketBoxes::enter).
+/// The rays that meet a box before `t_max`; see [`PacketBoxTest::enter`](super::packet::PacketBoxTest::enter).
 #[inline(always)]
 fn meets<W: Width, const APART: bool>(
     w: W,
     sides: &[[f32; 8]; 6],
     slot: usize,
     (origin, minus_inverse): (Vector<W::R>, Vector<W::R>),
-    reach: W::R,
+    t_max: W::R,
 ) -> W::M {
     let cross = |(one, other): (usize, usize), origin: W::R, minus_inverse: W::R| {
         let one = (origin - sides[one][slot]) * minus_inverse;
@@ -384,7 +384,7 @@ fn meets<W: Width, const APART: bool>(
     let z = cross(pairs[2], origin.z, minus_inverse.z);
     let enter = x.0.max(y.0).max(z.0).max(w.real(0.0));
     let exit = x.1.min(y.1).min(z.1);
-    enter.le((exit * WIDEN).min(reach))
+    enter.le((exit * WIDEN).min(t_max))
 }
 
 /// One ray of a stream on its own way.
@@ -397,8 +397,8 @@ impl<V: StreamVisitor> SingleRayVisitor for StreamLane<'_, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
-    fn reach(&self) -> f32 {
-        self.visitor.rays().reach(self.ray[0])
+    fn t_max(&self) -> f32 {
+        self.visitor.rays().t_max(self.ray[0])
     }
 
     #[inline(always)]

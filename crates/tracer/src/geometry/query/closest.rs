@@ -25,32 +25,32 @@ pub(crate) struct ClosestHits<W: Width> {
     pub(crate) leaving: ClosestHit<W>,
     pub(crate) entering: ClosestHit<W>,
     /// No body beyond this parameter can change the outcome any more; finite.
-    pub(crate) reach: W::R,
-    pub(crate) start_slack: W::R,
+    pub(crate) t_max: W::R,
+    pub(crate) origin_error_bound: W::R,
     /// The [`margin`] of these rays, meters.
     pub(crate) margin: W::R,
 }
 
 /// How far apart hits that coincide may lie at the start of rays, [`GRAZING`] and the slacks of two bodies included.
 #[inline(always)]
-pub(crate) fn margin<R: Float32>(geometry: &Geometry, start_slack: R) -> R {
-    (start_slack + 2.0 * geometry.largest_slack) * GRAZING
+pub(crate) fn margin<R: Float32>(geometry: &Geometry, origin_error_bound: R) -> R {
+    (origin_error_bound + 2.0 * geometry.largest_error_bound) * GRAZING
 }
 
 /// Up to where hits may coincide with one at `t`; `margin` is how far apart they may lie at the start of the rays.
 #[inline(always)]
-pub(crate) fn reach_for<R: Float32>(t: R, margin: R) -> R {
+pub(crate) fn t_max_for<R: Float32>(t: R, margin: R) -> R {
     t.times_plus(t.like(1.0 + GRAZING * POINT_ROUNDING), margin)
 }
 
 impl<W: Width> ClosestHits<W> {
     #[inline(always)]
-    pub(crate) fn new(w: W, geometry: &Geometry, start_slack: W::R) -> Self {
+    pub(crate) fn new(w: W, geometry: &Geometry, origin_error_bound: W::R) -> Self {
         let infinity = w.real(f32::INFINITY);
         let nearest = ClosestHit { t: infinity, body: w.word(0), face: w.real(0.0), second: infinity };
-        let margin = margin(geometry, start_slack);
-        let reach = w.real(f32::MAX);
-        Self { leaving: nearest, entering: nearest, reach, start_slack, margin }
+        let margin = margin(geometry, origin_error_bound);
+        let t_max = w.real(f32::MAX);
+        Self { leaving: nearest, entering: nearest, t_max, origin_error_bound, margin }
     }
 
     /// Takes note of hits that lead into a body.
@@ -58,7 +58,7 @@ impl<W: Width> ClosestHits<W> {
     pub(crate) fn enter(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
         let met = (meeting.enter, meeting.enter_face);
         self.entering.offer(w, index, met, meeting.entering);
-        self.reach = self.reach.min(reach_for(self.entering.t, self.margin));
+        self.t_max = self.t_max.min(t_max_for(self.entering.t, self.margin));
     }
 
     /// Takes note of hits that lead out of a body.
@@ -66,14 +66,14 @@ impl<W: Width> ClosestHits<W> {
     pub(crate) fn leave(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
         let met = (meeting.exit, meeting.exit_face);
         self.leaving.offer(w, index, met, meeting.leaving);
-        self.reach = self.reach.min(reach_for(self.leaving.t, self.margin));
+        self.t_max = self.t_max.min(t_max_for(self.leaving.t, self.margin));
     }
 
     /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
     /// this: each slack is twice its bound, so the larger one covers both.
     #[inline(always)]
-    fn slack_at(&self, t: W::R, larger: W::R) -> W::R {
-        t.times_plus(t.like(POINT_ROUNDING), self.start_slack + larger)
+    fn error_bound_at(&self, t: W::R, larger: W::R) -> W::R {
+        t.times_plus(t.like(POINT_ROUNDING), self.origin_error_bound + larger)
     }
 
     /// The first hits of `lanes`, before those that are contested are settled. Of hits that coincide within rounding, the
@@ -94,12 +94,12 @@ impl<W: Width> ClosestHits<W> {
         if leaves.any() {
             hits.contested = hits.contested | lanes & self.leaving.is_contested(w, self.margin);
             let out = self.leaving.t;
-            let surely = leaves & out.le(t + self.slack_at(t, w.real(0.0)));
-            let perhaps = leaves & out.le(t + self.slack_at(t, w.real(geometry.largest_slack)));
+            let surely = leaves & out.le(t + self.error_bound_at(t, w.real(0.0)));
+            let perhaps = leaves & out.le(t + self.error_bound_at(t, w.real(geometry.largest_error_bound)));
             hits.leaving = surely;
             if (perhaps & !surely).any() {
-                let larger = larger_slack(w, geometry, body, self.leaving.body);
-                hits.leaving = leaves & out.le(t + self.slack_at(t, larger));
+                let larger = larger_error_bound(w, geometry, body, self.leaving.body);
+                hits.leaving = leaves & out.le(t + self.error_bound_at(t, larger));
             }
             hits.t = W::R::select(hits.leaving, self.leaving.t, t);
             hits.face = W::R::select(hits.leaving, self.leaving.face, face);
@@ -110,7 +110,7 @@ impl<W: Width> ClosestHits<W> {
 }
 
 impl<W: Width> ClosestHit<W> {
-    /// Takes note of hits. Which of equal ones counts is left to [`settle`](crate::geometry::query::coincident::settle).
+    /// Takes note of hits. Which of equal ones counts is left to [`resolve_coincident`](crate::geometry::query::coincident::settle).
     #[inline(always)]
     fn offer(&mut self, w: W, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
         let t = W::R::select(lanes, t, w.real(f32::INFINITY));
@@ -124,20 +124,20 @@ impl<W: Width> ClosestHit<W> {
     /// The rays whose two nearest hits may coincide.
     #[inline(always)]
     fn is_contested(&self, w: W, margin: W::R) -> W::M {
-        self.second.le(reach_for(self.t, margin)) & self.second.lt(w.real(f32::INFINITY))
+        self.second.le(t_max_for(self.t, margin)) & self.second.lt(w.real(f32::INFINITY))
     }
 }
 
 /// The larger slack of two bodies.
 #[cold]
 #[inline(never)]
-fn larger_slack<W: Width>(w: W, geometry: &Geometry, one: W::W, other: W::W) -> W::R {
+fn larger_error_bound<W: Width>(w: W, geometry: &Geometry, one: W::W, other: W::W) -> W::R {
     let (mut ones, mut others) = ([0; MOST_LANES], [0; MOST_LANES]);
     one.store(&mut ones);
     other.store(&mut others);
     let mut slacks = [0.0; MOST_LANES];
-    for (slack, (&one, &other)) in slacks.iter_mut().zip(ones.iter().zip(&others)) {
-        *slack = geometry.body(one).slack.max(geometry.body(other).slack);
+    for (error_bound, (&one, &other)) in slacks.iter_mut().zip(ones.iter().zip(&others)) {
+        *error_bound = geometry.body(one).error_bound.max(geometry.body(other).error_bound);
     }
     w.load(&slacks)
 }

@@ -8,7 +8,7 @@ use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::closest::{ClosestHits, GRAZING};
 use crate::geometry::query::{ClosestHitVisitor, PacketHits, RayQuery};
-use crate::geometry::ray::{POINT_ROUNDING, RayPacket, slack_at};
+use crate::geometry::ray::{POINT_ROUNDING, RayPacket, error_bound_at};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
 use crate::simd::{Float32, MOST_LANES, Mask as _, Width, Word as _};
@@ -27,7 +27,7 @@ struct SurfaceCrossing {
 /// they need is not in the way of all others.
 #[cold]
 #[inline(never)]
-pub(crate) fn settle<W: Width>(
+pub(crate) fn resolve_coincident<W: Width>(
     w: W,
     geometry: &Geometry,
     rays: &RayPacket<W>,
@@ -42,7 +42,7 @@ pub(crate) fn settle<W: Width>(
     rays.start.store(&mut starts);
     let (mut leaving, mut hit) = (hits.leaving.bits(), hits.hit.bits());
     let [origins, directions] = [rays.origin, rays.direction].map(rows);
-    let mut parts = TraversalStack::default();
+    let mut stack = TraversalStack::default();
     let mut left = hits.contested.bits();
     while left != 0 {
         let lane = left.trailing_zeros() as usize % MOST_LANES;
@@ -52,7 +52,7 @@ pub(crate) fn settle<W: Width>(
             RayPacket { origin: vector(&origins), direction: vector(&directions), start: starts[lane] };
         let inside = inside.of_lane(lane);
         let first = RayQuery::new(ScalarWidth, geometry, &rays, true, &inside, Candidates::All)
-            .first_settled(&mut parts);
+            .first_resolved(&mut stack);
         (ts[lane], faces[lane], bodies[lane]) = (first.t, first.face, first.body);
         let at = 1 << lane;
         leaving = leaving & !at | if first.leaving { at } else { 0 };
@@ -79,14 +79,14 @@ fn rows<R: Float32>(vector: Vector<R>) -> [[f32; MOST_LANES]; 3] {
 
 impl RayQuery<'_, ScalarWidth> {
     /// The first hit of the ray, of bodies that are entered where it is, or left, the first in the scene.
-    fn first_settled(&self, parts: &mut TraversalStack) -> PacketHits<ScalarWidth> {
-        let mut best = ClosestHits::new(ScalarWidth, self.geometry, self.start_slack());
-        self.visit(parts, &mut ClosestHitVisitor(self, &mut best));
+    fn first_resolved(&self, stack: &mut TraversalStack) -> PacketHits<ScalarWidth> {
+        let mut best = ClosestHits::new(ScalarWidth, self.geometry, self.origin_error_bound());
+        self.visit(stack, &mut ClosestHitVisitor(self, &mut best));
         self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
         for (nearest, leaving) in [(&mut best.entering, false), (&mut best.leaving, true)] {
             if nearest.t < f32::INFINITY {
                 let first = SurfaceCrossing { t: nearest.t, face: nearest.face, body: nearest.body };
-                let counts = self.first_of_coincident(first, leaving, parts);
+                let counts = self.first_of_coincident(first, leaving, stack);
                 (nearest.t, nearest.face, nearest.body) = (counts.t, counts.face, counts.body);
             }
         }
@@ -98,25 +98,25 @@ impl RayQuery<'_, ScalarWidth> {
         &self,
         nearest: SurfaceCrossing,
         leaving: bool,
-        parts: &mut TraversalStack,
+        stack: &mut TraversalStack,
     ) -> SurfaceCrossing {
-        let slack_there = slack_at(self.origin) + nearest.t * POINT_ROUNDING;
-        let slack = |body: u32| self.geometry.body(body).slack;
-        let reach = nearest.t + GRAZING * (slack_there + self.geometry.largest_slack);
+        let slack_there = error_bound_at(self.origin) + nearest.t * POINT_ROUNDING;
+        let error_bound = |body: u32| self.geometry.body(body).error_bound;
+        let t_max = nearest.t + GRAZING * (slack_there + self.geometry.largest_error_bound);
         let mut crossings = Vec::new();
-        let mut visitor = CrossingVisitor { flight: self, leaving, reach, crossings: &mut crossings };
-        self.visit(parts, &mut visitor);
+        let mut visitor = CrossingVisitor { query: self, leaving, t_max, crossings: &mut crossings };
+        self.visit(stack, &mut visitor);
         self.visit_planes(&mut visitor);
         // Of equal ones the first in the scene, so that the order of visits does not matter.
         let order = |one: &SurfaceCrossing, other: &SurfaceCrossing| {
             one.t.total_cmp(&other.t).then_with(|| self.geometry.scene_order(one.body, other.body))
         };
         let nearest = crossings.iter().copied().min_by(order).unwrap_or(nearest);
-        let own_slack = slack(nearest.body);
+        let own_slack = error_bound(nearest.body);
         let own_cosine = self.cosine(nearest.body, leaving);
         let coincides = |crossing: &SurfaceCrossing| {
             let across = (crossing.t - nearest.t) * own_cosine.max(self.cosine(crossing.body, leaving));
-            across <= slack_there + own_slack.max(slack(crossing.body))
+            across <= slack_there + own_slack.max(error_bound(crossing.body))
         };
         let others = crossings.into_iter().filter(|other| other.body != nearest.body && coincides(other));
         others.fold(nearest, |first, other| {
@@ -133,29 +133,29 @@ impl RayQuery<'_, ScalarWidth> {
 
 /// Writes down where a ray enters bodies, or leaves them.
 struct CrossingVisitor<'f, 'a> {
-    flight: &'f RayQuery<'a, ScalarWidth>,
+    query: &'f RayQuery<'a, ScalarWidth>,
     leaving: bool,
-    reach: f32,
+    t_max: f32,
     crossings: &'f mut Vec<SurfaceCrossing>,
 }
 
 impl BodyVisitor<ScalarWidth> for CrossingVisitor<'_, '_> {
     const NEAREST_FIRST: bool = false;
 
-    fn reach(&self) -> f32 {
-        self.reach
+    fn t_max(&self) -> f32 {
+        self.t_max
     }
 
     fn leaf(&mut self, bodies: Range<u32>, lanes: bool) {
         for index in bodies {
-            let body = self.flight.geometry.body(index);
-            let Some(meeting) = self.flight.meets(index, body, lanes) else { continue };
+            let body = self.query.geometry.body(index);
+            let Some(meeting) = self.query.intersect_body(index, body, lanes) else { continue };
             let (is_met, t, face) = if self.leaving {
                 (meeting.leaving, meeting.exit, meeting.exit_face)
             } else {
                 (meeting.entering, meeting.enter, meeting.enter_face)
             };
-            if is_met && t <= self.reach {
+            if is_met && t <= self.t_max {
                 self.crossings.push(SurfaceCrossing { t, face, body: index });
             }
         }

@@ -7,7 +7,7 @@ use bytemuck::Zeroable;
 use crate::geometry::bvh::stream::{STREAM, StreamRayRows, StreamRow, StreamTraversalStack, StreamVisitor};
 use crate::geometry::membership::{BodyMembership, MembershipSource};
 use crate::geometry::query::candidates::Candidates;
-use crate::geometry::query::closest::{ClosestHit, ClosestHits, margin, reach_for};
+use crate::geometry::query::closest::{ClosestHit, ClosestHits, margin, t_max_for};
 use crate::geometry::query::{PacketHits, RayQuery};
 use crate::geometry::ray::RayPacket;
 use crate::geometry::{Accelerator, Geometry};
@@ -35,7 +35,7 @@ struct ClosestHitRows {
 /// Working memory of a search by streams.
 #[derive(Debug, Default)]
 pub(crate) struct StreamScratch {
-    pub(crate) parts: StreamTraversalStack,
+    pub(crate) stack: StreamTraversalStack,
     pub(crate) inside: BodyMembership,
 }
 
@@ -83,34 +83,34 @@ impl RayStream {
         memory: &mut StreamScratch,
     ) {
         let Accelerator::Many(bvh) = &geometry.hierarchy else { return };
-        let StreamScratch { parts, inside } = memory;
+        let StreamScratch { stack, inside } = memory;
         let count = self.count;
         let mut visitor = ClosestHitVisitor { w, geometry, memberships, inside, stream: self };
         w.run(
             #[inline(always)]
-            || bvh.traverse_stream(w, parts, count, geometry.parts_streams(), &mut visitor),
+            || bvh.traverse_stream(w, stack, count, geometry.parts_streams(), &mut visitor),
         );
     }
 
-    /// What the rays from number `at` on, which are in `flight`, met, planes included.
+    /// What the rays from number `at` on, which are in `query`, met, planes included.
     #[inline(always)]
-    pub(crate) fn hits<W: Width>(&self, w: W, at: usize, flight: &RayQuery<'_, W>) -> PacketHits<W> {
-        let (_, reach) = self.rays.load(w, at);
+    pub(crate) fn hits<W: Width>(&self, w: W, at: usize, query: &RayQuery<'_, W>) -> PacketHits<W> {
+        let (_, t_max) = self.rays.load(w, at);
         let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
-        let start_slack = flight.start_slack();
-        let margin = margin(flight.geometry, start_slack);
-        let mut best = ClosestHits { leaving, entering, reach, start_slack, margin };
-        for index in flight.geometry.planes() {
-            flight.test(index, flight.geometry.body(index), flight.lanes, &mut best);
+        let origin_error_bound = query.origin_error_bound();
+        let margin = margin(query.geometry, origin_error_bound);
+        let mut best = ClosestHits { leaving, entering, t_max, origin_error_bound, margin };
+        for index in query.geometry.planes() {
+            query.test(index, query.geometry.body(index), query.lanes, &mut best);
         }
-        let hits = best.first(w, flight.geometry, flight.lanes);
-        hits.settled(w, flight.geometry, &flight.rays(), flight.inside)
+        let hits = best.first(w, query.geometry, query.lanes);
+        hits.resolved(w, query.geometry, &query.rays(), query.membership)
     }
 }
 
 /// Shows `take` each of the rays of a vector that is among `lanes`: its place in the vector, and its number.
 #[inline(always)]
-pub(crate) fn each(lanes: u32, rays: &[u32], mut take: impl FnMut(usize, u32)) {
+pub(crate) fn each_lane(lanes: u32, rays: &[u32], mut take: impl FnMut(usize, u32)) {
     let mut bits = lanes;
     while bits != 0 {
         let lane = bits.trailing_zeros() as usize % MOST_LANES;
@@ -147,21 +147,21 @@ impl<W: Width, M: MembershipSource> StreamVisitor for ClosestHitVisitor<'_, W, M
         for at in (0..count).step_by(W::LANES) {
             let numbers = &rays[at..];
             let lanes = w.first(count - at);
-            let (rays, media, reach) = self.stream.rays.gather(w, numbers);
+            let (rays, media, t_max) = self.stream.rays.gather(w, numbers);
             if geometry.has_transparency {
                 self.memberships.fill::<W>(self.inside, media, lanes);
             }
-            let flight = RayQuery::new(w, geometry, &rays, lanes, self.inside, Candidates::All);
+            let query = RayQuery::new(w, geometry, &rays, lanes, self.inside, Candidates::All);
             for index in bodies.clone() {
-                let lanes = lanes & flight.comes_near(index, reach);
+                let lanes = lanes & query.meets_sphere(index, t_max);
                 if !lanes.any() {
                     continue;
                 }
                 let body = geometry.body(index);
-                let Some(meeting) = flight.meets(index, body, lanes) else { continue };
-                let entering = meeting.entering & meeting.enter.le(reach);
-                let leaving = meeting.leaving & meeting.exit.le(reach);
-                let margin = margin(geometry, flight.start_slack());
+                let Some(meeting) = query.intersect_body(index, body, lanes) else { continue };
+                let entering = meeting.entering & meeting.enter.le(t_max);
+                let leaving = meeting.leaving & meeting.exit.le(t_max);
+                let margin = margin(geometry, query.origin_error_bound());
                 if entering.any() {
                     let met = (meeting.enter, meeting.enter_face, margin);
                     self.stream.offer::<W>(index, true, met, entering, numbers);
@@ -191,8 +191,8 @@ impl RayStream {
         let [mut ts, mut faces, mut reaches] = [[0.0; MOST_LANES]; 3];
         t.store(&mut ts);
         face.store(&mut faces);
-        reach_for(t, margin).store(&mut reaches);
-        each(
+        t_max_for(t, margin).store(&mut reaches);
+        each_lane(
             lanes.bits(),
             numbers,
             #[inline(always)]

@@ -48,13 +48,13 @@ pub struct WhittedIntegrator<'a> {
     /// The weight below which rays are not traced.
     threshold: f32,
     /// Working memory of searches.
-    parts: TraversalStack,
+    stack: TraversalStack,
     intervals: MediumIntervals,
     /// The body that hid each light last.
     last_occluders: Vec<u32>,
     candidates: TileCandidates<'a>,
     pub(crate) media: MediumStacks,
-    pub(crate) inside: BodyMembership,
+    pub(crate) membership: BodyMembership,
     /// The media at the eye, if all rays start there and the table knows them.
     eye_media: Option<u32>,
     counts: RayCounts,
@@ -80,12 +80,12 @@ impl<'a> WhittedIntegrator<'a> {
             cancel,
             generations: scene.generations(),
             threshold: scene.threshold(),
-            parts: TraversalStack::default(),
+            stack: TraversalStack::default(),
             intervals: MediumIntervals::default(),
             last_occluders: vec![NO_BODY; scene.lights.len()],
             candidates: TileCandidates::new(scene, camera),
             media: MediumStacks::default(),
-            inside: BodyMembership::default(),
+            membership: BodyMembership::default(),
             eye_media: None,
             counts: RayCounts::default(),
             sampler: Sampler::default(),
@@ -168,9 +168,9 @@ impl<'a> WhittedIntegrator<'a> {
         }
     }
 
-    /// Prepares for rays from the eye within `reach` pixels of the middle of these.
-    pub(crate) fn begin_tile(&mut self, rays: &CameraRays, reach: DVec2) {
-        self.candidates.begin_tile(self.scene, rays, reach.as_vec2().to_array());
+    /// Prepares for rays from the eye within `t_max` pixels of the middle of these.
+    pub(crate) fn begin_tile(&mut self, rays: &CameraRays, t_max: DVec2) {
+        self.candidates.begin_tile(self.scene, rays, t_max.as_vec2().to_array());
     }
 
     /// Takes up rays from the eye: the media where they start.
@@ -222,10 +222,10 @@ impl<'a> WhittedIntegrator<'a> {
         from: PacketSource<'_>,
         secondary: &mut impl SecondaryRays<W>,
     ) -> PacketRadiance<W> {
-        let mut inside = std::mem::take(&mut self.inside);
-        self.media.fill::<W>(&mut inside, paths.media, paths.lanes);
-        let followed = self.li_inside::<W, FULL>(w, paths, from, &inside, secondary);
-        self.inside = inside;
+        let mut membership = std::mem::take(&mut self.membership);
+        self.media.fill::<W>(&mut membership, paths.media, paths.lanes);
+        let followed = self.li_inside::<W, FULL>(w, paths, from, &membership, secondary);
+        self.membership = membership;
         followed
     }
 
@@ -235,16 +235,16 @@ impl<'a> WhittedIntegrator<'a> {
         w: W,
         paths: &PathState<W>,
         mut from: PacketSource<'_>,
-        inside: &BodyMembership,
+        membership: &BodyMembership,
         secondary: &mut impl SecondaryRays<W>,
     ) -> PacketRadiance<W> {
         let mut is_whole = matches!(from, PacketSource::Eye);
-        let hits = self.nearest(w, paths, &from, inside);
+        let hits = self.closest_hit(w, paths, &from, membership);
         let hit = hits.hit & paths.lanes;
         let hits = PacketHits { hit, ..hits };
         let mut paths = paths;
         let absorbed;
-        if FULL && self.scene.absorbs && !inside.is_empty() {
+        if FULL && self.scene.absorbs && !membership.is_empty() {
             let through = self.media.left_after(w, self.scene, paths.media, hits.t, paths.lanes);
             secondary.on_medium(through);
             is_whole = false;
@@ -264,7 +264,7 @@ impl<'a> WhittedIntegrator<'a> {
         }
         let at = SurfaceInteraction::new::<FULL>(w, self.scene, &paths.rays, &hits);
         secondary.on_hit(&at);
-        let light = self.local_light::<W, FULL>(w, paths, &mut from, inside, &at, secondary);
+        let light = self.local_light::<W, FULL>(w, paths, &mut from, membership, &at, secondary);
         secondary.on_local_light(light);
         let light = Vector::select(hit, light, background);
         if let Some((streams, at)) = from.stream() {
@@ -284,43 +284,43 @@ impl<'a> WhittedIntegrator<'a> {
     }
 
     #[inline(always)]
-    fn nearest<W: Width>(
+    fn closest_hit<W: Width>(
         &mut self,
         w: W,
         paths: &PathState<W>,
         from: &PacketSource<'_>,
-        inside: &BodyMembership,
+        membership: &BodyMembership,
     ) -> PacketHits<W> {
         if let PacketSource::Stream { streams, at } = from {
-            let flight =
-                RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, inside, Candidates::All);
-            return streams.rays.hits(w, *at, &flight);
+            let query =
+                RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, membership, Candidates::All);
+            return streams.rays.hits(w, *at, &query);
         }
         let are_from_eye = matches!(from, PacketSource::Eye);
         if are_from_eye && self.candidates.through_tile().is_empty() {
             return PacketHits::none(w);
         }
-        self.nearest_of_packet(w, paths, are_from_eye, inside).settled(
+        self.closest_hit_of_packet(w, paths, are_from_eye, membership).resolved(
             w,
             &self.scene.geometry,
             &paths.rays,
-            inside,
+            membership,
         )
     }
 
-    fn nearest_of_packet<W: Width>(
+    fn closest_hit_of_packet<W: Width>(
         &mut self,
         w: W,
         paths: &PathState<W>,
         are_from_eye: bool,
-        inside: &BodyMembership,
+        membership: &BodyMembership,
     ) -> PacketHits<W> {
         w.run(
             #[inline(always)]
             move || {
                 let along = if are_from_eye { self.candidates.through_tile() } else { Candidates::All };
-                let flight = RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, inside, along);
-                flight.nearest_unsettled(&mut self.parts)
+                let query = RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, membership, along);
+                query.closest_hit_unresolved(&mut self.stack)
             },
         )
     }
@@ -352,7 +352,7 @@ impl<'a> WhittedIntegrator<'a> {
         w: W,
         paths: &PathState<W>,
         from: &mut PacketSource<'_>,
-        inside: &BodyMembership,
+        membership: &BodyMembership,
         at: &SurfaceInteraction<W>,
         secondary: &mut impl SecondaryRays<W>,
     ) -> Vector<W::R> {
@@ -390,11 +390,11 @@ impl<'a> WhittedIntegrator<'a> {
             let along = self.candidates.to_light(index);
             if streams.is_none() {
                 if !along.is_empty() {
-                    let memory = (&mut self.parts, &mut self.intervals, &mut self.last_occluders[index]);
-                    let around = (inside, (&self.media, &paths.media));
+                    let memory = (&mut self.stack, &mut self.intervals, &mut self.last_occluders[index]);
+                    let around = (membership, (&self.media, &paths.media));
                     through = transmittance(w, self.scene, (&rays, lit), around, (along, &distance), memory);
                 }
-                secondary.on_shadow_ray(&rays, distance, inside, &through);
+                secondary.on_shadow_ray(&rays, distance, membership, &through);
                 lit = lit & through.lanes;
                 if let Some(share) = &through.share {
                     lit = lit & !share.is_zero();
@@ -431,7 +431,7 @@ impl<'a> WhittedIntegrator<'a> {
 
 /// Where rays come from.
 pub(crate) enum PacketSource<'s> {
-    /// The eye; they were [aimed](Whitted::aim).
+    /// The eye; they were [prepared for](WhittedIntegrator::begin_tile).
     Eye,
     Anywhere,
     /// They are those of a stream from number `at` on; shadow rays are traced later.
@@ -466,16 +466,16 @@ fn transmittance<W: Width>(
     w: W,
     scene: &RenderScene,
     (rays, lanes): (&RayPacket<W>, W::M),
-    (inside, (table, media)): (&BodyMembership, (&MediumStacks, &W::W)),
+    (membership, (table, media)): (&BodyMembership, (&MediumStacks, &W::W)),
     (along, distance): (Candidates<'_>, &W::R),
-    (parts, intervals, blocker): (&mut TraversalStack, &mut MediumIntervals, &mut u32),
+    (stack, intervals, occluder): (&mut TraversalStack, &mut MediumIntervals, &mut u32),
 ) -> Transmittance<W> {
     w.run(
         #[inline(always)]
         move || {
-            let flight = RayQuery::new(w, &scene.geometry, rays, lanes, inside, along);
-            let memory = ShadowScratch { parts, intervals, blocker };
-            flight.transmittance(scene, *distance, (table, *media), memory)
+            let query = RayQuery::new(w, &scene.geometry, rays, lanes, membership, along);
+            let memory = ShadowScratch { stack, intervals, occluder };
+            query.transmittance(scene, *distance, (table, *media), memory)
         },
     )
 }

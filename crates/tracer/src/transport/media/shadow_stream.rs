@@ -9,7 +9,7 @@ use crate::geometry::bvh::stream::{STREAM, StreamRayRows, StreamRow, StreamVisit
 use crate::geometry::membership::{BodyMembership, MembershipSource as _};
 use crate::geometry::query::RayQuery;
 use crate::geometry::query::candidates::Candidates;
-use crate::geometry::query::stream::{StreamScratch, each};
+use crate::geometry::query::stream::{StreamScratch, each_lane};
 use crate::geometry::ray::{POINT_ROUNDING, RayPacket};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
@@ -66,9 +66,9 @@ impl ShadowStream {
         lanes: W::M,
     ) {
         // A body that touches the light does not hide it.
-        let reach = distance * (1.0 - POINT_ROUNDING);
-        let reach = W::R::select(lanes, reach, w.real(f32::NEG_INFINITY));
-        self.rays.set(w, at, rays, media, reach);
+        let t_max = distance * (1.0 - POINT_ROUNDING);
+        let t_max = W::R::select(lanes, t_max, w.real(f32::NEG_INFINITY));
+        self.rays.set(w, at, rays, media, t_max);
         let (zero, one) = (w.real(0.0), w.real(1.0));
         w.store_fours([answer.x, answer.y, answer.z, zero], &mut self.answer[at..]);
         w.store_fours([one, one, one, zero], &mut self.share[at..]);
@@ -86,11 +86,11 @@ impl ShadowStream {
     ) {
         let Accelerator::Many(bvh) = &scene.geometry.hierarchy else { return };
         let Self { rays, share, count, .. } = self;
-        let StreamScratch { parts, inside } = memory;
+        let StreamScratch { stack, inside } = memory;
         let mut visitor = TransmittanceVisitor { w, scene, table, inside, intervals, rays, share };
         w.run(
             #[inline(always)]
-            || bvh.traverse_stream(w, parts, *count, scene.geometry.parts_streams(), &mut visitor),
+            || bvh.traverse_stream(w, stack, *count, scene.geometry.parts_streams(), &mut visitor),
         );
         if scene.absorbs {
             self.absorb(w, scene, table, inside, intervals);
@@ -114,13 +114,13 @@ impl ShadowStream {
             #[inline(always)]
             || {
                 for at in (0..*count).step_by(W::LANES) {
-                    let (rays, reach) = stream.load(w, at);
-                    let lanes = w.first(*count - at) & reach.gt(w.real(f32::NEG_INFINITY));
+                    let (rays, t_max) = stream.load(w, at);
+                    let lanes = w.first(*count - at) & t_max.gt(w.real(f32::NEG_INFINITY));
                     table.fill::<W>(inside, stream.media(w, at), lanes);
                     let first = intervals.len();
-                    let flight = RayQuery::new(w, &scene.geometry, &rays, lanes, inside, Candidates::All);
+                    let query = RayQuery::new(w, &scene.geometry, &rays, lanes, inside, Candidates::All);
                     for index in scene.geometry.planes() {
-                        flight.note_medium(index, scene.geometry.body(index), reach, lanes, intervals);
+                        query.note_medium(index, scene.geometry.body(index), t_max, lanes, intervals);
                     }
                     let numbers: [u32; MOST_LANES] = std::array::from_fn(|lane| (at + lane) as u32);
                     intervals.name_rays(first, &numbers);
@@ -141,28 +141,28 @@ impl ShadowStream {
         self.rays.load(w, at).0
     }
 
-    /// What the rays from number `at` on, which are in `flight`, bring, and which of them bring any.
+    /// What the rays from number `at` on, which are in `query`, bring, and which of them bring any.
     #[inline(always)]
     pub(crate) fn brought<W: Width>(
         &self,
         w: W,
         at: usize,
         scene: &RenderScene,
-        flight: &RayQuery<'_, W>,
+        query: &RayQuery<'_, W>,
     ) -> (W::M, Vector<W::R>) {
-        let (_, reach) = self.rays.load(w, at);
-        let lanes = reach.gt(w.real(f32::NEG_INFINITY)) & flight.lanes;
+        let (_, t_max) = self.rays.load(w, at);
+        let lanes = t_max.gt(w.real(f32::NEG_INFINITY)) & query.lanes;
         let share = Some(vector_at(w, &self.share, at));
-        let mut passed: Transmittance<W> = Transmittance { lanes, share, blocker: 0 };
-        for index in flight.geometry.planes() {
+        let mut passed: Transmittance<W> = Transmittance { lanes, share, occluder: 0 };
+        for index in query.geometry.planes() {
             if !passed.lanes.any() {
                 break;
             }
-            flight.filter(
+            query.filter(
                 scene,
                 index,
-                flight.geometry.body(index),
-                reach,
+                query.geometry.body(index),
+                t_max,
                 passed.lanes,
                 (&mut passed, None),
             );
@@ -204,8 +204,8 @@ impl<W: Width> StreamVisitor for TransmittanceVisitor<'_, W> {
         let Self { w, scene, .. } = *self;
         for at in (0..count).step_by(W::LANES) {
             let numbers = &rays[at..];
-            let (rays, media, reach) = self.rays.gather(w, numbers);
-            let lanes = w.first(count - at) & reach.gt(w.real(f32::NEG_INFINITY));
+            let (rays, media, t_max) = self.rays.gather(w, numbers);
+            let lanes = w.first(count - at) & t_max.gt(w.real(f32::NEG_INFINITY));
             if !lanes.any() {
                 continue;
             }
@@ -215,18 +215,18 @@ impl<W: Width> StreamVisitor for TransmittanceVisitor<'_, W> {
                 let [x, y, z, _] = w.gather(self.share, numbers);
                 share = Some(Vector::new(x, y, z));
             }
-            let flight = RayQuery::new(w, &scene.geometry, &rays, lanes, self.inside, Candidates::All);
-            let mut passed: Transmittance<W> = Transmittance { lanes, share, blocker: 0 };
+            let query = RayQuery::new(w, &scene.geometry, &rays, lanes, self.inside, Candidates::All);
+            let mut passed: Transmittance<W> = Transmittance { lanes, share, occluder: 0 };
             let first = self.intervals.len();
             for index in bodies.clone() {
-                let lanes = passed.lanes & flight.comes_near(index, reach);
+                let lanes = passed.lanes & query.meets_sphere(index, t_max);
                 if lanes.any() {
                     let noted = (&mut passed, Some(&mut *self.intervals));
-                    flight.filter(scene, index, scene.geometry.body(index), reach, lanes, noted);
+                    query.filter(scene, index, scene.geometry.body(index), t_max, lanes, noted);
                 }
             }
             self.intervals.name_rays(first, numbers);
-            each(
+            each_lane(
                 (lanes & !passed.lanes).bits(),
                 numbers,
                 #[inline(always)]
@@ -235,7 +235,7 @@ impl<W: Width> StreamVisitor for TransmittanceVisitor<'_, W> {
             if let Some(Vector { x, y, z }) = passed.share {
                 let mut shares = [[0.0; 4]; MOST_LANES];
                 w.store_fours([x, y, z, w.real(0.0)], &mut shares);
-                each(passed.lanes.bits(), numbers, |lane, ray| {
+                each_lane(passed.lanes.bits(), numbers, |lane, ray| {
                     self.share[ray as usize % STREAM] = shares[lane];
                 });
             }

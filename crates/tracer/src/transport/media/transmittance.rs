@@ -28,10 +28,10 @@ struct BodyCrossing<W: Width> {
 
 /// Working memory of a search for what lies before a light.
 pub(crate) struct ShadowScratch<'m> {
-    pub(crate) parts: &'m mut TraversalStack,
+    pub(crate) stack: &'m mut TraversalStack,
     pub(crate) intervals: &'m mut MediumIntervals,
     /// A body that has hidden this light before, and probably still does; any word will do.
-    pub(crate) blocker: &'m mut u32,
+    pub(crate) occluder: &'m mut u32,
 }
 
 impl<'a, W: Width> RayQuery<'a, W> {
@@ -46,22 +46,22 @@ impl<'a, W: Width> RayQuery<'a, W> {
         media: (&MediumStacks, W::W),
         memory: ShadowScratch<'_>,
     ) -> Transmittance<W> {
-        let ShadowScratch { parts, intervals, blocker } = memory;
+        let ShadowScratch { stack, intervals, occluder } = memory;
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
-        let mut passed = Transmittance { lanes: self.lanes, share: None, blocker: *blocker };
+        let mut passed = Transmittance { lanes: self.lanes, share: None, occluder: *occluder };
         if W::USES_HIERARCHY
             && let Accelerator::Many(_) = &self.geometry.hierarchy
-            && let Some(body) = self.geometry.bodies.get(*blocker as usize)
+            && let Some(body) = self.geometry.bodies.get(*occluder as usize)
             && !body.is_transparent()
         {
-            self.filter(scene, *blocker, body, distance, passed.lanes, (&mut passed, None));
+            self.filter(scene, *occluder, body, distance, passed.lanes, (&mut passed, None));
             if !passed.lanes.any() {
                 return passed;
             }
         }
         match self.hierarchy() {
-            Some(bvh) => passed = pass_many(*self, scene, distance, passed, intervals, (bvh, parts)),
+            Some(bvh) => passed = pass_many(*self, scene, distance, passed, intervals, (bvh, stack)),
             None => self.pass(
                 scene,
                 distance,
@@ -71,7 +71,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
                 |visitor| self.visit_few(visitor),
             ),
         }
-        *blocker = passed.blocker;
+        *occluder = passed.occluder;
         if scene.absorbs && !intervals.is_empty() {
             let left = intervals.left_after(self.w, scene, media);
             passed.share = Some(passed.share.unwrap_or_else(|| all_of(self.w)).times(left));
@@ -89,8 +89,8 @@ impl<'a, W: Width> RayQuery<'a, W> {
         intervals: &mut MediumIntervals,
         visit: impl FnOnce(&mut TransmittanceVisitor<'_, 'a, W>),
     ) {
-        let reach = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
-        let mut shadow = TransmittanceVisitor { flight: self, scene, passed, intervals, distance, reach };
+        let t_max = W::R::select(passed.lanes, distance, self.w.real(f32::NEG_INFINITY));
+        let mut shadow = TransmittanceVisitor { query: self, scene, passed, intervals, distance, t_max };
         visit(&mut shadow);
         self.visit_planes(&mut shadow);
     }
@@ -127,7 +127,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             return None;
         }
         let BodyIntersection { entering, enter, leaving, exit, .. } =
-            self.meeting((index, body), lanes, inside)?;
+            self.intersection((index, body), lanes, inside)?;
         let in_front = entering & enter.lt(distance);
         let behind = leaving & exit.lt(distance);
         Some(BodyCrossing { in_front, enter, within: leaving, behind, exit })
@@ -154,7 +154,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
         if !body.is_transparent() {
             if crossed.any() {
                 passed.lanes = passed.lanes & !crossed;
-                passed.blocker = index;
+                passed.occluder = index;
             }
             return;
         }
@@ -194,27 +194,27 @@ impl<'a, W: Width> RayQuery<'a, W> {
     }
 }
 
-/// What passes many bodies of what has `passed`: in a function of its own, as [`nearest_of_many`](crate::geometry::query::nearest_of_many).
+/// What passes many bodies of what has `passed`: in a function of its own, as `closest_hit_of_many`.
 #[inline(never)]
 fn pass_many<W: Width>(
-    flight: RayQuery<'_, W>,
+    query: RayQuery<'_, W>,
     scene: &RenderScene,
     distance: W::R,
     passed: Transmittance<W>,
     intervals: &mut MediumIntervals,
-    (bvh, parts): (&Bvh, &mut TraversalStack),
+    (bvh, stack): (&Bvh, &mut TraversalStack),
 ) -> Transmittance<W> {
-    flight.w.run(
+    query.w.run(
         #[inline(always)]
         || {
             let mut passed = passed;
-            flight.pass(
+            query.pass(
                 scene,
                 distance,
                 &mut passed,
                 intervals,
                 #[inline(always)]
-                |visitor| flight.visit_many(bvh, parts, visitor),
+                |visitor| query.visit_many(bvh, stack, visitor),
             );
             passed
         },
@@ -223,32 +223,32 @@ fn pass_many<W: Width>(
 
 /// Looks for what shades.
 struct TransmittanceVisitor<'f, 'a, W: Width> {
-    flight: &'f RayQuery<'a, W>,
+    query: &'f RayQuery<'a, W>,
     scene: &'f RenderScene,
     passed: &'f mut Transmittance<W>,
     intervals: &'f mut MediumIntervals,
     distance: W::R,
     /// The distance for those that get any light, else none at all.
-    reach: W::R,
+    t_max: W::R,
 }
 
 impl<W: Width> BodyVisitor<W> for TransmittanceVisitor<'_, '_, W> {
     const NEAREST_FIRST: bool = false;
 
     #[inline(always)]
-    fn reach(&self) -> W::R {
-        self.reach
+    fn t_max(&self) -> W::R {
+        self.t_max
     }
 
     #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
         for index in bodies {
-            let body = self.flight.geometry.body(index);
+            let body = self.query.geometry.body(index);
             let lanes = lanes & self.passed.lanes;
             let noted = (&mut *self.passed, Some(&mut *self.intervals));
-            self.flight.filter(self.scene, index, body, self.distance, lanes, noted);
+            self.query.filter(self.scene, index, body, self.distance, lanes, noted);
         }
-        self.reach = W::R::select(self.passed.lanes, self.reach, self.flight.w.real(f32::NEG_INFINITY));
+        self.t_max = W::R::select(self.passed.lanes, self.t_max, self.query.w.real(f32::NEG_INFINITY));
     }
 }
 
@@ -259,14 +259,14 @@ pub(crate) struct Transmittance<W: Width> {
     /// The product of the filters of all surfaces crossed; all of the light as long as nothing transparent was.
     pub(crate) share: Option<Vector<W::R>>,
     /// The opaque body that was met last.
-    pub(crate) blocker: u32,
+    pub(crate) occluder: u32,
 }
 
 impl<W: Width> Transmittance<W> {
     /// All of the light.
     #[inline(always)]
     pub(crate) fn all(lanes: W::M) -> Self {
-        Self { lanes, share: None, blocker: NO_BODY }
+        Self { lanes, share: None, occluder: NO_BODY }
     }
 
     /// The share of all rays.

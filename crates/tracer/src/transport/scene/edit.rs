@@ -161,7 +161,7 @@ impl RenderScene {
             self.is_full |= change.material.is_full();
             self.absorbs |= change.material.absorbs();
             self.disperses |= change.material.dispersion.is_some();
-            self.geometry.largest_slack = self.geometry.largest_slack.max(body.slack);
+            self.geometry.largest_error_bound = self.geometry.largest_error_bound.max(body.error_bound);
             self.geometry.largest_extent = self.geometry.largest_extent.max(body.extent());
         }
     }

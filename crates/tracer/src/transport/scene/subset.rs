@@ -65,7 +65,7 @@ impl RenderScene {
             doubles: Arc::clone(&self.geometry.doubles),
             space: self.geometry.space,
             largest_extent: self.geometry.largest_extent,
-            largest_slack: order.iter().map(|&index| self.geometry.body(index).slack).fold(0.0, f32::max),
+            largest_error_bound: order.iter().map(|&index| self.geometry.body(index).error_bound).fold(0.0, f32::max),
         };
         Self {
             geometry,

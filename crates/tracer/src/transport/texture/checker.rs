@@ -33,7 +33,7 @@ impl CheckerTexture {
     const BORDER: f32 = 1e-6;
 
     /// The checkerboard of a body in a scene's space of rays; whether the body is there [in double
-    /// precision](super::StageBody::is_double).
+    /// precision](crate::geometry::body::RenderBody::is_double).
     pub(crate) fn new(checker: &Checker, body: &Body, space: &RenderSpace, is_double: bool) -> Self {
         let transform = pattern_from(checker.space, body, space, is_double);
         let origin = transform.translation / checker.size;

@@ -234,7 +234,7 @@ impl<'a> WhittedIntegrator<'a> {
     }
 
     /// The tree of rays of one sample of a pixel (column, row) of a picture of `size` pixels, as [`tree`](Self::tree).
-    /// It is the tree that [`render`](crate::transport::render) has there, bit by bit: its rays are the same, as are the numbers on
+    /// It is the tree that [`render`](crate::render()) has there, bit by bit: its rays are the same, as are the numbers on
     /// each. Only the order is another in which light is added up.
     ///
     /// A pixel that is not in the picture has no rays.

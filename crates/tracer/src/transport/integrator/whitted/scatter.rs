@@ -212,7 +212,7 @@ impl WhittedIntegrator<'_> {
         let weight = paths.weight.times(filter).bounded();
         // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than rounding
         // it could go on for ever.
-        let same = straight & context.at.t.gt(paths.rays.slack());
+        let same = straight & context.at.t.gt(paths.rays.error_bound());
         if context.is_last {
             lanes = lanes & same;
         }

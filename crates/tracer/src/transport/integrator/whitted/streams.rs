@@ -33,13 +33,13 @@ impl WhittedIntegrator<'_> {
         streams: &StreamShading,
         at: usize,
     ) -> Vector<W::R> {
-        let mut inside = std::mem::take(&mut self.inside);
-        self.media.fill::<W>(&mut inside, paths.media, paths.lanes);
+        let mut membership = std::mem::take(&mut self.membership);
+        self.media.fill::<W>(&mut membership, paths.media, paths.lanes);
         let mut light = vector_at(w, &streams.light.own, at);
         for shadows in streams.shadows.iter().filter(|shadows| !shadows.is_empty()) {
-            light = self.lit(w, shadows, at, light, paths.lanes, &inside);
+            light = self.lit(w, shadows, at, light, paths.lanes, &membership);
         }
-        self.inside = inside;
+        self.membership = membership;
         vector_at(w, &streams.light.weight, at).times(light)
     }
 
@@ -51,11 +51,11 @@ impl WhittedIntegrator<'_> {
         at: usize,
         light: Vector<W::R>,
         lanes: W::M,
-        inside: &BodyMembership,
+        membership: &BodyMembership,
     ) -> Vector<W::R> {
-        let flight =
-            RayQuery::new(w, &self.scene.geometry, &shadows.rays(w, at), lanes, inside, Candidates::All);
-        let (lit, more) = shadows.brought(w, at, self.scene, &flight);
+        let query =
+            RayQuery::new(w, &self.scene.geometry, &shadows.rays(w, at), lanes, membership, Candidates::All);
+        let (lit, more) = shadows.brought(w, at, self.scene, &query);
         if lit.any() { Vector::select(lit, light + more, light).bounded() } else { light }
     }
 }

@@ -23,10 +23,10 @@ impl<'a> TileCandidates<'a> {
         }
     }
 
-    /// Goes on to the tile whose rays lie within `reach` pixels of the middle of these.
-    pub(crate) fn begin_tile(&mut self, scene: &RenderScene, rays: &CameraRays, reach: [f32; 2]) {
+    /// Goes on to the tile whose rays lie within `t_max` pixels of the middle of these.
+    pub(crate) fn begin_tile(&mut self, scene: &RenderScene, rays: &CameraRays, t_max: [f32; 2]) {
         if let Some(from_eye) = &self.from_eye {
-            self.in_tile.keep(&scene.geometry, from_eye, rays.cone(reach), rays.way());
+            self.in_tile.keep(&scene.geometry, from_eye, rays.cone(t_max), rays.way());
         }
     }
 
