@@ -10,7 +10,7 @@ use catoptric_tracer::{Control, RenderSettings, Stage, render_into};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Backend, BackendArguments};
-use crate::canvas::Canvas;
+use crate::canvas::PictureBuffer;
 
 /// So many threads; as many as the machine has for 0.
 pub(crate) fn threads(count: usize) -> Result<ThreadPool> {
@@ -26,14 +26,14 @@ pub(crate) fn start_threads() -> Result<()> {
 }
 
 /// Who draws.
-pub(crate) struct Drawer {
+pub(crate) struct Renderer {
     gpu: Option<Gpu>,
     /// Whether the processor may draw what the card cannot.
     may_fall_back: bool,
 }
 
 /// A picture, and who drew it.
-pub(crate) struct Drawn {
+pub(crate) struct RenderedPicture {
     pub drawing: Drawing,
     /// What the card worked, by its own clock.
     pub on_card: Option<Duration>,
@@ -41,7 +41,7 @@ pub(crate) struct Drawn {
     pub fallen_back: Option<GpuError>,
 }
 
-impl Drawer {
+impl Renderer {
     /// Opens a card if it is wanted and there is one. Cards draw Whitted's tree, and no maps.
     pub(crate) fn chosen(arguments: &BackendArguments, method: &Method, is_map: bool) -> Result<Self> {
         let BackendArguments { backend, gpu, software_gpu } = arguments;
@@ -68,9 +68,9 @@ impl Drawer {
         method: &Method,
         settings: RenderSettings,
         pool: &ThreadPool,
-    ) -> Result<Option<Canvas>> {
+    ) -> Result<Option<PictureBuffer>> {
         let is_traced = self.gpu.is_none() && *method == Method::Whitted;
-        let canvas = is_traced.then(|| Canvas::new(settings.width, settings.height, pool));
+        let canvas = is_traced.then(|| PictureBuffer::new(settings.width, settings.height, pool));
         Ok(canvas.transpose()?)
     }
 
@@ -87,27 +87,27 @@ impl Drawer {
         (settings, canvas): (RenderSettings, Option<Picture>),
         pool: &ThreadPool,
         control: &Control,
-    ) -> Result<Drawn> {
+    ) -> Result<RenderedPicture> {
         let on_cpu = || pool.install(|| draw(stage, method, settings, control));
         if let Some(mut picture) = canvas {
             let start = Instant::now();
             let counts =
                 pool.install(|| render_into(&mut picture, stage, stage.camera(), settings.samples, control))?;
             let drawing = Drawing::traced(picture, counts, start.elapsed());
-            return Ok(Drawn { drawing, on_card: None, fallen_back: None });
+            return Ok(RenderedPicture { drawing, on_card: None, fallen_back: None });
         }
         let Some(gpu) = &self.gpu else {
-            return Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: None });
+            return Ok(RenderedPicture { drawing: on_cpu()?, on_card: None, fallen_back: None });
         };
         let start = Instant::now();
         match pool.install(|| catoptric_gpu::render(gpu, stage, stage.camera(), settings, control)) {
             Ok(rendering) => {
                 let pass = rendering.pass;
                 let drawing = Drawing::traced(rendering.picture, pass.counts, start.elapsed());
-                Ok(Drawn { drawing, on_card: pass.on_card, fallen_back: None })
+                Ok(RenderedPicture { drawing, on_card: pass.on_card, fallen_back: None })
             }
             Err(error) if self.may_fall_back && !matches!(error, GpuError::Cancelled | GpuError::Size(_)) => {
-                Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: Some(error) })
+                Ok(RenderedPicture { drawing: on_cpu()?, on_card: None, fallen_back: Some(error) })
             }
             Err(error) => Err(error).context("the graphics card cannot draw this; use --backend cpu"),
         }

@@ -9,13 +9,13 @@ use rayon::ThreadPool;
 
 /// A picture whose memory one of the threads gets from the system while they have nothing else to do: that takes 1 ms for
 /// 8 MB, and otherwise happens when pixels are written.
-pub(crate) struct Canvas {
+pub(crate) struct PictureBuffer {
     is_enough: Arc<AtomicBool>,
     is_by_only_thread: bool,
     picture: Receiver<Picture>,
 }
 
-impl Canvas {
+impl PictureBuffer {
     /// Memory comes by pages, of this many bytes at least.
     const PAGE: usize = 4096;
 
@@ -61,12 +61,15 @@ mod tests {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             for (width, height) in [(1, 1), (1280, 720), (5000, 3)] {
                 let black = Picture::new(width, height).unwrap();
-                let at_once = Canvas::new(width, height, &pool).unwrap();
+                let at_once = PictureBuffer::new(width, height, &pool).unwrap();
                 assert!(at_once.take().as_ref() == Some(&black));
-                let when_all_is_there = Canvas::new(width, height, &pool).unwrap();
+                let when_all_is_there = PictureBuffer::new(width, height, &pool).unwrap();
                 assert!(when_all_is_there.picture.recv().as_ref() == Ok(&black));
             }
         }
-        assert!(Canvas::new(0, 5, &rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap()).is_err());
+        assert!(
+            PictureBuffer::new(0, 5, &rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap())
+                .is_err()
+        );
     }
 }

@@ -11,12 +11,12 @@ use crate::arguments::DevelopmentArguments;
 
 /// What a file holds, by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum OutputKind {
     Picture(PictureFormat),
     Scene,
 }
 
-impl Kind {
+impl OutputKind {
     /// The kind that an extension or `--format` names.
     pub(crate) fn named(name: &str) -> Option<Self> {
         if name.eq_ignore_ascii_case("toml") {

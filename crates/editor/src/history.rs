@@ -13,7 +13,7 @@ pub(crate) use difference::Difference;
 
 /// One undo step.
 #[derive(Clone, Debug)]
-pub(crate) struct Step {
+pub(crate) struct UndoStep {
     pub(crate) label: Label,
     pub(crate) difference: Difference,
     pub(crate) selection_before: Selection,
@@ -25,19 +25,19 @@ pub(crate) struct Step {
 /// All steps since the document was opened, and how many of them are done.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct History {
-    steps: Vec<Step>,
+    steps: Vec<UndoStep>,
     done: usize,
 }
 
 impl History {
     /// Adds a step that has just been done; what was undone before is forgotten.
-    pub(crate) fn push(&mut self, step: Step) {
+    pub(crate) fn push(&mut self, step: UndoStep) {
         self.steps.truncate(self.done);
         self.steps.push(step);
         self.done = self.steps.len();
     }
 
-    pub(crate) fn steps(&self) -> &[Step] {
+    pub(crate) fn steps(&self) -> &[UndoStep] {
         &self.steps
     }
 
@@ -52,12 +52,12 @@ impl History {
     }
 
     /// The step that would be undone next.
-    pub(crate) fn last_done(&self) -> Option<&Step> {
+    pub(crate) fn last_done(&self) -> Option<&UndoStep> {
         self.steps.get(self.done.checked_sub(1)?)
     }
 
     /// The step that would be done again next.
-    pub(crate) fn first_undone(&self) -> Option<&Step> {
+    pub(crate) fn first_undone(&self) -> Option<&UndoStep> {
         self.steps.get(self.done)
     }
 

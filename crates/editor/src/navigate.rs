@@ -20,7 +20,7 @@ const MARGIN: f64 = 0.1;
 
 /// A side to look from, with Y up and the front towards +Z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Axis {
+pub enum ViewSide {
     /// From +Z.
     Front,
     /// From −Z.
@@ -35,7 +35,7 @@ pub enum Axis {
     Bottom,
 }
 
-impl Axis {
+impl ViewSide {
     /// All sides.
     pub const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
@@ -190,7 +190,7 @@ pub fn frame(camera: &Camera, center: DVec3, radius: f64, aspect: f64) -> Camera
 }
 
 /// Looks at `center` from a side, at the same distance.
-pub fn look_along(camera: &Camera, axis: Axis, center: DVec3) -> Camera {
+pub fn look_along(camera: &Camera, axis: ViewSide, center: DVec3) -> Camera {
     let (from, up) = axis.place_and_up();
     let distance = camera.position.distance(camera.target);
     moved(camera, Camera { position: center + from * distance, target: center, up, ..*camera })

@@ -2,7 +2,7 @@
 //!
 //! There is no optics here: what the shaders compute stands beside its Rust twin in `catoptric-tracer`
 //! ([`catoptric_tracer::twin`]). This crate finds a card ([`Gpu::open`]) or takes a device from outside ([`Gpu::on`]),
-//! keeps a stage in its memory ([`StageOnCard`], to which an edit sends only what it changed) and adds samples to a
+//! keeps a stage in its memory ([`GpuScene`], to which an edit sends only what it changed) and adds samples to a
 //! picture there ([`GpuFilm`]). [`render`] does all of it once.
 //!
 //! Long work is cut into pieces, so that the desktop stays alive and work can be stopped. What a card cannot do is an
@@ -12,12 +12,12 @@ mod card;
 mod choice;
 mod error;
 mod film;
-mod pictures;
 mod pipelines;
 mod reading;
 mod render;
+mod scene;
+mod scene_images;
 mod screen;
-mod stage;
 mod upload;
 mod watch;
 
@@ -26,6 +26,6 @@ pub use choice::GpuChoice;
 pub use error::GpuError;
 pub use film::{GpuFilm, GpuPass};
 pub use render::{GpuRendering, render};
+pub use scene::GpuScene;
 pub use screen::{GpuPicture, GpuScreen};
-pub use stage::StageOnCard;
-pub use watch::Watch;
+pub use watch::LossWatch;

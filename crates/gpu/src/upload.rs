@@ -6,7 +6,7 @@ use crate::card::Gpu;
 use crate::error::GpuError;
 
 /// An array in the memory of a card, and room to grow.
-pub(crate) struct Array {
+pub(crate) struct GpuArray {
     what: &'static str,
     buffer: wgpu::Buffer,
     /// The bytes that are in use.
@@ -18,7 +18,7 @@ pub(crate) struct Array {
 /// So much is written at once where bytes differ.
 const BLOCK: usize = 256;
 
-impl Array {
+impl GpuArray {
     /// No array is smaller: the shader's arrays have one element at least.
     const LEAST: u64 = 256;
 

@@ -34,7 +34,7 @@ use catoptric_tracer::{
 };
 use glam::{DVec3, UVec2};
 
-pub use names::Names;
+pub use names::DisplayNames;
 use sum::ExactSum;
 pub use tree::{Node, NodeKind, RayTree};
 
@@ -79,7 +79,7 @@ pub struct Audit {
     /// How it is known that the rays make the pixel.
     pub proof: Proof,
     /// What bodies and lights are called.
-    pub names: Names,
+    pub names: DisplayNames,
 }
 
 /// How it is known that the light of the rays adds up to the pixel.
@@ -197,7 +197,7 @@ pub fn audit(
         (true, true) => Proof::AnyOrder,
         (true, false) => Proof::Rendered { is_same: light == own },
     };
-    let mut names = Names::of_lights(scene);
+    let mut names = DisplayNames::of_lights(scene);
     for node in trees.iter().flat_map(|tree| &tree.nodes) {
         node.bodies().for_each(|body| names.meet(scene, body));
     }

@@ -20,12 +20,12 @@ pub struct Contender {
     /// Linear light.
     pub picture: Picture,
     /// How it came about, if it was drawn here.
-    pub drawn: Option<Drawn>,
+    pub drawn: Option<ContenderPicture>,
 }
 
 /// How a contender was drawn.
 #[derive(Clone, Debug)]
-pub struct Drawn {
+pub struct ContenderPicture {
     /// The median time of each pass, milliseconds.
     pub passes: Vec<(PassName, f64)>,
     /// The median time of all passes together, milliseconds.
@@ -51,7 +51,7 @@ pub struct Metrics {
 
 /// Contenders and how far each is from the first.
 #[derive(Clone, Debug)]
-pub struct Compared {
+pub struct MethodComparison {
     /// The pictures; the first is the truth.
     pub contenders: Vec<Contender>,
     /// For each but the first.
@@ -103,7 +103,7 @@ impl CompareError {
 
 /// What to draw and how.
 #[derive(Clone, Debug)]
-pub struct Job<'a> {
+pub struct CompareJob<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The ways of drawing it, in the order of the report.
@@ -125,15 +125,15 @@ pub struct Job<'a> {
 /// # Errors
 /// When the scene cannot be prepared, a picture cannot be drawn, or the work is cancelled.
 pub fn draw_all(
-    job: &Job<'_>,
+    job: &CompareJob<'_>,
     control: &Control,
     watch: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Contender>, CompareError> {
     let runs = job.runs.max(1);
     let total = job.variants.len() * (runs as usize + 1);
     let stage = Stage::prepare(job.scene)?;
-    let mut works: Vec<Work<'_>> =
-        job.variants.iter().map(|variant| Work::new(job, variant, &stage)).collect();
+    let mut works: Vec<ContenderRun<'_>> =
+        job.variants.iter().map(|variant| ContenderRun::new(job, variant, &stage)).collect();
     for round in 0..=runs {
         for (index, work) in works.iter_mut().enumerate() {
             work.draw(control, round > 0)?;
@@ -158,7 +158,7 @@ pub fn draw_all(
 }
 
 /// One way of drawing under way.
-struct Work<'a> {
+struct ContenderRun<'a> {
     variant: &'a Variant,
     stage: Stage,
     settings: RenderSettings,
@@ -166,8 +166,8 @@ struct Work<'a> {
     times: Vec<Vec<(PassName, Duration)>>,
 }
 
-impl<'a> Work<'a> {
-    fn new(job: &Job<'_>, variant: &'a Variant, stage: &Stage) -> Self {
+impl<'a> ContenderRun<'a> {
+    fn new(job: &CompareJob<'_>, variant: &'a Variant, stage: &Stage) -> Self {
         let stage = stage.clone();
         Self {
             variant,
@@ -227,7 +227,7 @@ impl<'a> Work<'a> {
         Some(Contender {
             name: self.variant.name.clone(),
             picture: drawing.picture,
-            drawn: Some(Drawn {
+            drawn: Some(ContenderPicture {
                 passes: drawing.passes.iter().map(|(name, _)| of_pass(*name)).collect(),
                 time: median(self.times.iter().map(sum).collect()),
                 runs: self.times.len() as u32,
@@ -241,7 +241,7 @@ impl<'a> Work<'a> {
 ///
 /// # Errors
 /// When there are fewer than two, or the sizes differ.
-pub fn compare(contenders: Vec<Contender>, bound: f64) -> Result<Compared, CompareError> {
+pub fn compare(contenders: Vec<Contender>, bound: f64) -> Result<MethodComparison, CompareError> {
     let Some((truth, others @ [_, ..])) = contenders.split_first() else {
         return Err(CompareError::Few(contenders.len()));
     };
@@ -253,7 +253,7 @@ pub fn compare(contenders: Vec<Contender>, bound: f64) -> Result<Compared, Compa
         })
     });
     let metrics = metrics.collect::<Result<_, _>>()?;
-    Ok(Compared { contenders, metrics, bound })
+    Ok(MethodComparison { contenders, metrics, bound })
 }
 
 impl Metrics {
@@ -276,7 +276,7 @@ impl Metrics {
     }
 }
 
-impl Compared {
+impl MethodComparison {
     /// The picture that the others are held against.
     pub fn truth(&self) -> Option<&Contender> {
         self.contenders.first()

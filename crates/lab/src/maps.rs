@@ -141,7 +141,7 @@ pub fn map(
                     let pixel = UVec2::new(x as u32, y as u32);
                     let [own, reference] = tracers.each_mut().map(|tracer| {
                         let tracer = tracer.as_mut()?;
-                        Some(Sums::of(tracer, pixel, size, samples.max(1)))
+                        Some(PixelSums::of(tracer, pixel, size, samples.max(1)))
                     });
                     let (Some(own), reference) = (own, reference.as_ref()) else { continue };
                     incomplete += usize::from(!reference.unwrap_or(&own).is_complete);
@@ -168,7 +168,7 @@ fn new_values(width: u32, height: u32) -> Result<Vec<f32>, SizeError> {
 }
 
 /// The samples of a pixel together.
-struct Sums {
+struct PixelSums {
     rays: u64,
     samples: u32,
     /// The light of each generation.
@@ -176,7 +176,7 @@ struct Sums {
     is_complete: bool,
 }
 
-impl Sums {
+impl PixelSums {
     fn of(tracer: &mut Whitted<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Self {
         let mut sums = Self { rays: 0, samples, generations: Vec::new(), is_complete: true };
         for sample in 0..samples {
@@ -198,7 +198,7 @@ impl Sums {
 }
 
 /// The number of one pixel.
-fn number(kind: MapKind, limit: u32, own: &Sums, reference: Option<&Sums>) -> f32 {
+fn number(kind: MapKind, limit: u32, own: &PixelSums, reference: Option<&PixelSums>) -> f32 {
     // An empty sum is -0.
     let share =
         |lost: f64, whole: f64| if whole > 0.0 && lost > 0.0 { (lost / whole).min(1.0) as f32 } else { 0.0 };

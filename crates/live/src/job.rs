@@ -11,32 +11,32 @@ use catoptric_scene::Scene;
 use catoptric_tracer::method::{Method, MethodError, SettingError, draw};
 use catoptric_tracer::{Control, RenderError, RenderSettings, Rendering, Stage, StageError, render};
 
-use crate::drawn::unfolded;
+use crate::method_picture::unfolded;
 use crate::priority::{self, Priority};
-use crate::request::Shows;
+use crate::request::DisplayContent;
 use crate::worker::message_of;
 
 /// A render on threads of its own. Dropping it cancels it.
 pub struct RenderJob {
-    work: Arc<Work>,
+    work: Arc<JobState>,
     thread: Option<JoinHandle<()>>,
 }
 
 /// What the job and its thread share.
-struct Work {
+struct JobState {
     scene: Arc<Scene>,
     method: Method,
-    shows: Shows,
+    shows: DisplayContent,
     settings: RenderSettings,
     generations: Option<u32>,
     threads: usize,
     start: Instant,
     control: Control,
-    done: Mutex<Done>,
+    done: Mutex<JobOutcome>,
 }
 
 #[derive(Default)]
-struct Done {
+struct JobOutcome {
     /// When tracing began.
     tracing_since: Option<Instant>,
     finished: Option<Duration>,
@@ -96,7 +96,7 @@ impl RenderJob {
         generations: Option<u32>,
         threads: usize,
     ) -> io::Result<Self> {
-        Self::drawn(scene, Method::Whitted, Shows::Picture, settings, generations, threads)
+        Self::drawn(scene, Method::Whitted, DisplayContent::Picture, settings, generations, threads)
     }
 
     /// The same by another method, or what lies behind its picture.
@@ -106,14 +106,14 @@ impl RenderJob {
     pub fn drawn(
         scene: Arc<Scene>,
         method: Method,
-        shows: Shows,
+        shows: DisplayContent,
         settings: RenderSettings,
         generations: Option<u32>,
         threads: usize,
     ) -> io::Result<Self> {
         let (start, control, done) = (Instant::now(), Control::default(), Mutex::default());
         let work =
-            Arc::new(Work { scene, method, shows, settings, generations, threads, start, control, done });
+            Arc::new(JobState { scene, method, shows, settings, generations, threads, start, control, done });
         let own = Arc::clone(&work);
         let thread = std::thread::Builder::new().name("render".to_owned()).spawn(move || own.run())?;
         Ok(Self { work, thread: Some(thread) })
@@ -121,7 +121,7 @@ impl RenderJob {
 
     /// How far it is.
     pub fn progress(&self) -> JobProgress {
-        let Work { settings, control, start, .. } = &*self.work;
+        let JobState { settings, control, start, .. } = &*self.work;
         let pixels = match control.pixels_expected() {
             0 => u64::from(settings.width) * u64::from(settings.height),
             expected => expected,
@@ -159,8 +159,8 @@ impl Drop for RenderJob {
     }
 }
 
-impl Work {
-    fn done(&self) -> MutexGuard<'_, Done> {
+impl JobState {
+    fn done(&self) -> MutexGuard<'_, JobOutcome> {
         self.done.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -202,9 +202,11 @@ impl Work {
     fn draw(&self, stage: &Stage) -> Result<Rendering, JobError> {
         let drawing = draw(stage, &self.method, self.settings, &self.control)?;
         let shown = match self.shows {
-            Shows::Picture => None,
-            Shows::Layer(layer) => drawing.layer(stage, layer)?,
-            Shows::UnfoldedCube(body) => unfolded(&drawing, stage, body)?.map(|(picture, _)| picture),
+            DisplayContent::Picture => None,
+            DisplayContent::Layer(layer) => drawing.layer(stage, layer)?,
+            DisplayContent::UnfoldedCube(body) => {
+                unfolded(&drawing, stage, body)?.map(|(picture, _)| picture)
+            }
         };
         Ok(Rendering { picture: shown.unwrap_or(drawing.picture), counts: drawing.counts })
     }
@@ -237,10 +239,10 @@ mod tests {
     #[test]
     fn a_cancelled_job_prepares_nothing() {
         let gold = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
-        let work = Work {
+        let work = JobState {
             scene: Arc::new(Scene { bodies: [gold].into(), ..Scene::default() }),
             method: Method::Whitted,
-            shows: Shows::Picture,
+            shows: DisplayContent::Picture,
             settings: RenderSettings { width: 8, height: 8, samples: 1 },
             generations: None,
             threads: 1,

@@ -13,22 +13,22 @@
 //! [`RenderJob`] renders a final picture in the background.
 
 mod canvas;
-mod drawn;
 mod frame;
 mod grid;
 mod job;
 mod live;
+mod method_picture;
 mod outline;
 mod pace;
 mod priority;
 mod request;
+mod request_state;
 mod shared;
 mod status;
-mod view;
 mod worker;
 
 pub use frame::{Frame, GridKind, GridLine, Polyline};
 pub use job::{JobError, JobProgress, RenderJob};
 pub use live::{Live, LiveOptions};
-pub use request::{GridSpec, Request, Shows};
+pub use request::{DisplayContent, GridSpec, Request};
 pub use status::{LiveError, Status};

@@ -10,7 +10,7 @@ use catoptric_tracer::Stage;
 use crate::frame::Frame;
 use crate::priority::{self, Priority};
 use crate::request::Request;
-use crate::shared::Shared;
+use crate::shared::SharedState;
 use crate::status::Status;
 use crate::worker::Worker;
 
@@ -31,7 +31,7 @@ impl Default for LiveOptions {
 
 /// A worker that traces what is asked of it, the newest request first. Dropping it stops the worker.
 pub struct Live {
-    shared: Arc<Shared>,
+    shared: Arc<SharedState>,
     worker: Option<JoinHandle<()>>,
 }
 
@@ -61,7 +61,7 @@ impl Live {
             is_idle: true,
             ..Status::default()
         };
-        let shared = Arc::new(Shared::new(status, wake));
+        let shared = Arc::new(SharedState::new(status, wake));
         let worker = Worker::new(Arc::clone(&shared), pool, options.budget);
         let worker = std::thread::Builder::new().name("live".to_owned()).spawn(move || worker.run())?;
         Ok(Self { shared, worker: Some(worker) })

@@ -18,17 +18,17 @@ use contour::{BorderPoint, Contour};
 const MOST_OUTLINES: usize = 32;
 
 /// Stages of the bodies to outline.
-pub(crate) struct Outlines {
-    groups: Vec<Group>,
+pub(crate) struct OutlineTracer {
+    groups: Vec<OutlineGroup>,
 }
 
 /// Bodies with one outline.
-struct Group {
+struct OutlineGroup {
     bodies: Vec<usize>,
     stage: Stage,
 }
 
-impl Outlines {
+impl OutlineTracer {
     /// Takes these bodies out of the stage; places beyond the scene's bodies are passed over.
     pub(crate) fn new(scene: &Scene, stage: &Stage, bodies: &[usize]) -> Self {
         let groups: Vec<Vec<usize>> = if bodies.len() <= MOST_OUTLINES {
@@ -36,7 +36,8 @@ impl Outlines {
         } else {
             vec![bodies.to_vec()]
         };
-        let groups = groups.into_iter().map(|bodies| Group { stage: stage.only(scene, &bodies), bodies });
+        let groups =
+            groups.into_iter().map(|bodies| OutlineGroup { stage: stage.only(scene, &bodies), bodies });
         Self { groups: groups.filter(|group| group.stage.body_count() > 0).collect() }
     }
 
@@ -52,7 +53,7 @@ impl Outlines {
     }
 }
 
-impl Group {
+impl OutlineGroup {
     fn trace(&self, scene: &Scene, stage: &Stage, camera: &StageCamera, size: DVec2) -> Vec<Polyline> {
         let bodies = self.bodies.iter().filter_map(|&body| scene.bodies.get(body));
         let Some(area) = Area::of_bodies(bodies, camera, size) else { return Vec::new() };

@@ -22,7 +22,7 @@ pub struct Request {
     /// How reflections are found. Other methods than Whitted's are drawn anew for more samples, in steps of 1, 4, 16 …
     pub method: Method,
     /// What of the drawing is seen.
-    pub shows: Shows,
+    pub shows: DisplayContent,
     /// Samples per pixel to refine to; [`Request::NOISY`] times as many in scenes that need it.
     pub samples: u32,
     /// How light becomes display codes.
@@ -56,7 +56,7 @@ impl Request {
             size,
             moving: false,
             method: Method::Whitted,
-            shows: Shows::Picture,
+            shows: DisplayContent::Picture,
             samples: Self::DEFAULT_SAMPLES,
             development: Development::default(),
             outline: Vec::new(),
@@ -69,7 +69,7 @@ impl Request {
 
 /// What is seen of a drawing. Where the method has no such thing, it is the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Shows {
+pub enum DisplayContent {
     /// The picture.
     #[default]
     Picture,

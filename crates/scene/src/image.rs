@@ -448,12 +448,12 @@ fn sane(part: f32) -> f32 {
 }
 
 /// What a file was when it was read, and what it had in it, as long as anyone has that.
-type Kept = (Option<SystemTime>, u64, Weak<Picture>);
+type CachedFile = (Option<SystemTime>, u64, Weak<Picture>);
 
 /// A file and the layer that is read of it.
 type FileLayer = (PathBuf, Option<String>);
 
-static KEPT: LazyLock<Mutex<HashMap<FileLayer, Kept>>> = LazyLock::new(Mutex::default);
+static KEPT: LazyLock<Mutex<HashMap<FileLayer, CachedFile>>> = LazyLock::new(Mutex::default);
 
 fn read_or_share(file: &Path, layer: Option<&str>) -> Result<Arc<Picture>, ImageFault> {
     let metadata = std::fs::metadata(file).map_err(|error| match error.kind() {

@@ -1,6 +1,6 @@
 //! Materials: Whitted's and Phong's coefficients, and what surfaces of glass, metal and plastic do.
 
-use catoptric_optics::{CLEAR, Clear, Dispersion, METALS, Metal, fresnel};
+use catoptric_optics::{CLEAR, ClearSubstance, Dispersion, METALS, Metal, fresnel};
 use glam::DVec3;
 
 use crate::color::Color;
@@ -145,7 +145,7 @@ pub struct Material {
     /// A second color in a checkerboard. Default none.
     pub checker: Option<Checker>,
     /// What a dielectric is made of, in the place of `ior`. Default none.
-    pub substance: Option<&'static Clear>,
+    pub substance: Option<&'static ClearSubstance>,
     /// Whether a dielectric bends light of different colors differently. Default false.
     pub dispersion: bool,
     /// How much it does so, unless it is a `substance`: the Abbe number. Default 58.
@@ -255,7 +255,7 @@ impl Material {
     pub fn ior(&self) -> f64 {
         match self.substance {
             Some(substance) if self.model == Model::Dielectric => {
-                substance.dispersion.index(catoptric_optics::Lines::D)
+                substance.dispersion.index(catoptric_optics::FraunhoferLines::D)
             }
             _ => self.ior,
         }

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Weak};
 
-use catoptric_gpu::{Gpu, GpuError, GpuPicture, Watch};
+use catoptric_gpu::{Gpu, GpuError, GpuPicture, LossWatch};
 use catoptric_live::Live;
 use catoptric_tracer::twin::Unsupported;
 use eframe::egui_wgpu::RenderState;
@@ -13,23 +13,23 @@ use crate::texts::Texts;
 
 /// The card of the window, if it can trace.
 #[derive(Default)]
-pub(crate) struct Card {
+pub(crate) struct WindowCard {
     window: Option<(RenderState, Arc<Gpu>)>,
     /// Whether it is to draw.
     is_on: bool,
     /// The loss that was told.
     told: Option<GpuError>,
-    textures: Vec<Texture>,
+    textures: Vec<WindowTexture>,
 }
 
 /// A picture as the window knows it.
-struct Texture {
+struct WindowTexture {
     picture: Weak<GpuPicture>,
     filter: wgpu::FilterMode,
     id: TextureId,
 }
 
-impl Card {
+impl WindowCard {
     /// Whether there is one that can draw.
     pub(crate) fn is_there(&self) -> bool {
         self.window.is_some()
@@ -56,14 +56,14 @@ impl Card {
             }
             is_alive
         });
-        let is_it = |texture: &&Texture| {
+        let is_it = |texture: &&WindowTexture| {
             std::ptr::eq(texture.picture.as_ptr(), Arc::as_ptr(picture)) && texture.filter == filter
         };
         if let Some(known) = self.textures.iter().find(is_it) {
             return Some(known.id);
         }
         let id = renderer.register_native_texture(&state.device, picture.view(), filter);
-        self.textures.push(Texture { picture: Arc::downgrade(picture), filter, id });
+        self.textures.push(WindowTexture { picture: Arc::downgrade(picture), filter, id });
         Some(id)
     }
 
@@ -94,7 +94,7 @@ impl Studio {
 
     /// The same for a device that is watched. One that follows a lost one draws only when it is switched on again: a card
     /// that has just failed is not trusted at once.
-    pub(crate) fn enter_window(&mut self, state: &RenderState, watch: &Arc<Watch>, is_first: bool) {
+    pub(crate) fn enter_window(&mut self, state: &RenderState, watch: &Arc<LossWatch>, is_first: bool) {
         let gpu = Gpu::watched(state.device.clone(), state.queue.clone(), Arc::clone(watch));
         self.card.window = gpu.ok().map(|gpu| (state.clone(), Arc::new(gpu)));
         if is_first {

@@ -92,9 +92,9 @@ pub trait Host {
 
 /// The desktop.
 #[derive(Debug, Default)]
-pub struct Desktop;
+pub struct DesktopHost;
 
-impl Host for Desktop {
+impl Host for DesktopHost {
     fn ask_file(&mut self, question: &FileQuestion) -> Option<FileAnswer> {
         if !has_native_dialogs() {
             return None;
@@ -173,9 +173,9 @@ fn strategy() -> Option<impl etcetera::AppStrategy> {
 }
 
 /// A dialog of the system and what it will answer.
-type Dialog = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
+type FileDialogFuture = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
-fn native_dialog(question: &FileQuestion) -> Dialog {
+fn native_dialog(question: &FileQuestion) -> FileDialogFuture {
     let mut dialog = rfd::AsyncFileDialog::new().set_title(&question.title);
     let extensions = question.kind.extensions();
     let names: Vec<String> = extensions.iter().map(|extension| format!("*.{extension}")).collect();
@@ -196,9 +196,9 @@ fn native_dialog(question: &FileQuestion) -> Dialog {
 }
 
 /// Wakes a thread that waits for a future.
-struct Unpark(Thread);
+struct ThreadWaker(Thread);
 
-impl Wake for Unpark {
+impl Wake for ThreadWaker {
     fn wake(self: Arc<Self>) {
         self.0.unpark();
     }
@@ -206,7 +206,7 @@ impl Wake for Unpark {
 
 /// Waits until `future` is there.
 fn wait_for<T>(mut future: Pin<Box<dyn Future<Output = T> + Send>>) -> T {
-    let waker = Waker::from(Arc::new(Unpark(std::thread::current())));
+    let waker = Waker::from(Arc::new(ThreadWaker(std::thread::current())));
     let mut context = Context::from_waker(&waker);
     loop {
         match future.as_mut().poll(&mut context) {

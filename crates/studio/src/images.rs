@@ -11,8 +11,8 @@ use catoptric_scene::{Image, ImageError, ImageFault, ImageSource, Scene, Surroun
 use egui::Context;
 
 use crate::app::Studio;
-use crate::documents::ask::{Answer, Asking, name_of};
-use crate::documents::job::{Job, Progress, let_go};
+use crate::documents::file_prompt::{FilePrompt, FilePromptState, name_of};
+use crate::documents::job::{Job, JobStatus, let_go};
 use crate::host::{FileKind, FileQuestion};
 use crate::inspector;
 use crate::texts::Texts;
@@ -28,7 +28,7 @@ pub enum ImageUse {
 
 /// What is known of the document's pictures.
 #[derive(Default)]
-pub(crate) struct Images {
+pub(crate) struct DocumentImages {
     /// The document, and the folder at which its paths begin, for which the rest holds.
     home: Option<(u64, Option<PathBuf>)>,
     /// The scene that was looked through last: all its pictures are opened, being opened, or missing.
@@ -36,14 +36,14 @@ pub(crate) struct Images {
     /// Those that could not be opened. Those that could are in the document alone: what its paths name may be another
     /// picture by now.
     missing: HashSet<ImageSource>,
-    job: Option<Job<Vec<Opened>>>,
+    job: Option<Job<Vec<OpenedImage>>>,
     /// What is being asked for, with the document that is to have it.
-    asking: Option<(Asking, ImageUse, u64)>,
+    asking: Option<(FilePrompt, ImageUse, u64)>,
 }
 
-type Opened = (ImageSource, Result<Image, ImageError>);
+type OpenedImage = (ImageSource, Result<Image, ImageError>);
 
-impl Images {
+impl DocumentImages {
     /// Whether the picture of a source could not be opened.
     pub(crate) fn is_missing(&self, source: &ImageSource) -> bool {
         self.missing.contains(source)
@@ -85,7 +85,7 @@ pub(crate) fn ask(studio: &mut Studio, usage: ImageUse) {
         folder: path.as_deref().and_then(Path::parent).map(Path::to_owned),
         name: String::new(),
     };
-    let asking = Asking::start(studio, question);
+    let asking = FilePrompt::start(studio, question);
     studio.images.asking = Some((asking, usage, studio.documents.number()));
 }
 
@@ -142,12 +142,12 @@ fn open(context: &Context, studio: &mut Studio, sources: Vec<ImageSource>) {
 fn take_opened(studio: &mut Studio) {
     let Some(job) = studio.images.job.take() else { return };
     let found = match job.poll() {
-        Progress::Waiting => {
+        JobStatus::Waiting => {
             studio.images.job = Some(job);
             return;
         }
-        Progress::Done(found) => found,
-        Progress::Lost => {
+        JobStatus::Done(found) => found,
+        JobStatus::Lost => {
             let text = studio.texts.get("fault").to_owned();
             studio.toasts.error(text);
             return;
@@ -171,11 +171,11 @@ fn take_opened(studio: &mut Studio) {
 fn take_answer(context: &Context, studio: &mut Studio) {
     let Some((mut asking, usage, document)) = studio.images.asking.take() else { return };
     match asking.poll(context, studio) {
-        Answer::Waiting => studio.images.asking = Some((asking, usage, document)),
-        Answer::Cancelled => {}
+        FilePromptState::Waiting => studio.images.asking = Some((asking, usage, document)),
+        FilePromptState::Cancelled => {}
         // Another document has come while the system's dialog was open.
-        Answer::Chosen(_) if document != studio.documents.number() => {}
-        Answer::Chosen(chosen) => {
+        FilePromptState::Chosen(_) if document != studio.documents.number() => {}
+        FilePromptState::Chosen(chosen) => {
             let folder =
                 studio.editor.path().and_then(Path::parent).map_or_else(PathBuf::new, Path::to_owned);
             give(studio, usage, &Image::path_from(&folder, &chosen.path));
@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn what_paths_have_led_to_holds_for_one_document_in_one_folder() {
         let (here, away) = (Some(Path::new("/here")), Some(Path::new("/away")));
-        let mut images = Images::default();
+        let mut images = DocumentImages::default();
         images.mind_home(0, here);
         let homes = [(0, here, true), (0, away, false), (0, None, false), (1, None, false), (1, None, true)];
         for (document, folder, is_same) in homes {

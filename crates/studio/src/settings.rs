@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::layout::Pane;
-use crate::methods::Methods;
+use crate::methods::MethodSettings;
 use crate::pictures::RenderChoices;
 use crate::texts::Language;
 
@@ -37,9 +37,9 @@ pub struct Settings {
     /// Whether the graphics card draws the picture; as the studio thinks best until that was chosen.
     pub uses_card: Option<bool>,
     /// How the picture is drawn.
-    pub methods: Methods,
+    pub methods: MethodSettings,
     /// The two ways of drawing that were compared last.
-    pub compared: [Methods; 2],
+    pub compared: [MethodSettings; 2],
     /// Samples per pixel up to which the idle picture is refined.
     pub viewport_samples: u32,
     /// Size of everything in the window, 1 being normal.
@@ -88,8 +88,8 @@ impl Default for Settings {
             shows_grid: true,
             shows_handles: true,
             uses_card: None,
-            methods: Methods::default(),
-            compared: [MethodKind::Whitted, MethodKind::Ssr].map(Methods::with),
+            methods: MethodSettings::default(),
+            compared: [MethodKind::Whitted, MethodKind::Ssr].map(MethodSettings::with),
             viewport_samples: 16,
             zoom: 1.0,
             window_size: None,

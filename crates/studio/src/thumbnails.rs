@@ -14,11 +14,11 @@ const MOST: usize = 250;
 pub(crate) struct Thumbnails<K> {
     /// Of some scenes there can be no picture.
     pictures: Vec<(K, Option<TextureHandle>)>,
-    work: Latest<K, Traced>,
+    work: Latest<K, TracedThumbnail>,
 }
 
 /// A picture, if there can be one; `None` when it was not wanted any more.
-type Traced = Option<Option<ColorImage>>;
+type TracedThumbnail = Option<Option<ColorImage>>;
 
 impl<K> Default for Thumbnails<K> {
     fn default() -> Self {

@@ -1,31 +1,31 @@
 //! The panel of the picture: the traced scene itself, with what can be seen and held drawn over it.
 
-mod aim;
 mod answers;
-mod carry;
+mod camera_commands;
+mod camera_navigation;
+mod camera_transition;
 mod compass;
 mod covered;
 mod dashes;
+mod drag_payload;
 mod gizmo;
-mod glide;
 mod handles;
-mod hands;
-mod jumps;
+mod item_drag;
 mod labels;
-mod lens;
-mod load;
-mod marks;
+mod light_aim;
 mod menu;
 mod offscreen;
+mod overlay_lines;
 mod picture;
-mod pixels;
+mod pixel_pick;
 mod placing;
+mod pointer_tool;
+mod projector;
 mod rays;
-mod sight;
 mod steering;
 mod toolbar;
-mod travel;
-mod wire;
+mod visible_picture;
+mod wireframe;
 
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
@@ -39,24 +39,26 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::outliner::item_name;
 use crate::{picture_frame, theme};
+pub(crate) use camera_commands::{
+    frame, look_along, look_through, set_camera, set_scene_camera, toggle_free,
+};
+use camera_navigation::CameraNavigation;
 use covered::CoveredPicture;
 pub(crate) use covered::ROOM as ROOM_BELOW_PIXEL;
-use gizmo::{Gizmo, Handle};
-use hands::{Hand, Hands};
-pub(crate) use jumps::{frame, look_along, look_through, set_camera, set_scene_camera, toggle_free};
+use gizmo::{Gizmo, GizmoHandle};
 pub(crate) use labels::beside_pointer as note_beside;
-pub(crate) use lens::Lens;
-use picture::Picture;
+use picture::ViewportPicture;
 pub(crate) use picture::why;
 pub(crate) use placing::{place_for_light, spot_for_body};
-use sight::{Sight, Target};
-use steering::Listener;
-use travel::Travel;
+use pointer_tool::{PointerAction, PointerTool};
+pub(crate) use projector::Projector;
+use steering::KeyListener;
+use visible_picture::{PointerTarget, VisiblePicture};
 
 /// What the viewport keeps from frame to frame.
 #[derive(Default)]
 pub(crate) struct Viewport {
-    picture: Picture,
+    picture: ViewportPicture,
     size_in_pixels: Option<[u32; 2]>,
     rect: Option<Rect>,
     /// The part of it that no panel covers.
@@ -64,9 +66,9 @@ pub(crate) struct Viewport {
     covered: Option<CoveredPicture>,
     /// How far the bar over the picture reached down in the last frame, points.
     bar: f32,
-    hands: Hands,
-    travel: Travel,
-    glide: Option<glide::Glide>,
+    hands: PointerTool,
+    travel: CameraNavigation,
+    glide: Option<camera_transition::CameraTransition>,
 }
 
 impl Viewport {
@@ -93,7 +95,7 @@ impl Viewport {
 
     /// Another document has come: whatever hands and keys were doing to the last one ends.
     pub(crate) fn begin_document(&mut self) {
-        self.hands = Hands::default();
+        self.hands = PointerTool::default();
         self.travel.stop();
         self.glide = None;
         self.covered = None;
@@ -106,7 +108,7 @@ impl Viewport {
 
     /// The device of the window is another.
     pub(crate) fn forget_textures(&mut self) {
-        self.picture = Picture::default();
+        self.picture = ViewportPicture::default();
     }
 
     /// Finds out where the picture is in its tile of the layout.
@@ -156,10 +158,10 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
-    let sight = Sight::new(cx.live, rect, (tile, viewport.bar), camera);
+    let sight = VisiblePicture::new(cx.live, rect, (tile, viewport.bar), camera);
     if frame.as_deref().is_some_and(picture::is_apart) {
         // Nothing can be picked in it, and nothing belongs over it.
-        viewport.hands = Hands::default();
+        viewport.hands = PointerTool::default();
         viewport.travel.settle(ui, cx);
         tell(ui, cx, &response);
         viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
@@ -175,9 +177,9 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     }
     crate::maps::draw(&painter, cx, rect, camera);
     if let Some(frame) = &frame {
-        marks::grid(&painter, rect, frame, palette);
+        overlay_lines::grid(&painter, rect, frame, palette);
         if cx.settings.shows_handles {
-            marks::outlines(&painter, rect, frame, palette);
+            overlay_lines::outlines(&painter, rect, frame, palette);
         }
     }
     crate::audit::keep_sight(ui.ctx(), cx, camera);
@@ -192,28 +194,33 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
 }
 
 /// What hands and keys do.
-fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response): (&Sight, &Response)) {
+fn act(
+    ui: &mut Ui,
+    cx: &mut Cx<'_>,
+    viewport: &mut Viewport,
+    (sight, response): (&VisiblePicture, &Response),
+) {
     let Viewport { hands, travel, .. } = viewport;
     let listener = if cx.view.is_flying || hands.flies_beside(ui, response) {
-        Listener::Flight
+        KeyListener::Flight
     } else if listens(ui, response) {
-        Listener::Picture
+        KeyListener::Picture
     } else {
-        Listener::Nobody
+        KeyListener::Nobody
     };
     travel.listen(ui, cx, listener);
     if cx.view.is_flying {
-        hands.hand = Hand::Open;
+        hands.hand = PointerAction::Open;
         hands.over = None;
         travel.fly(ui, cx);
     } else {
         travel.land(ui, cx);
-        let gizmo = hands::gizmo(cx);
+        let gizmo = pointer_tool::gizmo(cx);
         hands.act(ui, cx, (sight, response), gizmo.as_ref(), travel);
         if response.contains_pointer() {
             travel.wheel(ui, cx, sight);
         }
-        if listener == Listener::Picture {
+        if listener == KeyListener::Picture {
             keys(ui, cx);
             travel.keys(ui, cx, sight);
         }
@@ -222,7 +229,7 @@ fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response):
         }
     }
     travel.settle(ui, cx);
-    let is_busy = !matches!(viewport.hands.hand, Hand::Open);
+    let is_busy = !matches!(viewport.hands.hand, PointerAction::Open);
     if response.has_focus() {
         // Arrows move the camera, and Esc ends what the hand does.
         let filter =
@@ -264,28 +271,33 @@ fn over_picture(
     painter: &egui::Painter,
     cx: &Cx<'_>,
     viewport: &Viewport,
-    sight: &Sight,
-    palette: &theme::Palette,
+    sight: &VisiblePicture,
+    palette: &theme::ThemeColors,
 ) {
     let over = viewport.hands.over;
-    let hovered = if let Some(Target::Mark(item) | Target::Arrow(item)) = over { Some(item) } else { None };
+    let hovered = if let Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item)) = over {
+        Some(item)
+    } else {
+        None
+    };
     handles::draw(painter, sight, cx, hovered, palette);
     offscreen::draw(painter, sight, cx, hovered, palette);
-    let pulled: Option<(Gizmo, Handle)> = match &viewport.hands.hand {
-        Hand::Pull(held) => {
+    let pulled: Option<(Gizmo, GizmoHandle)> = match &viewport.hands.hand {
+        PointerAction::Pull(held) => {
             gizmo::draw::ghost(painter, sight, &held.by, palette);
             // It goes with what it moves, and keeps its axes while it turns.
-            let pivot = hands::gizmo(cx).map_or(held.by.gizmo.pivot, |gizmo| gizmo.pivot);
+            let pivot = pointer_tool::gizmo(cx).map_or(held.by.gizmo.pivot, |gizmo| gizmo.pivot);
             Some((Gizmo { pivot, ..held.by.gizmo }, held.by.handle))
         }
         _ => None,
     };
     let active = match (pulled, over) {
-        (Some((_, handle)), _) | (None, Some(Target::Handle(handle))) => Some(handle),
+        (Some((_, handle)), _) | (None, Some(PointerTarget::Handle(handle))) => Some(handle),
         _ => None,
     };
     // What is carried by itself needs no handles meanwhile.
-    let at_rest = || hands::gizmo(cx).filter(|_| !matches!(viewport.hands.hand, Hand::Carry(_)));
+    let at_rest =
+        || pointer_tool::gizmo(cx).filter(|_| !matches!(viewport.hands.hand, PointerAction::Carry(_)));
     if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(at_rest) {
         gizmo::draw::draw(painter, sight, &gizmo, active, palette);
     }
@@ -311,7 +323,7 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
 }
 
 /// Short texts: what is being changed, what is under the pointer, how to fly.
-fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
+fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &VisiblePicture) {
     /// How long the pointer rests before it is told what it is over, seconds.
     const REST: f32 = 0.5;
     let palette = theme::palette(ui.visuals());
@@ -319,19 +331,19 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
     let (pointer, rest) =
         ui.input(|input| (input.pointer.latest_pos(), input.pointer.time_since_last_movement()));
     let amount = match &viewport.hands.hand {
-        Hand::Carry(held) => held.amount,
-        Hand::Pull(held) => held.amount,
-        Hand::Aim(held) => held.amount,
+        PointerAction::Carry(held) => held.amount,
+        PointerAction::Pull(held) => held.amount,
+        PointerAction::Aim(held) => held.amount,
         _ => None,
     };
     let scene = cx.editor.scene();
     let over = match viewport.hands.over {
-        Some(Target::Mark(item) | Target::Arrow(item)) => Some(item),
-        Some(Target::Body { index, .. }) => Some(Item::Body(index)),
+        Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item)) => Some(item),
+        Some(PointerTarget::Body { index, .. }) => Some(Item::Body(index)),
         _ => None,
     };
     if cx.view.is_auditing {
-        pixels::note(ui, cx, sight, palette);
+        pixel_pick::note(ui, cx, sight, palette);
     } else if let (Some(amount), Some(pointer)) = (amount, pointer) {
         let grain = sight.lens.meters_per_point(sight.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
@@ -342,7 +354,7 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
         if rest >= REST {
             let name = item_name(cx.texts, scene, item);
             let text = match viewport.hands.over {
-                Some(Target::Arrow(_)) => {
+                Some(PointerTarget::Arrow(_)) => {
                     cx.texts.with("viewport-out-of-view", &[("name", name.into_owned().into())])
                 }
                 _ => name.into_owned(),
@@ -362,7 +374,13 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
 }
 
 /// Says what to do next in a mode of the picture.
-fn hint(painter: &egui::Painter, cx: &Cx<'_>, hand: &Hand, sight: &Sight, palette: &theme::Palette) {
+fn hint(
+    painter: &egui::Painter,
+    cx: &Cx<'_>,
+    hand: &PointerAction,
+    sight: &VisiblePicture,
+    palette: &theme::ThemeColors,
+) {
     let text = if cx.view.is_flying {
         // Lines break between the keys, not within what is said of one.
         let parts = cx.t("viewport-fly-hint").split(" · ").map(|part| part.replace(' ', "\u{a0}"));
@@ -371,8 +389,8 @@ fn hint(painter: &egui::Painter, cx: &Cx<'_>, hand: &Hand, sight: &Sight, palett
         cx.t("viewport-audit-hint").to_owned()
     } else if cx.view.is_aiming {
         let key = match hand {
-            Hand::Aim(held) if held.by.is_by_shadow() => "viewport-aim-shadow",
-            Hand::Aim(_) => "viewport-aim-highlight",
+            PointerAction::Aim(held) if held.by.is_by_shadow() => "viewport-aim-shadow",
+            PointerAction::Aim(_) => "viewport-aim-highlight",
             _ => "viewport-aim-hint",
         };
         cx.t(key).to_owned()

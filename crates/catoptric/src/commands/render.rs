@@ -11,24 +11,24 @@ use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOp
 use catoptric_tracer::method::{Drawing, Layer, Method};
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::RenderArguments;
-use crate::backend::{Drawer, Drawn, threads};
-use crate::canvas::Canvas;
+use crate::backend::{RenderedPicture, Renderer, threads};
+use crate::canvas::PictureBuffer;
 use crate::console::{count, json_text, say};
 use crate::files::CommandFiles;
 use crate::output::{format_for_output, milliseconds};
 use crate::progress::{Progress, WorkEstimate};
-use crate::stats::{Stats, Times};
+use crate::stats::{Stats, StepTimes};
 use crate::{input, memory, notes};
 
-pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
     let method = arguments.method.chosen()?;
     let mut files = CommandFiles::default();
     let options = refuse_early(arguments, &mut files)?;
-    let drawer = Drawer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
+    let drawer = Renderer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
     let progress = Progress::new(arguments.quiet);
-    let mut times = Times::default();
+    let mut times = StepTimes::default();
 
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let (width, height) = (arguments.size.width, arguments.size.height);
@@ -43,14 +43,14 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     }
 
     let start = Instant::now();
-    canvas.iter().for_each(Canvas::make_way);
+    canvas.iter().for_each(PictureBuffer::make_way);
     let stage = pool.install(|| Stage::prepare(&input.loaded.scene));
     let mut stage = stage.with_context(|| input.name.clone())?;
     drop(input.loaded);
     if let Some(generations) = arguments.generations {
         stage = stage.with_generations(generations);
     }
-    let canvas = canvas.and_then(Canvas::take);
+    let canvas = canvas.and_then(PictureBuffer::take);
     times.prepare = milliseconds(start);
 
     if let Some(map) = arguments.map {
@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         drawer.draw(&stage, &method, (settings, canvas), &pool, &control)
     })?;
     times.trace = milliseconds(start);
-    let Drawn { drawing, on_card, fallen_back } = drawn;
+    let RenderedPicture { drawing, on_card, fallen_back } = drawn;
     fallen_back.iter().filter(|_| !arguments.quiet).for_each(warn_of_fallback);
 
     (times.develop, times.write) = progress.of_writing(&arguments.output.to_string_lossy(), || {
@@ -97,7 +97,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     if progress.is_shown() {
         advise(&stage, settings, &pool);
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Writes a map instead of the picture: in colors with a legend, or its numbers where the format is linear.
@@ -109,7 +109,7 @@ fn show_map(
     picture: RenderSettings,
     pool: &rayon::ThreadPool,
     progress: Progress,
-) -> Result<Outcome> {
+) -> Result<CommandOutcome> {
     let settings = MapSettings { kind: map_kind, picture, exposure_stops: arguments.development.exposure };
     let control = Control::default();
     let pixels = u64::from(picture.width) * u64::from(picture.height);
@@ -140,7 +140,7 @@ fn show_map(
             map.in_words(map.mean() as f32)
         ));
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Says it before very many rays are traced. The rays of the picture, if trees can fork.
@@ -229,7 +229,7 @@ fn warn_of_fallback(reason: &GpuError) {
 }
 
 /// Says what may surprise in the picture.
-fn warn_of_scene(input: &input::Named) {
+fn warn_of_scene(input: &input::NamedScene) {
     input.warn();
     if input.loaded.scene.bodies.is_empty() {
         say(&format!(

@@ -1,6 +1,6 @@
 //! Every reference scene and every example: the same picture as the CPU's, and the same bodies in it.
 
-use catoptric_gpu::{Gpu, GpuFilm, StageOnCard};
+use catoptric_gpu::{Gpu, GpuFilm, GpuScene};
 use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
 use catoptric_tracer::{Control, NO_BODY, RayCounts, RenderSettings, Stage, render};
 use glam::DVec2;
@@ -26,7 +26,7 @@ pub(crate) fn compare(card: &Gpu, stage: &Stage, samples: u32) -> Compared {
     let settings = RenderSettings { width, height, samples };
     let cpu = render(stage, settings, &Control::default()).unwrap();
     let mut film = GpuFilm::new(card, width, height).unwrap();
-    let mut on_card = StageOnCard::new(card).unwrap();
+    let mut on_card = GpuScene::new(card).unwrap();
     on_card.follow(card, stage, stage.camera()).unwrap();
     let control = Control::default();
     let pass = film.add_samples(card, (stage, &on_card), stage.camera(), samples, &control).unwrap();

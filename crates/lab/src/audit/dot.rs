@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use catoptric_scene::visible;
 
-use super::drawing::{self, Drawn};
+use super::drawing::{self, RayDiagram};
 use super::numbers::{exact_color, short_color};
 use super::{Audit, RayTree};
 
@@ -34,7 +34,7 @@ impl Audit {
 
     fn write_tree(&self, text: &mut String, tree: &RayTree, depth: Option<usize>) {
         let name = |place: usize| format!("s{}r{}", tree.sample + 1, place + 1);
-        let Drawn { places, hidden } = Drawn::of(tree, depth, usize::MAX);
+        let RayDiagram { places, hidden } = RayDiagram::of(tree, depth, usize::MAX);
         for place in places {
             let Some(node) = tree.nodes.get(place) else { continue };
             let color = drawing::color(node.kind);

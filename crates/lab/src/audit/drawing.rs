@@ -25,14 +25,14 @@ pub(super) fn end_of(audit: &Audit, node: &Node) -> String {
 }
 
 /// The rays of a tree that are drawn: those near the eye.
-pub(super) struct Drawn {
+pub(super) struct RayDiagram {
     /// Their places, in order.
     pub(super) places: Vec<usize>,
     /// How many rays are not.
     pub(super) hidden: usize,
 }
 
-impl Drawn {
+impl RayDiagram {
     /// The rays up to `depth` steps from the eye, at most `limit`.
     pub(super) fn of(tree: &RayTree, depth: Option<usize>, limit: usize) -> Self {
         let mut places = Vec::new();

@@ -6,14 +6,14 @@ use catoptric_scene::{Scene, quoted_name};
 
 /// The names of a scene's bodies and lights, as a person would say them: those of the file, or what they are.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Names {
+pub struct DisplayNames {
     /// By the place in the scene.
     bodies: BTreeMap<usize, String>,
     /// Of those that are not hidden.
     lights: Vec<String>,
 }
 
-impl Names {
+impl DisplayNames {
     /// The names of lights; those of bodies are added when they are met.
     pub(super) fn of_lights(scene: &Scene) -> Self {
         let lights = scene.lights.iter().enumerate().filter(|(_, light)| !light.hidden);

@@ -28,7 +28,7 @@ impl Audit {
                     short(tree.offset.y)
                 );
             }
-            Page { audit: self, tree, depth, text: &mut text }.write();
+            AuditText { audit: self, tree, depth, text: &mut text }.write();
         }
         self.write_mean(&mut text);
         text
@@ -117,14 +117,14 @@ fn columns(texts: &[String], width: usize) -> String {
 }
 
 /// One tree on its way to paper.
-struct Page<'a> {
+struct AuditText<'a> {
     audit: &'a Audit,
     tree: &'a RayTree,
     depth: Option<usize>,
     text: &'a mut String,
 }
 
-impl Page<'_> {
+impl AuditText<'_> {
     fn write(&mut self) {
         let depths = depths(self.tree);
         let shown: Vec<usize> = (0..self.tree.nodes.len())

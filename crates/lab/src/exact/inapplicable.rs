@@ -3,7 +3,7 @@
 use catoptric_scene::{Body, Material, Scene, Shape};
 use glam::DVec3;
 
-use super::{Place, radius};
+use super::{PlacedBody, radius};
 
 /// Why a formula does not apply. Numbers are places of bodies in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,7 +110,7 @@ impl Inapplicable {
     }
 
     /// Why a transparent sphere has no focal point that the formula of a ball in air knows.
-    pub(super) fn of_lens(scene: &Scene, lens: &Place<'_>) -> Option<Self> {
+    pub(super) fn of_lens(scene: &Scene, lens: &PlacedBody<'_>) -> Option<Self> {
         let body = lens.index;
         let material = scene.material(&lens.body.material)?;
         if material.is_rough() {

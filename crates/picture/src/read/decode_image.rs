@@ -85,7 +85,7 @@ fn picture_of(
     let count = usize::try_from(bytes).map_err(|_| memory())?;
     let mut codes: Vec<u8> = bytemuck::allocation::try_zeroed_vec(count).map_err(|()| memory())?;
     decoder.read_image(&mut codes).map_err(|error| refusal(format, error))?;
-    let placed = Placed { width, height, orientation };
+    let placed = UprightMapping { width, height, orientation };
     let (samples, channels) = (codes.as_slice(), usize::from(color.channel_count()));
     match color {
         ColorType::L8 | ColorType::La8 | ColorType::Rgb8 | ColorType::Rgba8 => {
@@ -123,7 +123,7 @@ fn color_of<const N: usize>(pixel: &[u8], light: impl Fn(&[u8; N]) -> f32) -> [f
 }
 
 /// Where the stored pixels belong in the upright picture.
-struct Placed {
+struct UprightMapping {
     /// Pixels across, as stored.
     width: u32,
     /// Pixels down, as stored.
@@ -131,7 +131,7 @@ struct Placed {
     orientation: Orientation,
 }
 
-impl Placed {
+impl UprightMapping {
     /// The upright picture of the stored pixels, in their order.
     fn fill<'s>(
         &self,
@@ -272,7 +272,7 @@ mod tests {
             (8, [0, 2], [0, 1]),
         ] {
             let orientation = Orientation::from_exif(exif).unwrap();
-            let placed = Placed { width, height, orientation };
+            let placed = UprightMapping { width, height, orientation };
             assert_eq!((placed.upright(0, 0), placed.upright(1, 0)), (first, next), "{exif}");
             assert_eq!(placed.size(), if exif < 5 { [3, 2] } else { [2, 3] });
             let [across, down] = placed.size();

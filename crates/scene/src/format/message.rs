@@ -9,7 +9,7 @@ mod syntax;
 
 pub(crate) use catalog::Message;
 pub(crate) use phrase::{
-    Collection, Component, Enumeration, FoundValue, Link, Meaning, Requirement, Subject,
+    Collection, Component, Conjunction, Enumeration, FoundValue, KeyMeaning, Requirement, Subject,
 };
 
 #[cfg(test)]

@@ -9,18 +9,18 @@ use glam::DVec3;
 use super::sane;
 
 /// A picture that is computed.
-pub(super) struct BuiltIn {
+pub(super) struct BuiltInImage {
     name: &'static str,
     size: [u32; 2],
     /// The light at a place of the picture, from its upper left corner (0, 0) to its lower right one (1, 1).
     color: fn(f64, f64) -> DVec3,
 }
 
-pub(super) const ALL: [BuiltIn; 4] = [
-    BuiltIn { name: "evening", size: [1536, 768], color: |u, v| evening(direction(u, v)) },
-    BuiltIn { name: "studio", size: [1024, 512], color: |u, v| studio(direction(u, v)) },
-    BuiltIn { name: "planet", size: [1024, 512], color: |u, v| planet(direction(u, v)) },
-    BuiltIn { name: "grid", size: [1024, 1024], color: grid },
+pub(super) const ALL: [BuiltInImage; 4] = [
+    BuiltInImage { name: "evening", size: [1536, 768], color: |u, v| evening(direction(u, v)) },
+    BuiltInImage { name: "studio", size: [1024, 512], color: |u, v| studio(direction(u, v)) },
+    BuiltInImage { name: "planet", size: [1024, 512], color: |u, v| planet(direction(u, v)) },
+    BuiltInImage { name: "grid", size: [1024, 1024], color: grid },
 ];
 
 pub(super) const NAMES: [&str; ALL.len()] = {

@@ -4,8 +4,8 @@ use catoptric_scene::{Camera, Scene};
 use catoptric_tracer::{Control, Ray, Stage};
 use glam::{DVec2, DVec3};
 
-use super::ways::Way;
-use crate::viewport::Lens;
+use super::segments::RaySegment;
+use crate::viewport::Projector;
 
 /// Points that are looked at along a way.
 const SAMPLES: u32 = 24;
@@ -16,7 +16,7 @@ const NEAR: f64 = 2e-3;
 
 /// A part of a way, from one share of its length to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Part {
+pub(crate) struct SegmentPart {
     pub(crate) from: f64,
     pub(crate) to: f64,
     /// Whether an opaque body stands before it.
@@ -24,31 +24,31 @@ pub(crate) struct Part {
 }
 
 /// The whole of a way of which nothing is known yet.
-pub(crate) const SEEN: [Part; 1] = [Part { from: 0.0, to: 1.0, is_hidden: false }];
+pub(crate) const SEEN: [SegmentPart; 1] = [SegmentPart { from: 0.0, to: 1.0, is_hidden: false }];
 
 /// The parts of each way, for `camera`.
 pub(super) fn parts(
-    ways: &[Way],
+    ways: &[RaySegment],
     scene: &Scene,
     stage: &Stage,
     camera: &Camera,
     control: &Control,
-) -> Vec<Vec<Part>> {
-    let look = Look { scene, stage, lens: Lens::new(camera, DVec2::ONE) };
+) -> Vec<Vec<SegmentPart>> {
+    let look = VisibilityTest { scene, stage, lens: Projector::new(camera, DVec2::ONE) };
     ways.iter().map(|way| if control.is_cancelled() { SEEN.to_vec() } else { look.parts(way) }).collect()
 }
 
-struct Look<'a> {
+struct VisibilityTest<'a> {
     scene: &'a Scene,
     stage: &'a Stage,
-    lens: Lens,
+    lens: Projector,
 }
 
-impl Look<'_> {
-    fn parts(&self, way: &Way) -> Vec<Part> {
+impl VisibilityTest<'_> {
+    fn parts(&self, way: &RaySegment) -> Vec<SegmentPart> {
         // The ends lie on bodies, where it is hard to tell.
         let share = |sample: u32| (f64::from(sample) + 0.5) / f64::from(SAMPLES);
-        let mut parts: Vec<Part> = Vec::new();
+        let mut parts: Vec<SegmentPart> = Vec::new();
         let (mut last, mut was_hidden, mut start) = (0.0, None, 0.0);
         for sample in 0..SAMPLES {
             let at = share(sample);
@@ -57,16 +57,16 @@ impl Look<'_> {
                 && before != is_hidden
             {
                 let border = self.border(way, [last, at], before);
-                parts.push(Part { from: start, to: border, is_hidden: before });
+                parts.push(SegmentPart { from: start, to: border, is_hidden: before });
                 start = border;
             }
             (last, was_hidden) = (at, Some(is_hidden));
         }
-        parts.push(Part { from: start, to: 1.0, is_hidden: was_hidden.unwrap_or(false) });
+        parts.push(SegmentPart { from: start, to: 1.0, is_hidden: was_hidden.unwrap_or(false) });
         parts
     }
 
-    fn border(&self, way: &Way, [mut low, mut high]: [f64; 2], low_hidden: bool) -> f64 {
+    fn border(&self, way: &RaySegment, [mut low, mut high]: [f64; 2], low_hidden: bool) -> f64 {
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if self.hides(way.from.lerp(way.to, middle)) == low_hidden {

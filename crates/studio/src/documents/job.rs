@@ -14,7 +14,7 @@ pub(crate) struct Job<T> {
 
 /// How work is doing.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Progress<T> {
+pub(crate) enum JobStatus<T> {
     /// It is under way.
     Waiting,
     /// Its result.
@@ -46,11 +46,11 @@ impl<T: Send + 'static> Job<T> {
     }
 
     /// How it is doing; the result comes once.
-    pub(crate) fn poll(&self) -> Progress<T> {
+    pub(crate) fn poll(&self) -> JobStatus<T> {
         match self.receiver.try_recv() {
-            Ok(result) => Progress::Done(result),
-            Err(TryRecvError::Empty) => Progress::Waiting,
-            Err(TryRecvError::Disconnected) => Progress::Lost,
+            Ok(result) => JobStatus::Done(result),
+            Err(TryRecvError::Empty) => JobStatus::Waiting,
+            Err(TryRecvError::Disconnected) => JobStatus::Lost,
         }
     }
 

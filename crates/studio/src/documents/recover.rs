@@ -10,15 +10,15 @@ use catoptric_editor::recovery::{Orphan, Snapshot};
 use catoptric_scene::{Diagnostics, Scene, load_partly, read};
 use egui::Context;
 
-use super::job::{Job, Progress};
-use super::{Next, leave, notice, show_recovered};
+use super::job::{Job, JobStatus};
+use super::{NextDocument, banner, close_guard, show_recovered};
 use crate::app::Studio;
-use crate::dialogs::Message;
-use crate::dialogs::recovery::Recovery;
+use crate::dialogs::MessageDialog;
+use crate::dialogs::recovery::RecoveryDialog;
 
 /// A document that was left behind, to be offered.
 #[derive(Clone, Debug)]
-pub(crate) struct Found {
+pub(crate) struct RecoverableDocument {
     orphan: Arc<Orphan>,
     /// Its title.
     pub(crate) title: String,
@@ -28,7 +28,7 @@ pub(crate) struct Found {
     pub(crate) written: SystemTime,
 }
 
-impl Found {
+impl RecoverableDocument {
     /// Looks into it.
     pub(super) fn new(orphan: Orphan) -> Self {
         let written = orphan.written();
@@ -42,7 +42,7 @@ impl Found {
 }
 
 /// A document that has been read again.
-pub(crate) struct Recovered {
+pub(crate) struct RecoveredDocument {
     orphan: Arc<Orphan>,
     snapshot: Snapshot,
     scene: Scene,
@@ -52,10 +52,10 @@ pub(crate) struct Recovered {
 }
 
 /// Reading it.
-pub(super) type Restoring = Job<Result<Recovered, String>>;
+pub(super) type RecoveryJob = Job<Result<RecoveredDocument, String>>;
 
 /// Opens a document that was left behind.
-pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
+pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &RecoverableDocument) {
     let orphan = Arc::clone(&found.orphan);
     let work = move || {
         let snapshot = orphan.read().map_err(|error| error.to_string())?;
@@ -66,7 +66,7 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
         let is_partial =
             reading.diagnostics.has_errors() || snapshot.original_path.as_deref().is_some_and(has_errors);
         let (scene, findings) = (reading.scene, reading.diagnostics);
-        Ok(Recovered { orphan, snapshot, scene, findings, is_partial })
+        Ok(RecoveredDocument { orphan, snapshot, scene, findings, is_partial })
     };
     match Job::start(context, "restore", work) {
         Ok(job) => studio.documents.restoring = Some(job),
@@ -75,7 +75,7 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
 }
 
 /// Removes a document that was left behind for good.
-pub(crate) fn discard(studio: &mut Studio, found: Found) {
+pub(crate) fn discard(studio: &mut Studio, found: RecoverableDocument) {
     studio.documents.keeper.discard(found.orphan);
 }
 
@@ -83,15 +83,17 @@ pub(crate) fn discard(studio: &mut Studio, found: Found) {
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
     let found = std::mem::take(&mut studio.documents.keeper.found);
     if !found.is_empty() {
-        studio.dialogs.open(Recovery::new(found));
+        studio.dialogs.open(RecoveryDialog::new(found));
         context.request_repaint();
     }
     let Some(job) = studio.documents.restoring.take() else { return };
     match job.poll() {
-        Progress::Waiting => studio.documents.restoring = Some(job),
-        Progress::Done(Ok(recovered)) => leave::replace(context, studio, Next::Recovered(Rc::new(recovered))),
-        Progress::Done(Err(reason)) => failed(studio, &reason),
-        Progress::Lost => {
+        JobStatus::Waiting => studio.documents.restoring = Some(job),
+        JobStatus::Done(Ok(recovered)) => {
+            close_guard::replace(context, studio, NextDocument::Recovered(Rc::new(recovered)));
+        }
+        JobStatus::Done(Err(reason)) => failed(studio, &reason),
+        JobStatus::Lost => {
             let reason = studio.texts.get("fault").to_owned();
             failed(studio, &reason);
         }
@@ -100,12 +102,12 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
 
 fn failed(studio: &mut Studio, reason: &str) {
     let text = studio.texts.with("restore-failed", &[("reason", reason.into())]);
-    studio.dialogs.open(Message::new(studio.texts.get("restore-failed-title"), text));
+    studio.dialogs.open(MessageDialog::new(studio.texts.get("restore-failed-title"), text));
 }
 
 /// Puts it into the window, as a changed document with its own file.
-pub(super) fn show(studio: &mut Studio, recovered: &Recovered) {
-    let Recovered { orphan, snapshot, scene, findings, is_partial } = recovered;
+pub(super) fn show(studio: &mut Studio, recovered: &RecoveredDocument) {
+    let RecoveredDocument { orphan, snapshot, scene, findings, is_partial } = recovered;
     let text: Arc<str> = snapshot.text.as_str().into();
     let editor = match &snapshot.original_path {
         Some(path) => Editor::open(path.clone(), Arc::clone(&text), scene.clone()),
@@ -116,7 +118,7 @@ pub(super) fn show(studio: &mut Studio, recovered: &Recovered) {
     let number = studio.documents.number;
     studio.documents.keeper.has_restored(number, Arc::clone(orphan));
     if !findings.is_empty() {
-        notice::show_findings(studio, text, findings.clone());
+        banner::show_findings(studio, text, findings.clone());
     }
     let title = super::name(studio);
     studio.toasts.success(studio.texts.with("restored", &[("name", title.into())]));

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use catoptric_scene::Example;
 use egui::Context;
 
+use super::autosave::Autosave;
 use super::disk::{self, ReadFailure};
-use super::keeper::Keeper;
-use super::remember::Memory;
+use super::settings_file::SettingsFile;
 use super::{Documents, open, show_example, show_fresh, show_opened};
-use crate::app::{Start, Studio};
+use crate::app::{StartDocument, Studio};
 use crate::settings::LastScene;
 use crate::window::Interruption;
 
@@ -23,18 +23,18 @@ const SHORT: u64 = 1 << 21;
 pub(crate) fn start(
     context: &Context,
     studio: &mut Studio,
-    start: &Start,
+    start: &StartDocument,
     interruption: Option<Interruption>,
 ) {
-    let memory = Memory::of(&studio.settings);
+    let memory = SettingsFile::of(&studio.settings);
     studio.documents = Documents { memory, interruption, ..Documents::default() };
     if let Some(folder) = studio.host.recovery_folder() {
-        studio.documents.keeper = Keeper::start(context, folder);
+        studio.documents.keeper = Autosave::start(context, folder);
     }
     match start {
-        Start::Example(name) => show_named(studio, name),
-        Start::File(path) => show_file(context, studio, path, false),
-        Start::Last => match studio.settings.last.clone() {
+        StartDocument::Example(name) => show_named(studio, name),
+        StartDocument::File(path) => show_file(context, studio, path, false),
+        StartDocument::Last => match studio.settings.last.clone() {
             Some(LastScene::File(path)) => show_file(context, studio, &path, true),
             Some(LastScene::Example(name)) => show_named(studio, &name),
             None => show_named(studio, FIRST),

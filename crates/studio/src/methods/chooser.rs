@@ -5,7 +5,7 @@ use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui, vec2};
 use egui_material_icons::icons::{ICON_LAYERS, ICON_SAVE_AS};
 
 use super::fields::settings_ui;
-use super::{ALL_SHOWN, Methods, has, icon, method_key, short_key, shown_key};
+use super::{ALL_SHOWN, MethodSettings, has, icon, method_key, short_key, shown_key};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::texts::Texts;
@@ -43,7 +43,7 @@ fn method_popup(ui: &mut Ui, cx: &mut Cx<'_>) {
 }
 
 /// Draws the list of methods and the settings of the chosen one; `with_keys` shows the shortcuts.
-pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut Methods, with_keys: bool) -> bool {
+pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut MethodSettings, with_keys: bool) -> bool {
     let before = methods.clone();
     for kind in MethodKind::ALL {
         let key = method_key(kind);

@@ -2,7 +2,7 @@
 //! finds.
 
 use catoptric_editor::Item;
-use catoptric_lab::exact::{Compared, ExactAnswer, Inapplicable, RingImage};
+use catoptric_lab::exact::{ExactAnswer, ExactDeviation, Inapplicable, RingImage};
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Visuals, WidgetInfo, pos2, vec2,
@@ -10,8 +10,8 @@ use egui::{
 use glam::DVec3;
 
 use super::dashes::dashed;
-use super::sight::Sight;
-use super::{labels, wire};
+use super::visible_picture::VisiblePicture;
+use super::{labels, wireframe};
 use crate::audit::short;
 use crate::context::Cx;
 use crate::exact;
@@ -25,12 +25,12 @@ const EXACT: Color32 = Color32::from_rgb(255, 142, 214);
 const MOST_LABELS: usize = 10;
 
 /// Draws the answers for the selected body.
-pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
+pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
     exact::keep_up(ui.ctx(), cx, sight.camera);
     let Some(body) = exact::body_of(cx) else { return };
     let Some(answers) = cx.exact.answers(body) else { return };
     let painter = ui.painter_at(sight.visible);
-    let mut pen = Pen { ui, cx, sight, painter: &painter, plates: Vec::new() };
+    let mut pen = AnswerPainter { ui, cx, sight, painter: &painter, plates: Vec::new() };
     answers.answers.iter().for_each(|answer| pen.answer(answer));
     let mut remarks: Vec<String> =
         answers.inapplicable.iter().map(|reason| pen.inapplicable(*reason)).collect();
@@ -42,16 +42,16 @@ pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
     }
 }
 
-struct Pen<'a> {
+struct AnswerPainter<'a> {
     ui: &'a Ui,
     cx: &'a Cx<'a>,
-    sight: &'a Sight,
+    sight: &'a VisiblePicture,
     painter: &'a Painter,
     /// Where labels are.
     plates: Vec<Rect>,
 }
 
-impl Pen<'_> {
+impl AnswerPainter<'_> {
     fn answer(&mut self, answer: &ExactAnswer) {
         let texts = self.cx.texts;
         let scene = self.cx.editor.scene();
@@ -146,7 +146,7 @@ impl Pen<'_> {
         // What is far outside would make a shape of every dash up to there.
         let near = self.sight.rect.expand(self.sight.rect.size().max_elem());
         let shown = |point: DVec3| self.sight.point(mirrored(point)).filter(|at| near.contains(*at));
-        for line in wire::outline(body, mirrored(self.sight.lens.position())) {
+        for line in wireframe::outline(body, mirrored(self.sight.lens.position())) {
             let points: Vec<Option<Pos2>> = line.into_iter().map(shown).collect();
             for piece in points.split(Option::is_none) {
                 let piece: Vec<Pos2> = piece.iter().copied().flatten().collect();
@@ -182,7 +182,7 @@ impl Pen<'_> {
         }
     }
 
-    fn compared(&mut self, compared: &Compared, title: &str) {
+    fn compared(&mut self, compared: &ExactDeviation, title: &str) {
         if let Some(found) = compared.found {
             self.found(found);
         }

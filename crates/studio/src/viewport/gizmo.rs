@@ -3,15 +3,15 @@
 
 pub(crate) mod change;
 pub(crate) mod draw;
+pub(crate) mod handle_drag;
 pub(crate) mod lines;
-pub(crate) mod pull;
 pub(crate) mod steps;
 
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::lens::Lens;
+use super::projector::Projector;
 use crate::command::Tool;
 use lines::across;
 
@@ -33,7 +33,7 @@ const SEGMENTS: usize = 72;
 
 /// A part of the gizmo. Numbers are axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Handle {
+pub(crate) enum GizmoHandle {
     /// Moves along an axis.
     Move(usize),
     /// Moves in the plane across an axis.
@@ -70,19 +70,19 @@ impl Gizmo {
     }
 
     /// Meters that a point of the picture spans at the center.
-    pub(crate) fn grain(&self, lens: &Lens) -> f64 {
+    pub(crate) fn grain(&self, lens: &Projector) -> f64 {
         lens.meters_per_point(self.pivot)
     }
 
     /// An axis in the picture, from near the center to its end.
-    pub(crate) fn shaft(&self, lens: &Lens, axis: usize) -> Option<[DVec2; 2]> {
+    pub(crate) fn shaft(&self, lens: &Projector, axis: usize) -> Option<[DVec2; 2]> {
         let grain = self.grain(lens);
         let end = |length: f64| lens.project(self.pivot + length * grain * self.axis(axis));
         Some([end(GAP)?, end(LENGTH)?])
     }
 
     /// The corners of the square across an axis.
-    pub(crate) fn square(&self, lens: &Lens, axis: usize) -> Option<[DVec2; 4]> {
+    pub(crate) fn square(&self, lens: &Projector, axis: usize) -> Option<[DVec2; 4]> {
         let grain = self.grain(lens);
         let (first, second) = (self.axis((axis + 1) % 3), self.axis((axis + 2) % 3));
         let corner = |a: f64, b: f64| lens.project(self.pivot + grain * (a * first + b * second));
@@ -91,7 +91,7 @@ impl Gizmo {
     }
 
     /// The points of the ring about an axis, each with whether it is on the near side.
-    pub(crate) fn ring(&self, lens: &Lens, axis: usize) -> Vec<(DVec2, bool)> {
+    pub(crate) fn ring(&self, lens: &Projector, axis: usize) -> Vec<(DVec2, bool)> {
         let radius = RING * self.grain(lens);
         let towards = lens.towards(self.pivot);
         let frame = across(self.axis(axis));
@@ -105,47 +105,53 @@ impl Gizmo {
     }
 
     /// How well a handle can be held from here, 0…1: an axis seen end-on, or a plane seen edge-on, cannot.
-    pub(crate) fn clearness(&self, lens: &Lens, handle: Handle) -> f64 {
+    pub(crate) fn clearness(&self, lens: &Projector, handle: GizmoHandle) -> f64 {
         let towards = lens.towards(self.pivot);
         let clear = |sine: f64| ((sine - 0.12) / 0.15).clamp(0.0, 1.0);
         match handle {
-            Handle::Move(axis) | Handle::Scale(axis) => clear(towards.cross(self.axis(axis)).length()),
-            Handle::MovePlane(axis) => clear(towards.dot(self.axis(axis)).abs()),
-            Handle::MoveScreen | Handle::Turn(_) | Handle::TurnView | Handle::ScaleAll => 1.0,
+            GizmoHandle::Move(axis) | GizmoHandle::Scale(axis) => {
+                clear(towards.cross(self.axis(axis)).length())
+            }
+            GizmoHandle::MovePlane(axis) => clear(towards.dot(self.axis(axis)).abs()),
+            GizmoHandle::MoveScreen
+            | GizmoHandle::Turn(_)
+            | GizmoHandle::TurnView
+            | GizmoHandle::ScaleAll => 1.0,
         }
     }
 
     /// The handle at a place in the picture.
-    pub(crate) fn handle_at(&self, lens: &Lens, at: DVec2) -> Option<Handle> {
+    pub(crate) fn handle_at(&self, lens: &Projector, at: DVec2) -> Option<GizmoHandle> {
         let center = lens.project(self.pivot)?;
         let from_center = center.distance(at);
         let middle = from_center <= CENTER + 1.0;
-        let holds = |handle: &Handle| self.clearness(lens, *handle) > 0.3;
+        let holds = |handle: &GizmoHandle| self.clearness(lens, *handle) > 0.3;
         match self.tool {
-            Tool::Move if middle => Some(Handle::MoveScreen),
+            Tool::Move if middle => Some(GizmoHandle::MoveScreen),
             Tool::Move => {
                 let is_in =
                     |axis: &usize| self.square(lens, *axis).is_some_and(|square| is_inside(&square, at));
-                let square = (0..3).filter(is_in).map(Handle::MovePlane).find(|handle| holds(handle));
-                square.or_else(|| self.shaft_at(lens, at).map(Handle::Move).filter(|handle| holds(handle)))
+                let square = (0..3).filter(is_in).map(GizmoHandle::MovePlane).find(|handle| holds(handle));
+                square
+                    .or_else(|| self.shaft_at(lens, at).map(GizmoHandle::Move).filter(|handle| holds(handle)))
             }
             Tool::Rotate => {
                 let is_outer = (from_center - OUTER_RING).abs() <= REACH;
-                self.ring_at(lens, at).map(Handle::Turn).or(is_outer.then_some(Handle::TurnView))
+                self.ring_at(lens, at).map(GizmoHandle::Turn).or(is_outer.then_some(GizmoHandle::TurnView))
             }
-            Tool::Scale if middle => Some(Handle::ScaleAll),
-            Tool::Scale => self.shaft_at(lens, at).map(Handle::Scale).filter(|handle| holds(handle)),
+            Tool::Scale if middle => Some(GizmoHandle::ScaleAll),
+            Tool::Scale => self.shaft_at(lens, at).map(GizmoHandle::Scale).filter(|handle| holds(handle)),
         }
     }
 
     /// The axis under a place.
-    fn shaft_at(&self, lens: &Lens, at: DVec2) -> Option<usize> {
+    fn shaft_at(&self, lens: &Projector, at: DVec2) -> Option<usize> {
         let shafts = (0..3).filter_map(|axis| Some((axis, distance_to(self.shaft(lens, axis)?, at))));
         nearest(shafts, REACH)
     }
 
     /// The ring under a place; its far side cannot be held.
-    fn ring_at(&self, lens: &Lens, at: DVec2) -> Option<usize> {
+    fn ring_at(&self, lens: &Projector, at: DVec2) -> Option<usize> {
         let rings = (0..3).map(|axis| {
             let points = self.ring(lens, axis);
             let near = points.windows(2).filter_map(|pair| match pair {

@@ -6,19 +6,25 @@ use egui::{Color32, Painter, Pos2, Stroke};
 use glam::DVec3;
 
 use super::dashes::dashed;
-use super::sight::{Sight, marks};
+use super::visible_picture::{VisiblePicture, marks};
 use crate::context::Cx;
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// Radius of a light's disc, points.
 const DISC: f32 = 6.0;
 
 /// Draws them; `hovered` is under the pointer.
-pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>, hovered: Option<Item>, palette: &Palette) {
+pub(crate) fn draw(
+    painter: &Painter,
+    sight: &VisiblePicture,
+    cx: &Cx<'_>,
+    hovered: Option<Item>,
+    palette: &ThemeColors,
+) {
     let scene = cx.editor.scene();
     for item in marks(cx) {
         let is_selected = cx.editor.selection().contains(item);
-        let pen = Pen { painter, sight, palette, is_selected, is_hovered: hovered == Some(item) };
+        let pen = HandlePainter { painter, sight, palette, is_selected, is_hovered: hovered == Some(item) };
         match item {
             Item::Light(index) => {
                 if let Some(light) = scene.lights.get(index) {
@@ -31,15 +37,15 @@ pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>, hovered: Optio
     }
 }
 
-struct Pen<'a> {
+struct HandlePainter<'a> {
     painter: &'a Painter,
-    sight: &'a Sight,
-    palette: &'a Palette,
+    sight: &'a VisiblePicture,
+    palette: &'a ThemeColors,
     is_selected: bool,
     is_hovered: bool,
 }
 
-impl Pen<'_> {
+impl HandlePainter<'_> {
     fn light(&self, light: &Light) {
         if self.is_selected {
             self.drop_line(light.position);
@@ -103,7 +109,7 @@ impl Pen<'_> {
 }
 
 /// Draws a camera: a pyramid from the eye to the edges of the picture, and a mark that shows where up is.
-pub(crate) fn draw_camera(painter: &Painter, sight: &Sight, camera: &Camera, stroke: Stroke) {
+pub(crate) fn draw_camera(painter: &Painter, sight: &VisiblePicture, camera: &Camera, stroke: Stroke) {
     // Large enough to be seen from afar.
     let least = 40.0 * sight.lens.meters_per_point(camera.position);
     let [eye, corners, top] = frustum(camera, least);
@@ -132,7 +138,7 @@ pub(crate) fn draw_camera(painter: &Painter, sight: &Sight, camera: &Camera, str
 /// mark above them.
 fn frustum(camera: &Camera, least: f64) -> [Vec<DVec3>; 3] {
     const ASPECT: f64 = 1.5;
-    let [right, up, forward] = super::lens::Lens::new(camera, glam::DVec2::ONE).axes();
+    let [right, up, forward] = super::projector::Projector::new(camera, glam::DVec2::ONE).axes();
     let reach = (0.16 * camera.position.distance(camera.target)).max(least);
     let (half, is_perspective) = match camera.projection {
         Projection::Perspective { fov_degrees } => (reach * (0.5 * fov_degrees).to_radians().tan(), true),

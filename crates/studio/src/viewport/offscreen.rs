@@ -4,11 +4,11 @@ use catoptric_editor::Item;
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 use glam::DVec3;
 
+use super::drag_payload::place_of;
 use super::handles;
-use super::load::place_of;
-use super::sight::{Sight, marks};
+use super::visible_picture::{VisiblePicture, marks};
 use crate::context::Cx;
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// The distance from the edges of the picture, points.
 const MARGIN: f32 = 20.0;
@@ -18,7 +18,7 @@ const REACH: f32 = 14.0;
 
 /// An arrow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Arrow {
+pub(crate) struct OffscreenArrow {
     /// What it points to.
     pub(crate) item: Item,
     /// Its middle in the window.
@@ -28,8 +28,8 @@ pub(crate) struct Arrow {
 }
 
 /// The arrows of all that is out of view. Those that would cover each other stand side by side.
-pub(crate) fn arrows(cx: &Cx<'_>, sight: &Sight) -> Vec<Arrow> {
-    let mut arrows: Vec<Arrow> = Vec::new();
+pub(crate) fn arrows(cx: &Cx<'_>, sight: &VisiblePicture) -> Vec<OffscreenArrow> {
+    let mut arrows: Vec<OffscreenArrow> = Vec::new();
     let room = room(sight.clear);
     for item in marks(cx) {
         let place = place_of(cx.editor.scene(), item);
@@ -41,20 +41,20 @@ pub(crate) fn arrows(cx: &Cx<'_>, sight: &Sight) -> Vec<Arrow> {
             (0..64).map(|step: i16| f32::from((step + 1) / 2) * if step % 2 == 0 { 1.0 } else { -1.0 });
         let is_free = |center: &Pos2| arrows.iter().all(|other| other.center.distance(*center) > 2.0 * REACH);
         let center = steps.map(|step| room.clamp(edge + step * REACH * along)).find(is_free);
-        arrows.push(Arrow { item, center: center.unwrap_or(edge), direction });
+        arrows.push(OffscreenArrow { item, center: center.unwrap_or(edge), direction });
     }
     arrows
 }
 
 /// The arrow under a place of the window.
-pub(crate) fn arrow_at(cx: &Cx<'_>, sight: &Sight, pos: Pos2) -> Option<Item> {
-    let near = |arrow: &Arrow| arrow.center.distance(pos);
+pub(crate) fn arrow_at(cx: &Cx<'_>, sight: &VisiblePicture, pos: Pos2) -> Option<Item> {
+    let near = |arrow: &OffscreenArrow| arrow.center.distance(pos);
     let arrows = arrows(cx, sight).into_iter().filter(|arrow| near(arrow) <= REACH);
     arrows.min_by(|a, b| near(a).total_cmp(&near(b))).map(|arrow| arrow.item)
 }
 
 /// Where in the picture an arrow must point for something to come into view; `None` for what is in view.
-fn direction_to(sight: &Sight, place: DVec3) -> Option<Vec2> {
+fn direction_to(sight: &VisiblePicture, place: DVec3) -> Option<Vec2> {
     let at = sight.point(place);
     if at.is_some_and(|at| sight.visible.contains(at)) {
         return None;
@@ -84,9 +84,15 @@ fn edge_point(room: Rect, middle: Pos2, direction: Vec2) -> Pos2 {
 }
 
 /// Draws the arrows; `hovered` is under the pointer.
-pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>, hovered: Option<Item>, palette: &Palette) {
+pub(crate) fn draw(
+    painter: &Painter,
+    sight: &VisiblePicture,
+    cx: &Cx<'_>,
+    hovered: Option<Item>,
+    palette: &ThemeColors,
+) {
     let scene = cx.editor.scene();
-    for Arrow { item, center, direction } in arrows(cx, sight) {
+    for OffscreenArrow { item, center, direction } in arrows(cx, sight) {
         let fill = match item {
             Item::Light(index) => scene.lights.get(index).map_or(Color32::WHITE, handles::shown_color),
             _ => Color32::from_gray(214),

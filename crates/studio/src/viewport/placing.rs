@@ -7,7 +7,7 @@ use catoptric_scene::{Camera, Scene};
 use egui::{Rect, vec2};
 use glam::{DVec2, DVec3};
 
-use super::sight::Sight;
+use super::visible_picture::VisiblePicture;
 use crate::app::Studio;
 
 pub(crate) use body::spot_for_body;
@@ -17,16 +17,16 @@ pub(crate) use light::place_for_light;
 const FARTHEST: f64 = 4.0;
 
 /// The view into which something is placed.
-struct Scenery<'a> {
+struct PlacementView<'a> {
     scene: &'a Scene,
-    sight: Sight,
+    sight: VisiblePicture,
     /// The point that the middle of the picture shows, or the camera's target.
     subject: DVec3,
     /// The bodies around the eye, as places in [`Scene::bodies`].
     rooms: Vec<usize>,
 }
 
-impl<'a> Scenery<'a> {
+impl<'a> PlacementView<'a> {
     fn new(studio: &'a Studio) -> Self {
         let scene = studio.editor.scene();
         let camera = studio.view.camera(scene);
@@ -36,7 +36,7 @@ impl<'a> Scenery<'a> {
         // Before the first frame, any window will do.
         let any = Rect::from_min_size(egui::Pos2::ZERO, vec2(800.0, 600.0));
         let (rect, visible) = rects.unwrap_or((any, any));
-        let sight = Sight::new(&studio.live, rect, (visible, viewport.bar), camera);
+        let sight = VisiblePicture::new(&studio.live, rect, (visible, viewport.bar), camera);
         let middle = sight.at(sight.clear.center());
         let reach = camera.position.distance(camera.target);
         let subject = sight.body_at(middle).map(|hit| hit.position);

@@ -8,8 +8,10 @@ use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, Vec2, Visuals, vec2};
 use super::dashes::dashed;
 use super::handles::draw_camera;
 use super::labels;
-use super::sight::Sight;
-use crate::audit::{self, Auditing, Found, Part, SEEN, Way, WayKind, kind_color, pixel_at};
+use super::visible_picture::VisiblePicture;
+use crate::audit::{
+    self, AuditResult, AuditState, RaySegment, SEEN, SegmentKind, SegmentPart, kind_color, pixel_at,
+};
 use crate::context::Cx;
 use crate::theme;
 
@@ -21,20 +23,20 @@ const ARROW: f32 = 46.0;
 const PULSE: f32 = 4.2;
 
 /// A visible piece of a way in the window.
-struct Piece<'a> {
-    way: &'a Way,
+struct VisibleSegment<'a> {
+    way: &'a RaySegment,
     ends: [Pos2; 2],
     is_hidden: bool,
 }
 
 /// Draws the rays, the audited camera, and the pixel where it is.
-pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>) {
+pub(crate) fn draw(painter: &Painter, sight: &VisiblePicture, cx: &Cx<'_>) {
     let (Some(found), audit) = (cx.audit.found(), &*cx.audit) else { return };
     let is_at_home = found.pin.camera == sight.camera;
     if !is_at_home {
         draw_camera(painter, sight, &found.pin.camera, Stroke::new(1.5, kind_color(NodeKind::Primary)));
     }
-    let pen = Pen { painter, sight, audit, found, line: line_of(found, audit.selected()) };
+    let pen = RayPainter { painter, sight, audit, found, line: line_of(found, audit.selected()) };
     pen.draw();
     if is_at_home && let Some(at) = pixel_at(&found.pin, &sight.lens) {
         cross(painter, sight.pos(at));
@@ -43,7 +45,7 @@ pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>) {
 }
 
 /// The ray at a place, if one is near: of rays rather than of shadow rays.
-pub(crate) fn node_at(sight: &Sight, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
+pub(crate) fn node_at(sight: &VisiblePicture, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
     let (found, audit) = (cx.audit.found()?, &*cx.audit);
     let mut nearest: Option<(f32, usize)> = None;
     for way in found.ways.iter().filter(|way| audit.shows(way.generation)) {
@@ -61,7 +63,7 @@ pub(crate) fn node_at(sight: &Sight, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
 }
 
 /// A ray with those before it, back to the eye.
-fn line_of(found: &Found, node: Option<usize>) -> BTreeSet<usize> {
+fn line_of(found: &AuditResult, node: Option<usize>) -> BTreeSet<usize> {
     let mut line = BTreeSet::new();
     let mut next = node;
     while let Some(place) = next {
@@ -77,16 +79,16 @@ fn distance_to(pos: Pos2, [from, to]: [Pos2; 2]) -> f32 {
     pos.distance(from + share * way)
 }
 
-struct Pen<'a> {
+struct RayPainter<'a> {
     painter: &'a Painter,
-    sight: &'a Sight,
-    audit: &'a Auditing,
-    found: &'a Found,
+    sight: &'a VisiblePicture,
+    audit: &'a AuditState,
+    found: &'a AuditResult,
     /// The selected ray and those before it.
     line: BTreeSet<usize>,
 }
 
-impl Pen<'_> {
+impl RayPainter<'_> {
     fn draw(&self) {
         let parts = self.audit.sight();
         let mut pieces = Vec::new();
@@ -106,7 +108,7 @@ impl Pen<'_> {
     }
 
     /// What is shown of a way: of its generation, and as far as slow light has come.
-    fn pieces<'w>(&self, pieces: &mut Vec<Piece<'w>>, way: &'w Way, parts: &[Part]) {
+    fn pieces<'w>(&self, pieces: &mut Vec<VisibleSegment<'w>>, way: &'w RaySegment, parts: &[SegmentPart]) {
         let share = self.share(way);
         if share <= 0.0 {
             return;
@@ -118,12 +120,12 @@ impl Pen<'_> {
                 continue;
             };
             let ends = [self.sight.pos(from), self.sight.pos(to)];
-            pieces.push(Piece { way, ends, is_hidden: part.is_hidden });
+            pieces.push(VisibleSegment { way, ends, is_hidden: part.is_hidden });
         }
     }
 
     /// How much of a way slow light has left behind it.
-    fn share(&self, way: &Way) -> f64 {
+    fn share(&self, way: &RaySegment) -> f64 {
         if !self.audit.shows(way.generation) {
             return 0.0;
         }
@@ -135,22 +137,22 @@ impl Pen<'_> {
         }
     }
 
-    fn is_selected(&self, way: &Way) -> bool {
+    fn is_selected(&self, way: &RaySegment) -> bool {
         self.audit.selected() == Some(way.node)
     }
 
     /// As wide as the ray has weight; shadow rays are thin.
-    fn width(&self, way: &Way) -> f32 {
+    fn width(&self, way: &RaySegment) -> f32 {
         let weight = way.weight.clamp(0.0, 1.0).sqrt();
         let width = if way.is_ray() { 1.1 + 2.3 * weight } else { 0.8 + 0.5 * weight };
         if self.is_selected(way) { width + 0.8 } else { width }
     }
 
-    fn color(&self, way: &Way) -> Color32 {
+    fn color(&self, way: &RaySegment) -> Color32 {
         let color = match way.kind {
-            WayKind::Ray(kind) => kind_color(kind),
-            WayKind::Lit => Color32::from_rgb(255, 240, 180),
-            WayKind::Blocked => Color32::from_rgb(242, 104, 92),
+            SegmentKind::Ray(kind) => kind_color(kind),
+            SegmentKind::Lit => Color32::from_rgb(255, 240, 180),
+            SegmentKind::Blocked => Color32::from_rgb(242, 104, 92),
         };
         // With one ray lit, the others stand back.
         let is_other = self.audit.selected().is_some_and(|node| node != 0) && !self.line.contains(&way.node);
@@ -164,7 +166,7 @@ impl Pen<'_> {
     }
 
     /// A dark edge keeps a ray legible over anything; the selected one glows.
-    fn casing(&self, piece: &Piece<'_>) {
+    fn casing(&self, piece: &VisibleSegment<'_>) {
         if piece.is_hidden {
             return;
         }
@@ -178,7 +180,7 @@ impl Pen<'_> {
         self.painter.line_segment(piece.ends, Stroke::new(width + 2.0, dark));
     }
 
-    fn stroke(&self, piece: &Piece<'_>) {
+    fn stroke(&self, piece: &VisibleSegment<'_>) {
         let (width, color) = (self.width(piece.way), self.color(piece.way));
         if piece.is_hidden {
             let stroke = Stroke::new((0.7 * width).max(0.9), color.gamma_multiply(0.5));
@@ -200,16 +202,16 @@ impl Pen<'_> {
             let radius = 0.5 * self.width(way) + 1.2;
             let dark = Color32::from_black_alpha(150).gamma_multiply(f32::from(color.a()) / 255.0);
             match way.kind {
-                WayKind::Ray(_) if !way.is_open => {
+                SegmentKind::Ray(_) if !way.is_open => {
                     self.painter.circle(ends[1], radius, color, Stroke::new(1.0, dark));
                 }
-                WayKind::Blocked => self.stop(ends, color),
+                SegmentKind::Blocked => self.stop(ends, color),
                 _ => {}
             }
         }
     }
 
-    fn arrow(&self, way: &Way, [from, to]: [Pos2; 2], color: Color32) {
+    fn arrow(&self, way: &RaySegment, [from, to]: [Pos2; 2], color: Color32) {
         let along = to - from;
         if along.length() < ARROW {
             return;

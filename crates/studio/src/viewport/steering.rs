@@ -2,7 +2,7 @@
 
 use egui::{Event, Key, Modifiers, Ui};
 
-use crate::held_keys::{HeldKeys, Stroke};
+use crate::held_keys::{HeldKeys, KeyPress};
 
 /// A key that is let go within a frame counts as held for so long, seconds.
 const TAP: f64 = 0.05;
@@ -11,7 +11,7 @@ const LONGEST_FRAME: f64 = 0.1;
 
 /// Who listens to the keys of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Listener {
+pub(crate) enum KeyListener {
     /// Nobody: a text is being typed, a dialog or a menu is open, another panel has the focus.
     #[default]
     Nobody,
@@ -36,16 +36,16 @@ pub(crate) enum Heading {
 
 impl Heading {
     /// What a key means to a listener.
-    fn of(listener: Listener, key: Key) -> Option<Self> {
+    fn of(listener: KeyListener, key: Key) -> Option<Self> {
         Some(match (listener, key) {
-            (Listener::Picture, Key::ArrowRight) | (Listener::Flight, Key::D) => Self::Right,
-            (Listener::Picture, Key::ArrowLeft) | (Listener::Flight, Key::A) => Self::Left,
-            (Listener::Picture, Key::ArrowUp) | (Listener::Flight, Key::E) => Self::Up,
-            (Listener::Picture, Key::ArrowDown) | (Listener::Flight, Key::Q) => Self::Down,
-            (Listener::Picture, Key::PageUp | Key::Plus | Key::Equals) | (Listener::Flight, Key::W) => {
+            (KeyListener::Picture, Key::ArrowRight) | (KeyListener::Flight, Key::D) => Self::Right,
+            (KeyListener::Picture, Key::ArrowLeft) | (KeyListener::Flight, Key::A) => Self::Left,
+            (KeyListener::Picture, Key::ArrowUp) | (KeyListener::Flight, Key::E) => Self::Up,
+            (KeyListener::Picture, Key::ArrowDown) | (KeyListener::Flight, Key::Q) => Self::Down,
+            (KeyListener::Picture, Key::PageUp | Key::Plus | Key::Equals) | (KeyListener::Flight, Key::W) => {
                 Self::Forward
             }
-            (Listener::Picture, Key::PageDown | Key::Minus) | (Listener::Flight, Key::S) => Self::Back,
+            (KeyListener::Picture, Key::PageDown | Key::Minus) | (KeyListener::Flight, Key::S) => Self::Back,
             _ => return None,
         })
     }
@@ -55,8 +55,8 @@ impl Heading {
 /// press; whatever else takes over the keyboard ends all of them.
 #[derive(Debug, Default)]
 pub(crate) struct Steering {
-    listener: Listener,
-    held: Vec<(Stroke, Heading)>,
+    listener: KeyListener,
+    held: Vec<(KeyPress, Heading)>,
     /// Pressed in this frame.
     tapped: Vec<Heading>,
     /// The length of this frame, seconds.
@@ -67,7 +67,7 @@ pub(crate) struct Steering {
 
 impl Steering {
     /// Takes up the keys of this frame. In a frame without a call, nobody listens.
-    pub(crate) fn update(&mut self, ui: &Ui, keys: &HeldKeys, listener: Listener) {
+    pub(crate) fn update(&mut self, ui: &Ui, keys: &HeldKeys, listener: KeyListener) {
         let pass = ui.ctx().cumulative_pass_nr();
         if listener != self.listener || pass > self.pass + 1 {
             self.held.clear();

@@ -6,7 +6,7 @@ mod expression;
 mod field;
 
 pub(crate) use expression::evaluate;
-pub(crate) use field::{Entered, NumberField, Refusal, limits_in_words};
+pub(crate) use field::{NumberField, NumberResponse, Refusal, limits_in_words};
 
 /// What stands for a number that several things do not share.
 pub(crate) const MIXED: &str = "—";

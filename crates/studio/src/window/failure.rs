@@ -89,19 +89,19 @@ fn one_line(words: &str) -> String {
 /// Until the window is open, and when the device that draws it is lost, a panic of the libraries of windows is an error
 /// to be told like others.
 #[derive(Clone, Default)]
-pub(super) struct Quiet {
-    state: Arc<State>,
+pub(super) struct PanicFilter {
+    state: Arc<PanicFilterState>,
 }
 
 #[derive(Default)]
-struct State {
+struct PanicFilterState {
     is_open: AtomicBool,
     is_lost: AtomicBool,
     /// Whether the studio itself is at work.
     is_ours: AtomicBool,
 }
 
-impl Quiet {
+impl PanicFilter {
     /// Does `work`; what panics in it is returned as an error, in words, if it is none of the studio.
     pub(super) fn during<T>(&self, work: impl FnOnce() -> T) -> Result<T, StudioError> {
         let usual = Arc::new(panic::take_hook());
@@ -140,7 +140,7 @@ impl Quiet {
     }
 
     fn is_quiet(&self) -> bool {
-        let State { is_open, is_lost, is_ours } = &*self.state;
+        let PanicFilterState { is_open, is_lost, is_ours } = &*self.state;
         let is = |flag: &AtomicBool| flag.load(Ordering::Relaxed);
         !is(is_open) || is(is_lost) && !is(is_ours)
     }

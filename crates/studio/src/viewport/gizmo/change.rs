@@ -5,7 +5,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 /// What a hand does to what it holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Change {
+pub(crate) enum GizmoChange {
     /// Moves it, meters.
     Move(DVec3),
     /// Turns it about an axis through a point.
@@ -28,7 +28,7 @@ pub(crate) enum Change {
     },
 }
 
-impl Change {
+impl GizmoChange {
     /// Where a point goes.
     pub(crate) fn point(&self, point: DVec3) -> DVec3 {
         match *self {

@@ -3,11 +3,11 @@
 use egui::{Color32, Painter, Pos2, Shape, Stroke};
 use glam::DVec2;
 
-use super::pull::Pull;
-use super::{CENTER, Gizmo, Handle, OUTER_RING};
+use super::handle_drag::HandleDrag;
+use super::{CENTER, Gizmo, GizmoHandle, OUTER_RING};
 use crate::command::Tool;
-use crate::theme::Palette;
-use crate::viewport::sight::Sight;
+use crate::theme::ThemeColors;
+use crate::viewport::visible_picture::VisiblePicture;
 
 /// Half the angle of an arrow's head and half the side of a cube, points.
 const HEAD: f64 = 5.5;
@@ -15,43 +15,43 @@ const HEAD: f64 = 5.5;
 /// Draws the gizmo; `active` is under the pointer or in the hand.
 pub(crate) fn draw(
     painter: &Painter,
-    sight: &Sight,
+    sight: &VisiblePicture,
     gizmo: &Gizmo,
-    active: Option<Handle>,
-    palette: &Palette,
+    active: Option<GizmoHandle>,
+    palette: &ThemeColors,
 ) {
     let Some(center) = sight.point(gizmo.pivot) else { return };
-    let pen = Pen { painter, sight, gizmo, active, palette };
+    let pen = GizmoPainter { painter, sight, gizmo, active, palette };
     match gizmo.tool {
         Tool::Move => {
             (0..3).for_each(|axis| pen.square(axis));
-            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, Handle::Move(axis)));
-            pen.center(center, Handle::MoveScreen);
+            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, GizmoHandle::Move(axis)));
+            pen.center(center, GizmoHandle::MoveScreen);
         }
         Tool::Rotate => {
-            let color = pen.color(palette.text.gamma_multiply(0.75), Handle::TurnView);
+            let color = pen.color(palette.text.gamma_multiply(0.75), GizmoHandle::TurnView);
             pen.circle(center, OUTER_RING as f32, color);
             (0..3).for_each(|axis| pen.ring(axis));
         }
         Tool::Scale => {
-            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, Handle::Scale(axis)));
-            pen.center(center, Handle::ScaleAll);
+            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, GizmoHandle::Scale(axis)));
+            pen.center(center, GizmoHandle::ScaleAll);
         }
     }
 }
 
 /// Draws what a handle that is being pulled leaves behind: the line of its axis, the sector of a turn.
-pub(crate) fn ghost(painter: &Painter, sight: &Sight, pull: &Pull, palette: &Palette) {
+pub(crate) fn ghost(painter: &Painter, sight: &VisiblePicture, pull: &HandleDrag, palette: &ThemeColors) {
     let gizmo = &pull.gizmo;
     let faint = |axis: usize| axis_color(palette, axis).gamma_multiply(0.6);
     match pull.handle {
-        Handle::Move(axis) | Handle::Scale(axis) => line(painter, sight, gizmo, axis, faint(axis)),
-        Handle::MovePlane(axis) => {
+        GizmoHandle::Move(axis) | GizmoHandle::Scale(axis) => line(painter, sight, gizmo, axis, faint(axis)),
+        GizmoHandle::MovePlane(axis) => {
             for other in [(axis + 1) % 3, (axis + 2) % 3] {
                 line(painter, sight, gizmo, other, faint(other));
             }
         }
-        Handle::Turn(_) | Handle::TurnView => {
+        GizmoHandle::Turn(_) | GizmoHandle::TurnView => {
             let Some(swept) = pull.swept(&sight.lens) else { return };
             let points: Vec<Pos2> = swept.into_iter().map(|at| sight.pos(at)).collect();
             let Some(middle) = points.first() else { return };
@@ -65,12 +65,12 @@ pub(crate) fn ghost(painter: &Painter, sight: &Sight, pull: &Pull, palette: &Pal
                 painter.line_segment([*middle, *end], Stroke::new(1.2, palette.accent));
             }
         }
-        Handle::MoveScreen | Handle::ScaleAll => {}
+        GizmoHandle::MoveScreen | GizmoHandle::ScaleAll => {}
     }
 }
 
 /// The whole line of an axis.
-fn line(painter: &Painter, sight: &Sight, gizmo: &Gizmo, axis: usize, color: Color32) {
+fn line(painter: &Painter, sight: &VisiblePicture, gizmo: &Gizmo, axis: usize, color: Color32) {
     let reach = 40.0 * sight.lens.depth(gizmo.pivot);
     let step = reach * gizmo.axis(axis);
     if let Some([from, to]) = sight.lens.segment(gizmo.pivot - step, gizmo.pivot + step) {
@@ -78,21 +78,21 @@ fn line(painter: &Painter, sight: &Sight, gizmo: &Gizmo, axis: usize, color: Col
     }
 }
 
-fn axis_color(palette: &Palette, axis: usize) -> Color32 {
+fn axis_color(palette: &ThemeColors, axis: usize) -> Color32 {
     palette.axes.get(axis).copied().unwrap_or(palette.text)
 }
 
-struct Pen<'a> {
+struct GizmoPainter<'a> {
     painter: &'a Painter,
-    sight: &'a Sight,
+    sight: &'a VisiblePicture,
     gizmo: &'a Gizmo,
-    active: Option<Handle>,
-    palette: &'a Palette,
+    active: Option<GizmoHandle>,
+    palette: &'a ThemeColors,
 }
 
-impl Pen<'_> {
+impl GizmoPainter<'_> {
     /// The color of a handle: bright when it is active, faint when it cannot be held from here.
-    fn color(&self, color: Color32, handle: Handle) -> Color32 {
+    fn color(&self, color: Color32, handle: GizmoHandle) -> Color32 {
         if self.active == Some(handle) {
             return Color32::from_rgb(255, 214, 92);
         }
@@ -119,7 +119,7 @@ impl Pen<'_> {
     }
 
     /// A shaft with an arrow's head for moving, or a cube for scaling.
-    fn arrow(&self, axis: usize, handle: Handle) {
+    fn arrow(&self, axis: usize, handle: GizmoHandle) {
         let Some([from, to]) = self.gizmo.shaft(&self.sight.lens, axis) else { return };
         let color = self.color(axis_color(self.palette, axis), handle);
         if color.a() < 8 {
@@ -130,7 +130,7 @@ impl Pen<'_> {
         let along = (to - from).normalize_or(DVec2::X);
         let aside = along.perp();
         let corners = match handle {
-            Handle::Scale(_) => [
+            GizmoHandle::Scale(_) => [
                 to + HEAD * (along + aside),
                 to + HEAD * (along - aside),
                 to - HEAD * (along + aside),
@@ -145,7 +145,7 @@ impl Pen<'_> {
     }
 
     fn square(&self, axis: usize) {
-        let handle = Handle::MovePlane(axis);
+        let handle = GizmoHandle::MovePlane(axis);
         let Some(corners) = self.gizmo.square(&self.sight.lens, axis) else { return };
         let color = self.color(axis_color(self.palette, axis), handle);
         if color.a() < 8 {
@@ -158,7 +158,7 @@ impl Pen<'_> {
 
     /// The near half of a ring, strong, and the far half, faint.
     fn ring(&self, axis: usize) {
-        let handle = Handle::Turn(axis);
+        let handle = GizmoHandle::Turn(axis);
         let color = self.color(axis_color(self.palette, axis), handle);
         let ring = self.gizmo.ring(&self.sight.lens, axis);
         let mut near = Vec::new();
@@ -178,13 +178,13 @@ impl Pen<'_> {
         self.near_arc(near, color, handle);
     }
 
-    fn near_arc(&self, points: Vec<Pos2>, color: Color32, handle: Handle) {
+    fn near_arc(&self, points: Vec<Pos2>, color: Color32, handle: GizmoHandle) {
         if points.len() > 1 {
             self.line(points, color, if self.active == Some(handle) { 3.2 } else { 2.2 });
         }
     }
 
-    fn center(&self, center: Pos2, handle: Handle) {
+    fn center(&self, center: Pos2, handle: GizmoHandle) {
         let color = self.color(Color32::from_gray(236), handle);
         self.painter.circle(
             center,

@@ -6,11 +6,11 @@ use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use catoptric_editor::Writing;
+use catoptric_editor::SceneWriter;
 use catoptric_editor::recovery::{Orphan, Session, Snapshot, orphans};
 use egui::Context;
 
-use super::recover::Found;
+use super::recover::RecoverableDocument;
 use super::{has_unsaved_work, name};
 use crate::app::Studio;
 
@@ -22,16 +22,16 @@ const INTERVAL: Duration = Duration::from_secs(3);
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A state of a document of this window: its number and revision.
-type State = (u64, u64);
+type DocumentState = (u64, u64);
 
 /// Keeps the document.
 #[derive(Default)]
-pub(super) struct Keeper {
-    thread: Option<Thread>,
+pub(super) struct Autosave {
+    thread: Option<AutosaveThread>,
     /// What the thread was told to keep last, and when.
-    sent: Option<(State, Instant)>,
+    sent: Option<(DocumentState, Instant)>,
     /// What is kept.
-    kept: Option<State>,
+    kept: Option<DocumentState>,
     /// Whether the thread is about it.
     is_busy: bool,
     /// Since when there is something to be kept.
@@ -42,17 +42,17 @@ pub(super) struct Keeper {
     /// Whether keeping failed the last time; it is tried again then.
     has_failed: bool,
     /// What was found at the start.
-    pub(super) found: Vec<Found>,
+    pub(super) found: Vec<RecoverableDocument>,
 }
 
 /// Dropped without a word, as after a fault of the studio, it leaves behind what is kept.
-struct Thread {
-    orders: Option<Sender<Order>>,
-    reports: Receiver<Report>,
+struct AutosaveThread {
+    orders: Option<Sender<AutosaveRequest>>,
+    reports: Receiver<AutosaveReport>,
     handle: Option<JoinHandle<()>>,
 }
 
-impl Drop for Thread {
+impl Drop for AutosaveThread {
     fn drop(&mut self) {
         // It ends when there is nobody to give orders any more.
         self.orders = None;
@@ -62,10 +62,10 @@ impl Drop for Thread {
     }
 }
 
-enum Order {
+enum AutosaveRequest {
     Keep {
-        state: State,
-        writing: Writing,
+        state: DocumentState,
+        writing: SceneWriter,
         path: Option<PathBuf>,
         title: String,
     },
@@ -78,13 +78,13 @@ enum Order {
     },
 }
 
-enum Report {
-    Found(Vec<Found>),
-    Kept(State),
+enum AutosaveReport {
+    Found(Vec<RecoverableDocument>),
+    Kept(DocumentState),
     Failed(String),
 }
 
-impl Keeper {
+impl Autosave {
     /// Starts the thread, which also looks for what was left behind.
     pub(super) fn start(context: &Context, folder: PathBuf) -> Self {
         let (orders, inbox) = mpsc::channel();
@@ -100,7 +100,7 @@ impl Keeper {
         let thread = std::thread::Builder::new().name("recovery".to_owned()).spawn(work);
         match thread {
             Ok(handle) => {
-                let thread = Thread { orders: Some(orders), reports, handle: Some(handle) };
+                let thread = AutosaveThread { orders: Some(orders), reports, handle: Some(handle) };
                 Self { thread: Some(thread), ..Self::default() }
             }
             Err(_) => Self::default(),
@@ -119,10 +119,10 @@ impl Keeper {
 
     /// Removes an orphan for good.
     pub(super) fn discard(&self, orphan: Arc<Orphan>) {
-        self.order(Order::Discard(orphan));
+        self.order(AutosaveRequest::Discard(orphan));
     }
 
-    fn order(&self, order: Order) {
+    fn order(&self, order: AutosaveRequest) {
         if let Some(orders) = self.thread.as_ref().and_then(|thread| thread.orders.as_ref()) {
             let _ = orders.send(order);
         }
@@ -151,7 +151,7 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
         keeper.waits_since = None;
         if keeper.sent.take().is_some() {
             keeper.kept = None;
-            keeper.order(Order::Clear);
+            keeper.order(AutosaveRequest::Clear);
         }
         return;
     }
@@ -171,8 +171,8 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     }
 }
 
-fn send(studio: &mut Studio, state: State, now: Instant) {
-    let order = Order::Keep {
+fn send(studio: &mut Studio, state: DocumentState, now: Instant) {
+    let order = AutosaveRequest::Keep {
         state,
         writing: studio.editor.writing(),
         path: studio.editor.path().map(Path::to_owned),
@@ -193,18 +193,18 @@ fn title(studio: &Studio) -> String {
 fn take_reports(studio: &mut Studio) {
     let keeper = &mut studio.documents.keeper;
     let Some(thread) = &keeper.thread else { return };
-    let reports: Vec<Report> = thread.reports.try_iter().collect();
+    let reports: Vec<AutosaveReport> = thread.reports.try_iter().collect();
     for report in reports {
         let keeper = &mut studio.documents.keeper;
         match report {
-            Report::Found(found) => keeper.found = found,
-            Report::Kept(state) => {
+            AutosaveReport::Found(found) => keeper.found = found,
+            AutosaveReport::Kept(state) => {
                 keeper.kept = Some(state);
                 keeper.is_busy = false;
                 keeper.has_failed = false;
                 keeper.discard_restored(|number| number == state.0);
             }
-            Report::Failed(reason) => {
+            AutosaveReport::Failed(reason) => {
                 keeper.is_busy = false;
                 if !std::mem::replace(&mut keeper.has_failed, true) {
                     let text = studio.texts.with("keep-failed", &[("reason", reason.into())]);
@@ -241,31 +241,31 @@ pub(super) fn finish(studio: &mut Studio) {
     }
     let keeper = &mut studio.documents.keeper;
     let restored = std::mem::take(&mut keeper.restored).into_iter().map(|(_, orphan)| orphan).collect();
-    keeper.order(Order::Finish { leave_behind, restored });
+    keeper.order(AutosaveRequest::Finish { leave_behind, restored });
     keeper.thread = None;
 }
 
 /// The thread's life.
-fn attend(folder: &Path, inbox: &Receiver<Order>, report: impl Fn(Report)) {
-    let found: Vec<Found> = orphans(folder).into_iter().map(Found::new).collect();
+fn attend(folder: &Path, inbox: &Receiver<AutosaveRequest>, report: impl Fn(AutosaveReport)) {
+    let found: Vec<RecoverableDocument> = orphans(folder).into_iter().map(RecoverableDocument::new).collect();
     if !found.is_empty() {
-        report(Report::Found(found));
+        report(AutosaveReport::Found(found));
     }
     let mut session: Option<Session> = None;
     let mut is_kept = false;
     while let Ok(order) = inbox.recv() {
         match order {
-            Order::Keep { state, writing, path, title } => {
+            AutosaveRequest::Keep { state, writing, path, title } => {
                 // The next studio may be started in another folder.
                 let writing = if path.is_some() { writing } else { writing.with_whole_paths() };
                 let snapshot = Snapshot { original_path: path, title, text: writing.text() };
                 let result = keep_in(&mut session, folder, &snapshot);
                 is_kept = result.is_ok();
-                report(result.map_or_else(Report::Failed, |()| Report::Kept(state)));
+                report(result.map_or_else(AutosaveReport::Failed, |()| AutosaveReport::Kept(state)));
             }
-            Order::Clear => _ = session.as_mut().map(Session::clear),
-            Order::Discard(orphan) => discard(orphan),
-            Order::Finish { leave_behind, restored } => {
+            AutosaveRequest::Clear => _ = session.as_mut().map(Session::clear),
+            AutosaveRequest::Discard(orphan) => discard(orphan),
+            AutosaveRequest::Finish { leave_behind, restored } => {
                 if is_kept || !leave_behind {
                     restored.into_iter().for_each(discard);
                 }
@@ -310,8 +310,10 @@ mod tests {
         assert_eq!(restored.len(), 1);
         let (orders, inbox) = mpsc::channel();
         let writing = Editor::new(Scene::default()).writing();
-        orders.send(Order::Keep { state: (0, 0), writing, path: None, title: String::new() }).unwrap();
-        orders.send(Order::Finish { leave_behind: true, restored }).unwrap();
+        orders
+            .send(AutosaveRequest::Keep { state: (0, 0), writing, path: None, title: String::new() })
+            .unwrap();
+        orders.send(AutosaveRequest::Finish { leave_behind: true, restored }).unwrap();
         attend(folder, &inbox, |_| {});
         orphans(orphans_folder).len()
     }

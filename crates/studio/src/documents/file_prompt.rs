@@ -10,7 +10,7 @@ use crate::host::{FileAnswer, FileKind, FileQuestion};
 
 /// A file that was chosen.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Chosen {
+pub(crate) struct ChosenFile {
     /// Where it is.
     pub(crate) path: PathBuf,
     /// Whether the person has agreed that a file there is replaced.
@@ -19,77 +19,77 @@ pub(crate) struct Chosen {
 
 /// The answer to a question for a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Answer {
+pub(crate) enum FilePromptState {
     /// The person is still choosing.
     Waiting,
     /// No file, thank you.
     Cancelled,
     /// This file.
-    Chosen(Chosen),
+    Chosen(ChosenFile),
 }
 
 /// A question that has been asked; to be polled once a frame.
-pub(crate) struct Asking {
+pub(crate) struct FilePrompt {
     question: FileQuestion,
-    way: Way,
+    way: FilePromptChannel,
 }
 
-enum Way {
+enum FilePromptChannel {
     System(FileAnswer),
-    Own(Receiver<Option<Chosen>>),
+    Own(Receiver<Option<ChosenFile>>),
 }
 
-impl Asking {
+impl FilePrompt {
     /// Asks `question`.
     pub(crate) fn start(studio: &mut Studio, question: FileQuestion) -> Self {
         let way = match studio.host.ask_file(&question) {
-            Some(answer) => Way::System(answer),
+            Some(answer) => FilePromptChannel::System(answer),
             None => own(studio, &question),
         };
         Self { question, way }
     }
 
     /// The answer so far.
-    pub(crate) fn poll(&mut self, context: &egui::Context, studio: &mut Studio) -> Answer {
+    pub(crate) fn poll(&mut self, context: &egui::Context, studio: &mut Studio) -> FilePromptState {
         match &self.way {
-            Way::System(answer) => match answer.try_recv() {
-                Ok(Some(path)) => Answer::Chosen(self.complete(path)),
-                Ok(None) => Answer::Cancelled,
+            FilePromptChannel::System(answer) => match answer.try_recv() {
+                Ok(Some(path)) => FilePromptState::Chosen(self.complete(path)),
+                Ok(None) => FilePromptState::Cancelled,
                 Err(TryRecvError::Empty) => {
                     // The system does not wake the window.
                     context.request_repaint_after(std::time::Duration::from_millis(100));
-                    Answer::Waiting
+                    FilePromptState::Waiting
                 }
                 // The system's dialog could not appear.
                 Err(TryRecvError::Disconnected) => {
                     self.way = own(studio, &self.question);
-                    Answer::Waiting
+                    FilePromptState::Waiting
                 }
             },
-            Way::Own(answer) => match answer.try_recv() {
-                Ok(Some(chosen)) => Answer::Chosen(chosen),
-                Ok(None) | Err(TryRecvError::Disconnected) => Answer::Cancelled,
-                Err(TryRecvError::Empty) => Answer::Waiting,
+            FilePromptChannel::Own(answer) => match answer.try_recv() {
+                Ok(Some(chosen)) => FilePromptState::Chosen(chosen),
+                Ok(None) | Err(TryRecvError::Disconnected) => FilePromptState::Cancelled,
+                Err(TryRecvError::Empty) => FilePromptState::Waiting,
             },
         }
     }
 
     /// The system's dialog has asked before replacing the file that was chosen, but not one of a longer name.
-    fn complete(&self, path: PathBuf) -> Chosen {
+    fn complete(&self, path: PathBuf) -> ChosenFile {
         if !self.question.is_saving {
-            return Chosen { path, may_replace: false };
+            return ChosenFile { path, may_replace: false };
         }
         let whole = completed(path.clone(), &self.question);
-        Chosen { may_replace: whole == path, path: whole }
+        ChosenFile { may_replace: whole == path, path: whole }
     }
 }
 
-fn own(studio: &mut Studio, question: &FileQuestion) -> Way {
+fn own(studio: &mut Studio, question: &FileQuestion) -> FilePromptChannel {
     let (sender, receiver) = mpsc::channel();
     let recent = studio.settings.recent.iter().filter_map(|path| Some(path.parent()?.to_owned()));
     let dialog = FileDialog::new(question.clone(), recent, sender);
     studio.dialogs.open(dialog);
-    Way::Own(receiver)
+    FilePromptChannel::Own(receiver)
 }
 
 /// `path` with an extension that fits: if it has none, that of the proposed name.

@@ -4,16 +4,16 @@ use std::rc::Weak;
 
 use egui::Context;
 
-use super::result::{Finished, Kept};
-use super::save::Saving;
+use super::result::{FinishedPicture, SavedPlace};
+use super::save::PictureSaveState;
 use crate::app::Studio;
 use crate::command::Command;
-use crate::dialogs::question::Question;
+use crate::dialogs::question::QuestionDialog;
 use crate::documents;
 
 /// What has been said about leaving.
 #[derive(Default)]
-pub(crate) struct Leaving {
+pub(crate) struct PictureCloseGuard {
     /// The pictures of this moment may be lost.
     is_agreed: bool,
     /// The studio is left when a file has been written.
@@ -22,7 +22,7 @@ pub(crate) struct Leaving {
     asked: Weak<()>,
 }
 
-impl Leaving {
+impl PictureCloseGuard {
     /// There are other pictures now.
     pub(super) fn forget(&mut self) {
         self.is_agreed = false;
@@ -33,13 +33,13 @@ impl Leaving {
 /// or waits for the file being written, and leaves afterwards.
 pub(crate) fn hold(studio: &mut Studio) -> bool {
     let pictures = &mut studio.pictures;
-    if pictures.finished.iter().any(|finished| matches!(finished.saving, Saving::Writing(..))) {
+    if pictures.finished.iter().any(|finished| matches!(finished.saving, PictureSaveState::Writing(..))) {
         pictures.leaving.is_waiting = true;
         studio.toasts.info(studio.texts.get("picture-leave-waits"));
         return true;
     }
     // On some systems the clipboard loses what the studio has put there as soon as the studio is gone.
-    let is_in_file = |finished: &&Finished| matches!(finished.kept, Some(Kept::File(_)));
+    let is_in_file = |finished: &&FinishedPicture| matches!(finished.kept, Some(SavedPlace::File(_)));
     let unkept = pictures.finished.iter().filter(|finished| !is_in_file(finished)).count();
     if pictures.leaving.is_agreed || (unkept == 0 && !pictures.is_rendering()) {
         return false;
@@ -53,7 +53,8 @@ pub(crate) fn hold(studio: &mut Studio) -> bool {
 /// Leaves when the last file has been written.
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
     let pictures = &mut studio.pictures;
-    let is_writing = pictures.finished.iter().any(|finished| matches!(finished.saving, Saving::Writing(..)));
+    let is_writing =
+        pictures.finished.iter().any(|finished| matches!(finished.saving, PictureSaveState::Writing(..)));
     if pictures.leaving.is_waiting && !is_writing {
         pictures.leaving.is_waiting = false;
         documents::run(context, studio, Command::Quit);
@@ -67,7 +68,7 @@ fn ask(studio: &mut Studio, unkept: usize) {
     } else {
         texts.with("picture-leave-unsaved", &[("count", unkept.into())])
     };
-    let question = Question::new(texts.get("picture-leave-title"), text)
+    let question = QuestionDialog::new(texts.get("picture-leave-title"), text)
         .choice(texts.get("picture-leave-stay"), |_, _| {})
         .choice(texts.get("picture-leave-go"), |context, studio| {
             studio.pictures.leaving.is_agreed = true;

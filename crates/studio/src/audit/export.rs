@@ -6,7 +6,7 @@ use std::sync::Arc;
 use catoptric_lab::audit::Audit;
 
 use crate::app::Studio;
-use crate::exports::{self, Export, Failure};
+use crate::exports::{self, Export, ExportFailure};
 use crate::host::{FileKind, FileQuestion};
 
 /// Asks for a file.
@@ -20,13 +20,13 @@ pub(super) fn ask(studio: &mut Studio, audit: Arc<Audit>) {
         folder: studio.settings.render.folder.clone(),
         name: format!("{stem}-{}-{}.svg", audit.pixel.x, audit.pixel.y),
     };
-    exports::ask(studio, question, Drawing(audit));
+    exports::ask(studio, question, TreeDrawingExport(audit));
 }
 
-struct Drawing(Arc<Audit>);
+struct TreeDrawingExport(Arc<Audit>);
 
-impl Export for Drawing {
-    fn write(&self, path: &Path) -> Result<(), Failure> {
-        catoptric_files::write_bytes(path, self.0.to_svg(None).as_bytes()).map_err(Failure::Write)
+impl Export for TreeDrawingExport {
+    fn write(&self, path: &Path) -> Result<(), ExportFailure> {
+        catoptric_files::write_bytes(path, self.0.to_svg(None).as_bytes()).map_err(ExportFailure::Write)
     }
 }

@@ -4,15 +4,15 @@ use catoptric_lab::audit::{Node, NodeKind, RayTree};
 use catoptric_scene::{Camera, Light, Scene};
 use glam::{DVec2, DVec3};
 
-use super::Pin;
-use crate::viewport::Lens;
+use super::PinnedPixel;
+use crate::viewport::Projector;
 
 /// So many ways are drawn at most, those of the greatest weight.
 const MOST: usize = 1500;
 
 /// What goes along a way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum WayKind {
+pub(crate) enum SegmentKind {
     /// A ray of the tree.
     Ray(NodeKind),
     /// A shadow ray that arrives at its light.
@@ -23,10 +23,10 @@ pub(crate) enum WayKind {
 
 /// A straight piece between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Way {
+pub(crate) struct RaySegment {
     /// The ray of the tree that it is, or at whose end it starts.
     pub(crate) node: usize,
-    pub(crate) kind: WayKind,
+    pub(crate) kind: SegmentKind,
     pub(crate) from: DVec3,
     pub(crate) to: DVec3,
     /// The largest channel of its weight.
@@ -38,16 +38,16 @@ pub(crate) struct Way {
     pub(crate) is_open: bool,
 }
 
-impl Way {
+impl RaySegment {
     /// Whether it is a ray of the tree, no shadow ray.
     pub(crate) fn is_ray(&self) -> bool {
-        matches!(self.kind, WayKind::Ray(_))
+        matches!(self.kind, SegmentKind::Ray(_))
     }
 }
 
 /// The ways of a tree, the heaviest ones if there are very many, and how many are not there.
-pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &Pin) -> (Vec<Way>, usize) {
-    let lens = Lens::new(&pin.camera, pin.size.as_dvec2());
+pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &PinnedPixel) -> (Vec<RaySegment>, usize) {
+    let lens = Projector::new(&pin.camera, pin.size.as_dvec2());
     let eye = lens.ray(pin.pixel.as_dvec2() + tree.offset).origin;
     let far = 0.5 * reach(&pin.camera);
     let lights: Vec<&Light> = scene.lights.iter().filter(|light| !light.hidden).collect();
@@ -64,9 +64,9 @@ pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &Pin) -> (Vec<Way>, us
         let start = node.ray.parent.and_then(|parent| ends.get(parent)).copied().unwrap_or(0.0);
         let path = [start, start + f64::from(node.ray.ior) * origin.distance(end)];
         ends.push(path[1]);
-        ways.push(Way {
+        ways.push(RaySegment {
             node: place,
-            kind: WayKind::Ray(node.kind),
+            kind: SegmentKind::Ray(node.kind),
             from: origin,
             to: end,
             weight: node.largest_weight(),
@@ -85,7 +85,7 @@ pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &Pin) -> (Vec<Way>, us
     (ways, left_out)
 }
 
-fn shadows(ways: &mut Vec<Way>, node: &Node, place: usize, lights: &[&Light], start: f64) {
+fn shadows(ways: &mut Vec<RaySegment>, node: &Node, place: usize, lights: &[&Light], start: f64) {
     let (Some(hit), Some(answer)) = (node.ray.hit, node.answer()) else { return };
     let from = hit.position;
     for term in &answer.lights {
@@ -94,11 +94,11 @@ fn shadows(ways: &mut Vec<Way>, node: &Node, place: usize, lights: &[&Light], st
         let (kind, to) = match opaque {
             Some(crossing) => {
                 let way = term.direction.as_dvec3() * f64::from(crossing.distance);
-                (WayKind::Blocked, from + way)
+                (SegmentKind::Blocked, from + way)
             }
-            None => (WayKind::Lit, light.position),
+            None => (SegmentKind::Lit, light.position),
         };
-        ways.push(Way {
+        ways.push(RaySegment {
             node: place,
             kind,
             from,
@@ -117,7 +117,7 @@ fn reach(camera: &Camera) -> f64 {
 }
 
 /// The ray through a pixel's middle, from the eye on: where the audited pixel lies in space.
-pub(crate) fn pixel_at(pin: &Pin, lens: &Lens) -> Option<DVec2> {
-    let seen = Lens::new(&pin.camera, pin.size.as_dvec2()).ray(pin.pixel.as_dvec2() + DVec2::splat(0.5));
+pub(crate) fn pixel_at(pin: &PinnedPixel, lens: &Projector) -> Option<DVec2> {
+    let seen = Projector::new(&pin.camera, pin.size.as_dvec2()).ray(pin.pixel.as_dvec2() + DVec2::splat(0.5));
     lens.project(seen.at(reach(&pin.camera)))
 }

@@ -6,7 +6,7 @@ use crate::card::Gpu;
 use crate::error::GpuError;
 
 /// The pictures of a stage in the memory of a card: rows of one texture, so that no storage array is needed.
-pub(crate) struct PicturesOnCard {
+pub(crate) struct GpuSceneImages {
     texture: wgpu::Texture,
     /// What it holds; `None` after an error.
     sent: Option<Pictures>,
@@ -18,7 +18,7 @@ const ROW: u64 = PICTURES_ACROSS as u64 * size_of::<Texel>() as u64;
 /// Rows that are sent at once: the driver keeps a copy of them until they are there.
 const PIECE: usize = (16 << 20) / ROW as usize;
 
-impl PicturesOnCard {
+impl GpuSceneImages {
     pub(crate) fn empty(gpu: &Gpu) -> Result<Self, GpuError> {
         Ok(Self { texture: allocate(gpu, [1, 1])?, sent: Some(Pictures::default()) })
     }

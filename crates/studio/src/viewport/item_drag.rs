@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
+use super::gizmo::handle_drag::DragPrecision;
 use super::gizmo::lines::{along_axis, on_level, on_plane};
-use super::gizmo::pull::Care;
 use super::gizmo::steps;
-use super::lens::Lens;
+use super::projector::Projector;
 
 /// A level plane seen at a smaller angle than this (its sine; 6°) runs away under the hand.
 const LEAST_SLOPE: f64 = 0.1;
@@ -15,27 +15,27 @@ const FARTHEST: f64 = 8.0;
 
 /// What is carried, and how.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Carry {
+pub(crate) struct ItemDrag {
     /// The point that was grabbed.
     grabbed: DVec3,
     /// The place of the primary thing when it was taken: what snapping brings to the grid.
     lead: DVec3,
     /// The move until the present leg.
     before: DVec3,
-    leg: Leg,
+    leg: DragStage,
 }
 
 /// A stretch of the way during which things move in one manner.
 #[derive(Clone, Debug, PartialEq)]
-struct Leg {
-    manner: Manner,
+struct DragStage {
+    manner: DragPlane,
     /// Where the pointer was at the beginning.
     from: DVec2,
 }
 
 /// How things move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Manner {
+enum DragPlane {
     /// In the level plane.
     Level,
     /// Up and down.
@@ -44,67 +44,73 @@ enum Manner {
     Facing,
 }
 
-impl Carry {
+impl ItemDrag {
     /// Takes the thing at `lead` by its point `grabbed`, with the pointer at `at`, perhaps to move it up and down.
-    pub(crate) fn begin(grabbed: DVec3, lead: DVec3, lens: &Lens, at: DVec2, is_upright: bool) -> Self {
-        let leg = Leg { manner: manner(lens, at, is_upright), from: at };
+    pub(crate) fn begin(grabbed: DVec3, lead: DVec3, lens: &Projector, at: DVec2, is_upright: bool) -> Self {
+        let leg = DragStage { manner: manner(lens, at, is_upright), from: at };
         Self { grabbed, lead, before: DVec3::ZERO, leg }
     }
 
     /// The move from the beginning to the pointer at `at`; `None` when that place says nothing.
-    pub(crate) fn to(&mut self, lens: &Lens, at: DVec2, is_upright: bool, care: Care) -> Option<DVec3> {
-        if is_upright != (self.leg.manner == Manner::Upright) {
+    pub(crate) fn to(
+        &mut self,
+        lens: &Projector,
+        at: DVec2,
+        is_upright: bool,
+        care: DragPrecision,
+    ) -> Option<DVec3> {
+        if is_upright != (self.leg.manner == DragPlane::Upright) {
             self.before = self.way(lens, at).map_or(self.before, |way| self.rounded(way, lens, care));
-            self.leg = Leg { manner: manner(lens, at, is_upright), from: at };
+            self.leg = DragStage { manner: manner(lens, at, is_upright), from: at };
         }
         Some(self.rounded(self.way(lens, at)?, lens, care))
     }
 
     /// A move that brings what moves in the present leg to round numbers.
-    fn rounded(&self, way: DVec3, lens: &Lens, care: Care) -> DVec3 {
+    fn rounded(&self, way: DVec3, lens: &Projector, care: DragPrecision) -> DVec3 {
         let fine = if care.is_fine { 0.1 } else { 1.0 };
         let grain = fine * lens.meters_per_point(self.grabbed);
         let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(grain) };
         let moves = match self.leg.manner {
-            Manner::Level => [true, false, true],
-            Manner::Upright => [false, true, false],
-            Manner::Facing => [true; 3],
+            DragPlane::Level => [true, false, true],
+            DragPlane::Upright => [false, true, false],
+            DragPlane::Facing => [true; 3],
         };
         steps::to_grid(way, self.lead, moves, grid)
     }
 
     /// The whole move, without rounding.
-    fn way(&self, lens: &Lens, at: DVec2) -> Option<DVec3> {
+    fn way(&self, lens: &Projector, at: DVec2) -> Option<DVec3> {
         let start = self.grabbed + self.before;
         let [from, to] = [self.leg.from, at].map(|at| met(lens, at, start, self.leg.manner));
         let mut step = to? - from?;
         match self.leg.manner {
-            Manner::Level => step.y = 0.0,
-            Manner::Upright => step = DVec3::new(0.0, step.y, 0.0),
-            Manner::Facing => {}
+            DragPlane::Level => step.y = 0.0,
+            DragPlane::Upright => step = DVec3::new(0.0, step.y, 0.0),
+            DragPlane::Facing => {}
         }
         (self.before + step).is_finite().then_some(self.before + step)
     }
 }
 
-fn manner(lens: &Lens, at: DVec2, is_upright: bool) -> Manner {
+fn manner(lens: &Projector, at: DVec2, is_upright: bool) -> DragPlane {
     if is_upright {
-        Manner::Upright
+        DragPlane::Upright
     } else if lens.ray(at).direction.y.abs() < LEAST_SLOPE {
-        Manner::Facing
+        DragPlane::Facing
     } else {
-        Manner::Level
+        DragPlane::Level
     }
 }
 
 /// Where the pointer's ray meets the plane or line through `point` in which things move.
-fn met(lens: &Lens, at: DVec2, point: DVec3, manner: Manner) -> Option<DVec3> {
+fn met(lens: &Projector, at: DVec2, point: DVec3, manner: DragPlane) -> Option<DVec3> {
     let ray = lens.ray(at);
     let [_, _, forward] = lens.axes();
     match manner {
-        Manner::Level => on_level(&ray, point, FARTHEST * ray.origin.distance(point)),
-        Manner::Facing => on_plane(&ray, point, -forward),
-        Manner::Upright => match along_axis(&ray, point, DVec3::Y) {
+        DragPlane::Level => on_level(&ray, point, FARTHEST * ray.origin.distance(point)),
+        DragPlane::Facing => on_plane(&ray, point, -forward),
+        DragPlane::Upright => match along_axis(&ray, point, DVec3::Y) {
             Some(up) if forward.y.abs() < 0.95 => Some(point + up * DVec3::Y),
             // From straight above, height has no direction in the picture; the pointer's own up stands for it.
             _ => Some(point - at.y * lens.meters_per_point(point) * DVec3::Y),
@@ -119,10 +125,10 @@ mod tests {
     use super::*;
 
     const SIZE: DVec2 = DVec2::new(800.0, 600.0);
-    const FREE: Care = Care { snaps: false, is_fine: false };
+    const FREE: DragPrecision = DragPrecision { snaps: false, is_fine: false };
 
-    fn lens(position: [f64; 3]) -> Lens {
-        Lens::new(&Camera { position: position.into(), target: DVec3::Y, ..Camera::default() }, SIZE)
+    fn lens(position: [f64; 3]) -> Projector {
+        Projector::new(&Camera { position: position.into(), target: DVec3::Y, ..Camera::default() }, SIZE)
     }
 
     #[test]
@@ -130,7 +136,7 @@ mod tests {
         let lens = lens([0.0, 4.0, 8.0]);
         let grabbed = DVec3::new(0.3, 0.7, 0.4);
         let at = lens.project(grabbed).unwrap();
-        let mut carry = Carry::begin(grabbed, DVec3::ZERO, &lens, at, false);
+        let mut carry = ItemDrag::begin(grabbed, DVec3::ZERO, &lens, at, false);
         for to in [DVec2::new(100.0, 400.0), DVec2::new(700.0, 300.0), at] {
             let step = carry.to(&lens, to, false, FREE).unwrap();
             assert_eq!(step.y, 0.0);
@@ -142,7 +148,7 @@ mod tests {
     fn up_and_down_takes_over_where_the_level_way_ends() {
         let lens = lens([0.0, 4.0, 8.0]);
         let at = lens.project(DVec3::Y).unwrap();
-        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at, false);
+        let mut carry = ItemDrag::begin(DVec3::Y, DVec3::Y, &lens, at, false);
         let aside = at + DVec2::new(50.0, 30.0);
         let level = carry.to(&lens, aside, false, FREE).unwrap();
         let turned = carry.to(&lens, aside, true, FREE).unwrap();
@@ -159,8 +165,8 @@ mod tests {
     fn seen_from_the_ground_things_move_with_the_picture() {
         let lens = lens([0.0, 1.05, 8.0]);
         let at = lens.project(DVec3::Y).unwrap();
-        let mut carry = Carry::begin(DVec3::Y, DVec3::Y, &lens, at, false);
-        assert_eq!(carry.leg.manner, Manner::Facing);
+        let mut carry = ItemDrag::begin(DVec3::Y, DVec3::Y, &lens, at, false);
+        assert_eq!(carry.leg.manner, DragPlane::Facing);
         let step = carry.to(&lens, at + DVec2::new(30.0, -40.0), false, FREE).unwrap();
         assert!(step.x > 0.0 && step.y > 0.0 && step.z.abs() < 0.02);
     }
@@ -169,7 +175,7 @@ mod tests {
     fn towards_the_horizon_nothing_flies_away() {
         let lens = lens([0.0, 2.5, 8.0]);
         let at = lens.project(DVec3::ZERO).unwrap();
-        let mut carry = Carry::begin(DVec3::ZERO, DVec3::ZERO, &lens, at, false);
+        let mut carry = ItemDrag::begin(DVec3::ZERO, DVec3::ZERO, &lens, at, false);
         let mut last = 0.0;
         for y in (-2000..400).rev().step_by(10) {
             let step = carry.to(&lens, DVec2::new(400.0, f64::from(y)), false, FREE).unwrap();
@@ -185,8 +191,8 @@ mod tests {
         let lens = lens([0.0, 4.0, 8.0]);
         let (grabbed, lead) = (DVec3::new(0.3, 0.7, 0.4), DVec3::new(0.123, 0.456, 0.789));
         let at = lens.project(grabbed).unwrap();
-        let mut carry = Carry::begin(grabbed, lead, &lens, at, false);
-        let snaps = Care { snaps: true, is_fine: false };
+        let mut carry = ItemDrag::begin(grabbed, lead, &lens, at, false);
+        let snaps = DragPrecision { snaps: true, is_fine: false };
         let placed = lead + carry.to(&lens, at + DVec2::new(111.0, 37.0), false, snaps).unwrap();
         for part in [placed.x, placed.z] {
             assert!((10.0 * part - (10.0 * part).round()).abs() < 1e-9, "{placed}");

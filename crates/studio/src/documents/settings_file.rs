@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use egui::Context;
 
-use super::job::{Job, Progress};
-use super::notice;
+use super::banner;
+use super::job::{Job, JobStatus};
 use crate::app::Studio;
 use crate::layout::{self, Pane};
 use crate::settings::Settings;
@@ -15,7 +15,7 @@ const DELAY: Duration = Duration::from_secs(1);
 
 /// What is known about the settings on the disk.
 #[derive(Default)]
-pub(super) struct Memory {
+pub(super) struct SettingsFile {
     /// Those on the disk.
     written: Option<Settings>,
     /// Those of the last frame, if they are others, and since when.
@@ -24,7 +24,7 @@ pub(super) struct Memory {
     has_failed: bool,
 }
 
-impl Memory {
+impl SettingsFile {
     /// The settings were read from the disk like this.
     pub(super) fn of(settings: &Settings) -> Self {
         Self { written: Some(settings.clone()), ..Self::default() }
@@ -37,10 +37,10 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     note_layout(studio);
     if let Some(job) = studio.documents.memory.job.take() {
         match job.poll() {
-            Progress::Waiting => studio.documents.memory.job = Some(job),
-            Progress::Done(Ok(())) => {}
-            Progress::Done(Err(reason)) => failed(studio, reason),
-            Progress::Lost => {}
+            JobStatus::Waiting => studio.documents.memory.job = Some(job),
+            JobStatus::Done(Ok(())) => {}
+            JobStatus::Done(Err(reason)) => failed(studio, reason),
+            JobStatus::Lost => {}
         }
     }
     let memory = &mut studio.documents.memory;
@@ -105,7 +105,7 @@ fn note_window(context: &Context, studio: &mut Studio) {
 }
 
 fn note_layout(studio: &mut Studio) {
-    if notice::has_shown_pane(studio) {
+    if banner::has_shown_pane(studio) {
         // The next scene may have no problems.
         let mut layout = studio.layout.clone();
         layout::set_visible(&mut layout, Pane::Problems, false);
@@ -121,7 +121,7 @@ fn note_layout(studio: &mut Studio) {
 pub(super) fn finish(studio: &mut Studio) {
     note_layout(studio);
     // One that is under way must not come later.
-    while let Some(Progress::Waiting) = studio.documents.memory.job.as_ref().map(Job::poll) {
+    while let Some(JobStatus::Waiting) = studio.documents.memory.job.as_ref().map(Job::poll) {
         std::thread::sleep(Duration::from_millis(5));
     }
     if studio.documents.memory.written.as_ref() == Some(&studio.settings) {

@@ -4,21 +4,21 @@
 use catoptric_scene::{Camera, Projection};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
-use super::lens::Lens;
+use super::projector::Projector;
 
 /// How long it takes, seconds.
 const DURATION: f64 = 0.16;
 
 /// A camera on its way to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Glide {
+pub(crate) struct CameraTransition {
     from: Camera,
     to: Camera,
     /// The time of the first frame, seconds.
     start: Option<f64>,
 }
 
-impl Glide {
+impl CameraTransition {
     /// On the way from one camera to another; `None` where nothing lies between them.
     pub(crate) fn new(from: Camera, to: Camera) -> Option<Self> {
         let is_alike = matches!(
@@ -42,7 +42,7 @@ impl Glide {
 /// A camera between two: turned evenly, with its distances in equal proportions.
 fn between(from: &Camera, to: &Camera, share: f64) -> Camera {
     let orientation = |camera: &Camera| {
-        let [right, up, forward] = Lens::new(camera, DVec2::ONE).axes();
+        let [right, up, forward] = Projector::new(camera, DVec2::ONE).axes();
         DQuat::from_mat3(&DMat3::from_cols(right, up, -forward))
     };
     let turn = orientation(from).slerp(orientation(to), share);
@@ -70,7 +70,7 @@ mod tests {
     fn it_begins_at_one_camera_and_ends_at_the_other() {
         let from = Camera::default();
         let to = Camera { position: DVec3::new(9.0, 3.0, 1.0), target: DVec3::X, ..from };
-        let mut glide = Glide::new(from, to).unwrap();
+        let mut glide = CameraTransition::new(from, to).unwrap();
         let first = glide.now(&to, 10.0).unwrap();
         assert!(first.position.distance(from.position) < 1e-9 && first.target == from.target);
         let middle = glide.now(&to, 10.05).unwrap();
@@ -84,10 +84,10 @@ mod tests {
     fn another_move_ends_it_and_there_is_no_way_between_projections() {
         let from = Camera::default();
         let to = Camera { position: DVec3::new(9.0, 3.0, 1.0), ..from };
-        let mut glide = Glide::new(from, to).unwrap();
+        let mut glide = CameraTransition::new(from, to).unwrap();
         assert_eq!(glide.now(&Camera { up: DVec3::X, ..to }, 0.0), None);
         let parallel = Camera { projection: Projection::Parallel { height: 2.0 }, ..from };
-        assert_eq!(Glide::new(from, parallel), None);
-        assert_eq!(Glide::new(from, from), None);
+        assert_eq!(CameraTransition::new(from, parallel), None);
+        assert_eq!(CameraTransition::new(from, from), None);
     }
 }

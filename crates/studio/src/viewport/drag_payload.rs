@@ -4,18 +4,18 @@ use catoptric_editor::{Editor, Item, Label, Selection};
 use catoptric_scene::{Anchor, Camera, Placement, Scene};
 use glam::DVec3;
 
-use super::gizmo::change::Change;
+use super::gizmo::change::GizmoChange;
 
 /// Bodies and lights, and perhaps the camera, in a hand.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Load {
+pub(crate) struct DragPayload {
     bodies: Vec<(usize, Placement)>,
     lights: Vec<(usize, DVec3)>,
     camera: Option<Camera>,
     label: Label,
 }
 
-impl Load {
+impl DragPayload {
     /// Takes what is selected and not locked; `None` when there is nothing. `with_camera` takes the camera, too, if it
     /// is selected. `key` names the step of the history.
     pub(crate) fn take(
@@ -52,12 +52,12 @@ impl Load {
     pub(crate) fn bring_to(&self, editor: &mut Editor, place: DVec3) -> Option<DVec3> {
         let (_, start) = self.lights.first()?;
         let step = place - *start;
-        self.apply(editor, &Change::Move(step));
+        self.apply(editor, &GizmoChange::Move(step));
         Some(step)
     }
 
     /// Has `change` done to it, from how it was when it was taken. What the scene does not allow is left undone.
-    pub(crate) fn apply(&self, editor: &mut Editor, change: &Change) {
+    pub(crate) fn apply(&self, editor: &mut Editor, change: &GizmoChange) {
         let label = || self.label.clone();
         if !self.bodies.is_empty() {
             let indices = self.bodies.iter().map(|(index, _)| *index);
@@ -124,13 +124,13 @@ mod tests {
     fn locked_things_are_not_taken() {
         let mut editor = editor();
         editor.select(Item::Body(1));
-        assert_eq!(Load::take(editor.scene(), editor.selection(), true, "edit-move"), None);
+        assert_eq!(DragPayload::take(editor.scene(), editor.selection(), true, "edit-move"), None);
         let all: Selection =
             [Item::Body(1), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
-        let load = Load::take(editor.scene(), &all, false, "edit-move").unwrap();
+        let load = DragPayload::take(editor.scene(), &all, false, "edit-move").unwrap();
         let before = editor.scene().clone();
-        load.apply(&mut editor, &Change::Move(DVec3::X));
-        load.apply(&mut editor, &Change::Move(2.0 * DVec3::X));
+        load.apply(&mut editor, &GizmoChange::Move(DVec3::X));
+        load.apply(&mut editor, &GizmoChange::Move(2.0 * DVec3::X));
         let after = editor.scene().clone();
         assert_eq!(after.bodies[2].placement, Placement::at(2.0 * DVec3::X));
         assert!(after.bodies.iter().take(2).eq(before.bodies.iter().take(2)));
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn one_thing_gives_the_step_its_name() {
         let editor = editor();
-        let load = Load::take(editor.scene(), &Item::Light(0).into(), false, "edit-move").unwrap();
+        let load = DragPayload::take(editor.scene(), &Item::Light(0).into(), false, "edit-move").unwrap();
         assert_eq!(load.label, Label::new("edit-move", "sun"));
     }
 }

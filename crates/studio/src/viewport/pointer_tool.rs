@@ -5,14 +5,14 @@ use catoptric_scene::Camera;
 use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 use glam::DVec2;
 
-use super::aim::Aim;
-use super::carry::Carry;
-use super::gizmo::change::Change;
-use super::gizmo::pull::{Amount, Care, Pull};
-use super::gizmo::{Gizmo, Handle};
-use super::load::{Load, place_of};
-use super::sight::{Sight, Target};
-use super::travel::{self, Travel};
+use super::camera_navigation::{self, CameraNavigation};
+use super::drag_payload::{DragPayload, place_of};
+use super::gizmo::change::GizmoChange;
+use super::gizmo::handle_drag::{DragAmount, DragPrecision, HandleDrag};
+use super::gizmo::{Gizmo, GizmoHandle};
+use super::item_drag::ItemDrag;
+use super::light_aim::LightAim;
+use super::visible_picture::{PointerTarget, VisiblePicture};
 use crate::command::Tool;
 use crate::context::Cx;
 
@@ -21,7 +21,7 @@ const SAME_PLACE: f32 = 4.0;
 
 /// What a hand does.
 #[derive(Debug, Default)]
-pub(crate) enum Hand {
+pub(crate) enum PointerAction {
     /// Nothing.
     #[default]
     Open,
@@ -32,68 +32,68 @@ pub(crate) enum Hand {
     /// It looks around on the spot, while keys move the camera.
     Look,
     /// It carries things.
-    Carry(Box<Held<Carry>>),
+    Carry(Box<ActiveDrag<ItemDrag>>),
     /// It pulls a handle of the gizmo.
-    Pull(Box<Held<Pull>>),
+    Pull(Box<ActiveDrag<HandleDrag>>),
     /// It moves a light by its highlight or its shadow.
-    Aim(Box<Held<Aim>>),
+    Aim(Box<ActiveDrag<LightAim>>),
     /// It has given up; the button is still down.
     GivenUp,
 }
 
 /// Things in a hand.
 #[derive(Debug)]
-pub(crate) struct Held<T> {
+pub(crate) struct ActiveDrag<T> {
     pub(crate) by: T,
-    load: Load,
+    load: DragPayload,
     /// Where the pointer would be if it always went at full speed.
     at: DVec2,
     /// How much was changed.
-    pub(crate) amount: Option<Amount>,
+    pub(crate) amount: Option<DragAmount>,
 }
 
 /// The last click, for the next one at the same place.
 #[derive(Clone, Copy, Debug)]
-struct Click {
+struct LastClick {
     pos: Pos2,
     camera: Camera,
 }
 
 /// What the viewport keeps about the pointer.
 #[derive(Debug, Default)]
-pub(crate) struct Hands {
-    pub(crate) hand: Hand,
+pub(crate) struct PointerTool {
+    pub(crate) hand: PointerAction,
     /// Where the pointer was in the last frame of a drag.
     last: Option<Pos2>,
     /// The free view's camera at the beginning of the drag.
     free_before: Option<Camera>,
-    click: Option<Click>,
+    click: Option<LastClick>,
     /// Whether the right button has been used to fly.
     has_flown: bool,
     /// What the pointer is over.
-    pub(crate) over: Option<Target>,
+    pub(crate) over: Option<PointerTarget>,
 }
 
-impl Hands {
+impl PointerTool {
     /// A frame of the pointer.
     pub(crate) fn act(
         &mut self,
         ui: &Ui,
         cx: &mut Cx<'_>,
-        (sight, response): (&Sight, &Response),
+        (sight, response): (&VisiblePicture, &Response),
         gizmo: Option<&Gizmo>,
-        travel: &mut Travel,
+        travel: &mut CameraNavigation,
     ) {
         if response.drag_started() {
             self.take(ui, cx, sight, gizmo);
         }
         self.fly_beside(ui, cx, response, travel);
-        if !matches!(self.hand, Hand::Open) {
+        if !matches!(self.hand, PointerAction::Open) {
             // In a slow frame the pointer has moved on before it was released.
             self.drag(ui, cx, sight);
             if !ui.input(|input| input.pointer.any_down()) {
                 cx.view.is_moving = false;
-                self.hand = Hand::Open;
+                self.hand = PointerAction::Open;
                 self.last = None;
                 cx.editor.settle();
             }
@@ -101,7 +101,7 @@ impl Hands {
         let button = |button| response.clicked_by(button);
         if let Some(pos) = response.interact_pointer_pos() {
             if button(PointerButton::Primary) && cx.view.is_auditing {
-                super::pixels::click(ui, cx, sight, pos);
+                super::pixel_pick::click(ui, cx, sight, pos);
             } else if button(PointerButton::Primary) && cx.view.is_aiming {
                 self.click_to_aim(ui, cx, sight, pos);
             } else if button(PointerButton::Primary) {
@@ -119,7 +119,7 @@ impl Hands {
     }
 
     /// Decides at the beginning of a drag what the hand does.
-    fn take(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>) {
+    fn take(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, gizmo: Option<&Gizmo>) {
         let (origin, is_primary, is_middle, modifiers) = ui.input(|input| {
             let pointer = &input.pointer;
             (pointer.press_origin(), pointer.primary_down(), pointer.middle_down(), input.modifiers)
@@ -129,7 +129,7 @@ impl Hands {
         self.last = Some(origin);
         self.free_before = cx.view.free_camera;
         self.click = None;
-        let turns = if modifiers.shift || is_middle { Hand::Pan } else { Hand::Orbit };
+        let turns = if modifiers.shift || is_middle { PointerAction::Pan } else { PointerAction::Orbit };
         let at = sight.at(origin);
         if is_primary && cx.view.is_aiming {
             self.hand = aim(cx, sight, at, true).unwrap_or(turns);
@@ -138,9 +138,9 @@ impl Hands {
         // While pixels are pinned, drags look at their rays from all sides.
         let holds = is_primary && !cx.view.is_auditing;
         self.hand = match holds.then(|| sight.target(cx, gizmo, at)) {
-            Some(Target::Handle(handle)) => pull(cx, sight, gizmo, handle, at),
-            Some(Target::Mark(item)) => carry(cx, sight, (item, None), at, modifiers.alt),
-            Some(Target::Body { index, point }) => {
+            Some(PointerTarget::Handle(handle)) => pull(cx, sight, gizmo, handle, at),
+            Some(PointerTarget::Mark(item)) => carry(cx, sight, (item, None), at, modifiers.alt),
+            Some(PointerTarget::Body { index, point }) => {
                 carry(cx, sight, (Item::Body(index), Some(point)), at, modifiers.alt)
             }
             _ => None,
@@ -152,59 +152,59 @@ impl Hands {
     pub(crate) fn flies_beside(&self, ui: &Ui, response: &Response) -> bool {
         let is_down = ui.input(|input| input.pointer.secondary_down());
         let is_here = response.is_pointer_button_down_on() || response.dragged();
-        is_down && is_here && !matches!(self.hand, Hand::GivenUp)
+        is_down && is_here && !matches!(self.hand, PointerAction::GivenUp)
     }
 
     /// The keys of flight count while the right button is down.
-    fn fly_beside(&mut self, ui: &Ui, cx: &mut Cx<'_>, response: &Response, travel: &mut Travel) {
+    fn fly_beside(&mut self, ui: &Ui, cx: &mut Cx<'_>, response: &Response, travel: &mut CameraNavigation) {
         if ui.input(|input| input.pointer.button_pressed(PointerButton::Secondary)) {
             self.has_flown = false;
         }
         if self.flies_beside(ui, response) && travel.fly_keys(ui, cx) {
             self.has_flown = true;
-            if matches!(self.hand, Hand::Orbit) {
-                self.hand = Hand::Look;
+            if matches!(self.hand, PointerAction::Orbit) {
+                self.hand = PointerAction::Look;
             }
         }
     }
 
     /// A frame of a drag.
-    fn drag(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
+    fn drag(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
         if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             cx.editor.abandon();
             if let (Some(before), Some(free)) = (self.free_before, &mut cx.view.free_camera) {
                 *free = before;
             }
-            self.hand = Hand::GivenUp;
+            self.hand = PointerAction::GivenUp;
         }
         let (pos, modifiers) = ui.input(|input| (input.pointer.latest_pos(), input.modifiers));
         let Some(pos) = pos else { return };
         let way = self.last.map_or(Vec2::ZERO, |last| pos - last);
         self.last = Some(pos);
-        let care = Care { snaps: modifiers.command || modifiers.ctrl, is_fine: modifiers.shift };
+        let care = DragPrecision { snaps: modifiers.command || modifiers.ctrl, is_fine: modifiers.shift };
         let slow = if care.is_fine { 0.1 } else { 1.0 };
         let step = slow * DVec2::new(f64::from(way.x), f64::from(way.y));
         cx.view.is_moving = true;
         match &mut self.hand {
-            Hand::Open => {}
-            Hand::GivenUp => cx.view.is_moving = false,
-            Hand::Orbit if way != Vec2::ZERO => travel::orbit(cx, way),
-            Hand::Pan if way != Vec2::ZERO => travel::pan(cx, sight, way),
-            Hand::Look if way != Vec2::ZERO => travel::look(cx, way),
-            Hand::Orbit | Hand::Pan | Hand::Look => {}
-            Hand::Carry(held) => {
+            PointerAction::Open => {}
+            PointerAction::GivenUp => cx.view.is_moving = false,
+            PointerAction::Orbit if way != Vec2::ZERO => camera_navigation::orbit(cx, way),
+            PointerAction::Pan if way != Vec2::ZERO => camera_navigation::pan(cx, sight, way),
+            PointerAction::Look if way != Vec2::ZERO => camera_navigation::look(cx, way),
+            PointerAction::Orbit | PointerAction::Pan | PointerAction::Look => {}
+            PointerAction::Carry(held) => {
                 held.at += step;
                 if let Some(way) = held.by.to(&sight.lens, held.at, modifiers.alt, care) {
-                    held.load.apply(cx.editor, &Change::Move(way));
+                    held.load.apply(cx.editor, &GizmoChange::Move(way));
                     held.amount = Some(carried(way));
                 }
             }
-            Hand::Aim(held) => {
+            PointerAction::Aim(held) => {
                 if let Some(place) = held.by.to(sight, sight.at(pos)) {
                     held.amount = held.load.bring_to(cx.editor, place).map(carried);
                 }
             }
-            Hand::Pull(held) => {
+            PointerAction::Pull(held) => {
                 held.at += step;
                 if let Some((change, amount)) = held.by.to(&sight.lens, held.at, care) {
                     held.load.apply(cx.editor, &change);
@@ -215,13 +215,13 @@ impl Hands {
     }
 
     /// Chooses what is under the pointer: at the same place as before, what is behind.
-    fn click(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
+    fn click(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, pos: Pos2) {
         let modifiers = ui.input(|input| input.modifiers);
         let things = sight.things_at(cx, sight.at(pos));
         let is_again = self
             .click
             .is_some_and(|click| click.pos.distance(pos) <= SAME_PLACE && click.camera == sight.camera);
-        self.click = Some(Click { pos, camera: sight.camera });
+        self.click = Some(LastClick { pos, camera: sight.camera });
         cx.editor.settle();
         let mut selection = cx.editor.selection().clone();
         let toggles = modifiers.shift || modifiers.command || modifiers.ctrl;
@@ -240,12 +240,12 @@ impl Hands {
     }
 
     /// Puts the highlight of the light that is aimed where a click is; clicks on lights choose them.
-    fn click_to_aim(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
+    fn click_to_aim(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, pos: Pos2) {
         let at = sight.at(pos);
-        if matches!(sight.target(cx, None, at), Target::Mark(_) | Target::Arrow(_)) {
+        if matches!(sight.target(cx, None, at), PointerTarget::Mark(_) | PointerTarget::Arrow(_)) {
             return self.click(ui, cx, sight, pos);
         }
-        if let Some(Hand::Aim(held)) = aim(cx, sight, at, false)
+        if let Some(PointerAction::Aim(held)) = aim(cx, sight, at, false)
             && let Some(place) = held.by.to(sight, at)
         {
             held.load.bring_to(cx.editor, place);
@@ -254,7 +254,7 @@ impl Hands {
     }
 
     /// The menu is about what is under the pointer.
-    fn choose_for_menu(&self, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
+    fn choose_for_menu(&self, cx: &mut Cx<'_>, sight: &VisiblePicture, pos: Pos2) {
         let things = sight.things_at(cx, sight.at(pos));
         if let Some(first) = things.first().filter(|_| self.opens_menu())
             && !things.iter().any(|thing| cx.editor.selection().contains(*thing))
@@ -269,17 +269,17 @@ impl Hands {
         &mut self,
         ui: &Ui,
         cx: &mut Cx<'_>,
-        (sight, response): (&Sight, &Response),
+        (sight, response): (&VisiblePicture, &Response),
         gizmo: Option<&Gizmo>,
     ) {
         let before = self.over;
         let pointer = ui.input(|input| input.pointer.hover_pos());
-        let is_open = matches!(self.hand, Hand::Open);
+        let is_open = matches!(self.hand, PointerAction::Open);
         let at = pointer.filter(|_| is_open && response.hovered()).map(|pos| sight.at(pos));
         self.over = at.map(|at| sight.target(cx, gizmo, at));
         // Also behind handles: those of a selected body stand in its middle.
         cx.view.seen = at.and_then(|at| sight.seen_at(at));
-        let body = |over| if let Some(Target::Body { index, .. }) = over { Some(index) } else { None };
+        let body = |over| if let Some(PointerTarget::Body { index, .. }) = over { Some(index) } else { None };
         if self.over.is_some() {
             cx.view.hovered_body = body(self.over);
         } else if before.is_some() {
@@ -294,18 +294,24 @@ impl Hands {
     fn cursor(&self, cx: &Cx<'_>) -> Option<CursorIcon> {
         let scene = cx.editor.scene();
         match (&self.hand, self.over) {
-            (Hand::Orbit | Hand::Look, _) => Some(CursorIcon::AllScroll),
-            (Hand::Pan, _) => Some(CursorIcon::Move),
-            (Hand::Carry(_) | Hand::Pull(_) | Hand::Aim(_), _) => Some(CursorIcon::Grabbing),
-            (Hand::GivenUp, _) => None,
-            (Hand::Open, Some(Target::Arrow(_))) => Some(CursorIcon::PointingHand),
-            (Hand::Open, Some(_)) if cx.view.is_auditing || cx.view.is_aiming => Some(CursorIcon::Crosshair),
-            (Hand::Open, Some(Target::Handle(_))) => Some(CursorIcon::Grab),
-            (Hand::Open, Some(Target::Mark(item))) => Some(grab_or_point(item.is_locked(scene))),
-            (Hand::Open, Some(Target::Body { index, .. })) => {
+            (PointerAction::Orbit | PointerAction::Look, _) => Some(CursorIcon::AllScroll),
+            (PointerAction::Pan, _) => Some(CursorIcon::Move),
+            (PointerAction::Carry(_) | PointerAction::Pull(_) | PointerAction::Aim(_), _) => {
+                Some(CursorIcon::Grabbing)
+            }
+            (PointerAction::GivenUp, _) => None,
+            (PointerAction::Open, Some(PointerTarget::Arrow(_))) => Some(CursorIcon::PointingHand),
+            (PointerAction::Open, Some(_)) if cx.view.is_auditing || cx.view.is_aiming => {
+                Some(CursorIcon::Crosshair)
+            }
+            (PointerAction::Open, Some(PointerTarget::Handle(_))) => Some(CursorIcon::Grab),
+            (PointerAction::Open, Some(PointerTarget::Mark(item))) => {
+                Some(grab_or_point(item.is_locked(scene)))
+            }
+            (PointerAction::Open, Some(PointerTarget::Body { index, .. })) => {
                 Some(grab_or_point(Item::Body(index).is_locked(scene)))
             }
-            (Hand::Open, _) => None,
+            (PointerAction::Open, _) => None,
         }
     }
 }
@@ -315,10 +321,10 @@ fn grab_or_point(is_locked: bool) -> CursorIcon {
 }
 
 /// The parts of a move that are worth telling.
-fn carried(way: glam::DVec3) -> Amount {
+fn carried(way: glam::DVec3) -> DragAmount {
     let is_upright = way.y != 0.0;
     let is_level = way.x != 0.0 || way.z != 0.0 || !is_upright;
-    Amount::Meters([
+    DragAmount::Meters([
         Some(way.x).filter(|_| is_level),
         Some(way.y).filter(|_| is_upright),
         Some(way.z).filter(|_| is_level),
@@ -328,11 +334,11 @@ fn carried(way: glam::DVec3) -> Amount {
 /// Takes hold of a thing: it is selected, and all that is selected goes with it. Locked things stay.
 fn carry(
     cx: &mut Cx<'_>,
-    sight: &Sight,
+    sight: &VisiblePicture,
     (item, grabbed): (Item, Option<glam::DVec3>),
     at: DVec2,
     is_upright: bool,
-) -> Option<Hand> {
+) -> Option<PointerAction> {
     if item.is_locked(cx.editor.scene()) {
         return None;
     }
@@ -347,29 +353,35 @@ fn carry(
     let scene = cx.editor.scene();
     let lead = place_of(scene, item)?;
     let is_free = cx.view.free_camera.is_some();
-    let load = Load::take(scene, cx.editor.selection(), is_free, "edit-move")?;
-    let by = Carry::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at, is_upright);
-    Some(Hand::Carry(Box::new(Held { by, load, at, amount: None })))
+    let load = DragPayload::take(scene, cx.editor.selection(), is_free, "edit-move")?;
+    let by = ItemDrag::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at, is_upright);
+    Some(PointerAction::Carry(Box::new(ActiveDrag { by, load, at, amount: None })))
 }
 
 /// Takes hold of a light by what it does at a place: the selected one, or else the first that is shown and not locked.
-fn aim(cx: &mut Cx<'_>, sight: &Sight, at: DVec2, by_shadow: bool) -> Option<Hand> {
+fn aim(cx: &mut Cx<'_>, sight: &VisiblePicture, at: DVec2, by_shadow: bool) -> Option<PointerAction> {
     let scene = cx.editor.scene();
     let is_free = |item: &Item| !item.is_locked(scene) && !item.is_hidden(scene);
     let all = (0..scene.lights.len()).map(Item::Light);
     let selected = cx.editor.selection().lights().map(Item::Light).find(is_free);
     let item = selected.or_else(|| all.into_iter().find(is_free))?;
     let Item::Light(light) = item else { return None };
-    let by = Aim::begin(sight, scene, light, at, by_shadow)?;
+    let by = LightAim::begin(sight, scene, light, at, by_shadow)?;
     if cx.editor.selection().primary() != Some(item) {
         cx.editor.select(item);
     }
-    let load = Load::take(cx.editor.scene(), &item.into(), false, "edit-aim-light")?;
-    Some(Hand::Aim(Box::new(Held { by, load, at, amount: None })))
+    let load = DragPayload::take(cx.editor.scene(), &item.into(), false, "edit-aim-light")?;
+    Some(PointerAction::Aim(Box::new(ActiveDrag { by, load, at, amount: None })))
 }
 
 /// Takes hold of a handle.
-fn pull(cx: &Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>, handle: Handle, at: DVec2) -> Option<Hand> {
+fn pull(
+    cx: &Cx<'_>,
+    sight: &VisiblePicture,
+    gizmo: Option<&Gizmo>,
+    handle: GizmoHandle,
+    at: DVec2,
+) -> Option<PointerAction> {
     let gizmo = *gizmo?;
     let key = match gizmo.tool {
         Tool::Move => "edit-move",
@@ -377,9 +389,9 @@ fn pull(cx: &Cx<'_>, sight: &Sight, gizmo: Option<&Gizmo>, handle: Handle, at: D
         Tool::Scale => "edit-scale",
     };
     let is_free = cx.view.free_camera.is_some();
-    let load = Load::take(cx.editor.scene(), cx.editor.selection(), is_free, key)?;
-    let by = Pull::begin(gizmo, handle, &sight.lens, at)?;
-    Some(Hand::Pull(Box::new(Held { by, load, at, amount: None })))
+    let load = DragPayload::take(cx.editor.scene(), cx.editor.selection(), is_free, key)?;
+    let by = HandleDrag::begin(gizmo, handle, &sight.lens, at)?;
+    Some(PointerAction::Pull(Box::new(ActiveDrag { by, load, at, amount: None })))
 }
 
 /// The gizmo at what is selected and can be moved; its center is in the middle of the things' places.

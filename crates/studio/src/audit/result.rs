@@ -6,37 +6,37 @@ use catoptric_lab::audit::{Audit, AuditError, AuditSettings, Node, NodeKind, Ray
 use catoptric_scene::Scene;
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
-use super::Pin;
+use super::PinnedPixel;
 use super::clock::LightSpan;
-use super::ways::{self, Way};
+use super::segments::{self, RaySegment};
 
 /// What was found out about a pixel.
-pub(crate) struct Found {
+pub(crate) struct AuditResult {
     /// Tells it from others.
     pub(crate) serial: u64,
-    pub(crate) pin: Pin,
+    pub(crate) pin: PinnedPixel,
     /// The scene that was looked into.
     pub(crate) scene: Arc<Scene>,
     pub(crate) audit: Arc<Audit>,
     /// The ways of its rays in space.
-    pub(crate) ways: Vec<Way>,
+    pub(crate) ways: Vec<RaySegment>,
     /// How many ways there would be besides.
     pub(crate) ways_left_out: usize,
     /// The optical paths along which something happens.
     pub(crate) span: LightSpan,
     /// How it was before the last change of the scene.
-    pub(crate) before: Option<Before>,
+    pub(crate) before: Option<EarlierAudit>,
 }
 
 /// An earlier audit of the same pixel.
-pub(crate) struct Before {
+pub(crate) struct EarlierAudit {
     pub(crate) audit: Arc<Audit>,
     pub(crate) scene: Arc<Scene>,
     /// For each ray the one that it was, if there was one.
     twins: Vec<Option<usize>>,
 }
 
-impl Before {
+impl EarlierAudit {
     /// The ray that this one was, and its place.
     pub(crate) fn twin(&self, place: usize) -> Option<(usize, &Node)> {
         let twin = (*self.twins.get(place)?)?;
@@ -45,34 +45,35 @@ impl Before {
 }
 
 /// What is to be found out.
-pub(super) struct Order {
+pub(super) struct AuditRequest {
     pub(super) serial: u64,
-    pub(super) pin: Pin,
+    pub(super) pin: PinnedPixel,
     pub(super) scene: Arc<Scene>,
     pub(super) stage: Arc<Stage>,
     pub(super) before: Option<(Arc<Audit>, Arc<Scene>)>,
 }
 
-impl Order {
+impl AuditRequest {
     /// Traces the pixel, one ray through its middle.
-    pub(super) fn carry_out(self, control: &Control) -> Result<Found, AuditError> {
+    pub(super) fn carry_out(self, control: &Control) -> Result<AuditResult, AuditError> {
         let Self { serial, pin, scene, stage, before } = self;
         let picture = RenderSettings { width: pin.size.x, height: pin.size.y, samples: 1 };
         let settings = AuditSettings { picture, ..AuditSettings::default() };
         let camera = stage.camera_for(&pin.camera);
         let audit = audit(&scene, &stage, &camera, pin.pixel, &settings, control)?;
         let tree = audit.trees.first();
-        let (ways, ways_left_out) = tree.map(|tree| ways::of_tree(tree, &scene, &pin)).unwrap_or_default();
+        let (ways, ways_left_out) =
+            tree.map(|tree| segments::of_tree(tree, &scene, &pin)).unwrap_or_default();
         let span = LightSpan::of_ways(&ways);
         let before = before.map(|(old, scene)| {
             let twins = tree.zip(old.trees.first()).map(|(new, old)| twins(new, old)).unwrap_or_default();
-            Before { audit: old, scene, twins }
+            EarlierAudit { audit: old, scene, twins }
         });
-        Ok(Found { serial, pin, scene, audit: Arc::new(audit), ways, ways_left_out, span, before })
+        Ok(AuditResult { serial, pin, scene, audit: Arc::new(audit), ways, ways_left_out, span, before })
     }
 }
 
-impl Found {
+impl AuditResult {
     /// The tree of the ray through the pixel's middle.
     pub(crate) fn tree(&self) -> Option<&RayTree> {
         self.audit.trees.first()

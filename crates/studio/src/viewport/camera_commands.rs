@@ -1,10 +1,10 @@
 //! Moves of the camera that commands ask for.
 
-use catoptric_editor::navigate::{self, Axis};
+use catoptric_editor::navigate::{self, ViewSide};
 use catoptric_editor::{Label, bounds};
 use catoptric_scene::Camera;
 
-use super::glide::Glide;
+use super::camera_transition::CameraTransition;
 use crate::app::Studio;
 
 /// Moves the camera of the view, as far as the scene's range goes: the free one, or else the scene's as one step of the
@@ -34,7 +34,7 @@ pub(crate) fn set_scene_camera(studio: &mut Studio, key: &'static str, camera: C
 
 /// Lets the eye follow a jump of the camera.
 fn glide_from(studio: &mut Studio, before: Camera) {
-    let glide = Glide::new(before, studio.view.camera(studio.editor.scene()));
+    let glide = CameraTransition::new(before, studio.view.camera(studio.editor.scene()));
     studio.view.eased = glide.map(|_| before);
     studio.panes.viewport.glide = glide;
 }
@@ -50,7 +50,7 @@ pub(crate) fn frame(studio: &mut Studio, all: bool) {
 }
 
 /// Looks along an axis, in the free view: the scene's camera stays.
-pub(crate) fn look_along(studio: &mut Studio, axis: Axis) {
+pub(crate) fn look_along(studio: &mut Studio, axis: ViewSide) {
     let camera = studio.view.camera(studio.editor.scene());
     studio.view.free_camera = Some(navigate::look_along(&camera, axis, camera.target));
     glide_from(studio, camera);

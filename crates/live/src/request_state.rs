@@ -12,19 +12,19 @@ use catoptric_tracer::{RayCounts, Stage, StageCamera, StageEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use crate::canvas::{Canvas, Card, PassError};
-use crate::drawn::Drawn;
+use crate::canvas::{Canvas, CardRenderer, PassError};
 use crate::frame::{GridLine, Polyline};
-use crate::outline::Outlines;
-use crate::request::{Request, Shows};
-use crate::shared::Wait;
+use crate::method_picture::MethodPicture;
+use crate::outline::OutlineTracer;
+use crate::request::{DisplayContent, Request};
+use crate::shared::WaitLimit;
 use crate::status::LiveError;
 
 /// A hand that holds still this long lets the picture sharpen, though it holds something.
 const STILL: Duration = Duration::from_millis(150);
 
 /// A request, what was found for it so far, and what is still due.
-pub(crate) struct View {
+pub(crate) struct RequestState {
     pub(crate) request: Request,
     pub(crate) stage: Arc<Stage>,
     pub(crate) camera: StageCamera,
@@ -35,13 +35,13 @@ pub(crate) struct View {
     /// A film of the full size that is not in use; a new one takes as long as a coarse picture.
     spare: Option<Canvas>,
     /// What a method other than Whitted's has drawn.
-    pub(crate) drawn: Option<Drawn>,
+    pub(crate) drawn: Option<MethodPicture>,
     /// Whether the stage has changed since cube maps of the full size were made.
     pub(crate) has_old_maps: bool,
-    pub(crate) shown: Shown,
-    outlines: Option<Outlines>,
-    hover: Option<Outlines>,
-    pub(crate) due: Due,
+    pub(crate) shown: LastFrame,
+    outlines: Option<OutlineTracer>,
+    hover: Option<OutlineTracer>,
+    pub(crate) due: StaleParts,
     /// The last request had nothing to trace: the view waits, for what it has to be of use to the next one.
     pub(crate) is_at_rest: bool,
     /// When the picture changed last.
@@ -50,11 +50,11 @@ pub(crate) struct View {
 
 /// What the last frame showed.
 #[derive(Default)]
-pub(crate) struct Shown {
+pub(crate) struct LastFrame {
     pub(crate) pixels: Arc<Vec<u8>>,
     pub(crate) card: Option<Arc<GpuPicture>>,
     pub(crate) size: [u32; 2],
-    pub(crate) shows: Shows,
+    pub(crate) shows: DisplayContent,
     pub(crate) outline: Arc<Vec<Polyline>>,
     pub(crate) hover: Arc<Vec<Polyline>>,
     pub(crate) grid: Arc<Vec<GridLine>>,
@@ -65,7 +65,7 @@ pub(crate) struct Shown {
 
 /// What a change has made out of date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Due {
+pub(crate) struct StaleParts {
     /// All light; the first picture is coarse.
     pub(crate) picture: bool,
     /// The codes of the light.
@@ -76,13 +76,13 @@ pub(crate) struct Due {
     pub(crate) frame: bool,
 }
 
-impl Due {
+impl StaleParts {
     pub(crate) const ALL: Self = Self { picture: true, development: true, overlays: true, frame: true };
     pub(crate) const NOTHING: Self =
         Self { picture: false, development: false, overlays: false, frame: false };
 }
 
-impl View {
+impl RequestState {
     /// A view of a request in a prepared stage.
     pub(crate) fn new(request: Request, stage: Arc<Stage>) -> Self {
         let camera = stage.camera_for(&request.camera);
@@ -97,8 +97,8 @@ impl View {
             spare: None,
             drawn: None,
             has_old_maps: false,
-            shown: Shown::default(),
-            due: Due::ALL,
+            shown: LastFrame::default(),
+            due: StaleParts::ALL,
             is_at_rest: false,
             changed: Instant::now(),
         }
@@ -117,7 +117,7 @@ impl View {
         let before = &self.request;
         let picture = !is_same_stage || request.camera != before.camera || request.size != before.size;
         let picture = picture || request.method != before.method;
-        let due = Due {
+        let due = StaleParts {
             picture: picture || self.due.picture,
             development: self.due.development
                 || request.development != before.development
@@ -152,7 +152,11 @@ impl View {
     }
 
     /// A film of this size for a new picture, which takes the place of the one before; on `card` if there is one.
-    pub(crate) fn blank_film(&mut self, card: Option<&Card>, size: [u32; 2]) -> Result<Canvas, PassError> {
+    pub(crate) fn blank_film(
+        &mut self,
+        card: Option<&CardRenderer>,
+        size: [u32; 2],
+    ) -> Result<Canvas, PassError> {
         let mut blank = None;
         // While a sharper picture is traced, the present one stays: it may have to be developed again.
         let film = if self.due.picture { self.film.take() } else { None };
@@ -181,17 +185,17 @@ impl View {
     }
 
     /// How long there is nothing to do.
-    pub(crate) fn wait(&self) -> Wait {
+    pub(crate) fn wait(&self) -> WaitLimit {
         if self.is_at_rest {
-            Wait::ForEver
-        } else if self.due != Due::NOTHING {
-            Wait::No
+            WaitLimit::ForEver
+        } else if self.due != StaleParts::NOTHING {
+            WaitLimit::No
         } else if self.request.paused || self.is_refined() {
-            Wait::ForEver
+            WaitLimit::ForEver
         } else if self.request.moving && self.changed.elapsed() < STILL {
-            Wait::Until(self.changed + STILL)
+            WaitLimit::Until(self.changed + STILL)
         } else {
-            Wait::No
+            WaitLimit::No
         }
     }
 
@@ -223,7 +227,7 @@ impl View {
     pub(crate) fn trace_overlays(&mut self) {
         let Request { scene, camera, grid, .. } = &self.request;
         let size = DVec2::from(self.request.size.map(f64::from));
-        let trace = |outlines: &Option<Outlines>| {
+        let trace = |outlines: &Option<OutlineTracer>| {
             let lines =
                 outlines.as_ref().map(|outlines| outlines.trace(scene, &self.stage, &self.camera, size));
             Arc::new(lines.unwrap_or_default())
@@ -244,8 +248,8 @@ fn hovered(request: &Request) -> &[usize] {
     }
 }
 
-fn outlines(request: &Request, stage: &Stage, bodies: &[usize]) -> Option<Outlines> {
-    (!bodies.is_empty()).then(|| Outlines::new(&request.scene, stage, bodies))
+fn outlines(request: &Request, stage: &Stage, bodies: &[usize]) -> Option<OutlineTracer> {
+    (!bodies.is_empty()).then(|| OutlineTracer::new(&request.scene, stage, bodies))
 }
 
 /// Whether a request, seen while another is worked on, asks for something that should not wait.
@@ -264,7 +268,7 @@ pub(crate) fn is_new(new: &Request, current: &Request) -> bool {
 }
 
 /// How the stage of one request becomes that of the next.
-pub(crate) enum Step {
+pub(crate) enum SceneUpdate {
     /// Nothing that is traced is different, apart from the camera.
     Same,
     /// A few bodies are, or the lights.
@@ -273,13 +277,13 @@ pub(crate) enum Step {
     Anew,
 }
 
-impl View {
+impl RequestState {
     /// What has to be done to the stage for another request; on the current rayon pool.
-    pub(crate) fn step_to(&self, new: &Request) -> Step {
+    pub(crate) fn step_to(&self, new: &Request) -> SceneUpdate {
         let (before, after) = (&*self.request.scene, &*new.scene);
-        let Some(changed) = changed_bodies(&self.request, new) else { return Step::Anew };
+        let Some(changed) = changed_bodies(&self.request, new) else { return SceneUpdate::Anew };
         if !self.stage.suits(after, &new.camera) {
-            return Step::Anew;
+            return SceneUpdate::Anew;
         }
         let lights = |scene: &Scene| scene.lights.iter().map(traced_light).collect::<Vec<_>>();
         let is_same = changed.is_empty()
@@ -288,9 +292,9 @@ impl View {
             && before.materials == after.materials
             && lights(before) == lights(after);
         if is_same {
-            return Step::Same;
+            return SceneUpdate::Same;
         }
-        self.stage.edit(before, after, &changed).map_or(Step::Anew, Step::Edit)
+        self.stage.edit(before, after, &changed).map_or(SceneUpdate::Anew, SceneUpdate::Edit)
     }
 }
 

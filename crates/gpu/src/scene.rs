@@ -5,37 +5,37 @@ use catoptric_tracer::{Stage, StageCamera};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
-use crate::pictures::PicturesOnCard;
-use crate::upload::Array;
+use crate::scene_images::GpuSceneImages;
+use crate::upload::GpuArray;
 
 /// A stage in the memory of a card. It follows edits and sends only what they changed.
-pub struct StageOnCard {
-    bodies: Array,
-    scene_order: Array,
-    boxes: Array,
-    materials: Array,
-    checkers: Array,
-    lights: Array,
-    pub(crate) pictures: PicturesOnCard,
+pub struct GpuScene {
+    bodies: GpuArray,
+    scene_order: GpuArray,
+    boxes: GpuArray,
+    materials: GpuArray,
+    checkers: GpuArray,
+    lights: GpuArray,
+    pub(crate) pictures: GpuSceneImages,
     /// What bodies and boxes are up to date with, and whether the order of volumes is known.
     state: Option<(u64, bool)>,
     contents: Contents,
 }
 
-impl StageOnCard {
+impl GpuScene {
     /// Makes room for a stage.
     ///
     /// # Errors
     /// When the card is lost or has no memory at all.
     pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         Ok(Self {
-            bodies: Array::empty(gpu, "bodies")?,
-            scene_order: Array::empty(gpu, "places of bodies")?,
-            boxes: Array::empty(gpu, "boxes")?,
-            materials: Array::compared(gpu, "materials")?,
-            checkers: Array::compared(gpu, "checkers")?,
-            lights: Array::compared(gpu, "lights")?,
-            pictures: PicturesOnCard::empty(gpu)?,
+            bodies: GpuArray::empty(gpu, "bodies")?,
+            scene_order: GpuArray::empty(gpu, "places of bodies")?,
+            boxes: GpuArray::empty(gpu, "boxes")?,
+            materials: GpuArray::compared(gpu, "materials")?,
+            checkers: GpuArray::compared(gpu, "checkers")?,
+            lights: GpuArray::compared(gpu, "lights")?,
+            pictures: GpuSceneImages::empty(gpu)?,
             state: None,
             contents: Contents::default(),
         })
@@ -100,6 +100,6 @@ impl StageOnCard {
     /// The arrays but the pictures, in the order of the shader's bindings.
     pub(crate) fn bindings(&self) -> [wgpu::BindingResource<'_>; 6] {
         [&self.bodies, &self.scene_order, &self.boxes, &self.materials, &self.checkers, &self.lights]
-            .map(Array::binding)
+            .map(GpuArray::binding)
     }
 }

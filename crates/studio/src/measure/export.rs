@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use catoptric_lab::measure::Measured;
+use catoptric_lab::measure::Measurement;
 use catoptric_lab::report::{Language, study};
 
 use crate::app::Studio;
-use crate::exports::{self, Export, Failure};
+use crate::exports::{self, Export, ExportFailure};
 use crate::host::{FileKind, FileQuestion};
 use crate::methods::report_language;
 use crate::pictures::plain_name;
@@ -25,21 +25,21 @@ pub(super) fn ask(studio: &mut Studio) {
         name: format!("{}-{}", plain_name(&measured.name), parameters.join("-")),
     };
     let language = report_language(&studio.texts);
-    exports::ask(studio, question, Chapter { measured, language });
+    exports::ask(studio, question, MeasurementExport { measured, language });
 }
 
-struct Chapter {
-    measured: Arc<Measured>,
+struct MeasurementExport {
+    measured: Arc<Measurement>,
     language: Language,
 }
 
-impl Export for Chapter {
-    fn write(&self, path: &Path) -> Result<(), Failure> {
-        let study =
-            study(&self.measured, self.language).map_err(|error| Failure::Content(error.to_string()))?;
-        std::fs::create_dir_all(path).map_err(Failure::Folder)?;
+impl Export for MeasurementExport {
+    fn write(&self, path: &Path) -> Result<(), ExportFailure> {
+        let study = study(&self.measured, self.language)
+            .map_err(|error| ExportFailure::Content(error.to_string()))?;
+        std::fs::create_dir_all(path).map_err(ExportFailure::Folder)?;
         for (name, bytes) in &study.files {
-            catoptric_files::write_bytes(&path.join(name), bytes).map_err(Failure::Write)?;
+            catoptric_files::write_bytes(&path.join(name), bytes).map_err(ExportFailure::Write)?;
         }
         Ok(())
     }

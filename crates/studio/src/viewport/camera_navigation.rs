@@ -5,8 +5,8 @@ use catoptric_scene::{Camera, Scene, Shape};
 use egui::{Key, Modifiers, Ui, Vec2, ViewportCommand, viewport::CursorGrab};
 use glam::DVec3;
 
-use super::sight::Sight;
-use super::steering::{Heading, Listener, Steering};
+use super::steering::{Heading, KeyListener, Steering};
+use super::visible_picture::VisiblePicture;
 use crate::command::Command;
 use crate::context::Cx;
 
@@ -25,7 +25,7 @@ const KEY_DOLLY: f64 = 1.0;
 
 /// What is kept about moving the camera.
 #[derive(Debug)]
-pub(crate) struct Travel {
+pub(crate) struct CameraNavigation {
     /// Until when the wheel's or the keys' gesture stays open, seconds.
     open_until: Option<f64>,
     /// Factor of the speed of flight, set with the wheel.
@@ -36,7 +36,7 @@ pub(crate) struct Travel {
     steering: Steering,
 }
 
-impl Default for Travel {
+impl Default for CameraNavigation {
     fn default() -> Self {
         Self { open_until: None, speed: 1.0, is_caught: false, steering: Steering::default() }
     }
@@ -102,7 +102,7 @@ fn floors(scene: &Scene) -> Vec<(DVec3, DVec3)> {
 }
 
 /// Shifts the picture as the pointer goes.
-pub(crate) fn pan(cx: &mut Cx<'_>, sight: &Sight, way: Vec2) {
+pub(crate) fn pan(cx: &mut Cx<'_>, sight: &VisiblePicture, way: Vec2) {
     let present = camera(cx);
     let meters = sight.lens.meters_per_point(present.target);
     let shifted = navigate::pan(&present, -f64::from(way.x) * meters, f64::from(way.y) * meters);
@@ -115,7 +115,7 @@ pub(crate) fn look(cx: &mut Cx<'_>, way: Vec2) {
     steer(cx, "edit-fly", turned);
 }
 
-impl Travel {
+impl CameraNavigation {
     /// Keeps the gesture of the wheel or the keys open for a while.
     fn keep_open(&mut self, ui: &Ui) {
         self.open_until = Some(ui.input(|input| input.time) + PAUSE);
@@ -135,7 +135,7 @@ impl Travel {
     }
 
     /// Comes closer to what is under the pointer, or goes away from it, with the wheel or two fingers.
-    pub(crate) fn wheel(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
+    pub(crate) fn wheel(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
         let (way, zoom, pointer) =
             ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta(), input.pointer.hover_pos()));
         let Some(pointer) = pointer else { return };
@@ -165,7 +165,7 @@ impl Travel {
     }
 
     /// Takes up the keys of this frame, and for whom they are.
-    pub(crate) fn listen(&mut self, ui: &Ui, cx: &Cx<'_>, listener: Listener) {
+    pub(crate) fn listen(&mut self, ui: &Ui, cx: &Cx<'_>, listener: KeyListener) {
         self.steering.update(ui, cx.held_keys, listener);
     }
 
@@ -176,7 +176,7 @@ impl Travel {
     }
 
     /// Moves the camera by the keys that are held for the picture.
-    pub(crate) fn keys(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
+    pub(crate) fn keys(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
         let seconds = |way, opposite| self.steering.seconds(way, opposite);
         let arrows = [seconds(Heading::Right, Heading::Left), seconds(Heading::Up, Heading::Down)];
         let dolly = seconds(Heading::Forward, Heading::Back);

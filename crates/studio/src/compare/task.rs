@@ -6,24 +6,24 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use catoptric_lab::Variant;
 use catoptric_lab::compare::{
-    CompareError, Compared, Contender, Job as Drawing, compare, draw_all, reason_picture,
+    CompareError, CompareJob as Drawing, Contender, MethodComparison, compare, draw_all, reason_picture,
 };
 use catoptric_picture::{Development, HeatMap, Picture, ReadError, SizeError, heat_map, read};
 use catoptric_scene::Scene;
 use catoptric_tracer::{Control, RenderSettings};
 use egui::{ColorImage, Context};
 
-use super::{Key, Source};
-use crate::documents::job::{Job, Progress};
+use super::{ComparedPicture, ComparisonKey};
+use crate::documents::job::{Job, JobStatus};
 use crate::pictures::proof_of;
 
 /// The difference of a channel from which on a pixel counts as wrong: that of `catoptric compare`.
 const BOUND: f64 = 1.0 / 255.0;
 
 /// What was found.
-pub(super) struct Found {
-    pub(super) key: Key,
-    pub(super) compared: Compared,
+pub(super) struct CompareResult {
+    pub(super) key: ComparisonKey,
+    pub(super) compared: MethodComparison,
     /// The end of the scale of differences.
     pub(super) scale: f64,
     pub(super) difference: ColorImage,
@@ -39,7 +39,7 @@ pub(super) struct Found {
 
 /// Why there is no comparison.
 #[derive(Debug)]
-pub(super) enum Failure {
+pub(super) enum CompareFailure {
     Cancelled,
     /// A file cannot be read.
     Read(PathBuf, String),
@@ -52,22 +52,22 @@ pub(super) enum Failure {
 }
 
 /// A comparison under way.
-pub(super) struct Running {
-    pub(super) key: Key,
+pub(super) struct CompareTask {
+    pub(super) key: ComparisonKey,
     control: Arc<Control>,
     steps: Arc<[AtomicUsize; 2]>,
-    job: Job<Result<Found, Failure>>,
+    job: Job<Result<CompareResult, CompareFailure>>,
 }
 
-impl Running {
+impl CompareTask {
     pub(super) fn start(
         context: &Context,
-        key: Key,
+        key: ComparisonKey,
         scene: Arc<Scene>,
         name: String,
     ) -> std::io::Result<Self> {
         let (control, steps) = (Arc::new(Control::default()), Arc::<[AtomicUsize; 2]>::default());
-        let work = Work {
+        let work = CompareWork {
             key: key.clone(),
             scene,
             name,
@@ -89,23 +89,23 @@ impl Running {
     }
 
     /// The result, once, when there is one.
-    pub(super) fn result(&self) -> Option<Result<Found, Failure>> {
+    pub(super) fn result(&self) -> Option<Result<CompareResult, CompareFailure>> {
         match self.job.poll() {
-            Progress::Waiting => None,
-            Progress::Done(result) => Some(result),
-            Progress::Lost => Some(Err(Failure::Fault(String::new()))),
+            JobStatus::Waiting => None,
+            JobStatus::Done(result) => Some(result),
+            JobStatus::Lost => Some(Err(CompareFailure::Fault(String::new()))),
         }
     }
 }
 
-impl Drop for Running {
+impl Drop for CompareTask {
     fn drop(&mut self) {
         self.cancel();
     }
 }
 
-struct Work {
-    key: Key,
+struct CompareWork {
+    key: ComparisonKey,
     scene: Arc<Scene>,
     name: String,
     control: Arc<Control>,
@@ -113,36 +113,36 @@ struct Work {
     context: Context,
 }
 
-impl Work {
-    fn run(self) -> Result<Found, Failure> {
+impl CompareWork {
+    fn run(self) -> Result<CompareResult, CompareFailure> {
         let files = self.read_files()?;
         let size = match (&self.key.view, files.iter().flatten().next()) {
             // Where one is a file, the other is drawn as large as that.
             (_, Some(file)) => [file.picture.width(), file.picture.height()],
             (Some(view), None) => view.size,
-            (None, None) => return Err(Failure::Cancelled),
+            (None, None) => return Err(CompareFailure::Cancelled),
         };
         let mut sizes = files.iter().flatten().map(|file| [file.picture.width(), file.picture.height()]);
         if let Some(other) = sizes.find(|other| *other != size) {
-            return Err(Failure::Sizes(size, other));
+            return Err(CompareFailure::Sizes(size, other));
         }
         // The common threads of the program, of which there is one for each processor.
         let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let contenders = self.contenders(files, size)?;
         let compared = compare(contenders, BOUND)?;
         if self.control.is_cancelled() {
-            return Err(Failure::Cancelled);
+            return Err(CompareFailure::Cancelled);
         }
-        Found::new(self.key, compared, (self.name, self.scene), threads)
+        CompareResult::new(self.key, compared, (self.name, self.scene), threads)
     }
 
-    fn read_files(&self) -> Result<[Option<Contender>; 2], Failure> {
+    fn read_files(&self) -> Result<[Option<Contender>; 2], CompareFailure> {
         let [a, b] = &self.key.sources;
-        let file = |source: &Source| -> Result<Option<Contender>, Failure> {
+        let file = |source: &ComparedPicture| -> Result<Option<Contender>, CompareFailure> {
             match source {
-                Source::Method(_) => Ok(None),
-                Source::File(path) => {
-                    let picture = read(path).map_err(|error| Failure::of_file(path, &error))?;
+                ComparedPicture::Method(_) => Ok(None),
+                ComparedPicture::File(path) => {
+                    let picture = read(path).map_err(|error| CompareFailure::of_file(path, &error))?;
                     Ok(Some(Contender { name: name_of(path), picture, drawn: None }))
                 }
             }
@@ -155,10 +155,10 @@ impl Work {
         &self,
         files: [Option<Contender>; 2],
         [width, height]: [u32; 2],
-    ) -> Result<Vec<Contender>, Failure> {
+    ) -> Result<Vec<Contender>, CompareFailure> {
         let variants = self.key.sources.iter().filter_map(|source| match source {
-            Source::Method(method) => Some(Variant::from(*method)),
-            Source::File(_) => None,
+            ComparedPicture::Method(method) => Some(Variant::from(*method)),
+            ComparedPicture::File(_) => None,
         });
         let variants: Vec<Variant> = variants.collect();
         let Some(view) = self.key.view.as_ref().filter(|_| !variants.is_empty()) else {
@@ -178,19 +178,19 @@ impl Work {
     }
 }
 
-impl Found {
+impl CompareResult {
     fn new(
-        key: Key,
-        compared: Compared,
+        key: ComparisonKey,
+        compared: MethodComparison,
         (name, scene): (String, Arc<Scene>),
         threads: usize,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, CompareFailure> {
         let scale = compared.scale();
-        let Some((other, metrics)) = compared.others().next() else { return Err(Failure::Cancelled) };
-        let Some(truth) = compared.truth() else { return Err(Failure::Cancelled) };
+        let Some((other, metrics)) = compared.others().next() else { return Err(CompareFailure::Cancelled) };
+        let Some(truth) = compared.truth() else { return Err(CompareFailure::Cancelled) };
         let options = HeatMap { legend: false, maximum: scale, ..HeatMap::default() };
         let difference = heat_map(&truth.picture, &other.picture, &options)
-            .map_err(|error| Failure::Compare(error.to_string()))?;
+            .map_err(|error| CompareFailure::Compare(error.to_string()))?;
         let flip = metrics.flip_map.heat_map(&HeatMap { maximum: 1.0, ..options })?;
         let reasons = other.drawn.as_ref().and_then(|drawn| drawn.reasons.as_ref());
         let reasons = reasons.map(reason_picture).transpose()?;
@@ -223,14 +223,14 @@ pub(super) fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-impl Failure {
+impl CompareFailure {
     fn of_file(path: &Path, error: &ReadError) -> Self {
         let reason = std::error::Error::source(error).map_or_else(|| error.to_string(), ToString::to_string);
         Self::Read(path.to_owned(), reason)
     }
 }
 
-impl From<CompareError> for Failure {
+impl From<CompareError> for CompareFailure {
     fn from(error: CompareError) -> Self {
         match error {
             CompareError::Cancelled => Self::Cancelled,
@@ -244,7 +244,7 @@ impl From<CompareError> for Failure {
     }
 }
 
-impl From<SizeError> for Failure {
+impl From<SizeError> for CompareFailure {
     fn from(error: SizeError) -> Self {
         Self::Compare(error.to_string())
     }

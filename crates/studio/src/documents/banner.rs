@@ -9,7 +9,7 @@ use egui::{
 };
 use egui_material_icons::icons;
 
-use super::ask::name_of;
+use super::file_prompt::name_of;
 use super::watch;
 use crate::app::Studio;
 use crate::layout::{self, Pane};
@@ -20,7 +20,7 @@ const PATIENCE: Duration = Duration::from_millis(300);
 
 /// The banner.
 #[derive(Default)]
-pub(super) struct Notice {
+pub(super) struct ProblemBanner {
     /// What it says: errors and warnings.
     banner: Option<(usize, usize)>,
     /// Whether the panel of problems is to be hidden again when there are none.

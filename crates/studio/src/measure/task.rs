@@ -4,22 +4,22 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use catoptric_lab::Machine;
-use catoptric_lab::measure::{MeasureError, Measured, Parameter, Plan, measure};
+use catoptric_lab::measure::{MeasureError, MeasurePlan, Measurement, Parameter, measure};
 use catoptric_tracer::Control;
 use catoptric_tracer::method::MethodError;
 use egui::Context;
 
-use super::form::Wrong;
-use crate::documents::job::{Job, Progress};
+use super::form::MeasureFormError;
+use crate::documents::job::{Job, JobStatus};
 
 /// The window is woken no more often than this: drawing it takes time that is being measured.
 const BETWEEN: Duration = Duration::from_millis(500);
 
 /// Why nothing was measured.
 #[derive(Debug)]
-pub(super) enum Failure {
+pub(super) enum MeasureFailure {
     /// What was typed makes no sense.
-    Form(Wrong),
+    Form(MeasureFormError),
     /// The method has nothing that the parameter could vary.
     Meaningless(Parameter),
     /// The method cannot draw it.
@@ -33,27 +33,28 @@ pub(super) enum Failure {
 }
 
 /// A measurement under way.
-pub(super) struct Running {
+pub(super) struct MeasureTask {
     control: Arc<Control>,
-    told: Arc<Mutex<Told>>,
-    job: Job<Result<Measured, MeasureError>>,
+    told: Arc<Mutex<MeasureProgress>>,
+    job: Job<Result<Measurement, MeasureError>>,
 }
 
 /// What the thread tells.
 #[derive(Clone, Default)]
-pub(super) struct Told {
+pub(super) struct MeasureProgress {
     /// Pictures measured, those of the warm-up counted.
     pub(super) done: usize,
     /// All there will be.
     pub(super) total: usize,
     /// The time that the rest will take, once it is known.
     pub(super) left: Option<Duration>,
-    measured: Option<Arc<Measured>>,
+    measured: Option<Arc<Measurement>>,
 }
 
-impl Running {
-    pub(super) fn start(context: &Context, plan: Plan) -> std::io::Result<Self> {
-        let (control, told) = (Arc::new(Control::default()), Arc::new(Mutex::new(Told::default())));
+impl MeasureTask {
+    pub(super) fn start(context: &Context, plan: MeasurePlan) -> std::io::Result<Self> {
+        let (control, told) =
+            (Arc::new(Control::default()), Arc::new(Mutex::new(MeasureProgress::default())));
         let (own_control, own_told, own_context) = (Arc::clone(&control), Arc::clone(&told), context.clone());
         let work = move || {
             let machine = Machine::here();
@@ -63,7 +64,7 @@ impl Running {
                     return;
                 }
                 woken = Some(Instant::now());
-                let measured = Measured {
+                let measured = Measurement {
                     name: plan.name.clone(),
                     axes: plan.axes.clone(),
                     points: progress.points.to_vec(),
@@ -72,8 +73,12 @@ impl Running {
                     machine: machine.clone(),
                 };
                 let measured = Some(Arc::new(measured));
-                *lock(&own_told) =
-                    Told { done: progress.done, total: progress.total, left: progress.left, measured };
+                *lock(&own_told) = MeasureProgress {
+                    done: progress.done,
+                    total: progress.total,
+                    left: progress.left,
+                    measured,
+                };
                 own_context.request_repaint();
             })
         };
@@ -85,42 +90,42 @@ impl Running {
     }
 
     /// How far it is.
-    pub(super) fn told(&self) -> Told {
+    pub(super) fn told(&self) -> MeasureProgress {
         lock(&self.told).clone()
     }
 
     /// What was measured so far, once for each time that it is told.
-    pub(super) fn measured(&self) -> Option<Arc<Measured>> {
+    pub(super) fn measured(&self) -> Option<Arc<Measurement>> {
         lock(&self.told).measured.take()
     }
 
     /// The result, once, when there is one.
-    pub(super) fn result(&self) -> Option<Result<Measured, Failure>> {
+    pub(super) fn result(&self) -> Option<Result<Measurement, MeasureFailure>> {
         match self.job.poll() {
-            Progress::Waiting => None,
-            Progress::Done(result) => Some(result.map_err(Failure::from)),
-            Progress::Lost => Some(Err(Failure::Fault(String::new()))),
+            JobStatus::Waiting => None,
+            JobStatus::Done(result) => Some(result.map_err(MeasureFailure::from)),
+            JobStatus::Lost => Some(Err(MeasureFailure::Fault(String::new()))),
         }
     }
 }
 
-impl Drop for Running {
+impl Drop for MeasureTask {
     fn drop(&mut self) {
         self.cancel();
     }
 }
 
-fn lock(told: &Mutex<Told>) -> MutexGuard<'_, Told> {
+fn lock(told: &Mutex<MeasureProgress>) -> MutexGuard<'_, MeasureProgress> {
     told.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl From<MeasureError> for Failure {
+impl From<MeasureError> for MeasureFailure {
     fn from(error: MeasureError) -> Self {
         match error {
             MeasureError::Meaningless { parameter, .. } => Self::Meaningless(parameter),
             MeasureError::Method(error) => Self::Method(error),
             MeasureError::Cancelled => Self::Cancelled,
-            MeasureError::Axis(_) => Self::Form(Wrong::Twice),
+            MeasureError::Axis(_) => Self::Form(MeasureFormError::Twice),
             error => Self::Fault(error.to_string()),
         }
     }

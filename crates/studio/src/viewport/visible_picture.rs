@@ -9,18 +9,18 @@ use catoptric_tracer::{Stage, StageCamera, Start, SurfaceHit};
 use egui::{Pos2, Rect, pos2};
 use glam::{DVec2, DVec3};
 
-use super::gizmo::{Gizmo, Handle};
-use super::lens::Lens;
-use super::load::place_of;
+use super::drag_payload::place_of;
+use super::gizmo::{Gizmo, GizmoHandle};
 use super::offscreen;
+use super::projector::Projector;
 use crate::context::Cx;
-use crate::view::Seen;
+use crate::view::ProjectedPoint;
 
 /// How near to a light's or the camera's handle the pointer takes it, points.
 const REACH: f64 = 12.0;
 
 /// The picture that is shown, for finding things in it.
-pub(crate) struct Sight {
+pub(crate) struct VisiblePicture {
     /// Where the whole picture is, points of the window.
     pub(crate) rect: Rect,
     /// The part of it that no panel covers.
@@ -29,16 +29,16 @@ pub(crate) struct Sight {
     pub(crate) clear: Rect,
     /// The camera of the picture.
     pub(crate) camera: Camera,
-    pub(crate) lens: Lens,
+    pub(crate) lens: Projector,
     /// The scene prepared for rays, with the same camera.
     stage: Option<(Arc<Stage>, StageCamera)>,
 }
 
 /// What a pointer is over.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Target {
+pub(crate) enum PointerTarget {
     /// A part of the gizmo.
-    Handle(Handle),
+    Handle(GizmoHandle),
     /// The handle of a light or of the camera.
     Mark(Item),
     /// The arrow at the picture's edge towards one that is out of view.
@@ -51,7 +51,7 @@ pub(crate) enum Target {
     Nothing,
 }
 
-impl Sight {
+impl VisiblePicture {
     /// The picture of `camera` in `rect`, as far as `tile` shows it; a bar reaches so far down from the tile's top, points.
     pub(crate) fn new(live: &Live, rect: Rect, (tile, bar): (Rect, f32), camera: Camera) -> Self {
         /// In small windows the bar may take a part of the picture that cannot be done without.
@@ -64,7 +64,7 @@ impl Sight {
         let visible = tile.intersect(rect);
         let top = (tile.top() + bar).clamp(visible.top(), visible.top() + MOST * visible.height().max(0.0));
         let clear = visible.with_min_y(top);
-        Self { rect, visible, clear, camera, lens: Lens::new(&camera, size), stage }
+        Self { rect, visible, clear, camera, lens: Projector::new(&camera, size), stage }
     }
 
     /// A place of the window in the picture.
@@ -90,13 +90,17 @@ impl Sight {
     }
 
     /// Under which angle the nearest body is seen at a place.
-    pub(crate) fn seen_at(&self, at: DVec2) -> Option<Seen> {
+    pub(crate) fn seen_at(&self, at: DVec2) -> Option<ProjectedPoint> {
         let (stage, camera) = self.stage.as_ref()?;
         let ray = camera.ray(at, self.lens.size());
         let hit = stage.nearest(&ray)?;
         let (direction, normal) = (ray.direction.as_dvec3(), hit.normal.as_dvec3());
         let degrees = direction.cross(normal).length().atan2(-direction.dot(normal)).to_degrees();
-        Some(Seen { body: hit.body, degrees: degrees.clamp(0.0, 90.0), is_from_inside: hit.hit.leaving })
+        Some(ProjectedPoint {
+            body: hit.body,
+            degrees: degrees.clamp(0.0, 90.0),
+            is_from_inside: hit.hit.leaving,
+        })
     }
 
     /// All bodies under a place, the nearest first.
@@ -153,22 +157,22 @@ impl Sight {
     }
 
     /// What a pointer at a place takes hold of.
-    pub(crate) fn target(&self, cx: &Cx<'_>, gizmo: Option<&Gizmo>, at: DVec2) -> Target {
+    pub(crate) fn target(&self, cx: &Cx<'_>, gizmo: Option<&Gizmo>, at: DVec2) -> PointerTarget {
         if let Some(handle) = gizmo.and_then(|gizmo| gizmo.handle_at(&self.lens, at)) {
-            return Target::Handle(handle);
+            return PointerTarget::Handle(handle);
         }
         if let Some(item) = self.marks_at(cx, at).first() {
-            return Target::Mark(*item);
+            return PointerTarget::Mark(*item);
         }
         if let Some(item) = offscreen::arrow_at(cx, self, self.pos(at)) {
-            return Target::Arrow(item);
+            return PointerTarget::Arrow(item);
         }
         match self.body_at(at) {
             Some(hit) if hit.hit.leaving || is_plane(cx.editor.scene(), hit.body) => {
-                Target::Surroundings(hit.body)
+                PointerTarget::Surroundings(hit.body)
             }
-            Some(hit) => Target::Body { index: hit.body, point: hit.position },
-            None => Target::Nothing,
+            Some(hit) => PointerTarget::Body { index: hit.body, point: hit.position },
+            None => PointerTarget::Nothing,
         }
     }
 

@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use super::formula::{Formula, Node};
-use super::markdown::SpanKind;
+use super::formula::{Formula, FormulaNode};
+use super::markdown::TextSpanKind;
 use crate::scripts::Script;
 
 /// The sign that puts a hat on the letter before it.
@@ -20,7 +20,7 @@ fn other(sign: char) -> char {
 }
 
 /// Running text in pieces: where letters wear hats or have indices, these are formulas.
-pub(super) fn pieces(text: &str) -> Vec<SpanKind> {
+pub(super) fn pieces(text: &str) -> Vec<TextSpanKind> {
     let mut pieces = Vec::new();
     let mut run = String::new();
     for sign in text.chars().filter(|sign| *sign != ACCENT) {
@@ -30,28 +30,32 @@ pub(super) fn pieces(text: &str) -> Vec<SpanKind> {
         }
         let Some(base) = base(&mut run, &mut pieces) else { continue };
         let node = match Script::of(sign) {
-            Some(Script::Above(letter)) => Node::scripted(base, None, Some(Node::letter(letter))),
-            Some(Script::Below(letter)) => Node::scripted(base, Some(Node::letter(letter)), None),
-            None => Node::Hat(Box::new(base)),
+            Some(Script::Above(letter)) => {
+                FormulaNode::scripted(base, None, Some(FormulaNode::letter(letter)))
+            }
+            Some(Script::Below(letter)) => {
+                FormulaNode::scripted(base, Some(FormulaNode::letter(letter)), None)
+            }
+            None => FormulaNode::Hat(Box::new(base)),
         };
-        pieces.push(SpanKind::Formula(Rc::new(Formula::of(node))));
+        pieces.push(TextSpanKind::Formula(Rc::new(Formula::of(node))));
     }
     if !run.is_empty() {
-        pieces.push(SpanKind::Text(run));
+        pieces.push(TextSpanKind::Text(run));
     }
     pieces
 }
 
 /// What a hat or an index belongs to: the last letter, or the formula before it. The text before the letter is a piece.
-fn base(run: &mut String, pieces: &mut Vec<SpanKind>) -> Option<Node> {
+fn base(run: &mut String, pieces: &mut Vec<TextSpanKind>) -> Option<FormulaNode> {
     if let Some(letter) = run.pop() {
         if !run.is_empty() {
-            pieces.push(SpanKind::Text(std::mem::take(run)));
+            pieces.push(TextSpanKind::Text(std::mem::take(run)));
         }
-        return Some(Node::letter(letter));
+        return Some(FormulaNode::letter(letter));
     }
     match pieces.pop()? {
-        SpanKind::Formula(formula) => Some(formula.node().clone()),
+        TextSpanKind::Formula(formula) => Some(formula.node().clone()),
         other => {
             pieces.push(other);
             None
@@ -96,8 +100,8 @@ mod tests {
         let told: Vec<String> = pieces("the n̂·L̂ⁿ of aᵢ")
             .iter()
             .map(|piece| match piece {
-                SpanKind::Text(text) => format!("t {text}"),
-                SpanKind::Formula(formula) => format!("f {}", formula.plain()),
+                TextSpanKind::Text(text) => format!("t {text}"),
+                TextSpanKind::Formula(formula) => format!("f {}", formula.plain()),
                 _ => String::new(),
             })
             .collect();

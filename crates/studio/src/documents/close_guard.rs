@@ -6,34 +6,34 @@ use std::rc::Rc;
 use catoptric_scene::Example;
 use egui::{Context, ViewportCommand};
 
-use super::disk::Opened;
-use super::recover::{self, Recovered};
+use super::disk::OpenedScene;
+use super::recover::{self, RecoveredDocument};
 use super::{has_unsaved_work, name, open, save, show_example, show_fresh, show_opened};
 use crate::app::Studio;
-use crate::dialogs::question::Question;
+use crate::dialogs::question::QuestionDialog;
 use crate::pictures;
 
 /// What comes after the present document.
 #[derive(Clone)]
-pub(crate) enum Next {
+pub(crate) enum NextDocument {
     /// A new scene.
     New,
     /// The file at this path, to be read anew.
     Open(PathBuf),
     /// A file that has been read.
-    Show(Rc<Opened>),
+    Show(Rc<OpenedScene>),
     /// A built-in scene.
     Example(&'static Example),
     /// A document that was left behind.
-    Recovered(Rc<Recovered>),
+    Recovered(Rc<RecoveredDocument>),
     /// Nothing: the window closes.
     Quit,
 }
 
 /// Goes on to `next`; asks first if the document has unsaved work.
-pub(crate) fn replace(context: &Context, studio: &mut Studio, next: Next) {
+pub(crate) fn replace(context: &Context, studio: &mut Studio, next: NextDocument) {
     studio.editor.settle();
-    if matches!(next, Next::Quit) && pictures::hold(studio) {
+    if matches!(next, NextDocument::Quit) && pictures::hold(studio) {
         return;
     }
     if let Some(saving) = &mut studio.documents.saving {
@@ -46,11 +46,11 @@ pub(crate) fn replace(context: &Context, studio: &mut Studio, next: Next) {
     }
 }
 
-fn ask(studio: &mut Studio, next: Next) {
+fn ask(studio: &mut Studio, next: NextDocument) {
     let texts = &studio.texts;
     let name = name(studio);
     let after = next.clone();
-    let question = Question::new(
+    let question = QuestionDialog::new(
         texts.with("unsaved-title", &[("name", name.clone().into())]),
         texts.with("unsaved-text", &[("name", name.into())]),
     )
@@ -62,14 +62,14 @@ fn ask(studio: &mut Studio, next: Next) {
 }
 
 /// Goes on to `next`, whatever becomes of the document.
-fn go(context: &Context, studio: &mut Studio, next: Next) {
+fn go(context: &Context, studio: &mut Studio, next: NextDocument) {
     match next {
-        Next::New => show_fresh(studio),
-        Next::Open(path) => open::begin(context, studio, &path),
-        Next::Show(opened) => show_opened(studio, Rc::unwrap_or_clone(opened)),
-        Next::Example(example) => show_example(studio, example),
-        Next::Recovered(recovered) => recover::show(studio, &recovered),
-        Next::Quit => {
+        NextDocument::New => show_fresh(studio),
+        NextDocument::Open(path) => open::begin(context, studio, &path),
+        NextDocument::Show(opened) => show_opened(studio, Rc::unwrap_or_clone(opened)),
+        NextDocument::Example(example) => show_example(studio, example),
+        NextDocument::Recovered(recovered) => recover::show(studio, &recovered),
+        NextDocument::Quit => {
             studio.documents.is_leaving = true;
             context.send_viewport_cmd(ViewportCommand::Close);
         }
@@ -97,7 +97,7 @@ pub(super) fn mind_close(context: &Context, studio: &mut Studio) {
     if is_asked || studio.documents.saving.is_some() || has_unsaved_work(studio) {
         context.send_viewport_cmd(ViewportCommand::CancelClose);
         if !is_asked {
-            replace(context, studio, Next::Quit);
+            replace(context, studio, NextDocument::Quit);
         }
     } else {
         studio.documents.is_leaving = true;

@@ -5,14 +5,14 @@ use glam::{DVec2, DVec3};
 
 /// A half-line: a pointer's ray, or an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Line {
+pub(crate) struct HalfLine {
     /// Where it starts.
     pub(crate) origin: DVec3,
     /// Where it goes; of length 1.
     pub(crate) direction: DVec3,
 }
 
-impl Line {
+impl HalfLine {
     /// The point at a distance from the start.
     pub(crate) fn at(&self, distance: f64) -> DVec3 {
         self.origin + distance * self.direction
@@ -21,35 +21,35 @@ impl Line {
 
 /// A camera in front of a picture of a size.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Lens {
+pub(crate) struct Projector {
     position: DVec3,
     right: DVec3,
     up: DVec3,
     forward: DVec3,
-    window: Window,
+    window: ProjectorWindow,
     /// Width and height of the picture, points.
     size: DVec2,
 }
 
 /// How the world is carried to the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Window {
+enum ProjectorWindow {
     /// Seen from the eye through a window 1 high at this distance.
     Perspective { distance: f64 },
     /// Through a window this high.
     Parallel { height: f64 },
 }
 
-impl Lens {
+impl Projector {
     /// The lens of a camera; the same axes as the tracer's.
     pub(crate) fn new(camera: &Camera, size: DVec2) -> Self {
         let back = (camera.position - camera.target).normalize_or(DVec3::Z);
         let right = camera.up.cross(back).try_normalize().unwrap_or_else(|| back.any_orthonormal_vector());
         let window = match camera.projection {
             Projection::Perspective { fov_degrees } => {
-                Window::Perspective { distance: 0.5 / (0.5 * fov_degrees.to_radians()).tan() }
+                ProjectorWindow::Perspective { distance: 0.5 / (0.5 * fov_degrees.to_radians()).tan() }
             }
-            Projection::Parallel { height } => Window::Parallel { height },
+            Projection::Parallel { height } => ProjectorWindow::Parallel { height },
         };
         let size = size.max(DVec2::ONE);
         Self { position: camera.position, right, up: back.cross(right), forward: -back, window, size }
@@ -67,7 +67,7 @@ impl Lens {
 
     /// Whether all rays are parallel.
     pub(crate) fn is_parallel(&self) -> bool {
-        matches!(self.window, Window::Parallel { .. })
+        matches!(self.window, ProjectorWindow::Parallel { .. })
     }
 
     /// Width and height of the picture, points.
@@ -80,8 +80,8 @@ impl Lens {
         let offset = point - self.position;
         let depth = offset.dot(self.forward);
         let scale = match self.window {
-            Window::Perspective { distance } => distance / depth,
-            Window::Parallel { height } => 1.0 / height,
+            ProjectorWindow::Perspective { distance } => distance / depth,
+            ProjectorWindow::Parallel { height } => 1.0 / height,
         };
         let at = scale * self.size.y * DVec2::new(offset.dot(self.right), -offset.dot(self.up));
         let at = at + 0.5 * self.size;
@@ -104,16 +104,16 @@ impl Lens {
     }
 
     /// The ray through a place in the picture.
-    pub(crate) fn ray(&self, at: DVec2) -> Line {
+    pub(crate) fn ray(&self, at: DVec2) -> HalfLine {
         let on_window = (at - 0.5 * self.size) / self.size.y;
         let offset = on_window.x * self.right - on_window.y * self.up;
         match self.window {
-            Window::Perspective { distance } => Line {
+            ProjectorWindow::Perspective { distance } => HalfLine {
                 origin: self.position,
                 direction: (offset + distance * self.forward).normalize_or(self.forward),
             },
-            Window::Parallel { height } => {
-                Line { origin: self.position + height * offset, direction: self.forward }
+            ProjectorWindow::Parallel { height } => {
+                HalfLine { origin: self.position + height * offset, direction: self.forward }
             }
         }
     }
@@ -126,8 +126,8 @@ impl Lens {
     /// How many meters one point of the picture spans at the depth of `point`; never 0.
     pub(crate) fn meters_per_point(&self, point: DVec3) -> f64 {
         let height = match self.window {
-            Window::Perspective { distance } => self.depth(point).max(1e-9) / distance,
-            Window::Parallel { height } => height,
+            ProjectorWindow::Perspective { distance } => self.depth(point).max(1e-9) / distance,
+            ProjectorWindow::Parallel { height } => height,
         };
         (height / self.size.y).max(f64::MIN_POSITIVE)
     }
@@ -135,8 +135,8 @@ impl Lens {
     /// The direction in which `point` is looked at; of length 1.
     pub(crate) fn towards(&self, point: DVec3) -> DVec3 {
         match self.window {
-            Window::Perspective { .. } => (point - self.position).normalize_or(self.forward),
-            Window::Parallel { .. } => self.forward,
+            ProjectorWindow::Perspective { .. } => (point - self.position).normalize_or(self.forward),
+            ProjectorWindow::Parallel { .. } => self.forward,
         }
     }
 }
@@ -163,7 +163,7 @@ mod tests {
         let size = DVec2::new(640.0, 360.0);
         let stage = Stage::prepare(&Scene::default()).unwrap();
         for camera in cameras() {
-            let (lens, tracer) = (Lens::new(&camera, size), stage.camera_for(&camera));
+            let (lens, tracer) = (Projector::new(&camera, size), stage.camera_for(&camera));
             for point in [DVec3::ZERO, DVec3::new(0.4, 1.5, -0.8), camera.target] {
                 let (expected, _) = tracer.project(point, size).unwrap();
                 assert!((lens.project(point).unwrap() - expected).length() < 1e-9);
@@ -178,7 +178,7 @@ mod tests {
     #[test]
     fn a_ray_leads_back_to_its_place() {
         for camera in cameras() {
-            let lens = Lens::new(&camera, DVec2::new(800.0, 600.0));
+            let lens = Projector::new(&camera, DVec2::new(800.0, 600.0));
             let at = DVec2::new(123.0, 456.0);
             assert!((lens.project(lens.ray(at).at(7.0)).unwrap() - at).length() < 1e-9);
         }
@@ -187,7 +187,7 @@ mod tests {
     #[test]
     fn a_meter_has_its_size_in_the_picture() {
         for camera in cameras() {
-            let lens = Lens::new(&camera, DVec2::new(800.0, 600.0));
+            let lens = Projector::new(&camera, DVec2::new(800.0, 600.0));
             let [right, ..] = lens.axes();
             let step = 10.0 * lens.meters_per_point(camera.target);
             let ends =
@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn a_segment_ends_before_the_eye() {
-        let lens = Lens::new(&Camera::default(), DVec2::new(800.0, 600.0));
+        let lens = Projector::new(&Camera::default(), DVec2::new(800.0, 600.0));
         let target = Camera::default().target;
         let [from, to] = lens.segment(target, target + DVec3::new(1.0, 0.0, 20.0)).unwrap();
         assert_eq!(from, DVec2::new(400.0, 300.0));
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn what_is_behind_has_no_place() {
-        let lens = Lens::new(&Camera::default(), DVec2::new(800.0, 600.0));
+        let lens = Projector::new(&Camera::default(), DVec2::new(800.0, 600.0));
         assert_eq!(lens.project(DVec3::new(0.0, 2.2, 9.0)), None);
         assert_eq!(lens.project(DVec3::new(0.0, 2.2, 8.0)), None);
     }

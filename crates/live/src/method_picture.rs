@@ -10,9 +10,9 @@ use catoptric_tracer::method::{
 };
 use catoptric_tracer::{Control, RenderSettings, Stage};
 
-use crate::request::Shows;
+use crate::request::DisplayContent;
 use crate::status::LiveError;
-use crate::worker::{Passed, Worker, milliseconds_since};
+use crate::worker::{PassCost, Worker, milliseconds_since};
 
 /// A drawing is repeated with so many times the samples of the one before.
 const MORE: u32 = 4;
@@ -24,7 +24,7 @@ const ROUGH_FACE: u32 = 48;
 const KEPT: u64 = 256 << 20;
 
 /// What a method has drawn.
-pub(crate) struct Drawn {
+pub(crate) struct MethodPicture {
     pub(crate) drawing: Drawing,
     pub(crate) size: [u32; 2],
     pub(crate) samples: u32,
@@ -32,14 +32,14 @@ pub(crate) struct Drawn {
 
 /// The cube maps that outlive a picture.
 #[derive(Default)]
-pub(crate) struct Maps {
+pub(crate) struct CubeMapStore {
     whole: CubeMaps,
     /// Those made while bodies move.
     rough: CubeMaps,
     bytes: u64,
 }
 
-impl Maps {
+impl CubeMapStore {
     /// Lets go of maps that are large and that the method has no use for.
     pub(crate) fn change_to(&mut self, method: &Method) {
         if maps_of(method).is_none() && self.bytes > KEPT {
@@ -48,17 +48,23 @@ impl Maps {
     }
 }
 
-impl Drawn {
+impl MethodPicture {
     /// What is to be seen of it, and what that is.
-    pub(crate) fn seen(&self, stage: &Stage, wanted: Shows) -> Result<(Cow<'_, Picture>, Shows), SizeError> {
+    pub(crate) fn seen(
+        &self,
+        stage: &Stage,
+        wanted: DisplayContent,
+    ) -> Result<(Cow<'_, Picture>, DisplayContent), SizeError> {
         let found = match wanted {
-            Shows::Picture => None,
-            Shows::Layer(layer) => self.drawing.layer(stage, layer)?.map(|picture| (picture, wanted)),
-            Shows::UnfoldedCube(body) => unfolded(&self.drawing, stage, body)?,
+            DisplayContent::Picture => None,
+            DisplayContent::Layer(layer) => {
+                self.drawing.layer(stage, layer)?.map(|picture| (picture, wanted))
+            }
+            DisplayContent::UnfoldedCube(body) => unfolded(&self.drawing, stage, body)?,
         };
         Ok(match found {
             Some((picture, shows)) => (Cow::Owned(picture), shows),
-            None => (Cow::Borrowed(&self.drawing.picture), Shows::Picture),
+            None => (Cow::Borrowed(&self.drawing.picture), DisplayContent::Picture),
         })
     }
 
@@ -73,16 +79,16 @@ pub(crate) fn unfolded(
     drawing: &Drawing,
     stage: &Stage,
     wanted: Option<usize>,
-) -> Result<Option<(Picture, Shows)>, SizeError> {
+) -> Result<Option<(Picture, DisplayContent)>, SizeError> {
     let maps = drawing.maps(stage);
     let of_body = maps.iter().find(|(body, _)| Some(*body) == wanted);
     let Some((body, map)) = of_body.or(maps.first()) else { return Ok(None) };
-    Ok(Some((map.unfolded()?, Shows::UnfoldedCube(Some(*body)))))
+    Ok(Some((map.unfolded()?, DisplayContent::UnfoldedCube(Some(*body)))))
 }
 
 /// Whether it is light that is seen, to be developed as the picture is.
-pub(crate) fn has_light(shows: Shows) -> bool {
-    !matches!(shows, Shows::Layer(layer) if !matches!(layer, Layer::Lit | Layer::Reflected))
+pub(crate) fn has_light(shows: DisplayContent) -> bool {
+    !matches!(shows, DisplayContent::Layer(layer) if !matches!(layer, Layer::Lit | Layer::Reflected))
 }
 
 /// The settings of the cube maps that a method uses.
@@ -113,7 +119,7 @@ fn roughly(method: Method) -> Method {
 }
 
 /// What is to be drawn.
-struct Step {
+struct DrawingStep {
     size: [u32; 2],
     samples: u32,
     is_rough: bool,
@@ -128,7 +134,7 @@ impl Worker {
         let size = self.pace.coarse(view.request.size);
         let is_rough = view.request.moving && view.has_old_maps && maps_of(&view.request.method).is_some();
         let until = Some(Instant::now() + self.patience(size));
-        self.draw(&Step { size, samples: 1, is_rough, until })
+        self.draw(&DrawingStep { size, samples: 1, is_rough, until })
     }
 
     /// Takes the next step towards the full picture with all samples.
@@ -141,11 +147,11 @@ impl Worker {
         } else {
             (self.pace.sharper(full, drawn.size), 1)
         };
-        self.draw(&Step { size, samples, is_rough: false, until: None })
+        self.draw(&DrawingStep { size, samples, is_rough: false, until: None })
     }
 
     /// Draws, and shows what came of it unless something newer came first.
-    fn draw(&mut self, step: &Step) -> Result<(), LiveError> {
+    fn draw(&mut self, step: &DrawingStep) -> Result<(), LiveError> {
         let mut maps = std::mem::take(&mut self.maps);
         let start = Instant::now();
         let control = Control::default();
@@ -173,8 +179,8 @@ impl Worker {
         if !step.is_rough {
             view.has_old_maps = false;
         }
-        let passed = Passed { rays: drawing.counts, milliseconds };
-        view.drawn = Some(Drawn { drawing, size: step.size, samples: step.samples });
+        let passed = PassCost { rays: drawing.counts, milliseconds };
+        view.drawn = Some(MethodPicture { drawing, size: step.size, samples: step.samples });
         view.drop_films();
         view.due.picture = false;
         self.show(Some(&passed))
@@ -182,9 +188,9 @@ impl Worker {
 
     fn drawing(
         &self,
-        step: &Step,
+        step: &DrawingStep,
         control: &Control,
-        maps: &mut Maps,
+        maps: &mut CubeMapStore,
     ) -> Option<Result<Drawing, MethodError>> {
         let view = self.view.as_ref()?;
         let [width, height] = step.size;

@@ -2,17 +2,17 @@
 
 use glam::{DVec2, DVec3};
 
-use super::change::Change;
+use super::change::GizmoChange;
 use super::lines::{across, along_axis, angle_about, angle_in, in_picture, on_plane, wrapped};
-use super::{Gizmo, Handle, OUTER_RING, RING, arm, steps};
-use crate::viewport::lens::Lens;
+use super::{Gizmo, GizmoHandle, OUTER_RING, RING, arm, steps};
+use crate::viewport::projector::Projector;
 
 /// The least factor of one pull.
 const LEAST_FACTOR: f64 = 0.01;
 
 /// How exactly the hand wants it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Care {
+pub(crate) struct DragPrecision {
     /// To whole steps.
     pub(crate) snaps: bool,
     /// With more digits.
@@ -21,7 +21,7 @@ pub(crate) struct Care {
 
 /// How much was changed, to be shown beside the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Amount {
+pub(crate) enum DragAmount {
     /// Meters along the axes of the gizmo; `None` where nothing moves.
     Meters([Option<f64>; 3]),
     /// Degrees.
@@ -32,16 +32,16 @@ pub(crate) enum Amount {
 
 /// A handle that is held.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Pull {
+pub(crate) struct HandleDrag {
     pub(crate) gizmo: Gizmo,
-    pub(crate) handle: Handle,
+    pub(crate) handle: GizmoHandle,
     start: DVec2,
-    grip: Grip,
+    grip: HandleGrip,
 }
 
 /// What was taken hold of.
 #[derive(Clone, Debug, PartialEq)]
-enum Grip {
+enum HandleGrip {
     /// A point of an axis, meters from the center.
     Axis(f64),
     /// A point of the plane with this normal.
@@ -56,92 +56,99 @@ enum Grip {
     Middle,
 }
 
-impl Pull {
+impl HandleDrag {
     /// Takes hold of a handle with the pointer at `at`.
-    pub(crate) fn begin(gizmo: Gizmo, handle: Handle, lens: &Lens, at: DVec2) -> Option<Self> {
+    pub(crate) fn begin(gizmo: Gizmo, handle: GizmoHandle, lens: &Projector, at: DVec2) -> Option<Self> {
         let ray = lens.ray(at);
         let pivot = gizmo.pivot;
         let grip = match handle {
-            Handle::Move(axis) => Grip::Axis(along_axis(&ray, pivot, gizmo.axis(axis))?),
-            Handle::Scale(axis) => {
+            GizmoHandle::Move(axis) => HandleGrip::Axis(along_axis(&ray, pivot, gizmo.axis(axis))?),
+            GizmoHandle::Scale(axis) => {
                 let along = along_axis(&ray, pivot, gizmo.axis(axis))?;
-                Grip::Axis(along.max(gizmo.grain(lens)))
+                HandleGrip::Axis(along.max(gizmo.grain(lens)))
             }
-            Handle::MovePlane(axis) => {
+            GizmoHandle::MovePlane(axis) => {
                 let normal = gizmo.axis(axis);
-                Grip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
+                HandleGrip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
             }
-            Handle::MoveScreen => {
+            GizmoHandle::MoveScreen => {
                 let [.., normal] = lens.axes();
-                Grip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
+                HandleGrip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
             }
-            Handle::Turn(axis) => turn_grip(&gizmo, axis, lens, at),
-            Handle::TurnView => Grip::Outer { last: angle_about(lens.project(pivot)?, at)?, total: 0.0 },
-            Handle::ScaleAll => Grip::Middle,
+            GizmoHandle::Turn(axis) => turn_grip(&gizmo, axis, lens, at),
+            GizmoHandle::TurnView => {
+                HandleGrip::Outer { last: angle_about(lens.project(pivot)?, at)?, total: 0.0 }
+            }
+            GizmoHandle::ScaleAll => HandleGrip::Middle,
         };
         Some(Self { gizmo, handle, start: at, grip })
     }
 
     /// What the pointer at `at` makes of it; `None` when that place says nothing, and all is to stay as it is.
-    pub(crate) fn to(&mut self, lens: &Lens, at: DVec2, care: Care) -> Option<(Change, Amount)> {
+    pub(crate) fn to(
+        &mut self,
+        lens: &Projector,
+        at: DVec2,
+        care: DragPrecision,
+    ) -> Option<(GizmoChange, DragAmount)> {
         let pivot = self.gizmo.pivot;
         let start = self.start;
         let ray = lens.ray(at);
         match (&mut self.grip, self.handle) {
-            (Grip::Axis(from), Handle::Scale(axis)) => {
+            (HandleGrip::Axis(from), GizmoHandle::Scale(axis)) => {
                 let factor = along_axis(&ray, pivot, self.gizmo.axis(axis))? / *from;
                 Some(self.scale(Some(axis), factor, care))
             }
-            (Grip::Axis(from), Handle::Move(axis)) => {
+            (HandleGrip::Axis(from), GizmoHandle::Move(axis)) => {
                 let direction = self.gizmo.axis(axis);
                 let step = (along_axis(&ray, pivot, direction)? - *from) * direction;
                 Some(self.step(step, [0, 1, 2].map(|other| other == axis), lens, care))
             }
-            (Grip::Plane { normal, from }, handle) => {
+            (HandleGrip::Plane { normal, from }, handle) => {
                 let step = on_plane(&ray, pivot, *normal)? - *from;
-                let moves = [0, 1, 2].map(|other| handle != Handle::MovePlane(other));
+                let moves = [0, 1, 2].map(|other| handle != GizmoHandle::MovePlane(other));
                 Some(self.step(step, moves, lens, care))
             }
-            (Grip::Ring { frame, last, total }, Handle::Turn(axis)) => {
+            (HandleGrip::Ring { frame, last, total }, GizmoHandle::Turn(axis)) => {
                 let axis = self.gizmo.axis(axis);
                 let angle = angle_in(pivot, *frame, on_plane(&ray, pivot, axis)?);
                 *total += wrapped(angle - *last);
                 *last = angle;
                 Some(turn(pivot, axis, *total, care))
             }
-            (Grip::Edge(radians), Handle::Turn(axis)) => {
+            (HandleGrip::Edge(radians), GizmoHandle::Turn(axis)) => {
                 let total = radians.dot(at - start);
                 Some(turn(pivot, self.gizmo.axis(axis), total, care))
             }
-            (Grip::Outer { last, total }, _) => {
+            (HandleGrip::Outer { last, total }, _) => {
                 let angle = angle_about(lens.project(pivot)?, at)?;
                 *total += wrapped(angle - *last);
                 *last = angle;
                 Some(turn(pivot, -lens.towards(pivot), *total, care))
             }
-            (Grip::Middle, _) => {
+            (HandleGrip::Middle, _) => {
                 let way = (at - start).dot(DVec2::new(1.0, -1.0));
                 Some(self.scale(None, (way / 120.0).exp2(), care))
             }
-            (Grip::Axis(_) | Grip::Ring { .. } | Grip::Edge(_), _) => None,
+            (HandleGrip::Axis(_) | HandleGrip::Ring { .. } | HandleGrip::Edge(_), _) => None,
         }
     }
 
     /// The points of the ring's sector that has been swept, from the center.
-    pub(crate) fn swept(&self, lens: &Lens) -> Option<Vec<DVec2>> {
+    pub(crate) fn swept(&self, lens: &Projector) -> Option<Vec<DVec2>> {
         let (axis, total, from) = match (&self.grip, self.handle) {
-            (Grip::Ring { total, .. }, Handle::Turn(axis)) => {
+            (HandleGrip::Ring { total, .. }, GizmoHandle::Turn(axis)) => {
                 let axis = self.gizmo.axis(axis);
                 (axis, *total, on_plane(&lens.ray(self.start), self.gizmo.pivot, axis)?)
             }
-            (Grip::Outer { total, .. }, _) => {
+            (HandleGrip::Outer { total, .. }, _) => {
                 let axis = -lens.towards(self.gizmo.pivot);
                 (axis, *total, on_plane(&lens.ray(self.start), self.gizmo.pivot, axis)?)
             }
             _ => return None,
         };
         let pivot = self.gizmo.pivot;
-        let radius = if self.handle == Handle::TurnView { OUTER_RING } else { RING };
+        let radius = if self.handle == GizmoHandle::TurnView { OUTER_RING } else { RING };
         let first = (from - pivot).reject_from_normalized(axis).try_normalize()?;
         let frame = [first, axis.cross(first)];
         let steps = ((total.abs() * 24.0).ceil() as usize).clamp(1, 160);
@@ -153,7 +160,13 @@ impl Pull {
     }
 
     /// A move with round numbers.
-    fn step(&self, step: DVec3, moves: [bool; 3], lens: &Lens, care: Care) -> (Change, Amount) {
+    fn step(
+        &self,
+        step: DVec3,
+        moves: [bool; 3],
+        lens: &Projector,
+        care: DragPrecision,
+    ) -> (GizmoChange, DragAmount) {
         let fine = if care.is_fine { 0.1 } else { 1.0 };
         let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(fine * self.gizmo.grain(lens)) };
         let axes = self.gizmo.axes;
@@ -169,10 +182,10 @@ impl Pull {
                 *shown = Some(part);
             }
         }
-        (Change::Move(step), Amount::Meters(shown))
+        (GizmoChange::Move(step), DragAmount::Meters(shown))
     }
 
-    fn scale(&self, axis: Option<usize>, factor: f64, care: Care) -> (Change, Amount) {
+    fn scale(&self, axis: Option<usize>, factor: f64, care: DragPrecision) -> (GizmoChange, DragAmount) {
         let step = match (care.snaps, care.is_fine) {
             (true, _) => steps::SCALE,
             (false, true) => 0.001,
@@ -183,12 +196,12 @@ impl Pull {
         let factors = DVec3::from_array(
             [0, 1, 2].map(|other| if axis.is_none_or(|axis| axis == other) { factor } else { 1.0 }),
         );
-        let change = Change::Scale { pivot: self.gizmo.pivot, axes: self.gizmo.axes, factors };
-        (change, Amount::Factor(factor))
+        let change = GizmoChange::Scale { pivot: self.gizmo.pivot, axes: self.gizmo.axes, factors };
+        (change, DragAmount::Factor(factor))
     }
 }
 
-fn turn_grip(gizmo: &Gizmo, axis: usize, lens: &Lens, at: DVec2) -> Grip {
+fn turn_grip(gizmo: &Gizmo, axis: usize, lens: &Projector, at: DVec2) -> HandleGrip {
     /// The sine of the angle at which a ring counts as seen edge-on: there, its plane is met too far away.
     const EDGE_ON: f64 = 0.25;
     let (pivot, axis) = (gizmo.pivot, gizmo.axis(axis));
@@ -197,7 +210,7 @@ fn turn_grip(gizmo: &Gizmo, axis: usize, lens: &Lens, at: DVec2) -> Grip {
     if lens.towards(pivot).dot(axis).abs() > EDGE_ON
         && let Some(met) = met
     {
-        return Grip::Ring { frame, last: angle_in(pivot, frame, met), total: 0.0 };
+        return HandleGrip::Ring { frame, last: angle_in(pivot, frame, met), total: 0.0 };
     }
     // The near point of the ring goes where the pointer goes.
     let radius = RING * gizmo.grain(lens);
@@ -205,15 +218,15 @@ fn turn_grip(gizmo: &Gizmo, axis: usize, lens: &Lens, at: DVec2) -> Grip {
     let along = axis.cross(near);
     let meter = in_picture(lens, pivot + radius * near, along).unwrap_or(DVec2::ZERO);
     let length_squared = meter.length_squared();
-    Grip::Edge(if length_squared > 0.0 { meter / length_squared / radius } else { DVec2::ZERO })
+    HandleGrip::Edge(if length_squared > 0.0 { meter / length_squared / radius } else { DVec2::ZERO })
 }
 
-fn turn(pivot: DVec3, axis: DVec3, radians: f64, care: Care) -> (Change, Amount) {
+fn turn(pivot: DVec3, axis: DVec3, radians: f64, care: DragPrecision) -> (GizmoChange, DragAmount) {
     let step = match (care.snaps, care.is_fine) {
         (true, _) => steps::TURN,
         (false, true) => 0.01,
         (false, false) => 0.1,
     };
     let degrees = steps::rounded(radians.to_degrees(), step);
-    (Change::Turn { pivot, axis, radians: degrees.to_radians() }, Amount::Degrees(degrees))
+    (GizmoChange::Turn { pivot, axis, radians: degrees.to_radians() }, DragAmount::Degrees(degrees))
 }

@@ -7,7 +7,7 @@ use crate::bounds;
 
 /// A place for a new body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
+pub struct NewBodyPlacement {
     /// The point under the middle of the body that it rests on, meters.
     pub foot: DVec3,
     /// How large the body is, as a multiple of its shape's default sizes; more than 0.
@@ -16,7 +16,7 @@ pub struct Spot {
     pub rotation_degrees: DVec3,
 }
 
-impl Spot {
+impl NewBodyPlacement {
     /// A place for a body of default size that is not turned.
     pub const fn at(foot: DVec3) -> Self {
         Self { foot, size: 1.0, rotation_degrees: DVec3::ZERO }
@@ -72,25 +72,25 @@ mod tests {
             (ShapeKind::Cylinder, 1.0),
             (ShapeKind::Cone, 1.0),
         ] {
-            let spot = Spot { size: 0.05, ..Spot::at(foot) };
+            let spot = NewBodyPlacement { size: 0.05, ..NewBodyPlacement::at(foot) };
             let bounds = bounds::of_body(&spot.body(shape)).unwrap();
             assert!((bounds.min.y - 0.3).abs() < 1e-12, "{shape:?}: {bounds:?}");
             assert!((bounds.size().y - 0.05 * height).abs() < 1e-12, "{shape:?}: {bounds:?}");
             assert!((bounds.center() - foot).with_y(0.0).length() < 1e-12);
         }
-        assert_eq!(Spot::at(foot).body(ShapeKind::Plane).placement, Placement::at(foot));
+        assert_eq!(NewBodyPlacement::at(foot).body(ShapeKind::Plane).placement, Placement::at(foot));
     }
 
     #[test]
     fn bodies_may_touch_but_not_overlap() {
-        let below = Spot::at(DVec3::Y * 0.1).body(ShapeKind::Cube);
+        let below = NewBodyPlacement::at(DVec3::Y * 0.1).body(ShapeKind::Cube);
         let mut scene = Scene { bodies: [below].into(), ..Scene::default() };
-        let on_top = Spot::at(DVec3::Y * 1.1);
+        let on_top = NewBodyPlacement::at(DVec3::Y * 1.1);
         assert!(on_top.is_free(ShapeKind::Sphere, &scene, &[]));
-        assert!(!Spot::at(DVec3::Y).is_free(ShapeKind::Sphere, &scene, &[]));
-        assert!(Spot::at(DVec3::Y).is_free(ShapeKind::Sphere, &scene, &[0]));
+        assert!(!NewBodyPlacement::at(DVec3::Y).is_free(ShapeKind::Sphere, &scene, &[]));
+        assert!(NewBodyPlacement::at(DVec3::Y).is_free(ShapeKind::Sphere, &scene, &[0]));
         scene.bodies[0].hidden = true;
-        assert!(Spot::at(DVec3::Y).is_free(ShapeKind::Sphere, &scene, &[]));
-        assert!(Spot::at(DVec3::Y).is_free(ShapeKind::Plane, &scene, &[]));
+        assert!(NewBodyPlacement::at(DVec3::Y).is_free(ShapeKind::Sphere, &scene, &[]));
+        assert!(NewBodyPlacement::at(DVec3::Y).is_free(ShapeKind::Plane, &scene, &[]));
     }
 }

@@ -4,15 +4,15 @@ use catoptric_editor::Item;
 use egui::{Popup, Pos2, Ui};
 use glam::{DVec3, UVec2};
 
-use super::sight::Sight;
+use super::visible_picture::VisiblePicture;
 use super::{labels, rays};
-use crate::audit::{self, Pin, color_text};
+use crate::audit::{self, PinnedPixel, color_text};
 use crate::context::Cx;
 use crate::outliner::item_name;
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// The size of the picture in pixels, and the one at a place.
-fn pixel_at(ui: &Ui, sight: &Sight, pos: Pos2) -> Option<(UVec2, UVec2)> {
+fn pixel_at(ui: &Ui, sight: &VisiblePicture, pos: Pos2) -> Option<(UVec2, UVec2)> {
     let scale = ui.ctx().pixels_per_point();
     let size = (sight.rect.size() * scale).round();
     let at = ((pos - sight.rect.min) * scale).floor();
@@ -22,7 +22,7 @@ fn pixel_at(ui: &Ui, sight: &Sight, pos: Pos2) -> Option<(UVec2, UVec2)> {
 
 /// Lights the ray at a place, or looks into the pixel there; with Shift always into the pixel. The free view begins, so that the rays can be looked at from
 /// elsewhere while the scene's camera stays.
-pub(crate) fn click(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
+pub(crate) fn click(ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, pos: Pos2) {
     let is_pixel_meant = ui.input(|input| input.modifiers.shift);
     if let Some(node) = rays::node_at(sight, cx, pos).filter(|_| !is_pixel_meant) {
         cx.audit.select(node);
@@ -32,12 +32,12 @@ pub(crate) fn click(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, pos: Pos2) {
     let home = cx.view.camera(cx.editor.scene());
     cx.editor.settle();
     cx.view.free_camera = Some(home);
-    cx.audit.pin_to(Pin { pixel, size, camera: sight.camera, home });
+    cx.audit.pin_to(PinnedPixel { pixel, size, camera: sight.camera, home });
     ui.ctx().request_repaint();
 }
 
 /// Tells of the ray or the pixel under the pointer.
-pub(crate) fn note(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight, palette: &Palette) {
+pub(crate) fn note(ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, palette: &ThemeColors) {
     let pointer = ui.input(|input| input.pointer.hover_pos());
     let is_over =
         |pos: &Pos2| sight.visible.contains(*pos) && ui.ctx().layer_id_at(*pos) == Some(ui.layer_id());

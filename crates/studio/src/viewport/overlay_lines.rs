@@ -4,15 +4,15 @@
 use catoptric_live::{Frame, GridKind, Polyline};
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// From the pixels of a frame to points of the window.
-struct Scale {
+struct FrameScale {
     origin: Pos2,
     factor: Vec2,
 }
 
-impl Scale {
+impl FrameScale {
     fn new(rect: Rect, frame: &Frame) -> Self {
         let [width, height] = frame.view_size.map(|side| side.max(1) as f32);
         Self { origin: rect.min, factor: vec2(rect.width() / width, rect.height() / height) }
@@ -24,8 +24,8 @@ impl Scale {
 }
 
 /// Draws the ground grid and the axes.
-pub(crate) fn grid(painter: &Painter, rect: Rect, frame: &Frame, palette: &Palette) {
-    let scale = Scale::new(rect, frame);
+pub(crate) fn grid(painter: &Painter, rect: Rect, frame: &Frame, palette: &ThemeColors) {
+    let scale = FrameScale::new(rect, frame);
     let [red, _, blue] = palette.axes;
     for line in frame.grid.iter() {
         let (color, alpha) = match line.kind {
@@ -40,8 +40,8 @@ pub(crate) fn grid(painter: &Painter, rect: Rect, frame: &Frame, palette: &Palet
 }
 
 /// Draws the outlines of what is selected, and of what the pointer is over.
-pub(crate) fn outlines(painter: &Painter, rect: Rect, frame: &Frame, palette: &Palette) {
-    let scale = Scale::new(rect, frame);
+pub(crate) fn outlines(painter: &Painter, rect: Rect, frame: &Frame, palette: &ThemeColors) {
+    let scale = FrameScale::new(rect, frame);
     for line in frame.hover.iter() {
         let color = Color32::from_white_alpha(if line.hidden { 90 } else { 190 });
         outline(painter, &scale, line, Stroke::new(1.2, color));
@@ -52,7 +52,7 @@ pub(crate) fn outlines(painter: &Painter, rect: Rect, frame: &Frame, palette: &P
     }
 }
 
-fn outline(painter: &Painter, scale: &Scale, line: &Polyline, stroke: Stroke) {
+fn outline(painter: &Painter, scale: &FrameScale, line: &Polyline, stroke: Stroke) {
     let mut points: Vec<Pos2> = line.points.iter().map(|point| scale.pos(*point)).collect();
     if line.hidden {
         if line.closed {

@@ -4,22 +4,22 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use catoptric_lab::Machine;
-use catoptric_lab::report::{Language, Settings, page};
+use catoptric_lab::report::{Language, PageSettings, page};
 use catoptric_picture::Development;
 use egui::Context;
 
-use super::Comparing;
-use super::work::Found;
+use super::CompareState;
+use super::task::CompareResult;
 use crate::app::Studio;
-use crate::documents::ask::{Answer, Asking};
-use crate::exports::{self, Export, Failure};
+use crate::documents::file_prompt::{FilePrompt, FilePromptState};
+use crate::exports::{self, Export, ExportFailure};
 use crate::host::{FileKind, FileQuestion};
 use crate::methods::report_language;
 use crate::pictures::plain_name;
 
 /// What is to be reported.
-struct Report {
-    found: Arc<Found>,
+struct CompareExport {
+    found: Arc<CompareResult>,
     language: Language,
     development: Development,
 }
@@ -33,14 +33,17 @@ pub(crate) fn ask_for_picture(studio: &mut Studio, side: usize) {
         folder: studio.settings.render.folder.clone(),
         name: String::new(),
     };
-    studio.panes.compare.opening = Some((Asking::start(studio, question), side));
+    studio.panes.compare.opening = Some((FilePrompt::start(studio, question), side));
 }
 
 /// Asks where to save the report.
 pub(crate) fn ask_to_save(studio: &mut Studio) {
     let Some(found) = studio.panes.compare.found.clone() else { return };
-    let report =
-        Report { found, language: report_language(&studio.texts), development: studio.view.development };
+    let report = CompareExport {
+        found,
+        language: report_language(&studio.texts),
+        development: studio.view.development,
+    };
     let stem = plain_name(&report.found.name);
     let question = FileQuestion {
         kind: FileKind::Page,
@@ -56,13 +59,13 @@ pub(crate) fn ask_to_save(studio: &mut Studio) {
 pub(crate) fn poll(context: &Context, studio: &mut Studio) {
     let Some((mut asking, side)) = studio.panes.compare.opening.take() else { return };
     match asking.poll(context, studio) {
-        Answer::Waiting => studio.panes.compare.opening = Some((asking, side)),
-        Answer::Cancelled => {}
-        Answer::Chosen(chosen) => take_picture(&mut studio.panes.compare, side, chosen.path),
+        FilePromptState::Waiting => studio.panes.compare.opening = Some((asking, side)),
+        FilePromptState::Cancelled => {}
+        FilePromptState::Chosen(chosen) => take_picture(&mut studio.panes.compare, side, chosen.path),
     }
 }
 
-fn take_picture(comparing: &mut Comparing, side: usize, path: PathBuf) {
+fn take_picture(comparing: &mut CompareState, side: usize, path: PathBuf) {
     if let Some(side) = comparing.sides.get_mut(side) {
         side.file = Some(path);
     }
@@ -70,20 +73,20 @@ fn take_picture(comparing: &mut Comparing, side: usize, path: PathBuf) {
     (comparing.found, comparing.failed) = (None, None);
 }
 
-impl Export for Report {
-    fn write(&self, path: &Path) -> Result<(), Failure> {
-        let html = self.page().map_err(Failure::Content)?;
-        catoptric_files::write_bytes(path, html.as_bytes()).map_err(Failure::Write)
+impl Export for CompareExport {
+    fn write(&self, path: &Path) -> Result<(), ExportFailure> {
+        let html = self.page().map_err(ExportFailure::Content)?;
+        catoptric_files::write_bytes(path, html.as_bytes()).map_err(ExportFailure::Write)
     }
 }
 
-impl Report {
+impl CompareExport {
     /// The page of `catoptric compare`.
     fn page(&self) -> Result<String, String> {
         let found = &*self.found;
         let is_drawn = found.key.view.is_some();
         let scene = is_drawn.then_some(&found.scene);
-        let settings = Settings {
+        let settings = PageSettings {
             scene: is_drawn.then(|| found.name.clone()),
             bodies_and_lights: scene.map(|scene| [scene.bodies.len(), scene.lights.len()]),
             samples: is_drawn.then_some(1),
