@@ -12,7 +12,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::arguments::{Backend, BackendArguments};
 use crate::canvas::PictureBuffer;
 
-/// So many threads; as many as the machine has for 0.
+/// A pool of `count` threads; 0 means one for each processor.
 pub(crate) fn threads(count: usize) -> Result<ThreadPool> {
     let pool = ThreadPoolBuilder::new().num_threads(count).build();
     pool.map_err(|error| anyhow!("cannot start the threads; ask for fewer with --threads: {error}"))
@@ -25,14 +25,14 @@ pub(crate) fn start_threads() -> Result<()> {
     started.map_err(|error| anyhow!("cannot start the threads; the system refuses them memory: {error}"))
 }
 
-/// Who draws.
+/// The processor or the graphics card that renders.
 pub(crate) struct Renderer {
     gpu: Option<Gpu>,
     /// Whether the processor may draw what the card cannot.
     may_fall_back: bool,
 }
 
-/// A picture, and who drew it.
+/// A picture, and the device that rendered it.
 pub(crate) struct RenderedPicture {
     pub drawing: Drawing,
     /// What the card worked, by its own clock.

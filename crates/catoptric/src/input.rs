@@ -26,7 +26,7 @@ impl NamedScene {
     }
 }
 
-/// What a person means by a scene.
+/// The source of a scene: a file, standard input or a built-in example.
 pub(crate) enum SceneSource<'a> {
     /// A built-in scene.
     Example(&'static Example),

@@ -9,7 +9,7 @@ use catoptric_picture::{Development, PictureFormat, SampleDepth, SaveOptions};
 
 use crate::arguments::DevelopmentArguments;
 
-/// What a file holds, by its extension.
+/// The kind of an output file, known by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OutputKind {
     Picture(PictureFormat),

@@ -27,7 +27,7 @@ pub(crate) use outcome::{ActionOutcome, subject};
 pub enum Action {
     /// Adds a body in a color of its own and selects it.
     AddBody {
-        /// Its shape.
+        /// The body's shape.
         shape: ShapeKind,
         /// Where it stands, and how large it is.
         spot: NewBodyPlacement,
@@ -74,7 +74,7 @@ pub enum Action {
     UnlockAll,
     /// Moves what is selected, of the primary one's kind, one place up in its list; locked ones too.
     MoveUp,
-    /// The same, one place down.
+    /// Moves what is selected, of the primary one's kind, one place down in its list; locked ones too.
     MoveDown,
     /// Moves what is selected, of the primary one's kind, to stand together before the element that is at this place
     /// now, or at the end; locked ones too.
@@ -94,7 +94,7 @@ pub enum Action {
     Rename {
         /// The body, light or material.
         item: Item,
-        /// Its name.
+        /// The new name.
         name: String,
     },
     /// Deletes as [`Action::Delete`] does; take [`Editor::copy`] first.
@@ -128,7 +128,7 @@ pub enum ActionError {
     /// All that is selected is locked.
     #[error("everything selected is locked")]
     Locked,
-    /// It would change nothing.
+    /// The action would change nothing.
     #[error("there is nothing to do")]
     NothingToDo,
     /// There is no such body, light or material.

@@ -41,12 +41,12 @@ impl Bounds {
     }
 }
 
-/// A ball around something, meters.
+/// A sphere that encloses something, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundingSphere {
-    /// Its center.
+    /// The center.
     pub center: DVec3,
-    /// Its radius.
+    /// The radius.
     pub radius: f64,
 }
 

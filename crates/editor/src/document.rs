@@ -30,7 +30,7 @@ impl Label {
     }
 }
 
-/// A change that would have made the scene one that no file can say; the scene is as it was.
+/// A change that was refused, since no file can express the scene; the scene has not changed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("; "))]
 pub struct RefusedChange {
@@ -111,7 +111,7 @@ impl Editor {
         editor
     }
 
-    /// The same document as the successor of another in the same window: its [revision](Self::revision) is greater.
+    /// Makes this document the successor of another in the same window: its [revision](Self::revision) is greater.
     #[must_use]
     pub fn succeeding(mut self, before: &Self) -> Self {
         self.revision = self.revision.max(before.revision + 1);

@@ -17,7 +17,7 @@ use crate::selection::{Item, Selection};
 /// How far copies are moved aside that are only lights or planes, meters.
 const ASIDE: f64 = 0.5;
 
-/// So many places are tried for copies before they are left where something else stands.
+/// The most places that are tried for copies before they are left where something else stands.
 const MOST_STEPS: u32 = 1000;
 
 /// The selected bodies and lights, and the materials they name or that are selected, as a scene file's text. Paths of

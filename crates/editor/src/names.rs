@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use catoptric_scene::{Body, List, Scene};
 
-/// The names that are taken.
+/// The names that are in use.
 pub(crate) struct UsedNames {
     taken: HashSet<String>,
     /// For a name without its number, the number to try next.

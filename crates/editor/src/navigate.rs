@@ -18,7 +18,7 @@ const NEAREST_POLE: f64 = 0.002;
 /// Room around a framed ball, as a part of its radius.
 const MARGIN: f64 = 0.1;
 
-/// A side to look from, with Y up and the front towards +Z.
+/// The side of the scene to look from, with Y up and the front towards +Z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ViewSide {
     /// From +Z.
@@ -133,7 +133,7 @@ pub fn dolly(camera: &Camera, factor: f64) -> Camera {
     }
 }
 
-/// The same, but `point` stays where it is in the picture.
+/// Moves the camera as [`dolly`] does; `point` keeps its place in the picture.
 pub fn zoom_towards(camera: &Camera, point: DVec3, factor: f64) -> Camera {
     if factor.is_nan() || factor <= 0.0 {
         return *camera;

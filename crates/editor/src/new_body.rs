@@ -5,14 +5,14 @@ use glam::DVec3;
 
 use crate::bounds;
 
-/// A place for a new body.
+/// The place, size and rotation of a new body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewBodyPlacement {
     /// The point under the middle of the body that it rests on, meters.
     pub foot: DVec3,
     /// How large the body is, as a multiple of its shape's default sizes; more than 0.
     pub size: f64,
-    /// Its turns about X, Y and Z, degrees.
+    /// The turns about X, Y and Z, degrees.
     pub rotation_degrees: DVec3,
 }
 

@@ -97,7 +97,7 @@ impl Selection {
         Self { items: Vec::new() }
     }
 
-    /// This one thing.
+    /// A selection of one thing.
     pub fn one(item: Item) -> Self {
         Self { items: vec![item] }
     }

@@ -118,7 +118,8 @@ pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// standard output), gets the same bytes, all at once when `fill` has ended.
 ///
 /// # Errors
-/// As for [`write_bytes`], and what `fill` returns; nothing has changed then. A stream may have got a part of the bytes.
+/// Those of [`write_bytes`], and what `fill` returns; nothing has changed then. A stream may have got a part of the
+/// bytes.
 pub fn write_whole(
     path: &Path,
     fill: impl FnOnce(&mut dyn Sink) -> io::Result<()>,

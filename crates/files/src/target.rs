@@ -10,7 +10,7 @@ use crate::error::WriteError;
 /// Symbolic links followed at most, as many as Linux follows.
 const LINKS: usize = 40;
 
-/// Where the bytes will go.
+/// The target of a path for output.
 #[derive(Debug)]
 pub(crate) enum OutputTarget {
     /// A plain file, existing (then with its permissions) or not, reached through any symbolic links. It is replaced.
@@ -65,7 +65,7 @@ pub(crate) fn directory_of(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// What symbolic links lead to.
+/// The target of symbolic links.
 enum LinkTarget {
     Descriptor(Descriptor),
     /// A descriptor of another process, by its link: the link's text may be the name of a file, which must not be replaced.

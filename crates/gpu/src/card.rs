@@ -61,7 +61,7 @@ impl Gpu {
         Self::watched(device, queue, watch)
     }
 
-    /// The same with a device that is watched already.
+    /// Draws with a device of others that is watched already.
     ///
     /// # Errors
     /// When it lacks something.

@@ -29,7 +29,7 @@ pub struct GpuFilm {
     samples: u32,
     /// Of samples that were begun: how many, and the first tile without them.
     begun: Option<(u32, u32)>,
-    /// As many tiles are dispatched at once.
+    /// The number of tiles of one dispatch.
     stride: u32,
 }
 
@@ -287,14 +287,14 @@ impl AddAssign for GpuPass {
     }
 }
 
-/// What a dispatch tells of itself.
+/// The buffers that a dispatch reports its progress and times in.
 struct DispatchReport {
     /// The head of the film and two times.
     buffer: wgpu::Buffer,
     clock: Option<GpuTimer>,
 }
 
-/// The card's own clock.
+/// Timestamp queries of the card.
 struct GpuTimer {
     queries: wgpu::QuerySet,
     times: wgpu::Buffer,

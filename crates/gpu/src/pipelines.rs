@@ -12,7 +12,7 @@ use crate::error::GpuError;
 const BINDINGS: u32 = 11;
 /// Pictures are a texture.
 const PICTURES: u32 = 10;
-/// Those of them that are storage: the arrays, the film last.
+/// The bindings of storage buffers: the arrays, the film last.
 pub(crate) const STORED: std::ops::RangeInclusive<u32> = 1..=8;
 
 /// The shaders compiled so far. A program meets few kinds of stages, and a shader is small: none is let go of.

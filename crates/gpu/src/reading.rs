@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use crate::card::Gpu;
 use crate::error::GpuError;
 
-/// So long may a piece of work take before the card counts as hung; drivers give up long before.
+/// The longest time for a dispatch before the card counts as hung; drivers give up long before.
 const PATIENCE: Duration = Duration::from_secs(120);
 /// How long to sleep between looks at the card: at first, and in the end.
 const SHORTEST_PAUSE: Duration = Duration::from_micros(20);

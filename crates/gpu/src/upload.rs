@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::card::Gpu;
 use crate::error::GpuError;
 
-/// An array in the memory of a card, and room to grow.
+/// An array in the memory of a card, with room to grow.
 pub(crate) struct GpuArray {
     what: &'static str,
     buffer: wgpu::Buffer,
@@ -15,7 +15,7 @@ pub(crate) struct GpuArray {
     copy: Option<Vec<u8>>,
 }
 
-/// So much is written at once where bytes differ.
+/// Bytes that are written at once where an array has changed.
 const BLOCK: usize = 256;
 
 impl GpuArray {

@@ -3,7 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// Takes note when a device is lost, which drivers tell in any thread.
+/// Records the loss of a device, which drivers report in any thread.
 pub struct LossWatch {
     device: wgpu::Device,
     lost: OnceLock<String>,

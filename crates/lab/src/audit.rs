@@ -48,7 +48,7 @@ pub struct AuditSettings {
 }
 
 impl AuditSettings {
-    /// As many rays as are written down by default, 2¹⁶: some hundred bytes each.
+    /// The default limit of rays that are written down, 2¹⁶: some hundred bytes each.
     pub const RAYS: usize = 1 << 16;
 }
 

@@ -23,7 +23,7 @@ pub struct Contender {
     pub drawn: Option<ContenderPicture>,
 }
 
-/// How a contender was drawn.
+/// The times of a contender, and the reasons of its differences.
 #[derive(Clone, Debug)]
 pub struct ContenderPicture {
     /// The median time of each pass, milliseconds.
@@ -49,7 +49,7 @@ pub struct Metrics {
     pub flip_map: FlipMap,
 }
 
-/// Contenders and how far each is from the first.
+/// The contenders, and the difference of each from the first.
 #[derive(Clone, Debug)]
 pub struct MethodComparison {
     /// The pictures; the first is the truth.
@@ -101,7 +101,7 @@ impl CompareError {
     }
 }
 
-/// What to draw and how.
+/// The methods to compare, and the settings of their pictures.
 #[derive(Clone, Debug)]
 pub struct CompareJob<'a> {
     /// The scene.
@@ -157,7 +157,7 @@ pub fn draw_all(
         .collect()
 }
 
-/// One way of drawing under way.
+/// A contender while it is drawn.
 struct ContenderRun<'a> {
     variant: &'a Variant,
     stage: Stage,

@@ -111,7 +111,7 @@ impl ExactAnswer {
 /// How far from the axis the marginal ray of [`ExactAnswer::Focus`] runs, in radii.
 pub const MARGINAL: f64 = 0.7;
 
-/// A point that is known, and where the tracer finds it.
+/// A point by the laws of optics, and by the tracer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExactDeviation {
     /// By the law, meters.
@@ -139,7 +139,7 @@ pub struct RingImage {
     pub miss: Option<f64>,
 }
 
-/// Exact answers of a scene.
+/// The exact answers of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ExactAnswers {
     /// The answers, in the order of kinds.
@@ -156,7 +156,7 @@ pub struct ExactAnswers {
 /// What reflects less is no mirror to look into.
 const LEAST_MIRROR: f64 = 0.25;
 
-/// So many mirrors, bodies before them, and bodies with highlights are looked at.
+/// The most mirrors, bodies before them, and bodies with highlights that are examined.
 const MOST: usize = 8;
 
 /// The exact answers that a scene has, for the strongest of its mirrors and the first of its other bodies: those that the
@@ -167,8 +167,8 @@ pub fn answers(scene: &Scene) -> ExactAnswers {
     answers
 }
 
-/// The same for one body that is mirrored, gathers light or shines, or for all; also those that the tracer cannot
-/// follow, as a mirror ends too soon.
+/// The exact answers for one body that is mirrored, focuses light or has a highlight, or for all. Answers that the
+/// tracer cannot follow, because a mirror ends too soon, are included.
 pub fn answers_for(scene: &Scene, body: Option<usize>) -> ExactAnswers {
     let setting = ExactSetup::new(scene, body);
     let mut found = AnswerCollector { answers: Vec::new(), inapplicable: setting.rough_and_curved.clone() };
@@ -190,13 +190,13 @@ pub fn answers_for(scene: &Scene, body: Option<usize>) -> ExactAnswers {
     answers
 }
 
-/// What is being found out.
+/// Collects the answers while the scene is examined.
 struct AnswerCollector {
     answers: Vec<ExactAnswer>,
     inapplicable: Vec<Inapplicable>,
 }
 
-/// What the answers are about.
+/// The mirrors, lenses and bodies that answers are computed for.
 struct ExactSetup<'a> {
     scene: &'a Scene,
     /// Smooth opaque mirrors, the strongest first.
@@ -212,7 +212,7 @@ struct ExactSetup<'a> {
     is_cut: bool,
 }
 
-/// A body that takes part.
+/// A body with its place in the scene and its center.
 #[derive(Clone, Copy)]
 struct PlacedBody<'a> {
     index: usize,

@@ -31,7 +31,7 @@ pub enum MapKind {
 pub const DEEPEST: u32 = catoptric_scene::Tracing::MAX_GENERATIONS;
 /// The least weight of rays in a reference, 2⁻¹².
 pub const LIGHTEST: f32 = 1.0 / 4096.0;
-/// So many rays of a pixel's sample are followed; pixels with more are [incomplete](Map::incomplete).
+/// The most rays of a pixel's sample that are followed; pixels with more are [incomplete](Map::incomplete).
 pub const MOST_RAYS: usize = 1 << 16;
 
 impl MapKind {
@@ -167,7 +167,7 @@ fn new_values(width: u32, height: u32) -> Result<Vec<f32>, SizeError> {
     Ok(values)
 }
 
-/// The samples of a pixel together.
+/// The sums over the samples of a pixel.
 struct PixelSums {
     rays: u64,
     samples: u32,

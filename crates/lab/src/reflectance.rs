@@ -22,7 +22,7 @@ pub enum CurveKind {
     Blue,
     /// Light of all colors that comes to a clear surface from outside.
     FromOutside,
-    /// The same from within.
+    /// Light of all colors that comes to a clear surface from inside.
     FromInside,
 }
 
@@ -58,7 +58,7 @@ impl ReflectanceCurve {
     }
 }
 
-/// An angle at which something happens to the curve.
+/// A special angle of a curve, such as Brewster's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpecialAngle {
     /// What happens.
@@ -69,7 +69,7 @@ pub struct SpecialAngle {
     pub is_from_inside: bool,
 }
 
-/// What happens at an angle.
+/// The kind of a special angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpecialAngleKind {
     /// Light that swings in the plane of incidence is not reflected at all (D. Brewster 1815).

@@ -13,7 +13,7 @@ pub(crate) enum Canvas {
     Card(Box<GpuFilm>),
 }
 
-/// A graphics card that draws, and what it has of the scene.
+/// A graphics card that draws, with its copy of the scene.
 pub(crate) struct CardRenderer {
     pub(crate) gpu: Arc<Gpu>,
     pub(crate) stage: GpuScene,

@@ -26,7 +26,7 @@ const LEVELS: f64 = 12.0;
 /// Lines closer to each other than this fade into the distance, pixels.
 const CROWDED: f64 = 8.0;
 
-/// The grid's measures.
+/// The step and the middle of the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct GridMeasures {
     /// Between the lines, meters: a power of ten.
@@ -65,7 +65,7 @@ impl GridMeasures {
     }
 }
 
-/// A line on the ground.
+/// A line of the grid on the ground.
 #[derive(Clone, Copy, Debug)]
 struct GroundLine {
     ends: [DVec3; 2],
@@ -126,7 +126,7 @@ pub(crate) fn trace(
     lines(spec, &measures).par_iter().flat_map_iter(|line| cutter.pieces(line)).collect()
 }
 
-/// Cuts lines by the view and by bodies.
+/// Clips lines at the view and behind bodies.
 struct LineClipper<'a> {
     eye: DVec3,
     /// Depth of what is too close to be drawn, meters.
@@ -137,7 +137,7 @@ struct LineClipper<'a> {
     size: DVec2,
 }
 
-/// A part of a line on the screen; places on it are numbers 0…1.
+/// A segment of a line on the screen; places on it are numbers 0…1.
 struct ScreenSegment {
     ends: [DVec3; 2],
     pixels: [DVec2; 2],

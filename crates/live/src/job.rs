@@ -22,7 +22,7 @@ pub struct RenderJob {
     thread: Option<JoinHandle<()>>,
 }
 
-/// What the job and its thread share.
+/// The state that a job shares with its thread.
 struct JobState {
     scene: Arc<Scene>,
     method: Method,
@@ -76,7 +76,7 @@ pub enum JobError {
         /// Edge of a face, pixels.
         size: u32,
     },
-    /// It was cancelled.
+    /// The job was cancelled.
     #[error("the render was cancelled")]
     Cancelled,
     /// The system gives no threads, or the program itself failed.
@@ -99,7 +99,7 @@ impl RenderJob {
         Self::drawn(scene, Method::Whitted, DisplayContent::Picture, settings, generations, threads)
     }
 
-    /// The same by another method, or what lies behind its picture.
+    /// Starts to draw `scene` by any method, or a layer behind its picture.
     ///
     /// # Errors
     /// When the system gives no thread.

@@ -44,7 +44,7 @@ impl Live {
         Self::with_options(LiveOptions::default(), wake)
     }
 
-    /// The same with other threads and another budget.
+    /// Starts a worker with a number of threads and a time budget.
     ///
     /// # Errors
     /// When the system gives no threads.

@@ -23,7 +23,7 @@ const ROUGH_FACE: u32 = 48;
 /// Cube maps of no more bytes are kept for when the method is chosen again.
 const KEPT: u64 = 256 << 20;
 
-/// What a method has drawn.
+/// The newest picture of a method.
 pub(crate) struct MethodPicture {
     pub(crate) drawing: Drawing,
     pub(crate) size: [u32; 2],
@@ -34,7 +34,7 @@ pub(crate) struct MethodPicture {
 #[derive(Default)]
 pub(crate) struct CubeMapStore {
     whole: CubeMaps,
-    /// Those made while bodies move.
+    /// The coarse maps made while bodies move.
     rough: CubeMaps,
     bytes: u64,
 }
@@ -118,7 +118,7 @@ fn roughly(method: Method) -> Method {
     }
 }
 
-/// What is to be drawn.
+/// One drawing by a method: its size, samples and deadline.
 struct DrawingStep {
     size: [u32; 2],
     samples: u32,

@@ -17,12 +17,12 @@ use contour::{BorderPoint, Contour};
 /// Up to this many bodies have an outline each; more have one around all of them.
 const MOST_OUTLINES: usize = 32;
 
-/// Stages of the bodies to outline.
+/// The stages of the bodies to outline.
 pub(crate) struct OutlineTracer {
     groups: Vec<OutlineGroup>,
 }
 
-/// Bodies with one outline.
+/// Bodies that share one outline.
 struct OutlineGroup {
     bodies: Vec<usize>,
     stage: Stage,

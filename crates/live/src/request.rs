@@ -41,7 +41,7 @@ impl Request {
     /// Samples per pixel unless said otherwise.
     pub const DEFAULT_SAMPLES: u32 = 16;
 
-    /// So many times as many where [chance](catoptric_tracer::Stage::is_noisy) has a part in the light of a pixel.
+    /// The factor of samples where a pixel's light is [noisy](catoptric_tracer::Stage::is_noisy).
     pub const NOISY: u32 = 16;
 
     /// The largest view, pixels: beyond the largest displays.
@@ -67,7 +67,7 @@ impl Request {
     }
 }
 
-/// What is seen of a drawing. Where the method has no such thing, it is the picture.
+/// The part of a drawing that is displayed. If the method has no such part, the picture is displayed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum DisplayContent {
     /// The picture.

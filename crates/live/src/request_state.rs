@@ -23,7 +23,7 @@ use crate::status::LiveError;
 /// A hand that holds still this long lets the picture sharpen, though it holds something.
 const STILL: Duration = Duration::from_millis(150);
 
-/// A request, what was found for it so far, and what is still due.
+/// A request with its results so far, and what is still to be done.
 pub(crate) struct RequestState {
     pub(crate) request: Request,
     pub(crate) stage: Arc<Stage>,
@@ -48,7 +48,7 @@ pub(crate) struct RequestState {
     changed: Instant,
 }
 
-/// What the last frame showed.
+/// The content of the last frame.
 #[derive(Default)]
 pub(crate) struct LastFrame {
     pub(crate) pixels: Arc<Vec<u8>>,
@@ -63,7 +63,7 @@ pub(crate) struct LastFrame {
     pub(crate) at: Option<Instant>,
 }
 
-/// What a change has made out of date.
+/// The parts that a change has made out of date.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct StaleParts {
     /// All light; the first picture is coarse.
@@ -267,7 +267,7 @@ pub(crate) fn is_new(new: &Request, current: &Request) -> bool {
         || (new.paused && !current.paused)
 }
 
-/// How the stage of one request becomes that of the next.
+/// The update that turns the stage of one request into that of the next.
 pub(crate) enum SceneUpdate {
     /// Nothing that is traced is different, apart from the camera.
     Same,

@@ -21,7 +21,7 @@ pub(crate) struct SharedState {
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
-/// What goes to the worker.
+/// The messages to the worker.
 #[derive(Default)]
 struct Mailbox {
     request: Option<Request>,
@@ -33,7 +33,7 @@ struct Mailbox {
     pass_ended: bool,
 }
 
-/// What comes from the worker.
+/// The results of the worker.
 #[derive(Default)]
 struct WorkerOutput {
     latest: Option<Arc<Frame>>,
@@ -43,7 +43,7 @@ struct WorkerOutput {
     is_news: bool,
 }
 
-/// What the worker finds when it looks.
+/// The next message to the worker.
 pub(crate) enum WorkerMessage {
     Stop,
     /// What is to draw from now on.
@@ -54,7 +54,7 @@ pub(crate) enum WorkerMessage {
     Nothing,
 }
 
-/// How long the worker waits for mail.
+/// The time that the worker waits for messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum WaitLimit {
     /// There is work to do.
@@ -65,7 +65,7 @@ pub(crate) enum WaitLimit {
     ForEver,
 }
 
-/// When a pass under way gives way to a newer request.
+/// The conditions on which a newer request interrupts a pass.
 pub(crate) struct PreemptionRule<'a> {
     /// Whether a request asks for something new.
     pub(crate) is_new: &'a dyn Fn(&Request) -> bool,
@@ -280,7 +280,7 @@ impl SharedState {
     }
 }
 
-/// Rings when it is dropped, also by a panic.
+/// Signals the end of a pass when it is dropped, also by a panic.
 pub(crate) struct PassEndSignal<'a>(&'a SharedState);
 
 impl Drop for PassEndSignal<'_> {

@@ -46,7 +46,7 @@ pub(crate) struct Worker {
     picture_serial: u64,
 }
 
-/// What a finished pass took.
+/// The rays and the time of a finished pass.
 pub(crate) struct PassCost {
     pub(crate) rays: RayCounts,
     pub(crate) milliseconds: f64,

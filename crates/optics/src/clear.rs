@@ -5,7 +5,7 @@ use crate::dispersion::Dispersion;
 /// A clear substance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClearSubstance {
-    /// Its name in scene files.
+    /// The substance's name in scene files.
     pub name: &'static str,
     /// Refractive index by wavelength.
     pub dispersion: Dispersion,

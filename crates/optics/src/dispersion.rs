@@ -3,7 +3,7 @@
 /// How the refractive index of a clear medium depends on the wavelength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dispersion {
-    /// The same for all light.
+    /// One index for all wavelengths.
     Constant(f64),
     /// n = A + B/λ² (A.-L. Cauchy 1836), B in square micrometers.
     Cauchy {

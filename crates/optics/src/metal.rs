@@ -8,7 +8,7 @@ use crate::{fresnel, observer};
 /// A metal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metal {
-    /// Its name in scene files.
+    /// The metal's name in scene files.
     pub name: &'static str,
     /// Measured points in rising order: wavelength in nanometers, n, k.
     pub points: &'static [[f64; 3]],

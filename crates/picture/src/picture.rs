@@ -101,7 +101,7 @@ impl Picture {
     /// The picture whose pixel at column `x`, row `y` is `color(x, y)`; rows from the top.
     ///
     /// # Errors
-    /// As for [`Picture::new`].
+    /// Those of [`Picture::new`].
     pub fn from_fn(
         width: u32,
         height: u32,
@@ -119,7 +119,7 @@ impl Picture {
     /// The picture made of these pixels, row by row from the top; no pixel is copied.
     ///
     /// # Errors
-    /// As for [`Picture::new`], and when the number of pixels is not `width` × `height`.
+    /// Those of [`Picture::new`], and a number of pixels other than `width` × `height`.
     pub fn from_pixels(width: u32, height: u32, pixels: Vec<[f32; 3]>) -> Result<Picture, SizeError> {
         if pixels.len() == Self::check_size(width, height)? {
             Ok(Picture { width, height, pixels })

@@ -21,7 +21,7 @@ pub(crate) fn exact16(x: f32) -> u16 {
     (65535.0 * srgb::encode(f64::from(x)) + 0.5) as u16
 }
 
-/// One bucket: `code` at its start, `code + 1` from `next` on.
+/// One bucket of the table: `code` at its start, `code + 1` from `next` on.
 #[derive(Clone, Copy)]
 struct QuantizeBucket {
     next: f32,

@@ -70,7 +70,7 @@ pub enum DecodeError {
         /// What it is, and what would do instead.
         reason: String,
     },
-    /// It is open which layer of the file is the picture.
+    /// The file has several layers, and none is known as the picture.
     #[error(
         "the picture has several layers, and none of them is called `Combined` or has no name; name one of them as \
          the layer: {}", layers.join(", ")

@@ -165,7 +165,7 @@ impl Placement {
         Self { anchor: Anchor::Frame { position, rotation_degrees: DVec3::ZERO }, scale: DVec3::ONE }
     }
 
-    /// The same placement moved in the world by `offset`, meters.
+    /// Moves the placement in the world by `offset`, meters.
     pub fn moved_by(self, offset: DVec3) -> Self {
         let anchor = match self.anchor {
             Anchor::Frame { position, rotation_degrees } => {

@@ -8,7 +8,7 @@ use crate::format::{nearest, read};
 /// A scene that comes with the program: something to look at, to learn from, and to start from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Example {
-    /// Its name, as on the command line.
+    /// The example's name, as on the command line.
     pub name: &'static str,
     /// The scene file's text; it begins with a title in English, one in Russian, and what to notice.
     pub text: &'static str,

@@ -8,7 +8,7 @@ use catoptric_files::{WriteError, directory_of_file, write_bytes};
 use crate::Scene;
 use crate::format::{Diagnostics, LONGEST_TEXT, ParsedScene, read_bytes};
 
-/// A scene file that could be read.
+/// A scene file that was read without errors.
 #[derive(Clone, Debug)]
 pub struct LoadedScene {
     /// The scene.
@@ -37,7 +37,7 @@ pub enum LoadError {
     Diagnostics {
         /// The file.
         path: PathBuf,
-        /// Its text, for [`Diagnostics::render`].
+        /// The text of the file, for [`Diagnostics::render`].
         text: String,
         /// The errors, and warnings.
         diagnostics: Diagnostics,

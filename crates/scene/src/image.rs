@@ -127,7 +127,7 @@ impl Image {
         &self.source
     }
 
-    /// Its path, as scene files have it.
+    /// The path of the picture, as scene files have it.
     pub fn path(&self) -> &str {
         &self.source.path
     }
@@ -142,7 +142,7 @@ impl Image {
         (!self.is_built_in()).then(|| file_of(self.path(), folder))
     }
 
-    /// Its pixels, in linear light, if they are known.
+    /// The pixels of the picture, in linear light, once it is opened.
     pub fn pixels(&self) -> Option<&Arc<Picture>> {
         self.pixels.as_ref()
     }
@@ -152,7 +152,7 @@ impl Image {
         self.path().starts_with(Self::BUILT_IN)
     }
 
-    /// The same picture by another path.
+    /// Gives the picture another path.
     #[must_use]
     pub fn with_path(&self, path: impl Into<Arc<str>>) -> Self {
         let layer = self.source.layer.clone();
@@ -236,19 +236,19 @@ pub struct ImageError {
 /// What is wrong with a picture, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ImageFault {
-    /// It should come with the program, but does not.
+    /// No built-in picture has this name.
     #[error("there is no built-in picture of this name; there are {}", Image::BUILT_IN_NAMES.join(", "))]
     NotBuiltIn,
-    /// It comes with the program, and has no layers.
+    /// A built-in picture has no layers.
     #[error("a built-in picture has no layers; remove `layer`")]
     BuiltInLayer,
     /// There is no such file.
     #[error("there is no file {}; check the path, which begins at the scene's folder", .0.display())]
     Missing(PathBuf),
-    /// It is a folder, a pipe or a device.
+    /// The path names a folder, a pipe or a device.
     #[error("it is not a plain file; save the picture in one")]
     NotAFile,
-    /// It has too many pixels.
+    /// The picture has too many pixels.
     #[error("it has {width}x{height} pixels, but may have as many as 8192x4096; make it smaller")]
     TooLarge {
         /// Pixels across.
@@ -269,18 +269,18 @@ pub enum ImageFault {
 /// Why a file cannot be read as a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum UnreadableKind {
-    /// It is empty.
+    /// The file is empty.
     Empty,
-    /// It is of no format that is read.
+    /// The file has no known format.
     UnknownFormat,
-    /// It is truncated or corrupt.
+    /// The file is truncated or corrupt.
     Damaged,
-    /// It has several layers, and it is open which of them is the picture.
+    /// The file has several layers, and none is known as the picture.
     ManyLayers {
-        /// Their names.
+        /// The names of the layers.
         layers: Vec<String>,
     },
-    /// It has no layer of the name that was asked for.
+    /// The file has no layer of the requested name.
     NoSuchLayer {
         /// The names of those that there are; none if there are no named layers.
         layers: Vec<String>,
@@ -375,8 +375,8 @@ impl Scene {
         self.images_with(self.bodies.iter())
     }
 
-    /// The same without those of bodies that it shares with `other`, such as the scene before an edit: however many
-    /// bodies there are, only the neighbors of those that were edited are looked at.
+    /// All pictures of the scene without those of bodies that it shares with `other`, such as the scene before an edit.
+    /// However many bodies there are, only the neighbors of those that were edited are looked at.
     pub fn images_besides<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = &'a Image> {
         let places = self.bodies.unshared(&other.bodies);
         self.images_with(places.filter_map(|place| self.bodies.get(place)))
@@ -447,7 +447,7 @@ fn sane(part: f32) -> f32 {
     if part.is_nan() { 0.0 } else { part.clamp(0.0, MOST) }
 }
 
-/// What a file was when it was read, and what it had in it, as long as anyone has that.
+/// The time, size and content of a file when it was read, while the content is in use.
 type CachedFile = (Option<SystemTime>, u64, Weak<Picture>);
 
 /// A file and the layer that is read of it.

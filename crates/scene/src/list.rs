@@ -21,11 +21,11 @@ pub type ListIter<'a, T> = CountedIter<Flatten<ListSlices<'a, T>>>;
 pub type ListIterMut<'a, T> =
     FlatMap<std::slice::IterMut<'a, Arc<Vec<T>>>, &'a mut Vec<T>, fn(&'a mut Arc<Vec<T>>) -> &'a mut Vec<T>>;
 
-/// The neighbors that are copied together, as slices.
+/// The slices of neighbors that are copied together.
 #[derive(Clone, Debug)]
 pub struct ListSlices<'a, T>(std::slice::Iter<'a, Arc<Vec<T>>>);
 
-/// An iterator that knows how much is left.
+/// An iterator of known length.
 #[derive(Clone, Debug)]
 pub struct CountedIter<I> {
     rest: I,

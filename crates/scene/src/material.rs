@@ -16,7 +16,7 @@ pub enum Model {
     Phong,
     /// The smooth or rough boundary of a clear substance: reflects by Fresnel's formulas, and lets through the rest.
     Dielectric,
-    /// The same of a metal, which lets nothing through.
+    /// The smooth or rough surface of a metal: reflects by Fresnel's formulas, and lets nothing through.
     Conductor,
     /// Reflects its color under every angle.
     Mirror,
@@ -31,7 +31,7 @@ impl Model {
     pub const ALL: [Self; 6] =
         [Self::Phong, Self::Dielectric, Self::Conductor, Self::Mirror, Self::Matte, Self::Coated];
 
-    /// Its word in scene files.
+    /// The word in scene files.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Phong => "phong",
@@ -272,7 +272,7 @@ pub struct Share {
 }
 
 impl Share {
-    /// The same under every angle.
+    /// An equal share under every angle.
     const fn always(share: f64) -> Self {
         Self { straight: share, most: share }
     }
@@ -336,7 +336,7 @@ impl CheckerSpace {
     /// Both, in the order of the format.
     pub const ALL: [Self; 2] = [Self::World, Self::Body];
 
-    /// Its word in scene files.
+    /// The word in scene files.
     pub const fn key(self) -> &'static str {
         match self {
             Self::World => "world",

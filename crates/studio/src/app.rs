@@ -68,7 +68,7 @@ pub struct Studio {
     pub(crate) images: DocumentImages,
 }
 
-/// What to open at the start.
+/// The document to open at the start.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum StartDocument {
     /// The scene of the last time, or else a beautiful example.
@@ -93,7 +93,7 @@ impl Studio {
         Self::interruptible(context, start, host, None)
     }
 
-    /// The same with a way to end it from outside.
+    /// Builds the studio with a way to end it from outside.
     pub(crate) fn interruptible(
         context: &egui::Context,
         start: &StartDocument,

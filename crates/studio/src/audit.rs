@@ -35,7 +35,7 @@ pub(crate) use segments::{RaySegment, SegmentKind, pixel_at};
 use crate::latest::Latest;
 use result::AuditRequest;
 
-/// A pixel of a picture: what an audit is about.
+/// The pixel that an audit examines, and its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PinnedPixel {
     /// Column and row, from the upper left.
@@ -44,7 +44,7 @@ pub(crate) struct PinnedPixel {
     pub(crate) size: UVec2,
     /// The camera of the picture.
     pub(crate) camera: Camera,
-    /// The same before its window was fitted to the panel: to look through it again.
+    /// The camera before its window was fitted to the panel, for looking through it again.
     pub(crate) home: Camera,
 }
 

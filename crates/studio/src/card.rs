@@ -11,7 +11,7 @@ use egui::TextureId;
 use crate::app::Studio;
 use crate::texts::Texts;
 
-/// The card of the window, if it can trace.
+/// The graphics card of the window, if it can trace.
 #[derive(Default)]
 pub(crate) struct WindowCard {
     window: Option<(RenderState, Arc<Gpu>)>,
@@ -22,7 +22,7 @@ pub(crate) struct WindowCard {
     textures: Vec<WindowTexture>,
 }
 
-/// A picture as the window knows it.
+/// A picture that is registered as a texture of the window.
 struct WindowTexture {
     picture: Weak<GpuPicture>,
     filter: wgpu::FilterMode,
@@ -92,8 +92,8 @@ impl Studio {
         self.choose_card();
     }
 
-    /// The same for a device that is watched. One that follows a lost one draws only when it is switched on again: a card
-    /// that has just failed is not trusted at once.
+    /// Lets the card of a new window draw the picture too. After a loss it draws only when it is switched on again: a
+    /// card that has just failed is not trusted at once.
     pub(crate) fn enter_window(&mut self, state: &RenderState, watch: &Arc<LossWatch>, is_first: bool) {
         let gpu = Gpu::watched(state.device.clone(), state.queue.clone(), Arc::clone(watch));
         self.card.window = gpu.ok().map(|gpu| (state.clone(), Arc::new(gpu)));

@@ -144,7 +144,7 @@ pub enum Tool {
     Scale,
 }
 
-/// An act of the audit, which looks into a pixel.
+/// A command of the audit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AuditCommand {
     /// Clicks in the picture pin pixels, or no longer do.
@@ -167,7 +167,7 @@ pub enum AuditCommand {
     Release,
 }
 
-/// An act of the comparison.
+/// A command of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CompareCommand {
     /// Exchanges the two pictures.
@@ -180,7 +180,7 @@ pub enum CompareCommand {
     Save,
 }
 
-/// An act of the measurement.
+/// A command of the measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MeasureCommand {
     /// Begins to measure.
@@ -198,11 +198,11 @@ pub enum ZoomStep {
     In,
     /// A tenth smaller.
     Out,
-    /// As the system has it.
+    /// The magnification of the system.
     Normal,
 }
 
-/// What commands are about: the sections of the list of shortcuts.
+/// The group of a command: the sections of the list of shortcuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CommandGroup {
     /// Files and pictures.
@@ -255,16 +255,16 @@ impl CommandGroup {
     }
 }
 
-/// How a command is shown.
+/// The icon, message and shortcuts of a command.
 #[derive(Clone, Copy, Debug)]
 pub struct CommandStyle {
     /// The message that names it; its attribute `.tip` explains it.
     pub key: &'static str,
-    /// Its icon.
+    /// The command's icon.
     pub icon: MaterialIcon,
     /// Where it belongs.
     pub group: CommandGroup,
-    /// Its shortcuts, the usual one first.
+    /// The command's shortcuts, the usual one first.
     pub shortcuts: &'static [KeyboardShortcut],
 }
 

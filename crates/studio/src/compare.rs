@@ -31,7 +31,7 @@ use task::{CompareFailure, CompareResult, CompareTask};
 /// Nothing is compared before view and scene have rested so long.
 const REST: Duration = Duration::from_millis(300);
 
-/// What the panel shows.
+/// The display of the two pictures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum CompareMode {
     /// A at the left of a line, B at its right.
@@ -49,7 +49,7 @@ pub(crate) enum CompareMode {
     Reasons,
 }
 
-/// One of the two pictures.
+/// The choice for one of the two pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CompareSide {
     pub(crate) methods: MethodSettings,
@@ -57,7 +57,7 @@ pub(crate) struct CompareSide {
     pub(crate) file: Option<PathBuf>,
 }
 
-/// What is compared: as long as it stays, the comparison does.
+/// The inputs of a comparison; another key needs a new comparison.
 #[derive(Clone, Debug, PartialEq)]
 struct ComparisonKey {
     sources: [ComparedPicture; 2],
@@ -72,7 +72,7 @@ struct ComparisonViewKey {
     size: [u32; 2],
 }
 
-/// Where a picture comes from.
+/// The source of a compared picture.
 #[derive(Clone, Debug, PartialEq)]
 enum ComparedPicture {
     Method(Method),

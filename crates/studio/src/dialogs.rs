@@ -23,12 +23,12 @@ use crate::thumbnails::Thumbnails;
 pub(crate) use message::MessageDialog;
 use shield::ClickShield;
 
-/// What becomes of a dialog after a frame.
+/// The fate of a dialog after a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DialogFlow {
-    /// It stays open.
+    /// The dialog stays open.
     Stay,
-    /// It has been answered, or is no longer needed.
+    /// The dialog has been answered, or is no longer needed.
     Close,
 }
 
@@ -106,7 +106,7 @@ fn number_new(open: &mut [DialogSlot]) {
     }
 }
 
-/// Whether Enter presses the default button, for [`buttons`].
+/// True if Enter presses the default button, for [`buttons`].
 #[derive(Clone, Copy)]
 struct EnterDefault(bool);
 
@@ -169,7 +169,7 @@ pub(crate) fn buttons(ui: &mut Ui, labels: &[&str]) -> Option<usize> {
     buttons_if(ui, labels, true)
 }
 
-/// The same with a default button that can only be pressed when `is_ready`.
+/// Draws the row of buttons of a dialog; the default button can be pressed only if `is_ready`.
 pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option<usize> {
     let palette = theme::palette(ui.visuals());
     let enter_id = egui::Id::unique("enter decides");

@@ -39,7 +39,7 @@ use file_prompt::{ChosenFile, FilePrompt, FilePromptState};
 pub(crate) use recover::{RecoverableDocument, discard, restore};
 pub(crate) use start::start;
 
-/// So many bodies are many.
+/// From this number of bodies on, a scene counts as large.
 const MANY: usize = 10_000;
 
 /// What is known about the open document beyond the editor, and what is being done with files.
@@ -100,7 +100,7 @@ impl Documents {
     }
 }
 
-/// What a file is asked for.
+/// The purpose of a prompt for a scene file.
 enum FilePurpose {
     Opening,
     /// To save the document of this number, and what comes after.

@@ -10,7 +10,7 @@ use egui::Context;
 use crate::context::Cx;
 use crate::latest::Latest;
 
-/// The answers of the window, if they are wanted.
+/// The exact answers of the window, if they are displayed.
 #[derive(Default)]
 pub(crate) struct ExactState {
     pub(crate) is_on: bool,

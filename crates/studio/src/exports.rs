@@ -28,7 +28,7 @@ pub(crate) trait Export: Send + Sync + 'static {
     }
 }
 
-/// Why there are no files.
+/// The reason why nothing was exported.
 pub(crate) enum ExportFailure {
     /// The content cannot be made.
     Content(String),
@@ -44,6 +44,7 @@ pub(crate) struct Exports {
     going: Vec<ExportTask>,
 }
 
+/// An export that is under way.
 enum ExportTask {
     /// The person is choosing where.
     Asking(FilePrompt, Arc<dyn Export>),

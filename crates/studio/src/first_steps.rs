@@ -78,7 +78,7 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
     studio.commands.extend(done.next);
 }
 
-/// What was pressed on the card.
+/// The button of the card that was pressed.
 #[derive(Default)]
 struct CardResponse {
     is_closed: bool,

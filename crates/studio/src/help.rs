@@ -11,7 +11,7 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
 
-/// What is explained.
+/// A page of the help window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum HelpTopic {
     Shortcuts,
@@ -39,7 +39,7 @@ impl HelpTopic {
     }
 }
 
-/// The window of explanations: its page, if it is open.
+/// The help window: its page, if it is open.
 #[derive(Debug, Default)]
 pub(crate) struct HelpWindow {
     page: Option<HelpTopic>,

@@ -90,7 +90,7 @@ pub trait Host {
     }
 }
 
-/// The desktop.
+/// The host of a desktop.
 #[derive(Debug, Default)]
 pub struct DesktopHost;
 
@@ -172,7 +172,7 @@ fn strategy() -> Option<impl etcetera::AppStrategy> {
     .ok()
 }
 
-/// A dialog of the system and what it will answer.
+/// A file dialog of the system, and its future answer.
 type FileDialogFuture = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
 fn native_dialog(question: &FileQuestion) -> FileDialogFuture {

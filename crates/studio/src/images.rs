@@ -26,14 +26,14 @@ pub enum ImageUse {
     Texture,
 }
 
-/// What is known of the document's pictures.
+/// The state of the document's pictures.
 #[derive(Default)]
 pub(crate) struct DocumentImages {
     /// The document, and the folder at which its paths begin, for which the rest holds.
     home: Option<(u64, Option<PathBuf>)>,
     /// The scene that was looked through last: all its pictures are opened, being opened, or missing.
     looked_at: Option<Arc<Scene>>,
-    /// Those that could not be opened. Those that could are in the document alone: what its paths name may be another
+    /// Pictures that could not be opened. The others are in the document alone: what its paths name may be another
     /// picture by now.
     missing: HashSet<ImageSource>,
     job: Option<Job<Vec<OpenedImage>>>,

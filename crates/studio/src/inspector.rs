@@ -39,7 +39,7 @@ pub(crate) struct Inspector {
     memory: InspectorState,
 }
 
-/// What rows remember and tell each other.
+/// The state that rows keep and share.
 pub(crate) struct InspectorState {
     /// The symbol that is lit, in the formula and in the rows.
     pub(crate) pointed: Option<Symbol>,
@@ -87,7 +87,7 @@ impl Default for InspectorState {
     }
 }
 
-/// Why something was refused, and at which row.
+/// The reason of a refusal, and the row it belongs to.
 #[derive(Clone, Debug)]
 pub(crate) struct RefusalNote {
     pub(crate) id: Id,

@@ -30,7 +30,7 @@ const LEAST: Vec2 = vec2(380.0, 240.0);
 /// How far an arrow key scrolls, points.
 const STEP: f32 = 60.0;
 
-/// A page and what of it is in view.
+/// A page and the block in view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct ManualLocation {
     page: usize,
@@ -59,7 +59,7 @@ pub(crate) struct ManualWindow {
     measured: BlockOffsets,
 }
 
-/// What was chosen in the window.
+/// The links and buttons pressed in a frame.
 #[derive(Default)]
 struct ManualResponse {
     follows: Option<ManualLink>,

@@ -19,7 +19,7 @@ const COARSE: u32 = 6;
 /// Colors of a map.
 const SHADES: usize = 512;
 
-/// The map of the window, if one is wanted.
+/// The map of the window, if one is displayed.
 #[derive(Default)]
 pub(crate) struct MapState {
     pub(crate) kind: Option<MapKind>,
@@ -35,7 +35,7 @@ impl MapState {
     }
 }
 
-/// What a map is made of.
+/// The inputs of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct MapKey {
     kind: MapKind,
@@ -47,7 +47,7 @@ struct MapKey {
     step: u32,
 }
 
-/// A map and what it looks like.
+/// A map and its image.
 struct MapImage {
     map: Map,
     image: ColorImage,

@@ -27,7 +27,7 @@ use preview::MaterialPreview;
 /// The width of the field above the pictures, points; where less than twice this is there, it takes a line of its own.
 const FILTER: f32 = 240.0;
 
-/// What belongs together.
+/// A section of the list of materials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum MaterialSection {
     /// What bodies of this scene share.
@@ -56,7 +56,7 @@ impl MaterialSection {
     }
 }
 
-/// Something to choose.
+/// A material to choose: the scene's or a preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum MaterialItem {
     /// The scene's material at this place.
@@ -91,7 +91,7 @@ impl MaterialItem {
     }
 }
 
-/// What the panel keeps from frame to frame.
+/// The state of the panel.
 #[derive(Default)]
 pub(crate) struct MaterialBrowser {
     filter: String,
@@ -108,7 +108,7 @@ pub(crate) struct MaterialBrowser {
     seen: HashMap<String, MaterialPreview>,
 }
 
-/// What was found, for which document and filter.
+/// The materials that pass a filter, with the document and filter they belong to.
 struct MaterialFilterResult {
     key: (u64, String),
     things: Vec<MaterialItem>,

@@ -21,7 +21,7 @@ pub struct MethodSettings {
     all: [Method; MethodKind::ALL.len()],
 }
 
-/// As it is remembered: each method as the command line writes it.
+/// The form in the settings file: each method as the command line writes it.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default)]
 struct StoredMethods {
@@ -36,7 +36,7 @@ impl Default for MethodSettings {
 }
 
 impl MethodSettings {
-    /// Those of the first time with this one chosen.
+    /// The default settings with one method chosen.
     pub(crate) fn with(kind: MethodKind) -> Self {
         Self { chosen: kind, ..Self::default() }
     }

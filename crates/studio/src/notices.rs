@@ -19,7 +19,7 @@ const WIDTH: f32 = 330.0;
 /// How many notices are shown at most; older ones give way.
 const MOST: usize = 4;
 
-/// What kind of news.
+/// The kind of a notice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum NoticeKind {
     Success,

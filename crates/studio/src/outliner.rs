@@ -40,7 +40,7 @@ pub(crate) struct Outliner {
     dragged: Option<Item>,
 }
 
-/// A name that is being typed.
+/// The name that is being typed.
 struct RenameField {
     item: Item,
     name: String,

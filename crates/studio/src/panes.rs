@@ -35,7 +35,7 @@ pub(crate) struct Panes {
     pub(crate) example_note: ExampleNote,
 }
 
-/// The panels while the layout is drawn.
+/// The behavior of the docked panels for `egui_tiles`.
 pub(crate) struct PaneBehavior<'a> {
     pub(crate) cx: Cx<'a>,
     pub(crate) panes: &'a mut Panes,

@@ -33,7 +33,7 @@ use result::FinishedPicture;
 /// How often the progress is looked at.
 const LOOK: Duration = Duration::from_millis(200);
 
-/// The pictures of the window.
+/// The rendered pictures of the window.
 #[derive(Default)]
 pub(crate) struct RenderedPictures {
     running: Option<RenderTask>,
@@ -44,13 +44,13 @@ pub(crate) struct RenderedPictures {
     leaving: PictureCloseGuard,
 }
 
-/// A picture that is being rendered.
+/// A render that is under way.
 pub(crate) struct RenderTask {
     pub(crate) job: RenderJob,
     pub(crate) order: RenderRequest,
 }
 
-/// What was asked for.
+/// A request to render a picture.
 #[derive(Clone, Debug)]
 pub(crate) struct RenderRequest {
     pub(crate) choices: RenderChoices,

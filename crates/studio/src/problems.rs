@@ -24,7 +24,7 @@ use excerpt::Excerpt;
 /// Scenes with more bodies than this are not checked as a whole while they are edited; each edit is.
 const MOST_CHECKED: usize = 20_000;
 
-/// What the panel keeps from frame to frame.
+/// The state of the panel.
 #[derive(Default)]
 pub(crate) struct ProblemsPanel {
     name: String,
@@ -188,7 +188,7 @@ fn tops(findings: &Diagnostics, line: f32) -> Vec<f32> {
     tops
 }
 
-/// How much a finding matters to who sees the list.
+/// The rank of a finding in the list.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum FindingRank {
     Error,

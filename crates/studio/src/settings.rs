@@ -68,7 +68,7 @@ pub enum LastScene {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Theme {
-    /// As the system has it.
+    /// The theme of the system.
     System,
     /// Dark, the default: it leaves the picture the brightest thing.
     #[default]
@@ -101,7 +101,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Those of the first start: the system's language.
+    /// The settings of the first start: the system's language.
     pub fn first() -> Self {
         Self { language: Language::of_system(), ..Self::default() }
     }
@@ -118,7 +118,7 @@ impl Settings {
         settings
     }
 
-    /// Those of the first start with the entries found, each as far as it can be read.
+    /// The settings of the first start with the entries found, each as far as it can be read.
     fn of(found: Map<String, Value>) -> Self {
         let mut settings = Self::first();
         let Ok(Value::Object(mut readable)) = serde_json::to_value(&settings) else { return settings };

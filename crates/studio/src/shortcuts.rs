@@ -7,7 +7,7 @@ use crate::app::Studio;
 use crate::command::{Command, ZoomStep};
 use crate::held_keys::HeldKeys;
 
-/// What is remembered about keys from frame to frame.
+/// The state of the keyboard from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct ShortcutState {
     /// The keys that are held.
@@ -17,7 +17,7 @@ pub(crate) struct ShortcutState {
     pub(crate) is_paste_asked: bool,
 }
 
-/// What else listens to the keyboard.
+/// Other users of the keyboard, which take precedence over shortcuts.
 #[derive(Clone, Copy, Debug, Default)]
 struct KeyboardListeners {
     /// A text is being typed.

@@ -6,7 +6,7 @@ use egui::{
 
 use crate::settings::Theme;
 
-/// The colors beyond egui's own visuals.
+/// The colors of a theme beyond egui's own visuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ThemeColors {
     /// Panels.

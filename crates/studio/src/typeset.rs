@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::text::{LayoutJob, TextFormat, TextWrapping};
 use egui::{Color32, FontId, Galley, Pos2, Rect, Stroke, Ui, Vec2, vec2};
 
-/// A line of pieces, each at its place relative to the left end of the line's middle.
+/// A typeset line: runs at their places relative to the left end of the line's middle.
 #[derive(Default)]
 pub(crate) struct TextLine {
     pieces: Vec<TextRun>,

@@ -7,7 +7,7 @@ use catoptric_scene::Camera;
 
 use crate::command::Tool;
 
-/// The state of looking.
+/// The state of the view: tool, camera, display.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ViewState {
     /// What the gizmo does.
@@ -43,7 +43,7 @@ pub(crate) struct ViewState {
     pub(crate) is_measuring: bool,
 }
 
-/// A point of a body as it is seen.
+/// The point of a body under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ProjectedPoint {
     /// The place of the body in the scene.

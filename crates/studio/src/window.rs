@@ -75,7 +75,7 @@ pub fn open(start: &StartDocument, interruption: &Interruption) -> Result<(), St
     open_with_fault(start, interruption, &InjectedLoss::default())
 }
 
-/// The same with a device that can be made to fail.
+/// Opens the studio with a device that a test can make fail.
 #[doc(hidden)]
 pub fn open_with_fault(
     start: &StartDocument,
@@ -114,7 +114,7 @@ pub fn open_with_fault(
     }
 }
 
-/// The studio, which outlives its windows, and what it is drawn with.
+/// The studio, which outlives its windows, and its egui context.
 struct WindowSession {
     studio: Studio,
     context: Context,
@@ -196,7 +196,7 @@ fn held(context: &Context) -> Vec<Event> {
     })
 }
 
-/// The studio in one of its windows.
+/// The studio in one window, as an app of eframe.
 struct WindowApp<'a> {
     studio: &'a mut Studio,
     watch: Option<&'a Arc<LossWatch>>,

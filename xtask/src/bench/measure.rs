@@ -30,7 +30,7 @@ pub(super) struct CaseTimings {
     pub rows: Vec<TimingRow>,
     /// Percent of the pixels within 1/255 of POV-Ray's.
     pub same: f64,
-    /// The same of the other renderers that wrote a picture.
+    /// Percent of the pixels of the other renderers' pictures within 1/255 of POV-Ray's, where there is one.
     pub others_same: Vec<Option<f64>>,
 }
 

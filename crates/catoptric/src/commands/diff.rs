@@ -58,7 +58,7 @@ fn check_heat(path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// How different the pictures look.
+/// The ꟻLIP difference of two pictures.
 struct PerceivedDifference {
     /// `None` when they are too small for it.
     ssim: Option<f64>,

@@ -103,10 +103,10 @@ fn stays<T>(gone: &HashSet<Item>, kind: ItemFromIndex) -> impl FnMut(&T) -> bool
     move |_| indices.next().is_some_and(|index| !gone.contains(&kind(index)))
 }
 
-/// Makes items of one kind of the places in its list.
+/// Turns a place in a list into an item.
 type ItemFromIndex = fn(usize) -> Item;
 
-/// Where to move things in their list.
+/// A move of items within their list.
 #[derive(Clone, Copy)]
 pub(super) enum ListMove {
     Up,

@@ -38,7 +38,7 @@ impl Editor {
     /// Changes one body; one that does not exist stays so.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_body(
         &mut self,
         index: usize,
@@ -56,7 +56,7 @@ impl Editor {
     /// Changes several bodies, all or none; `edit` is told the place of each.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_bodies(
         &mut self,
         indices: impl IntoIterator<Item = usize>,
@@ -75,7 +75,7 @@ impl Editor {
     /// Changes one light; one that does not exist stays so.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_light(
         &mut self,
         index: usize,
@@ -93,7 +93,7 @@ impl Editor {
     /// Changes several lights, all or none; `edit` is told the place of each.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_lights(
         &mut self,
         indices: impl IntoIterator<Item = usize>,
@@ -113,7 +113,7 @@ impl Editor {
     /// [`crate::Action::Rename`].
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_material(
         &mut self,
         index: usize,
@@ -137,7 +137,7 @@ impl Editor {
     /// Changes the camera.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_camera(
         &mut self,
         label: Label,
@@ -150,7 +150,7 @@ impl Editor {
     /// document without a file it is no [work](Self::has_unsaved_work).
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn navigate(&mut self, label: Label, camera: Camera) -> Result<bool, RefusedChange> {
         let open = self.gesture.as_ref().filter(|gesture| gesture.label == label);
         let is_navigation = open.is_none_or(|gesture| gesture.is_navigation);
@@ -164,7 +164,7 @@ impl Editor {
     /// Changes the environment.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_environment(
         &mut self,
         label: Label,
@@ -176,7 +176,7 @@ impl Editor {
     /// Changes the limits of tracing.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_tracing(
         &mut self,
         label: Label,
@@ -189,7 +189,7 @@ impl Editor {
     /// anything; another selection alone is no step.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub(crate) fn step(
         &mut self,
         label: Label,

@@ -8,7 +8,7 @@ use catoptric_scene::{Scene, update, write};
 use super::images::{move_images, share_pixels};
 use super::{Editor, Gesture, Label, RefusedChange};
 
-/// A scene to be written, apart from the editor, so that another thread can make its text.
+/// A snapshot of the scene for writing, so that another thread can make its text.
 #[derive(Clone, Debug)]
 pub struct SceneWriter {
     scene: Arc<Scene>,
@@ -21,7 +21,7 @@ impl SceneWriter {
         &self.scene
     }
 
-    /// Its text: that of the file it came from, with what was edited since, comments and order kept.
+    /// The text to write: that of the scene's file with the edits since; comments and order are kept.
     pub fn text(&self) -> String {
         if self.original_text.is_empty() {
             write(&self.scene)
@@ -30,7 +30,7 @@ impl SceneWriter {
         }
     }
 
-    /// The same with whole paths of pictures, for a document without a file: they are found wherever the text is read.
+    /// Makes the paths of pictures absolute, for a document without a file: they are found wherever the text is read.
     #[must_use]
     pub fn with_whole_paths(mut self) -> Self {
         move_images(&mut self.scene, None, None);
@@ -44,8 +44,8 @@ impl Editor {
         SceneWriter { scene: Arc::clone(&self.scene), original_text: Arc::clone(&self.text) }
     }
 
-    /// The same to be written into the file at `path`, from whose folder it finds its pictures. The document itself is
-    /// as before until [`Self::mark_written`]: nothing may come of it.
+    /// The scene as it is now, with paths of pictures from the folder of the file at `path`, to be written there. The
+    /// document itself does not change before [`Self::mark_written`], since the writing may fail.
     pub fn writing_to(&self, path: &Path) -> SceneWriter {
         let mut writing = self.writing();
         if self.folder() != path.parent() {

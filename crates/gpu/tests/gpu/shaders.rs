@@ -54,7 +54,7 @@ pub(crate) fn kinds() -> Vec<Specialization> {
     kinds
 }
 
-/// The same with skies and textures.
+/// A kind of stage with each sky and with textures.
 fn with_pictures(kind: Specialization) -> [Specialization; 4] {
     let all = [(Sky::Gradient, false), (Sky::Picture, false), (Sky::Even, true), (Sky::Picture, true)];
     all.map(|(sky, textures)| Specialization { sky, textures, ..kind })

@@ -24,9 +24,9 @@ pub(super) fn end_of(audit: &Audit, node: &Node) -> String {
     node.ray.hit.map_or_else(|| "background".to_owned(), |hit| audit.names.body(hit.body))
 }
 
-/// The rays of a tree that are drawn: those near the eye.
+/// The rays that a drawing of a tree shows: those near the eye.
 pub(super) struct RayDiagram {
-    /// Their places, in order.
+    /// The places of the drawn rays in the tree, in order.
     pub(super) places: Vec<usize>,
     /// How many rays are not.
     pub(super) hidden: usize,

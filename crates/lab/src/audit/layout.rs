@@ -43,7 +43,7 @@ pub(super) fn tidy(parents: &[Option<usize>]) -> Vec<f64> {
     places
 }
 
-/// How far a branch reaches to both sides, level by level; the deepest level first.
+/// The contour of a branch: its reach to both sides, level by level; the deepest level first.
 #[derive(Default)]
 struct BranchContour {
     levels: Vec<(f64, f64)>,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use catoptric_scene::{Scene, quoted_name};
 
-/// The names of a scene's bodies and lights, as a person would say them: those of the file, or what they are.
+/// The names of a scene's bodies and lights in reports: those of the file, or descriptions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DisplayNames {
     /// By the place in the scene.

@@ -81,7 +81,7 @@ impl Audit {
     }
 }
 
-/// A tree with the places of its cards.
+/// A tree with the places of its cards in the drawing.
 struct TreeDrawing<'a> {
     audit: &'a Audit,
     tree: &'a RayTree,

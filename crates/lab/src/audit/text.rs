@@ -116,7 +116,7 @@ fn columns(texts: &[String], width: usize) -> String {
     padded.concat().trim_end().to_owned()
 }
 
-/// One tree on its way to paper.
+/// The text of an audit while it is written.
 struct AuditText<'a> {
     audit: &'a Audit,
     tree: &'a RayTree,

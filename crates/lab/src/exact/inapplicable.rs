@@ -82,7 +82,7 @@ impl Inapplicable {
         }
     }
 
-    /// Its word in JSON.
+    /// The reason's word in JSON.
     pub const fn key(self) -> &'static str {
         match self {
             Self::RoughMirror { .. } => "rough-mirror",

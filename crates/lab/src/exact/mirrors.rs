@@ -31,9 +31,9 @@ pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut Vec<ExactAnswer>) {
     }
 }
 
-/// A flat side of a mirror.
+/// A flat face of a mirror.
 struct MirrorFace {
-    /// Its middle; of a plane, some point on it.
+    /// The middle of the face; of a plane, some point on it.
     point: DVec3,
     normal: DVec3,
     is_endless: bool,

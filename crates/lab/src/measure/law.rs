@@ -2,7 +2,7 @@
 
 use super::least_squares::{Solution, solve};
 
-/// How a time grows with a parameter x.
+/// A law of how a time grows with a parameter x.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GrowthLaw {
     /// t = a: it does not grow.
@@ -24,7 +24,7 @@ pub enum GrowthLaw {
 /// A coefficient and its 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficient {
-    /// Its letter in the law's formula.
+    /// The letter in the law's formula.
     pub symbol: &'static str,
     /// The value.
     pub value: f64,
@@ -39,7 +39,7 @@ pub struct Coefficient {
 pub struct Fit {
     /// Which law.
     pub law: GrowthLaw,
-    /// Its coefficients, in the order of the formula.
+    /// The coefficients, in the order of the formula.
     pub coefficients: Vec<Coefficient>,
     /// The share of the variation of the values that the law explains, R², at most 1.
     pub r_squared: f64,

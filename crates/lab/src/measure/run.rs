@@ -14,7 +14,7 @@ use crate::machine::Machine;
 use crate::random::Random;
 use crate::variant::Variant;
 
-/// What to measure.
+/// The plan of a measurement.
 #[derive(Clone, Debug)]
 pub struct MeasurePlan {
     /// The scene; what varies is changed in copies of it.
@@ -82,7 +82,7 @@ pub enum MeasureError {
     Cancelled,
 }
 
-/// One measurement of a point.
+/// The times of one round at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointTimes {
     /// In which round, from 0.
@@ -118,7 +118,7 @@ pub struct MeasuredPoint {
     pub runs: Vec<PointTimes>,
 }
 
-/// How far a sweep is.
+/// The progress of a sweep.
 #[derive(Clone, Copy, Debug)]
 pub struct SweepProgress<'a> {
     /// Pictures measured, those of the warm-up counted.
@@ -133,7 +133,7 @@ pub struct SweepProgress<'a> {
     pub points: &'a [MeasuredPoint],
 }
 
-/// The measurements.
+/// The result of a sweep.
 #[derive(Clone, Debug)]
 pub struct Measurement {
     /// What the scene is called.
@@ -199,7 +199,7 @@ pub fn measure(
     })
 }
 
-/// What is drawn at a point.
+/// The settings that a point is drawn with.
 struct PointSetup {
     values: Vec<Value>,
     bodies: Option<usize>,
@@ -412,7 +412,7 @@ impl Sweep<'_> {
     }
 }
 
-/// What drawing a point told.
+/// The times and counts of drawing a point once.
 struct PointResult {
     run: PointTimes,
     rays: RayCounts,

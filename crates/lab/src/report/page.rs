@@ -18,7 +18,7 @@ use super::texts::fill;
 use crate::compare::{Contender, MethodComparison, Metrics};
 use crate::machine::Machine;
 
-/// What the page says of the circumstances.
+/// The circumstances that a page states.
 #[derive(Clone, Debug)]
 pub struct PageSettings {
     /// What the scene is called; `None` when only files are compared.
@@ -78,7 +78,7 @@ pub fn page(
     Ok(html)
 }
 
-/// A page being made.
+/// A page while it is written.
 struct HtmlPage<'a> {
     compared: &'a MethodComparison,
     machine: &'a Machine,

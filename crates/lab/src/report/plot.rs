@@ -11,7 +11,7 @@ pub use scale::{Scale, Tick};
 /// What an axis is about.
 #[derive(Clone, Debug)]
 pub struct PlotAxis {
-    /// Its title, with the unit.
+    /// The title of the axis, with the unit.
     pub title: String,
     /// Whether it is logarithmic; only where all values are above 0.
     pub logarithmic: bool,
@@ -19,7 +19,7 @@ pub struct PlotAxis {
     pub names: Vec<String>,
 }
 
-/// A measured place of a curve.
+/// A measured value with its interval.
 #[derive(Clone, Debug)]
 pub struct PlotMark {
     /// The place along the first axis: a value, or the number of its name.
@@ -28,13 +28,13 @@ pub struct PlotMark {
     pub y: f64,
     /// The interval of y.
     pub low: f64,
-    /// Its other end.
+    /// The upper end of the interval.
     pub high: f64,
     /// All measurements, and whether each is an outlier.
     pub all: Vec<(f64, bool)>,
 }
 
-/// Measured places and the law through them.
+/// Measured values and the law through them.
 #[derive(Clone, Debug)]
 pub struct PlotCurve {
     /// For the legend; not drawn when empty.

@@ -12,7 +12,7 @@ use super::texts::fill;
 use crate::machine::Machine;
 use crate::measure::{Fit, GrowthLaw, MeasuredPoint, Measurement, Parameter, Series, Summary, series};
 
-/// Files by their names.
+/// The files of a report, by name.
 #[derive(Clone, Debug)]
 pub struct MeasurementReport {
     /// Names and contents, in the order in which to name them.
@@ -191,7 +191,7 @@ pub fn machine_rows(machine: &Machine, language: Language) -> Vec<Vec<String>> {
     .to_vec()
 }
 
-/// The text around the measurements.
+/// Writes the text around the measurements.
 struct ReportWriter<'a> {
     measured: &'a Measurement,
     curves: Vec<Series<'a>>,

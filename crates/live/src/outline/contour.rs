@@ -60,7 +60,8 @@ struct Lattice<'a> {
     rows: Vec<LatticeRow>,
 }
 
-/// A row of the lattice. Outside of its span nothing is inside and nothing is kept: of a slanted rod's box nearly all is.
+/// A row of the lattice. Outside of its span nothing is inside and nothing is kept: most of the bounding box of a
+/// slanted rod.
 struct LatticeRow {
     start: usize,
     inside: Vec<bool>,

@@ -135,7 +135,7 @@ pub(crate) fn channel_error(a: f32, b: f32, clamp: bool) -> f64 {
     }
 }
 
-/// The sums while the pixels are walked over.
+/// The sums over the pixels that were compared so far.
 #[derive(Default)]
 struct DifferenceSums {
     sum: f64,

@@ -122,7 +122,7 @@ fn color_of<const N: usize>(pixel: &[u8], light: impl Fn(&[u8; N]) -> f32) -> [f
     }
 }
 
-/// Where the stored pixels belong in the upright picture.
+/// The map from stored pixels to the upright picture.
 struct UprightMapping {
     /// Pixels across, as stored.
     width: u32,

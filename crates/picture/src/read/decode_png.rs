@@ -74,7 +74,7 @@ fn color_of(mut samples: impl Iterator<Item = f32>) -> [f32; 3] {
     }
 }
 
-/// Where a stored row belongs: row `y`, every `step`-th column from `x` on.
+/// The target of a stored row: row `y`, every `step`-th column from `x` on.
 struct RowTarget {
     y: usize,
     x: usize,

@@ -5,7 +5,7 @@ use exr::meta::header::Header;
 
 use super::DecodeError;
 
-/// The channels to take as red, green and blue, by their place in the part's list.
+/// The places of red, green and blue in the part's list of channels.
 pub(super) type ChannelIndices = [usize; 3];
 
 /// A layer: channels of one part whose names have a common beginning.
@@ -19,7 +19,7 @@ pub(super) struct Layer {
     pub(super) columns: ChannelIndices,
 }
 
-/// What a layer holds.
+/// The kind of a layer's channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum LayerKind {
     /// R, G and B.

@@ -6,7 +6,7 @@ use crate::srgb;
 /// A transfer function: from display values 0…1 to light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Transfer {
-    /// That of sRGB.
+    /// The transfer function of sRGB.
     Srgb,
     /// Light is the display value to this power; 1 is linear.
     Power(f64),

@@ -37,7 +37,7 @@ pub(crate) fn encode_png_to(sink: impl Write, picture: &Developed) -> Result<(),
     sink.failure.map_or(encoded, |failure| Err(EncodeError::Io(failure)))
 }
 
-/// Keeps the first failure of the sink as it was: the encoder makes a mere text of it.
+/// Keeps the first error of the sink, of which the encoder makes a mere text.
 struct FailureRecorder<W> {
     sink: W,
     failure: Option<io::Error>,

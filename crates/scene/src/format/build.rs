@@ -17,7 +17,7 @@ use crate::light::{Falloff, Light};
 use crate::material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model};
 use crate::{Environment, Sky, Surroundings, Tracing};
 
-/// What tables are built with.
+/// Builds the document from tables.
 pub(crate) struct SceneBuilder<'a, 't> {
     pub(crate) text: &'t str,
     pub(crate) found: &'a mut Diagnostics,

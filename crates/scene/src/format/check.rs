@@ -15,7 +15,7 @@ use crate::language::Language;
 use crate::light::Light;
 use crate::material::NamedMaterial;
 
-/// The part of a scene that a problem is in.
+/// The part of a scene that has a problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScenePart {
     /// The camera.

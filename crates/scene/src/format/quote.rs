@@ -3,7 +3,7 @@
 use crate::format::write::{key_text, text_value};
 use crate::text::{is_active, push_escape};
 
-/// So many characters are repeated.
+/// The most characters that are repeated.
 const MOST: usize = 40;
 
 /// `found` between backquotes, on one line, cut when it is long.

@@ -26,7 +26,7 @@ use names::SourcePositions;
 /// Longest text in bytes: 1 GiB.
 pub const LONGEST_TEXT: usize = 1 << 30;
 
-/// What was read.
+/// The scene of a text, and its findings.
 #[derive(Clone, Debug)]
 pub struct ParsedScene {
     /// The scene as far as it could be understood: wrong values have their defaults, bodies of an unknown shape are
@@ -114,7 +114,7 @@ fn not_a_list(path: &[Key<'_>], span: Span) -> Diagnostic {
     })
 }
 
-/// Which table assignments go to.
+/// The table that receives the next assignments.
 enum AssignmentTarget<'t> {
     /// The one at this path from the root.
     Table(Vec<Key<'t>>),

@@ -60,7 +60,7 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
     out
 }
 
-/// The part of one line that is shown.
+/// The displayed part of a line, and its mark.
 struct MarkedLine {
     line: String,
     mark: Range<usize>,

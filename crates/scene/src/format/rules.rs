@@ -9,7 +9,7 @@ use crate::format::spec::Limits;
 /// rounding of their product in double precision, in which cameras are placed.
 const PARALLEL: f64 = 1e-12;
 
-/// A broken rule.
+/// A rule that a scene breaks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct BrokenRule {
     /// The key that is marked.

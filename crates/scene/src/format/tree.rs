@@ -16,16 +16,16 @@ use crate::format::typed::key_help;
 /// Which keys a table can have.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Schema {
-    /// Those of the format.
+    /// The keys of a table of the format.
     Keys(&'static TableSpec),
     /// Names of the user's choice, each a table of this kind.
     Names(&'static TableSpec),
 }
 
-/// How a table came about, which decides who may add to it (TOML 1.1, "Table").
+/// The definition that made a table, which decides who may add to it (TOML 1.1, "Table").
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TableOrigin {
-    /// As the way to a deeper header.
+    /// By the header of a table within it.
     Implicitly,
     /// By its own header.
     ByHeader,

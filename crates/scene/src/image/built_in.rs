@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::sane;
 
-/// A picture that is computed.
+/// A picture that is computed, not stored.
 pub(super) struct BuiltInImage {
     name: &'static str,
     size: [u32; 2],

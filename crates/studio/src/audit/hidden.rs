@@ -14,7 +14,7 @@ const HALVINGS: u32 = 5;
 /// What lies nearer than this share of its distance before a point does not hide it: it lies on that body.
 const NEAR: f64 = 2e-3;
 
-/// A part of a way, from one share of its length to another.
+/// A part of a segment, by shares of its length, and whether it is hidden.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SegmentPart {
     pub(crate) from: f64,

@@ -3,7 +3,7 @@
 use super::{AuditState, terms};
 use crate::texts::{Language, Texts};
 
-/// What stands in a row.
+/// The content of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum AuditRow {
     /// A ray.
@@ -12,7 +12,7 @@ pub(super) enum AuditRow {
     Term(usize, usize),
 }
 
-/// The rows, as long as nothing changes that decides about them.
+/// The rows, kept until something changes that decides about them.
 #[derive(Default)]
 pub(super) struct AuditListing {
     key: Option<AuditListingKey>,

@@ -10,7 +10,7 @@ use super::PinnedPixel;
 use super::clock::LightSpan;
 use super::segments::{self, RaySegment};
 
-/// What was found out about a pixel.
+/// A finished audit with all that is drawn of it.
 pub(crate) struct AuditResult {
     /// Tells it from others.
     pub(crate) serial: u64,
@@ -44,7 +44,7 @@ impl EarlierAudit {
     }
 }
 
-/// What is to be found out.
+/// A request for an audit.
 pub(super) struct AuditRequest {
     pub(super) serial: u64,
     pub(super) pin: PinnedPixel,

@@ -7,10 +7,10 @@ use glam::{DVec2, DVec3};
 use super::PinnedPixel;
 use crate::viewport::Projector;
 
-/// So many ways are drawn at most, those of the greatest weight.
+/// The most segments that are drawn: those of the greatest weight.
 const MOST: usize = 1500;
 
-/// What goes along a way.
+/// The kind of a segment: a ray, a shadow ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SegmentKind {
     /// A ray of the tree.
@@ -21,7 +21,7 @@ pub(crate) enum SegmentKind {
     Blocked,
 }
 
-/// A straight piece between two points.
+/// A straight segment of a ray in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RaySegment {
     /// The ray of the tree that it is, or at whose end it starts.

@@ -13,7 +13,7 @@ use crate::texts::Texts;
 /// Surfaces between a point and a light that are named; there may be very many.
 const MOST_NAMED: usize = 4;
 
-/// Which term a line is about.
+/// The term that a line shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum AuditTerm {
     Way,
@@ -35,7 +35,7 @@ pub(super) enum AuditTerm {
     Brings,
 }
 
-/// A line: words, and a formula with its numbers and what comes out.
+/// A line of a ray's terms: words, a formula with its numbers, and the value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct AuditLine {
     pub(super) part: AuditTerm,

@@ -18,7 +18,7 @@ use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::view::ViewState;
 
-/// What decides about commands.
+/// The state that decides which commands are possible.
 #[derive(Clone, Copy)]
 pub(crate) struct CommandContext<'a> {
     pub(crate) editor: &'a Editor,
@@ -38,7 +38,7 @@ pub(crate) struct CommandContext<'a> {
     layout: Option<&'a Tree<Pane>>,
 }
 
-/// What the lab has found so far.
+/// The results that the lab has so far.
 #[derive(Clone, Copy)]
 struct LabState {
     is_compared: bool,

@@ -16,7 +16,7 @@ use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
 
-/// A command and how it is shown.
+/// A command with its style.
 pub(super) struct CommandRow {
     pub(super) command: Command,
     pub(super) look: CommandStyle,

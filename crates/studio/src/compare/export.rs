@@ -17,7 +17,7 @@ use crate::host::{FileKind, FileQuestion};
 use crate::methods::report_language;
 use crate::pictures::plain_name;
 
-/// What is to be reported.
+/// The report of a comparison, for export.
 struct CompareExport {
     found: Arc<CompareResult>,
     language: Language,

@@ -70,7 +70,7 @@ fn row(ui: &mut Ui, width: f32, name: &str, tip: &str, values: &[String]) {
     }
 }
 
-/// The same as a line of its own.
+/// Draws a row in a line of its own.
 fn line(ui: &mut Ui, name: &str, tip: &str, values: &[String]) {
     let width = ui.available_width() - 8.0;
     ui.horizontal(|ui| row(ui, width, name, tip, values));

@@ -15,7 +15,7 @@ const OPTIONS: TextureOptions = TextureOptions {
     ..TextureOptions::LINEAR
 };
 
-/// The images of a comparison.
+/// The images of a comparison, as textures.
 #[derive(Default)]
 pub(super) struct CompareImages {
     of: Option<Arc<CompareResult>>,

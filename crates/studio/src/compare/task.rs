@@ -20,7 +20,7 @@ use crate::pictures::proof_of;
 /// The difference of a channel from which on a pixel counts as wrong: that of `catoptric compare`.
 const BOUND: f64 = 1.0 / 255.0;
 
-/// What was found.
+/// A finished comparison with its images.
 pub(super) struct CompareResult {
     pub(super) key: ComparisonKey,
     pub(super) compared: MethodComparison,
@@ -37,7 +37,7 @@ pub(super) struct CompareResult {
     pub(super) threads: usize,
 }
 
-/// Why there is no comparison.
+/// The reason why there is no comparison.
 #[derive(Debug)]
 pub(super) enum CompareFailure {
     Cancelled,

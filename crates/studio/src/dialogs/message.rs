@@ -6,7 +6,7 @@ use super::{Dialog, DialogFlow, buttons};
 use crate::app::Studio;
 use crate::texts::Texts;
 
-/// A dialog that only tells something.
+/// A dialog with a message and one button.
 pub(crate) struct MessageDialog {
     title: String,
     text: String,

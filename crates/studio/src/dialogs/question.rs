@@ -8,10 +8,10 @@ use super::{Dialog, DialogFlow, buttons};
 use crate::app::Studio;
 use crate::texts::Texts;
 
-/// What an answer leads to.
+/// The action of an answer.
 pub(crate) type AnswerAction = Box<dyn FnOnce(&Context, &mut Studio)>;
 
-/// A dialog that asks; Esc answers nothing.
+/// A dialog with a question; Esc chooses no answer.
 pub(crate) struct QuestionDialog {
     title: String,
     text: String,

@@ -17,7 +17,7 @@ use crate::theme;
 const ROW: f32 = 60.0;
 const BUTTON: Vec2 = vec2(84.0, 28.0);
 
-/// Offers what was left behind.
+/// A dialog that offers recovered documents.
 pub(crate) struct RecoveryDialog {
     found: Rc<RefCell<Vec<RecoverableDocument>>>,
 }

@@ -14,17 +14,17 @@ use super::recover::RecoverableDocument;
 use super::{has_unsaved_work, name};
 use crate::app::Studio;
 
-/// So long after a change it is written, with what is changed meanwhile.
+/// The delay from a change to its writing, which includes later changes.
 const DELAY: Duration = Duration::from_millis(500);
 /// At most once in so long; at the worst, a crash loses this, the delay and the time of writing.
 const INTERVAL: Duration = Duration::from_secs(3);
-/// So long the window waits for it at most, where it has to.
+/// The longest time that the window waits for the thread.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A state of a document of this window: its number and revision.
 type DocumentState = (u64, u64);
 
-/// Keeps the document.
+/// Writes the unsaved document to the recovery folder every few seconds.
 #[derive(Default)]
 pub(super) struct Autosave {
     thread: Option<AutosaveThread>,
@@ -45,7 +45,7 @@ pub(super) struct Autosave {
     pub(super) found: Vec<RecoverableDocument>,
 }
 
-/// Dropped without a word, as after a fault of the studio, it leaves behind what is kept.
+/// The thread that writes. If it is dropped without an order, as after a panic, the recovery file stays.
 struct AutosaveThread {
     orders: Option<Sender<AutosaveRequest>>,
     reports: Receiver<AutosaveReport>,

@@ -18,7 +18,7 @@ use crate::theme;
 /// Work shorter than this is not told.
 const PATIENCE: Duration = Duration::from_millis(300);
 
-/// The banner.
+/// The banner about problems of the file.
 #[derive(Default)]
 pub(super) struct ProblemBanner {
     /// What it says: errors and warnings.

@@ -13,7 +13,7 @@ use crate::app::Studio;
 use crate::dialogs::question::QuestionDialog;
 use crate::pictures;
 
-/// What comes after the present document.
+/// The document to show next, or the end of the studio.
 #[derive(Clone)]
 pub(crate) enum NextDocument {
     /// A new scene.

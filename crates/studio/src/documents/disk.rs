@@ -13,7 +13,7 @@ use fluent_bundle::FluentValue;
 
 use crate::texts::Texts;
 
-/// What tells whether a file is still as it was.
+/// The identity, size and time of a file, which tell whether it has changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct FileStamp {
     modified: Option<SystemTime>,
@@ -21,14 +21,14 @@ pub(crate) struct FileStamp {
 }
 
 impl FileStamp {
-    /// That of the file at `path`, if there is one.
+    /// The stamp of the file at `path`, if there is one.
     pub(super) fn of(path: &Path) -> Option<Self> {
         let metadata = fs::metadata(path).ok()?;
         Some(Self { modified: metadata.modified().ok(), length: metadata.len() })
     }
 }
 
-/// A scene file that has been read, at least in part.
+/// A scene file that was read, at least in part.
 #[derive(Clone, Debug)]
 pub(crate) struct OpenedScene {
     pub(crate) path: PathBuf,
@@ -97,7 +97,7 @@ impl ReadFailure {
     }
 }
 
-/// When a file may be written over another.
+/// The condition on which a file may replace another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OverwriteRule {
     /// In any case.
@@ -122,7 +122,7 @@ impl OverwriteRule {
     }
 }
 
-/// A file that has been written.
+/// A file that was written.
 #[derive(Debug)]
 pub(crate) struct SavedFile {
     pub(crate) text: Arc<str>,
@@ -134,7 +134,7 @@ pub(crate) struct SavedFile {
 pub(crate) enum WriteFailure {
     /// There is one already, or another one than before.
     Other,
-    /// It cannot be.
+    /// The file cannot be written.
     Cannot(WriteError),
 }
 

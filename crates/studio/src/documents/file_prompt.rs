@@ -17,18 +17,18 @@ pub(crate) struct ChosenFile {
     pub(crate) may_replace: bool,
 }
 
-/// The answer to a question for a file.
+/// The state of a prompt for a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum FilePromptState {
     /// The person is still choosing.
     Waiting,
-    /// No file, thank you.
+    /// The person chose no file.
     Cancelled,
-    /// This file.
+    /// A file was chosen.
     Chosen(ChosenFile),
 }
 
-/// A question that has been asked; to be polled once a frame.
+/// An open prompt for a file, polled once a frame.
 pub(crate) struct FilePrompt {
     question: FileQuestion,
     way: FilePromptChannel,

@@ -12,14 +12,14 @@ pub(crate) struct Job<T> {
     since: Instant,
 }
 
-/// How work is doing.
+/// The status of a job.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum JobStatus<T> {
-    /// It is under way.
+    /// The work is under way.
     Waiting,
-    /// Its result.
+    /// The result of the work.
     Done(T),
-    /// It broke down.
+    /// The work panicked.
     Lost,
 }
 

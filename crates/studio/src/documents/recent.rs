@@ -8,7 +8,7 @@ use egui::Context;
 use super::job::{Job, JobStatus};
 use crate::app::Studio;
 
-/// What is known about the recent files.
+/// The recent files, and which of them are missing.
 #[derive(Default)]
 pub(super) struct RecentFiles {
     looked_up: Vec<PathBuf>,

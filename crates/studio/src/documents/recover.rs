@@ -16,11 +16,11 @@ use crate::app::Studio;
 use crate::dialogs::MessageDialog;
 use crate::dialogs::recovery::RecoveryDialog;
 
-/// A document that was left behind, to be offered.
+/// A document that a crash has left, with its recovery file.
 #[derive(Clone, Debug)]
 pub(crate) struct RecoverableDocument {
     orphan: Arc<Orphan>,
-    /// Its title.
+    /// The document's title.
     pub(crate) title: String,
     /// The file that it belongs to.
     pub(crate) path: Option<PathBuf>,
@@ -41,7 +41,7 @@ impl RecoverableDocument {
     }
 }
 
-/// A document that has been read again.
+/// A recovered document that was read.
 pub(crate) struct RecoveredDocument {
     orphan: Arc<Orphan>,
     snapshot: Snapshot,
@@ -51,7 +51,7 @@ pub(crate) struct RecoveredDocument {
     is_partial: bool,
 }
 
-/// Reading it.
+/// The job that reads a recovery file.
 pub(super) type RecoveryJob = Job<Result<RecoveredDocument, String>>;
 
 /// Opens a document that was left behind.

@@ -15,7 +15,7 @@ use crate::app::Studio;
 use crate::dialogs::question::{AnswerAction, QuestionDialog};
 use crate::settings::LastScene;
 
-/// A saving to be begun.
+/// A request to save the document.
 pub(super) struct SceneSaveRequest {
     pub(super) path: PathBuf,
     pub(super) may: OverwriteRule,
@@ -23,7 +23,7 @@ pub(super) struct SceneSaveRequest {
     pub(super) then: Option<NextDocument>,
 }
 
-/// A saving under way.
+/// A save that is under way.
 pub(super) struct SceneSaveTask {
     job: Job<Result<SavedFile, WriteFailure>>,
     writing: SceneWriter,

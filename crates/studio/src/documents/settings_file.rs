@@ -10,15 +10,15 @@ use crate::app::Studio;
 use crate::layout::{self, Pane};
 use crate::settings::Settings;
 
-/// So long nothing may change before the settings are written.
+/// The time without changes after which the settings are written.
 const DELAY: Duration = Duration::from_secs(1);
 
-/// What is known about the settings on the disk.
+/// The state of the settings file on the disk.
 #[derive(Default)]
 pub(super) struct SettingsFile {
-    /// Those on the disk.
+    /// The settings on the disk.
     written: Option<Settings>,
-    /// Those of the last frame, if they are others, and since when.
+    /// The settings of the last frame, if they differ from those on the disk, and since when.
     waiting: Option<(Settings, Instant)>,
     job: Option<Job<Result<(), String>>>,
     has_failed: bool,

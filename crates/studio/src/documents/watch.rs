@@ -19,7 +19,7 @@ use crate::theme;
 /// How often the file is looked at; it is looked at when the window gets the focus, too.
 const INTERVAL: Duration = Duration::from_secs(2);
 
-/// The file as it was read or written here last.
+/// The file as it was last read or written here.
 #[derive(Clone)]
 struct WatchedFile {
     document: u64,
@@ -35,12 +35,12 @@ impl WatchedFile {
     }
 }
 
-/// What another program has done to the file.
+/// A change of the file by another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FileChange {
-    /// It has written the same text.
+    /// Another program has written the same text.
     Touched(FileStamp),
-    /// It has written another text.
+    /// Another program has written another text.
     Rewritten,
 }
 
@@ -100,7 +100,7 @@ fn has_text(path: &Path, text: &str) -> bool {
     file.take(limit).read_to_end(&mut read).is_ok() && read == text.as_bytes()
 }
 
-/// What is known about changes by other programs.
+/// The changes of the file by other programs.
 #[derive(Default)]
 pub(super) struct ExternalChanges {
     watch: Option<FileWatch>,

@@ -94,7 +94,7 @@ static ANGLES: TableSpec = TableSpec {
     ],
 };
 
-/// Where a camera looks, seen from its place.
+/// The direction of a camera as angles.
 struct CameraAngles {
     /// Degrees to the right of -Z.
     azimuth: f64,

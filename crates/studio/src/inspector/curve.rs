@@ -19,7 +19,7 @@ const HEIGHT: f32 = 132.0;
 /// Points of a curve: two for each degree, so that critical angles are sharp.
 const POINTS: usize = 181;
 
-/// The curves of a material and what is marked in them, kept as long as it stays the same: those of metals take work.
+/// The reflectance curves of a material and their special angles, kept until it changes: those of metals take work.
 #[derive(Default)]
 pub(crate) struct ReflectanceCurves {
     of: Option<Box<Material>>,

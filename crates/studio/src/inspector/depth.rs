@@ -22,7 +22,7 @@ use crate::widgets::tip::tip_beside;
 /// The size of letters in the formula.
 const SIZE: f32 = 13.5;
 
-/// What is known about the present scene.
+/// Finds how many generations the scene needs.
 #[derive(Default)]
 pub(crate) struct DepthAdviser {
     work: Latest<DepthKey, DepthAdvice>,

@@ -27,7 +27,7 @@ const SIZE: f32 = 14.0;
 /// The height of a line of them.
 const LINE: f32 = 23.0;
 
-/// A part of a formula: markup, and the symbol that it is or is the number of.
+/// A part of a formula: markup, and the symbol that it shows.
 struct FormulaFactor {
     markup: String,
     /// A color to show before it.

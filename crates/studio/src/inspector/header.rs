@@ -59,9 +59,9 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
     }
 }
 
-/// Things of one kind whose values are shown.
+/// The selected things of one kind whose values are shown.
 pub(super) struct InspectedItems {
-    /// Their places in their list, that of the primary one first.
+    /// The places of the things in their list, that of the primary one first.
     pub(super) indices: Vec<usize>,
     pub(super) first: usize,
     /// What they are called together.

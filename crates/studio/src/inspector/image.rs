@@ -10,14 +10,14 @@ use crate::images::{self, ImageUse};
 use crate::widgets::row::control_width;
 use crate::widgets::tip::tip_beside;
 
-/// Something else than a picture that can be chosen.
+/// A choice besides pictures.
 pub(super) struct OtherChoice<T> {
     pub(super) key: &'static str,
     pub(super) is_chosen: bool,
     pub(super) value: T,
 }
 
-/// What was chosen.
+/// The chosen entry of the menu.
 pub(super) enum ImageMenuChoice<T> {
     Other(T),
     Picture(Image),

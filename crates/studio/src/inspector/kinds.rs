@@ -15,7 +15,7 @@ pub(crate) enum ReflectionKind {
     Glass,
 }
 
-/// A kind with the coefficients that make it, and what it is recognized by.
+/// A kind of reflection with its coefficients, and the test that recognizes it.
 pub(crate) struct CoefficientPreset {
     pub(crate) kind: ReflectionKind,
     /// The message that names it.

@@ -101,14 +101,14 @@ static TINT: ColorRow<Material> = ColorRow {
     set: |material, color| material.tint = color,
 };
 
-/// Where a material of a sheet is kept.
+/// The owner of a material: the scene's list or a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum MaterialOwner {
     Named(usize),
     Body(usize),
 }
 
-/// Some materials, the primary one first.
+/// The edited materials, the primary one first.
 #[derive(Clone, Copy)]
 struct MaterialGroup<'s> {
     homes: &'s [MaterialOwner],

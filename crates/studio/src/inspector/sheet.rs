@@ -24,11 +24,11 @@ pub(crate) use color::ColorRow;
 pub(crate) use number::{NumberRow, SliderRail};
 pub(crate) use vector::{StartVectors, VectorRow, VectorSpread};
 
-/// Changes all things of a sheet; the function is told the place of each in the sheet.
+/// Applies a change to all things of a sheet; the function gets the place of each in the sheet.
 pub(crate) type ApplyToAll<'s, T> =
     dyn Fn(&mut Editor, Label, &mut dyn FnMut(usize, &mut T)) -> Result<bool, RefusedChange> + 's;
 
-/// What a row shows, apart from how it reads and writes it.
+/// The quantity that a row shows: its message, key, unit and symbol.
 #[derive(Clone, Copy)]
 pub(crate) struct RowQuantity {
     /// The message that names it; its attribute `.tip` explains it.
@@ -37,11 +37,11 @@ pub(crate) struct RowQuantity {
     pub(crate) edit: &'static str,
     /// Where the format says what it can be.
     pub(crate) table: &'static TableSpec,
-    /// Its key there.
+    /// The key in that table.
     pub(crate) name: &'static str,
     /// What it is measured in.
     pub(crate) unit: Unit,
-    /// Its symbol in the model.
+    /// The symbol in the model.
     pub(crate) symbol: Option<Symbol>,
 }
 
@@ -56,13 +56,13 @@ impl RowQuantity {
         Self { key, edit, table, name, unit: Unit::None, symbol: None }
     }
 
-    /// The same, in a unit.
+    /// Sets the unit.
     pub(crate) const fn in_unit(mut self, unit: Unit) -> Self {
         self.unit = unit;
         self
     }
 
-    /// The same, with a symbol.
+    /// Sets the symbol.
     pub(crate) const fn with_symbol(mut self, symbol: Symbol) -> Self {
         self.symbol = Some(symbol);
         self
@@ -87,7 +87,7 @@ impl RowQuantity {
     }
 }
 
-/// The values of some things of one kind while they are drawn.
+/// The rows for the selected things of one kind.
 pub(crate) struct PropertySheet<'s, 'a, T> {
     pub(crate) cx: &'s mut Cx<'a>,
     pub(crate) memory: &'s mut InspectorState,
@@ -178,7 +178,7 @@ impl<'a, T> PropertySheet<'_, 'a, T> {
         self.labelled_row(ui, key, "", text, contents);
     }
 
-    /// The same with a formula for a label.
+    /// A row whose label is a formula, without limits and a default.
     pub(crate) fn marked_row(
         &mut self,
         ui: &mut Ui,

@@ -97,7 +97,7 @@ impl Formula {
         Self { node }
     }
 
-    /// Its parts.
+    /// The root of the formula's tree.
     pub(super) fn node(&self) -> &FormulaNode {
         &self.node
     }

@@ -10,7 +10,7 @@ use super::pages;
 
 /// A document that has been read.
 pub(super) struct ManualPage {
-    /// Its first heading.
+    /// The first heading.
     pub(super) title: String,
     pub(super) blocks: Vec<Block>,
 }
@@ -49,7 +49,7 @@ pub(super) struct TextSpan {
     pub(super) link: Option<Rc<ManualLink>>,
 }
 
-/// What a piece of running text is.
+/// The kind of a piece of running text.
 #[derive(Clone)]
 pub(super) enum TextSpanKind {
     Text(String),
@@ -61,7 +61,7 @@ pub(super) enum TextSpanKind {
     Break,
 }
 
-/// Where a link leads.
+/// The target of a link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum ManualLink {
     /// To a page, by its place, and to a heading of it.

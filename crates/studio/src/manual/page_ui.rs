@@ -20,7 +20,7 @@ const FORMULA: f32 = 15.5;
 /// Lines longer than this are hard to read, points.
 const MOST_WIDTH: f32 = 760.0;
 
-/// Where the blocks of a page begin, so that only those in view have to be drawn.
+/// The offsets of the blocks of a page, so that only those in view are drawn.
 #[derive(Default)]
 pub(super) struct BlockOffsets {
     /// What the heights depend on.
@@ -29,7 +29,7 @@ pub(super) struct BlockOffsets {
     tops: Vec<f32>,
 }
 
-/// What there is to draw.
+/// A page to draw, with the place in it.
 pub(super) struct PageView<'a> {
     pub(super) page: &'a ManualPage,
     /// The place of the page.

@@ -4,7 +4,7 @@ use crate::texts::Language;
 
 /// A document in both languages.
 pub(super) struct ManualDocument {
-    /// Its path below the folder of its language.
+    /// The path below the folder of a language.
     pub(super) path: &'static str,
     english: &'static str,
     russian: &'static str,
@@ -41,7 +41,7 @@ pub(super) const SOURCES: &[ManualDocument] = &sources![
 ];
 
 impl ManualDocument {
-    /// Its text in a language.
+    /// The document's text in a language.
     pub(super) const fn text(&self, language: Language) -> &'static str {
         match language {
             Language::English => self.english,

@@ -8,7 +8,7 @@ const MOST: usize = 60;
 const BEFORE: usize = 28;
 const AFTER: usize = 70;
 
-/// A block that has what was searched for.
+/// A block that contains the searched words.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct SearchHit {
     pub(super) page: usize,

@@ -24,7 +24,7 @@ use crate::widgets::paint_icon;
 pub(super) const PICTURE: f32 = 96.0;
 /// The picture with two lines of text.
 pub(super) const CARD: Vec2 = vec2(PICTURE, PICTURE + 33.0);
-/// So many materials of scenes are remembered as they were.
+/// The most materials of scenes whose last pictures are remembered.
 const MOST_SEEN: usize = 400;
 /// Between cards, points.
 pub(super) const GAP: f32 = 8.0;
@@ -140,7 +140,7 @@ fn name_of<'a>(texts: &'a Texts, scene: &'a Scene, thing: MaterialItem) -> Optio
     }
 }
 
-/// Its name, what it is, and where its numbers come from.
+/// The tooltip of a material: its name, what it is, and where its numbers come from.
 fn tip_ui(response: Response, cx: &Cx<'_>, scene: &Scene, thing: MaterialItem, name: &str) {
     response.on_hover_ui(|ui| {
         ui.set_max_width(320.0);

@@ -31,7 +31,7 @@ enum BrowserLineKind {
     Head(MaterialSection),
     /// There is none in the scene.
     Nothing,
-    /// Those from here to there.
+    /// The cards of a range of materials.
     Cards(Range<usize>),
 }
 

@@ -18,7 +18,7 @@ pub(super) struct MaterialPreset {
     pub(super) about: PresetDescription,
 }
 
-/// What there is to be told.
+/// The source of a preset's tooltip.
 #[derive(Clone, Copy)]
 pub(super) enum PresetDescription {
     /// What the message's attribute says.

@@ -9,7 +9,7 @@ use catoptric_tracer::RenderSettings;
 /// Samples for each pixel of smooth surfaces, and of those that scatter.
 const SAMPLES: [u32; 2] = [16, 64];
 
-/// A material as it is seen in a picture of this width and height, pixels.
+/// A material, and the width and height of its preview in pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct MaterialPreview {
     pub(super) material: Box<Material>,

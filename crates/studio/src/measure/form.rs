@@ -21,7 +21,7 @@ const MOST_SIDE: u32 = 8192;
 /// The most rounds that are offered.
 const MOST_ROUNDS: u32 = 1000;
 
-/// What was chosen.
+/// The choices of the form.
 pub(super) struct MeasureForm {
     /// What is varied; the second one may be nothing.
     axes: [ParameterDraft; 2],
@@ -30,18 +30,18 @@ pub(super) struct MeasureForm {
     rounds: u32,
 }
 
-/// A parameter and its values as they are typed.
+/// A parameter and its values as typed.
 struct ParameterDraft {
     parameter: Option<Parameter>,
     values: String,
 }
 
-/// What cannot be measured.
+/// The reason why a choice cannot be measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum MeasureFormError {
-    /// This cannot be a value of the parameter.
+    /// A text is no value of the parameter.
     Value(Parameter, String),
-    /// The same parameter twice.
+    /// One parameter is chosen twice.
     Twice,
 }
 

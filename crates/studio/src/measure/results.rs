@@ -12,7 +12,7 @@ use crate::methods::report_language;
 use crate::theme;
 use crate::widgets::choice::{ChoiceItem, choice_ui};
 
-/// What the panel shows.
+/// The selected tab of the results.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum ResultsTab {
     #[default]
@@ -21,14 +21,14 @@ enum ResultsTab {
     Machine,
 }
 
-/// What is drawn of a measurement.
+/// The state of the results panel.
 #[derive(Default)]
 pub(super) struct ResultsView {
     part: ResultsTab,
     of: Option<ResultsText>,
 }
 
-/// A measurement as it is shown in a language.
+/// The plot, laws and table of a measurement in one language.
 struct ResultsText {
     of: Arc<Measurement>,
     language: Language,

@@ -15,7 +15,7 @@ use crate::documents::job::{Job, JobStatus};
 /// The window is woken no more often than this: drawing it takes time that is being measured.
 const BETWEEN: Duration = Duration::from_millis(500);
 
-/// Why nothing was measured.
+/// The reason why nothing was measured.
 #[derive(Debug)]
 pub(super) enum MeasureFailure {
     /// What was typed makes no sense.
@@ -39,7 +39,7 @@ pub(super) struct MeasureTask {
     job: Job<Result<Measurement, MeasureError>>,
 }
 
-/// What the thread tells.
+/// The progress that the thread reports.
 #[derive(Clone, Default)]
 pub(super) struct MeasureProgress {
     /// Pictures measured, those of the warm-up counted.

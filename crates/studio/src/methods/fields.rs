@@ -115,7 +115,7 @@ fn whole_row(
     *value = (entered.round() as u32).clamp(least, most);
 }
 
-/// A field for a number.
+/// A number field of a method's settings.
 struct MethodNumber {
     speed: f64,
     decimals: usize,

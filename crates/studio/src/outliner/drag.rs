@@ -13,7 +13,7 @@ use crate::theme;
 /// How near to the edge of the list dragging scrolls it, points.
 const EDGE: f32 = 18.0;
 
-/// Where what is dragged would go.
+/// The target of dragged rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum DropTarget {
     /// Before the element at this place of its list; the line is drawn above this row.

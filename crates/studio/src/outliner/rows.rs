@@ -54,7 +54,7 @@ pub(super) enum OutlinerRow {
     Item(Item),
 }
 
-/// The rows, found anew when something has changed.
+/// The rows, rebuilt when something has changed.
 #[derive(Default)]
 pub(super) struct OutlinerRows {
     rows: Vec<OutlinerRow>,

@@ -11,7 +11,7 @@ use crate::outliner::{item_icon, item_name};
 use crate::shortcuts;
 use crate::texts::{Language, Texts};
 
-/// Something that can be found.
+/// An entry of the palette.
 pub(super) struct PaletteItem {
     /// What it is called in the present language.
     pub(super) name: String,
@@ -24,7 +24,7 @@ pub(super) struct PaletteItem {
     pub(super) what: PaletteAction,
 }
 
-/// What happens when an entry is chosen.
+/// The action of an entry.
 #[derive(Clone)]
 pub(super) enum PaletteAction {
     Run(Command),

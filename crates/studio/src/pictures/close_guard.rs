@@ -11,7 +11,7 @@ use crate::command::Command;
 use crate::dialogs::question::QuestionDialog;
 use crate::documents;
 
-/// What has been said about leaving.
+/// The state of the question about unsaved pictures at the end of the studio.
 #[derive(Default)]
 pub(crate) struct PictureCloseGuard {
     /// The pictures of this moment may be lost.

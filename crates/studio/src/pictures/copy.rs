@@ -21,7 +21,7 @@ const LONG: Duration = Duration::from_secs(1);
 /// How long a viewport without any picture is waited for.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// What is being copied.
+/// The state of a copy to the clipboard.
 #[derive(Default)]
 pub(crate) struct ClipboardCopy {
     /// The viewport's picture is to be copied.
@@ -29,7 +29,7 @@ pub(crate) struct ClipboardCopy {
     job: Option<(CopySource, Job<Result<CopyOutcome, CopyFailure>>)>,
 }
 
-/// Waiting for the viewport's picture.
+/// A copy that waits for the viewport's picture.
 #[derive(Clone, Copy)]
 struct PendingCopy {
     since: Instant,
@@ -38,18 +38,18 @@ struct PendingCopy {
     is_told: bool,
 }
 
-/// Where the picture comes from.
+/// The source of a copied picture.
 #[derive(Clone, Copy)]
 enum CopySource {
     Viewport([u32; 2]),
     Finished(u64, [u32; 2]),
 }
 
-/// What became of it.
+/// The result of a copy.
 enum CopyOutcome {
-    /// It is in the clipboard.
+    /// The picture is in the clipboard.
     Done,
-    /// The window puts it there.
+    /// The window has to put the picture into the clipboard.
     Image(ColorImage),
 }
 

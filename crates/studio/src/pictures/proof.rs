@@ -5,7 +5,7 @@ use std::num::NonZero;
 use catoptric_picture::{Development, Picture, srgb};
 use egui::{Color32, ColorImage};
 
-/// What a proof shows.
+/// The settings of a proof: development and size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ProofKey {
     pub(crate) development: Development,

@@ -41,7 +41,7 @@ pub(crate) struct FinishedPicture {
     shown: PictureProof,
 }
 
-/// Where a picture has been kept.
+/// The place where a picture has been kept.
 pub(super) enum SavedPlace {
     /// In a file of this name.
     File(String),
@@ -49,7 +49,7 @@ pub(super) enum SavedPlace {
     Clipboard,
 }
 
-/// The picture in the window.
+/// The proof of the picture in the window.
 #[derive(Default)]
 struct PictureProof {
     texture: Option<(ProofKey, TextureHandle)>,
@@ -58,7 +58,7 @@ struct PictureProof {
     failed: Option<ProofKey>,
 }
 
-/// What was pressed.
+/// The pressed button of the window.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ResultAction {
     Save,

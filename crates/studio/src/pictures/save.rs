@@ -17,7 +17,7 @@ use crate::documents::file_prompt::{ChosenFile, FilePrompt, FilePromptState, nam
 use crate::documents::job::{Job, JobStatus};
 use crate::host::{FileKind, FileQuestion};
 
-/// How far saving is.
+/// The state of saving a picture.
 #[derive(Default)]
 pub(super) enum PictureSaveState {
     /// Nothing is being saved.
@@ -29,7 +29,7 @@ pub(super) enum PictureSaveState {
     Writing(PictureSaveRequest, Job<Result<(), PictureSaveFailure>>),
 }
 
-/// What is to be written where.
+/// A request to save a picture.
 #[derive(Clone)]
 pub(super) struct PictureSaveRequest {
     path: PathBuf,
@@ -38,11 +38,11 @@ pub(super) struct PictureSaveRequest {
     development: Development,
 }
 
-/// Why there is no file; an old one is untouched.
+/// The reason why there is no file; an old one is untouched.
 pub(super) enum PictureSaveFailure {
     /// There is one already.
     Exists,
-    /// It cannot be written.
+    /// The file cannot be written.
     Write(WriteError),
     /// The picture cannot be developed.
     Size(SizeError),

@@ -9,9 +9,9 @@ use super::{ProblemsPanel, marked};
 use crate::context::Cx;
 use crate::theme;
 
-/// So many lines are shown on either side of the selected finding.
+/// The most lines that are shown on either side of the selected finding.
 const AROUND: usize = 300;
-/// At most so many bytes are searched for them on either side.
+/// The most bytes that are searched for these lines on either side.
 const FARTHEST: usize = 1 << 16;
 /// Longer lines are cut.
 const LONGEST: usize = 400;

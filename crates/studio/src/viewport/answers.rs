@@ -21,7 +21,7 @@ use crate::theme;
 
 /// The color of what the laws say.
 const EXACT: Color32 = Color32::from_rgb(255, 142, 214);
-/// So many labels at most: those of the first answers.
+/// The most labels: those of the first answers.
 const MOST_LABELS: usize = 10;
 
 /// Draws the answers for the selected body.

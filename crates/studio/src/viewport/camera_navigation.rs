@@ -12,7 +12,7 @@ use crate::context::Cx;
 
 /// Radians that the camera turns for each point that the pointer moves.
 const TURN: f64 = 0.0055;
-/// The same for looking around on the spot.
+/// Radians that the camera turns in place for each point that the pointer moves.
 const LOOK: f64 = 0.0035;
 /// How much closer a point of the wheel brings; a notch is 40 to 50 points.
 const WHEEL: f64 = 0.0024;
@@ -23,7 +23,7 @@ const KEY_TURN: f64 = 1.2;
 const KEY_PAN: f64 = 0.45;
 const KEY_DOLLY: f64 = 1.0;
 
-/// What is kept about moving the camera.
+/// The state of camera navigation.
 #[derive(Debug)]
 pub(crate) struct CameraNavigation {
     /// Until when the wheel's or the keys' gesture stays open, seconds.

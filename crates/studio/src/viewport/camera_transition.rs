@@ -9,7 +9,7 @@ use super::projector::Projector;
 /// How long it takes, seconds.
 const DURATION: f64 = 0.16;
 
-/// A camera on its way to another.
+/// A transition of the eye from one camera to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CameraTransition {
     from: Camera,

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::gizmo::change::GizmoChange;
 
-/// Bodies and lights, and perhaps the camera, in a hand.
+/// The bodies, lights and camera of a drag, as they were when it began.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DragPayload {
     bodies: Vec<(usize, Placement)>,

@@ -31,7 +31,7 @@ const REACH: f64 = 8.0;
 /// Segments of a ring.
 const SEGMENTS: usize = 72;
 
-/// A part of the gizmo. Numbers are axes.
+/// A handle of the gizmo. Numbers are axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum GizmoHandle {
     /// Moves along an axis.
@@ -54,9 +54,9 @@ pub(crate) enum GizmoHandle {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Gizmo {
     pub(crate) tool: Tool,
-    /// Its center.
+    /// The center of the gizmo.
     pub(crate) pivot: DVec3,
-    /// Its axes, a right-handed frame.
+    /// The axes of the gizmo, a right-handed frame.
     pub(crate) axes: [DVec3; 3],
     /// Whether the axes are a body's own ones.
     pub(crate) is_local: bool,

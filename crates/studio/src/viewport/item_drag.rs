@@ -13,7 +13,7 @@ const LEAST_SLOPE: f64 = 0.1;
 /// How far things can be carried towards the horizon, in distances at which they were taken.
 const FARTHEST: f64 = 8.0;
 
-/// What is carried, and how.
+/// The drag of bodies, lights or the camera by a grabbed point.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ItemDrag {
     /// The point that was grabbed.
@@ -25,7 +25,7 @@ pub(crate) struct ItemDrag {
     leg: DragStage,
 }
 
-/// A stretch of the way during which things move in one manner.
+/// A stage of a drag with one plane of motion.
 #[derive(Clone, Debug, PartialEq)]
 struct DragStage {
     manner: DragPlane,
@@ -33,7 +33,7 @@ struct DragStage {
     from: DVec2,
 }
 
-/// How things move.
+/// The plane or line of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum DragPlane {
     /// In the level plane.

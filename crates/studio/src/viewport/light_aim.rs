@@ -9,17 +9,17 @@ use super::visible_picture::VisiblePicture;
 /// How much of the way to an obstacle a light keeps.
 const CLEARANCE: f64 = 0.9;
 
-/// A light that is being aimed, and by what.
+/// The drag of a light by its highlight or a shadow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LightAim {
-    /// Its place in [`Scene::lights`].
+    /// The light's place in [`Scene::lights`].
     pub(crate) light: usize,
     /// How far it stays from the point that it is turned about, meters.
     distance: f64,
     by: AimAnchor,
 }
 
-/// What follows the pointer.
+/// The feature of the light that follows the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum AimAnchor {
     /// The highlight: the light stands where the ray of the pointer goes when it is mirrored.

@@ -16,12 +16,12 @@ const MARGIN: f32 = 20.0;
 const DISC: f32 = 7.0;
 const REACH: f32 = 14.0;
 
-/// An arrow.
+/// An arrow towards a thing that is out of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OffscreenArrow {
     /// What it points to.
     pub(crate) item: Item,
-    /// Its middle in the window.
+    /// The middle of the arrow in the window.
     pub(crate) center: Pos2,
     /// Where it points in the picture; of length 1.
     direction: Vec2,

@@ -6,7 +6,7 @@ use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 
 use crate::theme::ThemeColors;
 
-/// From the pixels of a frame to points of the window.
+/// The scale from the pixels of a frame to points of the window.
 struct FrameScale {
     origin: Pos2,
     factor: Vec2,

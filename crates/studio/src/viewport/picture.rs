@@ -14,7 +14,7 @@ use crate::theme::ThemeColors;
 /// What is left free around an unfolded cube: the bar over the picture, points.
 const CUBE_MARGIN: f32 = 52.0;
 
-/// The newest picture, in the memory of whatever draws the window.
+/// The newest picture as a texture.
 #[derive(Default)]
 pub(crate) struct ViewportPicture {
     texture: Option<TextureHandle>,

@@ -16,7 +16,7 @@ pub(crate) use light::place_for_light;
 /// Points that lie farther off than so many distances to the subject are no places for new things.
 const FARTHEST: f64 = 4.0;
 
-/// The view into which something is placed.
+/// The view into which a new thing is placed.
 struct PlacementView<'a> {
     scene: &'a Scene,
     sight: VisiblePicture,

@@ -19,29 +19,29 @@ use crate::context::Cx;
 /// How near to the last click another one asks for the body behind, points.
 const SAME_PLACE: f32 = 4.0;
 
-/// What a hand does.
+/// The action of the pointer in the picture.
 #[derive(Debug, Default)]
 pub(crate) enum PointerAction {
     /// Nothing.
     #[default]
     Open,
-    /// It turns the view about its target.
+    /// Turns the view about its target.
     Orbit,
-    /// It shifts the view.
+    /// Pans the view.
     Pan,
-    /// It looks around on the spot, while keys move the camera.
+    /// Turns the camera in place, while keys move it.
     Look,
-    /// It carries things.
+    /// Drags bodies, lights or the camera.
     Carry(Box<ActiveDrag<ItemDrag>>),
-    /// It pulls a handle of the gizmo.
+    /// Drags a handle of the gizmo.
     Pull(Box<ActiveDrag<HandleDrag>>),
-    /// It moves a light by its highlight or its shadow.
+    /// Drags a light by its highlight or its shadow.
     Aim(Box<ActiveDrag<LightAim>>),
-    /// It has given up; the button is still down.
+    /// A cancelled drag whose button is still down.
     GivenUp,
 }
 
-/// Things in a hand.
+/// A drag that is under way.
 #[derive(Debug)]
 pub(crate) struct ActiveDrag<T> {
     pub(crate) by: T,
@@ -52,14 +52,14 @@ pub(crate) struct ActiveDrag<T> {
     pub(crate) amount: Option<DragAmount>,
 }
 
-/// The last click, for the next one at the same place.
+/// The last click, to recognize another one at the same place.
 #[derive(Clone, Copy, Debug)]
 struct LastClick {
     pos: Pos2,
     camera: Camera,
 }
 
-/// What the viewport keeps about the pointer.
+/// The state of the pointer in the picture.
 #[derive(Debug, Default)]
 pub(crate) struct PointerTool {
     pub(crate) hand: PointerAction,

@@ -19,7 +19,7 @@ impl HalfLine {
     }
 }
 
-/// A camera in front of a picture of a size.
+/// Projects between the world and the picture of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Projector {
     position: DVec3,
@@ -31,7 +31,7 @@ pub(crate) struct Projector {
     size: DVec2,
 }
 
-/// How the world is carried to the picture.
+/// The window of the projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum ProjectorWindow {
     /// Seen from the eye through a window 1 high at this distance.

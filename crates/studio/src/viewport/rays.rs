@@ -22,7 +22,7 @@ const ARROW: f32 = 46.0;
 /// How far a pulse of slow light is seen, points.
 const PULSE: f32 = 4.2;
 
-/// A visible piece of a way in the window.
+/// The visible part of a ray segment in the window.
 struct VisibleSegment<'a> {
     way: &'a RaySegment,
     ends: [Pos2; 2],
@@ -141,7 +141,7 @@ impl RayPainter<'_> {
         self.audit.selected() == Some(way.node)
     }
 
-    /// As wide as the ray has weight; shadow rays are thin.
+    /// The width of a line grows with the ray's weight; shadow rays are thin.
     fn width(&self, way: &RaySegment) -> f32 {
         let weight = way.weight.clamp(0.0, 1.0).sqrt();
         let width = if way.is_ray() { 1.1 + 2.3 * weight } else { 0.8 + 0.5 * weight };

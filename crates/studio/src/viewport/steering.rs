@@ -9,7 +9,7 @@ const TAP: f64 = 0.05;
 /// No frame counts as longer than this, seconds: a window that was not drawn for a while does not jump ahead.
 const LONGEST_FRAME: f64 = 0.1;
 
-/// Who listens to the keys of the picture.
+/// The listener of the keys that steer the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum KeyListener {
     /// Nobody: a text is being typed, a dialog or a menu is open, another panel has the focus.

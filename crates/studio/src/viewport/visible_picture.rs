@@ -19,7 +19,7 @@ use crate::view::ProjectedPoint;
 /// How near to a light's or the camera's handle the pointer takes it, points.
 const REACH: f64 = 12.0;
 
-/// The picture that is shown, for finding things in it.
+/// The displayed picture, for hit tests.
 pub(crate) struct VisiblePicture {
     /// Where the whole picture is, points of the window.
     pub(crate) rect: Rect,
@@ -34,7 +34,7 @@ pub(crate) struct VisiblePicture {
     stage: Option<(Arc<Stage>, StageCamera)>,
 }
 
-/// What a pointer is over.
+/// The thing under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum PointerTarget {
     /// A part of the gizmo.

@@ -7,7 +7,7 @@ use crate::widgets::line_within;
 use crate::widgets::number::HEIGHT;
 use crate::widgets::tip::tip_beside;
 
-/// One of the things that can be chosen.
+/// One item of a choice.
 pub(crate) struct ChoiceItem<'a, V> {
     /// What it stands for.
     pub(crate) value: V,

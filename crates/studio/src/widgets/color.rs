@@ -14,7 +14,7 @@ use crate::widgets::tip::tip_beside;
 
 const HEX: f32 = 76.0;
 
-/// What was done to a color in this frame.
+/// The changes of a color in a frame.
 #[derive(Default)]
 pub(crate) struct ColorResponse {
     /// The new color.

@@ -61,7 +61,7 @@ fn shown_plain(value: f64, decimals: usize) -> String {
     text.replace('-', "−")
 }
 
-/// As many decimals as fit into so many letters.
+/// The number with the most decimals that fit into a number of letters.
 fn fitting(texts: &Texts, value: f64, decimals: usize, letters: usize) -> String {
     let mut text = shown(texts, value, decimals);
     for fewer in (0..decimals).rev() {

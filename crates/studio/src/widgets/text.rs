@@ -5,7 +5,7 @@ use egui::{Key, Response, TextEdit, Ui, vec2};
 use crate::theme;
 use crate::widgets::number::HEIGHT;
 
-/// What is being typed.
+/// The text that is being typed.
 #[derive(Clone, Default)]
 struct TextDraft {
     text: String,

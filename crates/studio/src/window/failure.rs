@@ -86,8 +86,7 @@ fn one_line(words: &str) -> String {
     said.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Until the window is open, and when the device that draws it is lost, a panic of the libraries of windows is an error
-/// to be told like others.
+/// Turns panics of the window's libraries into errors, until the window is open and when its device is lost.
 #[derive(Clone, Default)]
 pub(super) struct PanicFilter {
     state: Arc<PanicFilterState>,

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 const MOST: usize = 3;
 const SPAN: Duration = Duration::from_secs(60);
 
-/// The losses so far.
+/// The recent losses of the device.
 #[derive(Debug, Default)]
 pub(super) struct DeviceLosses {
     at: Vec<Instant>,

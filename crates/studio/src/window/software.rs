@@ -33,14 +33,14 @@ pub(super) fn leave(context: &Context) {
     context.with_plugin(|software: &mut SoftwarePainter| software.drawing = None);
 }
 
-/// Draws what egui puts out, and leaves to egui's renderer to bring it to the screen.
+/// Paints egui's output on a canvas, which egui's renderer brings to the screen.
 #[derive(Default)]
 struct SoftwarePainter {
     /// In a window that a software driver draws.
     drawing: Option<SoftwareRenderer>,
 }
 
-/// What the drawing of one window needs.
+/// The renderer of one window that a software driver draws.
 struct SoftwareRenderer {
     state: RenderState,
     canvas: SoftwareCanvas,

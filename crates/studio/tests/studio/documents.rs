@@ -29,7 +29,7 @@ shape = \"sphere\"
 radius = 2.0
 ";
 
-/// The same with two errors: the cube cannot be read whole, the banana not at all.
+/// A scene file with two errors: the cube cannot be read whole, the banana not at all.
 const DAMAGED: &str = "\
 # mine
 format = \"catoptric/1\"

@@ -209,7 +209,7 @@ impl Phrase for Subject {
     }
 }
 
-/// What stands before the last word of an enumeration.
+/// The conjunction before the last word of an enumeration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Conjunction {
     /// All of them.
@@ -228,7 +228,7 @@ pub(crate) struct Enumeration {
 }
 
 impl Enumeration {
-    /// These words, as they are.
+    /// An enumeration of words.
     pub(crate) fn new(words: Vec<String>, link: Conjunction) -> Self {
         Self { words, link }
     }
@@ -269,9 +269,9 @@ pub(crate) enum Requirement {
     Positive,
     /// 0 or more.
     NotNegative,
-    /// This or more.
+    /// At least this number.
     AtLeast(Number),
-    /// This or less.
+    /// At most this number.
     AtMost(Number),
 }
 
@@ -291,7 +291,7 @@ impl Phrase for Requirement {
     }
 }
 
-/// What a key means.
+/// The meaning of a key, for a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct KeyMeaning {
     /// The key.

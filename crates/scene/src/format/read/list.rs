@@ -17,7 +17,7 @@ pub(super) enum ListKind {
     Bodies,
 }
 
-/// A list that is being read.
+/// The list whose element is being read.
 #[derive(Default)]
 pub(super) struct ListReader<'t> {
     /// Place of the value that gives the whole list.

@@ -11,10 +11,10 @@ use crate::format::toml::Span;
 use crate::material::MaterialChoice;
 use crate::{Color, Light, Scene, Surroundings};
 
-/// So many defined materials are listed.
+/// The most defined materials that a message lists.
 const MOST_LISTED: usize = 8;
 
-/// Where the file says what is in the scene.
+/// The places of the scene's things in the file.
 #[derive(Default)]
 pub(super) struct SourcePositions {
     /// The name of each light.

@@ -12,10 +12,10 @@ use crate::format::diagnostic::Diagnostic;
 
 /// Deepest nesting of brackets; a scene needs five.
 const DEEPEST: u32 = 16;
-/// So many errors of one logical line are kept.
+/// The most errors of one logical line that are kept.
 const MOST_ERRORS: usize = 16;
 
-/// What a logical line was read as.
+/// The result of reading a logical line.
 pub(crate) struct ParsedLine<'t> {
     /// The statement; nothing for blank lines and lines that make no sense. Its value is invalid if anything in it is.
     pub(crate) statement: Option<Statement<'t>>,
@@ -35,7 +35,7 @@ pub(crate) fn parse<'t>(text: &'t str, tokens: &[Token]) -> ParsedLine<'t> {
     builder.finish(&errors.0)
 }
 
-/// Keeps the first few errors.
+/// The first errors of a line.
 #[derive(Default)]
 struct ErrorList(Vec<ParseError>);
 

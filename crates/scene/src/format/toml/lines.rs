@@ -11,7 +11,7 @@ const MOST_TOKENS: usize = 2_000_000;
 
 /// A logical line.
 pub(crate) enum LogicalLine<'a> {
-    /// Its tokens, up to and with the newline.
+    /// The tokens of the line, with the newline.
     Tokens(&'a [Token]),
     /// Longer than can be read; the place of its first token.
     TooLong(Span),
@@ -25,12 +25,12 @@ pub(crate) struct LogicalLines<'t> {
     text: &'t str,
     lexer: Lexer<'t>,
     tokens: Vec<Token>,
-    /// So many of `tokens` were handed out by the last call.
+    /// The number of `tokens` that the last call handed out.
     taken: usize,
     has_ended: bool,
 }
 
-/// What is known about the logical line at hand.
+/// The state of the scan of a logical line.
 #[derive(Default)]
 struct LineScan {
     /// Open brackets: their kind and the physical line (counted within the logical one) where they were opened.
@@ -47,7 +47,7 @@ struct LineScan {
     is_decided: bool,
 }
 
-/// Where a logical line ends: before this token.
+/// The token after the end of a logical line.
 type LineEnd = Option<usize>;
 
 impl<'t> LogicalLines<'t> {

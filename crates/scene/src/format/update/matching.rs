@@ -5,9 +5,9 @@ use std::collections::{HashMap, VecDeque};
 use crate::format::record::{Datum, Record};
 use crate::format::write::push_datum;
 
-/// An element.
+/// An element of a list with its name and keys.
 pub(super) struct MatchedElement<'a> {
-    /// Its name; empty when it has none.
+    /// The element's name; empty if it has none.
     pub(super) name: &'a str,
     pub(super) record: &'a Record<'a>,
 }

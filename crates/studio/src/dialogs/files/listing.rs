@@ -12,7 +12,7 @@ use crate::host::FileKind;
 /// At most so many entries of a folder are listed.
 const MOST: usize = 10_000;
 
-/// Something in a folder.
+/// A file or folder in a listing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct FolderItem {
     pub(super) name: String,
@@ -25,7 +25,7 @@ pub(super) struct FolderItem {
     pub(super) fits: bool,
 }
 
-/// A folder that has been read.
+/// The content of a folder.
 #[derive(Debug)]
 pub(super) struct FolderListing {
     pub(super) folder: PathBuf,

@@ -12,7 +12,7 @@ use crate::documents::job::{Job, JobStatus};
 use crate::texts::Texts;
 use crate::theme;
 
-/// A folder whose name is being typed, or that is being made.
+/// The name field of a new folder, or the thread that makes it.
 pub(super) struct NewFolderField {
     name: String,
     is_new: bool,
@@ -20,13 +20,13 @@ pub(super) struct NewFolderField {
     error: Option<io::ErrorKind>,
 }
 
-/// What becomes of it after a frame.
+/// The result of a frame of [`NewFolderField`].
 pub(super) enum NewFolderOutcome {
     /// The name is still being typed.
     Stay,
-    /// It was given up.
+    /// The folder was given up.
     Close,
-    /// It has been made.
+    /// The folder has been made.
     Made(PathBuf),
 }
 

@@ -54,7 +54,7 @@ pub(super) fn table_ui(ui: &mut Ui, dialog: &mut FileDialog, texts: &Texts) -> b
     opens
 }
 
-/// An entry that was clicked, perhaps twice.
+/// The row that was clicked, once or twice.
 struct ClickedRow {
     name: String,
     is_folder: bool,

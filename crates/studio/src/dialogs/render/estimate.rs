@@ -14,12 +14,12 @@ use crate::pictures::RenderChoices;
 /// Pixels of the longer side of the tiny picture that is traced to count rays.
 const SIDE: f64 = 96.0;
 
-/// How long it would take.
+/// The estimated time of a render.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RenderTime {
     /// Not known, perhaps not yet.
     Unknown,
-    /// So many seconds.
+    /// The estimate in seconds.
     Seconds(f64),
 }
 
@@ -31,7 +31,7 @@ pub(super) struct RenderEstimate {
     counted: Option<(EstimateKey, f64)>,
 }
 
-/// What the number of rays depends on. The scene does not change while the dialog is open.
+/// The choices that the number of rays depends on. The scene does not change while the dialog is open.
 #[derive(Clone, Copy, PartialEq)]
 struct EstimateKey {
     size: [u32; 2],

@@ -20,7 +20,7 @@ const USUAL: [(&str, [u32; 2]); 5] = [
     ("render-size-square", [1080, 1080]),
 ];
 
-/// What the fields of the size keep while the dialog is open.
+/// The state of the size fields while the dialog is open.
 pub(super) struct SizeFields {
     /// Width over height, while it is kept.
     proportions: f64,

@@ -4,7 +4,7 @@ use egui::{Slider, SliderClamping};
 
 use super::*;
 
-/// The rail of a slider, where a range is natural.
+/// The range and scale of a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SliderRail {
     /// None: only a field.
@@ -41,7 +41,7 @@ impl<T> NumberRow<T> {
         Self { what, rail, speed: 0.005, decimals: 3, get, set }
     }
 
-    /// The same, with another speed of dragging and number of decimals.
+    /// Sets the speed of dragging and the number of decimals.
     pub(crate) const fn tuned(mut self, speed: f64, decimals: usize) -> Self {
         self.speed = speed;
         self.decimals = decimals;

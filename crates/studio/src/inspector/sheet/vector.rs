@@ -5,7 +5,7 @@ use crate::widgets::explained_icon_button;
 use crate::widgets::number::list;
 use egui_material_icons::icons::{ICON_LINK, ICON_LINK_OFF};
 
-/// How a change of the primary thing's vector is carried to the others.
+/// The way that a change of the primary thing's vector applies to the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum VectorSpread {
     /// The changed component becomes the same for all.
@@ -27,7 +27,7 @@ pub(crate) struct VectorRow<T> {
     pub(crate) set: fn(&mut T, DVec3),
 }
 
-/// The vectors of all things when a gesture began, so that no rounding gathers while it lasts.
+/// The vectors at the start of a gesture, so that rounding does not accumulate.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct StartVectors {
     label: Option<Label>,
@@ -47,14 +47,14 @@ impl<T> VectorRow<T> {
         Self { what, spread, speed: 0.01, decimals: 3, link: None, get, set }
     }
 
-    /// The same, with another speed of dragging and number of decimals.
+    /// Sets the speed of dragging and the number of decimals.
     pub(crate) const fn tuned(mut self, speed: f64, decimals: usize) -> Self {
         self.speed = speed;
         self.decimals = decimals;
         self
     }
 
-    /// The same, with a button that keeps the ratios of the components.
+    /// Adds a button that keeps the ratios of the components.
     pub(crate) const fn linked(mut self, link: fn(&mut InspectorState) -> &mut bool) -> Self {
         self.link = Some(link);
         self

@@ -27,14 +27,14 @@ pub(in crate::manual) struct FormulaBox {
     pieces: Vec<FormulaShape>,
 }
 
-/// What is drawn, relative to the left end of the baseline; y goes down.
+/// A text or line of a formula, relative to the left end of the baseline; y goes down.
 #[derive(Clone)]
 enum FormulaShape {
     Text { galley: Arc<Galley>, corner: Vec2 },
     Stroke { points: Vec<Vec2> },
 }
 
-/// How formulas are set.
+/// Sets formulas in a color, with stacked fractions or in one line.
 #[derive(Clone, Copy)]
 struct Typesetter<'a> {
     ui: &'a Ui,

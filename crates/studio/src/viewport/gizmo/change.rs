@@ -3,7 +3,7 @@
 use catoptric_scene::{Anchor, Camera, Placement};
 use glam::{DMat3, DQuat, DVec3};
 
-/// What a hand does to what it holds.
+/// A change of the dragged things by the gizmo.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GizmoChange {
     /// Moves it, meters.

@@ -10,7 +10,7 @@ use crate::viewport::projector::Projector;
 /// The least factor of one pull.
 const LEAST_FACTOR: f64 = 0.01;
 
-/// How exactly the hand wants it.
+/// The precision of a drag, by modifier keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct DragPrecision {
     /// To whole steps.
@@ -19,7 +19,7 @@ pub(crate) struct DragPrecision {
     pub(crate) is_fine: bool,
 }
 
-/// How much was changed, to be shown beside the pointer.
+/// The amount of a change, displayed beside the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum DragAmount {
     /// Meters along the axes of the gizmo; `None` where nothing moves.
@@ -30,7 +30,7 @@ pub(crate) enum DragAmount {
     Factor(f64),
 }
 
-/// A handle that is held.
+/// The drag of a gizmo handle.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct HandleDrag {
     pub(crate) gizmo: Gizmo,
@@ -39,7 +39,7 @@ pub(crate) struct HandleDrag {
     grip: HandleGrip,
 }
 
-/// What was taken hold of.
+/// The part of a handle that was grabbed.
 #[derive(Clone, Debug, PartialEq)]
 enum HandleGrip {
     /// A point of an axis, meters from the center.

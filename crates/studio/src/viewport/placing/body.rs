@@ -32,7 +32,7 @@ const DEPTHS: [f64; 5] = [1.0, 0.7, 0.5, 0.3, 0.15];
 /// The cosine of the steepest surface to stand on: 1°.
 const LEVEL: f64 = 0.9998;
 
-/// What a body is put on.
+/// The surface that a new body stands on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum SupportSurface {
     /// Without an end: a plane, or the ground y = 0.

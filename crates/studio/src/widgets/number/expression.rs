@@ -25,14 +25,14 @@ const MOST_LETTERS: usize = 200;
 /// How deep parentheses, signs and powers may be nested.
 const MOST_DEPTH: usize = 40;
 
-/// Why a text is not a number, and where in it, counted in letters.
+/// The reason why a text is not a number, and its place, counted in letters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct ExpressionError {
     pub(crate) kind: ExpressionErrorKind,
     pub(crate) place: Range<usize>,
 }
 
-/// What is wrong with a text.
+/// The kind of error in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ExpressionErrorKind {
     /// A word or sign that means nothing here.
@@ -152,7 +152,7 @@ impl TypedValue {
     }
 }
 
-/// What a word stands for.
+/// The meaning of a word.
 #[derive(Clone, Copy, Debug)]
 enum TypedWord {
     Constant(f64),

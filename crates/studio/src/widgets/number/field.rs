@@ -23,7 +23,7 @@ const NARROW: f32 = 72.0;
 /// as a whole: the number becomes again what it was, and the text stays to be corrected.
 pub(crate) struct NumberField<'a> {
     pub(crate) texts: &'a Texts,
-    /// Its accessible name.
+    /// The accessible name.
     pub(crate) name: &'a str,
     /// The number now.
     pub(crate) value: f64,
@@ -44,7 +44,7 @@ pub(crate) struct NumberField<'a> {
     pub(crate) explains: bool,
 }
 
-/// What was done to a field in this frame.
+/// The changes of a number field in a frame.
 pub(crate) struct NumberResponse {
     pub(crate) response: Response,
     /// The new number, if it was changed.
@@ -59,7 +59,7 @@ pub(crate) struct NumberResponse {
     pub(crate) waiting: Option<Refusal>,
 }
 
-/// What is being typed.
+/// The text that is being typed.
 #[derive(Clone)]
 struct TypingState {
     text: String,
@@ -74,7 +74,7 @@ struct TypingState {
     pass: u64,
 }
 
-/// A text that was refused and waits to be corrected.
+/// A refused text that waits to be corrected.
 #[derive(Clone)]
 struct RefusedText {
     text: String,
@@ -84,14 +84,14 @@ struct RefusedText {
     pass: u64,
 }
 
-/// What a text comes to.
+/// The result of reading a text.
 enum TextVerdict {
     Taken(f64),
     Unchanged,
     Refused(RefusalReason),
 }
 
-/// What becomes of a text when its field is left.
+/// The result of a text whose field was left.
 #[derive(Default)]
 struct TypingResult {
     value: Option<f64>,

@@ -9,7 +9,7 @@ use egui::{Color32, PaintCallbackInfo, Pos2, Rect, TextureId, Vec2, vec2};
 use super::damage::{DrawBatch, Triangle, around};
 use super::pipelines::{CanvasPipelines, CanvasVertex, FORMAT, FillKind};
 
-/// A texture as it is drawn with.
+/// A texture of the software renderer.
 pub(super) struct SoftwareTexture {
     /// With egui's layout.
     pub(super) bind_group: wgpu::BindGroup,
@@ -23,7 +23,7 @@ pub(super) struct SoftwareCanvas {
     sheet: Option<CanvasPixels>,
 }
 
-/// The picture itself.
+/// The pixels of the canvas as a texture.
 struct CanvasPixels {
     view: wgpu::TextureView,
     bind_group: wgpu::BindGroup,
@@ -162,7 +162,7 @@ fn blank(part: Rect) -> [Triangle; 2] {
     [[one, two, three], [one, three, four]]
 }
 
-/// Brings a canvas to the screen.
+/// Copies a canvas to the screen.
 pub(super) struct CanvasCopy {
     pipelines: Arc<CanvasPipelines>,
     bind_group: wgpu::BindGroup,
@@ -184,14 +184,14 @@ impl CallbackTrait for CanvasCopy {
     }
 }
 
-/// What is drawn in a frame.
+/// The triangles of a frame.
 #[derive(Default)]
 struct FrameTriangles<'a> {
     corners: Vec<CanvasVertex>,
     runs: Vec<TriangleRun<'a>>,
 }
 
-/// Triangles of one kind, next to each other.
+/// Neighboring triangles of one kind, drawn by one call.
 struct TriangleRun<'a> {
     kind: FillKind,
     texture: Option<&'a SoftwareTexture>,

@@ -10,7 +10,7 @@ const MOST: usize = 6;
 
 pub(super) type Triangle = [Vertex; 3];
 
-/// Triangles that are drawn with one texture in one part of the window.
+/// Triangles with one texture and one clip rectangle.
 pub(super) struct DrawBatch {
     pub(super) clip: Rect,
     pub(super) texture: TextureId,

@@ -22,7 +22,7 @@ pub(super) struct CanvasVertex {
     pub(super) color: [u8; 4],
 }
 
-/// How a triangle is colored.
+/// The way that a triangle is colored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FillKind {
     /// By its corners, hiding what is behind.
@@ -57,7 +57,7 @@ fn area([one, two, three]: &Triangle) -> f32 {
     0.5 * (along.x * aside.y - along.y * aside.x).abs()
 }
 
-/// One for each kind, and one that brings the canvas to the screen.
+/// A pipeline for each kind of triangle, and one that copies the canvas to the screen.
 pub(super) struct CanvasPipelines {
     opaque: wgpu::RenderPipeline,
     plain: wgpu::RenderPipeline,
@@ -131,7 +131,7 @@ impl CanvasPipelines {
     }
 }
 
-/// The same entries as in egui's layout, so that its bind groups fit.
+/// The layout of a texture's bind group, equal to egui's so that its bind groups fit.
 fn texture_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let flags = wgpu::BindingType::Buffer {
         has_dynamic_offset: false,

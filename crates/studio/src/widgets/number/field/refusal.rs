@@ -18,14 +18,14 @@ pub(crate) struct Refusal {
     pub(crate) reason: RefusalReason,
 }
 
-/// Why a text is not taken.
+/// The reason why a text is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum RefusalReason {
-    /// It is no number.
+    /// The text is no number.
     Fault(ExpressionError),
     /// A number of things is whole.
     NotWhole,
-    /// It lies outside of the limits.
+    /// The number lies outside of the limits.
     OutOfLimits(Limits),
 }
 
