@@ -1,4 +1,4 @@
-//! What is worth knowing of a scene, though nothing is wrong with it.
+//! Notes about a scene in which nothing is wrong.
 
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, Excess, ExcessKind, excesses};
 use catoptric_lab::work::RayEstimate;

@@ -1,4 +1,4 @@
-//! What the terminal shows while one waits.
+//! The progress of work, on the terminal.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};

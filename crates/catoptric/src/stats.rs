@@ -1,4 +1,4 @@
-//! What a render took, as JSON.
+//! The statistics of a render, as JSON.
 
 use std::time::Duration;
 

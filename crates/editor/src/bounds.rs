@@ -1,4 +1,4 @@
-//! How far bodies reach.
+//! Bounding boxes and spheres of bodies.
 
 use catoptric_scene::{Body, Scene, Shape};
 use glam::DVec3;

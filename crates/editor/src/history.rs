@@ -1,4 +1,4 @@
-//! What was done, so that it can be undone and done again.
+//! The undo history.
 
 mod difference;
 mod sequence;

@@ -1,4 +1,4 @@
-//! Where a new body stands, and how large it is.
+//! The place, size and rotation of a new body.
 
 use catoptric_scene::{Anchor, Body, Placement, Scene, Shape, ShapeKind};
 use glam::DVec3;

@@ -1,4 +1,4 @@
-//! What is left of documents whose program ended without saving them.
+//! Recovery of documents whose program ended without saving them.
 //!
 //! Every running editor has a place in a folder: a lock file, held as long as the editor runs, and beside it the
 //! document, a scene file whose first lines tell where it came from. The system lets go of the lock whatever ends the

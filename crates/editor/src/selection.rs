@@ -1,4 +1,4 @@
-//! What is selected.
+//! The selection.
 
 use std::collections::HashMap;
 

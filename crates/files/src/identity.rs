@@ -1,4 +1,4 @@
-//! Whether two paths lead to the same file, however they are written.
+//! The identity of files: whether two paths lead to the same one, however they are written.
 
 use std::ffi::OsString;
 use std::fs;

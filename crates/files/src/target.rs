@@ -1,4 +1,4 @@
-//! What a path for output leads to.
+//! The target of a path for output.
 
 use std::fs;
 use std::io;

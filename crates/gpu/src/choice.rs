@@ -1,4 +1,4 @@
-//! Which graphics card.
+//! The choice of a graphics card.
 
 use std::path::Path;
 

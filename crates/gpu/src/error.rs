@@ -1,4 +1,4 @@
-//! Why a graphics card does not draw.
+//! The errors of a graphics card.
 
 use catoptric_picture::SizeError;
 use catoptric_tracer::twin::Unsupported;

@@ -1,4 +1,4 @@
-//! Whether a device still works.
+//! A watch over the loss of a device.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};

@@ -1,4 +1,4 @@
-//! How deep a scene needs to be traced, and materials that give more light than they get.
+//! The depth to which a scene needs to be traced, and materials that give more light than they get.
 
 use catoptric_scene::{
     Body, Camera, Checker, Color, Material, MaterialChoice, Model, Projection, Scene, Tracing,

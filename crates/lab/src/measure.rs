@@ -1,4 +1,4 @@
-//! How the time of a picture depends on what it is made of: sweeps of one or two parameters, and the law behind them.
+//! The time of a picture by its parameters: sweeps of one or two parameters, and the law behind them.
 
 mod law;
 mod least_squares;

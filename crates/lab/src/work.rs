@@ -1,4 +1,4 @@
-//! How many rays a picture takes, estimated before it is traced.
+//! An estimate of the rays of a picture, before it is traced.
 
 use catoptric_tracer::{Control, RenderError, Stage, StageCamera, Whitted};
 use glam::UVec2;

@@ -1,4 +1,4 @@
-//! What a window shows.
+//! The frame that a window displays.
 
 use std::sync::Arc;
 

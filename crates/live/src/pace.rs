@@ -1,4 +1,4 @@
-//! How large a picture can be traced in time.
+//! The size of a picture that can be traced in time.
 
 /// Divisors of the view's size for coarse pictures. Few of them, so that the resolution does not flicker.
 const DIVISORS: [f64; 14] = [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 24.0];

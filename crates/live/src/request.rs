@@ -1,4 +1,4 @@
-//! What a window asks for.
+//! The request of a window.
 
 use std::sync::Arc;
 

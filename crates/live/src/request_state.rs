@@ -1,4 +1,4 @@
-//! What is known about the request that is being worked on.
+//! The state of the request that is being worked on.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};

@@ -1,4 +1,4 @@
-//! What the worker and the window's thread share. Every lock is held for a moment only.
+//! The state that the worker and the window's thread share. Every lock is held for a moment only.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};

@@ -1,4 +1,4 @@
-//! From spectra to colors.
+//! Colors of spectra.
 
 mod tables;
 

@@ -1,4 +1,4 @@
-//! From linear light to what a display shows.
+//! Development: from linear light to display codes.
 
 use crate::picture::{Picture, SizeError};
 use crate::quantize::{Table8, exact16};

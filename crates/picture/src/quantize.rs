@@ -1,4 +1,4 @@
-//! From displayable linear light to sRGB codes.
+//! Quantization: from displayable linear light to sRGB codes.
 //!
 //! The codes are defined by the exact formula, ⌊maximum · encode(x) + ½⌋ in double precision. For 8 bits a
 //! table gives the same code without the power: the floats of 0…1 are cut into buckets of equal upper 16

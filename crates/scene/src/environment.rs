@@ -1,4 +1,4 @@
-//! What surrounds the bodies.
+//! The environment of the bodies.
 
 use crate::color::Color;
 use crate::image::Image;

@@ -59,8 +59,8 @@ pub(crate) struct AuditState {
     /// The state of the document that was looked into last, and how it came about.
     seen: Option<DocumentStamp>,
     audits: Latest<(DocumentStamp, PinnedPixel), Result<AuditResult, AuditError>>,
-    sights: Latest<HiddenPartsKey, Vec<Vec<SegmentPart>>>,
-    sight: Option<(HiddenPartsKey, Vec<Vec<SegmentPart>>)>,
+    hidden_parts_job: Latest<HiddenPartsKey, Vec<Vec<SegmentPart>>>,
+    hidden_parts: Option<(HiddenPartsKey, Vec<Vec<SegmentPart>>)>,
     probes: Latest<PixelProbe, Option<[f32; 3]>>,
     probed: Option<(PixelProbe, [f32; 3])>,
     serial: u64,
@@ -117,8 +117,9 @@ impl AuditState {
     /// Looks into no pixel.
     pub(crate) fn release(&mut self) {
         self.audits.cancel();
-        self.sights.cancel();
-        (self.pin, self.failure, self.seen, self.sight, self.selected) = (None, None, None, None, None);
+        self.hidden_parts_job.cancel();
+        (self.pin, self.failure, self.seen, self.hidden_parts, self.selected) =
+            (None, None, None, None, None);
         self.expanded.clear();
         self.step = None;
         self.light.end();
@@ -145,8 +146,8 @@ impl AuditState {
     }
 
     /// The parts of the ways as `camera` sees them; those of the last camera while they are being found.
-    pub(crate) fn sight(&self) -> Option<&Vec<Vec<SegmentPart>>> {
-        let ((serial, _), parts) = self.sight.as_ref()?;
+    pub(crate) fn hidden_parts(&self) -> Option<&Vec<Vec<SegmentPart>>> {
+        let ((serial, _), parts) = self.hidden_parts.as_ref()?;
         (Some(*serial) == self.found.as_ref().map(|found| found.serial)).then_some(parts)
     }
 
@@ -167,8 +168,8 @@ impl AuditState {
                 Some(Err(error)) => self.failure = Some(error),
             }
         }
-        if let Some((key, Some(parts))) = self.sights.poll() {
-            self.sight = Some((key, parts));
+        if let Some((key, Some(parts))) = self.hidden_parts_job.poll() {
+            self.hidden_parts = Some((key, parts));
         }
         if let Some((probe, Some(Some(light)))) = self.probes.poll() {
             self.probed = Some((probe, light));
@@ -235,15 +236,15 @@ fn is_same_but_for_camera(one: &Scene, other: &Scene) -> bool {
 }
 
 /// Finds out which parts of the rays `camera` sees.
-pub(crate) fn keep_sight(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
+pub(crate) fn update_hidden_parts(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
     let Some(found) = &cx.audit.found else { return };
     let key = (found.serial, camera);
-    if cx.audit.sight.as_ref().is_some_and(|(known, _)| *known == key) {
+    if cx.audit.hidden_parts.as_ref().is_some_and(|(known, _)| *known == key) {
         return;
     }
     let Some((_, stage)) = cx.live.stage() else { return };
     let found = Arc::clone(found);
-    cx.audit.sights.want(context, &key, move |control| {
+    cx.audit.hidden_parts_job.want(context, &key, move |control| {
         hidden::parts(&found.ways, &found.scene, &stage, &camera, control)
     });
 }

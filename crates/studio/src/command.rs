@@ -1,4 +1,4 @@
-//! Everything a person can tell the studio to do: one list that feeds menus, shortcuts and the command palette.
+//! The commands of the studio: one list that feeds menus, shortcuts and the command palette.
 
 mod state;
 mod table;

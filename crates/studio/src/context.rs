@@ -1,4 +1,4 @@
-//! What a panel is handed each frame.
+//! The context of a panel in a frame.
 
 use catoptric_editor::Editor;
 use catoptric_live::Live;

@@ -65,12 +65,12 @@ pub(crate) struct Documents {
     saving: Option<save::SceneSaveTask>,
     /// To be saved when the present saving is done.
     next_saving: Option<save::SceneSaveRequest>,
-    asking: Option<(FilePrompt, FilePurpose)>,
+    prompt: Option<(FilePrompt, FilePurpose)>,
     /// Lives as long as the question whether to save changes is open.
     asked_to_save: Weak<()>,
     /// Whether the window may close.
     is_leaving: bool,
-    keeper: autosave::Autosave,
+    autosave: autosave::Autosave,
     memory: settings_file::SettingsFile,
     recent: recent::RecentFiles,
     notice: banner::ProblemBanner,
@@ -245,7 +245,7 @@ fn show_recovered(studio: &mut Studio, editor: Editor, written: SystemTime) {
 }
 
 fn ask_for(studio: &mut Studio, purpose: FilePurpose) {
-    if studio.documents.asking.is_some() {
+    if studio.documents.prompt.is_some() {
         return;
     }
     let is_saving = matches!(purpose, FilePurpose::Saving(..));
@@ -257,8 +257,8 @@ fn ask_for(studio: &mut Studio, purpose: FilePurpose) {
         folder: usual_folder(studio),
         name: if is_saving { usual_name(studio) } else { String::new() },
     };
-    let asking = FilePrompt::start(studio, question);
-    studio.documents.asking = Some((asking, purpose));
+    let prompt = FilePrompt::start(studio, question);
+    studio.documents.prompt = Some((prompt, purpose));
 }
 
 /// Asks for a file and saves the document to it; then does what was meant to come after.
@@ -280,9 +280,9 @@ fn usual_name(studio: &Studio) -> String {
 }
 
 fn take_answer(context: &Context, studio: &mut Studio) {
-    let Some((mut asking, purpose)) = studio.documents.asking.take() else { return };
-    match (asking.poll(context, studio), purpose) {
-        (FilePromptState::Waiting, purpose) => studio.documents.asking = Some((asking, purpose)),
+    let Some((mut prompt, purpose)) = studio.documents.prompt.take() else { return };
+    match (prompt.poll(context, studio), purpose) {
+        (FilePromptState::Waiting, purpose) => studio.documents.prompt = Some((prompt, purpose)),
         (FilePromptState::Cancelled, _) => {}
         (FilePromptState::Chosen(ChosenFile { path, .. }), FilePurpose::Opening) => {
             open::begin(context, studio, &path);

@@ -1,4 +1,4 @@
-//! What to notice in the example that is open: a note below the picture.
+//! The note about the open example, below the picture.
 
 use catoptric_scene::Example;
 use egui::text::LayoutJob;

@@ -55,16 +55,16 @@ enum ExportTask {
 /// Asks where `export` is to be written; a question that has not been answered is forgotten.
 pub(crate) fn ask(studio: &mut Studio, question: FileQuestion, export: impl Export) {
     studio.exports.going.retain(|going| matches!(going, ExportTask::Writing(..)));
-    let asking = FilePrompt::start(studio, question);
-    studio.exports.going.push(ExportTask::Asking(asking, Arc::new(export)));
+    let prompt = FilePrompt::start(studio, question);
+    studio.exports.going.push(ExportTask::Asking(prompt, Arc::new(export)));
 }
 
 /// Takes up answers, and what has been written; once a frame.
 pub(crate) fn poll(context: &Context, studio: &mut Studio) {
     for going in std::mem::take(&mut studio.exports.going) {
         match going {
-            ExportTask::Asking(mut asking, export) => match asking.poll(context, studio) {
-                FilePromptState::Waiting => studio.exports.going.push(ExportTask::Asking(asking, export)),
+            ExportTask::Asking(mut prompt, export) => match prompt.poll(context, studio) {
+                FilePromptState::Waiting => studio.exports.going.push(ExportTask::Asking(prompt, export)),
                 FilePromptState::Cancelled => {}
                 FilePromptState::Chosen(ChosenFile { path, may_replace }) => {
                     // The system's dialog asks for a folder's name, not for what such a folder has in it.

@@ -1,4 +1,4 @@
-//! Which keys are held, from the events of keys.
+//! The held keys, from the events of keys.
 //!
 //! egui keeps its own set by the logical key, and a release does not always have that of its press: `=` with Shift is
 //! pressed as Plus and released as Equals once Shift is up. Releases can be lost as well, to window managers, input

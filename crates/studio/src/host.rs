@@ -1,4 +1,4 @@
-//! What the studio needs from the system around it, behind a trait, so that tests can stand in for it.
+//! The services of the system, behind a trait, so that tests can replace them.
 
 #[cfg(target_os = "linux")]
 use std::path::Path;

@@ -38,7 +38,7 @@ pub(crate) struct DocumentImages {
     missing: HashSet<ImageSource>,
     job: Option<Job<Vec<OpenedImage>>>,
     /// What is being asked for, with the document that is to have it.
-    asking: Option<(FilePrompt, ImageUse, u64)>,
+    prompt: Option<(FilePrompt, ImageUse, u64)>,
 }
 
 type OpenedImage = (ImageSource, Result<Image, ImageError>);
@@ -85,8 +85,8 @@ pub(crate) fn ask(studio: &mut Studio, usage: ImageUse) {
         folder: path.as_deref().and_then(Path::parent).map(Path::to_owned),
         name: String::new(),
     };
-    let asking = FilePrompt::start(studio, question);
-    studio.images.asking = Some((asking, usage, studio.documents.number()));
+    let prompt = FilePrompt::start(studio, question);
+    studio.images.prompt = Some((prompt, usage, studio.documents.number()));
 }
 
 /// Takes up answers and pictures, and has those opened that are not: once a frame.
@@ -169,9 +169,9 @@ fn take_opened(studio: &mut Studio) {
 }
 
 fn take_answer(context: &Context, studio: &mut Studio) {
-    let Some((mut asking, usage, document)) = studio.images.asking.take() else { return };
-    match asking.poll(context, studio) {
-        FilePromptState::Waiting => studio.images.asking = Some((asking, usage, document)),
+    let Some((mut prompt, usage, document)) = studio.images.prompt.take() else { return };
+    match prompt.poll(context, studio) {
+        FilePromptState::Waiting => studio.images.prompt = Some((prompt, usage, document)),
         FilePromptState::Cancelled => {}
         // Another document has come while the system's dialog was open.
         FilePromptState::Chosen(_) if document != studio.documents.number() => {}

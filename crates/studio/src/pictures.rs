@@ -41,7 +41,7 @@ pub(crate) struct RenderedPictures {
     /// How many have been finished so far.
     count: u64,
     copying: copy::ClipboardCopy,
-    leaving: PictureCloseGuard,
+    close_guard: PictureCloseGuard,
 }
 
 /// A render that is under way.
@@ -120,7 +120,7 @@ fn begin(
     order: RenderRequest,
 ) {
     studio.pictures.cancel();
-    studio.pictures.leaving.forget();
+    studio.pictures.close_guard.forget();
     let (settings, generations) = (order.choices.settings(), order.choices.generations);
     match RenderJob::drawn(scene, method, shows, settings, generations, 0) {
         Ok(job) => studio.pictures.running = Some(RenderTask { job, order }),
@@ -153,7 +153,7 @@ fn take_result(context: &Context, studio: &mut Studio) {
         Ok(rendering) => {
             let pictures = &mut studio.pictures;
             pictures.count += 1;
-            pictures.leaving.forget();
+            pictures.close_guard.forget();
             let number = pictures.count;
             let finished = FinishedPicture::new(number, &pictures.finished, rendering, order, elapsed);
             pictures.finished.push(finished);

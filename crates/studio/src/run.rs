@@ -1,4 +1,4 @@
-//! Doing what was asked for.
+//! Runs commands.
 
 use catoptric_editor::{Action, ActionError, navigate};
 use egui::{Context, OutputCommand, ViewportCommand};

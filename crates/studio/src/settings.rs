@@ -1,4 +1,4 @@
-//! What the studio remembers from one start to the next.
+//! The settings that the studio remembers.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! From keys to commands.
+//! Shortcuts: from keys to commands.
 
 use catoptric_editor::Action;
 use egui::{Context, Event, Key, KeyboardShortcut, ModifierNames, Modifiers, Popup, Ui};

@@ -1,4 +1,4 @@
-//! How the window looks: colors, fonts, spacing. Calm, so that the picture is the brightest thing.
+//! The theme: colors, fonts, spacing. It is calm, so that the picture is the brightest thing.
 
 use egui::{
     Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, ThemePreference, Visuals, vec2,

@@ -1,4 +1,4 @@
-//! How the document is looked at: what is neither part of the scene nor remembered.
+//! The state of the view, which is neither part of the scene nor saved.
 
 use catoptric_editor::navigate::CachedCameraRange;
 use catoptric_live::DisplayContent;

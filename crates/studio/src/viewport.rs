@@ -22,9 +22,9 @@ mod placing;
 mod pointer_tool;
 mod projector;
 mod rays;
+mod scene_view;
 mod steering;
 mod toolbar;
-mod visible_picture;
 mod wireframe;
 
 use catoptric_editor::{Action, Item};
@@ -52,8 +52,8 @@ pub(crate) use picture::why;
 pub(crate) use placing::{place_for_light, spot_for_body};
 use pointer_tool::{PointerAction, PointerTool};
 pub(crate) use projector::Projector;
+use scene_view::{PointerTarget, SceneView};
 use steering::KeyListener;
-use visible_picture::{PointerTarget, VisiblePicture};
 
 /// What the viewport keeps from frame to frame.
 #[derive(Default)]
@@ -66,9 +66,9 @@ pub(crate) struct Viewport {
     covered: Option<CoveredPicture>,
     /// How far the bar over the picture reached down in the last frame, points.
     bar: f32,
-    hands: PointerTool,
-    travel: CameraNavigation,
-    glide: Option<camera_transition::CameraTransition>,
+    pointer_tool: PointerTool,
+    navigation: CameraNavigation,
+    transition: Option<camera_transition::CameraTransition>,
 }
 
 impl Viewport {
@@ -95,9 +95,9 @@ impl Viewport {
 
     /// Another document has come: whatever hands and keys were doing to the last one ends.
     pub(crate) fn begin_document(&mut self) {
-        self.hands = PointerTool::default();
-        self.travel.stop();
-        self.glide = None;
+        self.pointer_tool = PointerTool::default();
+        self.navigation.stop();
+        self.transition = None;
         self.covered = None;
     }
 
@@ -134,9 +134,9 @@ impl Viewport {
     fn ease(&mut self, ui: &Ui, cx: &mut Cx<'_>) {
         let camera = cx.view.camera(cx.editor.scene());
         let time = ui.input(|input| input.time);
-        cx.view.eased = self.glide.as_mut().and_then(|glide| glide.now(&camera, time));
+        cx.view.eased = self.transition.as_mut().and_then(|transition| transition.now(&camera, time));
         if cx.view.eased.is_none() {
-            self.glide = None;
+            self.transition = None;
         } else {
             cx.view.is_moving = true;
             ui.ctx().request_repaint();
@@ -158,16 +158,16 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
-    let sight = VisiblePicture::new(cx.live, rect, (tile, viewport.bar), camera);
+    let scene_view = SceneView::new(cx.live, rect, (tile, viewport.bar), camera);
     if frame.as_deref().is_some_and(picture::is_apart) {
         // Nothing can be picked in it, and nothing belongs over it.
-        viewport.hands = PointerTool::default();
-        viewport.travel.settle(ui, cx);
+        viewport.pointer_tool = PointerTool::default();
+        viewport.navigation.settle(ui, cx);
         tell(ui, cx, &response);
         viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
         return;
     }
-    act(ui, cx, viewport, (&sight, &response));
+    act(ui, cx, viewport, (&scene_view, &response));
     if cx.view.seen != seen_before {
         // A panel drawn before this one tells of it as well.
         ui.ctx().request_repaint();
@@ -182,15 +182,15 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
             overlay_lines::outlines(&painter, rect, frame, palette);
         }
     }
-    crate::audit::keep_sight(ui.ctx(), cx, camera);
-    rays::draw(&painter, &sight, cx);
-    over_picture(&painter, cx, viewport, &sight, palette);
-    answers::answers_ui(ui, cx, &sight);
+    crate::audit::update_hidden_parts(ui.ctx(), cx, camera);
+    rays::draw(&painter, &scene_view, cx);
+    over_picture(&painter, cx, viewport, &scene_view, palette);
+    answers::answers_ui(ui, cx, &scene_view);
     tell(ui, cx, &response);
     viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
-    compass::compass_ui(ui, cx, &sight);
-    crate::maps::legend_ui(ui, cx, rect, sight.visible);
-    notes(ui, cx, viewport, &sight);
+    compass::compass_ui(ui, cx, &scene_view);
+    crate::maps::legend_ui(ui, cx, rect, scene_view.visible);
+    notes(ui, cx, viewport, &scene_view);
 }
 
 /// What hands and keys do.
@@ -198,38 +198,38 @@ fn act(
     ui: &mut Ui,
     cx: &mut Cx<'_>,
     viewport: &mut Viewport,
-    (sight, response): (&VisiblePicture, &Response),
+    (scene_view, response): (&SceneView, &Response),
 ) {
-    let Viewport { hands, travel, .. } = viewport;
-    let listener = if cx.view.is_flying || hands.flies_beside(ui, response) {
+    let Viewport { pointer_tool, navigation, .. } = viewport;
+    let listener = if cx.view.is_flying || pointer_tool.flies_beside(ui, response) {
         KeyListener::Flight
     } else if listens(ui, response) {
         KeyListener::Picture
     } else {
         KeyListener::Nobody
     };
-    travel.listen(ui, cx, listener);
+    navigation.listen(ui, cx, listener);
     if cx.view.is_flying {
-        hands.hand = PointerAction::Open;
-        hands.over = None;
-        travel.fly(ui, cx);
+        pointer_tool.action = PointerAction::Idle;
+        pointer_tool.over = None;
+        navigation.fly(ui, cx);
     } else {
-        travel.land(ui, cx);
+        navigation.land(ui, cx);
         let gizmo = pointer_tool::gizmo(cx);
-        hands.act(ui, cx, (sight, response), gizmo.as_ref(), travel);
+        pointer_tool.act(ui, cx, (scene_view, response), gizmo.as_ref(), navigation);
         if response.contains_pointer() {
-            travel.wheel(ui, cx, sight);
+            navigation.wheel(ui, cx, scene_view);
         }
         if listener == KeyListener::Picture {
             keys(ui, cx);
-            travel.keys(ui, cx, sight);
+            navigation.keys(ui, cx, scene_view);
         }
-        if hands.opens_menu() {
+        if pointer_tool.opens_menu() {
             response.context_menu(|ui| menu::menu_ui(ui, cx));
         }
     }
-    travel.settle(ui, cx);
-    let is_busy = !matches!(viewport.hands.hand, PointerAction::Open);
+    navigation.settle(ui, cx);
+    let is_busy = !matches!(viewport.pointer_tool.action, PointerAction::Idle);
     if response.has_focus() {
         // Arrows move the camera, and Esc ends what the hand does.
         let filter =
@@ -271,23 +271,23 @@ fn over_picture(
     painter: &egui::Painter,
     cx: &Cx<'_>,
     viewport: &Viewport,
-    sight: &VisiblePicture,
+    scene_view: &SceneView,
     palette: &theme::ThemeColors,
 ) {
-    let over = viewport.hands.over;
+    let over = viewport.pointer_tool.over;
     let hovered = if let Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item)) = over {
         Some(item)
     } else {
         None
     };
-    handles::draw(painter, sight, cx, hovered, palette);
-    offscreen::draw(painter, sight, cx, hovered, palette);
-    let pulled: Option<(Gizmo, GizmoHandle)> = match &viewport.hands.hand {
-        PointerAction::Pull(held) => {
-            gizmo::draw::ghost(painter, sight, &held.by, palette);
+    handles::draw(painter, scene_view, cx, hovered, palette);
+    offscreen::draw(painter, scene_view, cx, hovered, palette);
+    let pulled: Option<(Gizmo, GizmoHandle)> = match &viewport.pointer_tool.action {
+        PointerAction::DragHandle(active) => {
+            gizmo::draw::ghost(painter, scene_view, &active.drag, palette);
             // It goes with what it moves, and keeps its axes while it turns.
-            let pivot = pointer_tool::gizmo(cx).map_or(held.by.gizmo.pivot, |gizmo| gizmo.pivot);
-            Some((Gizmo { pivot, ..held.by.gizmo }, held.by.handle))
+            let pivot = pointer_tool::gizmo(cx).map_or(active.drag.gizmo.pivot, |gizmo| gizmo.pivot);
+            Some((Gizmo { pivot, ..active.drag.gizmo }, active.drag.handle))
         }
         _ => None,
     };
@@ -296,10 +296,12 @@ fn over_picture(
         _ => None,
     };
     // What is carried by itself needs no handles meanwhile.
-    let at_rest =
-        || pointer_tool::gizmo(cx).filter(|_| !matches!(viewport.hands.hand, PointerAction::Carry(_)));
+    let at_rest = || {
+        pointer_tool::gizmo(cx)
+            .filter(|_| !matches!(viewport.pointer_tool.action, PointerAction::DragItem(_)))
+    };
     if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(at_rest) {
-        gizmo::draw::draw(painter, sight, &gizmo, active, palette);
+        gizmo::draw::draw(painter, scene_view, &gizmo, active, palette);
     }
 }
 
@@ -323,62 +325,62 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
 }
 
 /// Short texts: what is being changed, what is under the pointer, how to fly.
-fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &VisiblePicture) {
+fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, scene_view: &SceneView) {
     /// How long the pointer rests before it is told what it is over, seconds.
     const REST: f32 = 0.5;
     let palette = theme::palette(ui.visuals());
-    let painter = ui.painter_at(sight.visible);
+    let painter = ui.painter_at(scene_view.visible);
     let (pointer, rest) =
         ui.input(|input| (input.pointer.latest_pos(), input.pointer.time_since_last_movement()));
-    let amount = match &viewport.hands.hand {
-        PointerAction::Carry(held) => held.amount,
-        PointerAction::Pull(held) => held.amount,
-        PointerAction::Aim(held) => held.amount,
+    let amount = match &viewport.pointer_tool.action {
+        PointerAction::DragItem(active) => active.amount,
+        PointerAction::DragHandle(active) => active.amount,
+        PointerAction::AimLight(active) => active.amount,
         _ => None,
     };
     let scene = cx.editor.scene();
-    let over = match viewport.hands.over {
+    let over = match viewport.pointer_tool.over {
         Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item)) => Some(item),
         Some(PointerTarget::Body { index, .. }) => Some(Item::Body(index)),
         _ => None,
     };
     if cx.view.is_auditing {
-        pixel_pick::note(ui, cx, sight, palette);
+        pixel_pick::note(ui, cx, scene_view, palette);
     } else if let (Some(amount), Some(pointer)) = (amount, pointer) {
-        let grain = sight.lens.meters_per_point(sight.camera.target);
+        let grain = scene_view.projector.meters_per_point(scene_view.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
-        labels::beside_pointer(&painter, sight.visible, pointer, &text, palette);
+        labels::beside_pointer(&painter, scene_view.visible, pointer, &text, palette);
     } else if let (Some(item), Some(pointer), false) =
         (over.filter(|_| cx.maps.kind.is_none()), pointer, Popup::is_any_open(ui.ctx()))
     {
         if rest >= REST {
             let name = item_name(cx.texts, scene, item);
-            let text = match viewport.hands.over {
+            let text = match viewport.pointer_tool.over {
                 Some(PointerTarget::Arrow(_)) => {
                     cx.texts.with("viewport-out-of-view", &[("name", name.into_owned().into())])
                 }
                 _ => name.into_owned(),
             };
-            labels::beside_pointer(&painter, sight.visible, pointer, &text, palette);
+            labels::beside_pointer(&painter, scene_view.visible, pointer, &text, palette);
         } else {
             let left = std::time::Duration::from_secs_f32(REST - rest);
             ui.ctx().request_repaint_after(left);
         }
     }
     if cx.view.is_measuring {
-        let at = sight.visible.center_bottom() - vec2(0.0, 14.0);
+        let at = scene_view.visible.center_bottom() - vec2(0.0, 14.0);
         let text = cx.t("viewport-measuring");
-        labels::plate(&painter, sight.visible, at, Align2::CENTER_BOTTOM, text, palette);
+        labels::plate(&painter, scene_view.visible, at, Align2::CENTER_BOTTOM, text, palette);
     }
-    hint(&painter, cx, &viewport.hands.hand, sight, palette);
+    hint(&painter, cx, &viewport.pointer_tool.action, scene_view, palette);
 }
 
 /// Says what to do next in a mode of the picture.
 fn hint(
     painter: &egui::Painter,
     cx: &Cx<'_>,
-    hand: &PointerAction,
-    sight: &VisiblePicture,
+    action: &PointerAction,
+    scene_view: &SceneView,
     palette: &theme::ThemeColors,
 ) {
     let text = if cx.view.is_flying {
@@ -388,9 +390,9 @@ fn hint(
     } else if cx.view.is_auditing && cx.audit.pin().is_none() {
         cx.t("viewport-audit-hint").to_owned()
     } else if cx.view.is_aiming {
-        let key = match hand {
-            PointerAction::Aim(held) if held.by.is_by_shadow() => "viewport-aim-shadow",
-            PointerAction::Aim(_) => "viewport-aim-highlight",
+        let key = match action {
+            PointerAction::AimLight(active) if active.drag.is_by_shadow() => "viewport-aim-shadow",
+            PointerAction::AimLight(_) => "viewport-aim-highlight",
             _ => "viewport-aim-hint",
         };
         cx.t(key).to_owned()
@@ -398,7 +400,7 @@ fn hint(
         return;
     };
     // Below the bar, where no other panel floats, and beside the compass.
-    let room = sight.clear.shrink2(vec2(compass::WIDTH, 0.0));
+    let room = scene_view.clear.shrink2(vec2(compass::WIDTH, 0.0));
     let at = room.center_top() + vec2(0.0, 10.0);
     labels::plate(painter, room, at, Align2::CENTER_TOP, &text, palette);
 }

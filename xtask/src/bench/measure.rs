@@ -1,4 +1,4 @@
-//! One scene in all programs, by turns.
+//! Measures one scene in all programs, by turns.
 
 use std::path::{Path, PathBuf};
 

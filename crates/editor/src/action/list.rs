@@ -1,4 +1,4 @@
-//! What stands in the lists: duplicates, deletions, order.
+//! Actions on the lists: duplicates, deletions, order.
 
 use std::collections::HashSet;
 

@@ -1,4 +1,4 @@
-//! What an action makes of a scene, before it is taken over.
+//! The outcome of an action, before the document takes it over.
 
 use catoptric_scene::{Body, Scene};
 

@@ -1,4 +1,4 @@
-//! What is selected.
+//! Actions on the selection.
 
 use catoptric_scene::Scene;
 

@@ -1,4 +1,4 @@
-//! Where a document is saved, and whether it is.
+//! The path and the saved state of a document.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What drawings of a tree have in common.
+//! Common parts of the drawings of a tree.
 
 use std::collections::VecDeque;
 

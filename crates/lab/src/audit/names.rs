@@ -1,4 +1,4 @@
-//! What bodies and lights are called.
+//! The names of bodies and lights in reports.
 
 use std::collections::BTreeMap;
 

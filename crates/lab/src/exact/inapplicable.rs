@@ -1,4 +1,4 @@
-//! What seems to have an exact answer and has none, since a formula does not apply.
+//! The reasons why an exact answer does not exist: a formula does not apply.
 
 use catoptric_scene::{Body, Material, Scene, Shape};
 use glam::DVec3;

@@ -1,4 +1,4 @@
-//! What can be varied, and in which steps.
+//! The parameters of measurements, and their values.
 
 use std::fmt;
 

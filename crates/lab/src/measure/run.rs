@@ -1,4 +1,4 @@
-//! Doing the measurements.
+//! Runs the measurements.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};

@@ -1,4 +1,4 @@
-//! What was measured, as the files of a chapter: the measurements, tables, plots, and the text around them.
+//! The files of a report on a measurement: data, tables, plots, and the text around them.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! All that reports say, in both languages. What stands in braces is filled in.
+//! The texts of reports, in both languages. Placeholders stand in braces.
 
 use catoptric_tracer::method::{PassName, Reason};
 

@@ -1,4 +1,4 @@
-//! When a graphics card draws, and when the processor does in its place.
+//! The choice between the graphics card and the processor.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Where two pictures differ, as a picture.
+//! The heat map of the difference of two pictures.
 
 use super::difference::{SizeMismatch, channel_error};
 use super::inferno::inferno;

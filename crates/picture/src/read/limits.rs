@@ -1,4 +1,4 @@
-//! What a file's length can justify.
+//! The limits on sizes that a file's length can justify.
 
 use super::DecodeError;
 use crate::picture::SizeError;

@@ -1,4 +1,4 @@
-//! How the codes of a PNG become light.
+//! The transfer functions of PNG: from codes to light.
 
 use super::DecodeError;
 use crate::srgb;

@@ -1,4 +1,4 @@
-//! From tables to the document's types. Everything absent or wrong keeps its default.
+//! Builds the document's types from tables. Everything absent or wrong keeps its default.
 
 use catoptric_optics::{ClearSubstance, Metal};
 use glam::DVec3;

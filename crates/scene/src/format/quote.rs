@@ -1,4 +1,4 @@
-//! What a file says, repeated in a message.
+//! Quotes text of a file in a message.
 
 use crate::format::write::{key_text, text_value};
 use crate::text::{is_active, push_escape};

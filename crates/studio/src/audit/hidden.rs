@@ -1,4 +1,4 @@
-//! Which parts of the ways run behind bodies, as the viewport's camera sees them: found by tracing.
+//! The parts of ray segments that bodies hide from the viewport's camera, found by tracing.
 
 use catoptric_scene::{Camera, Scene};
 use catoptric_tracer::{Control, Ray, Stage};
@@ -34,14 +34,14 @@ pub(super) fn parts(
     camera: &Camera,
     control: &Control,
 ) -> Vec<Vec<SegmentPart>> {
-    let look = VisibilityTest { scene, stage, lens: Projector::new(camera, DVec2::ONE) };
+    let look = VisibilityTest { scene, stage, projector: Projector::new(camera, DVec2::ONE) };
     ways.iter().map(|way| if control.is_cancelled() { SEEN.to_vec() } else { look.parts(way) }).collect()
 }
 
 struct VisibilityTest<'a> {
     scene: &'a Scene,
     stage: &'a Stage,
-    lens: Projector,
+    projector: Projector,
 }
 
 impl VisibilityTest<'_> {
@@ -80,11 +80,11 @@ impl VisibilityTest<'_> {
 
     /// Whether an opaque body stands before a point. Through glass it is seen.
     fn hides(&self, point: DVec3) -> bool {
-        let direction = self.lens.towards(point);
-        let distance = match self.lens.is_parallel() {
+        let direction = self.projector.towards(point);
+        let distance = match self.projector.is_parallel() {
             // Behind all that could stand before it.
-            true => self.lens.depth(point),
-            false => (point - self.lens.position()).length(),
+            true => self.projector.depth(point),
+            false => (point - self.projector.position()).length(),
         };
         let origin = point - distance * direction;
         let ray = Ray::from_point(origin.as_vec3(), direction.as_vec3());

@@ -1,4 +1,4 @@
-//! An audit with all that is drawn of it.
+//! The result of an audit, with all that is drawn of it.
 
 use std::sync::Arc;
 

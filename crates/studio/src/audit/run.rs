@@ -1,4 +1,4 @@
-//! What the commands of the audit do.
+//! Runs the commands of the audit.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! The ways of an audit's rays in space, and how far along them light would have come.
+//! The segments of an audit's rays in space, and the optical path along them.
 
 use catoptric_lab::audit::{Node, NodeKind, RayTree};
 use catoptric_scene::{Camera, Light, Scene};
@@ -47,8 +47,8 @@ impl RaySegment {
 
 /// The ways of a tree, the heaviest ones if there are very many, and how many are not there.
 pub(super) fn of_tree(tree: &RayTree, scene: &Scene, pin: &PinnedPixel) -> (Vec<RaySegment>, usize) {
-    let lens = Projector::new(&pin.camera, pin.size.as_dvec2());
-    let eye = lens.ray(pin.pixel.as_dvec2() + tree.offset).origin;
+    let projector = Projector::new(&pin.camera, pin.size.as_dvec2());
+    let eye = projector.ray(pin.pixel.as_dvec2() + tree.offset).origin;
     let far = 0.5 * reach(&pin.camera);
     let lights: Vec<&Light> = scene.lights.iter().filter(|light| !light.hidden).collect();
     let mut ends: Vec<f64> = Vec::with_capacity(tree.nodes.len());
@@ -117,7 +117,7 @@ fn reach(camera: &Camera) -> f64 {
 }
 
 /// The ray through a pixel's middle, from the eye on: where the audited pixel lies in space.
-pub(crate) fn pixel_at(pin: &PinnedPixel, lens: &Projector) -> Option<DVec2> {
+pub(crate) fn pixel_at(pin: &PinnedPixel, projector: &Projector) -> Option<DVec2> {
     let seen = Projector::new(&pin.camera, pin.size.as_dvec2()).ray(pin.pixel.as_dvec2() + DVec2::splat(0.5));
-    lens.project(seen.at(reach(&pin.camera)))
+    projector.project(seen.at(reach(&pin.camera)))
 }

@@ -1,4 +1,4 @@
-//! Whether a command can be done now, whether it is on, and what to call it.
+//! The state of commands: possible or not, on or off, and their names.
 
 use catoptric_editor::{Action, Editor, Item};
 use catoptric_live::Live;

@@ -57,9 +57,9 @@ pub(crate) fn ask_to_save(studio: &mut Studio) {
 
 /// Takes up the choice of a picture file; once a frame.
 pub(crate) fn poll(context: &Context, studio: &mut Studio) {
-    let Some((mut asking, side)) = studio.panes.compare.opening.take() else { return };
-    match asking.poll(context, studio) {
-        FilePromptState::Waiting => studio.panes.compare.opening = Some((asking, side)),
+    let Some((mut prompt, side)) = studio.panes.compare.opening.take() else { return };
+    match prompt.poll(context, studio) {
+        FilePromptState::Waiting => studio.panes.compare.opening = Some((prompt, side)),
         FilePromptState::Cancelled => {}
         FilePromptState::Chosen(chosen) => take_picture(&mut studio.panes.compare, side, chosen.path),
     }

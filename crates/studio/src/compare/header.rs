@@ -1,4 +1,4 @@
-//! What is compared, and how it is shown.
+//! The choice of the two pictures and of their display.
 
 use egui::{Button, ComboBox, Popup, PopupCloseBehavior, RichText, Ui};
 use egui_material_icons::icons::{ICON_IMAGE, ICON_SAVE, ICON_SWAP_HORIZ};

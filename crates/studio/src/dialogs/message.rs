@@ -1,4 +1,4 @@
-//! Something that must be read before going on.
+//! A dialog with a message.
 
 use egui::{Label, Ui};
 

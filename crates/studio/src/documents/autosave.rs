@@ -1,4 +1,4 @@
-//! Unsaved work, kept against a crash: a thread writes it every few seconds beside the recovery files of other studios.
+//! Autosave: a thread writes unsaved work every few seconds beside the recovery files of other studios.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -145,28 +145,28 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     take_reports(studio);
     let state = (studio.documents.number, studio.editor.revision());
     let changed = has_unsaved_work(studio);
-    let keeper = &mut studio.documents.keeper;
-    keeper.discard_restored(|number| number != state.0 || !changed);
+    let autosave = &mut studio.documents.autosave;
+    autosave.discard_restored(|number| number != state.0 || !changed);
     if !changed {
-        keeper.waits_since = None;
-        if keeper.sent.take().is_some() {
-            keeper.kept = None;
-            keeper.order(AutosaveRequest::Clear);
+        autosave.waits_since = None;
+        if autosave.sent.take().is_some() {
+            autosave.kept = None;
+            autosave.order(AutosaveRequest::Clear);
         }
         return;
     }
-    let is_sent = keeper.sent.is_some_and(|(sent, _)| sent == state) && !keeper.has_failed;
-    if keeper.thread.is_none() || is_sent {
-        keeper.waits_since = None;
+    let is_sent = autosave.sent.is_some_and(|(sent, _)| sent == state) && !autosave.has_failed;
+    if autosave.thread.is_none() || is_sent {
+        autosave.waits_since = None;
         return;
     }
     let now = Instant::now();
-    let since = *keeper.waits_since.get_or_insert(now);
-    let last = keeper.sent.map(|(_, at)| at + INTERVAL);
+    let since = *autosave.waits_since.get_or_insert(now);
+    let last = autosave.sent.map(|(_, at)| at + INTERVAL);
     let due = last.map_or(since + DELAY, |last| last.max(since + DELAY));
     if now < due {
         context.request_repaint_after(due - now);
-    } else if !keeper.is_busy {
+    } else if !autosave.is_busy {
         send(studio, state, now);
     }
 }
@@ -178,11 +178,11 @@ fn send(studio: &mut Studio, state: DocumentState, now: Instant) {
         path: studio.editor.path().map(Path::to_owned),
         title: title(studio),
     };
-    let keeper = &mut studio.documents.keeper;
-    keeper.order(order);
-    keeper.sent = Some((state, now));
-    keeper.is_busy = true;
-    keeper.waits_since = None;
+    let autosave = &mut studio.documents.autosave;
+    autosave.order(order);
+    autosave.sent = Some((state, now));
+    autosave.is_busy = true;
+    autosave.waits_since = None;
 }
 
 fn title(studio: &Studio) -> String {
@@ -191,22 +191,22 @@ fn title(studio: &Studio) -> String {
 }
 
 fn take_reports(studio: &mut Studio) {
-    let keeper = &mut studio.documents.keeper;
-    let Some(thread) = &keeper.thread else { return };
+    let autosave = &mut studio.documents.autosave;
+    let Some(thread) = &autosave.thread else { return };
     let reports: Vec<AutosaveReport> = thread.reports.try_iter().collect();
     for report in reports {
-        let keeper = &mut studio.documents.keeper;
+        let autosave = &mut studio.documents.autosave;
         match report {
-            AutosaveReport::Found(found) => keeper.found = found,
+            AutosaveReport::Found(found) => autosave.found = found,
             AutosaveReport::Kept(state) => {
-                keeper.kept = Some(state);
-                keeper.is_busy = false;
-                keeper.has_failed = false;
-                keeper.discard_restored(|number| number == state.0);
+                autosave.kept = Some(state);
+                autosave.is_busy = false;
+                autosave.has_failed = false;
+                autosave.discard_restored(|number| number == state.0);
             }
             AutosaveReport::Failed(reason) => {
-                keeper.is_busy = false;
-                if !std::mem::replace(&mut keeper.has_failed, true) {
+                autosave.is_busy = false;
+                if !std::mem::replace(&mut autosave.has_failed, true) {
                     let text = studio.texts.with("keep-failed", &[("reason", reason.into())]);
                     studio.toasts.error(text);
                 }
@@ -218,14 +218,14 @@ fn take_reports(studio: &mut Studio) {
 /// Keeps the document at once, and waits a moment for that: what comes next may end the program.
 pub(super) fn keep_now(studio: &mut Studio) {
     let state = (studio.documents.number, studio.editor.revision());
-    if !has_unsaved_work(studio) || studio.documents.keeper.thread.is_none() {
+    if !has_unsaved_work(studio) || studio.documents.autosave.thread.is_none() {
         return;
     }
     let start = Instant::now();
-    if studio.documents.keeper.kept != Some(state) {
+    if studio.documents.autosave.kept != Some(state) {
         send(studio, state, start);
     }
-    while studio.documents.keeper.kept != Some(state) && start.elapsed() < PATIENCE {
+    while studio.documents.autosave.kept != Some(state) && start.elapsed() < PATIENCE {
         std::thread::sleep(Duration::from_millis(5));
         take_reports(studio);
     }
@@ -234,15 +234,15 @@ pub(super) fn keep_now(studio: &mut Studio) {
 /// The studio is being left. Unless changes are given up on purpose, they stay for the next start.
 pub(super) fn finish(studio: &mut Studio) {
     let changed = has_unsaved_work(studio);
-    let leave_behind = changed && (studio.documents.keeper.is_held || !studio.documents.is_leaving);
+    let leave_behind = changed && (studio.documents.autosave.is_held || !studio.documents.is_leaving);
     let state = (studio.documents.number, studio.editor.revision());
-    if leave_behind && studio.documents.keeper.kept != Some(state) {
+    if leave_behind && studio.documents.autosave.kept != Some(state) {
         send(studio, state, Instant::now());
     }
-    let keeper = &mut studio.documents.keeper;
-    let restored = std::mem::take(&mut keeper.restored).into_iter().map(|(_, orphan)| orphan).collect();
-    keeper.order(AutosaveRequest::Finish { leave_behind, restored });
-    keeper.thread = None;
+    let autosave = &mut studio.documents.autosave;
+    let restored = std::mem::take(&mut autosave.restored).into_iter().map(|(_, orphan)| orphan).collect();
+    autosave.order(AutosaveRequest::Finish { leave_behind, restored });
+    autosave.thread = None;
 }
 
 /// The thread's life.

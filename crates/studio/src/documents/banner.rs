@@ -1,4 +1,4 @@
-//! What is told about files without stopping anybody: the banner about problems, what is under way, where to drop.
+//! The banner about problems, files under way, and the drop target.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};

@@ -1,4 +1,4 @@
-//! Leaving a document for another, or the studio, without losing changes.
+//! The question about unsaved changes, before a document is replaced or the studio ends.
 
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -83,7 +83,7 @@ pub(super) fn mind_close(context: &Context, studio: &mut Studio) {
     {
         // Nobody is there to answer; what is unsaved is kept for the next start.
         studio.documents.is_leaving = true;
-        studio.documents.keeper.hold();
+        studio.documents.autosave.hold();
         context.send_viewport_cmd(ViewportCommand::Close);
     }
     if !context.input(|input| input.viewport().close_requested()) || studio.documents.is_leaving {

@@ -1,4 +1,4 @@
-//! Asking for a file: with the system's dialog where there is one, or else with the studio's own.
+//! A prompt for a file: the system's dialog where there is one, else the studio's own.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};

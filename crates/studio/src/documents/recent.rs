@@ -1,4 +1,4 @@
-//! Which of the recent files are still there: looked up by a thread, since a disk may be far away.
+//! The recent files that still exist, looked up by a thread, since a disk may be far away.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};

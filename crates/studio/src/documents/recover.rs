@@ -1,4 +1,4 @@
-//! What an earlier studio left behind when it crashed.
+//! Recovery of the documents that a crash has left.
 
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -76,12 +76,12 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Recoverabl
 
 /// Removes a document that was left behind for good.
 pub(crate) fn discard(studio: &mut Studio, found: RecoverableDocument) {
-    studio.documents.keeper.discard(found.orphan);
+    studio.documents.autosave.discard(found.orphan);
 }
 
 /// Offers what was found, and opens what was wanted.
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
-    let found = std::mem::take(&mut studio.documents.keeper.found);
+    let found = std::mem::take(&mut studio.documents.autosave.found);
     if !found.is_empty() {
         studio.dialogs.open(RecoveryDialog::new(found));
         context.request_repaint();
@@ -116,7 +116,7 @@ pub(super) fn show(studio: &mut Studio, recovered: &RecoveredDocument) {
     show_recovered(studio, editor, orphan.written());
     studio.documents.is_partial = *is_partial;
     let number = studio.documents.number;
-    studio.documents.keeper.has_restored(number, Arc::clone(orphan));
+    studio.documents.autosave.has_restored(number, Arc::clone(orphan));
     if !findings.is_empty() {
         banner::show_findings(studio, text, findings.clone());
     }

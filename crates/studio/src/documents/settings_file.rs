@@ -1,4 +1,4 @@
-//! Remembering the settings: written by a thread, a moment after they have changed, and at the end.
+//! The settings file: written by a thread, a moment after a change, and at the end.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! What the studio starts with.
+//! The document at the start.
 
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ pub(crate) fn start(
     let memory = SettingsFile::of(&studio.settings);
     studio.documents = Documents { memory, interruption, ..Documents::default() };
     if let Some(folder) = studio.host.recovery_folder() {
-        studio.documents.keeper = Autosave::start(context, folder);
+        studio.documents.autosave = Autosave::start(context, folder);
     }
     match start {
         StartDocument::Example(name) => show_named(studio, name),

@@ -1,4 +1,4 @@
-//! Whether another program has changed the file of the open document.
+//! A watch over changes of the open file by other programs.
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};

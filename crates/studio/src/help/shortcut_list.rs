@@ -1,4 +1,4 @@
-//! All commands with their shortcuts, and what the mouse does in the picture.
+//! All commands with their shortcuts, and the use of the mouse in the picture.
 
 use egui::{Align, Layout, RichText, Sense, Ui, vec2};
 

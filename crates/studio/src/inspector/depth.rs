@@ -1,4 +1,4 @@
-//! How many generations the scene needs: from the mirrors alone, and from tracing what is seen.
+//! The generations that the scene needs: from the mirrors alone, and from tracing the view.
 
 use std::sync::Arc;
 

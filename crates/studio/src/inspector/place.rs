@@ -1,4 +1,4 @@
-//! Where bodies stand: position, rotation and scale, or the two ends of their axis.
+//! Rows for the placement of bodies: position, rotation and scale, or the two ends of their axis.
 
 use catoptric_scene::format::keys;
 use catoptric_scene::{Anchor, Body, Shape};

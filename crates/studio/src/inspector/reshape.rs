@@ -1,4 +1,4 @@
-//! Another shape for a body, or another way of placing it, without a jump: sizes and the middle are kept.
+//! Changes of a body's shape or anchor without a jump: sizes and the middle are kept.
 
 use catoptric_scene::{Anchor, Body, Shape, ShapeKind};
 use glam::{DVec3, EulerRot};

@@ -1,4 +1,4 @@
-//! Seldom signs that the fonts of the window do not have, set from others.
+//! Replacements of rare signs that the fonts of the window do not have.
 
 use std::rc::Rc;
 

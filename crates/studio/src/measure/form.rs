@@ -1,4 +1,4 @@
-//! What to measure.
+//! The form of a measurement.
 
 use catoptric_lab::Variant;
 use catoptric_lab::measure::{Axis, MeasurePlan, Parameter, Value};

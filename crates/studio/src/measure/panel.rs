@@ -1,4 +1,4 @@
-//! The panel: what to measure at the left, what was measured at the right.
+//! The panel of the measurement: the form at the left, the results at the right.
 
 use egui::{Align, Button, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
 use egui_material_icons::icons::{ICON_PLAY_ARROW, ICON_SAVE, ICON_STOP};

@@ -1,4 +1,4 @@
-//! What was measured: the plot with its laws, the table, the machine.
+//! The results of a measurement: the plot with its laws, the table, the machine.
 
 use std::sync::Arc;
 

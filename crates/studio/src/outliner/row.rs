@@ -1,4 +1,4 @@
-//! How a row of the tree looks and what can be done with it.
+//! Draws a row of the tree, with its buttons and drags.
 
 use catoptric_editor::{Action, Item, Selection};
 use egui::accesskit::Role;

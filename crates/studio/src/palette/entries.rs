@@ -1,4 +1,4 @@
-//! Everything that can be found in the palette.
+//! The entries of the palette.
 
 use catoptric_editor::Item;
 use catoptric_scene::Example;

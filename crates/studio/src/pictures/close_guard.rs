@@ -1,4 +1,4 @@
-//! Leaving the studio while pictures are not kept.
+//! The question about unsaved pictures, before the studio ends.
 
 use std::rc::Weak;
 
@@ -34,17 +34,17 @@ impl PictureCloseGuard {
 pub(crate) fn hold(studio: &mut Studio) -> bool {
     let pictures = &mut studio.pictures;
     if pictures.finished.iter().any(|finished| matches!(finished.saving, PictureSaveState::Writing(..))) {
-        pictures.leaving.is_waiting = true;
+        pictures.close_guard.is_waiting = true;
         studio.toasts.info(studio.texts.get("picture-leave-waits"));
         return true;
     }
     // On some systems the clipboard loses what the studio has put there as soon as the studio is gone.
     let is_in_file = |finished: &&FinishedPicture| matches!(finished.kept, Some(SavedPlace::File(_)));
     let unkept = pictures.finished.iter().filter(|finished| !is_in_file(finished)).count();
-    if pictures.leaving.is_agreed || (unkept == 0 && !pictures.is_rendering()) {
+    if pictures.close_guard.is_agreed || (unkept == 0 && !pictures.is_rendering()) {
         return false;
     }
-    if pictures.leaving.asked.strong_count() == 0 {
+    if pictures.close_guard.asked.strong_count() == 0 {
         ask(studio, unkept);
     }
     true
@@ -55,8 +55,8 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
     let pictures = &mut studio.pictures;
     let is_writing =
         pictures.finished.iter().any(|finished| matches!(finished.saving, PictureSaveState::Writing(..)));
-    if pictures.leaving.is_waiting && !is_writing {
-        pictures.leaving.is_waiting = false;
+    if pictures.close_guard.is_waiting && !is_writing {
+        pictures.close_guard.is_waiting = false;
         documents::run(context, studio, Command::Quit);
     }
 }
@@ -71,9 +71,9 @@ fn ask(studio: &mut Studio, unkept: usize) {
     let question = QuestionDialog::new(texts.get("picture-leave-title"), text)
         .choice(texts.get("picture-leave-stay"), |_, _| {})
         .choice(texts.get("picture-leave-go"), |context, studio| {
-            studio.pictures.leaving.is_agreed = true;
+            studio.pictures.close_guard.is_agreed = true;
             documents::run(context, studio, Command::Quit);
         });
-    studio.pictures.leaving.asked = question.watch();
+    studio.pictures.close_guard.asked = question.watch();
     studio.dialogs.open(question);
 }

@@ -68,8 +68,8 @@ pub(super) fn ask(studio: &mut Studio, finished: &mut FinishedPicture) {
 pub(super) fn poll(context: &Context, studio: &mut Studio, finished: &mut FinishedPicture) {
     match std::mem::take(&mut finished.saving) {
         PictureSaveState::No => {}
-        PictureSaveState::Asking(mut asking) => match asking.poll(context, studio) {
-            FilePromptState::Waiting => finished.saving = PictureSaveState::Asking(asking),
+        PictureSaveState::Asking(mut prompt) => match prompt.poll(context, studio) {
+            FilePromptState::Waiting => finished.saving = PictureSaveState::Asking(prompt),
             FilePromptState::Cancelled => {}
             FilePromptState::Chosen(ChosenFile { path, may_replace }) => {
                 let (kind, development) = (finished.order.choices.kind, finished.order.development);

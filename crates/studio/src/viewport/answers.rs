@@ -10,7 +10,7 @@ use egui::{
 use glam::DVec3;
 
 use super::dashes::dashed;
-use super::visible_picture::VisiblePicture;
+use super::scene_view::SceneView;
 use super::{labels, wireframe};
 use crate::audit::short;
 use crate::context::Cx;
@@ -25,12 +25,12 @@ const EXACT: Color32 = Color32::from_rgb(255, 142, 214);
 const MOST_LABELS: usize = 10;
 
 /// Draws the answers for the selected body.
-pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
-    exact::keep_up(ui.ctx(), cx, sight.camera);
+pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
+    exact::keep_up(ui.ctx(), cx, scene_view.camera);
     let Some(body) = exact::body_of(cx) else { return };
     let Some(answers) = cx.exact.answers(body) else { return };
-    let painter = ui.painter_at(sight.visible);
-    let mut pen = AnswerPainter { ui, cx, sight, painter: &painter, plates: Vec::new() };
+    let painter = ui.painter_at(scene_view.visible);
+    let mut pen = AnswerPainter { ui, cx, scene_view, painter: &painter, plates: Vec::new() };
     answers.answers.iter().for_each(|answer| pen.answer(answer));
     let mut remarks: Vec<String> =
         answers.inapplicable.iter().map(|reason| pen.inapplicable(*reason)).collect();
@@ -45,7 +45,7 @@ pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
 struct AnswerPainter<'a> {
     ui: &'a Ui,
     cx: &'a Cx<'a>,
-    sight: &'a VisiblePicture,
+    scene_view: &'a SceneView,
     painter: &'a Painter,
     /// Where labels are.
     plates: Vec<Rect>,
@@ -109,8 +109,9 @@ impl AnswerPainter<'_> {
     /// Words at the lower edge of the picture, about no point of it.
     fn remark(&mut self, text: &str) {
         let palette = theme::palette(&Visuals::dark());
-        let at = self.sight.visible.center_bottom() - vec2(0.0, 16.0);
-        let plate = labels::plate(self.painter, self.sight.visible, at, Align2::CENTER_BOTTOM, text, palette);
+        let at = self.scene_view.visible.center_bottom() - vec2(0.0, 16.0);
+        let plate =
+            labels::plate(self.painter, self.scene_view.visible, at, Align2::CENTER_BOTTOM, text, palette);
         self.listen(plate, text);
     }
 
@@ -118,7 +119,7 @@ impl AnswerPainter<'_> {
     fn ring(&mut self, angle: f64, images: &[RingImage]) {
         for image in images {
             self.point(image.position);
-            if let Some(at) = self.sight.point(image.position) {
+            if let Some(at) = self.scene_view.point(image.position) {
                 let font = egui::FontId::proportional(12.0);
                 let at = at + vec2(0.0, -7.0);
                 let number = image.reflections.to_string();
@@ -144,9 +145,9 @@ impl AnswerPainter<'_> {
         let middle = object.midpoint(image);
         let mirrored = |point: DVec3| point - 2.0 * (point - middle).dot(normal) * normal;
         // What is far outside would make a shape of every dash up to there.
-        let near = self.sight.rect.expand(self.sight.rect.size().max_elem());
-        let shown = |point: DVec3| self.sight.point(mirrored(point)).filter(|at| near.contains(*at));
-        for line in wireframe::outline(body, mirrored(self.sight.lens.position())) {
+        let near = self.scene_view.rect.expand(self.scene_view.rect.size().max_elem());
+        let shown = |point: DVec3| self.scene_view.point(mirrored(point)).filter(|at| near.contains(*at));
+        for line in wireframe::outline(body, mirrored(self.scene_view.projector.position())) {
             let points: Vec<Option<Pos2>> = line.into_iter().map(shown).collect();
             for piece in points.split(Option::is_none) {
                 let piece: Vec<Pos2> = piece.iter().copied().flatten().collect();
@@ -159,22 +160,22 @@ impl AnswerPainter<'_> {
     }
 
     fn dashed(&self, from: DVec3, to: DVec3) {
-        let Some(ends) = self.sight.lens.segment(from, to) else { return };
-        let ends = ends.map(|end| self.sight.pos(end));
+        let Some(ends) = self.scene_view.projector.segment(from, to) else { return };
+        let ends = ends.map(|end| self.scene_view.pos(end));
         let color = EXACT.gamma_multiply(0.7);
         dashed(self.painter, ends, Stroke::new(1.0, color), 3.0, 4.0);
     }
 
     /// Where the law puts a point.
     fn point(&self, point: DVec3) {
-        if let Some(at) = self.sight.point(point) {
+        if let Some(at) = self.scene_view.point(point) {
             self.painter.circle(at, 4.0, EXACT, Stroke::new(1.5, Color32::from_black_alpha(160)));
         }
     }
 
     /// Where the tracer finds it.
     fn found(&self, point: DVec3) {
-        let Some(at) = self.sight.point(point) else { return };
+        let Some(at) = self.scene_view.point(point) else { return };
         for stroke in [Stroke::new(3.0, Color32::from_black_alpha(150)), Stroke::new(1.2, Color32::WHITE)] {
             for arm in [vec2(7.0, 0.0), vec2(0.0, 7.0)] {
                 self.painter.line_segment([at - arm, at + arm], stroke);
@@ -198,7 +199,7 @@ impl AnswerPainter<'_> {
             Some(off) => texts.with("exact-off", &[("difference", off.into())]),
             None => texts.get("exact-elsewhere").to_owned(),
         };
-        if let Some(at) = self.sight.point(point).filter(|at| self.sight.visible.contains(*at)) {
+        if let Some(at) = self.scene_view.point(point).filter(|at| self.scene_view.visible.contains(*at)) {
             self.label(at, &format!("{title}\n{off}"));
         }
     }
@@ -216,7 +217,7 @@ impl AnswerPainter<'_> {
         let place = steps.into_iter().find(is_free).unwrap_or(place);
         let palette = theme::palette(&Visuals::dark());
         let plate =
-            labels::plate(self.painter, self.sight.visible, place.min, Align2::LEFT_TOP, text, palette);
+            labels::plate(self.painter, self.scene_view.visible, place.min, Align2::LEFT_TOP, text, palette);
         let end = pos2(plate.left(), plate.center().y);
         if !plate.contains(point) && end.x > point.x {
             self.painter

@@ -1,4 +1,4 @@
-//! Moves of the camera that commands ask for.
+//! The camera moves of commands.
 
 use catoptric_editor::navigate::{self, ViewSide};
 use catoptric_editor::{Label, bounds};
@@ -34,9 +34,9 @@ pub(crate) fn set_scene_camera(studio: &mut Studio, key: &'static str, camera: C
 
 /// Lets the eye follow a jump of the camera.
 fn glide_from(studio: &mut Studio, before: Camera) {
-    let glide = CameraTransition::new(before, studio.view.camera(studio.editor.scene()));
-    studio.view.eased = glide.map(|_| before);
-    studio.panes.viewport.glide = glide;
+    let transition = CameraTransition::new(before, studio.view.camera(studio.editor.scene()));
+    studio.view.eased = transition.map(|_| before);
+    studio.panes.viewport.transition = transition;
 }
 
 /// Brings the selected or all bodies into view.

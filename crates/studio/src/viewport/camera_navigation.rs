@@ -1,12 +1,12 @@
-//! Moving the camera: turning, shifting, coming closer, flying.
+//! Camera navigation: orbit, pan, dolly, flight.
 
 use catoptric_editor::{Label, navigate};
 use catoptric_scene::{Camera, Scene, Shape};
 use egui::{Key, Modifiers, Ui, Vec2, ViewportCommand, viewport::CursorGrab};
 use glam::DVec3;
 
+use super::scene_view::SceneView;
 use super::steering::{Heading, KeyListener, Steering};
-use super::visible_picture::VisiblePicture;
 use crate::command::Command;
 use crate::context::Cx;
 
@@ -102,9 +102,9 @@ fn floors(scene: &Scene) -> Vec<(DVec3, DVec3)> {
 }
 
 /// Shifts the picture as the pointer goes.
-pub(crate) fn pan(cx: &mut Cx<'_>, sight: &VisiblePicture, way: Vec2) {
+pub(crate) fn pan(cx: &mut Cx<'_>, scene_view: &SceneView, way: Vec2) {
     let present = camera(cx);
-    let meters = sight.lens.meters_per_point(present.target);
+    let meters = scene_view.projector.meters_per_point(present.target);
     let shifted = navigate::pan(&present, -f64::from(way.x) * meters, f64::from(way.y) * meters);
     steer(cx, "edit-pan", shifted);
 }
@@ -135,7 +135,7 @@ impl CameraNavigation {
     }
 
     /// Comes closer to what is under the pointer, or goes away from it, with the wheel or two fingers.
-    pub(crate) fn wheel(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
+    pub(crate) fn wheel(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
         let (way, zoom, pointer) =
             ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta(), input.pointer.hover_pos()));
         let Some(pointer) = pointer else { return };
@@ -149,14 +149,14 @@ impl CameraNavigation {
         if is_rest(factor) {
             return;
         }
-        let at = sight.at(pointer);
+        let at = scene_view.at(pointer);
         let reach = present.position.distance(present.target);
-        let ray = sight.lens.ray(at);
-        let met = sight.body_at(at).map(|hit| hit.position);
+        let ray = scene_view.projector.ray(at);
+        let met = scene_view.body_at(at).map(|hit| hit.position);
         // Towards the horizon, the camera would be thrown there.
         let met = met.filter(|point| point.distance(present.position) < 4.0 * reach);
         let point = met.unwrap_or_else(|| {
-            let [.., forward] = sight.lens.axes();
+            let [.., forward] = scene_view.projector.axes();
             ray.at((present.target - ray.origin).dot(forward) / ray.direction.dot(forward))
         });
         steer(cx, "edit-dolly", navigate::zoom_towards(&present, point, factor));
@@ -176,7 +176,7 @@ impl CameraNavigation {
     }
 
     /// Moves the camera by the keys that are held for the picture.
-    pub(crate) fn keys(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
+    pub(crate) fn keys(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
         let seconds = |way, opposite| self.steering.seconds(way, opposite);
         let arrows = [seconds(Heading::Right, Heading::Left), seconds(Heading::Up, Heading::Down)];
         let dolly = seconds(Heading::Forward, Heading::Back);
@@ -184,7 +184,9 @@ impl CameraNavigation {
         let [right, up] = arrows;
         let present = camera(cx);
         if (right != 0.0 || up != 0.0) && is_shift {
-            let step = KEY_PAN * sight.lens.size().y * sight.lens.meters_per_point(present.target);
+            let step = KEY_PAN
+                * scene_view.projector.size().y
+                * scene_view.projector.meters_per_point(present.target);
             steer(cx, "edit-pan", navigate::pan(&present, right * step, up * step));
         } else if right != 0.0 || up != 0.0 {
             turn(cx, right * KEY_TURN, up * KEY_TURN);

@@ -70,12 +70,12 @@ mod tests {
     fn it_begins_at_one_camera_and_ends_at_the_other() {
         let from = Camera::default();
         let to = Camera { position: DVec3::new(9.0, 3.0, 1.0), target: DVec3::X, ..from };
-        let mut glide = CameraTransition::new(from, to).unwrap();
-        let first = glide.now(&to, 10.0).unwrap();
+        let mut transition = CameraTransition::new(from, to).unwrap();
+        let first = transition.now(&to, 10.0).unwrap();
         assert!(first.position.distance(from.position) < 1e-9 && first.target == from.target);
-        let middle = glide.now(&to, 10.05).unwrap();
+        let middle = transition.now(&to, 10.05).unwrap();
         assert!(middle.is_valid() && middle.position.distance(from.position) > 1.0);
-        assert_eq!(glide.now(&to, 10.2), None);
+        assert_eq!(transition.now(&to, 10.2), None);
         let end = between(&from, &to, 1.0);
         assert!(end.position.distance(to.position) < 1e-9);
     }
@@ -84,8 +84,8 @@ mod tests {
     fn another_move_ends_it_and_there_is_no_way_between_projections() {
         let from = Camera::default();
         let to = Camera { position: DVec3::new(9.0, 3.0, 1.0), ..from };
-        let mut glide = CameraTransition::new(from, to).unwrap();
-        assert_eq!(glide.now(&Camera { up: DVec3::X, ..to }, 0.0), None);
+        let mut transition = CameraTransition::new(from, to).unwrap();
+        assert_eq!(transition.now(&Camera { up: DVec3::X, ..to }, 0.0), None);
         let parallel = Camera { projection: Projection::Parallel { height: 2.0 }, ..from };
         assert_eq!(CameraTransition::new(from, parallel), None);
         assert_eq!(CameraTransition::new(from, from), None);

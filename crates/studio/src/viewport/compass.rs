@@ -1,11 +1,11 @@
-//! Which way the axes point, in the upper right corner; a click looks along one of them.
+//! The compass of the axes, in the upper right corner; a click looks along one of them.
 
 use catoptric_editor::navigate::ViewSide;
 use egui::accesskit::Role;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, Visuals, WidgetInfo, vec2};
 use glam::DVec3;
 
-use super::visible_picture::VisiblePicture;
+use super::scene_view::SceneView;
 use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;
@@ -49,13 +49,13 @@ impl AxisEnd {
 }
 
 /// Draws the compass.
-pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
+pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
     let palette = theme::palette(&Visuals::dark());
-    let center = sight.visible.right_top() + vec2(-0.5 * WIDTH, 0.5 * WIDTH);
-    if !fits(sight.visible) {
+    let center = scene_view.visible.right_top() + vec2(-0.5 * WIDTH, 0.5 * WIDTH);
+    if !fits(scene_view.visible) {
         return;
     }
-    let [right, up, forward] = sight.lens.axes();
+    let [right, up, forward] = scene_view.projector.axes();
     let place = |end: &AxisEnd| -> (Pos2, f64) {
         let aside = vec2(end.direction.dot(right) as f32, -end.direction.dot(up) as f32);
         (center + ARM * aside, end.direction.dot(forward))

@@ -1,4 +1,4 @@
-//! What a hand holds, as it was when it was taken.
+//! The things of a drag, as they were when it began.
 
 use catoptric_editor::{Editor, Item, Label, Selection};
 use catoptric_scene::{Anchor, Camera, Placement, Scene};
@@ -127,10 +127,10 @@ mod tests {
         assert_eq!(DragPayload::take(editor.scene(), editor.selection(), true, "edit-move"), None);
         let all: Selection =
             [Item::Body(1), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
-        let load = DragPayload::take(editor.scene(), &all, false, "edit-move").unwrap();
+        let payload = DragPayload::take(editor.scene(), &all, false, "edit-move").unwrap();
         let before = editor.scene().clone();
-        load.apply(&mut editor, &GizmoChange::Move(DVec3::X));
-        load.apply(&mut editor, &GizmoChange::Move(2.0 * DVec3::X));
+        payload.apply(&mut editor, &GizmoChange::Move(DVec3::X));
+        payload.apply(&mut editor, &GizmoChange::Move(2.0 * DVec3::X));
         let after = editor.scene().clone();
         assert_eq!(after.bodies[2].placement, Placement::at(2.0 * DVec3::X));
         assert!(after.bodies.iter().take(2).eq(before.bodies.iter().take(2)));
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn one_thing_gives_the_step_its_name() {
         let editor = editor();
-        let load = DragPayload::take(editor.scene(), &Item::Light(0).into(), false, "edit-move").unwrap();
-        assert_eq!(load.label, Label::new("edit-move", "sun"));
+        let payload = DragPayload::take(editor.scene(), &Item::Light(0).into(), false, "edit-move").unwrap();
+        assert_eq!(payload.label, Label::new("edit-move", "sun"));
     }
 }

@@ -6,7 +6,7 @@ use egui::{Color32, Painter, Pos2, Stroke};
 use glam::DVec3;
 
 use super::dashes::dashed;
-use super::visible_picture::{VisiblePicture, marks};
+use super::scene_view::{SceneView, marks};
 use crate::context::Cx;
 use crate::theme::ThemeColors;
 
@@ -16,7 +16,7 @@ const DISC: f32 = 6.0;
 /// Draws them; `hovered` is under the pointer.
 pub(crate) fn draw(
     painter: &Painter,
-    sight: &VisiblePicture,
+    scene_view: &SceneView,
     cx: &Cx<'_>,
     hovered: Option<Item>,
     palette: &ThemeColors,
@@ -24,7 +24,8 @@ pub(crate) fn draw(
     let scene = cx.editor.scene();
     for item in marks(cx) {
         let is_selected = cx.editor.selection().contains(item);
-        let pen = HandlePainter { painter, sight, palette, is_selected, is_hovered: hovered == Some(item) };
+        let pen =
+            HandlePainter { painter, scene_view, palette, is_selected, is_hovered: hovered == Some(item) };
         match item {
             Item::Light(index) => {
                 if let Some(light) = scene.lights.get(index) {
@@ -39,7 +40,7 @@ pub(crate) fn draw(
 
 struct HandlePainter<'a> {
     painter: &'a Painter,
-    sight: &'a VisiblePicture,
+    scene_view: &'a SceneView,
     palette: &'a ThemeColors,
     is_selected: bool,
     is_hovered: bool,
@@ -50,7 +51,8 @@ impl HandlePainter<'_> {
         if self.is_selected {
             self.drop_line(light.position);
         }
-        let Some(center) = self.sight.point(light.position).filter(|at| self.sight.visible.contains(*at))
+        let Some(center) =
+            self.scene_view.point(light.position).filter(|at| self.scene_view.visible.contains(*at))
         else {
             return;
         };
@@ -81,15 +83,16 @@ impl HandlePainter<'_> {
     /// A line down to the ground y = 0, and a cross where it arrives.
     fn drop_line(&self, from: DVec3) {
         let foot = DVec3::new(from.x, 0.0, from.z);
-        let Some([top, bottom]) = self.sight.lens.segment(from, foot) else { return };
+        let Some([top, bottom]) = self.scene_view.projector.segment(from, foot) else { return };
         let color = self.palette.accent.gamma_multiply(0.8);
-        let points = [self.sight.pos(top), self.sight.pos(bottom)];
+        let points = [self.scene_view.pos(top), self.scene_view.pos(bottom)];
         dashed(self.painter, points, Stroke::new(1.2, color), 4.0, 4.0);
-        let arm = 8.0 * self.sight.lens.meters_per_point(foot);
+        let arm = 8.0 * self.scene_view.projector.meters_per_point(foot);
         for direction in [DVec3::X, DVec3::Z] {
-            if let Some([from, to]) = self.sight.lens.segment(foot - arm * direction, foot + arm * direction)
+            if let Some([from, to]) =
+                self.scene_view.projector.segment(foot - arm * direction, foot + arm * direction)
             {
-                let ends = [self.sight.pos(from), self.sight.pos(to)];
+                let ends = [self.scene_view.pos(from), self.scene_view.pos(to)];
                 self.painter.line_segment(ends, Stroke::new(1.4, color));
             }
         }
@@ -104,14 +107,14 @@ impl HandlePainter<'_> {
             Color32::from_gray(214)
         };
         let width = if self.is_selected || self.is_hovered { 1.8 } else { 1.3 };
-        draw_camera(self.painter, self.sight, camera, Stroke::new(width, color));
+        draw_camera(self.painter, self.scene_view, camera, Stroke::new(width, color));
     }
 }
 
 /// Draws a camera: a pyramid from the eye to the edges of the picture, and a mark that shows where up is.
-pub(crate) fn draw_camera(painter: &Painter, sight: &VisiblePicture, camera: &Camera, stroke: Stroke) {
+pub(crate) fn draw_camera(painter: &Painter, scene_view: &SceneView, camera: &Camera, stroke: Stroke) {
     // Large enough to be seen from afar.
-    let least = 40.0 * sight.lens.meters_per_point(camera.position);
+    let least = 40.0 * scene_view.projector.meters_per_point(camera.position);
     let [eye, corners, top] = frustum(camera, least);
     let mut segments: Vec<[DVec3; 2]> = Vec::new();
     for index in 0..4 {
@@ -124,12 +127,12 @@ pub(crate) fn draw_camera(painter: &Painter, sight: &VisiblePicture, camera: &Ca
     }
     for stroke in [Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(90)), stroke] {
         for [from, to] in &segments {
-            if let Some([from, to]) = sight.lens.segment(*from, *to) {
-                painter.line_segment([sight.pos(from), sight.pos(to)], stroke);
+            if let Some([from, to]) = scene_view.projector.segment(*from, *to) {
+                painter.line_segment([scene_view.pos(from), scene_view.pos(to)], stroke);
             }
         }
     }
-    if let Some(center) = sight.point(camera.position) {
+    if let Some(center) = scene_view.point(camera.position) {
         painter.circle(center, 4.5, stroke.color, Stroke::new(1.2, Color32::from_black_alpha(150)));
     }
 }

@@ -1,4 +1,4 @@
-//! A thing taken by itself and carried: the grabbed point stays under the pointer. Knows nothing of egui.
+//! The drag of bodies, lights or the camera: the grabbed point stays under the pointer. Knows nothing of egui.
 
 use glam::{DVec2, DVec3};
 
@@ -22,13 +22,13 @@ pub(crate) struct ItemDrag {
     lead: DVec3,
     /// The move until the present leg.
     before: DVec3,
-    leg: DragStage,
+    stage: DragStage,
 }
 
 /// A stage of a drag with one plane of motion.
 #[derive(Clone, Debug, PartialEq)]
 struct DragStage {
-    manner: DragPlane,
+    plane: DragPlane,
     /// Where the pointer was at the beginning.
     from: DVec2,
 }
@@ -46,32 +46,39 @@ enum DragPlane {
 
 impl ItemDrag {
     /// Takes the thing at `lead` by its point `grabbed`, with the pointer at `at`, perhaps to move it up and down.
-    pub(crate) fn begin(grabbed: DVec3, lead: DVec3, lens: &Projector, at: DVec2, is_upright: bool) -> Self {
-        let leg = DragStage { manner: manner(lens, at, is_upright), from: at };
-        Self { grabbed, lead, before: DVec3::ZERO, leg }
+    pub(crate) fn begin(
+        grabbed: DVec3,
+        lead: DVec3,
+        projector: &Projector,
+        at: DVec2,
+        is_upright: bool,
+    ) -> Self {
+        let stage = DragStage { plane: plane(projector, at, is_upright), from: at };
+        Self { grabbed, lead, before: DVec3::ZERO, stage }
     }
 
     /// The move from the beginning to the pointer at `at`; `None` when that place says nothing.
     pub(crate) fn to(
         &mut self,
-        lens: &Projector,
+        projector: &Projector,
         at: DVec2,
         is_upright: bool,
-        care: DragPrecision,
+        precision: DragPrecision,
     ) -> Option<DVec3> {
-        if is_upright != (self.leg.manner == DragPlane::Upright) {
-            self.before = self.way(lens, at).map_or(self.before, |way| self.rounded(way, lens, care));
-            self.leg = DragStage { manner: manner(lens, at, is_upright), from: at };
+        if is_upright != (self.stage.plane == DragPlane::Upright) {
+            self.before =
+                self.way(projector, at).map_or(self.before, |way| self.rounded(way, projector, precision));
+            self.stage = DragStage { plane: plane(projector, at, is_upright), from: at };
         }
-        Some(self.rounded(self.way(lens, at)?, lens, care))
+        Some(self.rounded(self.way(projector, at)?, projector, precision))
     }
 
     /// A move that brings what moves in the present leg to round numbers.
-    fn rounded(&self, way: DVec3, lens: &Projector, care: DragPrecision) -> DVec3 {
-        let fine = if care.is_fine { 0.1 } else { 1.0 };
-        let grain = fine * lens.meters_per_point(self.grabbed);
-        let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(grain) };
-        let moves = match self.leg.manner {
+    fn rounded(&self, way: DVec3, projector: &Projector, precision: DragPrecision) -> DVec3 {
+        let fine = if precision.is_fine { 0.1 } else { 1.0 };
+        let grain = fine * projector.meters_per_point(self.grabbed);
+        let grid = if precision.snaps { steps::MOVE } else { steps::decimal_below(grain) };
+        let moves = match self.stage.plane {
             DragPlane::Level => [true, false, true],
             DragPlane::Upright => [false, true, false],
             DragPlane::Facing => [true; 3],
@@ -80,11 +87,11 @@ impl ItemDrag {
     }
 
     /// The whole move, without rounding.
-    fn way(&self, lens: &Projector, at: DVec2) -> Option<DVec3> {
+    fn way(&self, projector: &Projector, at: DVec2) -> Option<DVec3> {
         let start = self.grabbed + self.before;
-        let [from, to] = [self.leg.from, at].map(|at| met(lens, at, start, self.leg.manner));
+        let [from, to] = [self.stage.from, at].map(|at| met(projector, at, start, self.stage.plane));
         let mut step = to? - from?;
-        match self.leg.manner {
+        match self.stage.plane {
             DragPlane::Level => step.y = 0.0,
             DragPlane::Upright => step = DVec3::new(0.0, step.y, 0.0),
             DragPlane::Facing => {}
@@ -93,10 +100,10 @@ impl ItemDrag {
     }
 }
 
-fn manner(lens: &Projector, at: DVec2, is_upright: bool) -> DragPlane {
+fn plane(projector: &Projector, at: DVec2, is_upright: bool) -> DragPlane {
     if is_upright {
         DragPlane::Upright
-    } else if lens.ray(at).direction.y.abs() < LEAST_SLOPE {
+    } else if projector.ray(at).direction.y.abs() < LEAST_SLOPE {
         DragPlane::Facing
     } else {
         DragPlane::Level
@@ -104,16 +111,16 @@ fn manner(lens: &Projector, at: DVec2, is_upright: bool) -> DragPlane {
 }
 
 /// Where the pointer's ray meets the plane or line through `point` in which things move.
-fn met(lens: &Projector, at: DVec2, point: DVec3, manner: DragPlane) -> Option<DVec3> {
-    let ray = lens.ray(at);
-    let [_, _, forward] = lens.axes();
-    match manner {
+fn met(projector: &Projector, at: DVec2, point: DVec3, plane: DragPlane) -> Option<DVec3> {
+    let ray = projector.ray(at);
+    let [_, _, forward] = projector.axes();
+    match plane {
         DragPlane::Level => on_level(&ray, point, FARTHEST * ray.origin.distance(point)),
         DragPlane::Facing => on_plane(&ray, point, -forward),
         DragPlane::Upright => match along_axis(&ray, point, DVec3::Y) {
             Some(up) if forward.y.abs() < 0.95 => Some(point + up * DVec3::Y),
             // From straight above, height has no direction in the picture; the pointer's own up stands for it.
-            _ => Some(point - at.y * lens.meters_per_point(point) * DVec3::Y),
+            _ => Some(point - at.y * projector.meters_per_point(point) * DVec3::Y),
         },
     }
 }
@@ -127,58 +134,58 @@ mod tests {
     const SIZE: DVec2 = DVec2::new(800.0, 600.0);
     const FREE: DragPrecision = DragPrecision { snaps: false, is_fine: false };
 
-    fn lens(position: [f64; 3]) -> Projector {
+    fn projector(position: [f64; 3]) -> Projector {
         Projector::new(&Camera { position: position.into(), target: DVec3::Y, ..Camera::default() }, SIZE)
     }
 
     #[test]
     fn the_grabbed_point_stays_under_the_pointer() {
-        let lens = lens([0.0, 4.0, 8.0]);
+        let projector = projector([0.0, 4.0, 8.0]);
         let grabbed = DVec3::new(0.3, 0.7, 0.4);
-        let at = lens.project(grabbed).unwrap();
-        let mut carry = ItemDrag::begin(grabbed, DVec3::ZERO, &lens, at, false);
+        let at = projector.project(grabbed).unwrap();
+        let mut drag = ItemDrag::begin(grabbed, DVec3::ZERO, &projector, at, false);
         for to in [DVec2::new(100.0, 400.0), DVec2::new(700.0, 300.0), at] {
-            let step = carry.to(&lens, to, false, FREE).unwrap();
+            let step = drag.to(&projector, to, false, FREE).unwrap();
             assert_eq!(step.y, 0.0);
-            assert!((lens.project(grabbed + step).unwrap() - to).length() < 0.5);
+            assert!((projector.project(grabbed + step).unwrap() - to).length() < 0.5);
         }
     }
 
     #[test]
     fn up_and_down_takes_over_where_the_level_way_ends() {
-        let lens = lens([0.0, 4.0, 8.0]);
-        let at = lens.project(DVec3::Y).unwrap();
-        let mut carry = ItemDrag::begin(DVec3::Y, DVec3::Y, &lens, at, false);
+        let projector = projector([0.0, 4.0, 8.0]);
+        let at = projector.project(DVec3::Y).unwrap();
+        let mut drag = ItemDrag::begin(DVec3::Y, DVec3::Y, &projector, at, false);
         let aside = at + DVec2::new(50.0, 30.0);
-        let level = carry.to(&lens, aside, false, FREE).unwrap();
-        let turned = carry.to(&lens, aside, true, FREE).unwrap();
+        let level = drag.to(&projector, aside, false, FREE).unwrap();
+        let turned = drag.to(&projector, aside, true, FREE).unwrap();
         assert!(turned.distance(level) < 0.01);
-        let up = carry.to(&lens, aside - DVec2::new(0.0, 60.0), true, FREE).unwrap();
+        let up = drag.to(&projector, aside - DVec2::new(0.0, 60.0), true, FREE).unwrap();
         assert!(up.y > 0.3 && (up.x - level.x).abs() < 0.01 && (up.z - level.z).abs() < 0.01);
         let high = aside - DVec2::new(0.0, 60.0);
-        assert!(carry.to(&lens, high, false, FREE).unwrap().distance(up) < 0.01);
-        let back = carry.to(&lens, high - DVec2::new(30.0, 0.0), false, FREE).unwrap();
+        assert!(drag.to(&projector, high, false, FREE).unwrap().distance(up) < 0.01);
+        let back = drag.to(&projector, high - DVec2::new(30.0, 0.0), false, FREE).unwrap();
         assert!((back.y - up.y).abs() < 1e-9 && back.x < up.x);
     }
 
     #[test]
     fn seen_from_the_ground_things_move_with_the_picture() {
-        let lens = lens([0.0, 1.05, 8.0]);
-        let at = lens.project(DVec3::Y).unwrap();
-        let mut carry = ItemDrag::begin(DVec3::Y, DVec3::Y, &lens, at, false);
-        assert_eq!(carry.leg.manner, DragPlane::Facing);
-        let step = carry.to(&lens, at + DVec2::new(30.0, -40.0), false, FREE).unwrap();
+        let projector = projector([0.0, 1.05, 8.0]);
+        let at = projector.project(DVec3::Y).unwrap();
+        let mut drag = ItemDrag::begin(DVec3::Y, DVec3::Y, &projector, at, false);
+        assert_eq!(drag.stage.plane, DragPlane::Facing);
+        let step = drag.to(&projector, at + DVec2::new(30.0, -40.0), false, FREE).unwrap();
         assert!(step.x > 0.0 && step.y > 0.0 && step.z.abs() < 0.02);
     }
 
     #[test]
     fn towards_the_horizon_nothing_flies_away() {
-        let lens = lens([0.0, 2.5, 8.0]);
-        let at = lens.project(DVec3::ZERO).unwrap();
-        let mut carry = ItemDrag::begin(DVec3::ZERO, DVec3::ZERO, &lens, at, false);
+        let projector = projector([0.0, 2.5, 8.0]);
+        let at = projector.project(DVec3::ZERO).unwrap();
+        let mut drag = ItemDrag::begin(DVec3::ZERO, DVec3::ZERO, &projector, at, false);
         let mut last = 0.0;
         for y in (-2000..400).rev().step_by(10) {
-            let step = carry.to(&lens, DVec2::new(400.0, f64::from(y)), false, FREE).unwrap();
+            let step = drag.to(&projector, DVec2::new(400.0, f64::from(y)), false, FREE).unwrap();
             assert!(step.length() < 10.0 * 9.0, "{step}");
             // Ever farther away, up to the limit and no way back.
             assert!(step.z <= last + 1e-9, "{y}: {step}");
@@ -188,12 +195,12 @@ mod tests {
 
     #[test]
     fn snapping_brings_the_thing_itself_to_the_grid() {
-        let lens = lens([0.0, 4.0, 8.0]);
+        let projector = projector([0.0, 4.0, 8.0]);
         let (grabbed, lead) = (DVec3::new(0.3, 0.7, 0.4), DVec3::new(0.123, 0.456, 0.789));
-        let at = lens.project(grabbed).unwrap();
-        let mut carry = ItemDrag::begin(grabbed, lead, &lens, at, false);
+        let at = projector.project(grabbed).unwrap();
+        let mut drag = ItemDrag::begin(grabbed, lead, &projector, at, false);
         let snaps = DragPrecision { snaps: true, is_fine: false };
-        let placed = lead + carry.to(&lens, at + DVec2::new(111.0, 37.0), false, snaps).unwrap();
+        let placed = lead + drag.to(&projector, at + DVec2::new(111.0, 37.0), false, snaps).unwrap();
         for part in [placed.x, placed.z] {
             assert!((10.0 * part - (10.0 * part).round()).abs() < 1e-9, "{placed}");
         }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::drag_payload::place_of;
 use super::handles;
-use super::visible_picture::{VisiblePicture, marks};
+use super::scene_view::{SceneView, marks};
 use crate::context::Cx;
 use crate::theme::ThemeColors;
 
@@ -28,14 +28,14 @@ pub(crate) struct OffscreenArrow {
 }
 
 /// The arrows of all that is out of view. Those that would cover each other stand side by side.
-pub(crate) fn arrows(cx: &Cx<'_>, sight: &VisiblePicture) -> Vec<OffscreenArrow> {
+pub(crate) fn arrows(cx: &Cx<'_>, scene_view: &SceneView) -> Vec<OffscreenArrow> {
     let mut arrows: Vec<OffscreenArrow> = Vec::new();
-    let room = room(sight.clear);
+    let room = room(scene_view.clear);
     for item in marks(cx) {
         let place = place_of(cx.editor.scene(), item);
-        let Some(direction) = place.and_then(|place| direction_to(sight, place)) else { continue };
+        let Some(direction) = place.and_then(|place| direction_to(scene_view, place)) else { continue };
         let along = vec2(-direction.y, direction.x);
-        let edge = edge_point(room, sight.rect.center(), direction);
+        let edge = edge_point(room, scene_view.rect.center(), direction);
         // To one side and the other, ever farther.
         let steps =
             (0..64).map(|step: i16| f32::from((step + 1) / 2) * if step % 2 == 0 { 1.0 } else { -1.0 });
@@ -47,20 +47,20 @@ pub(crate) fn arrows(cx: &Cx<'_>, sight: &VisiblePicture) -> Vec<OffscreenArrow>
 }
 
 /// The arrow under a place of the window.
-pub(crate) fn arrow_at(cx: &Cx<'_>, sight: &VisiblePicture, pos: Pos2) -> Option<Item> {
+pub(crate) fn arrow_at(cx: &Cx<'_>, scene_view: &SceneView, pos: Pos2) -> Option<Item> {
     let near = |arrow: &OffscreenArrow| arrow.center.distance(pos);
-    let arrows = arrows(cx, sight).into_iter().filter(|arrow| near(arrow) <= REACH);
+    let arrows = arrows(cx, scene_view).into_iter().filter(|arrow| near(arrow) <= REACH);
     arrows.min_by(|a, b| near(a).total_cmp(&near(b))).map(|arrow| arrow.item)
 }
 
 /// Where in the picture an arrow must point for something to come into view; `None` for what is in view.
-fn direction_to(sight: &VisiblePicture, place: DVec3) -> Option<Vec2> {
-    let at = sight.point(place);
-    if at.is_some_and(|at| sight.visible.contains(at)) {
+fn direction_to(scene_view: &SceneView, place: DVec3) -> Option<Vec2> {
+    let at = scene_view.point(place);
+    if at.is_some_and(|at| scene_view.visible.contains(at)) {
         return None;
     }
-    let [right, up, _] = sight.lens.axes();
-    let offset = place - sight.lens.position();
+    let [right, up, _] = scene_view.projector.axes();
+    let offset = place - scene_view.projector.position();
     let direction = vec2(offset.dot(right) as f32, -offset.dot(up) as f32);
     // What is right behind the eye can be reached by a turn to any side.
     Some(if direction.length() > 0.0 { direction.normalized() } else { Vec2::DOWN })
@@ -86,13 +86,13 @@ fn edge_point(room: Rect, middle: Pos2, direction: Vec2) -> Pos2 {
 /// Draws the arrows; `hovered` is under the pointer.
 pub(crate) fn draw(
     painter: &Painter,
-    sight: &VisiblePicture,
+    scene_view: &SceneView,
     cx: &Cx<'_>,
     hovered: Option<Item>,
     palette: &ThemeColors,
 ) {
     let scene = cx.editor.scene();
-    for OffscreenArrow { item, center, direction } in arrows(cx, sight) {
+    for OffscreenArrow { item, center, direction } in arrows(cx, scene_view) {
         let fill = match item {
             Item::Light(index) => scene.lights.get(index).map_or(Color32::WHITE, handles::shown_color),
             _ => Color32::from_gray(214),

@@ -1,4 +1,4 @@
-//! What the pointer does in the picture: choosing, carrying, pulling, turning the view.
+//! The pointer in the picture: selecting, dragging things and handles, turning the view.
 
 use catoptric_editor::{Item, Selection};
 use catoptric_scene::Camera;
@@ -12,7 +12,7 @@ use super::gizmo::handle_drag::{DragAmount, DragPrecision, HandleDrag};
 use super::gizmo::{Gizmo, GizmoHandle};
 use super::item_drag::ItemDrag;
 use super::light_aim::LightAim;
-use super::visible_picture::{PointerTarget, VisiblePicture};
+use super::scene_view::{PointerTarget, SceneView};
 use crate::command::Tool;
 use crate::context::Cx;
 
@@ -24,7 +24,7 @@ const SAME_PLACE: f32 = 4.0;
 pub(crate) enum PointerAction {
     /// Nothing.
     #[default]
-    Open,
+    Idle,
     /// Turns the view about its target.
     Orbit,
     /// Pans the view.
@@ -32,20 +32,20 @@ pub(crate) enum PointerAction {
     /// Turns the camera in place, while keys move it.
     Look,
     /// Drags bodies, lights or the camera.
-    Carry(Box<ActiveDrag<ItemDrag>>),
+    DragItem(Box<ActiveDrag<ItemDrag>>),
     /// Drags a handle of the gizmo.
-    Pull(Box<ActiveDrag<HandleDrag>>),
+    DragHandle(Box<ActiveDrag<HandleDrag>>),
     /// Drags a light by its highlight or its shadow.
-    Aim(Box<ActiveDrag<LightAim>>),
+    AimLight(Box<ActiveDrag<LightAim>>),
     /// A cancelled drag whose button is still down.
-    GivenUp,
+    Cancelled,
 }
 
 /// A drag that is under way.
 #[derive(Debug)]
 pub(crate) struct ActiveDrag<T> {
-    pub(crate) by: T,
-    load: DragPayload,
+    pub(crate) drag: T,
+    payload: DragPayload,
     /// Where the pointer would be if it always went at full speed.
     at: DVec2,
     /// How much was changed.
@@ -62,7 +62,7 @@ struct LastClick {
 /// The state of the pointer in the picture.
 #[derive(Debug, Default)]
 pub(crate) struct PointerTool {
-    pub(crate) hand: PointerAction,
+    pub(crate) action: PointerAction,
     /// Where the pointer was in the last frame of a drag.
     last: Option<Pos2>,
     /// The free view's camera at the beginning of the drag.
@@ -80,20 +80,20 @@ impl PointerTool {
         &mut self,
         ui: &Ui,
         cx: &mut Cx<'_>,
-        (sight, response): (&VisiblePicture, &Response),
+        (scene_view, response): (&SceneView, &Response),
         gizmo: Option<&Gizmo>,
-        travel: &mut CameraNavigation,
+        navigation: &mut CameraNavigation,
     ) {
         if response.drag_started() {
-            self.take(ui, cx, sight, gizmo);
+            self.take(ui, cx, scene_view, gizmo);
         }
-        self.fly_beside(ui, cx, response, travel);
-        if !matches!(self.hand, PointerAction::Open) {
+        self.fly_beside(ui, cx, response, navigation);
+        if !matches!(self.action, PointerAction::Idle) {
             // In a slow frame the pointer has moved on before it was released.
-            self.drag(ui, cx, sight);
+            self.drag(ui, cx, scene_view);
             if !ui.input(|input| input.pointer.any_down()) {
                 cx.view.is_moving = false;
-                self.hand = PointerAction::Open;
+                self.action = PointerAction::Idle;
                 self.last = None;
                 cx.editor.settle();
             }
@@ -101,16 +101,16 @@ impl PointerTool {
         let button = |button| response.clicked_by(button);
         if let Some(pos) = response.interact_pointer_pos() {
             if button(PointerButton::Primary) && cx.view.is_auditing {
-                super::pixel_pick::click(ui, cx, sight, pos);
+                super::pixel_pick::click(ui, cx, scene_view, pos);
             } else if button(PointerButton::Primary) && cx.view.is_aiming {
-                self.click_to_aim(ui, cx, sight, pos);
+                self.click_to_aim(ui, cx, scene_view, pos);
             } else if button(PointerButton::Primary) {
-                self.click(ui, cx, sight, pos);
+                self.click(ui, cx, scene_view, pos);
             } else if button(PointerButton::Secondary) {
-                self.choose_for_menu(cx, sight, pos);
+                self.choose_for_menu(cx, scene_view, pos);
             }
         }
-        self.hover(ui, cx, (sight, response), gizmo);
+        self.hover(ui, cx, (scene_view, response), gizmo);
     }
 
     /// Whether the button that was released just now has only pointed, so that it opens the menu.
@@ -119,7 +119,7 @@ impl PointerTool {
     }
 
     /// Decides at the beginning of a drag what the hand does.
-    fn take(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, gizmo: Option<&Gizmo>) {
+    fn take(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView, gizmo: Option<&Gizmo>) {
         let (origin, is_primary, is_middle, modifiers) = ui.input(|input| {
             let pointer = &input.pointer;
             (pointer.press_origin(), pointer.primary_down(), pointer.middle_down(), input.modifiers)
@@ -130,18 +130,18 @@ impl PointerTool {
         self.free_before = cx.view.free_camera;
         self.click = None;
         let turns = if modifiers.shift || is_middle { PointerAction::Pan } else { PointerAction::Orbit };
-        let at = sight.at(origin);
+        let at = scene_view.at(origin);
         if is_primary && cx.view.is_aiming {
-            self.hand = aim(cx, sight, at, true).unwrap_or(turns);
+            self.action = aim_light(cx, scene_view, at, true).unwrap_or(turns);
             return;
         }
         // While pixels are pinned, drags look at their rays from all sides.
         let holds = is_primary && !cx.view.is_auditing;
-        self.hand = match holds.then(|| sight.target(cx, gizmo, at)) {
-            Some(PointerTarget::Handle(handle)) => pull(cx, sight, gizmo, handle, at),
-            Some(PointerTarget::Mark(item)) => carry(cx, sight, (item, None), at, modifiers.alt),
+        self.action = match holds.then(|| scene_view.target(cx, gizmo, at)) {
+            Some(PointerTarget::Handle(handle)) => drag_handle(cx, scene_view, gizmo, handle, at),
+            Some(PointerTarget::Mark(item)) => drag_item(cx, scene_view, (item, None), at, modifiers.alt),
             Some(PointerTarget::Body { index, point }) => {
-                carry(cx, sight, (Item::Body(index), Some(point)), at, modifiers.alt)
+                drag_item(cx, scene_view, (Item::Body(index), Some(point)), at, modifiers.alt)
             }
             _ => None,
         }
@@ -152,76 +152,84 @@ impl PointerTool {
     pub(crate) fn flies_beside(&self, ui: &Ui, response: &Response) -> bool {
         let is_down = ui.input(|input| input.pointer.secondary_down());
         let is_here = response.is_pointer_button_down_on() || response.dragged();
-        is_down && is_here && !matches!(self.hand, PointerAction::GivenUp)
+        is_down && is_here && !matches!(self.action, PointerAction::Cancelled)
     }
 
     /// The keys of flight count while the right button is down.
-    fn fly_beside(&mut self, ui: &Ui, cx: &mut Cx<'_>, response: &Response, travel: &mut CameraNavigation) {
+    fn fly_beside(
+        &mut self,
+        ui: &Ui,
+        cx: &mut Cx<'_>,
+        response: &Response,
+        navigation: &mut CameraNavigation,
+    ) {
         if ui.input(|input| input.pointer.button_pressed(PointerButton::Secondary)) {
             self.has_flown = false;
         }
-        if self.flies_beside(ui, response) && travel.fly_keys(ui, cx) {
+        if self.flies_beside(ui, response) && navigation.fly_keys(ui, cx) {
             self.has_flown = true;
-            if matches!(self.hand, PointerAction::Orbit) {
-                self.hand = PointerAction::Look;
+            if matches!(self.action, PointerAction::Orbit) {
+                self.action = PointerAction::Look;
             }
         }
     }
 
     /// A frame of a drag.
-    fn drag(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture) {
+    fn drag(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
         if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             cx.editor.abandon();
             if let (Some(before), Some(free)) = (self.free_before, &mut cx.view.free_camera) {
                 *free = before;
             }
-            self.hand = PointerAction::GivenUp;
+            self.action = PointerAction::Cancelled;
         }
         let (pos, modifiers) = ui.input(|input| (input.pointer.latest_pos(), input.modifiers));
         let Some(pos) = pos else { return };
         let way = self.last.map_or(Vec2::ZERO, |last| pos - last);
         self.last = Some(pos);
-        let care = DragPrecision { snaps: modifiers.command || modifiers.ctrl, is_fine: modifiers.shift };
-        let slow = if care.is_fine { 0.1 } else { 1.0 };
+        let precision =
+            DragPrecision { snaps: modifiers.command || modifiers.ctrl, is_fine: modifiers.shift };
+        let slow = if precision.is_fine { 0.1 } else { 1.0 };
         let step = slow * DVec2::new(f64::from(way.x), f64::from(way.y));
         cx.view.is_moving = true;
-        match &mut self.hand {
-            PointerAction::Open => {}
-            PointerAction::GivenUp => cx.view.is_moving = false,
+        match &mut self.action {
+            PointerAction::Idle => {}
+            PointerAction::Cancelled => cx.view.is_moving = false,
             PointerAction::Orbit if way != Vec2::ZERO => camera_navigation::orbit(cx, way),
-            PointerAction::Pan if way != Vec2::ZERO => camera_navigation::pan(cx, sight, way),
+            PointerAction::Pan if way != Vec2::ZERO => camera_navigation::pan(cx, scene_view, way),
             PointerAction::Look if way != Vec2::ZERO => camera_navigation::look(cx, way),
             PointerAction::Orbit | PointerAction::Pan | PointerAction::Look => {}
-            PointerAction::Carry(held) => {
-                held.at += step;
-                if let Some(way) = held.by.to(&sight.lens, held.at, modifiers.alt, care) {
-                    held.load.apply(cx.editor, &GizmoChange::Move(way));
-                    held.amount = Some(carried(way));
+            PointerAction::DragItem(active) => {
+                active.at += step;
+                if let Some(way) = active.drag.to(&scene_view.projector, active.at, modifiers.alt, precision)
+                {
+                    active.payload.apply(cx.editor, &GizmoChange::Move(way));
+                    active.amount = Some(moved_amount(way));
                 }
             }
-            PointerAction::Aim(held) => {
-                if let Some(place) = held.by.to(sight, sight.at(pos)) {
-                    held.amount = held.load.bring_to(cx.editor, place).map(carried);
+            PointerAction::AimLight(active) => {
+                if let Some(place) = active.drag.to(scene_view, scene_view.at(pos)) {
+                    active.amount = active.payload.bring_to(cx.editor, place).map(moved_amount);
                 }
             }
-            PointerAction::Pull(held) => {
-                held.at += step;
-                if let Some((change, amount)) = held.by.to(&sight.lens, held.at, care) {
-                    held.load.apply(cx.editor, &change);
-                    held.amount = Some(amount);
+            PointerAction::DragHandle(active) => {
+                active.at += step;
+                if let Some((change, amount)) = active.drag.to(&scene_view.projector, active.at, precision) {
+                    active.payload.apply(cx.editor, &change);
+                    active.amount = Some(amount);
                 }
             }
         }
     }
 
     /// Chooses what is under the pointer: at the same place as before, what is behind.
-    fn click(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, pos: Pos2) {
+    fn click(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView, pos: Pos2) {
         let modifiers = ui.input(|input| input.modifiers);
-        let things = sight.things_at(cx, sight.at(pos));
+        let things = scene_view.things_at(cx, scene_view.at(pos));
         let is_again = self
             .click
-            .is_some_and(|click| click.pos.distance(pos) <= SAME_PLACE && click.camera == sight.camera);
-        self.click = Some(LastClick { pos, camera: sight.camera });
+            .is_some_and(|click| click.pos.distance(pos) <= SAME_PLACE && click.camera == scene_view.camera);
+        self.click = Some(LastClick { pos, camera: scene_view.camera });
         cx.editor.settle();
         let mut selection = cx.editor.selection().clone();
         let toggles = modifiers.shift || modifiers.command || modifiers.ctrl;
@@ -240,22 +248,22 @@ impl PointerTool {
     }
 
     /// Puts the highlight of the light that is aimed where a click is; clicks on lights choose them.
-    fn click_to_aim(&mut self, ui: &Ui, cx: &mut Cx<'_>, sight: &VisiblePicture, pos: Pos2) {
-        let at = sight.at(pos);
-        if matches!(sight.target(cx, None, at), PointerTarget::Mark(_) | PointerTarget::Arrow(_)) {
-            return self.click(ui, cx, sight, pos);
+    fn click_to_aim(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView, pos: Pos2) {
+        let at = scene_view.at(pos);
+        if matches!(scene_view.target(cx, None, at), PointerTarget::Mark(_) | PointerTarget::Arrow(_)) {
+            return self.click(ui, cx, scene_view, pos);
         }
-        if let Some(PointerAction::Aim(held)) = aim(cx, sight, at, false)
-            && let Some(place) = held.by.to(sight, at)
+        if let Some(PointerAction::AimLight(active)) = aim_light(cx, scene_view, at, false)
+            && let Some(place) = active.drag.to(scene_view, at)
         {
-            held.load.bring_to(cx.editor, place);
+            active.payload.bring_to(cx.editor, place);
             cx.editor.settle();
         }
     }
 
     /// The menu is about what is under the pointer.
-    fn choose_for_menu(&self, cx: &mut Cx<'_>, sight: &VisiblePicture, pos: Pos2) {
-        let things = sight.things_at(cx, sight.at(pos));
+    fn choose_for_menu(&self, cx: &mut Cx<'_>, scene_view: &SceneView, pos: Pos2) {
+        let things = scene_view.things_at(cx, scene_view.at(pos));
         if let Some(first) = things.first().filter(|_| self.opens_menu())
             && !things.iter().any(|thing| cx.editor.selection().contains(*thing))
         {
@@ -269,16 +277,16 @@ impl PointerTool {
         &mut self,
         ui: &Ui,
         cx: &mut Cx<'_>,
-        (sight, response): (&VisiblePicture, &Response),
+        (scene_view, response): (&SceneView, &Response),
         gizmo: Option<&Gizmo>,
     ) {
         let before = self.over;
         let pointer = ui.input(|input| input.pointer.hover_pos());
-        let is_open = matches!(self.hand, PointerAction::Open);
-        let at = pointer.filter(|_| is_open && response.hovered()).map(|pos| sight.at(pos));
-        self.over = at.map(|at| sight.target(cx, gizmo, at));
+        let is_open = matches!(self.action, PointerAction::Idle);
+        let at = pointer.filter(|_| is_open && response.hovered()).map(|pos| scene_view.at(pos));
+        self.over = at.map(|at| scene_view.target(cx, gizmo, at));
         // Also behind handles: those of a selected body stand in its middle.
-        cx.view.seen = at.and_then(|at| sight.seen_at(at));
+        cx.view.seen = at.and_then(|at| scene_view.seen_at(at));
         let body = |over| if let Some(PointerTarget::Body { index, .. }) = over { Some(index) } else { None };
         if self.over.is_some() {
             cx.view.hovered_body = body(self.over);
@@ -293,25 +301,25 @@ impl PointerTool {
 
     fn cursor(&self, cx: &Cx<'_>) -> Option<CursorIcon> {
         let scene = cx.editor.scene();
-        match (&self.hand, self.over) {
+        match (&self.action, self.over) {
             (PointerAction::Orbit | PointerAction::Look, _) => Some(CursorIcon::AllScroll),
             (PointerAction::Pan, _) => Some(CursorIcon::Move),
-            (PointerAction::Carry(_) | PointerAction::Pull(_) | PointerAction::Aim(_), _) => {
+            (PointerAction::DragItem(_) | PointerAction::DragHandle(_) | PointerAction::AimLight(_), _) => {
                 Some(CursorIcon::Grabbing)
             }
-            (PointerAction::GivenUp, _) => None,
-            (PointerAction::Open, Some(PointerTarget::Arrow(_))) => Some(CursorIcon::PointingHand),
-            (PointerAction::Open, Some(_)) if cx.view.is_auditing || cx.view.is_aiming => {
+            (PointerAction::Cancelled, _) => None,
+            (PointerAction::Idle, Some(PointerTarget::Arrow(_))) => Some(CursorIcon::PointingHand),
+            (PointerAction::Idle, Some(_)) if cx.view.is_auditing || cx.view.is_aiming => {
                 Some(CursorIcon::Crosshair)
             }
-            (PointerAction::Open, Some(PointerTarget::Handle(_))) => Some(CursorIcon::Grab),
-            (PointerAction::Open, Some(PointerTarget::Mark(item))) => {
+            (PointerAction::Idle, Some(PointerTarget::Handle(_))) => Some(CursorIcon::Grab),
+            (PointerAction::Idle, Some(PointerTarget::Mark(item))) => {
                 Some(grab_or_point(item.is_locked(scene)))
             }
-            (PointerAction::Open, Some(PointerTarget::Body { index, .. })) => {
+            (PointerAction::Idle, Some(PointerTarget::Body { index, .. })) => {
                 Some(grab_or_point(Item::Body(index).is_locked(scene)))
             }
-            (PointerAction::Open, _) => None,
+            (PointerAction::Idle, _) => None,
         }
     }
 }
@@ -321,7 +329,7 @@ fn grab_or_point(is_locked: bool) -> CursorIcon {
 }
 
 /// The parts of a move that are worth telling.
-fn carried(way: glam::DVec3) -> DragAmount {
+fn moved_amount(way: glam::DVec3) -> DragAmount {
     let is_upright = way.y != 0.0;
     let is_level = way.x != 0.0 || way.z != 0.0 || !is_upright;
     DragAmount::Meters([
@@ -332,9 +340,9 @@ fn carried(way: glam::DVec3) -> DragAmount {
 }
 
 /// Takes hold of a thing: it is selected, and all that is selected goes with it. Locked things stay.
-fn carry(
+fn drag_item(
     cx: &mut Cx<'_>,
-    sight: &VisiblePicture,
+    scene_view: &SceneView,
     (item, grabbed): (Item, Option<glam::DVec3>),
     at: DVec2,
     is_upright: bool,
@@ -353,31 +361,31 @@ fn carry(
     let scene = cx.editor.scene();
     let lead = place_of(scene, item)?;
     let is_free = cx.view.free_camera.is_some();
-    let load = DragPayload::take(scene, cx.editor.selection(), is_free, "edit-move")?;
-    let by = ItemDrag::begin(grabbed.unwrap_or(lead), lead, &sight.lens, at, is_upright);
-    Some(PointerAction::Carry(Box::new(ActiveDrag { by, load, at, amount: None })))
+    let payload = DragPayload::take(scene, cx.editor.selection(), is_free, "edit-move")?;
+    let drag = ItemDrag::begin(grabbed.unwrap_or(lead), lead, &scene_view.projector, at, is_upright);
+    Some(PointerAction::DragItem(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
 
 /// Takes hold of a light by what it does at a place: the selected one, or else the first that is shown and not locked.
-fn aim(cx: &mut Cx<'_>, sight: &VisiblePicture, at: DVec2, by_shadow: bool) -> Option<PointerAction> {
+fn aim_light(cx: &mut Cx<'_>, scene_view: &SceneView, at: DVec2, by_shadow: bool) -> Option<PointerAction> {
     let scene = cx.editor.scene();
     let is_free = |item: &Item| !item.is_locked(scene) && !item.is_hidden(scene);
     let all = (0..scene.lights.len()).map(Item::Light);
     let selected = cx.editor.selection().lights().map(Item::Light).find(is_free);
     let item = selected.or_else(|| all.into_iter().find(is_free))?;
     let Item::Light(light) = item else { return None };
-    let by = LightAim::begin(sight, scene, light, at, by_shadow)?;
+    let drag = LightAim::begin(scene_view, scene, light, at, by_shadow)?;
     if cx.editor.selection().primary() != Some(item) {
         cx.editor.select(item);
     }
-    let load = DragPayload::take(cx.editor.scene(), &item.into(), false, "edit-aim-light")?;
-    Some(PointerAction::Aim(Box::new(ActiveDrag { by, load, at, amount: None })))
+    let payload = DragPayload::take(cx.editor.scene(), &item.into(), false, "edit-aim-light")?;
+    Some(PointerAction::AimLight(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
 
 /// Takes hold of a handle.
-fn pull(
+fn drag_handle(
     cx: &Cx<'_>,
-    sight: &VisiblePicture,
+    scene_view: &SceneView,
     gizmo: Option<&Gizmo>,
     handle: GizmoHandle,
     at: DVec2,
@@ -389,9 +397,9 @@ fn pull(
         Tool::Scale => "edit-scale",
     };
     let is_free = cx.view.free_camera.is_some();
-    let load = DragPayload::take(cx.editor.scene(), cx.editor.selection(), is_free, key)?;
-    let by = HandleDrag::begin(gizmo, handle, &sight.lens, at)?;
-    Some(PointerAction::Pull(Box::new(ActiveDrag { by, load, at, amount: None })))
+    let payload = DragPayload::take(cx.editor.scene(), cx.editor.selection(), is_free, key)?;
+    let drag = HandleDrag::begin(gizmo, handle, &scene_view.projector, at)?;
+    Some(PointerAction::DragHandle(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
 
 /// The gizmo at what is selected and can be moved; its center is in the middle of the things' places.

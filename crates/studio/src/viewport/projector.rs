@@ -1,4 +1,4 @@
-//! From the world to places in the panel and back, in double precision. Knows nothing of egui.
+//! Projection between the world and the panel, in double precision. Knows nothing of egui.
 
 use catoptric_scene::{Camera, Projection};
 use glam::{DVec2, DVec3};
@@ -163,14 +163,14 @@ mod tests {
         let size = DVec2::new(640.0, 360.0);
         let stage = Stage::prepare(&Scene::default()).unwrap();
         for camera in cameras() {
-            let (lens, tracer) = (Projector::new(&camera, size), stage.camera_for(&camera));
+            let (projector, tracer) = (Projector::new(&camera, size), stage.camera_for(&camera));
             for point in [DVec3::ZERO, DVec3::new(0.4, 1.5, -0.8), camera.target] {
                 let (expected, _) = tracer.project(point, size).unwrap();
-                assert!((lens.project(point).unwrap() - expected).length() < 1e-9);
+                assert!((projector.project(point).unwrap() - expected).length() < 1e-9);
             }
             let at = DVec2::new(17.0, 300.0);
             let expected = tracer.ray(at, size);
-            let ray = lens.ray(at);
+            let ray = projector.ray(at);
             assert!(ray.direction.distance(expected.direction.as_dvec3()) < 1e-6);
         }
     }
@@ -178,38 +178,38 @@ mod tests {
     #[test]
     fn a_ray_leads_back_to_its_place() {
         for camera in cameras() {
-            let lens = Projector::new(&camera, DVec2::new(800.0, 600.0));
+            let projector = Projector::new(&camera, DVec2::new(800.0, 600.0));
             let at = DVec2::new(123.0, 456.0);
-            assert!((lens.project(lens.ray(at).at(7.0)).unwrap() - at).length() < 1e-9);
+            assert!((projector.project(projector.ray(at).at(7.0)).unwrap() - at).length() < 1e-9);
         }
     }
 
     #[test]
     fn a_meter_has_its_size_in_the_picture() {
         for camera in cameras() {
-            let lens = Projector::new(&camera, DVec2::new(800.0, 600.0));
-            let [right, ..] = lens.axes();
-            let step = 10.0 * lens.meters_per_point(camera.target);
+            let projector = Projector::new(&camera, DVec2::new(800.0, 600.0));
+            let [right, ..] = projector.axes();
+            let step = 10.0 * projector.meters_per_point(camera.target);
             let ends =
-                [camera.target, camera.target + step * right].map(|point| lens.project(point).unwrap());
+                [camera.target, camera.target + step * right].map(|point| projector.project(point).unwrap());
             assert!((ends[1] - ends[0] - DVec2::new(10.0, 0.0)).length() < 1e-9);
         }
     }
 
     #[test]
     fn a_segment_ends_before_the_eye() {
-        let lens = Projector::new(&Camera::default(), DVec2::new(800.0, 600.0));
+        let projector = Projector::new(&Camera::default(), DVec2::new(800.0, 600.0));
         let target = Camera::default().target;
-        let [from, to] = lens.segment(target, target + DVec3::new(1.0, 0.0, 20.0)).unwrap();
+        let [from, to] = projector.segment(target, target + DVec3::new(1.0, 0.0, 20.0)).unwrap();
         assert_eq!(from, DVec2::new(400.0, 300.0));
         assert!(to.x > 1000.0);
-        assert_eq!(lens.segment(DVec3::Z * 20.0, DVec3::Z * 30.0), None);
+        assert_eq!(projector.segment(DVec3::Z * 20.0, DVec3::Z * 30.0), None);
     }
 
     #[test]
     fn what_is_behind_has_no_place() {
-        let lens = Projector::new(&Camera::default(), DVec2::new(800.0, 600.0));
-        assert_eq!(lens.project(DVec3::new(0.0, 2.2, 9.0)), None);
-        assert_eq!(lens.project(DVec3::new(0.0, 2.2, 8.0)), None);
+        let projector = Projector::new(&Camera::default(), DVec2::new(800.0, 600.0));
+        assert_eq!(projector.project(DVec3::new(0.0, 2.2, 9.0)), None);
+        assert_eq!(projector.project(DVec3::new(0.0, 2.2, 8.0)), None);
     }
 }

@@ -8,7 +8,7 @@ use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, Vec2, Visuals, vec2};
 use super::dashes::dashed;
 use super::handles::draw_camera;
 use super::labels;
-use super::visible_picture::VisiblePicture;
+use super::scene_view::SceneView;
 use crate::audit::{
     self, AuditResult, AuditState, RaySegment, SEEN, SegmentKind, SegmentPart, kind_color, pixel_at,
 };
@@ -30,27 +30,27 @@ struct VisibleSegment<'a> {
 }
 
 /// Draws the rays, the audited camera, and the pixel where it is.
-pub(crate) fn draw(painter: &Painter, sight: &VisiblePicture, cx: &Cx<'_>) {
+pub(crate) fn draw(painter: &Painter, scene_view: &SceneView, cx: &Cx<'_>) {
     let (Some(found), audit) = (cx.audit.found(), &*cx.audit) else { return };
-    let is_at_home = found.pin.camera == sight.camera;
+    let is_at_home = found.pin.camera == scene_view.camera;
     if !is_at_home {
-        draw_camera(painter, sight, &found.pin.camera, Stroke::new(1.5, kind_color(NodeKind::Primary)));
+        draw_camera(painter, scene_view, &found.pin.camera, Stroke::new(1.5, kind_color(NodeKind::Primary)));
     }
-    let pen = RayPainter { painter, sight, audit, found, line: line_of(found, audit.selected()) };
+    let pen = RayPainter { painter, scene_view, audit, found, line: line_of(found, audit.selected()) };
     pen.draw();
-    if is_at_home && let Some(at) = pixel_at(&found.pin, &sight.lens) {
-        cross(painter, sight.pos(at));
+    if is_at_home && let Some(at) = pixel_at(&found.pin, &scene_view.projector) {
+        cross(painter, scene_view.pos(at));
     }
     pen.tag(cx);
 }
 
 /// The ray at a place, if one is near: of rays rather than of shadow rays.
-pub(crate) fn node_at(sight: &VisiblePicture, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
+pub(crate) fn node_at(scene_view: &SceneView, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
     let (found, audit) = (cx.audit.found()?, &*cx.audit);
     let mut nearest: Option<(f32, usize)> = None;
     for way in found.ways.iter().filter(|way| audit.shows(way.generation)) {
-        let Some([from, to]) = sight.lens.segment(way.from, way.to) else { continue };
-        let (from, to) = (sight.pos(from), sight.pos(to));
+        let Some([from, to]) = scene_view.projector.segment(way.from, way.to) else { continue };
+        let (from, to) = (scene_view.pos(from), scene_view.pos(to));
         if from.distance(to) < 2.0 {
             continue;
         }
@@ -81,7 +81,7 @@ fn distance_to(pos: Pos2, [from, to]: [Pos2; 2]) -> f32 {
 
 struct RayPainter<'a> {
     painter: &'a Painter,
-    sight: &'a VisiblePicture,
+    scene_view: &'a SceneView,
     audit: &'a AuditState,
     found: &'a AuditResult,
     /// The selected ray and those before it.
@@ -90,7 +90,7 @@ struct RayPainter<'a> {
 
 impl RayPainter<'_> {
     fn draw(&self) {
-        let parts = self.audit.sight();
+        let parts = self.audit.hidden_parts();
         let mut pieces = Vec::new();
         for (index, way) in self.found.ways.iter().enumerate() {
             let known = parts.and_then(|parts| parts.get(index)).map_or(SEEN.as_slice(), Vec::as_slice);
@@ -115,11 +115,12 @@ impl RayPainter<'_> {
         }
         for part in parts.iter().filter(|part| part.from < share) {
             let point = |at: f64| way.from.lerp(way.to, at);
-            let Some([from, to]) = self.sight.lens.segment(point(part.from), point(part.to.min(share)))
+            let Some([from, to]) =
+                self.scene_view.projector.segment(point(part.from), point(part.to.min(share)))
             else {
                 continue;
             };
-            let ends = [self.sight.pos(from), self.sight.pos(to)];
+            let ends = [self.scene_view.pos(from), self.scene_view.pos(to)];
             pieces.push(VisibleSegment { way, ends, is_hidden: part.is_hidden });
         }
     }
@@ -193,8 +194,8 @@ impl RayPainter<'_> {
     /// Arrows along the rays, and dots where they end.
     fn ends(&self) {
         for way in self.found.ways.iter().filter(|way| self.share(way) >= 1.0) {
-            let Some([from, to]) = self.sight.lens.segment(way.from, way.to) else { continue };
-            let ends = [self.sight.pos(from), self.sight.pos(to)];
+            let Some([from, to]) = self.scene_view.projector.segment(way.from, way.to) else { continue };
+            let ends = [self.scene_view.pos(from), self.scene_view.pos(to)];
             let color = self.color(way);
             if way.is_ray() {
                 self.arrow(way, ends, color);
@@ -246,7 +247,7 @@ impl RayPainter<'_> {
             if share <= 0.0 || share >= 1.0 {
                 continue;
             }
-            let Some(at) = self.sight.point(way.from.lerp(way.to, share)) else { continue };
+            let Some(at) = self.scene_view.point(way.from.lerp(way.to, share)) else { continue };
             let color = self.color(way);
             let radius = PULSE * (0.55 + 0.45 * way.weight.clamp(0.0, 1.0).sqrt());
             for (factor, alpha) in [(2.6, 0.12), (1.7, 0.3)] {
@@ -261,17 +262,18 @@ impl RayPainter<'_> {
         let Some(place) = self.audit.selected().filter(|place| *place != 0) else { return };
         let way = self.found.ways.iter().find(|way| way.node == place && way.is_ray());
         let (Some(way), Some(node)) = (way, self.found.node(place)) else { return };
-        let Some([from, to]) = self.sight.lens.segment(way.from, way.to).filter(|_| self.share(way) > 0.0)
+        let Some([from, to]) =
+            self.scene_view.projector.segment(way.from, way.to).filter(|_| self.share(way) > 0.0)
         else {
             return;
         };
-        let middle = self.sight.pos(from).lerp(self.sight.pos(to), 0.5);
-        if self.sight.visible.contains(middle) {
+        let middle = self.scene_view.pos(from).lerp(self.scene_view.pos(to), 0.5);
+        if self.scene_view.visible.contains(middle) {
             let text = audit::tag(cx.texts, place, node);
             let palette = theme::palette(&Visuals::dark());
             labels::plate(
                 self.painter,
-                self.sight.visible,
+                self.scene_view.visible,
                 middle + vec2(0.0, -14.0),
                 Align2::CENTER_BOTTOM,
                 &text,

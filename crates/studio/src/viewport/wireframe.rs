@@ -1,4 +1,4 @@
-//! The outline of a body from an eye, as lines in the world: for ghosts that no tracer sees.
+//! The wireframe of a body from an eye, as lines in the world, for ghosts that no tracer sees.
 
 use std::f64::consts::TAU;
 

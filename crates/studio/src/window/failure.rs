@@ -1,4 +1,4 @@
-//! Why there is no window, and what to do about it.
+//! The reasons why there is no window, and what to do.
 
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};

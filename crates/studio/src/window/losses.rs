@@ -1,4 +1,4 @@
-//! How often the device that draws the window is lost.
+//! The count of lost devices.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! From the tokens of one logical line to a statement.
+//! Builds a statement from the tokens of one logical line.
 
 use std::borrow::Cow;
 

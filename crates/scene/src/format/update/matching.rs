@@ -1,4 +1,4 @@
-//! Which element of an edited list was which before.
+//! Matches the elements of an edited list with those before the edit.
 
 use std::collections::{HashMap, VecDeque};
 

@@ -1,4 +1,4 @@
-//! What is in a folder: read by a thread, since a disk may be far away.
+//! The content of a folder, read by a thread, since a disk may be far away.
 
 use std::cmp::Ordering;
 use std::fs;

@@ -1,4 +1,4 @@
-//! How long a render would take.
+//! The estimated time of a render.
 
 use std::sync::Arc;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! How a light weakens with distance.
+//! The formula of a light's falloff with distance.
 
 use catoptric_scene::{Falloff, Light};
 use egui::{Id, Ui};

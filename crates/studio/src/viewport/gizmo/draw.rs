@@ -1,4 +1,4 @@
-//! How the gizmo looks.
+//! Draws the gizmo.
 
 use egui::{Color32, Painter, Pos2, Shape, Stroke};
 use glam::DVec2;
@@ -7,7 +7,7 @@ use super::handle_drag::HandleDrag;
 use super::{CENTER, Gizmo, GizmoHandle, OUTER_RING};
 use crate::command::Tool;
 use crate::theme::ThemeColors;
-use crate::viewport::visible_picture::VisiblePicture;
+use crate::viewport::scene_view::SceneView;
 
 /// Half the angle of an arrow's head and half the side of a cube, points.
 const HEAD: f64 = 5.5;
@@ -15,13 +15,13 @@ const HEAD: f64 = 5.5;
 /// Draws the gizmo; `active` is under the pointer or in the hand.
 pub(crate) fn draw(
     painter: &Painter,
-    sight: &VisiblePicture,
+    scene_view: &SceneView,
     gizmo: &Gizmo,
     active: Option<GizmoHandle>,
     palette: &ThemeColors,
 ) {
-    let Some(center) = sight.point(gizmo.pivot) else { return };
-    let pen = GizmoPainter { painter, sight, gizmo, active, palette };
+    let Some(center) = scene_view.point(gizmo.pivot) else { return };
+    let pen = GizmoPainter { painter, scene_view, gizmo, active, palette };
     match gizmo.tool {
         Tool::Move => {
             (0..3).for_each(|axis| pen.square(axis));
@@ -41,19 +41,21 @@ pub(crate) fn draw(
 }
 
 /// Draws what a handle that is being pulled leaves behind: the line of its axis, the sector of a turn.
-pub(crate) fn ghost(painter: &Painter, sight: &VisiblePicture, pull: &HandleDrag, palette: &ThemeColors) {
-    let gizmo = &pull.gizmo;
+pub(crate) fn ghost(painter: &Painter, scene_view: &SceneView, drag: &HandleDrag, palette: &ThemeColors) {
+    let gizmo = &drag.gizmo;
     let faint = |axis: usize| axis_color(palette, axis).gamma_multiply(0.6);
-    match pull.handle {
-        GizmoHandle::Move(axis) | GizmoHandle::Scale(axis) => line(painter, sight, gizmo, axis, faint(axis)),
+    match drag.handle {
+        GizmoHandle::Move(axis) | GizmoHandle::Scale(axis) => {
+            line(painter, scene_view, gizmo, axis, faint(axis));
+        }
         GizmoHandle::MovePlane(axis) => {
             for other in [(axis + 1) % 3, (axis + 2) % 3] {
-                line(painter, sight, gizmo, other, faint(other));
+                line(painter, scene_view, gizmo, other, faint(other));
             }
         }
         GizmoHandle::Turn(_) | GizmoHandle::TurnView => {
-            let Some(swept) = pull.swept(&sight.lens) else { return };
-            let points: Vec<Pos2> = swept.into_iter().map(|at| sight.pos(at)).collect();
+            let Some(swept) = drag.swept(&scene_view.projector) else { return };
+            let points: Vec<Pos2> = swept.into_iter().map(|at| scene_view.pos(at)).collect();
             let Some(middle) = points.first() else { return };
             let fill = palette.accent.gamma_multiply(0.22);
             for pair in points.get(1..).unwrap_or_default().windows(2) {
@@ -70,11 +72,11 @@ pub(crate) fn ghost(painter: &Painter, sight: &VisiblePicture, pull: &HandleDrag
 }
 
 /// The whole line of an axis.
-fn line(painter: &Painter, sight: &VisiblePicture, gizmo: &Gizmo, axis: usize, color: Color32) {
-    let reach = 40.0 * sight.lens.depth(gizmo.pivot);
+fn line(painter: &Painter, scene_view: &SceneView, gizmo: &Gizmo, axis: usize, color: Color32) {
+    let reach = 40.0 * scene_view.projector.depth(gizmo.pivot);
     let step = reach * gizmo.axis(axis);
-    if let Some([from, to]) = sight.lens.segment(gizmo.pivot - step, gizmo.pivot + step) {
-        painter.line_segment([sight.pos(from), sight.pos(to)], Stroke::new(1.0, color));
+    if let Some([from, to]) = scene_view.projector.segment(gizmo.pivot - step, gizmo.pivot + step) {
+        painter.line_segment([scene_view.pos(from), scene_view.pos(to)], Stroke::new(1.0, color));
     }
 }
 
@@ -84,7 +86,7 @@ fn axis_color(palette: &ThemeColors, axis: usize) -> Color32 {
 
 struct GizmoPainter<'a> {
     painter: &'a Painter,
-    sight: &'a VisiblePicture,
+    scene_view: &'a SceneView,
     gizmo: &'a Gizmo,
     active: Option<GizmoHandle>,
     palette: &'a ThemeColors,
@@ -97,13 +99,13 @@ impl GizmoPainter<'_> {
             return Color32::from_rgb(255, 214, 92);
         }
         let others = if self.active.is_some() { 0.7 } else { 1.0 };
-        color.gamma_multiply(others * self.gizmo.clearness(&self.sight.lens, handle) as f32)
+        color.gamma_multiply(others * self.gizmo.clearness(&self.scene_view.projector, handle) as f32)
     }
 
     /// The axes, the farthest end first.
     fn far_first(&self) -> [usize; 3] {
         let mut axes = [0, 1, 2];
-        let [.., forward] = self.sight.lens.axes();
+        let [.., forward] = self.scene_view.projector.axes();
         axes.sort_by(|a, b| {
             let depth = |axis: usize| self.gizmo.axis(axis).dot(forward);
             depth(*b).total_cmp(&depth(*a))
@@ -120,13 +122,13 @@ impl GizmoPainter<'_> {
 
     /// A shaft with an arrow's head for moving, or a cube for scaling.
     fn arrow(&self, axis: usize, handle: GizmoHandle) {
-        let Some([from, to]) = self.gizmo.shaft(&self.sight.lens, axis) else { return };
+        let Some([from, to]) = self.gizmo.shaft(&self.scene_view.projector, axis) else { return };
         let color = self.color(axis_color(self.palette, axis), handle);
         if color.a() < 8 {
             return;
         }
         let width = if self.active == Some(handle) { 3.4 } else { 2.6 };
-        self.line([from, to].map(|at| self.sight.pos(at)).to_vec(), color, width);
+        self.line([from, to].map(|at| self.scene_view.pos(at)).to_vec(), color, width);
         let along = (to - from).normalize_or(DVec2::X);
         let aside = along.perp();
         let corners = match handle {
@@ -139,19 +141,19 @@ impl GizmoPainter<'_> {
             .to_vec(),
             _ => [to + 2.4 * HEAD * along, to + HEAD * aside, to - HEAD * aside].to_vec(),
         };
-        let points = corners.into_iter().map(|at| self.sight.pos(at)).collect();
+        let points = corners.into_iter().map(|at| self.scene_view.pos(at)).collect();
         let edge = Stroke::new(1.0, Color32::from_black_alpha(color.a() / 3));
         self.painter.add(Shape::convex_polygon(points, color, edge));
     }
 
     fn square(&self, axis: usize) {
         let handle = GizmoHandle::MovePlane(axis);
-        let Some(corners) = self.gizmo.square(&self.sight.lens, axis) else { return };
+        let Some(corners) = self.gizmo.square(&self.scene_view.projector, axis) else { return };
         let color = self.color(axis_color(self.palette, axis), handle);
         if color.a() < 8 {
             return;
         }
-        let points = corners.into_iter().map(|at| self.sight.pos(at)).collect();
+        let points = corners.into_iter().map(|at| self.scene_view.pos(at)).collect();
         let fill = color.gamma_multiply(if self.active == Some(handle) { 0.7 } else { 0.4 });
         self.painter.add(Shape::convex_polygon(points, fill, Stroke::new(1.2, color)));
     }
@@ -160,11 +162,11 @@ impl GizmoPainter<'_> {
     fn ring(&self, axis: usize) {
         let handle = GizmoHandle::Turn(axis);
         let color = self.color(axis_color(self.palette, axis), handle);
-        let ring = self.gizmo.ring(&self.sight.lens, axis);
+        let ring = self.gizmo.ring(&self.scene_view.projector, axis);
         let mut near = Vec::new();
         for pair in ring.windows(2) {
             let [(from, is_near), (to, _)] = pair else { continue };
-            let (from, to) = (self.sight.pos(*from), self.sight.pos(*to));
+            let (from, to) = (self.scene_view.pos(*from), self.scene_view.pos(*to));
             if *is_near {
                 if near.is_empty() {
                     near.push(from);

@@ -1,4 +1,4 @@
-//! A handle of the gizmo in a hand: from where the pointer goes to what changes.
+//! The drag of a gizmo handle: from the pointer's place to a change.
 
 use glam::{DVec2, DVec3};
 
@@ -58,26 +58,26 @@ enum HandleGrip {
 
 impl HandleDrag {
     /// Takes hold of a handle with the pointer at `at`.
-    pub(crate) fn begin(gizmo: Gizmo, handle: GizmoHandle, lens: &Projector, at: DVec2) -> Option<Self> {
-        let ray = lens.ray(at);
+    pub(crate) fn begin(gizmo: Gizmo, handle: GizmoHandle, projector: &Projector, at: DVec2) -> Option<Self> {
+        let ray = projector.ray(at);
         let pivot = gizmo.pivot;
         let grip = match handle {
             GizmoHandle::Move(axis) => HandleGrip::Axis(along_axis(&ray, pivot, gizmo.axis(axis))?),
             GizmoHandle::Scale(axis) => {
                 let along = along_axis(&ray, pivot, gizmo.axis(axis))?;
-                HandleGrip::Axis(along.max(gizmo.grain(lens)))
+                HandleGrip::Axis(along.max(gizmo.grain(projector)))
             }
             GizmoHandle::MovePlane(axis) => {
                 let normal = gizmo.axis(axis);
                 HandleGrip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
             }
             GizmoHandle::MoveScreen => {
-                let [.., normal] = lens.axes();
+                let [.., normal] = projector.axes();
                 HandleGrip::Plane { normal, from: on_plane(&ray, pivot, normal)? }
             }
-            GizmoHandle::Turn(axis) => turn_grip(&gizmo, axis, lens, at),
+            GizmoHandle::Turn(axis) => turn_grip(&gizmo, axis, projector, at),
             GizmoHandle::TurnView => {
-                HandleGrip::Outer { last: angle_about(lens.project(pivot)?, at)?, total: 0.0 }
+                HandleGrip::Outer { last: angle_about(projector.project(pivot)?, at)?, total: 0.0 }
             }
             GizmoHandle::ScaleAll => HandleGrip::Middle,
         };
@@ -87,63 +87,63 @@ impl HandleDrag {
     /// What the pointer at `at` makes of it; `None` when that place says nothing, and all is to stay as it is.
     pub(crate) fn to(
         &mut self,
-        lens: &Projector,
+        projector: &Projector,
         at: DVec2,
-        care: DragPrecision,
+        precision: DragPrecision,
     ) -> Option<(GizmoChange, DragAmount)> {
         let pivot = self.gizmo.pivot;
         let start = self.start;
-        let ray = lens.ray(at);
+        let ray = projector.ray(at);
         match (&mut self.grip, self.handle) {
             (HandleGrip::Axis(from), GizmoHandle::Scale(axis)) => {
                 let factor = along_axis(&ray, pivot, self.gizmo.axis(axis))? / *from;
-                Some(self.scale(Some(axis), factor, care))
+                Some(self.scale(Some(axis), factor, precision))
             }
             (HandleGrip::Axis(from), GizmoHandle::Move(axis)) => {
                 let direction = self.gizmo.axis(axis);
                 let step = (along_axis(&ray, pivot, direction)? - *from) * direction;
-                Some(self.step(step, [0, 1, 2].map(|other| other == axis), lens, care))
+                Some(self.step(step, [0, 1, 2].map(|other| other == axis), projector, precision))
             }
             (HandleGrip::Plane { normal, from }, handle) => {
                 let step = on_plane(&ray, pivot, *normal)? - *from;
                 let moves = [0, 1, 2].map(|other| handle != GizmoHandle::MovePlane(other));
-                Some(self.step(step, moves, lens, care))
+                Some(self.step(step, moves, projector, precision))
             }
             (HandleGrip::Ring { frame, last, total }, GizmoHandle::Turn(axis)) => {
                 let axis = self.gizmo.axis(axis);
                 let angle = angle_in(pivot, *frame, on_plane(&ray, pivot, axis)?);
                 *total += wrapped(angle - *last);
                 *last = angle;
-                Some(turn(pivot, axis, *total, care))
+                Some(turn(pivot, axis, *total, precision))
             }
             (HandleGrip::Edge(radians), GizmoHandle::Turn(axis)) => {
                 let total = radians.dot(at - start);
-                Some(turn(pivot, self.gizmo.axis(axis), total, care))
+                Some(turn(pivot, self.gizmo.axis(axis), total, precision))
             }
             (HandleGrip::Outer { last, total }, _) => {
-                let angle = angle_about(lens.project(pivot)?, at)?;
+                let angle = angle_about(projector.project(pivot)?, at)?;
                 *total += wrapped(angle - *last);
                 *last = angle;
-                Some(turn(pivot, -lens.towards(pivot), *total, care))
+                Some(turn(pivot, -projector.towards(pivot), *total, precision))
             }
             (HandleGrip::Middle, _) => {
                 let way = (at - start).dot(DVec2::new(1.0, -1.0));
-                Some(self.scale(None, (way / 120.0).exp2(), care))
+                Some(self.scale(None, (way / 120.0).exp2(), precision))
             }
             (HandleGrip::Axis(_) | HandleGrip::Ring { .. } | HandleGrip::Edge(_), _) => None,
         }
     }
 
     /// The points of the ring's sector that has been swept, from the center.
-    pub(crate) fn swept(&self, lens: &Projector) -> Option<Vec<DVec2>> {
+    pub(crate) fn swept(&self, projector: &Projector) -> Option<Vec<DVec2>> {
         let (axis, total, from) = match (&self.grip, self.handle) {
             (HandleGrip::Ring { total, .. }, GizmoHandle::Turn(axis)) => {
                 let axis = self.gizmo.axis(axis);
-                (axis, *total, on_plane(&lens.ray(self.start), self.gizmo.pivot, axis)?)
+                (axis, *total, on_plane(&projector.ray(self.start), self.gizmo.pivot, axis)?)
             }
             (HandleGrip::Outer { total, .. }, _) => {
-                let axis = -lens.towards(self.gizmo.pivot);
-                (axis, *total, on_plane(&lens.ray(self.start), self.gizmo.pivot, axis)?)
+                let axis = -projector.towards(self.gizmo.pivot);
+                (axis, *total, on_plane(&projector.ray(self.start), self.gizmo.pivot, axis)?)
             }
             _ => return None,
         };
@@ -154,9 +154,9 @@ impl HandleDrag {
         let steps = ((total.abs() * 24.0).ceil() as usize).clamp(1, 160);
         let rim = (0..=steps).filter_map(|step| {
             let arm = arm(frame, total * step as f64 / steps as f64);
-            lens.project(pivot + radius * self.gizmo.grain(lens) * arm)
+            projector.project(pivot + radius * self.gizmo.grain(projector) * arm)
         });
-        Some(lens.project(pivot).into_iter().chain(rim).collect())
+        Some(projector.project(pivot).into_iter().chain(rim).collect())
     }
 
     /// A move with round numbers.
@@ -164,11 +164,15 @@ impl HandleDrag {
         &self,
         step: DVec3,
         moves: [bool; 3],
-        lens: &Projector,
-        care: DragPrecision,
+        projector: &Projector,
+        precision: DragPrecision,
     ) -> (GizmoChange, DragAmount) {
-        let fine = if care.is_fine { 0.1 } else { 1.0 };
-        let grid = if care.snaps { steps::MOVE } else { steps::decimal_below(fine * self.gizmo.grain(lens)) };
+        let fine = if precision.is_fine { 0.1 } else { 1.0 };
+        let grid = if precision.snaps {
+            steps::MOVE
+        } else {
+            steps::decimal_below(fine * self.gizmo.grain(projector))
+        };
         let axes = self.gizmo.axes;
         let lead = if self.gizmo.is_local { DVec3::ZERO } else { self.gizmo.lead };
         let parts = steps::to_grid(DVec3::from_array(axes.map(|axis| axis.dot(step))), lead, moves, grid);
@@ -185,13 +189,13 @@ impl HandleDrag {
         (GizmoChange::Move(step), DragAmount::Meters(shown))
     }
 
-    fn scale(&self, axis: Option<usize>, factor: f64, care: DragPrecision) -> (GizmoChange, DragAmount) {
-        let step = match (care.snaps, care.is_fine) {
+    fn scale(&self, axis: Option<usize>, factor: f64, precision: DragPrecision) -> (GizmoChange, DragAmount) {
+        let step = match (precision.snaps, precision.is_fine) {
             (true, _) => steps::SCALE,
             (false, true) => 0.001,
             (false, false) => 0.01,
         };
-        let least = if care.snaps { steps::SCALE } else { LEAST_FACTOR };
+        let least = if precision.snaps { steps::SCALE } else { LEAST_FACTOR };
         let factor = steps::rounded(factor, step).clamp(least, 1e6);
         let factors = DVec3::from_array(
             [0, 1, 2].map(|other| if axis.is_none_or(|axis| axis == other) { factor } else { 1.0 }),
@@ -201,28 +205,28 @@ impl HandleDrag {
     }
 }
 
-fn turn_grip(gizmo: &Gizmo, axis: usize, lens: &Projector, at: DVec2) -> HandleGrip {
+fn turn_grip(gizmo: &Gizmo, axis: usize, projector: &Projector, at: DVec2) -> HandleGrip {
     /// The sine of the angle at which a ring counts as seen edge-on: there, its plane is met too far away.
     const EDGE_ON: f64 = 0.25;
     let (pivot, axis) = (gizmo.pivot, gizmo.axis(axis));
     let frame = across(axis);
-    let met = on_plane(&lens.ray(at), pivot, axis);
-    if lens.towards(pivot).dot(axis).abs() > EDGE_ON
+    let met = on_plane(&projector.ray(at), pivot, axis);
+    if projector.towards(pivot).dot(axis).abs() > EDGE_ON
         && let Some(met) = met
     {
         return HandleGrip::Ring { frame, last: angle_in(pivot, frame, met), total: 0.0 };
     }
     // The near point of the ring goes where the pointer goes.
-    let radius = RING * gizmo.grain(lens);
-    let near = (-lens.towards(pivot)).reject_from_normalized(axis).normalize_or(frame[0]);
+    let radius = RING * gizmo.grain(projector);
+    let near = (-projector.towards(pivot)).reject_from_normalized(axis).normalize_or(frame[0]);
     let along = axis.cross(near);
-    let meter = in_picture(lens, pivot + radius * near, along).unwrap_or(DVec2::ZERO);
+    let meter = in_picture(projector, pivot + radius * near, along).unwrap_or(DVec2::ZERO);
     let length_squared = meter.length_squared();
     HandleGrip::Edge(if length_squared > 0.0 { meter / length_squared / radius } else { DVec2::ZERO })
 }
 
-fn turn(pivot: DVec3, axis: DVec3, radians: f64, care: DragPrecision) -> (GizmoChange, DragAmount) {
-    let step = match (care.snaps, care.is_fine) {
+fn turn(pivot: DVec3, axis: DVec3, radians: f64, precision: DragPrecision) -> (GizmoChange, DragAmount) {
+    let step = match (precision.snaps, precision.is_fine) {
         (true, _) => steps::TURN,
         (false, true) => 0.01,
         (false, false) => 0.1,

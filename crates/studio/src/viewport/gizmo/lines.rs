@@ -1,4 +1,4 @@
-//! Where pointer rays meet planes and axes.
+//! Intersections of pointer rays with planes and axes.
 
 use glam::{DVec2, DVec3};
 
@@ -77,9 +77,9 @@ pub(crate) fn across(axis: DVec3) -> [DVec3; 2] {
 }
 
 /// The direction, in the picture, in which a step along `axis` from `point` leads, and the points a meter spans there.
-pub(crate) fn in_picture(lens: &Projector, point: DVec3, axis: DVec3) -> Option<DVec2> {
-    let step = lens.meters_per_point(point);
-    Some((lens.project(point + step * axis)? - lens.project(point - step * axis)?) / (2.0 * step))
+pub(crate) fn in_picture(projector: &Projector, point: DVec3, axis: DVec3) -> Option<DVec2> {
+    let step = projector.meters_per_point(point);
+    Some((projector.project(point + step * axis)? - projector.project(point - step * axis)?) / (2.0 * step))
 }
 
 #[cfg(test)]

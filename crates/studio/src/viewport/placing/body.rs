@@ -1,4 +1,4 @@
-//! Where a new body stands.
+//! The place of a new body.
 
 use std::f64::consts::TAU;
 
@@ -91,8 +91,8 @@ impl PlacementView<'_> {
     /// The place for a body on what is seen at a place of the picture, if that is level.
     fn spot_at(&self, at: DVec2, shape: ShapeKind, share: f64) -> Option<(NewBodyPlacement, SupportSurface)> {
         let limit = FARTHEST * self.reach();
-        let Some(hit) = self.sight.body_at(at) else {
-            let ray = self.sight.lens.ray(at);
+        let Some(hit) = self.scene_view.body_at(at) else {
+            let ray = self.scene_view.projector.ray(at);
             let distance = -ray.origin.y / ray.direction.y;
             let foot = ray.at(distance).with_y(0.0);
             // Without any body to stand on, the ground is as good as a floor.
@@ -136,7 +136,7 @@ impl PlacementView<'_> {
     /// The size of a body at a point: the default where that suits the picture, otherwise 1, 2 or 5 times a power of
     /// ten.
     fn fitting_size(&self, shape: ShapeKind, point: DVec3, share: f64) -> f64 {
-        let height = self.sight.lens.size().y * self.sight.lens.meters_per_point(point);
+        let height = self.scene_view.projector.size().y * self.scene_view.projector.meters_per_point(point);
         let part = share * extent(shape, 1.0) / height;
         if (FITTING[0]..=FITTING[1]).contains(&part) {
             return share;
@@ -168,7 +168,7 @@ impl PlacementView<'_> {
             DVec3::select(is_far, bounds.max, bounds.min)
         });
         corners.all(|corner| {
-            self.sight.lens.project(corner).is_some_and(|at| {
+            self.scene_view.projector.project(corner).is_some_and(|at| {
                 at.x > least.x + 4.0 && at.x < most.x - 4.0 && at.y > least.y && at.y < most.y - 4.0
             })
         }) && self.is_seen(bounds.center())
@@ -176,7 +176,7 @@ impl PlacementView<'_> {
 
     /// A floor; where there is one already, a wall behind what is seen.
     fn spot_for_plane(&self) -> NewBodyPlacement {
-        let [_, _, forward] = self.sight.lens.axes();
+        let [_, _, forward] = self.scene_view.projector.axes();
         let floors = self.scene.bodies.iter().filter(|body| !body.hidden && is_floor(body));
         let below = floors.map(plane_height).filter(|height| *height < self.camera().position.y);
         if below.reduce(f64::max).is_none() {

@@ -1,4 +1,4 @@
-//! Where a new light hangs.
+//! The place of a new light.
 
 use glam::{DVec2, DVec3};
 
@@ -41,12 +41,12 @@ impl PlacementView<'_> {
     }
 
     fn lights_subject(&self, place: DVec3) -> bool {
-        let Some(hit) = self.sight.body_at(self.place(DVec2::splat(0.5))) else {
+        let Some(hit) = self.scene_view.body_at(self.place(DVec2::splat(0.5))) else {
             // There is no surface: light from above is as good as any.
             return place.y > self.subject.y;
         };
         let way = place - hit.position;
         let cosine = way.normalize_or_zero().dot(hit.normal.as_dvec3());
-        cosine > LEAST_COSINE && self.sight.is_clear(place, hit.position)
+        cosine > LEAST_COSINE && self.scene_view.is_clear(place, hit.position)
     }
 }

@@ -1,4 +1,4 @@
-//! What has changed in the window.
+//! The changed parts of the window.
 
 use std::collections::HashSet;
 

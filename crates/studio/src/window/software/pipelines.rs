@@ -1,4 +1,4 @@
-//! How triangles are drawn.
+//! The pipelines that draw triangles.
 
 use std::num::NonZeroU64;
 

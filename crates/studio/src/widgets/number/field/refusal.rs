@@ -1,4 +1,4 @@
-//! Why a typed text is not taken, in words.
+//! The reason of a refused text, in words.
 
 use catoptric_scene::format::spec::Limits;
 

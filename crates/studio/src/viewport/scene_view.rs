@@ -1,4 +1,4 @@
-//! What is where in the picture that is shown.
+//! The displayed picture with its camera, for hit tests.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ use crate::view::ProjectedPoint;
 const REACH: f64 = 12.0;
 
 /// The displayed picture, for hit tests.
-pub(crate) struct VisiblePicture {
+pub(crate) struct SceneView {
     /// Where the whole picture is, points of the window.
     pub(crate) rect: Rect,
     /// The part of it that no panel covers.
@@ -29,7 +29,7 @@ pub(crate) struct VisiblePicture {
     pub(crate) clear: Rect,
     /// The camera of the picture.
     pub(crate) camera: Camera,
-    pub(crate) lens: Projector,
+    pub(crate) projector: Projector,
     /// The scene prepared for rays, with the same camera.
     stage: Option<(Arc<Stage>, StageCamera)>,
 }
@@ -51,7 +51,7 @@ pub(crate) enum PointerTarget {
     Nothing,
 }
 
-impl VisiblePicture {
+impl SceneView {
     /// The picture of `camera` in `rect`, as far as `tile` shows it; a bar reaches so far down from the tile's top, points.
     pub(crate) fn new(live: &Live, rect: Rect, (tile, bar): (Rect, f32), camera: Camera) -> Self {
         /// In small windows the bar may take a part of the picture that cannot be done without.
@@ -64,7 +64,7 @@ impl VisiblePicture {
         let visible = tile.intersect(rect);
         let top = (tile.top() + bar).clamp(visible.top(), visible.top() + MOST * visible.height().max(0.0));
         let clear = visible.with_min_y(top);
-        Self { rect, visible, clear, camera, lens: Projector::new(&camera, size), stage }
+        Self { rect, visible, clear, camera, projector: Projector::new(&camera, size), stage }
     }
 
     /// A place of the window in the picture.
@@ -80,19 +80,19 @@ impl VisiblePicture {
 
     /// A point of the world in the window.
     pub(crate) fn point(&self, point: DVec3) -> Option<Pos2> {
-        self.lens.project(point).map(|at| self.pos(at))
+        self.projector.project(point).map(|at| self.pos(at))
     }
 
     /// The nearest body under a place.
     pub(crate) fn body_at(&self, at: DVec2) -> Option<SurfaceHit> {
         let (stage, camera) = self.stage.as_ref()?;
-        stage.nearest(&camera.ray(at, self.lens.size()))
+        stage.nearest(&camera.ray(at, self.projector.size()))
     }
 
     /// Under which angle the nearest body is seen at a place.
     pub(crate) fn seen_at(&self, at: DVec2) -> Option<ProjectedPoint> {
         let (stage, camera) = self.stage.as_ref()?;
-        let ray = camera.ray(at, self.lens.size());
+        let ray = camera.ray(at, self.projector.size());
         let hit = stage.nearest(&ray)?;
         let (direction, normal) = (ray.direction.as_dvec3(), hit.normal.as_dvec3());
         let degrees = direction.cross(normal).length().atan2(-direction.dot(normal)).to_degrees();
@@ -106,14 +106,14 @@ impl VisiblePicture {
     /// All bodies under a place, the nearest first.
     pub(crate) fn bodies_at(&self, at: DVec2) -> Vec<usize> {
         let Some((stage, camera)) = &self.stage else { return Vec::new() };
-        let hits = stage.hits_along(&camera.ray(at, self.lens.size()));
+        let hits = stage.hits_along(&camera.ray(at, self.projector.size()));
         hits.into_iter().map(|hit| hit.body).collect()
     }
 
     /// The bodies around the eye, found along the ray at a place: each is left on its way.
     pub(crate) fn rooms_at(&self, at: DVec2) -> Vec<usize> {
         let Some((stage, camera)) = &self.stage else { return Vec::new() };
-        let hits = stage.hits_along(&camera.ray(at, self.lens.size()));
+        let hits = stage.hits_along(&camera.ray(at, self.projector.size()));
         hits.into_iter().filter(|hit| hit.hit.leaving).map(|hit| hit.body).collect()
     }
 
@@ -147,7 +147,7 @@ impl VisiblePicture {
         let mut near: Vec<(Item, f64)> = marks(cx)
             .into_iter()
             .filter_map(|item| {
-                let place = self.lens.project(place_of(cx.editor.scene(), item)?)?;
+                let place = self.projector.project(place_of(cx.editor.scene(), item)?)?;
                 Some((item, place.distance(at)))
             })
             .filter(|(_, distance)| *distance <= REACH)
@@ -158,7 +158,7 @@ impl VisiblePicture {
 
     /// What a pointer at a place takes hold of.
     pub(crate) fn target(&self, cx: &Cx<'_>, gizmo: Option<&Gizmo>, at: DVec2) -> PointerTarget {
-        if let Some(handle) = gizmo.and_then(|gizmo| gizmo.handle_at(&self.lens, at)) {
+        if let Some(handle) = gizmo.and_then(|gizmo| gizmo.handle_at(&self.projector, at)) {
             return PointerTarget::Handle(handle);
         }
         if let Some(item) = self.marks_at(cx, at).first() {
