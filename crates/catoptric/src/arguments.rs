@@ -89,8 +89,8 @@ pub(crate) struct StudioArguments {
 pub(crate) struct RenderArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The picture to write; its extension decides: .png, .jpg, .webp, .tif (display), .exr or .hdr (linear light); - for
-    /// standard output
+    /// The picture to write; its extension decides: .png, .jpg, .webp, .tif (display), .exr or .hdr (linear light); -
+    /// for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// The format to write, such as png or exr, whatever the name of the file says; streams get a PNG by default

@@ -18,8 +18,8 @@ pub(crate) fn threads(count: usize) -> Result<ThreadPool> {
     pool.map_err(|error| anyhow!("cannot start the threads; ask for fewer with --threads: {error}"))
 }
 
-/// Starts the threads of a command that has no pool of its own. Left to themselves they would start when they are needed,
-/// and end the program where the system refuses them.
+/// Starts the threads of a command that has no pool of its own. Left to themselves they would start when they are
+/// needed, and end the program where the system refuses them.
 pub(crate) fn start_threads() -> Result<()> {
     let started = ThreadPoolBuilder::new().build_global();
     started.map_err(|error| anyhow!("cannot start the threads; the system refuses them memory: {error}"))

@@ -7,8 +7,8 @@ use std::sync::mpsc::{Receiver, sync_channel};
 use catoptric_picture::{Picture, SizeError};
 use rayon::ThreadPool;
 
-/// A picture whose memory one of the threads gets from the system while they have nothing else to do: that takes 1 ms for
-/// 8 MB, and otherwise happens when pixels are written.
+/// A picture whose memory one of the threads gets from the system while they have nothing else to do: that takes 1 ms
+/// for 8 MB, and otherwise happens when pixels are written.
 pub(crate) struct PictureBuffer {
     is_enough: Arc<AtomicBool>,
     is_by_only_thread: bool,

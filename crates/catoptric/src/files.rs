@@ -108,8 +108,8 @@ impl CommandFiles {
         self.add_output(path)
     }
 
-    /// Adds a directory that files of these names, and perhaps others, are written into, and asks whether they can be. It
-    /// is made when the first of them is written.
+    /// Adds a directory that files of these names, and perhaps others, are written into, and asks whether they can be.
+    /// It is made when the first of them is written.
     ///
     /// # Errors
     /// If they cannot, or if the command reads one of them or writes another output there.
@@ -123,7 +123,7 @@ impl CommandFiles {
         for name in names {
             let path = directory.join(name);
             self.check_free(&path)?;
-            // Inputs that are only known later, such as the pictures of the scene, are held against it too.
+            // Inputs that are only known later, such as the pictures of the scene, are compared with it too.
             if let Some(id) = FileId::of_output(&path) {
                 self.outputs.push(KnownFile { path, id });
             }

@@ -9,8 +9,8 @@ use glam::UVec2;
 /// The most notes on one scene.
 const MOST: usize = 10;
 
-/// Notes on a scene, a line each: materials that send on more light than they get, mirrors that need more generations, and
-/// trees that have very many rays.
+/// Notes on a scene, a line each: materials that send on more light than they get, mirrors that need more generations,
+/// and trees that have very many rays.
 pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     let mut notes: Vec<String> = excesses(scene).iter().map(of_excess).collect();
     if let Ok(stage) = Stage::prepare(scene) {
@@ -27,7 +27,7 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     notes.iter().map(|note| format!("{name}: note: {note}\n")).collect()
 }
 
-/// The rays of a picture, as far as they can be told before it is traced.
+/// The rays of a picture, as far as they are known before it is traced.
 pub(crate) struct RayForecast {
     /// About so many, of all kinds.
     pub(crate) rays: f64,
@@ -36,8 +36,8 @@ pub(crate) struct RayForecast {
 }
 
 impl RayForecast {
-    /// Estimates the rays on the threads of the current rayon pool; `None` where no tree forks: then it has no more rays
-    /// than generations, but for those to lights.
+    /// Estimates the rays on the threads of the current rayon pool; `None` where no tree forks: then it has no more
+    /// rays than generations, but for those to lights.
     pub(crate) fn of(stage: &Stage, settings: RenderSettings) -> Option<Self> {
         if !stage.forks() {
             return None;

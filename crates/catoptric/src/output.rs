@@ -36,8 +36,8 @@ pub(crate) fn format_names() -> String {
     PictureFormat::all_extensions(true).collect::<Vec<_>>().join(", ")
 }
 
-/// The format of the picture to write to `path`: `format` if it is given, else what the extension says. PNG for a pipe, a
-/// device or a descriptor whose name says nothing.
+/// The format of the picture to write to `path`: `format` if it is given, else what the extension says. PNG for a pipe,
+/// a device or a descriptor whose name says nothing.
 pub(crate) fn format_for_output(path: &Path, format: Option<PictureFormat>) -> Result<PictureFormat> {
     match (format, PictureFormat::of_path(path)) {
         (Some(format), _) | (None, Some(format)) => Ok(format),

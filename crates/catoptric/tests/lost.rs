@@ -1,7 +1,7 @@
 //! The driver of the window fails: the studio opens the window anew, with everything in it.
 //!
-//! Skipped, with a word about it, where there is no Xvfb. This program is also the studio whose driver fails: a window is
-//! opened by the main thread, which the tests of the usual harness do not have.
+//! Skipped, with a word about it, where there is no Xvfb. This program is also the studio whose driver fails: a window
+//! is opened by the main thread, which the tests of the usual harness do not have.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 #[cfg(target_os = "linux")]

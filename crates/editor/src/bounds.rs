@@ -81,8 +81,8 @@ pub fn of_body(body: &Body) -> Option<Bounds> {
     })
 }
 
-/// Whether a plane parts two bodies: they have nothing but their surfaces in common then. Tried are planes across the axes
-/// of both, the products of these and the line between the middles, as for boxes (Gottschalk et al. 1996, OBBTree,
+/// Whether a plane parts two bodies: they have nothing but their surfaces in common then. Tried are planes across the
+/// axes of both, the products of these and the line between the middles, as for boxes (Gottschalk et al. 1996, OBBTree,
 /// sec. 5); two bodies may be apart and not be found to be. Planes are apart from nothing.
 pub fn are_apart(one: &Body, other: &Body) -> bool {
     /// Bodies that stand on each other overlap by rounding: this part of their sizes does not count.

@@ -30,8 +30,8 @@ enum Id {
 }
 
 impl FileId {
-    /// The plain file that is read at `path`, `-` being standard input; `None` for pipes and devices, which nothing that
-    /// is written can destroy, and for what is not there.
+    /// The plain file that is read at `path`, `-` being standard input; `None` for pipes and devices, which nothing
+    /// that is written can destroy, and for what is not there.
     pub fn of_input(path: &Path) -> Option<Self> {
         let metadata = if descriptor::is_dash(path) {
             Descriptor::STDIN.duplicate().and_then(|file| file.metadata()).ok()?

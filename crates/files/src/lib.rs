@@ -1,12 +1,12 @@
 //! Files written whole or not at all, streams written through, and what tells files apart.
 //!
-//! The new content of a plain file goes to a temporary file in the target's own directory, is synchronized to the disk and
-//! renamed over the target, which POSIX and Windows do in one step. So a reader sees the old file or the
-//! new one. Hard links to the old file keep the old content; its permissions pass to the new one.
+//! The new content of a plain file goes to a temporary file in the target's own directory, is synchronized to the disk
+//! and renamed over the target, which POSIX and Windows do in one step. So a reader sees the old file or the new one.
+//! Hard links to the old file keep the old content; its permissions pass to the new one.
 //!
 //! What is no plain file is never replaced: a pipe or device is opened and written to, and a path that names an open
-//! descriptor (`-`, `/dev/stdout`, `/dev/fd/3`, a link to one) is written through that descriptor, so that a shell's `>>`
-//! appends and several programs can share a file.
+//! descriptor (`-`, `/dev/stdout`, `/dev/fd/3`, a link to one) is written through that descriptor, so that a shell's
+//! `>>` appends and several programs can share a file.
 
 mod descriptor;
 mod error;

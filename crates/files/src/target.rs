@@ -68,7 +68,8 @@ pub(crate) fn directory_of(path: &Path) -> &Path {
 /// The target of symbolic links.
 enum LinkTarget {
     Descriptor(Descriptor),
-    /// A descriptor of another process, by its link: the link's text may be the name of a file, which must not be replaced.
+    /// A descriptor of another process, by its link: the link's text may be the name of a file, which must not be
+    /// replaced.
     Foreign(PathBuf),
     /// Whether or not something is there.
     Path(PathBuf),

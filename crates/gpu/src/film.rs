@@ -229,8 +229,8 @@ impl GpuFilm {
         Ok(picture)
     }
 
-    /// The body that the last sample met in each pixel, by its place in the stage; [`NO_BODY`](catoptric_tracer::NO_BODY)
-    /// where it met none.
+    /// The body that the last sample met in each pixel, by its place in the stage;
+    /// [`NO_BODY`](catoptric_tracer::NO_BODY) where it met none.
     ///
     /// # Errors
     /// When there is too little memory, or the card is lost.

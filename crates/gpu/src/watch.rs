@@ -13,7 +13,7 @@ pub struct LossWatch {
 type LossCallback = Box<dyn FnOnce() + Send>;
 
 impl LossWatch {
-    /// Watches `device`: its loss is told here from now on, and nowhere else. `tell` is called once, in any thread.
+    /// Watches `device`: its loss is recorded here from now on, and nowhere else. `tell` is called once, in any thread.
     pub fn over(device: &wgpu::Device, tell: impl FnOnce() + Send + 'static) -> Arc<Self> {
         let tell: LossCallback = Box::new(tell);
         let (device, tell) = (device.clone(), Mutex::new(Some(tell)));
@@ -28,8 +28,8 @@ impl LossWatch {
         watch
     }
 
-    /// Takes an error that nobody looks for as a loss, too: what the device made since then may be missing. Otherwise it
-    /// would end the program.
+    /// Takes an error that nobody looks for as a loss, too: what the device made since then may be missing. Otherwise
+    /// it would end the program.
     pub fn mind_errors(self: &Arc<Self>) {
         let told = Arc::downgrade(self);
         self.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {

@@ -84,12 +84,12 @@ pub struct Audit {
 
 /// How it is known that the light of the rays adds up to the pixel.
 ///
-/// The renderer adds up the rays of a sample in double precision, in the order in which it meets them, and rounds the sum to
-/// single precision.
+/// The renderer adds up the rays of a sample in double precision, in the order in which it meets them, and rounds the
+/// sum to single precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proof {
-    /// The exact sum has few enough digits that no order of adding rounds, or lies so that all orders are rounded to the
-    /// same single-precision number.
+    /// The exact sum has few enough digits that no order of adding rounds, or lies so that all orders are rounded to
+    /// the same single-precision number.
     AnyOrder,
     /// The last bit could depend on the order of adding; the pixel was rendered anew to see it. Whether that bit is the
     /// one of the exact sum.

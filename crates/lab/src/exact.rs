@@ -159,8 +159,8 @@ const LEAST_MIRROR: f64 = 0.25;
 /// The most mirrors, bodies before them, and bodies with highlights that are examined.
 const MOST: usize = 8;
 
-/// The exact answers that a scene has, for the strongest of its mirrors and the first of its other bodies: those that the
-/// tracer has an answer to as well.
+/// The exact answers that a scene has, for the strongest of its mirrors and the first of its other bodies: those that
+/// the tracer has an answer to as well.
 pub fn answers(scene: &Scene) -> ExactAnswers {
     let mut answers = answers_for(scene, None);
     answers.answers.retain(ExactAnswer::is_found);
@@ -283,8 +283,8 @@ impl<'a> ExactSetup<'a> {
         }
     }
 
-    /// Where the picture's ray towards a point begins, and where it goes; `None` if the point lies behind the window of a
-    /// parallel camera.
+    /// Where the picture's ray towards a point begins, and where it goes; `None` if the point lies behind the window of
+    /// a parallel camera.
     fn sight(&self, point: DVec3) -> Option<(DVec3, DVec3)> {
         let eye = self.scene.camera.position;
         let Some(view) = self.parallel_view() else { return Some((eye, point - eye)) };

@@ -17,8 +17,8 @@ pub enum MapKind {
     Generations,
     /// All rays of the pixel, shadow rays included; the mean of its samples.
     Rays,
-    /// The share of the pixel's light that the limit of generations leaves out, against [`DEEPEST`] generations. Rays of a
-    /// weight below the scene's threshold are left out of both, at least those below [`LIGHTEST`].
+    /// The share of the pixel's light that the limit of generations leaves out, against [`DEEPEST`] generations. Rays
+    /// of a weight below the scene's threshold are left out of both, at least those below [`LIGHTEST`].
     LimitLoss,
     /// The share of the pixel's light that the threshold leaves out, against one of [`LIGHTEST`] of it, at most
     /// [`LIGHTEST`].

@@ -146,8 +146,8 @@ fn orbit(camera: &Camera, degrees: f64) -> Camera {
     Camera { position: camera.target + turn * (camera.position - camera.target), ..*camera }
 }
 
-/// Works for `busy` in every sixtieth of a second, as a window drawn by software does, until it is to stop. Returns what
-/// each of them took, milliseconds.
+/// Works for `busy` in every sixtieth of a second, as a window drawn by software does, until it is to stop. Returns
+/// what each of them took, milliseconds.
 fn window(busy: Duration, stop: &AtomicBool) -> Vec<f64> {
     let mut took = Vec::new();
     while !stop.load(Ordering::Relaxed) {

@@ -72,8 +72,8 @@ impl Live {
         self.shared.request(request);
     }
 
-    /// Lets a graphics card draw Whitted's tree from now on, or the processor. If the card is lost, the processor goes on,
-    /// and [`Status::card_lost`] says why.
+    /// Lets a graphics card draw Whitted's tree from now on, or the processor. If the card is lost, the processor goes
+    /// on, and [`Status::card_lost`] says why.
     pub fn draw_with(&self, card: Option<Arc<Gpu>>) {
         self.shared.draw_with(card);
     }
@@ -88,8 +88,8 @@ impl Live {
         self.shared.status()
     }
 
-    /// The stage of the newest prepared scene with its revision: for picking, one ray being cheap. It should not be kept:
-    /// a stage that is let go of is edited when bodies change, one that is held has to be copied.
+    /// The stage of the newest prepared scene with its revision: for picking, one ray being cheap. It should not be
+    /// kept: a stage that was dropped is edited when bodies change, one that is kept has to be copied.
     pub fn stage(&self) -> Option<(u64, Arc<Stage>)> {
         self.shared.stage()
     }

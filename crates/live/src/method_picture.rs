@@ -1,5 +1,5 @@
-//! Pictures by other methods than Whitted's: drawn as a whole, coarsely while something moves, then at full size, then with
-//! more and more samples.
+//! Pictures by other methods than Whitted's: drawn as a whole, coarsely while something moves, then at full size, then
+//! with more and more samples.
 
 use std::borrow::Cow;
 use std::time::Instant;

@@ -269,8 +269,8 @@ impl Worker {
         }
     }
 
-    /// Does `work` on the threads that trace and watches it meanwhile. `progress` tells from the pixels done how far the
-    /// picture is refined.
+    /// Does `work` on the threads that trace and watches it meanwhile. `progress` tells from the pixels done how far
+    /// the picture is refined.
     pub(crate) fn watched<T: Send>(
         &self,
         view: &RequestState,

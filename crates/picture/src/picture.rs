@@ -89,8 +89,8 @@ impl Picture {
     /// A zero side, a size beyond the limits, or too little memory.
     pub fn new(width: u32, height: u32) -> Result<Picture, SizeError> {
         let count = Self::check_size(width, height)?;
-        // Fresh memory is all zeros as it comes: nothing is written here, so that the threads that fill the picture share
-        // the cost of getting it.
+        // Fresh memory is all zeros as it comes: nothing is written here, so that the threads that fill the picture
+        // share the cost of getting it.
         let pixels = bytemuck::allocation::try_zeroed_vec(count).map_err(|()| {
             let bytes = bytes_needed(width, height);
             SizeError::Memory { width, height, bytes }

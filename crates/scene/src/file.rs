@@ -54,11 +54,11 @@ pub fn load(path: impl AsRef<Path>) -> Result<LoadedScene, LoadError> {
     }
 }
 
-/// Reads a scene file, and the pictures that it names, as far as it can be understood, whatever is wrong in it. With the
-/// reading comes the text that its places refer to.
+/// Reads a scene file, and the pictures that it names, as far as it can be understood, whatever is wrong in it. With
+/// the reading comes the text that its places refer to.
 ///
-/// The paths of pictures begin at the folder of the file; those of a scene from a stream (`-`, `/dev/stdin`, a pipe) where
-/// the program was started.
+/// The paths of pictures begin at the folder of the file; those of a scene from a stream (`-`, `/dev/stdin`, a pipe)
+/// where the program was started.
 ///
 /// # Errors
 /// When the file cannot be read at all.

@@ -42,8 +42,8 @@ impl ImageSource {
 
 /// A picture that a scene takes from a file: surroundings, or the texture of a body.
 ///
-/// The scene file has its path; the pixels are there once it is [opened](Image::open_source). Without them, surroundings are
-/// the background and a body has its color.
+/// The scene file has its path; the pixels are there once it is [opened](Image::open_source). Without them,
+/// surroundings are the background and a body has its color.
 #[derive(Clone)]
 pub struct Image {
     source: ImageSource,
@@ -99,8 +99,9 @@ impl Image {
         self.brightest
     }
 
-    /// The picture of a source, a file of any format that is read. A relative path begins at `folder`, that of the scene
-    /// file, or where the program was started. The same file, unchanged, gives the same pixels while any scene has them.
+    /// The picture of a source, a file of any format that is read. A relative path begins at `folder`, that of the
+    /// scene file, or where the program was started. The same file, unchanged, gives the same pixels while any scene
+    /// has them.
     ///
     /// # Errors
     /// What is wrong with the file.
@@ -166,8 +167,8 @@ impl Image {
         Self::moved(path, from, to, Self::path_from)
     }
 
-    /// [`moved_path`](Self::moved_path), but a relative path stays relative wherever there is a way from `to`, up and down:
-    /// folders that are moved together find their files still.
+    /// [`moved_path`](Self::moved_path), but a relative path stays relative wherever there is a way from `to`, up and
+    /// down: folders that are moved together find their files still.
     pub fn moved_relative_path(path: &str, from: &Path, to: &Path) -> Option<String> {
         let name = |to: &Path, file: &Path| {
             let way = Path::new(path).is_relative().then(|| way(to, file)).flatten();
@@ -195,8 +196,8 @@ impl Image {
         (moved != path).then_some(moved)
     }
 
-    /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else by
-    /// the whole path. An empty folder is none.
+    /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else
+    /// by the whole path. An empty folder is none.
     pub fn path_from(folder: &Path, file: &Path) -> String {
         let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let (folder, file) = (whole(folder), whole(file));

@@ -2,7 +2,8 @@
 //!
 //! A [`Scene`] holds bodies, their materials, lights, a camera, the surroundings and the limits of tracing, in the
 //! units of the file format `catoptric/1`: meters, degrees, linear RGB. It is plain data: cloning and comparing are
-//! cheap enough for undo, since copies of a list of bodies share what is alike, and nothing here traces, draws or starts a thread.
+//! cheap enough for undo, since copies of a list of bodies share what is alike, and nothing here traces, draws or
+//! starts a thread.
 
 mod body;
 mod camera;

@@ -139,8 +139,8 @@ pub struct Material {
     pub tint: Color,
     /// A picture on the body, in the place of its color. Default none.
     ///
-    /// It is wrapped once around spheres, cylinders and cones, seen upright from outside, its middle towards z; it covers
-    /// each face of a cube and, as far as a circle goes, each cap; on a plane it is repeated every meter.
+    /// It is wrapped once around spheres, cylinders and cones, seen upright from outside, its middle towards z; it
+    /// covers each face of a cube and, as far as a circle goes, each cap; on a plane it is repeated every meter.
     pub texture: Option<Image>,
     /// A second color in a checkerboard. Default none.
     pub checker: Option<Checker>,
@@ -157,8 +157,8 @@ pub struct Material {
     pub attenuation_distance: f64,
     /// What a conductor is. Default silver.
     pub conductor: Conductor,
-    /// How rough the surface is that reflects, 0 (the default, smooth) to 1: the square root of the width α of the slopes
-    /// of its facets.
+    /// How rough the surface is that reflects, 0 (the default, smooth) to 1: the square root of the width α of the
+    /// slopes of its facets.
     pub roughness: f64,
 }
 
@@ -236,8 +236,8 @@ impl Material {
         self.model == Model::Phong && self.specular > 0.0
     }
 
-    /// Whether it reflects and refracts by facets that are turned every which way: it has neither image points nor focal
-    /// points.
+    /// Whether it reflects and refracts by facets that are turned every which way: it has neither image points nor
+    /// focal points.
     pub fn is_rough(&self) -> bool {
         self.roughness > 0.0 && !matches!(self.model, Model::Phong | Model::Matte)
     }

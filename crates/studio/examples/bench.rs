@@ -1,8 +1,8 @@
 //! How quickly the studio answers, in a real window: `cargo xtask bench-studio` calls this.
 //!
-//! Events of a mouse are put into the window's input and wake it, so that everything runs as under a hand. A time "to the
-//! screen" begins when the mouse moves and ends when the frame that draws the new picture has been handed over and the
-//! next one begins.
+//! Events of a mouse are put into the window's input and wake it, so that everything runs as under a hand. A time "to
+//! the screen" begins when the mouse moves and ends when the frame that draws the new picture has been handed over and
+//! the next one begins.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a benchmark")]
 
 use std::path::PathBuf;

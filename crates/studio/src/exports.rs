@@ -1,5 +1,5 @@
-//! Files that are made of what was found out: drawings, pages, folders with reports. A person says where; a thread makes
-//! them and writes them; what was there before is replaced only if that is agreed.
+//! Files that are made of what was found out: drawings, pages, folders with reports. A person says where; a thread
+//! makes them and writes them; what was there before is replaced only if that is agreed.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -103,8 +103,8 @@ pub(crate) struct MaterialBrowser {
     /// Whether the list is to have the keys.
     wants_focus: bool,
     thumbnails: Thumbnails<MaterialPreview>,
-    /// What materials of the scene were by name when there last was a picture: it stays until there is one of what they are
-    /// now.
+    /// What materials of the scene were by name when there last was a picture: it stays until there is one of what they
+    /// are now.
     seen: HashMap<String, MaterialPreview>,
 }
 
@@ -248,8 +248,8 @@ fn target(cx: &Cx<'_>) -> (String, bool) {
     }
 }
 
-/// Gives the selected bodies a material: one of the scene is shared, a preset becomes their own. If materials are selected
-/// instead, they become what the preset is.
+/// Gives the selected bodies a material: one of the scene is shared, a preset becomes their own. If materials are
+/// selected instead, they become what the preset is.
 fn give(cx: &mut Cx<'_>, thing: MaterialItem) {
     let scene = Arc::clone(cx.editor.scene());
     let selection = cx.editor.selection();

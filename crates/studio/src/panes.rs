@@ -41,7 +41,8 @@ pub(crate) struct PaneBehavior<'a> {
     pub(crate) panes: &'a mut Panes,
     /// The viewport's tile, which needs no title while it stands alone.
     pub(crate) viewport: Option<TileId>,
-    /// The panels whose tabs are closed: they are hidden after the frame, since a layout must not change while it is drawn.
+    /// The panels whose tabs are closed: they are hidden after the frame, since a layout must not change while it is
+    /// drawn.
     pub(crate) closed: Vec<Pane>,
 }
 

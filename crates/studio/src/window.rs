@@ -69,8 +69,8 @@ impl InjectedLoss {
 /// anew with everything in it.
 ///
 /// # Errors
-/// When there is no display, when neither the graphics card nor a software driver can draw a window, or when devices are
-/// lost again and again.
+/// When there is no display, when neither the graphics card nor a software driver can draw a window, or when devices
+/// are lost again and again.
 pub fn open(start: &StartDocument, interruption: &Interruption) -> Result<(), StudioError> {
     open_with_fault(start, interruption, &InjectedLoss::default())
 }
@@ -92,8 +92,8 @@ pub fn open_with_fault(
         let watch = OnceCell::new();
         let shown = show(&mut opened, &watch, (start, interruption, fault));
         let Some(WindowSession { studio, context }) = &mut opened else { return shown };
-        // What the toolkit still holds of a device that is lost can make it panic. Its loop then has to end first, which it
-        // does without a window.
+        // What the toolkit still holds of a device that is lost can make it panic. Its loop then has to end first,
+        // which it does without a window.
         let was_broken_off = std::mem::replace(&mut is_broken_off, shown.is_err());
         if was_broken_off && shown.is_ok() && watch.get().is_none() {
             continue;
@@ -120,7 +120,7 @@ struct WindowSession {
     context: Context,
 }
 
-/// Opens a window and stays until it is closed, or its device is lost, as `watch` then tells.
+/// Opens a window and stays until it is closed, or its device is lost, as `watch` then reports.
 fn show(
     opened: &mut Option<WindowSession>,
     watch: &OnceCell<Arc<LossWatch>>,
@@ -184,7 +184,7 @@ fn viewport(opened: Option<&WindowSession>) -> ViewportBuilder {
     })
 }
 
-/// What lets go of all that was held down in a window that is gone: nobody will tell that it is released.
+/// Releases all keys and buttons that were down in a closed window, since no event reports it.
 fn held(context: &Context) -> Vec<Event> {
     context.input(|input| {
         let pos = input.pointer.interact_pos().unwrap_or_default();

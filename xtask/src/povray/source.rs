@@ -100,7 +100,8 @@ fn shape(body: &Body) -> String {
     }
 }
 
-/// The way from the body's frame to the world: the images of the three axes and of the origin, mirrored before and after.
+/// The way from the body's frame to the world: the images of the three axes and of the origin, mirrored before and
+/// after.
 fn matrix(body: &Body) -> String {
     let world_from_body = body.placement.world_from_body();
     let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| world_from_body.transform_vector3(axis));

@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
     Ok(CommandOutcome::Done)
 }
 
-/// The picture files, before anything is drawn: what cannot be read is told at once.
+/// The picture files, before anything is drawn: what cannot be read is reported at once.
 fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Result<Vec<Contender>> {
     let mut contenders: Vec<Contender> = Vec::new();
     let mut layers = LayerReader::new(arguments.layer.as_deref());
@@ -128,8 +128,8 @@ fn settings(arguments: &CompareArguments, input: Option<&NamedScene>, threads: u
     }
 }
 
-/// The files of a list with commas between them. A comma may be a part of a name: as many pieces of the list make one name
-/// as name a file that exists.
+/// The files of a list with commas between them. A comma may be a part of a name: as many pieces of the list make one
+/// name as name a file that exists.
 fn listed_files(list: &Path) -> Vec<PathBuf> {
     let Some(text) = list.to_str() else { return vec![list.to_owned()] };
     let ends =

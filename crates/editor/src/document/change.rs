@@ -53,7 +53,7 @@ impl Editor {
         })
     }
 
-    /// Changes several bodies, all or none; `edit` is told the place of each.
+    /// Changes several bodies, all or none; `edit` gets the place of each.
     ///
     /// # Errors
     /// Those of [`Self::change`].
@@ -90,7 +90,7 @@ impl Editor {
         })
     }
 
-    /// Changes several lights, all or none; `edit` is told the place of each.
+    /// Changes several lights, all or none; `edit` gets the place of each.
     ///
     /// # Errors
     /// Those of [`Self::change`].
@@ -146,8 +146,8 @@ impl Editor {
         self.change_value(label, |scene| &mut scene.camera, &ScenePart::Camera, edit)
     }
 
-    /// Moves the camera by looking around, as with [`Self::change_camera`]: it can be undone, and pictures show it. In a
-    /// document without a file it is no [work](Self::has_unsaved_work).
+    /// Moves the camera by looking around, as with [`Self::change_camera`]: it can be undone, and pictures show it. In
+    /// a document without a file it is no [work](Self::has_unsaved_work).
     ///
     /// # Errors
     /// Those of [`Self::change`].
@@ -269,7 +269,7 @@ impl Editor {
             }
         };
         let check = |scene: &Scene, old: &[(usize, T)]| -> Vec<Problem> {
-            // Each part's name is held against all others.
+            // Each part's name is compared with all others.
             if old.len() > MOST_PARTS {
                 return scene.check();
             }

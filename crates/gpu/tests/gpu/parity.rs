@@ -82,8 +82,9 @@ pub(crate) fn apart(one: u64, other: u64) -> f64 {
     one.abs_diff(other) as f64 / one.max(other).max(1) as f64
 }
 
-/// One sample does for rough surfaces, soft shadows and split light as well: what looks random is chosen by hashes of whole
-/// numbers, and a direction that is off by rounding passes an edge on the other side no more often than a mirrored one.
+/// One sample does for rough surfaces, soft shadows and split light as well: what looks random is chosen by hashes of
+/// whole numbers, and a direction that is off by rounding passes an edge on the other side no more often than a
+/// mirrored one.
 #[test]
 fn pictures_are_those_of_the_cpu() {
     let Some(card) = card("pictures_are_those_of_the_cpu") else { return };

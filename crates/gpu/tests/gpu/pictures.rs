@@ -1,5 +1,5 @@
-//! Skies, pictures around the bodies and textures where the examples do not go: every shape, edges and poles, light of any
-//! strength, and what an edit sends.
+//! Skies, pictures around the bodies and textures where the examples do not go: every shape, edges and poles, light of
+//! any strength, and what an edit sends.
 
 use std::sync::Arc;
 

@@ -9,8 +9,8 @@ use super::numbers::{exact_color, short_color};
 use super::{Audit, RayTree};
 
 impl Audit {
-    /// The trees as a graph for Graphviz' `dot`: a node for each ray, colored by kind, edges as wide as the weight. Rays
-    /// more than `depth` steps from the eye are left out if that is given.
+    /// The trees as a graph for Graphviz' `dot`: a node for each ray, colored by kind, edges as wide as the weight.
+    /// Rays more than `depth` steps from the eye are left out if that is given.
     pub fn to_dot(&self, depth: Option<usize>) -> String {
         let mut text = String::from("digraph audit {\n");
         let [red, green, blue] = self.light;

@@ -34,8 +34,8 @@ impl DisplayNames {
         self.bodies.entry(body).or_insert_with(name);
     }
 
-    /// The name of the body at this place in the scene, in quotes, or its shape and number counted from 1. Bodies that no
-    /// ray of the audit meets are known by number only.
+    /// The name of the body at this place in the scene, in quotes, or its shape and number counted from 1. Bodies that
+    /// no ray of the audit meets are known by number only.
     pub fn body(&self, body: usize) -> String {
         self.bodies.get(&body).cloned().unwrap_or_else(|| format!("body {}", body + 1))
     }

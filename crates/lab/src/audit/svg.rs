@@ -22,8 +22,8 @@ impl Audit {
     /// How many rays of a sample are drawn at most.
     pub const MOST_DRAWN: usize = 4096;
 
-    /// The tree of the first sample as an SVG picture: a card for each ray, colored by kind, with what it meets, the share
-    /// that it brings and its lights; lines as wide as the weight. Rays more than `depth` steps from the eye are
+    /// The tree of the first sample as an SVG picture: a card for each ray, colored by kind, with what it meets, the
+    /// share that it brings and its lights; lines as wide as the weight. Rays more than `depth` steps from the eye are
     /// left out if that is given, and those beyond [`Audit::MOST_DRAWN`].
     pub fn to_svg(&self, depth: Option<usize>) -> String {
         let mut body = String::new();

@@ -9,9 +9,9 @@ use super::numbers::{degrees, exact, exact_color, exact_double, short, short_col
 use super::{Audit, Node, NodeKind, Proof, RayTree};
 
 impl Audit {
-    /// The audit in words and numbers, plain text of several lines in English: the tree at a glance, then every ray with
-    /// the terms of its light, then the sum. Rays more than `depth` steps from the eye are left out if that is given (0
-    /// leaves the primary ray alone); the sum has all.
+    /// The audit in words and numbers, plain text of several lines in English: the tree at a glance, then every ray
+    /// with the terms of its light, then the sum. Rays more than `depth` steps from the eye are left out if that is
+    /// given (0 leaves the primary ray alone); the sum has all.
     ///
     /// Light, weights and coefficients stand in the shortest digits that name their single-precision number and no
     /// other; lengths, directions and angles have four significant digits.

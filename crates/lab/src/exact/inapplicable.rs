@@ -54,8 +54,8 @@ pub enum Inapplicable {
     },
 }
 
-/// The least index of a lens. Below it a ray near the axis is bent by less than 10⁻³, which single precision knows to no
-/// better than a ten-thousandth.
+/// The least index of a lens. Below it a ray near the axis is bent by less than 10⁻³, which single precision knows to
+/// no better than a ten-thousandth.
 const LEAST_IOR: f64 = 1.05;
 
 impl Inapplicable {
@@ -135,8 +135,8 @@ impl Inapplicable {
 /// radius.
 const CONTACT: f64 = 1e-6;
 
-/// The least distance of a point from a body, meters; 0 or less within it. Cones and uneven spheres count as the cylinder
-/// and the box around them.
+/// The least distance of a point from a body, meters; 0 or less within it. Cones and uneven spheres count as the
+/// cylinder and the box around them.
 fn distance_from(body: &Body, point: DVec3) -> f64 {
     let frame = body.placement.world_from_body();
     let scale = body.placement.scale.abs();

@@ -8,7 +8,8 @@ use super::geometry::{Arc, alhazen_from, crossing, sphere_image};
 use super::probe::Probe;
 use super::{AnswerCollector, ExactAnswer, ExactDeviation, ExactSetup, Inapplicable, PlacedBody, radius};
 
-/// An image farther away than so many radii cannot be told from none: rays of single precision towards it are parallel.
+/// An image farther away than so many radii cannot be distinguished from none: rays of single precision towards it are
+/// parallel.
 const FARTHEST_IMAGE: f64 = 100.0;
 
 pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut AnswerCollector) {
@@ -35,8 +36,8 @@ pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut AnswerCollector) {
     }
 }
 
-/// How far from the mirror's center the image stands, towards the object; infinite in the focus, `None` for an object in
-/// the center.
+/// How far from the mirror's center the image stands, towards the object; infinite in the focus, `None` for an object
+/// in the center.
 fn image_distance(mirror: &PlacedBody<'_>, radius: f64, object: &PlacedBody<'_>) -> Option<f64> {
     let distance = object.center.distance(mirror.center);
     (distance > 0.0).then(|| sphere_image(radius, distance))

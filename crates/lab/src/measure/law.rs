@@ -70,8 +70,8 @@ impl Fit {
     }
 }
 
-/// Fits one law to points (x, t) with t > 0, so that relative residuals are least: times that differ by magnitudes weigh
-/// alike. `None` when there are too few different points, or they do not determine the coefficients.
+/// Fits one law to points (x, t) with t > 0, so that relative residuals are least: times that differ by magnitudes
+/// weigh alike. `None` when there are too few different points, or they do not determine the coefficients.
 pub fn fit(law: GrowthLaw, points: &[(f64, f64)]) -> Option<Fit> {
     if points.iter().any(|&(x, t)| !(x.is_finite() && t.is_finite() && t > 0.0)) {
         return None;
@@ -88,7 +88,8 @@ pub fn fit(law: GrowthLaw, points: &[(f64, f64)]) -> Option<Fit> {
 }
 
 /// Of the laws that growth with generations can follow, the one that is best for its number of coefficients: the least
-/// AICc (N. Sugiura, 1978; K. P. Burnham and D. R. Anderson, Model Selection and Multimodel Inference, 2002, section 2.4).
+/// AICc (N. Sugiura, 1978; K. P. Burnham and D. R. Anderson, Model Selection and Multimodel Inference, 2002, section
+/// 2.4).
 pub fn best_growth(points: &[(f64, f64)]) -> Option<Fit> {
     let laws = [GrowthLaw::Constant, GrowthLaw::Linear, GrowthLaw::Bounded, GrowthLaw::Geometric];
     let fits = laws.into_iter().filter_map(|law| fit(law, points));
@@ -101,7 +102,7 @@ fn criterion(fit: &Fit) -> f64 {
     if points - count - 1.0 <= 0.0 {
         return f64::INFINITY;
     }
-    // Below a millionth, laws cannot be told apart by their residuals.
+    // Below a millionth, laws cannot be distinguished by their residuals.
     let scatter = (fit.error * fit.error).max(1e-12);
     points * scatter.ln() + 2.0 * count + 2.0 * count * (count + 1.0) / (points - count - 1.0)
 }

@@ -29,11 +29,11 @@ pub struct MeasurePlan {
     pub threads: usize,
     /// What is varied: one parameter, or two, the second of which makes a curve for each of its values.
     pub axes: Vec<Axis>,
-    /// How often each point is measured, at least once. Eleven give the second least and the second greatest time as the
-    /// interval of the median.
+    /// How often each point is measured, at least once. Eleven give the second least and the second greatest time as
+    /// the interval of the median.
     pub rounds: u32,
-    /// A point quicker than this is drawn several times in a row, whose mean is one measurement: clocks and threads that
-    /// wake up must not count. The number is found in the warm-up and at most 1000.
+    /// A point quicker than this is drawn several times in a row, whose mean is one measurement: clocks and threads
+    /// that wake up must not count. The number is found in the warm-up and at most 1000.
     pub least_time: Duration,
 }
 
@@ -157,7 +157,7 @@ pub struct Measurement {
 /// shuffled anew (always the same for the same plan), so that whatever drifts, such as the processor's clock, hits all
 /// alike. Each measurement prepares the scene again, and the scene is made again for each: the memory is that of one.
 ///
-/// `watch` is told of the progress after each measurement. When `control` is cancelled, what was measured is kept.
+/// `watch` gets the progress after each measurement. When `control` is cancelled, what was measured is kept.
 ///
 /// # Errors
 /// When the plan makes no sense, a picture cannot be drawn, or it is cancelled before each point was measured once.

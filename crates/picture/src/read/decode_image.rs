@@ -183,8 +183,8 @@ impl UprightMapping {
 
 /// Checks that a JPEG has an end: the decoder fills what is missing with gray.
 ///
-/// Segments before the first scan have lengths and may hold thumbnails with ends of their own. In a scan, a byte 0xff of
-/// the data is followed by 0, so that the marker 0xffd9 can only be the end.
+/// Segments before the first scan have lengths and may hold thumbnails with ends of their own. In a scan, a byte 0xff
+/// of the data is followed by 0, so that the marker 0xffd9 can only be the end.
 fn check_end_of_jpeg(source: &mut (impl BufRead + Seek)) -> Result<(), DecodeError> {
     let corrupt =
         |reason: &str| DecodeError::Corrupt { format: PictureFormat::Jpeg.name(), reason: reason.to_owned() };
@@ -255,8 +255,8 @@ fn refusal(format: PictureFormat, error: ImageError) -> DecodeError {
 mod tests {
     use super::*;
 
-    /// Exif orientation by the tables of the standard (CIPA DC-008, 4.6.5.1, tag 274): which corner the first stored row
-    /// and column lie at.
+    /// Exif orientation by the tables of the standard (CIPA DC-008, 4.6.5.1, tag 274): which corner the first stored
+    /// row and column lie at.
     #[test]
     fn stored_rows_and_columns_lie_where_exif_says() {
         let (width, height) = (3, 2);

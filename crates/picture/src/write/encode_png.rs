@@ -19,8 +19,8 @@ const STRIPS_AT_ONCE: usize = 64;
 /// The developed picture as the bytes of a PNG file: RGB, no alpha, marked as sRGB.
 ///
 /// Chunks: `sRGB` (perceptual), with the `gAMA` and `cHRM` that stand in for it in older readers, and the
-/// text `Software` = `Catoptric`. Rows are filtered and compressed on all threads. The same picture gives the same bytes:
-/// no date, no machine, no matter how many threads.
+/// text `Software` = `Catoptric`. Rows are filtered and compressed on all threads. The same picture gives the same
+/// bytes: no date, no machine, no matter how many threads.
 ///
 /// # Errors
 /// None is known for a [`Developed`] picture; the encoder's refusals are passed on.

@@ -50,7 +50,8 @@ pub(super) fn picture(name: &str) -> Option<Arc<Picture>> {
     Some(picture)
 }
 
-/// Where a place of a picture of everything around lies, as [`Surroundings::Picture`](crate::Surroundings::Picture) says.
+/// Where a place of a picture of everything around lies, as [`Surroundings::Picture`](crate::Surroundings::Picture)
+/// says.
 fn direction(u: f64, v: f64) -> DVec3 {
     let ((sin, cos), (height, around)) = ((TAU * (u - 0.5)).sin_cos(), (PI * (0.5 - v)).sin_cos());
     DVec3::new(around * sin, height, -around * cos)

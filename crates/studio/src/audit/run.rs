@@ -58,8 +58,8 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditCommand) {
     context.request_repaint();
 }
 
-/// Shows the panel if a pixel was pinned in this frame. The picture stays where it is, so that the pixel stays under the
-/// pointer, and the panel lies below the pixel where there is room for it.
+/// Shows the panel if a pixel was pinned in this frame. The picture stays where it is, so that the pixel stays under
+/// the pointer, and the panel lies below the pixel where there is room for it.
 pub(crate) fn open_panel(context: &Context, studio: &mut Studio) {
     if !std::mem::take(&mut studio.audit.wants_panel) || layout::is_in_front(&studio.layout, Pane::Audit) {
         return;

@@ -141,8 +141,8 @@ impl<'a, T> PropertySheet<'_, 'a, T> {
         values.any(|value| value != first)
     }
 
-    /// Draws a row for a quantity, with the note of what was refused there. Its label tells the unit that its fields have no
-    /// room for.
+    /// Draws a row for a quantity, with the note of what was refused there. Its label tells the unit that its fields
+    /// have no room for.
     pub(crate) fn row(
         &mut self,
         ui: &mut Ui,

@@ -39,8 +39,8 @@ pub(super) struct PageView<'a> {
     pub(super) texts: &'a Texts,
 }
 
-/// Draws a page that can be scrolled; `to` is the block to scroll to, which is forgotten when that has been done, `step`
-/// how far the keys scroll, points. Returns the link that was followed.
+/// Draws a page that can be scrolled; `to` is the block to scroll to, which is forgotten when that has been done,
+/// `step` how far the keys scroll, points. Returns the link that was followed.
 pub(super) fn page_ui(
     ui: &mut Ui,
     shown: &PageView<'_>,

@@ -102,8 +102,8 @@ pub(super) fn grid_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowse
     chosen
 }
 
-/// The headings and rows of what was found; the scene's heading stands there even without materials, unless something is
-/// looked for.
+/// The headings and rows of what was found; the scene's heading stands there even without materials, unless something
+/// is looked for.
 fn lines(things: &[MaterialItem], columns: usize, is_all: bool) -> Vec<BrowserLine> {
     let mut lines: Vec<BrowserLine> = Vec::new();
     let mut top = 0.0;

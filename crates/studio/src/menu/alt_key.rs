@@ -2,8 +2,8 @@
 
 use egui::{Context, Event, Key, Modifiers};
 
-/// Tells presses of Alt alone from Alt as a modifier: with another key, in a drag, or when the system takes it to switch
-/// windows.
+/// Tells presses of Alt alone from Alt as a modifier: with another key, in a drag, or when the system takes it to
+/// switch windows.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct AltKey {
     is_down: bool,

@@ -1,5 +1,5 @@
-//! Exact answers over the picture: images in their true places, focal points and highlights, each beside what the tracer
-//! finds.
+//! Exact answers over the picture: images in their true places, focal points and highlights, each beside what the
+//! tracer finds.
 
 use catoptric_editor::Item;
 use catoptric_lab::exact::{ExactAnswer, ExactDeviation, Inapplicable, RingImage};

@@ -20,8 +20,8 @@ fn pixel_at(ui: &Ui, scene_view: &SceneView, pos: Pos2) -> Option<(UVec2, UVec2)
     is_inside.then(|| (UVec2::new(at.x as u32, at.y as u32), UVec2::new(size.x as u32, size.y as u32)))
 }
 
-/// Lights the ray at a place, or looks into the pixel there; with Shift always into the pixel. The free view begins, so that the rays can be looked at from
-/// elsewhere while the scene's camera stays.
+/// Lights the ray at a place, or looks into the pixel there; with Shift always into the pixel. The free view begins, so
+/// that the rays can be looked at from elsewhere while the scene's camera stays.
 pub(crate) fn click(ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView, pos: Pos2) {
     let is_pixel_meant = ui.input(|input| input.modifiers.shift);
     if let Some(node) = rays::node_at(scene_view, cx, pos).filter(|_| !is_pixel_meant) {

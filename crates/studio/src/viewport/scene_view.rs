@@ -45,14 +45,15 @@ pub(crate) enum PointerTarget {
     Arrow(Item),
     /// A body, at a point.
     Body { index: usize, point: DVec3 },
-    /// A plane, or a body that surrounds the camera: something to stand on, not to take hold of.
+    /// A plane, or a body that surrounds the camera: it cannot be dragged.
     Surroundings(usize),
     /// Nothing.
     Nothing,
 }
 
 impl SceneView {
-    /// The picture of `camera` in `rect`, as far as `tile` shows it; a bar reaches so far down from the tile's top, points.
+    /// The picture of `camera` in `rect`, as far as `tile` shows it; a bar reaches so far down from the tile's top,
+    /// points.
     pub(crate) fn new(live: &Live, rect: Rect, (tile, bar): (Rect, f32), camera: Camera) -> Self {
         /// In small windows the bar may take a part of the picture that cannot be done without.
         const MOST: f32 = 0.4;
@@ -156,7 +157,7 @@ impl SceneView {
         near.into_iter().map(|(item, _)| item).collect()
     }
 
-    /// What a pointer at a place takes hold of.
+    /// The target of a pointer at a place.
     pub(crate) fn target(&self, cx: &Cx<'_>, gizmo: Option<&Gizmo>, at: DVec2) -> PointerTarget {
         if let Some(handle) = gizmo.and_then(|gizmo| gizmo.handle_at(&self.projector, at)) {
             return PointerTarget::Handle(handle);

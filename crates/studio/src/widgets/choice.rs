@@ -22,8 +22,8 @@ pub(crate) struct ChoiceItem<'a, V> {
 /// What stands beside a text at least, points.
 const PADDING: f32 = 5.0;
 
-/// Draws the choices over `width`, in several lines where one is too short; `chosen` is lit, if it is one of them. Returns
-/// another one when it is clicked.
+/// Draws the choices over `width`, in several lines where one is too short; `chosen` is lit, if it is one of them.
+/// Returns another one when it is clicked.
 pub(crate) fn choice_ui<V: Copy + PartialEq>(
     ui: &mut Ui,
     id: Id,

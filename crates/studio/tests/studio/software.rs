@@ -43,8 +43,8 @@ fn studio(by: By, state: RenderState) -> Harness<'static, Studio> {
     )
 }
 
-/// Puts the digits of times and rates, and more, into the atlas of glyphs before any of them is shown. Slanted glyphs are
-/// sampled between its texels, so that they show traces of their neighbors there, which depend on who came first.
+/// Puts the digits of times and rates, and more, into the atlas of glyphs before any of them is shown. Slanted glyphs
+/// are sampled between its texels, so that they show traces of their neighbors there, which depend on who came first.
 fn fill_atlas(harness: &Harness<'static, Studio>) {
     let all: String = (' '..='~').chain('А'..='я').collect();
     let fonts: Vec<FontId> = harness.ctx.global_style().text_styles.values().cloned().collect();

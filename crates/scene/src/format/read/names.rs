@@ -27,8 +27,8 @@ pub(super) struct SourcePositions {
     pub(super) unknown: Vec<u32>,
 }
 
-/// Reports materials that are used but not defined, unless their definitions may have got lost. The answer tells of each
-/// material whether it is used.
+/// Reports materials that are used but not defined, unless their definitions may have got lost. The answer tells of
+/// each material whether it is used.
 pub(super) fn check_materials(
     scene: &mut Scene,
     places: &SourcePositions,

@@ -8,8 +8,8 @@
 //! primary = ( number | constant | function "(" sum ")" | "(" sum ")" ) { unit }
 //! ```
 //!
-//! A sign binds weaker than a power (−2² is −4), powers are chained from the right, and the unit after a quotient of plain
-//! numbers is that of the quotient (1/2 m is half a meter).
+//! A sign binds weaker than a power (−2² is −4), powers are chained from the right, and the unit after a quotient of
+//! plain numbers is that of the quotient (1/2 m is half a meter).
 
 use std::ops::Range;
 

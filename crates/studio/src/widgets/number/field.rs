@@ -19,8 +19,8 @@ pub(crate) use refusal::{Refusal, limits_in_words};
 /// A field that is no wider, points, does not show its unit.
 const NARROW: f32 = 72.0;
 
-/// A field for one number. It is dragged, or typed as a number or an arithmetic expression. What cannot be read is refused
-/// as a whole: the number becomes again what it was, and the text stays to be corrected.
+/// A field for one number. It is dragged, or typed as a number or an arithmetic expression. What cannot be read is
+/// refused as a whole: the number becomes again what it was, and the text stays to be corrected.
 pub(crate) struct NumberField<'a> {
     pub(crate) texts: &'a Texts,
     /// The accessible name.
@@ -68,7 +68,7 @@ struct TypingState {
     start: f64,
     /// Whether it began with a text that was refused.
     is_correction: bool,
-    /// The number that was told last.
+    /// The number that was reported last.
     told: f64,
     /// The last pass in which the field was drawn.
     pass: u64,
