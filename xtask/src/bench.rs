@@ -1,5 +1,5 @@
-//! Our times against those of POV-Ray and other renderers: the same scenes, the same run, by turns, the pictures held
-//! against each other.
+//! Our times against those of POV-Ray and other renderers: the same scenes, in the same run, by turns. The pictures are
+//! compared too.
 
 mod case;
 mod first_picture;
@@ -16,7 +16,7 @@ use clap::{Args, ValueEnum};
 use crate::shell::{self, command};
 use crate::{povray, root};
 use case::{CASES, Case};
-use programs::Other;
+use programs::OtherRenderer;
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -44,14 +44,14 @@ pub(crate) struct BenchArguments {
     width: u32,
     /// Another renderer to measure
     #[arg(long = "other", value_name = "NAME=COMMAND")]
-    others: Vec<Other>,
+    others: Vec<OtherRenderer>,
     /// What to measure; without it everything
     #[arg(long, value_enum, value_delimiter = ',')]
-    only: Vec<Part>,
+    only: Vec<BenchPart>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Part {
+enum BenchPart {
     /// Trace times and pictures of the scenes
     Scenes,
     /// How much quicker more threads are in one process
@@ -67,20 +67,20 @@ impl BenchArguments {
         [self.width, self.width * 9 / 16]
     }
 
-    fn wants(&self, part: Part) -> bool {
+    fn wants(&self, part: BenchPart) -> bool {
         self.only.is_empty() || self.only.contains(&part)
     }
 }
 
 pub(crate) fn run(arguments: &BenchArguments) -> Result<()> {
-    if arguments.wants(Part::Scenes) {
+    if arguments.wants(BenchPart::Scenes) {
         povray::require()?;
     }
     shell::run(&mut command("cargo", &["build", "--release", "--quiet"]))?;
     std::fs::create_dir_all(folder())?;
     let cases = if arguments.scenes.is_empty() { CASES.iter().collect() } else { arguments.scenes.clone() };
     let mut faults = Vec::new();
-    if arguments.wants(Part::Scenes) {
+    if arguments.wants(BenchPart::Scenes) {
         let mut results = Vec::new();
         for case in &cases {
             let result = measure::measure(case, arguments)?;
@@ -90,13 +90,13 @@ pub(crate) fn run(arguments: &BenchArguments) -> Result<()> {
         let others: Vec<&str> = arguments.others.iter().map(|other| other.name.as_str()).collect();
         println!("{}", report::tables(&results, &others, arguments.size()));
     }
-    if arguments.wants(Part::Scaling) {
+    if arguments.wants(BenchPart::Scaling) {
         println!("{}", scaling::measure(&cases, arguments)?);
     }
-    if arguments.wants(Part::FirstPicture) {
+    if arguments.wants(BenchPart::FirstPicture) {
         println!("{}\n", first_picture::measure(arguments.runs.max(9))?);
     }
-    if arguments.wants(Part::Instructions) {
+    if arguments.wants(BenchPart::Instructions) {
         println!("{}", instructions::count()?);
     }
     if !faults.is_empty() {

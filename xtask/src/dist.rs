@@ -58,7 +58,7 @@ pub(crate) fn run() -> Result<()> {
     Ok(())
 }
 
-/// The same files give the same archive: names in order, no owner, no time of the day.
+/// Packs a folder reproducibly: sorted names, no owner, no time of the day.
 fn pack(dist: &Path, name: &str, archive: &Path) -> Result<()> {
     let mut tar = command("tar", &["--sort=name", "--owner=0", "--group=0", "--numeric-owner", "--mtime=@0"]);
     tar.env("GZIP", "-n").arg("-C").arg(dist).arg("-czf").arg(archive).arg(name);

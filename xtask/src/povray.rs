@@ -1,4 +1,4 @@
-//! POV-Ray, the independent program whose pictures and times ours are held against.
+//! POV-Ray, the independent program whose pictures and times ours are compared with.
 
 mod source;
 
@@ -11,7 +11,7 @@ use crate::shell::{self, command, exists};
 pub(crate) use source::source;
 
 /// A picture to draw: one ray through each pixel's center, linear light.
-pub(crate) struct Task<'a> {
+pub(crate) struct PovrayTask<'a> {
     /// An EXR file.
     pub output: &'a Path,
     pub width: u32,
@@ -26,7 +26,7 @@ pub(crate) fn require() -> Result<()> {
 }
 
 /// Draws the scene of a `.pov` file; the milliseconds that POV-Ray says it traced.
-pub(crate) fn trace(scene: &Path, task: &Task<'_>) -> Result<f64> {
+pub(crate) fn trace(scene: &Path, task: &PovrayTask<'_>) -> Result<f64> {
     // No window (-D), no antialiasing (-A), no chatter of progress (-V), EXR (+FE).
     let arguments = [
         "-V".to_owned(),

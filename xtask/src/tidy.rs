@@ -1,6 +1,6 @@
-//! The house's own rules, as tests: who may use whom, and how long files and functions may be.
+//! The house's own rules, as tests: dependencies of crates, lengths of files and functions, names of types.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -20,6 +20,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("studio", &["lab", "live", "editor", "gpu", "tracer", "scene", "picture", "files", "optics"]),
     ("catoptric", &["studio", "lab", "gpu", "tracer", "scene", "picture", "files"]),
 ];
+
+/// Crates whose types may still share a name.
+const MAY_SHARE_TYPE_NAMES: &[&str] = &["tracer"];
 
 const LONGEST_FILE: usize = 600;
 const LONGEST_FUNCTION: usize = 80;
@@ -146,4 +149,88 @@ fn long_functions_are_found() {
     let text =
         format!("trait Long {{\n    {}    fn last(&self) {{}}\n}}\n", declared.repeat(LONGEST_FUNCTION));
     assert_eq!(long_functions(&text), []);
+}
+
+#[test]
+fn a_type_name_occurs_once_in_a_crate() {
+    let mut faults = Vec::new();
+    for path in crates().into_iter().chain([root().join("xtask")]) {
+        let crate_name = name(&path);
+        if MAY_SHARE_TYPE_NAMES.contains(&crate_name.as_str()) {
+            continue;
+        }
+        let mut files = Vec::new();
+        rust_files(&path.join("src"), &mut files);
+        let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        for file in files.iter().filter(|file| !is_test_file(file)) {
+            let shown = file.strip_prefix(root()).unwrap().display().to_string();
+            for type_name in type_names(&fs::read_to_string(file).unwrap()) {
+                places.entry(type_name).or_default().push(shown.clone());
+            }
+        }
+        assert!(!places.is_empty(), "no type was found in {crate_name}");
+        let shared = places.into_iter().filter(|(_, files)| files.len() > 1);
+        faults.extend(shared.map(|(type_name, files)| format!("{type_name}: {}", files.join(", "))));
+    }
+    assert!(faults.is_empty(), "types of one crate share a name:\n{}", faults.join("\n"));
+}
+
+/// True for `tests.rs` and for files in a folder `tests`.
+fn is_test_file(path: &Path) -> bool {
+    path.file_stem().is_some_and(|stem| stem == "tests") || path.iter().any(|part| part == "tests")
+}
+
+/// The names of the types that formatted code defines. Types of test modules and associated types are left out, and a
+/// type with one definition for each platform counts once.
+fn type_names(text: &str) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    let mut lines = text.lines().peekable();
+    while let Some(line) = lines.next() {
+        if line == "#[cfg(test)]" && lines.peek().is_some_and(|next| next.ends_with('{')) {
+            lines.by_ref().find(|line| *line == "}");
+            continue;
+        }
+        let words: Vec<&str> = line.split_whitespace().skip_while(|word| word.starts_with("pub")).collect();
+        let is_alias = words.first() == Some(&"type") && !line.starts_with(' ');
+        if let [keyword, head, ..] = words[..]
+            && (is_alias || ["struct", "enum", "union", "trait"].contains(&keyword))
+        {
+            let end = head.find(|letter: char| !letter.is_alphanumeric() && letter != '_');
+            names.insert(head[..end.unwrap_or(head.len())].to_owned());
+        }
+    }
+    names
+}
+
+#[test]
+fn defined_types_are_found() {
+    let text = "\
+pub(crate) struct Disk<T>(T);
+
+enum Color {
+    Red,
+}
+
+pub trait Walk: Sized {
+    type Item;
+}
+
+type Pair<T> = (T, T);
+
+/// A struct Mentioned in a comment.
+fn main() {
+    struct Inner;
+}
+
+#[cfg(test)]
+mod tests {
+    struct Helper;
+}
+
+union Word {
+    number: u32,
+}
+";
+    let expected = ["Color", "Disk", "Inner", "Pair", "Walk", "Word"];
+    assert!(type_names(text).iter().eq(expected), "{:?}", type_names(text));
 }

@@ -1,8 +1,8 @@
 //! The allocator, and what happens when the system refuses memory.
 //!
-//! Where much memory is asked for at once, as for a picture or a file, its refusal is an error like any other. Everywhere
-//! else Rust ends a program by `abort`, for which there is no stable hook. On Unix that is a signal: here it becomes words
-//! and the exit status of errors.
+//! Where much memory is asked for at once, as for a picture or a file, its refusal is an error like any other.
+//! Everywhere else Rust ends a program by `abort`, for which there is no stable hook. On Unix that is a signal: here it
+//! becomes words and the exit status of errors.
 #![allow(
     unsafe_code,
     reason = "the trait of allocators and handlers of signals are unsafe; all of both is in this file"
@@ -16,12 +16,12 @@ use mimalloc::MiMalloc;
 /// Whether the system has refused memory: a program that aborts after that aborts for it, most likely.
 static IS_REFUSED: AtomicBool = AtomicBool::new(false);
 
-/// Gives memory back soon after it was used. The C library of Linux keeps up to 64 MB for each of many threads: the studio
-/// grew to several times what it needed.
+/// Gives memory back soon after it was used. The C library of Linux keeps up to 64 MB for each of many threads: the
+/// studio grew to several times what it needed.
 pub(crate) struct Allocator;
 
-// SAFETY: every call is passed on as it came to mimalloc, which fulfils the contract. Looking at the result and storing a
-// flag allocates nothing and cannot panic.
+// SAFETY: every call is passed on as it came to mimalloc, which fulfils the contract. Looking at the result and storing
+// a flag allocates nothing and cannot panic.
 unsafe impl GlobalAlloc for Allocator {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: the caller's promise is passed on.

@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 use catoptric_lab::Variant;
 use catoptric_lab::maps::MapKind;
-use catoptric_lab::measure::Plan;
+use catoptric_lab::measure::MeasurePlan;
 use catoptric_lab::report::Language;
 use catoptric_picture::{Picture, PictureFormat, ToneCurve};
 use catoptric_scene::Tracing;
@@ -16,7 +16,7 @@ use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
-use crate::output::{Kind, format_names};
+use crate::output::{OutputKind, format_names};
 
 pub(crate) use method::MethodArguments;
 
@@ -89,8 +89,8 @@ pub(crate) struct StudioArguments {
 pub(crate) struct RenderArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The picture to write; its extension decides: .png, .jpg, .webp, .tif (display), .exr or .hdr (linear light); - for
-    /// standard output
+    /// The picture to write; its extension decides: .png, .jpg, .webp, .tif (display), .exr or .hdr (linear light); -
+    /// for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// The format to write, such as png or exr, whatever the name of the file says; streams get a PNG by default
@@ -293,7 +293,7 @@ pub(crate) struct MeasureArguments {
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// How often each point is measured, 1 to 1000
-    #[arg(long, value_name = "N", default_value_t = Plan::ROUNDS, value_parser = value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = MeasurePlan::ROUNDS, value_parser = value_parser!(u32).range(1..=1000))]
     pub rounds: u32,
     /// The language of the report: en or ru
     #[arg(long, value_name = "LANGUAGE", default_value_t = Language::English)]
@@ -313,7 +313,7 @@ pub(crate) struct ConvertArguments {
     pub to: PathBuf,
     /// The format to write, such as png, exr or toml, whatever the name of the file says
     #[arg(long, value_name = "FORMAT", value_parser = format)]
-    pub format: Option<Kind>,
+    pub format: Option<OutputKind>,
     /// The layer to read of an EXR with several
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
@@ -419,8 +419,8 @@ impl FromStr for Pixel {
     }
 }
 
-fn format(text: &str) -> Result<Kind, String> {
-    Kind::named(text).ok_or_else(|| format!("give {} or toml", format_names()))
+fn format(text: &str) -> Result<OutputKind, String> {
+    OutputKind::named(text).ok_or_else(|| format!("give {} or toml", format_names()))
 }
 
 fn picture_format(text: &str) -> Result<PictureFormat, String> {

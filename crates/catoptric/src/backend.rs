@@ -24,14 +24,14 @@ pub(crate) fn start_threads() -> Result<()> {
 }
 
 /// Who draws.
-pub(crate) struct Drawer {
+pub(crate) struct Renderer {
     gpu: Option<Gpu>,
     /// Whether the processor may draw what the card cannot.
     may_fall_back: bool,
 }
 
 /// A picture, and who drew it.
-pub(crate) struct Drawn {
+pub(crate) struct RenderedPicture {
     pub drawing: MethodOutput,
     /// What the card worked, by its own clock.
     pub on_card: Option<Duration>,
@@ -39,7 +39,7 @@ pub(crate) struct Drawn {
     pub fallen_back: Option<GpuError>,
 }
 
-impl Drawer {
+impl Renderer {
     /// Opens a card if it is wanted and there is one. Cards draw Whitted's tree, and no maps.
     pub(crate) fn chosen(arguments: &BackendArguments, method: &Method, is_map: bool) -> Result<Self> {
         let BackendArguments { backend, gpu, software_gpu } = arguments;
@@ -73,20 +73,20 @@ impl Drawer {
         settings: RenderSettings,
         pool: &ThreadPool,
         control: &RenderControl,
-    ) -> Result<Drawn> {
+    ) -> Result<RenderedPicture> {
         let on_cpu = || pool.install(|| draw(stage, method, settings, control));
         let Some(gpu) = &self.gpu else {
-            return Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: None });
+            return Ok(RenderedPicture { drawing: on_cpu()?, on_card: None, fallen_back: None });
         };
         let start = Instant::now();
         match pool.install(|| catoptric_gpu::render(gpu, stage, stage.camera(), settings, control)) {
             Ok(rendering) => {
                 let pass = rendering.pass;
                 let drawing = MethodOutput::traced(rendering.picture, pass.counts, start.elapsed());
-                Ok(Drawn { drawing, on_card: pass.on_card, fallen_back: None })
+                Ok(RenderedPicture { drawing, on_card: pass.on_card, fallen_back: None })
             }
             Err(error) if self.may_fall_back && !matches!(error, GpuError::Cancelled | GpuError::Size(_)) => {
-                Ok(Drawn { drawing: on_cpu()?, on_card: None, fallen_back: Some(error) })
+                Ok(RenderedPicture { drawing: on_cpu()?, on_card: None, fallen_back: Some(error) })
             }
             Err(error) => Err(error).context("the graphics card cannot draw this; use --backend cpu"),
         }

@@ -16,7 +16,7 @@ use catoptric_scene::LoadError;
 /// How a command ended when nothing went wrong with the program itself. (Interrupted, only those return that are asked
 /// to end.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Outcome {
+pub(crate) enum CommandOutcome {
     /// Exit status 0.
     Done,
     /// A comparison failed: exit status 1.

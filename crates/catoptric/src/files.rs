@@ -65,7 +65,7 @@ impl CommandFiles {
     /// Adds the pictures of a scene that was read from the file at `path`.
     ///
     /// # Errors
-    /// As for [`Self::add_input`].
+    /// Those of [`Self::add_input`].
     pub(crate) fn add_pictures(&mut self, scene: &Scene, path: &Path) -> Result<()> {
         let folder = directory_of_file(path);
         let mut known = HashSet::new();
@@ -98,7 +98,7 @@ impl CommandFiles {
     /// Adds a picture that the command will write; see [`Self::add_output`].
     ///
     /// # Errors
-    /// As there, and if it would be shown on a terminal, which takes it for text and commands.
+    /// Those of [`Self::add_output`], and a terminal as the target, which would take the bytes for text and commands.
     pub(crate) fn add_picture_output(&mut self, path: &Path) -> Result<()> {
         if is_terminal(path) {
             bail!(
@@ -108,8 +108,8 @@ impl CommandFiles {
         self.add_output(path)
     }
 
-    /// Adds a directory that files of these names, and perhaps others, are written into, and asks whether they can be. It
-    /// is made when the first of them is written.
+    /// Adds a directory that files of these names, and perhaps others, are written into, and asks whether they can be.
+    /// It is made when the first of them is written.
     ///
     /// # Errors
     /// If they cannot, or if the command reads one of them or writes another output there.
@@ -123,7 +123,7 @@ impl CommandFiles {
         for name in names {
             let path = directory.join(name);
             self.check_free(&path)?;
-            // Inputs that are only known later, such as the pictures of the scene, are held against it too.
+            // Inputs that are only known later, such as the pictures of the scene, are compared with it too.
             if let Some(id) = FileId::of_output(&path) {
                 self.outputs.push(KnownFile { path, id });
             }
@@ -143,7 +143,7 @@ impl CommandFiles {
     /// Writes a picture, whole or not at all; returns the milliseconds spent on developing and on writing it.
     ///
     /// # Errors
-    /// As for [`Self::write`], and if there is no memory to develop it.
+    /// Those of [`Self::write`], and too little memory to develop the picture.
     pub(crate) fn write_picture(
         &self,
         path: &Path,

@@ -4,30 +4,30 @@ use std::fs::File;
 use std::path::Path;
 
 use anyhow::{Result, anyhow};
-use catoptric_scene::{Example, Loaded, load};
+use catoptric_scene::{Example, LoadedScene, load};
 
 use crate::console::{color_on, say_colored};
 use crate::files::CommandFiles;
 
 /// A scene as the user named it.
-pub(crate) struct Named {
+pub(crate) struct NamedScene {
     /// For messages: the path, or the example's name.
     pub name: String,
-    pub loaded: Loaded,
+    pub loaded: LoadedScene,
 }
 
-impl Named {
+impl NamedScene {
     /// Shows the warnings about it on standard error.
     pub(crate) fn warn(&self) {
-        let Loaded { text, warnings, .. } = &self.loaded;
+        let LoadedScene { text, warnings, .. } = &self.loaded;
         if !warnings.is_empty() {
             say_colored(&warnings.render(&self.name, text, color_on(&std::io::stderr())));
         }
     }
 }
 
-/// What a person means by a scene.
-pub(crate) enum Source<'a> {
+/// The source of a scene: a file, standard input or a built-in example.
+pub(crate) enum SceneSource<'a> {
     /// A built-in scene.
     Example(&'static Example),
     /// A file.
@@ -37,21 +37,23 @@ pub(crate) enum Source<'a> {
 /// The scene file at `path`, or the built-in scene of that name.
 ///
 /// A file wins over a built-in scene, so that nothing of the user's is hidden; a folder cannot be a scene.
-pub(crate) fn source(path: &Path) -> Result<Source<'_>> {
+pub(crate) fn source(path: &Path) -> Result<SceneSource<'_>> {
     match path.to_str().and_then(Example::find) {
-        Some(example) if !path.exists() || path.is_dir() => Ok(Source::Example(example)),
+        Some(example) if !path.exists() || path.is_dir() => Ok(SceneSource::Example(example)),
         None if !path.exists() && !looks_like_path(path) => Err(no_such_scene(&path.to_string_lossy())),
         // When there is nothing, the error of reading it says so.
-        _ => Ok(Source::File(path)),
+        _ => Ok(SceneSource::File(path)),
     }
 }
 
 /// Loads the scene file at `path`, `-` being standard input, or the built-in scene of that name. The file and its
 /// pictures are added to what the command reads.
-pub(crate) fn scene(path: &Path, files: &mut CommandFiles) -> Result<Named> {
+pub(crate) fn scene(path: &Path, files: &mut CommandFiles) -> Result<NamedScene> {
     match source(path)? {
-        Source::Example(example) => Ok(Named { name: example.name.to_owned(), loaded: example.load()? }),
-        Source::File(path) => file(path, files),
+        SceneSource::Example(example) => {
+            Ok(NamedScene { name: example.name.to_owned(), loaded: example.load()? })
+        }
+        SceneSource::File(path) => file(path, files),
     }
 }
 
@@ -64,11 +66,11 @@ pub(crate) fn check_readable(path: &Path) -> Result<()> {
 }
 
 /// Loads the scene file at `path`; see [`scene`].
-pub(crate) fn file(path: &Path, files: &mut CommandFiles) -> Result<Named> {
+pub(crate) fn file(path: &Path, files: &mut CommandFiles) -> Result<NamedScene> {
     files.add_input(path)?;
     let loaded = load(path)?;
     files.add_pictures(&loaded.scene, path)?;
-    Ok(Named { name: path.display().to_string(), loaded })
+    Ok(NamedScene { name: path.display().to_string(), loaded })
 }
 
 /// The error that there is no built-in scene of this name.

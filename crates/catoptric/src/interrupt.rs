@@ -15,7 +15,7 @@ use crate::progress;
 /// The exit status of an interrupted program.
 pub(crate) const INTERRUPTED: u8 = 130;
 
-/// So long has what is asked to end by itself.
+/// The time that an interrupted program has to end by itself.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The files written so far; locked while one is being written.

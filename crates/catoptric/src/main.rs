@@ -23,7 +23,7 @@ use catoptric_scene::{LoadError, visible};
 use clap::Parser as _;
 
 use arguments::{Arguments, Command};
-use commands::Outcome;
+use commands::CommandOutcome;
 
 #[global_allocator]
 static ALLOCATOR: allocator::Allocator = allocator::Allocator;
@@ -40,10 +40,10 @@ fn main() -> ExitCode {
         Err(answer) => explain(&answer),
     };
     match outcome {
-        Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::Failed) => ExitCode::from(1),
-        Ok(Outcome::WrongInput) => ExitCode::from(STATUS_ERROR),
-        Ok(Outcome::Interrupted) => ExitCode::from(interrupt::INTERRUPTED),
+        Ok(CommandOutcome::Done) => ExitCode::SUCCESS,
+        Ok(CommandOutcome::Failed) => ExitCode::from(1),
+        Ok(CommandOutcome::WrongInput) => ExitCode::from(STATUS_ERROR),
+        Ok(CommandOutcome::Interrupted) => ExitCode::from(interrupt::INTERRUPTED),
         Err(error) => {
             report(&error);
             ExitCode::from(STATUS_ERROR)
@@ -51,7 +51,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(command: &Command) -> Result<Outcome> {
+fn run(command: &Command) -> Result<CommandOutcome> {
     if let Command::Check(_) | Command::Audit(_) | Command::Diff(_) | Command::Convert(_) = command {
         backend::start_threads()?;
     }
@@ -72,7 +72,7 @@ fn run(command: &Command) -> Result<Outcome> {
 }
 
 /// Prints what the arguments call for instead of work: help, the version, or what is wrong with them.
-fn explain(answer: &clap::Error) -> Result<Outcome> {
+fn explain(answer: &clap::Error) -> Result<CommandOutcome> {
     let words = answer.render();
     // Arguments stand in it as they are; with colors of their own, all colors are left out.
     let is_plain = |argument: OsString| !argument.to_string_lossy().contains(catoptric_scene::is_active);
@@ -82,13 +82,13 @@ fn explain(answer: &clap::Error) -> Result<Outcome> {
             true => console::say_colored(words.ansi().to_string().trim_end()),
             false => console::say(words.to_string().trim_end()),
         }
-        return Ok(Outcome::WrongInput);
+        return Ok(CommandOutcome::WrongInput);
     }
     match is_colored && console::color_on(&std::io::stdout()) {
         true => console::print_colored(&words.ansi().to_string())?,
         false => console::print(&words.to_string())?,
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Prints an error once, with its causes.

@@ -1,4 +1,4 @@
-//! What is worth knowing of a scene, though nothing is wrong with it.
+//! Notes about a scene in which nothing is wrong.
 
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, Excess, ExcessKind, excesses};
 use catoptric_lab::work::RayEstimate;
@@ -27,7 +27,7 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     notes.iter().map(|note| format!("{name}: note: {note}\n")).collect()
 }
 
-/// The rays of a picture, as far as they can be told before it is traced.
+/// The rays of a picture, as far as they are known before it is traced.
 pub(crate) struct RayForecast {
     /// About so many, of all kinds.
     pub(crate) rays: f64,

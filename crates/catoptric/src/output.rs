@@ -9,14 +9,14 @@ use catoptric_picture::{Development, PictureFormat, SampleDepth, SaveOptions};
 
 use crate::arguments::DevelopmentArguments;
 
-/// What a file holds, by its extension.
+/// The kind of an output file, known by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum OutputKind {
     Picture(PictureFormat),
     Scene,
 }
 
-impl Kind {
+impl OutputKind {
     /// The kind that an extension or `--format` names.
     pub(crate) fn named(name: &str) -> Option<Self> {
         if name.eq_ignore_ascii_case("toml") {
@@ -36,8 +36,8 @@ pub(crate) fn format_names() -> String {
     PictureFormat::all_extensions(true).collect::<Vec<_>>().join(", ")
 }
 
-/// The format of the picture to write to `path`: `format` if it is given, else what the extension says. PNG for a pipe, a
-/// device or a descriptor whose name says nothing.
+/// The format of the picture to write to `path`: `format` if it is given, else what the extension says. PNG for a pipe,
+/// a device or a descriptor whose name says nothing.
 pub(crate) fn format_for_output(path: &Path, format: Option<PictureFormat>) -> Result<PictureFormat> {
     match (format, PictureFormat::of_path(path)) {
         (Some(format), _) | (None, Some(format)) => Ok(format),

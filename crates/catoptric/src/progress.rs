@@ -1,4 +1,4 @@
-//! What the terminal shows while one waits.
+//! The progress of work, on the terminal.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -50,7 +50,7 @@ impl Progress {
         let finished = AtomicBool::new(false);
         let result = thread::scope(|scope| {
             let watcher = scope.spawn(|| watch(control, expected, &finished));
-            let _end = End { finished: &finished, watcher: watcher.thread().clone() };
+            let _end = WatcherGuard { finished: &finished, watcher: watcher.thread().clone() };
             work()
         });
         clear();
@@ -98,12 +98,12 @@ impl Progress {
 }
 
 /// Ends the watcher when it goes out of scope, even if the work panics: the scope waits for the watcher.
-struct End<'a> {
+struct WatcherGuard<'a> {
     finished: &'a AtomicBool,
     watcher: thread::Thread,
 }
 
-impl Drop for End<'_> {
+impl Drop for WatcherGuard<'_> {
     fn drop(&mut self) {
         self.finished.store(true, Ordering::Relaxed);
         self.watcher.unpark();

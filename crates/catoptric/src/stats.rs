@@ -1,4 +1,4 @@
-//! What a render took, as JSON.
+//! The statistics of a render, as JSON.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 /// Milliseconds of each step.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Times {
+pub(crate) struct StepTimes {
     pub read: f64,
     pub prepare: f64,
     pub trace: f64,
@@ -35,7 +35,7 @@ pub(crate) struct Stats<'a> {
     pub method: &'a str,
     pub passes: &'a [(PassName, Duration)],
     pub cube_maps: Option<CubeMapUse>,
-    pub times: Times,
+    pub times: StepTimes,
     pub rays: RayCounts,
     pub peak_memory_bytes: Option<u64>,
 }
@@ -54,7 +54,7 @@ impl Stats<'_> {
     }
 
     pub(crate) fn to_json(&self) -> Value {
-        let Times { read, prepare, trace, develop, write } = self.times;
+        let StepTimes { read, prepare, trace, develop, write } = self.times;
         let RayCounts { primary, shadow, reflected, refracted } = self.rays;
         json!({
             "scene": self.scene,

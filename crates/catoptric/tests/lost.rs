@@ -1,7 +1,7 @@
 //! The driver of the window fails: the studio opens the window anew, with everything in it.
 //!
-//! Skipped, with a word about it, where there is no Xvfb. This program is also the studio whose driver fails: a window is
-//! opened by the main thread, which the tests of the usual harness do not have.
+//! Skipped, with a word about it, where there is no Xvfb. This program is also the studio whose driver fails: a window
+//! is opened by the main thread, which the tests of the usual harness do not have.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 #[cfg(target_os = "linux")]
@@ -24,7 +24,7 @@ mod linux {
     use std::thread::sleep;
     use std::time::{Duration, Instant};
 
-    use catoptric_studio::{Fault, Interruption, Start, open_with_fault};
+    use catoptric_studio::{InjectedLoss, Interruption, StartDocument, open_with_fault};
     use x11rb::protocol::xproto::Window;
 
     use crate::desk::{Opened, PATIENCE, SCENE};
@@ -48,10 +48,10 @@ mod linux {
 
     /// The studio; its device is lost with every byte that comes in.
     fn studio(scene: PathBuf) {
-        let fault = Fault::default();
+        let fault = InjectedLoss::default();
         let driver = fault.clone();
         std::thread::spawn(move || std::io::stdin().lock().bytes().for_each(|_| driver.strike()));
-        if let Err(error) = open_with_fault(&Start::File(scene), &Interruption::default(), &fault) {
+        if let Err(error) = open_with_fault(&StartDocument::File(scene), &Interruption::default(), &fault) {
             let _ = writeln!(std::io::stderr().lock(), "{error}");
             std::process::exit(2);
         }

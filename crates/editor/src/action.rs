@@ -13,13 +13,13 @@ use std::path::Path;
 use catoptric_scene::{Diagnostics, MaterialChoice, Scene, ShapeKind};
 use glam::DVec3;
 
-use crate::document::{Editor, Label, Refused};
+use crate::document::{Editor, Label, RefusedChange};
 use crate::fragment;
+use crate::new_body::NewBodyPlacement;
 use crate::selection::{Item, Selection};
-use crate::spot::Spot;
 use flags::Flag;
-use list::Move;
-pub(crate) use outcome::{Outcome, subject};
+use list::ListMove;
+pub(crate) use outcome::{ActionOutcome, subject};
 
 /// Something that can be done to a document in one go. Each is one undo step, but for those that only select, undo or
 /// redo. Locked bodies and lights stay as they are, where nothing else is said.
@@ -27,10 +27,10 @@ pub(crate) use outcome::{Outcome, subject};
 pub enum Action {
     /// Adds a body in a color of its own and selects it.
     AddBody {
-        /// Its shape.
+        /// The body's shape.
         shape: ShapeKind,
         /// Where it stands, and how large it is.
-        spot: Spot,
+        spot: NewBodyPlacement,
         /// What to call it, made unique by a number; the shape's key when empty.
         name: String,
     },
@@ -74,7 +74,7 @@ pub enum Action {
     UnlockAll,
     /// Moves what is selected, of the primary one's kind, one place up in its list; locked ones too.
     MoveUp,
-    /// The same, one place down.
+    /// Moves what is selected, of the primary one's kind, one place down in its list; locked ones too.
     MoveDown,
     /// Moves what is selected, of the primary one's kind, to stand together before the element that is at this place
     /// now, or at the end; locked ones too.
@@ -94,7 +94,7 @@ pub enum Action {
     Rename {
         /// The body, light or material.
         item: Item,
-        /// Its name.
+        /// The new name.
         name: String,
     },
     /// Deletes as [`Action::Delete`] does; take [`Editor::copy`] first.
@@ -128,7 +128,7 @@ pub enum ActionError {
     /// All that is selected is locked.
     #[error("everything selected is locked")]
     Locked,
-    /// It would change nothing.
+    /// The action would change nothing.
     #[error("there is nothing to do")]
     NothingToDo,
     /// There is no such body, light or material.
@@ -145,7 +145,7 @@ pub enum ActionError {
     NothingToPaste,
     /// The scene would have problems.
     #[error(transparent)]
-    Refused(#[from] Refused),
+    Refused(#[from] RefusedChange),
 }
 
 impl Action {
@@ -259,9 +259,9 @@ impl Action {
             Self::SetLocked { item, locked } => flags::check_set(scene, Flag::Locked, *item, *locked),
             Self::ShowAll => flags::check_clear(scene, Flag::Hidden).map(drop),
             Self::UnlockAll => flags::check_clear(scene, Flag::Locked).map(drop),
-            Self::MoveUp => list::check_reorder(scene, selection, Move::Up).map(drop),
-            Self::MoveDown => list::check_reorder(scene, selection, Move::Down).map(drop),
-            Self::MoveToIndex(place) => list::check_reorder(scene, selection, Move::To(*place)).map(drop),
+            Self::MoveUp => list::check_reorder(scene, selection, ListMove::Up).map(drop),
+            Self::MoveDown => list::check_reorder(scene, selection, ListMove::Down).map(drop),
+            Self::MoveToIndex(place) => list::check_reorder(scene, selection, ListMove::To(*place)).map(drop),
             Self::Rename { item, name } => material::check_rename(scene, *item, name).map(drop),
             Self::Paste(text) if text.trim().is_empty() => Err(ActionError::NothingToPaste),
             Self::Paste(_) => Ok(()),
@@ -287,7 +287,7 @@ impl Action {
         scene: &Scene,
         selection: &Selection,
         folder: Option<&Path>,
-    ) -> Result<Outcome, ActionError> {
+    ) -> Result<ActionOutcome, ActionError> {
         match self {
             Self::AddBody { shape, spot, name } => Ok(add::body(scene, *shape, spot, name.trim())),
             Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),
@@ -300,9 +300,9 @@ impl Action {
             Self::SetLocked { item, locked } => flags::set(scene, selection, Flag::Locked, *item, *locked),
             Self::ShowAll => flags::clear(scene, selection, Flag::Hidden),
             Self::UnlockAll => flags::clear(scene, selection, Flag::Locked),
-            Self::MoveUp => list::reorder(scene, selection, Move::Up),
-            Self::MoveDown => list::reorder(scene, selection, Move::Down),
-            Self::MoveToIndex(place) => list::reorder(scene, selection, Move::To(*place)),
+            Self::MoveUp => list::reorder(scene, selection, ListMove::Up),
+            Self::MoveDown => list::reorder(scene, selection, ListMove::Down),
+            Self::MoveToIndex(place) => list::reorder(scene, selection, ListMove::To(*place)),
             Self::Rename { item, name } => material::rename(scene, selection, *item, name),
             Self::Paste(text) => fragment::paste(scene, text, folder),
             Self::AssignMaterial(choice) => material::assign(scene, selection, choice),
@@ -340,7 +340,7 @@ impl Editor {
                     is_new
                 }
                 None => {
-                    let Outcome { scene, selection, subject } =
+                    let ActionOutcome { scene, selection, subject } =
                         action.outcome(self.scene(), self.selection(), self.folder())?;
                     self.step(Label::new(action.key(), subject), scene, selection)?
                 }

@@ -1,4 +1,4 @@
-//! How far bodies reach.
+//! Bounding boxes and spheres of bodies.
 
 use catoptric_scene::{Body, Scene, Shape};
 use glam::DVec3;
@@ -41,12 +41,12 @@ impl Bounds {
     }
 }
 
-/// A ball around something, meters.
+/// A sphere that encloses something, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
-    /// Its center.
+pub struct BoundingSphere {
+    /// The center.
     pub center: DVec3,
-    /// Its radius.
+    /// The radius.
     pub radius: f64,
 }
 
@@ -81,8 +81,8 @@ pub fn of_body(body: &Body) -> Option<Bounds> {
     })
 }
 
-/// Whether a plane parts two bodies: they have nothing but their surfaces in common then. Tried are planes across the axes
-/// of both, the products of these and the line between the middles, as for boxes (Gottschalk et al. 1996, OBBTree,
+/// Whether a plane parts two bodies: they have nothing but their surfaces in common then. Tried are planes across the
+/// axes of both, the products of these and the line between the middles, as for boxes (Gottschalk et al. 1996, OBBTree,
 /// sec. 5); two bodies may be apart and not be found to be. Planes are apart from nothing.
 pub fn are_apart(one: &Body, other: &Body) -> bool {
     /// Bodies that stand on each other overlap by rounding: this part of their sizes does not count.
@@ -109,7 +109,7 @@ pub fn are_apart(one: &Body, other: &Body) -> bool {
 }
 
 /// A ball around a body, the smallest one where a cylinder's or cone's cross section is a circle; `None` for a plane.
-pub(crate) fn ball_of_body(body: &Body) -> Option<Ball> {
+pub(crate) fn ball_of_body(body: &Body) -> Option<BoundingSphere> {
     let world_from_body = body.placement.world_from_body();
     let scale = body.placement.scale;
     let wide = scale.x.max(scale.z);
@@ -129,7 +129,7 @@ pub(crate) fn ball_of_body(body: &Body) -> Option<Ball> {
         }
         Shape::Plane => return None,
     };
-    Some(Ball { center: world_from_body.transform_point3(center), radius })
+    Some(BoundingSphere { center: world_from_body.transform_point3(center), radius })
 }
 
 /// The box around the selected bodies and lights; `None` when there are none but planes.
@@ -140,10 +140,10 @@ fn of_selection(scene: &Scene, selection: &Selection) -> Option<Bounds> {
 }
 
 /// A ball around the selected bodies and lights; `None` when there are none but planes.
-pub fn ball_of_selection(scene: &Scene, selection: &Selection) -> Option<Ball> {
+pub fn ball_of_selection(scene: &Scene, selection: &Selection) -> Option<BoundingSphere> {
     let bodies = selection.bodies().filter_map(|index| ball_of_body(scene.bodies.get(index)?));
     let lights = selection.lights().filter_map(|index| scene.lights.get(index));
-    let lights = lights.map(|light| Ball { center: light.position, radius: 0.0 });
+    let lights = lights.map(|light| BoundingSphere { center: light.position, radius: 0.0 });
     Some(around(of_selection(scene, selection)?, bodies.chain(lights)))
 }
 
@@ -153,7 +153,7 @@ fn of_scene(scene: &Scene) -> Option<Bounds> {
 }
 
 /// A ball around all bodies that are not hidden; `None` when there are none but planes.
-pub fn ball_of_scene(scene: &Scene) -> Option<Ball> {
+pub fn ball_of_scene(scene: &Scene) -> Option<BoundingSphere> {
     Some(around(of_scene(scene)?, shown(scene).filter_map(ball_of_body)))
 }
 
@@ -162,10 +162,10 @@ fn shown(scene: &Scene) -> impl Iterator<Item = &Body> {
 }
 
 /// A ball about the middle of `bounds` that holds all of `balls`, and is no larger than that of the whole box.
-fn around(bounds: Bounds, balls: impl Iterator<Item = Ball>) -> Ball {
+fn around(bounds: Bounds, balls: impl Iterator<Item = BoundingSphere>) -> BoundingSphere {
     let center = bounds.center();
     let radius = balls.map(|ball| ball.center.distance(center) + ball.radius).fold(0.0, f64::max);
-    Ball { center, radius: radius.min(0.5 * bounds.size().length()) }
+    BoundingSphere { center, radius: radius.min(0.5 * bounds.size().length()) }
 }
 
 #[cfg(test)]
@@ -223,7 +223,10 @@ mod tests {
     fn balls_hold_the_body_and_are_tight() {
         let ball =
             |shape, scale| ball_of_body(&body(shape, DVec3::X, DVec3::new(30.0, 40.0, 50.0), scale)).unwrap();
-        assert_eq!(ball(Shape::SPHERE, DVec3::new(1.0, 3.0, 2.0)), Ball { center: DVec3::X, radius: 3.0 });
+        assert_eq!(
+            ball(Shape::SPHERE, DVec3::new(1.0, 3.0, 2.0)),
+            BoundingSphere { center: DVec3::X, radius: 3.0 }
+        );
         assert_eq!(ball(Shape::Cube { size: DVec3::new(2.0, 3.0, 6.0) }, DVec3::ONE).radius, 3.5);
         assert_eq!(ball(Shape::Cylinder { radius: 3.0, height: 8.0 }, DVec3::ONE).radius, 5.0);
         // A cone of a base of 3 and height 9: the ball through apex and rim, r = (9² + 3²)/(2·9).
@@ -232,7 +235,7 @@ mod tests {
         assert!((cone.center.distance(DVec3::X) - 4.0).abs() < 1e-12);
         // A flat one lies within the ball of its base.
         let flat = ball(Shape::Cone { radius: 3.0, top_radius: 1.0, height: 1.0 }, DVec3::ONE);
-        assert_eq!(flat, Ball { center: DVec3::X, radius: 3.0 });
+        assert_eq!(flat, BoundingSphere { center: DVec3::X, radius: 3.0 });
         let funnel =
             ball(Shape::Cone { radius: 1.0, top_radius: 3.0, height: 1.0 }, DVec3::new(1.0, 0.5, 1.0));
         assert_eq!(funnel.radius, 3.0);
@@ -281,12 +284,15 @@ mod tests {
         scene.bodies.push(Body { shape: Shape::Plane, ..Body::default() });
         scene.lights.push(catoptric_scene::Light { position: DVec3::Y * 7.0, ..Default::default() });
         assert_close(of_scene(&scene).unwrap(), [-1.0; 3], [5.0, 1.0, 1.0]);
-        assert_eq!(ball_of_scene(&scene), Some(Ball { center: DVec3::X * 2.0, radius: 3.0 }));
+        assert_eq!(ball_of_scene(&scene), Some(BoundingSphere { center: DVec3::X * 2.0, radius: 3.0 }));
         let selection: Selection =
             [Item::Body(3), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
         assert_close(of_selection(&scene, &selection).unwrap(), [0.0, -1.0, -1.0], [51.0, 7.0, 1.0]);
         assert_eq!(of_selection(&scene, &Selection::one(Item::Body(3))), None);
         let light = Selection::one(Item::Light(0));
-        assert_eq!(ball_of_selection(&scene, &light), Some(Ball { center: DVec3::Y * 7.0, radius: 0.0 }));
+        assert_eq!(
+            ball_of_selection(&scene, &light),
+            Some(BoundingSphere { center: DVec3::Y * 7.0, radius: 0.0 })
+        );
     }
 }

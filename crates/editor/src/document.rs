@@ -9,10 +9,10 @@ use std::sync::Arc;
 
 use catoptric_scene::{Problem, Scene};
 
-use crate::history::{Difference, History, Step};
+use crate::history::{Difference, History, UndoStep};
 use crate::selection::Selection;
 pub(crate) use images::mover;
-pub use saving::Writing;
+pub use saving::SceneWriter;
 
 /// What an undo step did, for a history menu.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -30,10 +30,10 @@ impl Label {
     }
 }
 
-/// A change that would have made the scene one that no file can say; the scene is as it was.
+/// A change that was refused, since no file can express the scene; the scene has not changed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("; "))]
-pub struct Refused {
+pub struct RefusedChange {
     /// What would have been wrong, at least one.
     pub problems: Vec<Problem>,
 }
@@ -111,7 +111,7 @@ impl Editor {
         editor
     }
 
-    /// The same document as the successor of another in the same window: its [revision](Self::revision) is greater.
+    /// Makes this document the successor of another in the same window: its [revision](Self::revision) is greater.
     #[must_use]
     pub fn succeeding(mut self, before: &Self) -> Self {
         self.revision = self.revision.max(before.revision + 1);
@@ -154,7 +154,7 @@ impl Editor {
     pub fn settle(&mut self) -> bool {
         let Some(gesture) = self.gesture.take() else { return false };
         let Some(difference) = Difference::between(&gesture.start, &self.scene) else { return false };
-        self.history.push(Step {
+        self.history.push(UndoStep {
             label: gesture.label,
             difference,
             selection_before: gesture.selection,

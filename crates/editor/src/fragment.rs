@@ -8,16 +8,16 @@ use catoptric_scene::{
 };
 use glam::DVec3;
 
-use crate::action::{ActionError, Outcome};
+use crate::action::{ActionError, ActionOutcome};
 use crate::bounds;
 use crate::document::mover;
-use crate::names::{Names, base, used_materials};
+use crate::names::{UsedNames, base, used_materials};
 use crate::selection::{Item, Selection};
 
 /// How far copies are moved aside that are only lights or planes, meters.
 const ASIDE: f64 = 0.5;
 
-/// So many places are tried for copies before they are left where something else stands.
+/// The most places that are tried for copies before they are left where something else stands.
 const MOST_STEPS: u32 = 1000;
 
 /// The selected bodies and lights, and the materials they name or that are selected, as a scene file's text. Paths of
@@ -55,7 +55,7 @@ pub(crate) fn copy(scene: &Scene, selection: &Selection, folder: Option<&Path>) 
 }
 
 /// Adds what a scene file's text says to a scene whose paths of pictures begin at `folder`.
-pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<Outcome, ActionError> {
+pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<ActionOutcome, ActionError> {
     if text.trim().is_empty() {
         return Err(ActionError::NothingToPaste);
     }
@@ -74,7 +74,7 @@ pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<
             image.clone_from(found);
         }
     });
-    let mut names = Names::of_materials(scene);
+    let mut names = UsedNames::of_materials(scene);
     let mut renamed: HashMap<String, String> = HashMap::new();
     let mut added = Vec::new();
     for mut named in std::mem::take(&mut pasted.materials) {
@@ -112,13 +112,13 @@ fn is_copy_name(other: &str, name: &str, scene: &Scene) -> bool {
 
 /// Adds bodies, lights and materials at the end of a scene's lists and selects them. The materials' names are taken to
 /// be free; the other names are made so. What would stand exactly where something else does is moved a little.
-pub(crate) fn add(scene: &Scene, mut parts: Scene) -> Outcome {
-    let mut names = Names::of(scene.bodies.iter().map(|body| body.name.as_str()));
+pub(crate) fn add(scene: &Scene, mut parts: Scene) -> ActionOutcome {
+    let mut names = UsedNames::of(scene.bodies.iter().map(|body| body.name.as_str()));
     for body in &mut parts.bodies {
         body.name = names.take(&body.name);
         body.locked = false;
     }
-    let mut names = Names::of(scene.lights.iter().map(|light| light.name.as_str()));
+    let mut names = UsedNames::of(scene.lights.iter().map(|light| light.name.as_str()));
     for light in &mut parts.lights {
         light.name = names.take(&light.name);
         light.locked = false;
@@ -136,7 +136,7 @@ pub(crate) fn add(scene: &Scene, mut parts: Scene) -> Outcome {
     scene.bodies.extend(parts.bodies);
     let items: Vec<Item> = selection.iter().collect();
     let subject = crate::action::subject(&scene, &items);
-    Outcome { scene, selection, subject }
+    ActionOutcome { scene, selection, subject }
 }
 
 /// A place as something that can be looked up.

@@ -1,4 +1,4 @@
-//! What was done, so that it can be undone and done again.
+//! The undo history.
 
 mod difference;
 mod sequence;
@@ -13,7 +13,7 @@ pub(crate) use difference::Difference;
 
 /// One undo step.
 #[derive(Clone, Debug)]
-pub(crate) struct Step {
+pub(crate) struct UndoStep {
     pub(crate) label: Label,
     pub(crate) difference: Difference,
     pub(crate) selection_before: Selection,
@@ -25,19 +25,19 @@ pub(crate) struct Step {
 /// All steps since the document was opened, and how many of them are done.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct History {
-    steps: Vec<Step>,
+    steps: Vec<UndoStep>,
     done: usize,
 }
 
 impl History {
     /// Adds a step that has just been done; what was undone before is forgotten.
-    pub(crate) fn push(&mut self, step: Step) {
+    pub(crate) fn push(&mut self, step: UndoStep) {
         self.steps.truncate(self.done);
         self.steps.push(step);
         self.done = self.steps.len();
     }
 
-    pub(crate) fn steps(&self) -> &[Step] {
+    pub(crate) fn steps(&self) -> &[UndoStep] {
         &self.steps
     }
 
@@ -52,12 +52,12 @@ impl History {
     }
 
     /// The step that would be undone next.
-    pub(crate) fn last_done(&self) -> Option<&Step> {
+    pub(crate) fn last_done(&self) -> Option<&UndoStep> {
         self.steps.get(self.done.checked_sub(1)?)
     }
 
     /// The step that would be done again next.
-    pub(crate) fn first_undone(&self) -> Option<&Step> {
+    pub(crate) fn first_undone(&self) -> Option<&UndoStep> {
         self.steps.get(self.done)
     }
 
@@ -66,7 +66,7 @@ impl History {
         self.steps.iter_mut().for_each(|step| step.difference.edit_images(edit));
     }
 
-    /// Takes the scene one step back, and tells what was selected then.
+    /// Takes the scene one step back, and returns the selection of that time.
     pub(crate) fn undo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
         let step = self.last_done()?;
         step.difference.undo(Arc::make_mut(scene));
@@ -75,7 +75,7 @@ impl History {
         Some(selection)
     }
 
-    /// Takes the scene one step forward again, and tells what was selected then.
+    /// Takes the scene one step forward again, and returns the selection of that time.
     pub(crate) fn redo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
         let step = self.first_undone()?;
         step.difference.redo(Arc::make_mut(scene));

@@ -7,11 +7,11 @@ mod fragment;
 mod history;
 mod names;
 pub mod navigate;
+mod new_body;
 pub mod recovery;
 mod selection;
-mod spot;
 
 pub use action::{Action, ActionError};
-pub use document::{Editor, Label, Refused, Writing};
+pub use document::{Editor, Label, RefusedChange, SceneWriter};
+pub use new_body::NewBodyPlacement;
 pub use selection::{Item, Selection};
-pub use spot::Spot;

@@ -4,14 +4,14 @@ use std::collections::{HashMap, HashSet};
 
 use catoptric_scene::{Body, List, Scene};
 
-/// The names that are taken.
-pub(crate) struct Names {
+/// The names that are in use.
+pub(crate) struct UsedNames {
     taken: HashSet<String>,
     /// For a name without its number, the number to try next.
     next: HashMap<String, u64>,
 }
 
-impl Names {
+impl UsedNames {
     pub(crate) fn of<'a>(names: impl Iterator<Item = &'a str>) -> Self {
         Self { taken: names.map(str::to_owned).collect(), next: HashMap::new() }
     }
@@ -57,7 +57,7 @@ mod tests {
 
     #[test]
     fn numbers_count_from_two_and_fill_gaps() {
-        let mut names = Names::of(["ball", "ball 3", "7", "cube 2", ""].into_iter());
+        let mut names = UsedNames::of(["ball", "ball 3", "7", "cube 2", ""].into_iter());
         assert_eq!(names.take("ball"), "ball 2");
         assert_eq!(names.take("ball"), "ball 4");
         assert_eq!(names.take("ball 2"), "ball 5");

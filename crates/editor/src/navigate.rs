@@ -12,15 +12,15 @@ use glam::{DMat3, DQuat, DVec3};
 
 pub use range::{CachedCameraRange, CameraRange};
 
-/// How near to the pole the view can be turned, radians. Nearer than that, the picture would spin under the hand.
+/// How near to the pole the view can be turned, radians. Nearer than that, the picture would spin under the pointer.
 const NEAREST_POLE: f64 = 0.002;
 
 /// Room around a framed ball, as a part of its radius.
 const MARGIN: f64 = 0.1;
 
-/// A side to look from, with Y up and the front towards +Z.
+/// The side of the scene to look from, with Y up and the front towards +Z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Axis {
+pub enum ViewSide {
     /// From +Z.
     Front,
     /// From −Z.
@@ -35,7 +35,7 @@ pub enum Axis {
     Bottom,
 }
 
-impl Axis {
+impl ViewSide {
     /// All sides.
     pub const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
@@ -133,7 +133,7 @@ pub fn dolly(camera: &Camera, factor: f64) -> Camera {
     }
 }
 
-/// The same, but `point` stays where it is in the picture.
+/// Moves the camera as [`dolly`] does; `point` keeps its place in the picture.
 pub fn zoom_towards(camera: &Camera, point: DVec3, factor: f64) -> Camera {
     if factor.is_nan() || factor <= 0.0 {
         return *camera;
@@ -190,7 +190,7 @@ pub fn frame(camera: &Camera, center: DVec3, radius: f64, aspect: f64) -> Camera
 }
 
 /// Looks at `center` from a side, at the same distance.
-pub fn look_along(camera: &Camera, axis: Axis, center: DVec3) -> Camera {
+pub fn look_along(camera: &Camera, axis: ViewSide, center: DVec3) -> Camera {
     let (from, up) = axis.place_and_up();
     let distance = camera.position.distance(camera.target);
     moved(camera, Camera { position: center + from * distance, target: center, up, ..*camera })

@@ -1,4 +1,4 @@
-//! What is left of documents whose program ended without saving them.
+//! Recovery of documents whose program ended without saving them.
 //!
 //! Every running editor has a place in a folder: a lock file, held as long as the editor runs, and beside it the
 //! document, a scene file whose first lines tell where it came from. The system lets go of the lock whatever ends the
@@ -20,7 +20,7 @@ use catoptric_files::{WriteError, write_bytes};
 pub struct Snapshot {
     /// The file that the document belongs to, if any.
     pub original_path: Option<PathBuf>,
-    /// Its title.
+    /// The document's title.
     pub title: String,
     /// The text of the scene.
     pub text: String,
@@ -128,7 +128,7 @@ impl Orphan {
         self.written
     }
 
-    /// Its file.
+    /// The recovery file.
     pub fn path(&self) -> &Path {
         &self.document
     }

@@ -1,8 +1,8 @@
-//! What is selected.
+//! The selection.
 
 use std::collections::HashMap;
 
-use catoptric_scene::{Part, Scene};
+use catoptric_scene::{Scene, ScenePart};
 
 /// A thing of a scene that can be selected and inspected. Numbers are places in the scene's lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -72,14 +72,14 @@ impl Item {
     }
 
     /// The part of the scene that problems of this thing are in.
-    pub fn part(self) -> Part {
+    pub fn part(self) -> ScenePart {
         match self {
-            Self::Camera => Part::Camera,
-            Self::Environment => Part::Environment,
-            Self::Tracing => Part::Tracing,
-            Self::Material(index) => Part::Material(index),
-            Self::Light(index) => Part::Light(index),
-            Self::Body(index) => Part::Body(index),
+            Self::Camera => ScenePart::Camera,
+            Self::Environment => ScenePart::Environment,
+            Self::Tracing => ScenePart::Tracing,
+            Self::Material(index) => ScenePart::Material(index),
+            Self::Light(index) => ScenePart::Light(index),
+            Self::Body(index) => ScenePart::Body(index),
         }
     }
 }
@@ -97,7 +97,7 @@ impl Selection {
         Self { items: Vec::new() }
     }
 
-    /// This one thing.
+    /// A selection of one thing.
     pub fn one(item: Item) -> Self {
         Self { items: vec![item] }
     }

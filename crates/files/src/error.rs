@@ -1,4 +1,4 @@
-//! What can stand in the way.
+//! The errors of writing.
 
 use std::io;
 use std::path::{Path, PathBuf};

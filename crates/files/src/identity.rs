@@ -1,11 +1,11 @@
-//! Whether two paths lead to the same file, however they are written.
+//! The identity of files: whether two paths lead to the same one, however they are written.
 
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
 use crate::descriptor::{self, Descriptor};
-use crate::target::{Target, directory_of};
+use crate::target::{OutputTarget, directory_of};
 
 /// What a path leads to: equal for all names, links and descriptors of one file.
 ///
@@ -30,8 +30,8 @@ enum Id {
 }
 
 impl FileId {
-    /// The plain file that is read at `path`, `-` being standard input; `None` for pipes and devices, which nothing that
-    /// is written can destroy, and for what is not there.
+    /// The plain file that is read at `path`, `-` being standard input; `None` for pipes and devices, which nothing
+    /// that is written can destroy, and for what is not there.
     pub fn of_input(path: &Path) -> Option<Self> {
         let metadata = if descriptor::is_dash(path) {
             Descriptor::STDIN.duplicate().and_then(|file| file.metadata()).ok()?
@@ -44,16 +44,16 @@ impl FileId {
     /// The file or pipe that is written at `path`, `-` being standard output; `None` for devices, such as terminals and
     /// `/dev/null`, which take anything from anyone, and for what cannot be written.
     pub fn of_output(path: &Path) -> Option<Self> {
-        match Target::of(path).ok()? {
-            Target::Descriptor(descriptor) => {
+        match OutputTarget::of(path).ok()? {
+            OutputTarget::Descriptor(descriptor) => {
                 let metadata = descriptor.duplicate().and_then(|file| file.metadata()).ok()?;
                 if is_device(&metadata) { None } else { Self::of_metadata(&metadata, path) }
             }
-            Target::Stream { path } => {
+            OutputTarget::Stream { path } => {
                 let metadata = fs::metadata(&path).ok()?;
                 if is_device(&metadata) { None } else { Self::of_metadata(&metadata, &path) }
             }
-            Target::File { path, .. } => match fs::metadata(&path) {
+            OutputTarget::File { path, .. } => match fs::metadata(&path) {
                 Ok(metadata) => Self::of_metadata(&metadata, &path),
                 Err(_) => Self::missing(&path),
             },

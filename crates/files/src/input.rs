@@ -38,8 +38,8 @@ pub fn read_bytes(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Where relative paths in the file at `path` begin: its directory. `None` for `-`, descriptors, pipes and devices, which
-/// are in no directory: their paths begin where the program was started.
+/// Where relative paths in the file at `path` begin: its directory. `None` for `-`, descriptors, pipes and devices,
+/// which are in no directory: their paths begin where the program was started.
 pub fn directory_of_file(path: &Path) -> Option<&Path> {
     let is_stream = descriptor_of(path).is_some() || fs::metadata(path).is_ok_and(|found| !found.is_file());
     if is_stream { None } else { path.parent() }

@@ -22,7 +22,7 @@ use std::path::Path;
 
 use tempfile::NamedTempFile;
 
-use target::{Target, directory_of};
+use target::{OutputTarget, directory_of};
 
 pub use error::WriteError;
 pub use identity::FileId;
@@ -45,13 +45,13 @@ impl<T: Write + Seek> Sink for T {}
 /// # Errors
 /// What stands in the way, where, and what to do. The disk can still run full later.
 pub fn check_writable(path: &Path) -> Result<(), WriteError> {
-    match Target::of(path)? {
-        Target::File { directory, .. } => temporary::create(path, &directory).map(drop),
-        Target::Descriptor(descriptor) => descriptor
+    match OutputTarget::of(path)? {
+        OutputTarget::File { directory, .. } => temporary::create(path, &directory).map(drop),
+        OutputTarget::Descriptor(descriptor) => descriptor
             .duplicate()
             .map(drop)
             .map_err(|source| WriteError::NoDescriptor { path: path.to_owned(), source }),
-        Target::Stream { .. } => Ok(()),
+        OutputTarget::Stream { .. } => Ok(()),
     }
 }
 
@@ -78,19 +78,21 @@ pub fn check_directory(path: &Path) -> Result<(), WriteError> {
 
 /// Whether what is written to `path` goes through a descriptor, a pipe or a device, and replaces no file.
 pub fn is_stream(path: &Path) -> bool {
-    matches!(Target::of(path), Ok(Target::Descriptor(_) | Target::Stream { .. }))
+    matches!(OutputTarget::of(path), Ok(OutputTarget::Descriptor(_) | OutputTarget::Stream { .. }))
 }
 
 /// Whether what is written to `path` appears on a terminal.
 pub fn is_terminal(path: &Path) -> bool {
-    match Target::of(path) {
-        Ok(Target::Descriptor(descriptor)) => descriptor.duplicate().is_ok_and(|file| file.is_terminal()),
-        Ok(Target::Stream { path }) => {
+    match OutputTarget::of(path) {
+        Ok(OutputTarget::Descriptor(descriptor)) => {
+            descriptor.duplicate().is_ok_and(|file| file.is_terminal())
+        }
+        Ok(OutputTarget::Stream { path }) => {
             // Opening a pipe would wait for its reader.
             is_character_device(&path)
                 && File::options().write(true).open(&path).is_ok_and(|file| file.is_terminal())
         }
-        Ok(Target::File { .. }) | Err(_) => false,
+        Ok(OutputTarget::File { .. }) | Err(_) => false,
     }
 }
 
@@ -117,26 +119,27 @@ pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// standard output), gets the same bytes, all at once when `fill` has ended.
 ///
 /// # Errors
-/// As for [`write_bytes`], and what `fill` returns; nothing has changed then. A stream may have got a part of the bytes.
+/// Those of [`write_bytes`], and what `fill` returns; nothing has changed then. A stream may have got a part of the
+/// bytes.
 pub fn write_whole(
     path: &Path,
     fill: impl FnOnce(&mut dyn Sink) -> io::Result<()>,
 ) -> Result<(), WriteError> {
-    let written = match Target::of(path)? {
-        Target::File { path: target, directory, permissions } => {
+    let written = match OutputTarget::of(path)? {
+        OutputTarget::File { path: target, directory, permissions } => {
             let file = temporary::create(path, &directory)?;
             fill_to_disk(file.as_file(), fill)
                 .and_then(|()| finish(file, &target, permissions))
                 .map(|()| sync_directory(&directory))
         }
-        Target::Descriptor(descriptor) => {
+        OutputTarget::Descriptor(descriptor) => {
             let opened = descriptor.duplicate();
             let stream =
                 opened.map_err(|source| WriteError::NoDescriptor { path: path.to_owned(), source })?;
             write_through(stream, fill)
         }
         // Opened last: it may wait for a reader. Appended to, in case that it is a file of another process.
-        Target::Stream { path } => {
+        OutputTarget::Stream { path } => {
             File::options().append(true).open(path).and_then(|stream| write_through(stream, fill))
         }
     };

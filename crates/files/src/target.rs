@@ -1,4 +1,4 @@
-//! What a path for output leads to.
+//! The target of a path for output.
 
 use std::fs;
 use std::io;
@@ -10,9 +10,9 @@ use crate::error::WriteError;
 /// Symbolic links followed at most, as many as Linux follows.
 const LINKS: usize = 40;
 
-/// Where the bytes will go.
+/// The target of a path for output.
 #[derive(Debug)]
-pub(crate) enum Target {
+pub(crate) enum OutputTarget {
     /// A plain file, existing (then with its permissions) or not, reached through any symbolic links. It is replaced.
     File { path: PathBuf, directory: PathBuf, permissions: Option<fs::Permissions> },
     /// An open descriptor of this process, whatever is behind it. It is written through.
@@ -21,13 +21,13 @@ pub(crate) enum Target {
     Stream { path: PathBuf },
 }
 
-impl Target {
+impl OutputTarget {
     /// Follows symbolic links and looks at what is there.
     pub(crate) fn of(path: &Path) -> Result<Self, WriteError> {
         let target = match follow_links(path)? {
-            Followed::Descriptor(descriptor) => return Ok(Self::Descriptor(descriptor)),
-            Followed::Foreign(path) => return Ok(Self::Stream { path }),
-            Followed::Path(target) => target,
+            LinkTarget::Descriptor(descriptor) => return Ok(Self::Descriptor(descriptor)),
+            LinkTarget::Foreign(path) => return Ok(Self::Stream { path }),
+            LinkTarget::Path(target) => target,
         };
         let permissions = match fs::metadata(&target) {
             Ok(found) if found.is_dir() => return Err(WriteError::IsDirectory { path: path.to_owned() }),
@@ -55,7 +55,7 @@ impl Target {
 /// The descriptor that a path names, directly or by symbolic links.
 pub(crate) fn descriptor_of(path: &Path) -> Option<Descriptor> {
     match follow_links(path) {
-        Ok(Followed::Descriptor(descriptor)) => Some(descriptor),
+        Ok(LinkTarget::Descriptor(descriptor)) => Some(descriptor),
         _ => None,
     }
 }
@@ -65,26 +65,27 @@ pub(crate) fn directory_of(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// What symbolic links lead to.
-enum Followed {
+/// The target of symbolic links.
+enum LinkTarget {
     Descriptor(Descriptor),
-    /// A descriptor of another process, by its link: the link's text may be the name of a file, which must not be replaced.
+    /// A descriptor of another process, by its link: the link's text may be the name of a file, which must not be
+    /// replaced.
     Foreign(PathBuf),
     /// Whether or not something is there.
     Path(PathBuf),
 }
 
-fn follow_links(path: &Path) -> Result<Followed, WriteError> {
+fn follow_links(path: &Path) -> Result<LinkTarget, WriteError> {
     let mut target = path.to_owned();
     for _ in 0..LINKS {
         if let Some(descriptor) = Descriptor::named(&target) {
-            return Ok(Followed::Descriptor(descriptor));
+            return Ok(LinkTarget::Descriptor(descriptor));
         }
         match fs::read_link(&target) {
-            Ok(_) if descriptor::is_foreign(&target) => return Ok(Followed::Foreign(target)),
+            Ok(_) if descriptor::is_foreign(&target) => return Ok(LinkTarget::Foreign(target)),
             // An absolute destination replaces the parent.
             Ok(destination) => target = target.parent().unwrap_or(Path::new("")).join(destination),
-            Err(_) => return Ok(Followed::Path(target)),
+            Err(_) => return Ok(LinkTarget::Path(target)),
         }
     }
     Err(WriteError::Circle { path: path.to_owned() })

@@ -1,7 +1,8 @@
 //! Temporary files beside their targets, and those that killed processes have left behind.
 //!
 //! A temporary file is locked as long as its process lives: the system lets go of the lock whatever ends the process. A
-//! temporary file that nobody has locked is stale and is removed by the next process that writes into the same directory.
+//! temporary file that nobody has locked is stale and is removed by the next process that writes into the same
+//! directory.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -22,8 +23,8 @@ const TRIES: usize = 16;
 /// Directories that were swept; once is enough, for what this process leaves behind it cannot remove either.
 static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// A new temporary file in this directory for the target `path`, locked, removed when dropped; the umask decides who may
-/// read it.
+/// A new temporary file in this directory for the target `path`, locked, removed when dropped; the umask decides who
+/// may read it.
 pub(crate) fn create(path: &Path, directory: &Path) -> Result<NamedTempFile, WriteError> {
     sweep_once(directory);
     let closed = |error: std::io::Error| WriteError::Closed {
@@ -82,7 +83,8 @@ fn sweep(directory: &Path) {
         if !is_temporary || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;
         }
-        // The lock is held until the file is gone: a process that has just made it waits for no lock, and makes another.
+        // The lock is held until the file is gone: a process that has just made it waits for no lock, and makes
+        // another.
         if let Ok(file) = File::open(entry.path())
             && file.try_lock().is_ok()
         {

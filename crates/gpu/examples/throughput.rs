@@ -5,7 +5,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use catoptric_gpu::{Gpu, GpuChoice, GpuFilm, GpuPass, StageOnCard};
+use catoptric_gpu::{Gpu, GpuChoice, GpuFilm, GpuPass, GpuScene};
 use catoptric_picture::Difference;
 use catoptric_scene::{Scene, Shape, load};
 use catoptric_tracer::{RayCounts, RenderControl, RenderScene, RenderSettings, render};
@@ -112,7 +112,7 @@ fn measure(
     frames: usize,
 ) -> Result<(Frame, f64), Box<dyn Error>> {
     let camera = stage.camera();
-    let mut on_card = StageOnCard::new(gpu)?;
+    let mut on_card = GpuScene::new(gpu)?;
     on_card.follow(gpu, stage, camera)?;
     let mut film = GpuFilm::new(gpu, width, height)?;
     let control = RenderControl::default();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::choice::{GpuChoice, is_software};
 use crate::error::GpuError;
 use crate::pipelines::{Pipelines, STORED};
-use crate::watch::Watch;
+use crate::watch::LossWatch;
 
 /// An open graphics card, with the shaders compiled so far.
 pub struct Gpu {
@@ -13,7 +13,7 @@ pub struct Gpu {
     pub(crate) queue: wgpu::Queue,
     info: GpuInfo,
     pub(crate) pipelines: Pipelines,
-    pub(crate) watch: Arc<Watch>,
+    pub(crate) watch: Arc<LossWatch>,
 }
 
 /// What is known of a graphics card.
@@ -23,7 +23,7 @@ pub struct GpuInfo {
     pub name: String,
     /// The interface by which it is driven, such as `Vulkan`.
     pub interface: String,
-    /// The driver and its version, as far as they are told.
+    /// The driver and its version, as far as they are known.
     pub driver: String,
     /// Whether it is a driver that computes on the CPU.
     pub is_software: bool,
@@ -48,24 +48,28 @@ impl Gpu {
             .map_err(|error| GpuError::NotOpened(error.to_string()))?;
         // Errors are looked for where they arise; one that arises elsewhere must not end the program.
         device.on_uncaptured_error(Arc::new(|_| {}));
-        let watch = Watch::over(&device, || {});
+        let watch = LossWatch::over(&device, || {});
         Self::new(device, queue, &info, watch)
     }
 
-    /// Draws with a device that others, such as a window, use too. From now on its loss is told here.
+    /// Draws with a device that others, such as a window, use too. From now on its loss is recorded here.
     ///
     /// # Errors
     /// When it lacks something.
     pub fn on(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
-        let watch = Watch::over(&device, || {});
+        let watch = LossWatch::over(&device, || {});
         Self::watched(device, queue, watch)
     }
 
-    /// The same with a device that is watched already.
+    /// Draws with a device of others that is watched already.
     ///
     /// # Errors
     /// When it lacks something.
-    pub fn watched(device: wgpu::Device, queue: wgpu::Queue, watch: Arc<Watch>) -> Result<Self, GpuError> {
+    pub fn watched(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        watch: Arc<LossWatch>,
+    ) -> Result<Self, GpuError> {
         let info = device.adapter_info();
         Self::new(device, queue, &info, watch)
     }
@@ -79,7 +83,7 @@ impl Gpu {
         device: wgpu::Device,
         queue: wgpu::Queue,
         info: &wgpu::AdapterInfo,
-        watch: Arc<Watch>,
+        watch: Arc<LossWatch>,
     ) -> Result<Self, GpuError> {
         check_limits(&device.limits(), &info.name)?;
         let driver = format!("{} {}", info.driver, info.driver_info).trim().to_owned();

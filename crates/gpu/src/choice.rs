@@ -1,4 +1,4 @@
-//! Which graphics card.
+//! The choice of a graphics card.
 
 use std::path::Path;
 
@@ -14,8 +14,8 @@ pub struct GpuChoice {
 }
 
 impl GpuChoice {
-    /// Whether there may be such a card, as far as can be told in no time: a driver takes a while to wake up. Linux shows
-    /// cards as files.
+    /// Whether there may be such a card, as far as can be told in no time: a driver takes a while to wake up. Linux
+    /// shows cards as files.
     pub fn is_likely(&self) -> bool {
         const FILES: [&str; 4] = ["/dev/dri", "/dev/nvidiactl", "/dev/dxg", "/dev/mali0"];
         self.software || !cfg!(target_os = "linux") || FILES.iter().any(|file| Path::new(file).exists())

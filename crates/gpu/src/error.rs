@@ -1,4 +1,4 @@
-//! Why a graphics card does not draw.
+//! The errors of a graphics card.
 
 use catoptric_picture::SizeError;
 use catoptric_tracer::shaders::UnsupportedOnGpu;
@@ -40,7 +40,7 @@ pub enum GpuError {
         card: String,
         /// What is too large.
         what: &'static str,
-        /// Its size.
+        /// The size of the buffer.
         bytes: u64,
         /// The largest size.
         limit: u64,

@@ -12,8 +12,8 @@ use catoptric_tracer::{RayCounts, RenderCamera, RenderControl, RenderScene};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
-use crate::stage::StageOnCard;
-use crate::upload::Array;
+use crate::scene::GpuScene;
+use crate::upload::GpuArray;
 
 /// The light gathered so far in every pixel of a picture, in the memory of a card; the twin of
 /// [`Film`](catoptric_tracer::Film).
@@ -22,14 +22,14 @@ pub struct GpuFilm {
     pixels: wgpu::Buffer,
     frame: wgpu::Buffer,
     waves: wgpu::Buffer,
-    tiles: Array,
+    tiles: GpuArray,
     /// The camera that the tiles' rays are of.
     camera: Option<RenderCamera>,
-    report: Report,
+    report: DispatchReport,
     samples: u32,
     /// Of samples that were begun: how many, and the first tile without them.
     begun: Option<(u32, u32)>,
-    /// As many tiles are dispatched at once.
+    /// The number of tiles of one dispatch.
     stride: u32,
 }
 
@@ -65,9 +65,9 @@ impl GpuFilm {
             pixels: gpu.buffer("pixels", FILM_HEAD + pixels * FILM_PIXEL, usage)?,
             frame: gpu.buffer("a frame", size_of::<FrameUniforms>() as u64, uniform)?,
             waves: gpu.buffer("waves", size_of::<WavelengthUniforms>() as u64, uniform)?,
-            tiles: Array::empty(gpu, "tiles")?,
+            tiles: GpuArray::empty(gpu, "tiles")?,
             camera: None,
-            report: Report::new(gpu)?,
+            report: DispatchReport::new(gpu)?,
             samples: 0,
             begun: None,
             stride: Self::FIRST_STRIDE,
@@ -90,7 +90,7 @@ impl GpuFilm {
     }
 
     /// Adds samples to every pixel. Stage and camera must be those of the earlier samples, and `on_card` has to have
-    /// [followed](StageOnCard::follow) the stage.
+    /// [followed](GpuScene::follow) the stage.
     ///
     /// # Errors
     /// When the stage cannot be drawn, the card is lost, or `control` is cancelled. After the last the film is valid,
@@ -98,7 +98,7 @@ impl GpuFilm {
     pub fn add_samples(
         &mut self,
         gpu: &Gpu,
-        (stage, on_card): (&RenderScene, &StageOnCard),
+        (stage, on_card): (&RenderScene, &GpuScene),
         camera: &RenderCamera,
         samples: u32,
         control: &RenderControl,
@@ -165,7 +165,7 @@ impl GpuFilm {
         Ok(())
     }
 
-    fn bind(&self, gpu: &Gpu, on_card: &StageOnCard) -> Result<wgpu::BindGroup, GpuError> {
+    fn bind(&self, gpu: &Gpu, on_card: &GpuScene) -> Result<wgpu::BindGroup, GpuError> {
         let arrays = on_card.bindings().into_iter();
         let all = [self.frame.as_entire_binding()].into_iter().chain(arrays);
         let pictures = on_card.pictures.view(gpu)?;
@@ -199,7 +199,7 @@ impl GpuFilm {
             encoder.clear_buffer(&self.pixels, 0, Some(FILM_HEAD));
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: Some("samples"),
-                timestamp_writes: self.report.clock.as_ref().map(Clock::writes),
+                timestamp_writes: self.report.clock.as_ref().map(GpuTimer::writes),
             });
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, bindings, &[]);
@@ -287,34 +287,34 @@ impl AddAssign for GpuPass {
     }
 }
 
-/// What a dispatch tells of itself.
-struct Report {
+/// The buffers that a dispatch reports its progress and times in.
+struct DispatchReport {
     /// The head of the film and two times.
     buffer: wgpu::Buffer,
-    clock: Option<Clock>,
+    clock: Option<GpuTimer>,
 }
 
-/// The card's own clock.
-struct Clock {
+/// Timestamp queries of the card.
+struct GpuTimer {
     queries: wgpu::QuerySet,
     times: wgpu::Buffer,
     /// Nanoseconds to a tick.
     period: f32,
 }
 
-impl Report {
+impl DispatchReport {
     const TIMES: u64 = 16;
 
     fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
         let buffer = gpu.buffer("a report", FILM_HEAD + Self::TIMES, usage)?;
         let has_clock = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        Ok(Self { buffer, clock: if has_clock { Some(Clock::new(gpu)?) } else { None } })
+        Ok(Self { buffer, clock: if has_clock { Some(GpuTimer::new(gpu)?) } else { None } })
     }
 
     fn record(&self, encoder: &mut wgpu::CommandEncoder, pixels: &wgpu::Buffer) {
         encoder.copy_buffer_to_buffer(pixels, 0, &self.buffer, 0, FILM_HEAD);
-        if let Some(Clock { queries, times, .. }) = &self.clock {
+        if let Some(GpuTimer { queries, times, .. }) = &self.clock {
             encoder.resolve_query_set(queries, 0..2, times, 0);
             encoder.copy_buffer_to_buffer(times, 0, &self.buffer, FILM_HEAD, Self::TIMES);
         }
@@ -338,7 +338,7 @@ impl Report {
     }
 }
 
-impl Clock {
+impl GpuTimer {
     fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         let usage = wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC;
         let queries = gpu.guarded(0, |device| {
@@ -348,7 +348,7 @@ impl Clock {
                 count: 2,
             })
         })?;
-        let times = gpu.buffer("times", Report::TIMES, usage)?;
+        let times = gpu.buffer("times", DispatchReport::TIMES, usage)?;
         Ok(Self { queries, times, period: gpu.queue.get_timestamp_period() })
     }
 

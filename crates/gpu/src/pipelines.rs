@@ -12,19 +12,19 @@ use crate::error::GpuError;
 const BINDINGS: u32 = 11;
 /// Pictures are a texture.
 const PICTURES: u32 = 10;
-/// Those of them that are storage: the arrays, the film last.
+/// The bindings of storage buffers: the arrays, the film last.
 pub(crate) const STORED: std::ops::RangeInclusive<u32> = 1..=8;
 
-/// The shaders compiled so far. A program meets few kinds of stages, and a shader is small: none is let go of.
+/// The shaders compiled so far. A program meets few kinds of stages, and a shader is small: none is dropped.
 pub(crate) struct Pipelines {
     pub(crate) layout: wgpu::BindGroupLayout,
     pipeline_layout: wgpu::PipelineLayout,
-    known: Mutex<HashMap<ShaderSpecialization, State>>,
+    known: Mutex<HashMap<ShaderSpecialization, PipelineState>>,
     compiled: Condvar,
 }
 
 #[derive(Clone)]
-enum State {
+enum PipelineState {
     UnderWay,
     Done(Result<wgpu::ComputePipeline, GpuError>),
 }
@@ -44,16 +44,16 @@ impl Pipelines {
         Self { layout, pipeline_layout, known: Mutex::default(), compiled: Condvar::new() }
     }
 
-    fn known(&self) -> MutexGuard<'_, HashMap<ShaderSpecialization, State>> {
+    fn known(&self) -> MutexGuard<'_, HashMap<ShaderSpecialization, PipelineState>> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Whether somebody else compiles it or has done so; else the caller has to.
-    fn claim(&self, special: ShaderSpecialization) -> Option<State> {
+    fn claim(&self, special: ShaderSpecialization) -> Option<PipelineState> {
         let mut known = self.known();
         let state = known.get(&special).cloned();
         if state.is_none() {
-            known.insert(special, State::UnderWay);
+            known.insert(special, PipelineState::UnderWay);
         }
         state
     }
@@ -79,15 +79,15 @@ impl Gpu {
     /// The compiled shader of a kind; waits for it.
     pub(crate) fn pipeline(&self, special: ShaderSpecialization) -> Result<wgpu::ComputePipeline, GpuError> {
         match self.pipelines.claim(special) {
-            Some(State::Done(done)) => done,
-            Some(State::UnderWay) => {
+            Some(PipelineState::Done(done)) => done,
+            Some(PipelineState::UnderWay) => {
                 let known = self.pipelines.known();
-                let is_under_way = |known: &mut HashMap<ShaderSpecialization, State>| {
-                    matches!(known.get(&special), Some(State::UnderWay))
+                let is_under_way = |known: &mut HashMap<ShaderSpecialization, PipelineState>| {
+                    matches!(known.get(&special), Some(PipelineState::UnderWay))
                 };
                 let known = self.pipelines.compiled.wait_while(known, is_under_way);
                 match known.unwrap_or_else(PoisonError::into_inner).get(&special) {
-                    Some(State::Done(done)) => done.clone(),
+                    Some(PipelineState::Done(done)) => done.clone(),
                     _ => Err(GpuError::Refused("the shader was not compiled".to_owned())),
                 }
             }
@@ -97,7 +97,7 @@ impl Gpu {
 
     /// Whether the shader for such stages is compiled, so that drawing begins at once.
     pub fn is_ready_for(&self, special: ShaderSpecialization) -> bool {
-        matches!(self.pipelines.known().get(&special), Some(State::Done(_)))
+        matches!(self.pipelines.known().get(&special), Some(PipelineState::Done(_)))
     }
 
     /// Compiles the shader for such stages on a thread of its own, unless that is done or under way; `ready` is called
@@ -135,7 +135,7 @@ impl Gpu {
                 cache: None,
             })
         });
-        self.pipelines.known().insert(special, State::Done(done.clone()));
+        self.pipelines.known().insert(special, PipelineState::Done(done.clone()));
         self.pipelines.compiled.notify_all();
         done
     }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use crate::card::Gpu;
 use crate::error::GpuError;
 
-/// So long may a piece of work take before the card counts as hung; drivers give up long before.
+/// The longest time for a dispatch before the card counts as hung; drivers give up long before.
 const PATIENCE: Duration = Duration::from_secs(120);
 /// How long to sleep between looks at the card: at first, and in the end.
 const SHORTEST_PAUSE: Duration = Duration::from_micros(20);
@@ -37,8 +37,8 @@ impl Gpu {
         taken.map_err(|error| GpuError::Refused(error.to_string()))
     }
 
-    /// Waits until the buffer is told to be mapped. Nobody waits within the device, since others could not submit work to
-    /// it meanwhile: a window, or another thread.
+    /// Waits until the buffer is reported as mapped. Nobody waits within the device, since others could not submit work
+    /// to it meanwhile: a window, or another thread.
     fn wait_for(&self, receiver: &Receiver<Result<(), wgpu::BufferAsyncError>>) -> Result<(), GpuError> {
         let start = Instant::now();
         let mut pause = SHORTEST_PAUSE;

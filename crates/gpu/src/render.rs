@@ -6,7 +6,7 @@ use catoptric_tracer::{RenderCamera, RenderControl, RenderScene, RenderSettings}
 use crate::card::Gpu;
 use crate::error::GpuError;
 use crate::film::{GpuFilm, GpuPass};
-use crate::stage::StageOnCard;
+use crate::scene::GpuScene;
 
 /// A finished render.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub fn render(
     control: &RenderControl,
 ) -> Result<GpuRendering, GpuError> {
     let mut film = GpuFilm::new(gpu, settings.width, settings.height)?;
-    let mut on_card = StageOnCard::new(gpu)?;
+    let mut on_card = GpuScene::new(gpu)?;
     on_card.follow(gpu, stage, camera)?;
     let pass = film.add_samples(gpu, (stage, &on_card), camera, settings.samples.max(1), control)?;
     Ok(GpuRendering { picture: film.picture(gpu)?, pass })

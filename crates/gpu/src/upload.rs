@@ -5,8 +5,8 @@ use std::ops::Range;
 use crate::card::Gpu;
 use crate::error::GpuError;
 
-/// An array in the memory of a card, and room to grow.
-pub(crate) struct Array {
+/// An array in the memory of a card, with room to grow.
+pub(crate) struct GpuArray {
     what: &'static str,
     buffer: wgpu::Buffer,
     /// The bytes that are in use.
@@ -15,10 +15,10 @@ pub(crate) struct Array {
     copy: Option<Vec<u8>>,
 }
 
-/// So much is written at once where bytes differ.
+/// Bytes that are written at once where an array has changed.
 const BLOCK: usize = 256;
 
-impl Array {
+impl GpuArray {
     /// No array is smaller: the shader's arrays have one element at least.
     const LEAST: u64 = 256;
 
@@ -27,7 +27,7 @@ impl Array {
         Ok(Self { copy: Some(Vec::new()), ..Self::empty(gpu, what)? })
     }
 
-    /// An array that is written as it is told.
+    /// An array without a copy of its bytes: a write sends all of them.
     pub(crate) fn empty(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
         Ok(Self { what, buffer: Self::allocate(gpu, what, Self::LEAST)?, len: 0, copy: None })
     }
@@ -40,7 +40,7 @@ impl Array {
     pub(crate) fn write(&mut self, gpu: &Gpu, bytes: &[u8]) -> Result<u64, GpuError> {
         let len = bytes.len() as u64;
         if len > self.buffer.size() {
-            // The old memory is let go of first: both might not fit.
+            // The old memory is freed first: both might not fit.
             self.buffer.destroy();
             (self.len, self.copy) = (0, self.copy.as_ref().map(|_| Vec::new()));
             self.buffer = Self::allocate(gpu, self.what, len.max(Self::LEAST))?;

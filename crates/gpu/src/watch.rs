@@ -1,21 +1,21 @@
-//! Whether a device still works.
+//! A watch over the loss of a device.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// Takes note when a device is lost, which drivers tell in any thread.
-pub struct Watch {
+/// Records the loss of a device, which drivers report in any thread.
+pub struct LossWatch {
     device: wgpu::Device,
     lost: OnceLock<String>,
-    tell: Mutex<Option<Tell>>,
+    tell: Mutex<Option<LossCallback>>,
 }
 
-type Tell = Box<dyn FnOnce() + Send>;
+type LossCallback = Box<dyn FnOnce() + Send>;
 
-impl Watch {
-    /// Watches `device`: its loss is told here from now on, and nowhere else. `tell` is called once, in any thread.
+impl LossWatch {
+    /// Watches `device`: its loss is recorded here from now on, and nowhere else. `tell` is called once, in any thread.
     pub fn over(device: &wgpu::Device, tell: impl FnOnce() + Send + 'static) -> Arc<Self> {
-        let tell: Tell = Box::new(tell);
+        let tell: LossCallback = Box::new(tell);
         let (device, tell) = (device.clone(), Mutex::new(Some(tell)));
         let watch = Arc::new(Self { device, lost: OnceLock::new(), tell });
         // The device lives as long as its watch; it must not be the other way round, too.
@@ -28,8 +28,8 @@ impl Watch {
         watch
     }
 
-    /// Takes an error that nobody looks for as a loss, too: what the device made since then may be missing. Otherwise it
-    /// would end the program.
+    /// Takes an error that nobody looks for as a loss, too: what the device made since then may be missing. Otherwise
+    /// it would end the program.
     pub fn mind_errors(self: &Arc<Self>) {
         let told = Arc::downgrade(self);
         self.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
@@ -78,7 +78,7 @@ impl Watch {
     }
 }
 
-impl std::fmt::Debug for Watch {
+impl std::fmt::Debug for LossWatch {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Watch").field("lost", &self.lost).finish_non_exhaustive()
     }

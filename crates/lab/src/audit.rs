@@ -35,7 +35,7 @@ use catoptric_tracer::{
 };
 use glam::{DVec3, UVec2};
 
-pub use names::Names;
+pub use names::DisplayNames;
 use sum::ExactSum;
 pub use tree::{Node, NodeKind, RayTree};
 
@@ -49,7 +49,7 @@ pub struct AuditSettings {
 }
 
 impl AuditSettings {
-    /// As many rays as are written down by default, 2¹⁶: some hundred bytes each.
+    /// The default limit of rays that are written down, 2¹⁶: some hundred bytes each.
     pub const RAYS: usize = 1 << 16;
 }
 
@@ -80,17 +80,17 @@ pub struct Audit {
     /// How it is known that the rays make the pixel.
     pub proof: Proof,
     /// What bodies and lights are called.
-    pub names: Names,
+    pub names: DisplayNames,
 }
 
 /// How it is known that the light of the rays adds up to the pixel.
 ///
-/// The renderer adds up the rays of a sample in double precision, in the order in which it meets them, and rounds the sum to
-/// single precision.
+/// The renderer adds up the rays of a sample in double precision, in the order in which it meets them, and rounds the
+/// sum to single precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proof {
-    /// The exact sum has few enough digits that no order of adding rounds, or lies so that all orders are rounded to the
-    /// same single-precision number.
+    /// The exact sum has few enough digits that no order of adding rounds, or lies so that all orders are rounded to
+    /// the same single-precision number.
     AnyOrder,
     /// The last bit could depend on the order of adding; the pixel was rendered anew to see it. Whether that bit is the
     /// one of the exact sum.
@@ -198,7 +198,7 @@ pub fn audit(
         (true, true) => Proof::AnyOrder,
         (true, false) => Proof::Rendered { is_same: light == own },
     };
-    let mut names = Names::of_lights(scene);
+    let mut names = DisplayNames::of_lights(scene);
     for node in trees.iter().flat_map(|tree| &tree.nodes) {
         node.bodies().for_each(|body| names.meet(scene, body));
     }

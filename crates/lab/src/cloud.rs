@@ -55,8 +55,8 @@ pub fn cloud(bodies: usize) -> Scene {
 /// then bodies of a cloud.
 ///
 /// The cloud fills the box around the scene's own bounded bodies, or a cube of 10 m about the camera's target if there
-/// are none, as [`cloud`] does: spheres, cubes, cylinders and cones in equal parts, of 0.3 to 0.6 of the edge of the cube
-/// that each has to itself on average. So the share of the box that they fill does not depend on their number.
+/// are none, as [`cloud`] does: spheres, cubes, cylinders and cones in equal parts, of 0.3 to 0.6 of the edge of the
+/// cube that each has to itself on average. So the share of the box that they fill does not depend on their number.
 pub fn grown(scene: &Scene, bodies: usize) -> Scene {
     let shown = |body: &&Body| !body.hidden;
     let own: Vec<Body> = scene.bodies.iter().filter(shown).take(bodies).cloned().collect();

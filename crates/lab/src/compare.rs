@@ -1,4 +1,4 @@
-//! Pictures of the same view held against the first of them.
+//! Comparison of pictures of the same view with the first of them.
 
 use std::time::Duration;
 
@@ -20,19 +20,20 @@ pub struct Contender {
     /// Linear light.
     pub picture: Picture,
     /// How it came about, if it was drawn here.
-    pub drawn: Option<Drawn>,
+    pub drawn: Option<ContenderPicture>,
 }
 
-/// How a contender was drawn.
+/// The times of a contender, and the reasons of its differences.
 #[derive(Clone, Debug)]
-pub struct Drawn {
+pub struct ContenderPicture {
     /// The median time of each pass, milliseconds.
     pub passes: Vec<(PassName, f64)>,
     /// The median time of all passes together, milliseconds.
     pub time: f64,
     /// How often it was drawn for that.
     pub runs: u32,
-    /// Why its pixels differ from the traced ones; `None` for the truth itself and where it cannot be told.
+    /// The reasons why its pixels differ from the traced ones; `None` for the truth itself and where they are not
+    /// known.
     pub reasons: Option<ReasonMap>,
 }
 
@@ -49,9 +50,9 @@ pub struct Metrics {
     pub flip_map: FlipMap,
 }
 
-/// Contenders and how far each is from the first.
+/// The contenders, and the difference of each from the first.
 #[derive(Clone, Debug)]
-pub struct Compared {
+pub struct MethodComparison {
     /// The pictures; the first is the truth.
     pub contenders: Vec<Contender>,
     /// For each but the first.
@@ -101,9 +102,9 @@ impl CompareError {
     }
 }
 
-/// What to draw and how.
+/// The methods to compare, and the settings of their pictures.
 #[derive(Clone, Debug)]
-pub struct Job<'a> {
+pub struct CompareJob<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The ways of drawing it, in the order of the report.
@@ -117,7 +118,7 @@ pub struct Job<'a> {
 }
 
 /// Draws a scene in several ways on the threads of the current rayon pool, in rounds, so that whatever drifts hits all
-/// alike. `watch` is told how many pictures are done, and of how many.
+/// alike. `watch` gets the number of finished pictures, and of all.
 ///
 /// Reasons are told for what was drawn by another method than the first with the samples and generations of the first,
 /// if that is traced.
@@ -125,15 +126,15 @@ pub struct Job<'a> {
 /// # Errors
 /// When the scene cannot be prepared, a picture cannot be drawn, or the work is cancelled.
 pub fn draw_all(
-    job: &Job<'_>,
+    job: &CompareJob<'_>,
     control: &RenderControl,
     watch: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Contender>, CompareError> {
     let runs = job.runs.max(1);
     let total = job.variants.len() * (runs as usize + 1);
     let stage = RenderScene::build(job.scene)?;
-    let mut works: Vec<Work<'_>> =
-        job.variants.iter().map(|variant| Work::new(job, variant, &stage)).collect();
+    let mut works: Vec<ContenderRun<'_>> =
+        job.variants.iter().map(|variant| ContenderRun::new(job, variant, &stage)).collect();
     for round in 0..=runs {
         for (index, work) in works.iter_mut().enumerate() {
             work.draw(control, round > 0)?;
@@ -157,8 +158,8 @@ pub fn draw_all(
         .collect()
 }
 
-/// One way of drawing under way.
-struct Work<'a> {
+/// A contender while it is drawn.
+struct ContenderRun<'a> {
     variant: &'a Variant,
     stage: RenderScene,
     settings: RenderSettings,
@@ -166,8 +167,8 @@ struct Work<'a> {
     times: Vec<Vec<(PassName, Duration)>>,
 }
 
-impl<'a> Work<'a> {
-    fn new(job: &Job<'_>, variant: &'a Variant, stage: &RenderScene) -> Self {
+impl<'a> ContenderRun<'a> {
+    fn new(job: &CompareJob<'_>, variant: &'a Variant, stage: &RenderScene) -> Self {
         let stage = stage.clone();
         Self {
             variant,
@@ -227,7 +228,7 @@ impl<'a> Work<'a> {
         Some(Contender {
             name: self.variant.name.clone(),
             picture: drawing.picture,
-            drawn: Some(Drawn {
+            drawn: Some(ContenderPicture {
                 passes: drawing.passes.iter().map(|(name, _)| of_pass(*name)).collect(),
                 time: median(self.times.iter().map(sum).collect()),
                 runs: self.times.len() as u32,
@@ -241,7 +242,7 @@ impl<'a> Work<'a> {
 ///
 /// # Errors
 /// When there are fewer than two, or the sizes differ.
-pub fn compare(contenders: Vec<Contender>, bound: f64) -> Result<Compared, CompareError> {
+pub fn compare(contenders: Vec<Contender>, bound: f64) -> Result<MethodComparison, CompareError> {
     let Some((truth, others @ [_, ..])) = contenders.split_first() else {
         return Err(CompareError::Few(contenders.len()));
     };
@@ -253,7 +254,7 @@ pub fn compare(contenders: Vec<Contender>, bound: f64) -> Result<Compared, Compa
         })
     });
     let metrics = metrics.collect::<Result<_, _>>()?;
-    Ok(Compared { contenders, metrics, bound })
+    Ok(MethodComparison { contenders, metrics, bound })
 }
 
 impl Metrics {
@@ -276,8 +277,8 @@ impl Metrics {
     }
 }
 
-impl Compared {
-    /// The picture that the others are held against.
+impl MethodComparison {
+    /// The picture that the others are compared with.
     pub fn truth(&self) -> Option<&Contender> {
         self.contenders.first()
     }

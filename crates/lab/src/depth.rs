@@ -1,4 +1,4 @@
-//! How deep a scene needs to be traced, and materials that give more light than they get.
+//! The depth to which a scene needs to be traced, and materials that give more light than they get.
 
 use catoptric_scene::{
     Body, Camera, Checker, Color, Material, MaterialChoice, Model, Projection, Scene, Tracing,
@@ -20,7 +20,7 @@ pub struct DepthBound {
     /// The bodies whose mirrors make the strongest cycle, by their place in the scene: two that face each other, or one
     /// that reflects within itself; none without mirrors.
     pub cycle: Vec<usize>,
-    /// So many generations leave out less than [`ALLOWED_LOSS`] of the brightest light that a ray can bring; `None` if
+    /// Generations that leave out less than [`ALLOWED_LOSS`] of the brightest light that a ray can bring; `None` if
     /// that is more than 64, or the series has no bound (k ≥ 1).
     pub generations: Option<u32>,
 }
@@ -246,7 +246,7 @@ pub fn excesses(scene: &Scene) -> Vec<Excess> {
     found
 }
 
-/// So many materials are named at most.
+/// The most materials that are named.
 const MOST_EXCESSES: usize = 64;
 
 /// What there is too much of in one material, beyond rounding.

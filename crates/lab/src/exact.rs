@@ -31,7 +31,7 @@ pub enum ExactAnswer {
         /// The body's center.
         object: DVec3,
         /// The image.
-        image: Compared,
+        image: ExactDeviation,
     },
     /// The images of a body's center in two plane mirrors.
     Ring {
@@ -55,7 +55,7 @@ pub enum ExactAnswer {
         /// The body's center.
         object: DVec3,
         /// The image; behind the surface it is virtual.
-        image: Compared,
+        image: ExactDeviation,
     },
     /// The point of a spherical mirror where the eye sees a body's center (Alhazen's problem).
     ReflectionPoint {
@@ -66,7 +66,7 @@ pub enum ExactAnswer {
         /// The body's center.
         object: DVec3,
         /// The point on the mirror.
-        point: Compared,
+        point: ExactDeviation,
     },
     /// Where a ball of glass gathers yellow light that comes along the line from the eye through its center.
     Focus {
@@ -75,9 +75,9 @@ pub enum ExactAnswer {
         /// The distance from its center for rays near that line, meters: n·R/(2(n − 1)).
         focal_length: f64,
         /// The focal point.
-        paraxial: Compared,
+        paraxial: ExactDeviation,
         /// Where a ray [`MARGINAL`] radii from the line crosses it; `None` if it does so within the ball.
-        marginal: Option<Compared>,
+        marginal: Option<ExactDeviation>,
     },
     /// The point of a body where the eye sees the middle of a light mirrored: the middle of its highlight.
     Highlight {
@@ -111,16 +111,16 @@ impl ExactAnswer {
 /// How far from the axis the marginal ray of [`ExactAnswer::Focus`] runs, in radii.
 pub const MARGINAL: f64 = 0.7;
 
-/// A point that is known, and where the tracer finds it.
+/// A point by the laws of optics, and by the tracer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Compared {
+pub struct ExactDeviation {
     /// By the law, meters.
     pub exact: DVec3,
     /// By the tracer; `None` if its rays go elsewhere.
     pub found: Option<DVec3>,
 }
 
-impl Compared {
+impl ExactDeviation {
     /// How far apart they are, meters.
     pub fn difference(&self) -> Option<f64> {
         self.found.map(|found| found.distance(self.exact))
@@ -139,9 +139,9 @@ pub struct RingImage {
     pub miss: Option<f64>,
 }
 
-/// Exact answers of a scene.
+/// The exact answers of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Answers {
+pub struct ExactAnswers {
     /// The answers, in the order of kinds.
     pub answers: Vec<ExactAnswer>,
     /// What has no such answer though it seems to have one.
@@ -156,22 +156,22 @@ pub struct Answers {
 /// What reflects less is no mirror to look into.
 const LEAST_MIRROR: f64 = 0.25;
 
-/// So many mirrors, bodies before them, and bodies with highlights are looked at.
+/// The most mirrors, bodies before them, and bodies with highlights that are examined.
 const MOST: usize = 8;
 
-/// The exact answers that a scene has, for the strongest of its mirrors and the first of its other bodies: those that the
-/// tracer has an answer to as well.
-pub fn answers(scene: &Scene) -> Answers {
+/// The exact answers that a scene has, for the strongest of its mirrors and the first of its other bodies: those that
+/// the tracer has an answer to as well.
+pub fn answers(scene: &Scene) -> ExactAnswers {
     let mut answers = answers_for(scene, None);
     answers.answers.retain(ExactAnswer::is_found);
     answers
 }
 
-/// The same for one body that is mirrored, gathers light or shines, or for all; also those that the tracer cannot
-/// follow, as a mirror ends too soon.
-pub fn answers_for(scene: &Scene, body: Option<usize>) -> Answers {
-    let setting = Setting::new(scene, body);
-    let mut found = Found { answers: Vec::new(), inapplicable: setting.rough_and_curved.clone() };
+/// The exact answers for one body that is mirrored, focuses light or has a highlight, or for all. Answers that the
+/// tracer cannot follow, because a mirror ends too soon, are included.
+pub fn answers_for(scene: &Scene, body: Option<usize>) -> ExactAnswers {
+    let setting = ExactSetup::new(scene, body);
+    let mut found = AnswerCollector { answers: Vec::new(), inapplicable: setting.rough_and_curved.clone() };
     mirrors::answer(&setting, &mut found.answers);
     spheres::answer(&setting, &mut found);
     lenses::answer(&setting, &mut found);
@@ -179,7 +179,7 @@ pub fn answers_for(scene: &Scene, body: Option<usize>) -> Answers {
         "" => format!("light {}", place + 1),
         name => catoptric_scene::quoted_name(name),
     });
-    let mut answers = Answers {
+    let mut answers = ExactAnswers {
         answers: found.answers,
         inapplicable: found.inapplicable,
         names: Vec::new(),
@@ -190,37 +190,37 @@ pub fn answers_for(scene: &Scene, body: Option<usize>) -> Answers {
     answers
 }
 
-/// What is being found out.
-struct Found {
+/// Collects the answers while the scene is examined.
+struct AnswerCollector {
     answers: Vec<ExactAnswer>,
     inapplicable: Vec<Inapplicable>,
 }
 
-/// What the answers are about.
-struct Setting<'a> {
+/// The mirrors, lenses and bodies that answers are computed for.
+struct ExactSetup<'a> {
     scene: &'a Scene,
     /// Smooth opaque mirrors, the strongest first.
-    mirrors: Vec<Place<'a>>,
+    mirrors: Vec<PlacedBody<'a>>,
     /// Mirrors that no formula is for.
     rough_and_curved: Vec<Inapplicable>,
     /// Bodies that may be seen in them.
-    objects: Vec<Place<'a>>,
+    objects: Vec<PlacedBody<'a>>,
     /// Transparent balls.
-    lenses: Vec<Place<'a>>,
+    lenses: Vec<PlacedBody<'a>>,
     /// Bodies with a highlight.
-    glossy: Vec<Place<'a>>,
+    glossy: Vec<PlacedBody<'a>>,
     is_cut: bool,
 }
 
-/// A body that takes part.
+/// A body with its place in the scene and its center.
 #[derive(Clone, Copy)]
-struct Place<'a> {
+struct PlacedBody<'a> {
     index: usize,
     body: &'a Body,
     center: DVec3,
 }
 
-impl<'a> Setting<'a> {
+impl<'a> ExactSetup<'a> {
     fn new(scene: &'a Scene, only: Option<usize>) -> Self {
         let mut setting = Self {
             scene,
@@ -234,7 +234,7 @@ impl<'a> Setting<'a> {
         let mut others = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
             let Some(material) = scene.material(&body.material) else { continue };
-            let place = Place { index, body, center: center(body) };
+            let place = PlacedBody { index, body, center: center(body) };
             let is_meant = only.is_none_or(|only| only == index);
             let is_clear = material.lets_through().most > 0.0;
             let reflection = material.reflects().straight;
@@ -260,7 +260,7 @@ impl<'a> Setting<'a> {
         setting.is_cut |= others.len() > MOST;
         others.truncate(MOST);
         setting.rough_and_curved = others;
-        let strength = |place: &Place<'_>| {
+        let strength = |place: &PlacedBody<'_>| {
             scene.material(&place.body.material).map_or(0.0, |material| material.reflects().straight)
         };
         setting.mirrors.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
@@ -283,8 +283,8 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// Where the picture's ray towards a point begins, and where it goes; `None` if the point lies behind the window of a
-    /// parallel camera.
+    /// Where the picture's ray towards a point begins, and where it goes; `None` if the point lies behind the window of
+    /// a parallel camera.
     fn sight(&self, point: DVec3) -> Option<(DVec3, DVec3)> {
         let eye = self.scene.camera.position;
         let Some(view) = self.parallel_view() else { return Some((eye, point - eye)) };
@@ -293,7 +293,7 @@ impl<'a> Setting<'a> {
     }
 }
 
-fn keep<'a>(places: &mut Vec<Place<'a>>, place: Place<'a>, is_cut: &mut bool) {
+fn keep<'a>(places: &mut Vec<PlacedBody<'a>>, place: PlacedBody<'a>, is_cut: &mut bool) {
     if places.len() < MOST { places.push(place) } else { *is_cut = true }
 }
 

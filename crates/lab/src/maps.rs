@@ -32,7 +32,7 @@ pub enum MapKind {
 pub const DEEPEST: u32 = catoptric_scene::Tracing::MAX_GENERATIONS;
 /// The least weight of rays in a reference, 2⁻¹².
 pub const LIGHTEST: f32 = 1.0 / 4096.0;
-/// So many rays of a pixel's sample are followed; pixels with more are [incomplete](Map::incomplete).
+/// The most rays of a pixel's sample that are followed; pixels with more are [incomplete](Map::incomplete).
 pub const MOST_RAYS: usize = 1 << 16;
 
 impl MapKind {
@@ -142,7 +142,7 @@ pub fn map(
                     let pixel = UVec2::new(x as u32, y as u32);
                     let [own, reference] = tracers.each_mut().map(|tracer| {
                         let tracer = tracer.as_mut()?;
-                        Some(Sums::of(tracer, pixel, size, samples.max(1)))
+                        Some(PixelSums::of(tracer, pixel, size, samples.max(1)))
                     });
                     let (Some(own), reference) = (own, reference.as_ref()) else { continue };
                     incomplete += usize::from(!reference.unwrap_or(&own).is_complete);
@@ -168,8 +168,8 @@ fn new_values(width: u32, height: u32) -> Result<Vec<f32>, SizeError> {
     Ok(values)
 }
 
-/// The samples of a pixel together.
-struct Sums {
+/// The sums over the samples of a pixel.
+struct PixelSums {
     rays: u64,
     samples: u32,
     /// The light of each generation.
@@ -177,7 +177,7 @@ struct Sums {
     is_complete: bool,
 }
 
-impl Sums {
+impl PixelSums {
     fn of(tracer: &mut WhittedIntegrator<'_>, pixel: UVec2, size: UVec2, samples: u32) -> Self {
         let mut sums = Self { rays: 0, samples, generations: Vec::new(), is_complete: true };
         for sample in 0..samples {
@@ -199,7 +199,7 @@ impl Sums {
 }
 
 /// The number of one pixel.
-fn number(kind: MapKind, limit: u32, own: &Sums, reference: Option<&Sums>) -> f32 {
+fn number(kind: MapKind, limit: u32, own: &PixelSums, reference: Option<&PixelSums>) -> f32 {
     // An empty sum is -0.
     let share =
         |lost: f64, whole: f64| if whole > 0.0 && lost > 0.0 { (lost / whole).min(1.0) as f32 } else { 0.0 };

@@ -1,4 +1,4 @@
-//! How the time of a picture depends on what it is made of: sweeps of one or two parameters, and the law behind them.
+//! The time of a picture by its parameters: sweeps of one or two parameters, and the law behind them.
 
 mod law;
 mod least_squares;
@@ -7,8 +7,8 @@ mod run;
 mod series;
 mod statistics;
 
-pub use law::{Coefficient, Fit, Law, best_growth, fit};
+pub use law::{Coefficient, Fit, GrowthLaw, best_growth, fit};
 pub use parameter::{Axis, AxisError, Parameter, Value};
-pub use run::{MeasureError, Measured, Plan, Point, Progress, Run, measure};
+pub use run::{MeasureError, MeasurePlan, MeasuredPoint, Measurement, PointTimes, SweepProgress, measure};
 pub use series::{Series, series};
 pub use statistics::{Summary, summarize};

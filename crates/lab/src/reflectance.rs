@@ -5,10 +5,10 @@ use catoptric_scene::{Conductor, Material, Model};
 
 /// A curve of reflectance.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
+pub struct ReflectanceCurve {
     /// What it is of.
     pub kind: CurveKind,
-    law: Law,
+    law: ReflectanceLaw,
 }
 
 /// What a curve is of.
@@ -22,12 +22,12 @@ pub enum CurveKind {
     Blue,
     /// Light of all colors that comes to a clear surface from outside.
     FromOutside,
-    /// The same from within.
+    /// Light of all colors that comes to a clear surface from inside.
     FromInside,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Law {
+enum ReflectanceLaw {
     Clear(f64),
     Metal([f64; 2]),
     /// Half degrees from 0 to 90.
@@ -41,14 +41,14 @@ impl CurveKind {
     }
 }
 
-impl Curve {
+impl ReflectanceCurve {
     /// The share of unpolarized light that is reflected under an angle of incidence in degrees, 0 to 90.
     pub fn at(&self, degrees: f64) -> f64 {
         let cos = degrees.clamp(0.0, 90.0).to_radians().cos();
         match &self.law {
-            Law::Clear(eta) => fresnel::dielectric(cos, *eta).mean(),
-            Law::Metal([n, k]) => fresnel::conductor(cos, *n, *k).mean(),
-            Law::Measured(points) => {
+            ReflectanceLaw::Clear(eta) => fresnel::dielectric(cos, *eta).mean(),
+            ReflectanceLaw::Metal([n, k]) => fresnel::conductor(cos, *n, *k).mean(),
+            ReflectanceLaw::Measured(points) => {
                 let place = degrees.clamp(0.0, 90.0) * 2.0;
                 let value = |index: usize| points.get(index).copied().unwrap_or(1.0);
                 let before = place.floor() as usize;
@@ -58,20 +58,20 @@ impl Curve {
     }
 }
 
-/// An angle at which something happens to the curve.
+/// A special angle of a curve, such as Brewster's.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mark {
+pub struct SpecialAngle {
     /// What happens.
-    pub kind: MarkKind,
+    pub kind: SpecialAngleKind,
     /// The angle of incidence.
     pub degrees: f64,
     /// Whether light comes from within.
     pub is_from_inside: bool,
 }
 
-/// What happens at an angle.
+/// The kind of a special angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MarkKind {
+pub enum SpecialAngleKind {
     /// Light that swings in the plane of incidence is not reflected at all (D. Brewster 1815).
     Brewster,
     /// From here on everything is reflected.
@@ -79,8 +79,8 @@ pub enum MarkKind {
 }
 
 /// The curves of a material; none if it reflects alike under all angles.
-pub fn curves_of(material: &Material) -> Vec<Curve> {
-    let clear = |kind, eta| Curve { kind, law: Law::Clear(eta) };
+pub fn curves_of(material: &Material) -> Vec<ReflectanceCurve> {
+    let clear = |kind, eta| ReflectanceCurve { kind, law: ReflectanceLaw::Clear(eta) };
     match material.model {
         Model::Phong | Model::Mirror | Model::Matte => Vec::new(),
         Model::Dielectric => {
@@ -90,19 +90,19 @@ pub fn curves_of(material: &Material) -> Vec<Curve> {
         Model::Coated => vec![clear(CurveKind::FromOutside, material.ior())],
         Model::Conductor => {
             let kinds = [CurveKind::Red, CurveKind::Green, CurveKind::Blue];
-            let laws: [Law; 3] = match material.conductor {
-                Conductor::Index { n, k } => [[n.x, k.x], [n.y, k.y], [n.z, k.z]].map(Law::Metal),
+            let laws: [ReflectanceLaw; 3] = match material.conductor {
+                Conductor::Index { n, k } => [[n.x, k.x], [n.y, k.y], [n.z, k.z]].map(ReflectanceLaw::Metal),
                 Conductor::Metal(metal) => {
                     let all: Vec<[f64; 3]> = (0..=180)
                         .map(|half| metal.reflectance((0.5 * f64::from(half)).to_radians().cos(), 1.0))
                         .collect();
                     [0, 1, 2].map(|channel: usize| {
                         let channel = |rgb: &[f64; 3]| rgb.get(channel).copied().unwrap_or(1.0);
-                        Law::Measured(all.iter().map(channel).collect())
+                        ReflectanceLaw::Measured(all.iter().map(channel).collect())
                     })
                 }
             };
-            kinds.into_iter().zip(laws).map(|(kind, law)| Curve { kind, law }).collect()
+            kinds.into_iter().zip(laws).map(|(kind, law)| ReflectanceCurve { kind, law }).collect()
         }
     }
 }
@@ -114,14 +114,14 @@ const PRIMARIES: [f64; 3] = [630.0, 532.0, 465.0];
 /// `curves` or, where colors are bent differently, by the index of each; `None` if it has no curve for that side.
 pub fn reflected_at(
     material: &Material,
-    curves: &[Curve],
+    curves: &[ReflectanceCurve],
     degrees: f64,
     is_from_inside: bool,
 ) -> Option<[f64; 3]> {
     if let Some(dispersion) = material.dispersion() {
         let indices = PRIMARIES.map(|nanometers| dispersion.index(nanometers));
-        let law = |index: f64| Law::Clear(if is_from_inside { 1.0 / index } else { index });
-        let curve = |index| Curve { kind: CurveKind::FromOutside, law: law(index) };
+        let law = |index: f64| ReflectanceLaw::Clear(if is_from_inside { 1.0 / index } else { index });
+        let curve = |index| ReflectanceCurve { kind: CurveKind::FromOutside, law: law(index) };
         return Some(indices.map(|index| curve(index).at(degrees)));
     }
     let mut shares = None;
@@ -139,7 +139,7 @@ pub fn reflected_at(
 }
 
 /// The angles at which something happens to the curves of a material.
-pub fn marks_of(material: &Material) -> Vec<Mark> {
+pub fn marks_of(material: &Material) -> Vec<SpecialAngle> {
     let ior = material.ior();
     let mut marks = Vec::new();
     let sides: &[(f64, bool)] = match material.model {
@@ -148,9 +148,9 @@ pub fn marks_of(material: &Material) -> Vec<Mark> {
         _ => &[],
     };
     for &(eta, is_from_inside) in sides.iter().filter(|(eta, _)| *eta != 1.0) {
-        let mark = |kind, angle: f64| Mark { kind, degrees: angle.to_degrees(), is_from_inside };
-        marks.push(mark(MarkKind::Brewster, fresnel::brewster_angle(eta)));
-        marks.extend(fresnel::critical_angle(eta).map(|angle| mark(MarkKind::Critical, angle)));
+        let mark = |kind, angle: f64| SpecialAngle { kind, degrees: angle.to_degrees(), is_from_inside };
+        marks.push(mark(SpecialAngleKind::Brewster, fresnel::brewster_angle(eta)));
+        marks.extend(fresnel::critical_angle(eta).map(|angle| mark(SpecialAngleKind::Critical, angle)));
     }
     marks
 }
@@ -198,8 +198,11 @@ mod tests {
         assert_eq!((at(&copper, 20.0, false), at(&copper, 20.0, true)), (Some(known), None));
         assert_eq!(at(&Material::default(), 20.0, false), None);
         // Diamond's index is 2.412 for red and 2.441 for blue light.
-        let diamond =
-            Material { substance: catoptric_optics::Clear::named("diamond"), dispersion: true, ..glass };
+        let diamond = Material {
+            substance: catoptric_optics::ClearSubstance::named("diamond"),
+            dispersion: true,
+            ..glass
+        };
         let [red, green, blue] = at(&diamond, 0.0, false).unwrap();
         assert!((red - 0.171).abs() < 1e-3 && (blue - 0.1754).abs() < 1e-3 && red < green && green < blue);
         let [red, _, blue] = at(&diamond, 24.3, true).unwrap();

@@ -12,7 +12,7 @@ mod texts;
 
 pub use language::{Language, UnknownLanguage};
 
-pub use page::{PageError, Settings, page};
-pub use plot::{Curve, Mark, Plot, PlotAxis, Scale, Tick};
+pub use page::{PageError, PageSettings, page};
+pub use plot::{Plot, PlotAxis, PlotCurve, PlotMark, Scale, Tick};
 pub use raster::{RasterError, rasterize};
-pub use study::{Study, law_lines, machine_rows, study, time_plot};
+pub use study::{MeasurementReport, law_lines, machine_rows, study, time_plot};

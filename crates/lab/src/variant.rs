@@ -22,7 +22,7 @@ use catoptric_tracer::raster::{
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variant {
-    /// As it was written.
+    /// The text that it was read from.
     pub name: String,
     /// The method with its settings.
     pub method: Method,

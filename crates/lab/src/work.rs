@@ -1,4 +1,4 @@
-//! How many rays a picture takes, estimated before it is traced.
+//! An estimate of the rays of a picture, before it is traced.
 
 use catoptric_tracer::{RenderCamera, RenderControl, RenderError, RenderScene, WhittedIntegrator};
 use glam::UVec2;
@@ -17,14 +17,14 @@ impl RayEstimate {
     /// From so many rays for each sample of a pixel on, a picture is worth a warning: at 1280×720 that is 10⁹ rays, a
     /// minute or so for a thread.
     pub const MANY: f64 = 1000.0;
-    /// A threshold that bounds the trees of bodies that give no more light than they get: below a quarter of a step of a
-    /// display, rays are not traced.
+    /// A threshold that bounds the trees of bodies that give no more light than they get: below a quarter of a step of
+    /// a display, rays are not traced.
     pub const ADVISED_THRESHOLD: f64 = 0.001;
     /// Walks down trees, spread over the picture.
     const WALKS: u32 = 4096;
 
-    /// The estimate for a picture of `size` pixels, on the threads of the current rayon pool. It takes as long for trees of
-    /// any size: some ten thousand rays.
+    /// The estimate for a picture of `size` pixels, on the threads of the current rayon pool. It takes as long for
+    /// trees of any size: some ten thousand rays.
     ///
     /// # Errors
     /// When `control` is cancelled.
@@ -37,7 +37,8 @@ impl RayEstimate {
         Self::within(stage, camera, size, (stage.generations(), stage.threshold()), control)
     }
 
-    /// Estimates the rays under other limits than the stage's: of generations, and the weight below which rays are not traced.
+    /// Estimates the rays under other limits than the stage's: of generations, and the weight below which rays are not
+    /// traced.
     ///
     /// # Errors
     /// When `control` is cancelled.

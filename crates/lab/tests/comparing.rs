@@ -1,8 +1,8 @@
 //! Comparisons and their page.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
-use catoptric_lab::compare::{CompareError, Contender, Job, compare, draw_all};
-use catoptric_lab::report::{Language, Settings, page};
+use catoptric_lab::compare::{CompareError, CompareJob, Contender, compare, draw_all};
+use catoptric_lab::report::{Language, PageSettings, page};
 use catoptric_lab::{Machine, Variant};
 use catoptric_picture::{Development, Picture};
 use catoptric_scene::Example;
@@ -24,8 +24,8 @@ fn machine() -> Machine {
     }
 }
 
-fn settings(language: Language) -> Settings {
-    Settings {
+fn settings(language: Language) -> PageSettings {
+    PageSettings {
         scene: Some("four-bodies".to_owned()),
         bodies_and_lights: Some([5, 1]),
         samples: Some(1),
@@ -42,7 +42,7 @@ fn drawn() -> Vec<Contender> {
     let names = ["whitted", "whitted:generations=2", "whitted:generations=1"];
     let variants: Vec<Variant> = names.iter().map(|name| name.parse().unwrap()).collect();
     let settings = RenderSettings { width: 64, height: 36, samples: 1 };
-    let job = Job { scene: &scene, variants: &variants, settings, runs: 2, bound: 1.0 / 255.0 };
+    let job = CompareJob { scene: &scene, variants: &variants, settings, runs: 2, bound: 1.0 / 255.0 };
     let mut told = Vec::new();
     let contenders =
         draw_all(&job, &RenderControl::default(), &mut |done, total| told.push((done, total))).unwrap();
@@ -123,6 +123,6 @@ fn what_cannot_be_compared_is_refused() {
     let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
     let variants = ["whitted".parse().unwrap()];
     let settings = RenderSettings { width: 64, height: 36, samples: 1 };
-    let job = Job { scene: &scene, variants: &variants, settings, runs: 1, bound: 0.1 };
+    let job = CompareJob { scene: &scene, variants: &variants, settings, runs: 1, bound: 0.1 };
     assert!(matches!(draw_all(&job, &control, &mut |_, _| {}), Err(CompareError::Cancelled)));
 }

@@ -5,8 +5,10 @@ use std::time::Duration;
 
 use catoptric_lab::Machine;
 use catoptric_lab::cloud::grown;
-use catoptric_lab::measure::{Axis, Law, MeasureError, Measured, Plan, Point, Run, measure, series};
-use catoptric_lab::report::{Language, Study, study};
+use catoptric_lab::measure::{
+    Axis, GrowthLaw, MeasureError, MeasurePlan, MeasuredPoint, Measurement, PointTimes, measure, series,
+};
+use catoptric_lab::report::{Language, MeasurementReport, study};
 use catoptric_picture::decode;
 use catoptric_scene::{
     Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
@@ -43,8 +45,8 @@ fn panes() -> Scene {
     }
 }
 
-fn plan(scene: Scene, vary: &str) -> Plan {
-    Plan {
+fn plan(scene: Scene, vary: &str) -> MeasurePlan {
+    MeasurePlan {
         scene,
         name: "a {scene} & more".to_owned(),
         variant: MethodKind::Whitted.method().into(),
@@ -56,7 +58,7 @@ fn plan(scene: Scene, vary: &str) -> Plan {
     }
 }
 
-fn run(plan: &Plan) -> Measured {
+fn run(plan: &MeasurePlan) -> Measurement {
     measure(plan, &RenderControl::default(), &mut |_| {}).unwrap()
 }
 
@@ -70,7 +72,7 @@ fn rays_double_with_each_generation_where_each_gives_two() {
     }
     let curves = series(&measured);
     let law = curves[0].rays.as_ref().unwrap();
-    assert_eq!(law.law, Law::Geometric);
+    assert_eq!(law.law, GrowthLaw::Geometric);
     assert!((law.coefficient("q").unwrap().value - 2.0).abs() < 1e-3, "{law:?}");
 }
 
@@ -81,7 +83,7 @@ fn weak_mirrors_bound_the_growth() {
     let measured = run(&plan(scene, "generations=1,2,3,4,5,6,8,10,12,16"));
     let rays: Vec<u64> = measured.points.iter().map(|point| point.rays.total()).collect();
     assert_eq!(rays[7..], [rays[7]; 3], "no ray is worth following after ten generations: {rays:?}");
-    assert_eq!(series(&measured)[0].rays.as_ref().unwrap().law, Law::Bounded, "{rays:?}");
+    assert_eq!(series(&measured)[0].rays.as_ref().unwrap().law, GrowthLaw::Bounded, "{rays:?}");
 }
 
 #[test]
@@ -154,15 +156,15 @@ fn plans_that_make_no_sense_are_refused() {
         measure(&many, &RenderControl::default(), &mut |_| {}),
         Err(MeasureError::Points(250_000))
     ));
-    let none = Plan { axes: Vec::new(), ..plan(panes(), "size") };
+    let none = MeasurePlan { axes: Vec::new(), ..plan(panes(), "size") };
     assert!(matches!(measure(&none, &RenderControl::default(), &mut |_| {}), Err(MeasureError::Axis(_))));
 }
 
 /// Measurements whose times follow a known law exactly.
-fn synthetic(vary: &str, time: impl Fn(&Point) -> f64) -> Measured {
+fn synthetic(vary: &str, time: impl Fn(&MeasuredPoint) -> f64) -> Measurement {
     let axes = Axis::read(vary, 4).unwrap();
     let points = axes[0].values.iter().map(|value| {
-        let mut point = Point {
+        let mut point = MeasuredPoint {
             values: vec![value.clone()],
             bodies: 5,
             settings: RenderSettings { width: 32, height: 18, samples: 1 },
@@ -178,7 +180,7 @@ fn synthetic(vary: &str, time: impl Fn(&Point) -> f64) -> Measured {
         point.runs = (0..11)
             .map(|round| {
                 let off = if round == 10 { 3.0 } else { 1.0 + 0.001 * (f64::from(round) - 4.5) };
-                Run { round, prepare: 1.25, draw: middle * off, passes: Vec::new() }
+                PointTimes { round, prepare: 1.25, draw: middle * off, passes: Vec::new() }
             })
             .collect();
         point
@@ -192,10 +194,10 @@ fn synthetic(vary: &str, time: impl Fn(&Point) -> f64) -> Measured {
         system: "System".to_owned(),
         program: "catoptric".to_owned(),
     };
-    Measured { name: "sphere_flake".to_owned(), axes, points, rounds: 11, complete: true, machine }
+    Measurement { name: "sphere_flake".to_owned(), axes, points, rounds: 11, complete: true, machine }
 }
 
-fn text(study: &Study, name: &str) -> String {
+fn text(study: &MeasurementReport, name: &str) -> String {
     let (_, bytes) = study.files.iter().find(|(found, _)| *found == name).unwrap();
     String::from_utf8(bytes.clone()).unwrap()
 }
@@ -250,11 +252,14 @@ fn known_laws_are_found_and_named() {
         assert!(fit.r_squared > 0.999, "{vary}: {fit:?}");
         fit
     };
-    assert_eq!(law("size", &|c| 1.0 + 1e-4 * c).law, Law::Linear);
+    assert_eq!(law("size", &|c| 1.0 + 1e-4 * c).law, GrowthLaw::Linear);
     let power = law("bodies", &|n| 3.0 * n.powf(0.35));
     assert!((power.coefficient("α").unwrap().value - 0.35).abs() < 1e-3);
-    assert_eq!(law("generations=1,2,3,4,5,6,7,8,9,10", &|k| 9.0 - 8.0 * 0.4_f64.powf(k)).law, Law::Bounded);
-    assert_eq!(law("generations=1,2,3,4,5,6,7,8,9,10", &|k| 1.0 + 2.0_f64.powf(k)).law, Law::Geometric);
+    assert_eq!(
+        law("generations=1,2,3,4,5,6,7,8,9,10", &|k| 9.0 - 8.0 * 0.4_f64.powf(k)).law,
+        GrowthLaw::Bounded
+    );
+    assert_eq!(law("generations=1,2,3,4,5,6,7,8,9,10", &|k| 1.0 + 2.0_f64.powf(k)).law, GrowthLaw::Geometric);
     let amdahl = law("threads=1,2,4,8", &|p| 2.0 + 30.0 / p);
     assert!((amdahl.coefficient("a").unwrap().value - 2.0).abs() < 0.01);
 }

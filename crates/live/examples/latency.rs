@@ -18,12 +18,12 @@ use glam::{DQuat, DVec3};
 
 /// When each request was made, by its number, and when its frame came.
 #[derive(Default)]
-struct Log {
+struct LatencyLog {
     asked: Vec<Instant>,
-    frames: Vec<Seen>,
+    frames: Vec<SeenFrame>,
 }
 
-struct Seen {
+struct SeenFrame {
     revision: u64,
     at: Instant,
     width: u32,
@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let stop = Arc::new(AtomicBool::new(false));
     let stopped = Arc::clone(&stop);
     let window = std::thread::spawn(move || window(Duration::from_millis(8), &stopped));
-    let mut log = Log::default();
+    let mut log = LatencyLog::default();
     let start = Instant::now();
     let mut base = Request::new(Arc::new(scene), 0, size);
     base.grid = Some(GridSpec::default());
@@ -105,7 +105,7 @@ fn overlays(live: &Live, bell: &(Mutex<bool>, std::sync::Condvar), base: &Reques
         let start = Instant::now();
         live.request(request);
         while !live.status().is_idle || live.latest().is_none_or(|frame| frame.revision != revision) {
-            watch(live, bell, Instant::now() + Duration::from_micros(100), &mut Log::default());
+            watch(live, bell, Instant::now() + Duration::from_micros(100), &mut LatencyLog::default());
         }
         1e3 * start.elapsed().as_secs_f64()
     };
@@ -146,8 +146,8 @@ fn orbit(camera: &Camera, degrees: f64) -> Camera {
     Camera { position: camera.target + turn * (camera.position - camera.target), ..*camera }
 }
 
-/// Works for `busy` in every sixtieth of a second, as a window drawn by software does, until it is to stop. Returns what
-/// each of them took, milliseconds.
+/// Works for `busy` in every sixtieth of a second, as a window drawn by software does, until it is to stop. Returns
+/// what each of them took, milliseconds.
 fn window(busy: Duration, stop: &AtomicBool) -> Vec<f64> {
     let mut took = Vec::new();
     while !stop.load(Ordering::Relaxed) {
@@ -166,13 +166,13 @@ fn window(busy: Duration, stop: &AtomicBool) -> Vec<f64> {
 }
 
 /// Takes note of frames until a moment.
-fn watch(live: &Live, bell: &(Mutex<bool>, std::sync::Condvar), until: Instant, log: &mut Log) {
+fn watch(live: &Live, bell: &(Mutex<bool>, std::sync::Condvar), until: Instant, log: &mut LatencyLog) {
     loop {
         if let Some(frame) = live.latest()
             && log.frames.last().is_none_or(|last| frame.revision > last.revision)
         {
             let (width, milliseconds) = (frame.picture_size[0], frame.milliseconds);
-            log.frames.push(Seen { revision: frame.revision, at: Instant::now(), width, milliseconds });
+            log.frames.push(SeenFrame { revision: frame.revision, at: Instant::now(), width, milliseconds });
         }
         let left = until.saturating_duration_since(Instant::now());
         if left.is_zero() {
@@ -184,7 +184,7 @@ fn watch(live: &Live, bell: &(Mutex<bool>, std::sync::Condvar), until: Instant, 
     }
 }
 
-fn report(log: &Log, time: Duration) {
+fn report(log: &LatencyLog, time: Duration) {
     let mut latencies: Vec<f64> = log
         .frames
         .iter()

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScreen, StageOnCard};
+use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScene, GpuScreen};
 use catoptric_picture::SizeError;
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 use catoptric_tracer::{Film, RayCounts, RenderCamera, RenderControl, RenderError, RenderScene};
@@ -13,10 +13,10 @@ pub(crate) enum Canvas {
     Card(Box<GpuFilm>),
 }
 
-/// A graphics card that draws, and what it has of the scene.
-pub(crate) struct Card {
+/// A graphics card that draws, with its copy of the scene.
+pub(crate) struct CardRenderer {
     pub(crate) gpu: Arc<Gpu>,
-    pub(crate) stage: StageOnCard,
+    pub(crate) stage: GpuScene,
     pub(crate) screen: GpuScreen,
     /// What in the present scene it cannot draw.
     pub(crate) refused: Option<GpuError>,
@@ -29,9 +29,9 @@ pub(crate) enum PassError {
     Card(GpuError),
 }
 
-impl Card {
+impl CardRenderer {
     pub(crate) fn new(gpu: Arc<Gpu>) -> Result<Self, GpuError> {
-        let (stage, screen) = (StageOnCard::new(&gpu)?, GpuScreen::new(&gpu)?);
+        let (stage, screen) = (GpuScene::new(&gpu)?, GpuScreen::new(&gpu)?);
         Ok(Self { gpu, stage, screen, refused: None })
     }
 
@@ -62,7 +62,7 @@ impl Card {
 
 impl Canvas {
     /// A canvas without light, on `card` if there is one.
-    pub(crate) fn new(card: Option<&Card>, [width, height]: [u32; 2]) -> Result<Self, PassError> {
+    pub(crate) fn new(card: Option<&CardRenderer>, [width, height]: [u32; 2]) -> Result<Self, PassError> {
         Ok(match card {
             Some(card) => Self::Card(Box::new(GpuFilm::new(&card.gpu, width, height)?)),
             None => Self::Processor(Film::new(width, height)?),
@@ -100,7 +100,7 @@ impl Canvas {
     /// Adds a sample to every pixel.
     pub(crate) fn add_sample(
         &mut self,
-        card: Option<&Card>,
+        card: Option<&CardRenderer>,
         stage: &RenderScene,
         camera: &RenderCamera,
         control: &RenderControl,

@@ -1,4 +1,4 @@
-//! What a window shows.
+//! The frame that a window displays.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use catoptric_scene::Camera;
 use catoptric_tracer::RayCounts;
 use glam::Vec2;
 
-use crate::request::Shows;
+use crate::request::DisplayContent;
 
 /// A picture of the view with what is drawn over it. All belongs to the same request.
 #[derive(Clone, Debug)]
@@ -26,7 +26,7 @@ pub struct Frame {
     pub picture_size: [u32; 2],
     /// What is seen: [`Request::shows`](crate::Request::shows), or the picture where the method has no such thing. An
     /// unfolded cube has proportions of its own; outlines and grid do not belong to it.
-    pub shows: Shows,
+    pub shows: DisplayContent,
     /// The picture: red, green, blue (sRGB) and 255 for every pixel, row by row from the top. Empty if it is on a card;
     /// see [`Self::codes`].
     pub pixels: Arc<Vec<u8>>,
@@ -57,7 +57,7 @@ impl Frame {
 
     /// Whether the picture has the view's full resolution, or one of its own.
     pub fn is_full(&self) -> bool {
-        self.view_size == self.picture_size || matches!(self.shows, Shows::UnfoldedCube(_))
+        self.view_size == self.picture_size || matches!(self.shows, DisplayContent::UnfoldedCube(_))
     }
 }
 

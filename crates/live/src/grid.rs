@@ -26,9 +26,9 @@ const LEVELS: f64 = 12.0;
 /// Lines closer to each other than this fade into the distance, pixels.
 const CROWDED: f64 = 8.0;
 
-/// The grid's measures.
+/// The step and the middle of the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Measures {
+struct GridMeasures {
     /// Between the lines, meters: a power of ten.
     step: f64,
     /// How far the step is on its way to the next power, 0…1.
@@ -37,7 +37,7 @@ struct Measures {
     middle: DVec2,
 }
 
-impl Measures {
+impl GridMeasures {
     fn new(camera: &Camera) -> Option<Self> {
         let distance = match camera.projection {
             Projection::Perspective { .. } => camera.position.distance(camera.target),
@@ -65,9 +65,9 @@ impl Measures {
     }
 }
 
-/// A line on the ground.
+/// A line of the grid on the ground.
 #[derive(Clone, Copy, Debug)]
-struct Line {
+struct GroundLine {
     ends: [DVec3; 2],
     /// Towards the next line of its kind.
     next: DVec3,
@@ -76,7 +76,7 @@ struct Line {
     reach: f64,
 }
 
-fn lines(spec: GridSpec, measures: &Measures) -> Vec<Line> {
+fn lines(spec: GridSpec, measures: &GridMeasures) -> Vec<GroundLine> {
     let step = measures.step;
     let mut lines = Vec::new();
     // Lines along X have a place on Z, and the other way around.
@@ -88,7 +88,7 @@ fn lines(spec: GridSpec, measures: &Measures) -> Vec<Line> {
         let mut add = |at: f64, kind: GridKind, strength: f64, reach: f64, next: f64| {
             let half = (reach * reach - (at - place) * (at - place)).max(0.0).sqrt();
             let ends = [middle - half, middle + half].map(|end| end * along + at * across);
-            lines.push(Line { ends, next: next * across, kind, strength, reach });
+            lines.push(GroundLine { ends, next: next * across, kind, strength, reach });
         };
         let center = (place / step).round() as i64;
         let every = |step: i64| {
@@ -120,14 +120,14 @@ pub(crate) fn trace(
     stage: &RenderScene,
     size: DVec2,
 ) -> Vec<GridLine> {
-    let Some(measures) = Measures::new(camera) else { return Vec::new() };
+    let Some(measures) = GridMeasures::new(camera) else { return Vec::new() };
     let near = 1e-3 * measures.step;
-    let cutter = Cutter { eye: camera.position, near, middle: measures.middle, view, stage, size };
+    let cutter = LineClipper { eye: camera.position, near, middle: measures.middle, view, stage, size };
     lines(spec, &measures).par_iter().flat_map_iter(|line| cutter.pieces(line)).collect()
 }
 
-/// Cuts lines by the view and by bodies.
-struct Cutter<'a> {
+/// Clips lines at the view and behind bodies.
+struct LineClipper<'a> {
     eye: DVec3,
     /// Depth of what is too close to be drawn, meters.
     near: f64,
@@ -137,15 +137,15 @@ struct Cutter<'a> {
     size: DVec2,
 }
 
-/// A part of a line on the screen; places on it are numbers 0…1.
-struct OnScreen {
+/// A segment of a line on the screen; places on it are numbers 0…1.
+struct ScreenSegment {
     ends: [DVec3; 2],
     pixels: [DVec2; 2],
     /// Reciprocal depths: they grow evenly along the screen. Equal ones for a parallel projection.
     nearness: [f64; 2],
 }
 
-impl OnScreen {
+impl ScreenSegment {
     fn pixel(&self, place: f64) -> DVec2 {
         self.pixels[0].lerp(self.pixels[1], place)
     }
@@ -156,8 +156,8 @@ impl OnScreen {
     }
 }
 
-impl Cutter<'_> {
-    fn pieces(&self, line: &Line) -> Vec<GridLine> {
+impl LineClipper<'_> {
+    fn pieces(&self, line: &GroundLine) -> Vec<GridLine> {
         let Some((line_on_screen, [first, last])) = self.clipped(line) else { return Vec::new() };
         let length = line_on_screen.pixel(first).distance(line_on_screen.pixel(last));
         let count = (length / PIECE).ceil().clamp(1.0, 2000.0);
@@ -190,7 +190,7 @@ impl Cutter<'_> {
     }
 
     /// The part of a line before the eye, and between which places on it the view shows it.
-    fn clipped(&self, line: &Line) -> Option<(OnScreen, [f64; 2])> {
+    fn clipped(&self, line: &GroundLine) -> Option<(ScreenSegment, [f64; 2])> {
         let forward = self.view.axes()[2];
         let [start, end] = line.ends.map(|end| (end - self.eye).dot(forward));
         let at_near = line.ends[0].lerp(line.ends[1], (self.near - start) / (end - start));
@@ -217,11 +217,11 @@ impl Cutter<'_> {
             first = first.max(one.min(other));
             last = last.min(one.max(other));
         }
-        (first < last).then_some((OnScreen { ends, pixels: [from, to], nearness }, [first, last]))
+        (first < last).then_some((ScreenSegment { ends, pixels: [from, to], nearness }, [first, last]))
     }
 
     /// Whether nothing stands before the line here. The surface on which it lies does not hide it.
-    fn is_visible(&self, line: &OnScreen, place: f64) -> bool {
+    fn is_visible(&self, line: &ScreenSegment, place: f64) -> bool {
         const CONTACT: f64 = 1e-3;
         let ray = self.view.ray(line.pixel(place), self.size);
         let origin = self.view.world_from_render(ray.origin);
@@ -230,7 +230,7 @@ impl Cutter<'_> {
     }
 
     /// Where between a visible place and a hidden one the line vanishes.
-    fn change(&self, line: &OnScreen, mut visible: f64, mut hidden: f64) -> f64 {
+    fn change(&self, line: &ScreenSegment, mut visible: f64, mut hidden: f64) -> f64 {
         for _ in 0..6 {
             let middle = 0.5 * (visible + hidden);
             *(if self.is_visible(line, middle) { &mut visible } else { &mut hidden }) = middle;
@@ -239,7 +239,7 @@ impl Cutter<'_> {
     }
 
     /// How much of a line's strength is left at a point of it.
-    fn fade(&self, line: &Line, point: DVec3) -> f64 {
+    fn fade(&self, line: &GroundLine, point: DVec3) -> f64 {
         let away = DVec2::new(point.x, point.z).distance(self.middle) / line.reach;
         let by_distance = (1.0 - away * away).max(0.0);
         let pixels = |point| self.view.project(point, self.size).map(|(at, _)| at);

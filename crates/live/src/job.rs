@@ -13,32 +13,32 @@ use catoptric_tracer::{
     RenderControl, RenderError, RenderOutput, RenderScene, RenderSettings, SceneBuildError, render,
 };
 
-use crate::drawn::unfolded;
+use crate::method_picture::unfolded;
 use crate::priority::{self, Priority};
-use crate::request::Shows;
+use crate::request::DisplayContent;
 use crate::worker::message_of;
 
 /// A render on threads of its own. Dropping it cancels it.
 pub struct RenderJob {
-    work: Arc<Work>,
+    work: Arc<JobState>,
     thread: Option<JoinHandle<()>>,
 }
 
-/// What the job and its thread share.
-struct Work {
+/// The state that a job shares with its thread.
+struct JobState {
     scene: Arc<Scene>,
     method: Method,
-    shows: Shows,
+    shows: DisplayContent,
     settings: RenderSettings,
     generations: Option<u32>,
     threads: usize,
     start: Instant,
     control: RenderControl,
-    done: Mutex<Done>,
+    done: Mutex<JobOutcome>,
 }
 
 #[derive(Default)]
-struct Done {
+struct JobOutcome {
     /// When tracing began.
     tracing_since: Option<Instant>,
     finished: Option<Duration>,
@@ -78,7 +78,7 @@ pub enum JobError {
         /// Edge of a face, pixels.
         size: u32,
     },
-    /// It was cancelled.
+    /// The job was cancelled.
     #[error("the render was cancelled")]
     Cancelled,
     /// The system gives no threads, or the program itself failed.
@@ -98,24 +98,24 @@ impl RenderJob {
         generations: Option<u32>,
         threads: usize,
     ) -> io::Result<Self> {
-        Self::drawn(scene, Method::Whitted, Shows::Picture, settings, generations, threads)
+        Self::drawn(scene, Method::Whitted, DisplayContent::Picture, settings, generations, threads)
     }
 
-    /// The same by another method, or what lies behind its picture.
+    /// Starts to draw `scene` by any method, or a layer behind its picture.
     ///
     /// # Errors
     /// When the system gives no thread.
     pub fn drawn(
         scene: Arc<Scene>,
         method: Method,
-        shows: Shows,
+        shows: DisplayContent,
         settings: RenderSettings,
         generations: Option<u32>,
         threads: usize,
     ) -> io::Result<Self> {
         let (start, control, done) = (Instant::now(), RenderControl::default(), Mutex::default());
         let work =
-            Arc::new(Work { scene, method, shows, settings, generations, threads, start, control, done });
+            Arc::new(JobState { scene, method, shows, settings, generations, threads, start, control, done });
         let own = Arc::clone(&work);
         let thread = std::thread::Builder::new().name("render".to_owned()).spawn(move || own.run())?;
         Ok(Self { work, thread: Some(thread) })
@@ -123,7 +123,7 @@ impl RenderJob {
 
     /// How far it is.
     pub fn progress(&self) -> JobProgress {
-        let Work { settings, control, start, .. } = &*self.work;
+        let JobState { settings, control, start, .. } = &*self.work;
         let pixels = match control.pixels_expected() {
             0 => u64::from(settings.width) * u64::from(settings.height),
             expected => expected,
@@ -161,8 +161,8 @@ impl Drop for RenderJob {
     }
 }
 
-impl Work {
-    fn done(&self) -> MutexGuard<'_, Done> {
+impl JobState {
+    fn done(&self) -> MutexGuard<'_, JobOutcome> {
         self.done.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -204,9 +204,11 @@ impl Work {
     fn draw(&self, stage: &RenderScene) -> Result<RenderOutput, JobError> {
         let drawing = draw(stage, &self.method, self.settings, &self.control)?;
         let shown = match self.shows {
-            Shows::Picture => None,
-            Shows::Layer(layer) => drawing.layer(stage, layer)?,
-            Shows::UnfoldedCube(body) => unfolded(&drawing, stage, body)?.map(|(picture, _)| picture),
+            DisplayContent::Picture => None,
+            DisplayContent::Layer(layer) => drawing.layer(stage, layer)?,
+            DisplayContent::UnfoldedCube(body) => {
+                unfolded(&drawing, stage, body)?.map(|(picture, _)| picture)
+            }
         };
         Ok(RenderOutput { picture: shown.unwrap_or(drawing.picture), counts: drawing.counts })
     }
@@ -239,10 +241,10 @@ mod tests {
     #[test]
     fn a_cancelled_job_prepares_nothing() {
         let gold = Body { material: MaterialChoice::Named("gold".into()), ..Body::default() };
-        let work = Work {
+        let work = JobState {
             scene: Arc::new(Scene { bodies: [gold].into(), ..Scene::default() }),
             method: Method::Whitted,
-            shows: Shows::Picture,
+            shows: DisplayContent::Picture,
             settings: RenderSettings { width: 8, height: 8, samples: 1 },
             generations: None,
             threads: 1,

@@ -10,22 +10,22 @@
 //! A [`Request`] may name another method than Whitted's tree, or ask for [the layers behind its picture](Shows).
 
 mod canvas;
-mod drawn;
 mod frame;
 mod grid;
 mod job;
 mod live;
+mod method_picture;
 mod outline;
 mod pace;
 mod priority;
 mod request;
+mod request_state;
 mod shared;
 mod status;
-mod view;
 mod worker;
 
 pub use frame::{Frame, GridKind, GridLine, Polyline};
 pub use job::{JobError, JobProgress, RenderJob};
 pub use live::{Live, LiveOptions};
-pub use request::{GridSpec, Request, Shows};
+pub use request::{DisplayContent, GridSpec, Request};
 pub use status::{LiveError, Status};

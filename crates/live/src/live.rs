@@ -10,7 +10,7 @@ use catoptric_tracer::RenderScene;
 use crate::frame::Frame;
 use crate::priority::{self, Priority};
 use crate::request::Request;
-use crate::shared::Shared;
+use crate::shared::SharedState;
 use crate::status::Status;
 use crate::worker::Worker;
 
@@ -31,7 +31,7 @@ impl Default for LiveOptions {
 
 /// A worker that traces what is asked of it, the newest request first. Dropping it stops the worker.
 pub struct Live {
-    shared: Arc<Shared>,
+    shared: Arc<SharedState>,
     worker: Option<JoinHandle<()>>,
 }
 
@@ -44,7 +44,7 @@ impl Live {
         Self::with_options(LiveOptions::default(), wake)
     }
 
-    /// The same with other threads and another budget.
+    /// Starts a worker with a number of threads and a time budget.
     ///
     /// # Errors
     /// When the system gives no threads.
@@ -61,7 +61,7 @@ impl Live {
             is_idle: true,
             ..Status::default()
         };
-        let shared = Arc::new(Shared::new(status, wake));
+        let shared = Arc::new(SharedState::new(status, wake));
         let worker = Worker::new(Arc::clone(&shared), pool, options.budget);
         let worker = std::thread::Builder::new().name("live".to_owned()).spawn(move || worker.run())?;
         Ok(Self { shared, worker: Some(worker) })
@@ -89,7 +89,7 @@ impl Live {
     }
 
     /// The stage of the newest prepared scene with its revision: for picking, one ray being cheap. It should not be kept:
-    /// a stage that is let go of is edited when bodies change, one that is held has to be copied.
+    /// a stage that was dropped is edited when bodies change, one that is kept has to be copied.
     pub fn stage(&self) -> Option<(u64, Arc<RenderScene>)> {
         self.shared.stage()
     }

@@ -17,18 +17,18 @@ use contour::{BorderPoint, Contour};
 /// Up to this many bodies have an outline each; more have one around all of them.
 const MOST_OUTLINES: usize = 32;
 
-/// Stages of the bodies to outline.
-pub(crate) struct Outlines {
-    groups: Vec<Group>,
+/// The stages of the bodies to outline.
+pub(crate) struct OutlineTracer {
+    groups: Vec<OutlineGroup>,
 }
 
-/// Bodies with one outline.
-struct Group {
+/// Bodies that share one outline.
+struct OutlineGroup {
     bodies: Vec<usize>,
     stage: RenderScene,
 }
 
-impl Outlines {
+impl OutlineTracer {
     /// Takes these bodies out of the stage; places beyond the scene's bodies are passed over.
     pub(crate) fn new(scene: &Scene, stage: &RenderScene, bodies: &[usize]) -> Self {
         let groups: Vec<Vec<usize>> = if bodies.len() <= MOST_OUTLINES {
@@ -36,7 +36,8 @@ impl Outlines {
         } else {
             vec![bodies.to_vec()]
         };
-        let groups = groups.into_iter().map(|bodies| Group { stage: stage.only(scene, &bodies), bodies });
+        let groups =
+            groups.into_iter().map(|bodies| OutlineGroup { stage: stage.only(scene, &bodies), bodies });
         Self { groups: groups.filter(|group| group.stage.body_count() > 0).collect() }
     }
 
@@ -52,7 +53,7 @@ impl Outlines {
     }
 }
 
-impl Group {
+impl OutlineGroup {
     fn trace(&self, scene: &Scene, stage: &RenderScene, camera: &RenderCamera, size: DVec2) -> Vec<Polyline> {
         let bodies = self.bodies.iter().filter_map(|&body| scene.bodies.get(body));
         let Some(area) = Area::of_bodies(bodies, camera, size) else { return Vec::new() };
@@ -71,7 +72,9 @@ impl Group {
         /// What lies this much closer, as a share of the way, hides; less is a contact.
         const CONTACT: f32 = 1e-4;
         let ray = camera.ray(at, size);
-        let (Some(own), Some(first)) = (self.stage.closest_hit(&ray), stage.closest_hit(&ray)) else { return false };
+        let (Some(own), Some(first)) = (self.stage.closest_hit(&ray), stage.closest_hit(&ray)) else {
+            return false;
+        };
         first.body != own.body && first.hit.t < own.hit.t * (1.0 - CONTACT)
     }
 }

@@ -1,4 +1,4 @@
-//! How large a picture can be traced in time.
+//! The size of a picture that can be traced in time.
 
 /// Divisors of the view's size for coarse pictures. Few of them, so that the resolution does not flicker.
 const DIVISORS: [f64; 14] = [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 24.0];
@@ -43,7 +43,7 @@ impl Pace {
         self.per_pixel += weight * (new - self.per_pixel);
     }
 
-    /// Takes note of a coarse picture that was given up after so many pixels: the next one must be coarser, or none
+    /// Takes note of a coarse picture that was cancelled after so many pixels: the next one must be coarser, or none
     /// would ever be finished.
     pub(crate) fn gave_up(&mut self, pixels: u64, milliseconds: f64) {
         /// Pixels that may be under way when nothing else is known of them.

@@ -1,4 +1,4 @@
-//! What a window asks for.
+//! The request of a window.
 
 use std::sync::Arc;
 
@@ -17,12 +17,12 @@ pub struct Request {
     pub camera: Camera,
     /// Width and height of the view in physical pixels. A view of no pixels asks for nothing.
     pub size: [u32; 2],
-    /// Whether a hand moves something: pictures stay coarse until nothing changes for a moment.
+    /// Whether a drag is under way: pictures stay coarse until nothing changes for a moment.
     pub moving: bool,
     /// How reflections are found. Other methods than Whitted's are drawn anew for more samples, in steps of 1, 4, 16 …
     pub method: Method,
     /// What of the drawing is seen.
-    pub shows: Shows,
+    pub shows: DisplayContent,
     /// Samples per pixel to refine to; [`Request::NOISY`] times as many in scenes that need it.
     pub samples: u32,
     /// How light becomes display codes.
@@ -41,7 +41,7 @@ impl Request {
     /// Samples per pixel unless said otherwise.
     pub const DEFAULT_SAMPLES: u32 = 16;
 
-    /// So many times as many where [chance](catoptric_tracer::Stage::is_noisy) has a part in the light of a pixel.
+    /// The factor of samples where a pixel's light is [noisy](catoptric_tracer::Stage::is_noisy).
     pub const NOISY: u32 = 16;
 
     /// The largest view, pixels: beyond the largest displays.
@@ -56,7 +56,7 @@ impl Request {
             size,
             moving: false,
             method: Method::Whitted,
-            shows: Shows::Picture,
+            shows: DisplayContent::Picture,
             samples: Self::DEFAULT_SAMPLES,
             development: Development::default(),
             outline: Vec::new(),
@@ -67,9 +67,9 @@ impl Request {
     }
 }
 
-/// What is seen of a drawing. Where the method has no such thing, it is the picture.
+/// The part of a drawing that is displayed. If the method has no such part, the picture is displayed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Shows {
+pub enum DisplayContent {
     /// The picture.
     #[default]
     Picture,

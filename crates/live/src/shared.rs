@@ -1,4 +1,4 @@
-//! What the worker and the window's thread share. Every lock is held for a moment only.
+//! The state that the worker and the window's thread share. Every lock is held for a moment only.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -11,19 +11,19 @@ use crate::frame::Frame;
 use crate::request::Request;
 use crate::status::{LiveError, Status};
 
-pub(crate) struct Shared {
-    mail: Mutex<Mail>,
+pub(crate) struct SharedState {
+    mail: Mutex<Mailbox>,
     /// Rings when mail comes or a pass ends.
     bell: Condvar,
-    shown: Mutex<Shown>,
+    shown: Mutex<WorkerOutput>,
     /// The newest stage, and what it is of.
     stage: Mutex<Option<(u64, Arc<RenderScene>)>>,
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
-/// What goes to the worker.
+/// The messages to the worker.
 #[derive(Default)]
-struct Mail {
+struct Mailbox {
     request: Option<Request>,
     /// What is to draw, if that was said.
     card: Option<Option<Arc<Gpu>>>,
@@ -33,9 +33,9 @@ struct Mail {
     pass_ended: bool,
 }
 
-/// What comes from the worker.
+/// The results of the worker.
 #[derive(Default)]
-struct Shown {
+struct WorkerOutput {
     latest: Option<Arc<Frame>>,
     status: Status,
     /// Whether something new was published since the worker was idle last. A window that asks again whenever it is
@@ -43,8 +43,8 @@ struct Shown {
     is_news: bool,
 }
 
-/// What the worker finds when it looks.
-pub(crate) enum Call {
+/// The next message to the worker.
+pub(crate) enum WorkerMessage {
     Stop,
     /// What is to draw from now on.
     Card(Option<Arc<Gpu>>),
@@ -54,9 +54,9 @@ pub(crate) enum Call {
     Nothing,
 }
 
-/// How long the worker waits for mail.
+/// The time that the worker waits for messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Wait {
+pub(crate) enum WaitLimit {
     /// There is work to do.
     No,
     /// There is work at this moment.
@@ -65,8 +65,8 @@ pub(crate) enum Wait {
     ForEver,
 }
 
-/// When a pass under way gives way to a newer request.
-pub(crate) struct Patience<'a> {
+/// The conditions on which a newer request interrupts a pass.
+pub(crate) struct PreemptionRule<'a> {
     /// Whether a request asks for something new.
     pub(crate) is_new: &'a dyn Fn(&Request) -> bool,
     /// Until when the pass is finished all the same.
@@ -80,12 +80,12 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl Shared {
+impl SharedState {
     pub(crate) fn new(status: Status, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
             mail: Mutex::default(),
             bell: Condvar::new(),
-            shown: Mutex::new(Shown { status, ..Shown::default() }),
+            shown: Mutex::new(WorkerOutput { status, ..WorkerOutput::default() }),
             stage: Mutex::default(),
             wake: Box::new(wake),
         }
@@ -199,31 +199,31 @@ impl Shared {
     }
 
     /// The next request, after a wait.
-    pub(crate) fn look(&self, wait: Wait) -> Call {
+    pub(crate) fn look(&self, wait: WaitLimit) -> WorkerMessage {
         let mut mail = lock(&self.mail);
         loop {
             if mail.stop {
-                return Call::Stop;
+                return WorkerMessage::Stop;
             }
             if let Some(card) = mail.card.take() {
-                return Call::Card(card);
+                return WorkerMessage::Card(card);
             }
             if std::mem::take(&mut mail.is_ready) {
-                return Call::Ready;
+                return WorkerMessage::Ready;
             }
             if let Some(request) = mail.request.take() {
-                return Call::Request(Box::new(request));
+                return WorkerMessage::Request(Box::new(request));
             }
             mail = match wait {
-                Wait::No => return Call::Nothing,
-                Wait::Until(moment) => {
+                WaitLimit::No => return WorkerMessage::Nothing,
+                WaitLimit::Until(moment) => {
                     let left = moment.saturating_duration_since(Instant::now());
                     if left.is_zero() {
-                        return Call::Nothing;
+                        return WorkerMessage::Nothing;
                     }
                     self.wait(mail, left)
                 }
-                Wait::ForEver => {
+                WaitLimit::ForEver => {
                     // While the mail is locked, so that no request comes in between.
                     let is_news = {
                         let mut shown = lock(&self.shown);
@@ -242,18 +242,18 @@ impl Shared {
         }
     }
 
-    fn wait<'a>(&self, mail: MutexGuard<'a, Mail>, time: Duration) -> MutexGuard<'a, Mail> {
+    fn wait<'a>(&self, mail: MutexGuard<'a, Mailbox>, time: Duration) -> MutexGuard<'a, Mailbox> {
         self.bell.wait_timeout(mail, time).unwrap_or_else(PoisonError::into_inner).0
     }
 
     /// Notes that a pass begins; when the answer is dropped, it has ended.
-    pub(crate) fn begin_pass(&self) -> PassEnd<'_> {
+    pub(crate) fn begin_pass(&self) -> PassEndSignal<'_> {
         lock(&self.mail).pass_ended = false;
-        PassEnd(self)
+        PassEndSignal(self)
     }
 
     /// Waits for the end of a pass, and cancels it when something newer is asked for.
-    pub(crate) fn watch_pass(&self, control: &RenderControl, patience: &Patience<'_>) {
+    pub(crate) fn watch_pass(&self, control: &RenderControl, patience: &PreemptionRule<'_>) {
         const REPORT: Duration = Duration::from_millis(100);
         let mut mail = lock(&self.mail);
         while !mail.pass_ended {
@@ -280,10 +280,10 @@ impl Shared {
     }
 }
 
-/// Rings when it is dropped, also by a panic.
-pub(crate) struct PassEnd<'a>(&'a Shared);
+/// Signals the end of a pass when it is dropped, also by a panic.
+pub(crate) struct PassEndSignal<'a>(&'a SharedState);
 
-impl Drop for PassEnd<'_> {
+impl Drop for PassEndSignal<'_> {
     fn drop(&mut self) {
         lock(&self.0.mail).pass_ended = true;
         self.0.bell.notify_all();

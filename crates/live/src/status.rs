@@ -1,4 +1,4 @@
-//! How the worker is doing.
+//! The status of the worker.
 
 use catoptric_gpu::GpuError;
 use catoptric_picture::SizeError;

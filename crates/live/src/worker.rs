@@ -13,15 +13,15 @@ use catoptric_tracer::{AcceleratorChoice, Film, RayCounts, RenderCamera, RenderC
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
-use crate::canvas::{Canvas, Card, PassError};
-use crate::drawn::{Drawn, Maps, has_light};
+use crate::canvas::{Canvas, CardRenderer, PassError};
 use crate::frame::Frame;
 use crate::live::LiveOptions;
+use crate::method_picture::{CubeMapStore, MethodPicture, has_light};
 use crate::pace::Pace;
-use crate::request::{Request, Shows};
-use crate::shared::{Call, Patience, Shared, Wait};
+use crate::request::{DisplayContent, Request};
+use crate::request_state::{RequestState, SceneUpdate, StaleParts, check, is_new};
+use crate::shared::{PreemptionRule, SharedState, WaitLimit, WorkerMessage};
 use crate::status::LiveError;
-use crate::view::{Due, Step, View, check, is_new};
 
 /// A picture under way while something moves is finished though a newer one is asked for, since otherwise none would
 /// ever be; but not if it takes so many times its budget, and a coarser one would be quicker.
@@ -34,26 +34,26 @@ const LONGEST: Duration = Duration::from_secs(1);
 const BETWEEN_FRAMES: Duration = Duration::from_millis(60);
 
 pub(crate) struct Worker {
-    shared: Arc<Shared>,
+    shared: Arc<SharedState>,
     pub(crate) pool: ThreadPool,
     budget: Duration,
     pub(crate) pace: Pace,
-    pub(crate) view: Option<View>,
-    pub(crate) maps: Maps,
+    pub(crate) view: Option<RequestState>,
+    pub(crate) maps: CubeMapStore,
     /// The graphics card that draws, if one is to.
-    pub(crate) card: Option<Card>,
+    pub(crate) card: Option<CardRenderer>,
     serial: u64,
     picture_serial: u64,
 }
 
-/// What a finished pass took.
-pub(crate) struct Passed {
+/// The rays and the time of a finished pass.
+pub(crate) struct PassCost {
     pub(crate) rays: RayCounts,
     pub(crate) milliseconds: f64,
 }
 
 impl Worker {
-    pub(crate) fn new(shared: Arc<Shared>, pool: ThreadPool, budget: f64) -> Self {
+    pub(crate) fn new(shared: Arc<SharedState>, pool: ThreadPool, budget: f64) -> Self {
         // What is no number of milliseconds becomes one.
         let budget =
             if budget.is_finite() { budget.clamp(1.0, 10_000.0) } else { LiveOptions::default().budget };
@@ -63,7 +63,7 @@ impl Worker {
             budget: Duration::from_secs_f64(1e-3 * budget),
             pace: Pace::new(budget),
             view: None,
-            maps: Maps::default(),
+            maps: CubeMapStore::default(),
             card: None,
             serial: 0,
             picture_serial: 0,
@@ -72,9 +72,9 @@ impl Worker {
 
     pub(crate) fn run(mut self) {
         loop {
-            let wait = self.view.as_ref().map_or(Wait::ForEver, View::wait);
+            let wait = self.view.as_ref().map_or(WaitLimit::ForEver, RequestState::wait);
             let call = self.shared.look(wait);
-            if matches!(call, Call::Stop) {
+            if matches!(call, WorkerMessage::Stop) {
                 return;
             }
             let done = catch_unwind(AssertUnwindSafe(|| self.turn(call)))
@@ -86,24 +86,24 @@ impl Worker {
         }
     }
 
-    fn turn(&mut self, call: Call) -> Result<(), LiveError> {
+    fn turn(&mut self, call: WorkerMessage) -> Result<(), LiveError> {
         match call {
-            Call::Request(request) => return self.accept(*request),
-            Call::Card(card) => {
+            WorkerMessage::Request(request) => return self.accept(*request),
+            WorkerMessage::Card(card) => {
                 self.change_card(card);
                 return Ok(());
             }
-            Call::Ready => {
+            WorkerMessage::Ready => {
                 self.draw_anew();
                 return Ok(());
             }
-            Call::Stop | Call::Nothing => {}
+            WorkerMessage::Stop | WorkerMessage::Nothing => {}
         }
         match &self.view {
             None => Ok(()),
             Some(view) if view.due.picture && view.request.method != Method::Whitted => self.first_drawing(),
             Some(view) if view.due.picture => self.first_picture(),
-            Some(view) if view.due != Due::NOTHING => self.show(None),
+            Some(view) if view.due != StaleParts::NOTHING => self.show(None),
             Some(view) if view.request.method != Method::Whitted => self.refine_drawing(),
             Some(_) => self.refine(),
         }
@@ -141,7 +141,7 @@ impl Worker {
     }
 
     /// A view of a request, its stage prepared or made from that of the view before; on the current rayon pool.
-    fn view_of(&self, request: Request, old: Option<View>) -> Result<View, LiveError> {
+    fn view_of(&self, request: Request, old: Option<RequestState>) -> Result<RequestState, LiveError> {
         let revision = request.revision;
         let publish = |stage: &Arc<RenderScene>| self.shared.publish_stage(revision, Arc::clone(stage));
         let Some(old) = old else {
@@ -151,18 +151,18 @@ impl Worker {
                 AcceleratorChoice::Quickest,
             )?);
             publish(&stage);
-            return Ok(View::new(request, stage));
+            return Ok(RequestState::new(request, stage));
         };
         let scene = Arc::clone(&request.scene);
         Ok(match old.step_to(&request) {
-            Step::Same => {
+            SceneUpdate::Same => {
                 publish(&old.stage);
                 old.succeed(request, true, |stage| stage)
             }
-            Step::Edit(edit) => old.succeed(request, false, |stage| {
+            SceneUpdate::Edit(edit) => old.succeed(request, false, |stage| {
                 self.shared.edit_stage(revision, stage, |stage| stage.apply(edit, &scene))
             }),
-            Step::Anew => {
+            SceneUpdate::Anew => {
                 let stage = Arc::new(RenderScene::build_for_camera(
                     &scene,
                     &request.camera,
@@ -244,7 +244,7 @@ impl Worker {
     }
 
     /// Adds a sample to a film; `None` if something newer came first. Until `until` nothing does.
-    fn pass(&mut self, film: &mut Canvas, until: Option<Instant>) -> Result<Option<Passed>, LiveError> {
+    fn pass(&mut self, film: &mut Canvas, until: Option<Instant>) -> Result<Option<PassCost>, LiveError> {
         let Some(view) = &self.view else { return Ok(None) };
         let control = RenderControl::default();
         let start = Instant::now();
@@ -267,7 +267,7 @@ impl Worker {
             _ => self.pace.passed(control.pixels_done(), milliseconds),
         }
         match result {
-            Ok(rays) => Ok(Some(Passed { rays, milliseconds })),
+            Ok(rays) => Ok(Some(PassCost { rays, milliseconds })),
             Err(PassError::Cancelled) => Ok(None),
             Err(PassError::Size(error)) => Err(error.into()),
             Err(PassError::Card(error)) => {
@@ -281,7 +281,7 @@ impl Worker {
     /// picture is refined.
     pub(crate) fn watched<T: Send>(
         &self,
-        view: &View,
+        view: &RequestState,
         control: &RenderControl,
         until: Option<Instant>,
         progress: &dyn Fn(u64) -> f32,
@@ -292,7 +292,8 @@ impl Worker {
             self.shared.change_status(|status| status.progress = progress);
             self.shared.wake();
         };
-        let patience = Patience { is_new: &|request| is_new(request, &view.request), until, report: &report };
+        let patience =
+            PreemptionRule { is_new: &|request| is_new(request, &view.request), until, report: &report };
         let mut result = None;
         let place = &mut result;
         self.pool.in_place_scope(|scope| {
@@ -307,7 +308,7 @@ impl Worker {
     }
 
     /// Brings a frame up to date and publishes it, after a pass if there was one.
-    pub(crate) fn show(&mut self, passed: Option<&Passed>) -> Result<(), LiveError> {
+    pub(crate) fn show(&mut self, passed: Option<&PassCost>) -> Result<(), LiveError> {
         let Some(view) = &mut self.view else { return Ok(()) };
         let samples = match (&view.film, &view.drawn) {
             (_, Some(drawn)) => drawn.samples,
@@ -371,7 +372,7 @@ impl Worker {
             status.progress = (done as f32 / wanted as f32).min(1.0);
             status.picture_size = view.picture_size();
             status.method = Some(view.request.method.kind());
-            status.passes = view.drawn.as_ref().map(Drawn::passes).unwrap_or_default();
+            status.passes = view.drawn.as_ref().map(MethodPicture::passes).unwrap_or_default();
             status.cube_maps = view.drawn.as_ref().and_then(|drawn| drawn.drawing.cube_maps);
             status.milliseconds = milliseconds;
             status.rays_per_second = 1e3 * rays.total() as f64 / milliseconds.max(1e-6);
@@ -380,12 +381,12 @@ impl Worker {
 }
 
 /// Develops what is to be seen; on the current rayon pool.
-fn develop_shown(view: &mut View, card: Option<&mut Card>) -> Result<(), PassError> {
+fn develop_shown(view: &mut RequestState, card: Option<&mut CardRenderer>) -> Result<(), PassError> {
     let development = view.request.development;
     if let (None, Some(Canvas::Card(film)), Some(card)) = (&view.drawn, &view.film, card) {
         view.shown.card = Some(card.screen.develop(&card.gpu, film, &development)?);
         view.shown.pixels = Arc::default();
-        (view.shown.size, view.shown.shows) = (film.size(), Shows::Picture);
+        (view.shown.size, view.shown.shows) = (film.size(), DisplayContent::Picture);
         return Ok(());
     }
     let (codes, size, shows) = match (&view.drawn, &view.film) {
@@ -395,7 +396,7 @@ fn develop_shown(view: &mut View, card: Option<&mut Card>) -> Result<(), PassErr
             (develop(&picture, &development), [picture.width(), picture.height()], shows)
         }
         (None, Some(Canvas::Processor(film))) => {
-            (develop_film(film, &development), [film.width(), film.height()], Shows::Picture)
+            (develop_film(film, &development), [film.width(), film.height()], DisplayContent::Picture)
         }
         (None, Some(Canvas::Card(_)) | None) => return Ok(()),
     };

@@ -4,8 +4,8 @@ use crate::dispersion::Dispersion;
 
 /// A clear substance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clear {
-    /// Its name in scene files.
+pub struct ClearSubstance {
+    /// The substance's name in scene files.
     pub name: &'static str,
     /// Refractive index by wavelength.
     pub dispersion: Dispersion,
@@ -13,7 +13,7 @@ pub struct Clear {
     pub source: &'static str,
 }
 
-impl Clear {
+impl ClearSubstance {
     /// The substance of this name.
     pub fn named(name: &str) -> Option<&'static Self> {
         CLEAR.iter().find(|clear| clear.name == name)
@@ -21,14 +21,14 @@ impl Clear {
 }
 
 /// Clear substances, by rising index. Of crystals with two indices, the ordinary one.
-pub const CLEAR: &[Clear] = &[
-    Clear {
+pub const CLEAR: &[ClearSubstance] = &[
+    ClearSubstance {
         name: "ice",
         dispersion: Dispersion::Measured(ICE),
         source: "S. G. Warren, R. E. Brandt, Optical constants of ice from the ultraviolet to the microwave, J. Geophys. Res. \
                  113, D14220 (2008); -7 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "water",
         dispersion: Dispersion::Sellmeier(&[
             [5.684_027_565e-1, 5.101_829_712e-3],
@@ -39,7 +39,7 @@ pub const CLEAR: &[Clear] = &[
         source: "M. Daimon, A. Masumura, Measurement of the refractive index of distilled water, Appl. Opt. 46, 3811 (2007); \
                  20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "fused-silica",
         dispersion: Dispersion::Sellmeier(&[
             [0.696_166_3, 0.068_404_3 * 0.068_404_3],
@@ -49,13 +49,13 @@ pub const CLEAR: &[Clear] = &[
         source: "I. H. Malitson, Interspecimen comparison of the refractive index of fused silica, J. Opt. Soc. Am. 55, 1205 \
                  (1965); 20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "acrylic",
         dispersion: Dispersion::Sellmeier(&[[1.1819, 0.011_313]]),
         source: "N. Sultanova, S. Kasarova, I. Nikolov, Dispersion properties of optical polymers, Acta Phys. Pol. A 116, \
                  585 (2009), fitted by M. Polyanskiy; 20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "crown-glass",
         dispersion: Dispersion::Sellmeier(&[
             [1.039_612_12, 0.006_000_698_67],
@@ -64,18 +64,18 @@ pub const CLEAR: &[Clear] = &[
         ]),
         source: "Schott, optical glass catalog (2017), N-BK7; 20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "window-glass",
         dispersion: Dispersion::Rubin([1.5130, -0.003_169, 0.003_962]),
         source: "M. Rubin, Optical properties of soda lime silica glasses, Sol. Energy Mater. 12, 275 (1985), clear",
     },
-    Clear {
+    ClearSubstance {
         name: "polycarbonate",
         dispersion: Dispersion::Sellmeier(&[[1.4182, 0.021_304]]),
         source: "N. Sultanova, S. Kasarova, I. Nikolov, Dispersion properties of optical polymers, Acta Phys. Pol. A 116, \
                  585 (2009), fitted by M. Polyanskiy; 20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "flint-glass",
         dispersion: Dispersion::Sellmeier(&[
             [1.345_333_59, 0.009_977_438_71],
@@ -84,7 +84,7 @@ pub const CLEAR: &[Clear] = &[
         ]),
         source: "Schott, optical glass catalog (2017), F2; 20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "sapphire",
         dispersion: Dispersion::Sellmeier(&[
             [1.431_349_3, 0.072_663_1 * 0.072_663_1],
@@ -94,7 +94,7 @@ pub const CLEAR: &[Clear] = &[
         source: "I. H. Malitson, M. J. Dodge, Refractive index and birefringence of synthetic sapphire, J. Opt. Soc. Am. 62, \
                  1405 (1972), ordinary ray; 20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "dense-flint-glass",
         dispersion: Dispersion::Sellmeier(&[
             [1.737_596_95, 0.013_188_707],
@@ -103,7 +103,7 @@ pub const CLEAR: &[Clear] = &[
         ]),
         source: "Schott, optical glass catalog (2017), N-SF11; 20 °C",
     },
-    Clear {
+    ClearSubstance {
         name: "diamond",
         dispersion: Dispersion::Sellmeier(&[[0.3306, 0.1750 * 0.1750], [4.3356, 0.1060 * 0.1060]]),
         source: "F. Peter, Über Brechungsindizes und Absorptionskonstanten des Diamanten, Z. Phys. 15, 358 (1923)",
@@ -138,7 +138,7 @@ const ICE: &[[f64; 2]] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dispersion::Lines;
+    use crate::dispersion::FraunhoferLines;
 
     #[test]
     fn indices_and_abbe_numbers_are_those_of_catalogs() {
@@ -155,8 +155,8 @@ mod tests {
             ("ice", 1.3098, 56.0, 8.0),
             ("window-glass", 1.5233, 64.0, 1.0),
         ] {
-            let dispersion = Clear::named(name).unwrap().dispersion;
-            let found = dispersion.index(Lines::D);
+            let dispersion = ClearSubstance::named(name).unwrap().dispersion;
+            let found = dispersion.index(FraunhoferLines::D);
             assert!((found - index).abs() < 1.5e-3, "{name}: {found}");
             assert!((dispersion.abbe() - abbe).abs() < within, "{name}: {}", dispersion.abbe());
         }
@@ -164,13 +164,13 @@ mod tests {
 
     #[test]
     fn substances_rise_and_bend_blue_most() {
-        let at_d = |clear: &Clear| clear.dispersion.index(Lines::D);
+        let at_d = |clear: &ClearSubstance| clear.dispersion.index(FraunhoferLines::D);
         assert!(CLEAR.windows(2).all(|pair| at_d(&pair[0]) < at_d(&pair[1])));
         for clear in CLEAR {
             let indices: Vec<f64> =
                 (380..=780).map(|nanometers| clear.dispersion.index(f64::from(nanometers))).collect();
             assert!(indices.windows(2).all(|pair| pair[0] >= pair[1]), "{}", clear.name);
         }
-        assert!(Clear::named("unobtainium").is_none());
+        assert!(ClearSubstance::named("unobtainium").is_none());
     }
 }

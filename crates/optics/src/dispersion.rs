@@ -3,7 +3,7 @@
 /// How the refractive index of a clear medium depends on the wavelength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dispersion {
-    /// The same for all light.
+    /// One index for all wavelengths.
     Constant(f64),
     /// n = A + B/λ² (A.-L. Cauchy 1836), B in square micrometers.
     Cauchy {
@@ -21,9 +21,9 @@ pub enum Dispersion {
 }
 
 /// Fraunhofer's lines F, d and C, by which glasses are described, nanometers.
-pub struct Lines;
+pub struct FraunhoferLines;
 
-impl Lines {
+impl FraunhoferLines {
     /// Hydrogen, blue.
     pub const F: f64 = 486.132_7;
     /// Helium, yellow.
@@ -38,8 +38,8 @@ impl Dispersion {
     /// An infinite Abbe number gives a constant index.
     pub fn from_abbe(index: f64, abbe: f64) -> Self {
         let inverse = |nanometers: f64| (1e3 / nanometers).powi(2);
-        let b = (index - 1.0) / abbe / (inverse(Lines::F) - inverse(Lines::C));
-        Self::Cauchy { a: index - b * inverse(Lines::D), b }
+        let b = (index - 1.0) / abbe / (inverse(FraunhoferLines::F) - inverse(FraunhoferLines::C));
+        Self::Cauchy { a: index - b * inverse(FraunhoferLines::D), b }
     }
 
     /// The index at a wavelength in nanometers, at the nearest known one where measured points end.
@@ -58,8 +58,8 @@ impl Dispersion {
 
     /// The Abbe number; infinite for a constant index.
     pub fn abbe(self) -> f64 {
-        let spread = self.index(Lines::F) - self.index(Lines::C);
-        if spread == 0.0 { f64::INFINITY } else { (self.index(Lines::D) - 1.0) / spread }
+        let spread = self.index(FraunhoferLines::F) - self.index(FraunhoferLines::C);
+        if spread == 0.0 { f64::INFINITY } else { (self.index(FraunhoferLines::D) - 1.0) / spread }
     }
 }
 
@@ -95,7 +95,7 @@ mod tests {
     fn an_abbe_number_gives_itself_back() {
         for (index, abbe) in [(1.5168, 64.17), (1.7847, 25.7), (2.417, 55.3)] {
             let dispersion = Dispersion::from_abbe(index, abbe);
-            assert!((dispersion.index(Lines::D) - index).abs() < 1e-12);
+            assert!((dispersion.index(FraunhoferLines::D) - index).abs() < 1e-12);
             assert!((dispersion.abbe() - abbe).abs() < 1e-9);
         }
         let constant = Dispersion::from_abbe(1.5, f64::INFINITY);

@@ -23,8 +23,9 @@ impl Reflectance {
 
 /// Reflectance of the boundary between two clear media.
 ///
-/// `cos` is the cosine of the angle of incidence, brought within 0 to 1; `eta` is the refractive index behind the boundary
-/// divided by that before it, positive. Total reflection gives [`Reflectance::TOTAL`], and equal indices exactly 0.
+/// `cos` is the cosine of the angle of incidence, brought within 0 to 1; `eta` is the refractive index behind the
+/// boundary divided by that before it, positive. Total reflection gives [`Reflectance::TOTAL`], and equal indices
+/// exactly 0.
 pub fn dielectric(cos: f64, eta: f64) -> Reflectance {
     let cos = cos.clamp(0.0, 1.0);
     let Some(cos_behind) = refracted(cos, eta) else { return Reflectance::TOTAL };
@@ -71,8 +72,8 @@ pub fn conductor(cos: f64, n: f64, k: f64) -> Reflectance {
     Reflectance { across: across.clamp(0.0, 1.0), along: along.clamp(0.0, 1.0) }
 }
 
-/// Angle of incidence, radians, at which light that swings in the plane of incidence is not reflected at all (D. Brewster
-/// 1815); `eta` as for [`dielectric`].
+/// Angle of incidence, radians, at which light that swings in the plane of incidence is not reflected at all (D.
+/// Brewster 1815); `eta` as for [`dielectric`].
 pub fn brewster_angle(eta: f64) -> f64 {
     eta.atan()
 }

@@ -6,6 +6,6 @@ pub mod fresnel;
 mod metal;
 pub mod observer;
 
-pub use clear::{CLEAR, Clear};
-pub use dispersion::{Dispersion, Lines};
+pub use clear::{CLEAR, ClearSubstance};
+pub use dispersion::{Dispersion, FraunhoferLines};
 pub use metal::{METALS, Metal};

@@ -8,7 +8,7 @@ use crate::{fresnel, observer};
 /// A metal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metal {
-    /// Its name in scene files.
+    /// The metal's name in scene files.
     pub name: &'static str,
     /// Measured points in rising order: wavelength in nanometers, n, k.
     pub points: &'static [[f64; 3]],
@@ -27,8 +27,8 @@ impl Metal {
         between(self.points, nanometers).unwrap_or([1.0, 0.0])
     }
 
-    /// Reflectance of unpolarized daylight as linear sRGB, under the angle of incidence of this cosine, out of a medium of
-    /// index `outside`.
+    /// Reflectance of unpolarized daylight as linear sRGB, under the angle of incidence of this cosine, out of a medium
+    /// of index `outside`.
     pub fn reflectance(&self, cos: f64, outside: f64) -> [f64; 3] {
         observer::seen(|nanometers| {
             let [n, k] = self.index(nanometers);

@@ -1,4 +1,4 @@
-//! From spectra to colors.
+//! Colors of spectra.
 
 mod tables;
 
@@ -17,11 +17,11 @@ const PRIMARIES: [[f64; 2]; 3] = [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]];
 /// What each wavelength of daylight adds to linear sRGB; each channel adds up to 1.
 static WEIGHTS: LazyLock<[[f64; 3]; COUNT]> = LazyLock::new(weights);
 
-/// Linear sRGB of a reflectance or transmittance by wavelength in nanometers, under daylight (illuminant D65), as the CIE's
-/// standard observer of 1931 sees it.
+/// Linear sRGB of a reflectance or transmittance by wavelength in nanometers, under daylight (illuminant D65), as the
+/// CIE's standard observer of 1931 sees it.
 ///
-/// Sums in steps of 5 nm (CIE 15:2018, section 7.2). A spectrum of 1 gives white, 1, 1, 1. Colors that no mixture of the
-/// primaries shows have negative parts, which become 0.
+/// Sums in steps of 5 nm (CIE 15:2018, section 7.2). A spectrum of 1 gives white, 1, 1, 1. Colors that no mixture of
+/// the primaries shows have negative parts, which become 0.
 pub fn seen(spectrum: impl Fn(f64) -> f64) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for (nanometers, weights) in wavelengths().zip(WEIGHTS.iter()) {

@@ -1,4 +1,4 @@
-//! How two pictures differ. Each measure has a file of its own.
+//! The difference of two pictures. Each measure has a file of its own.
 
 pub(crate) mod difference;
 mod digits;

@@ -1,4 +1,4 @@
-//! From linear light to what a display shows.
+//! Development: from linear light to display codes.
 
 use crate::picture::{Picture, SizeError};
 use crate::quantize::{Table8, exact16};
@@ -7,7 +7,8 @@ use crate::tone::{self, ToneCurve};
 /// How linear light becomes display codes: exposure, then tone curve, then sRGB.
 ///
 /// A value `x` becomes ⌊maximum · encode(curve(x · 2^stops)) + ½⌋, with `encode` of [`crate::srgb`], the
-/// maximum 255 or 65535; the exposed value and the curve's are rounded to single precision. NaN and negative values become 0, +∞ white.
+/// maximum 255 or 65535; the exposed value and the curve's are rounded to single precision. NaN and negative values
+/// become 0, +∞ white.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Development {
     /// Exposure in stops: each doubles the light, negative ones halve it. Default 0.

@@ -89,8 +89,8 @@ impl Picture {
     /// A zero side, a size beyond the limits, or too little memory.
     pub fn new(width: u32, height: u32) -> Result<Picture, SizeError> {
         let count = Self::check_size(width, height)?;
-        // Fresh memory is all zeros as it comes: nothing is written here, so that the threads that fill the picture share
-        // the cost of getting it.
+        // Fresh memory is all zeros as it comes: nothing is written here, so that the threads that fill the picture
+        // share the cost of getting it.
         let pixels = bytemuck::allocation::try_zeroed_vec(count).map_err(|()| {
             let bytes = bytes_needed(width, height);
             SizeError::Memory { width, height, bytes }
@@ -101,7 +101,7 @@ impl Picture {
     /// The picture whose pixel at column `x`, row `y` is `color(x, y)`; rows from the top.
     ///
     /// # Errors
-    /// As for [`Picture::new`].
+    /// Those of [`Picture::new`].
     pub fn from_fn(
         width: u32,
         height: u32,
@@ -119,7 +119,7 @@ impl Picture {
     /// The picture made of these pixels, row by row from the top; no pixel is copied.
     ///
     /// # Errors
-    /// As for [`Picture::new`], and when the number of pixels is not `width` × `height`.
+    /// Those of [`Picture::new`], and a number of pixels other than `width` × `height`.
     pub fn from_pixels(width: u32, height: u32, pixels: Vec<[f32; 3]>) -> Result<Picture, SizeError> {
         if pixels.len() == Self::check_size(width, height)? {
             Ok(Picture { width, height, pixels })

@@ -1,4 +1,4 @@
-//! From displayable linear light to sRGB codes.
+//! Quantization: from displayable linear light to sRGB codes.
 //!
 //! The codes are defined by the exact formula, ⌊maximum · encode(x) + ½⌋ in double precision. For 8 bits a
 //! table gives the same code without the power: the floats of 0…1 are cut into buckets of equal upper 16
@@ -21,9 +21,9 @@ pub(crate) fn exact16(x: f32) -> u16 {
     (65535.0 * srgb::encode(f64::from(x)) + 0.5) as u16
 }
 
-/// One bucket: `code` at its start, `code + 1` from `next` on.
+/// One bucket of the table: `code` at its start, `code + 1` from `next` on.
 #[derive(Clone, Copy)]
-struct Step {
+struct QuantizeBucket {
     next: f32,
     code: u8,
 }
@@ -31,7 +31,7 @@ struct Step {
 /// Gives the same as [`exact8`] for every float within 0…1.
 pub(crate) struct Table8 {
     /// A power of two of them, so that masking the index replaces a check in the innermost loop.
-    steps: [Step; 2048],
+    steps: [QuantizeBucket; 2048],
 }
 
 /// Upper half of the bits of 2⁻¹³; all smaller values have code 0, as 2⁻¹³ itself has.
@@ -51,9 +51,9 @@ impl Table8 {
         let step = |bucket: u32| {
             let code = exact8(f32::from_bits(bucket << 16));
             let next = thresholds.get(usize::from(code)).copied().unwrap_or(f32::INFINITY);
-            Step { next, code }
+            QuantizeBucket { next, code }
         };
-        let mut steps = [Step { next: f32::INFINITY, code: 255 }; 2048];
+        let mut steps = [QuantizeBucket { next: f32::INFINITY, code: 255 }; 2048];
         for (place, bucket) in steps.iter_mut().zip(FIRST_BUCKET..=LAST_BUCKET) {
             *place = step(bucket);
         }

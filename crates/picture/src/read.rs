@@ -70,7 +70,7 @@ pub enum DecodeError {
         /// What it is, and what would do instead.
         reason: String,
     },
-    /// It is open which layer of the file is the picture.
+    /// The file has several layers, and none is known as the picture.
     #[error(
         "the picture has several layers, and none of them is called `Combined` or has no name; name one of them as \
          the layer: {}", layers.join(", ")
@@ -170,14 +170,13 @@ impl ReadOptions {
     /// Color profiles, primaries and chromaticities are not converted.
     ///
     /// - PNG: any color type, depth and interlacing. Codes are decoded as the chunk `cICP` says (sRGB, linear, power,
-    ///   Rec. 709; PQ and HLG are refused by name), or else by `gAMA` without `sRGB` and `iCCP`, unless it is the 0.45455
-    ///   that stands in for sRGB, or else as sRGB. Of an animation, the default image.
-    /// - EXR: the channels R, G, B (half, float or unsigned, as numbers) of the chosen layer, otherwise Y as gray.
-    ///   The data window becomes the picture. Not read: deep, subsampled and luminance-chroma pictures.
-    /// - JPEG (also progressive, gray, and CMYK without a profile), WebP (also lossy), BMP: 8-bit codes as sRGB.
-    ///   The orientation in the Exif data of JPEG and WebP, and in the tags of TIFF, is followed.
-    /// - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light.
-    /// - Radiance HDR: linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
+    /// Rec. 709; PQ and HLG are refused by name), or else by `gAMA` without `sRGB` and `iCCP`, unless it is the 0.45455
+    /// that stands in for sRGB, or else as sRGB. Of an animation, the default image. - EXR: the channels R, G, B (half,
+    /// float or unsigned, as numbers) of the chosen layer, otherwise Y as gray. The data window becomes the picture.
+    /// Not read: deep, subsampled and luminance-chroma pictures. - JPEG (also progressive, gray, and CMYK without a
+    /// profile), WebP (also lossy), BMP: 8-bit codes as sRGB. The orientation in the Exif data of JPEG and WebP, and in
+    /// the tags of TIFF, is followed. - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light. - Radiance HDR:
+    /// linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
     ///
     /// Pipes and devices are read to their end first; `-` is standard input.
     ///

@@ -54,7 +54,7 @@ pub fn write_png(path: &Path, picture: &Developed) -> Result<(), WriteError> {
 /// The bytes are those of [`encode_exr`](encode_exr::encode_exr); nothing of the picture is lost.
 ///
 /// # Errors
-/// As for [`write_png`].
+/// Those of [`write_png`].
 pub fn write_exr(path: &Path, picture: &Picture) -> Result<(), WriteError> {
     write_whole(path, |sink| Ok(encode_exr::encode_exr_to(sink, picture)?))
 }

@@ -232,7 +232,8 @@ fn files_that_end_early_are_errors_in_every_format() {
         assert!(decode(&whole).is_ok());
         for length in (1..whole.len()).step_by(1 + whole.len() / 200) {
             let early = decode(&whole[..length]);
-            // What stands behind the pixels of a TIFF is its directory; the last bytes of WebP and PNG are padding or an end.
+            // What stands behind the pixels of a TIFF is its directory; the last bytes of WebP and PNG are padding or
+            // an end.
             assert!(
                 early.is_err() || length + 12 > whole.len(),
                 "{} cut to {length} of {}",

@@ -11,11 +11,12 @@ pub struct Body {
     pub name: String,
     /// Shape and sizes in the body's own frame.
     pub shape: Shape,
-    /// How that frame is carried to the world.
+    /// The transform from that frame to the world.
     pub placement: Placement,
     /// What the body is made of.
     pub material: MaterialChoice,
-    /// Whether the body takes no part in the picture: it is not seen, not reflected and throws no shadow. Default false.
+    /// Whether the body takes no part in the picture: it is not seen, not reflected and throws no shadow. Default
+    /// false.
     pub hidden: bool,
     /// Whether the studio leaves the body as it is. No picture depends on it. Default false.
     pub locked: bool,
@@ -144,7 +145,7 @@ impl Default for Shape {
     }
 }
 
-/// How a body's own frame is carried to the world: `T · R · S`.
+/// The transform from a body's own frame to the world: `T · R · S`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Where the frame's origin stands and how the frame is turned.
@@ -165,7 +166,7 @@ impl Placement {
         Self { anchor: Anchor::Frame { position, rotation_degrees: DVec3::ZERO }, scale: DVec3::ONE }
     }
 
-    /// The same placement moved in the world by `offset`, meters.
+    /// Moves the placement in the world by `offset`, meters.
     pub fn moved_by(self, offset: DVec3) -> Self {
         let anchor = match self.anchor {
             Anchor::Frame { position, rotation_degrees } => {

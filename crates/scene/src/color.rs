@@ -33,8 +33,8 @@ impl Color {
         Self { r, g, b }
     }
 
-    /// As 8-bit sRGB, clamped to 0..1 and rounded to the nearest code; NaN counts as 0. The inverse of
-    /// [`Self::from_srgb8`] on its values.
+    /// Encodes the color as 8-bit sRGB, clamped to 0..1 and rounded to the nearest code; NaN counts as 0. The inverse
+    /// of [`Self::from_srgb8`] on its values.
     pub fn to_srgb8(self) -> [u8; 3] {
         // A float to an integer saturates, and takes NaN to 0.
         self.to_array().map(|component| (srgb_from_linear(component.clamp(0.0, 1.0)) * 255.0).round() as u8)

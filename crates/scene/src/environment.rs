@@ -1,4 +1,4 @@
-//! What surrounds the bodies.
+//! The environment of the bodies.
 
 use crate::color::Color;
 use crate::image::Image;
@@ -33,12 +33,12 @@ impl Default for Environment {
 /// The light that comes from all around.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Surroundings {
-    /// The same from everywhere: [`Environment::background`].
+    /// Equal light from all directions: [`Environment::background`].
     #[default]
     Even,
-    /// That of a clear sky over a ground.
+    /// The light of a clear sky over a ground.
     Sky(Sky),
-    /// That of a picture of everything around: longitudes across, latitudes down, the middle where −z is, x to the right
+    /// Light of an equirectangular picture: longitudes across, latitudes down, the middle where −z is, x to the right
     /// of it, the zenith all along the upper edge.
     Picture(Image),
 }

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use crate::file::{LoadError, Loaded};
+use crate::file::{LoadError, LoadedScene};
 use crate::format::{nearest, read};
 
 /// A scene that comes with the program: something to look at, to learn from, and to start from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Example {
-    /// Its name, as on the command line.
+    /// The example's name, as on the command line.
     pub name: &'static str,
     /// The scene file's text; it begins with a title in English, one in Russian, and what to notice.
     pub text: &'static str,
@@ -80,12 +80,12 @@ impl Example {
     ///
     /// # Errors
     /// None; a test reads every example.
-    pub fn load(&self) -> Result<Loaded, LoadError> {
+    pub fn load(&self) -> Result<LoadedScene, LoadError> {
         let mut reading = read(self.text);
         reading.open_images(None, self.text);
         match reading.into_result() {
             Ok(warned) => {
-                Ok(Loaded { scene: warned.value, text: self.text.to_owned(), warnings: warned.warnings })
+                Ok(LoadedScene { scene: warned.value, text: self.text.to_owned(), warnings: warned.warnings })
             }
             Err(diagnostics) => Err(LoadError::Diagnostics {
                 path: PathBuf::from(self.name),

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use catoptric_files::{WriteError, directory_of_file, write_bytes};
 
 use crate::Scene;
-use crate::format::{Diagnostics, LONGEST_TEXT, Reading, read_bytes};
+use crate::format::{Diagnostics, LONGEST_TEXT, ParsedScene, read_bytes};
 
-/// A scene file that could be read.
+/// A scene file that was read without errors.
 #[derive(Clone, Debug)]
-pub struct Loaded {
+pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
     /// The text of the file, which [`crate::update`] needs to keep comments and order.
@@ -37,7 +37,7 @@ pub enum LoadError {
     Diagnostics {
         /// The file.
         path: PathBuf,
-        /// Its text, for [`Diagnostics::render`].
+        /// The text of the file, for [`Diagnostics::render`].
         text: String,
         /// The errors, and warnings.
         diagnostics: Diagnostics,
@@ -45,24 +45,24 @@ pub enum LoadError {
 }
 
 /// Reads a scene file, and the pictures that it names.
-pub fn load(path: impl AsRef<Path>) -> Result<Loaded, LoadError> {
+pub fn load(path: impl AsRef<Path>) -> Result<LoadedScene, LoadError> {
     let path = path.as_ref();
     let (reading, text) = load_partly(path)?;
     match reading.into_result() {
-        Ok(warned) => Ok(Loaded { scene: warned.value, text, warnings: warned.warnings }),
+        Ok(warned) => Ok(LoadedScene { scene: warned.value, text, warnings: warned.warnings }),
         Err(diagnostics) => Err(LoadError::Diagnostics { path: path.to_owned(), text, diagnostics }),
     }
 }
 
-/// Reads a scene file, and the pictures that it names, as far as it can be understood, whatever is wrong in it. With the
-/// reading comes the text that its places refer to.
+/// Reads a scene file, and the pictures that it names, as far as it can be understood, whatever is wrong in it. With
+/// the reading comes the text that its places refer to.
 ///
-/// The paths of pictures begin at the folder of the file; those of a scene from a stream (`-`, `/dev/stdin`, a pipe) where
-/// the program was started.
+/// The paths of pictures begin at the folder of the file; those of a scene from a stream (`-`, `/dev/stdin`, a pipe)
+/// where the program was started.
 ///
 /// # Errors
 /// When the file cannot be read at all.
-pub fn load_partly(path: impl AsRef<Path>) -> Result<(Reading, String), LoadError> {
+pub fn load_partly(path: impl AsRef<Path>) -> Result<(ParsedScene, String), LoadError> {
     let path = path.as_ref();
     let (mut reading, text) = read_bytes(read_file(path)?);
     reading.open_images(directory_of_file(path), &text);

@@ -21,10 +21,10 @@ mod typed;
 mod update;
 mod write;
 
-pub use check::{Part, Problem};
+pub use check::{Problem, ScenePart};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub(crate) use nearest::nearest;
-pub use read::{LONGEST_TEXT, Reading, Warned, read, read_bytes};
+pub use read::{LONGEST_TEXT, ParsedScene, Warned, read, read_bytes};
 pub use schema::json_schema;
 pub use update::update;
 pub use write::{write, write_fragment};

@@ -42,8 +42,8 @@ impl ImageSource {
 
 /// A picture that a scene takes from a file: surroundings, or the texture of a body.
 ///
-/// The scene file has its path; the pixels are there once it is [opened](Image::open_source). Without them, surroundings are
-/// the background and a body has its color.
+/// The scene file has its path; the pixels are there once it is [opened](Image::open_source). Without them,
+/// surroundings are the background and a body has its color.
 #[derive(Clone)]
 pub struct Image {
     source: ImageSource,
@@ -99,8 +99,9 @@ impl Image {
         self.brightest
     }
 
-    /// The picture of a source, a file of any format that is read. A relative path begins at `folder`, that of the scene
-    /// file, or where the program was started. The same file, unchanged, gives the same pixels while any scene has them.
+    /// The picture of a source, a file of any format that is read. A relative path begins at `folder`, that of the
+    /// scene file, or where the program was started. The same file, unchanged, gives the same pixels while any scene
+    /// has them.
     ///
     /// # Errors
     /// What is wrong with the file.
@@ -127,7 +128,7 @@ impl Image {
         &self.source
     }
 
-    /// Its path, as scene files have it.
+    /// The path of the picture, as scene files have it.
     pub fn path(&self) -> &str {
         &self.source.path
     }
@@ -142,7 +143,7 @@ impl Image {
         (!self.is_built_in()).then(|| file_of(self.path(), folder))
     }
 
-    /// Its pixels, in linear light, if they are known.
+    /// The pixels of the picture, in linear light, once it is opened.
     pub fn pixels(&self) -> Option<&Arc<Picture>> {
         self.pixels.as_ref()
     }
@@ -152,7 +153,7 @@ impl Image {
         self.path().starts_with(Self::BUILT_IN)
     }
 
-    /// The same picture by another path.
+    /// Gives the picture another path.
     #[must_use]
     pub fn with_path(&self, path: impl Into<Arc<str>>) -> Self {
         let layer = self.source.layer.clone();
@@ -166,8 +167,8 @@ impl Image {
         Self::moved(path, from, to, Self::path_from)
     }
 
-    /// [`moved_path`](Self::moved_path), but a relative path stays relative wherever there is a way from `to`, up and down:
-    /// folders that are moved together find their files still.
+    /// [`moved_path`](Self::moved_path), but a relative path stays relative wherever there is a way from `to`, up and
+    /// down: folders that are moved together find their files still.
     pub fn moved_relative_path(path: &str, from: &Path, to: &Path) -> Option<String> {
         let name = |to: &Path, file: &Path| {
             let way = Path::new(path).is_relative().then(|| way(to, file)).flatten();
@@ -195,8 +196,8 @@ impl Image {
         (moved != path).then_some(moved)
     }
 
-    /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else by
-    /// the whole path. An empty folder is none.
+    /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else
+    /// by the whole path. An empty folder is none.
     pub fn path_from(folder: &Path, file: &Path) -> String {
         let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let (folder, file) = (whole(folder), whole(file));
@@ -236,19 +237,19 @@ pub struct ImageError {
 /// What is wrong with a picture, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ImageFault {
-    /// It should come with the program, but does not.
+    /// No built-in picture has this name.
     #[error("there is no built-in picture of this name; there are {}", Image::BUILT_IN_NAMES.join(", "))]
     NotBuiltIn,
-    /// It comes with the program, and has no layers.
+    /// A built-in picture has no layers.
     #[error("a built-in picture has no layers; remove `layer`")]
     BuiltInLayer,
     /// There is no such file.
     #[error("there is no file {}; check the path, which begins at the scene's folder", .0.display())]
     Missing(PathBuf),
-    /// It is a folder, a pipe or a device.
+    /// The path names a folder, a pipe or a device.
     #[error("it is not a plain file; save the picture in one")]
     NotAFile,
-    /// It has too many pixels.
+    /// The picture has too many pixels.
     #[error("it has {width}x{height} pixels, but may have as many as 8192x4096; make it smaller")]
     TooLarge {
         /// Pixels across.
@@ -269,18 +270,18 @@ pub enum ImageFault {
 /// Why a file cannot be read as a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum UnreadableKind {
-    /// It is empty.
+    /// The file is empty.
     Empty,
-    /// It is of no format that is read.
+    /// The file has no known format.
     UnknownFormat,
-    /// It is truncated or corrupt.
+    /// The file is truncated or corrupt.
     Damaged,
-    /// It has several layers, and it is open which of them is the picture.
+    /// The file has several layers, and none is known as the picture.
     ManyLayers {
-        /// Their names.
+        /// The names of the layers.
         layers: Vec<String>,
     },
-    /// It has no layer of the name that was asked for.
+    /// The file has no layer of the requested name.
     NoSuchLayer {
         /// The names of those that there are; none if there are no named layers.
         layers: Vec<String>,
@@ -375,8 +376,8 @@ impl Scene {
         self.images_with(self.bodies.iter())
     }
 
-    /// The same without those of bodies that it shares with `other`, such as the scene before an edit: however many
-    /// bodies there are, only the neighbors of those that were edited are looked at.
+    /// All pictures of the scene without those of bodies that it shares with `other`, such as the scene before an edit.
+    /// However many bodies there are, only the neighbors of those that were edited are looked at.
     pub fn images_besides<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = &'a Image> {
         let places = self.bodies.unshared(&other.bodies);
         self.images_with(places.filter_map(|place| self.bodies.get(place)))
@@ -447,13 +448,13 @@ fn sane(part: f32) -> f32 {
     if part.is_nan() { 0.0 } else { part.clamp(0.0, MOST) }
 }
 
-/// What a file was when it was read, and what it had in it, as long as anyone has that.
-type Kept = (Option<SystemTime>, u64, Weak<Picture>);
+/// The time, size and content of a file when it was read, while the content is in use.
+type CachedFile = (Option<SystemTime>, u64, Weak<Picture>);
 
 /// A file and the layer that is read of it.
 type FileLayer = (PathBuf, Option<String>);
 
-static KEPT: LazyLock<Mutex<HashMap<FileLayer, Kept>>> = LazyLock::new(Mutex::default);
+static KEPT: LazyLock<Mutex<HashMap<FileLayer, CachedFile>>> = LazyLock::new(Mutex::default);
 
 fn read_or_share(file: &Path, layer: Option<&str>) -> Result<Arc<Picture>, ImageFault> {
     let metadata = std::fs::metadata(file).map_err(|error| match error.kind() {

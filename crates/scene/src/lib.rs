@@ -19,15 +19,15 @@ pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
-pub use file::{LoadError, Loaded, load, load_partly, save};
+pub use file::{LoadError, LoadedScene, load, load_partly, save};
 pub use format::{
-    Diagnostic, Diagnostics, LONGEST_TEXT, Part, Problem, Reading, Related, Severity, Warned, json_schema,
-    read, read_bytes, update, write, write_fragment,
+    Diagnostic, Diagnostics, LONGEST_TEXT, ParsedScene, Problem, Related, ScenePart, Severity, Warned,
+    json_schema, read, read_bytes, update, write, write_fragment,
 };
 pub use image::{HasImages, Image, ImageError, ImageFault, ImageSource, UnreadableKind};
 pub use language::Language;
 pub use light::{Falloff, Light};
-pub use list::{Counted, List, ListIter, ListIterMut, Slices};
+pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
 pub use material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};
 pub use text::{is_active, quoted_name, visible, visible_lines};
 

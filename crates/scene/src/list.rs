@@ -15,19 +15,19 @@ pub struct List<T> {
 }
 
 /// The elements of a list in their order.
-pub type ListIter<'a, T> = Counted<Flatten<Slices<'a, T>>>;
+pub type ListIter<'a, T> = CountedIter<Flatten<ListSlices<'a, T>>>;
 
 /// The elements of a list in their order, to be changed.
 pub type ListIterMut<'a, T> =
     FlatMap<std::slice::IterMut<'a, Arc<Vec<T>>>, &'a mut Vec<T>, fn(&'a mut Arc<Vec<T>>) -> &'a mut Vec<T>>;
 
-/// The neighbors that are copied together, as slices.
+/// The slices of neighbors that are copied together.
 #[derive(Clone, Debug)]
-pub struct Slices<'a, T>(std::slice::Iter<'a, Arc<Vec<T>>>);
+pub struct ListSlices<'a, T>(std::slice::Iter<'a, Arc<Vec<T>>>);
 
-/// An iterator that knows how much is left.
+/// An iterator of known length.
 #[derive(Clone, Debug)]
-pub struct Counted<I> {
+pub struct CountedIter<I> {
     rest: I,
     count: usize,
 }
@@ -67,12 +67,12 @@ impl<T> List<T> {
 
     /// All elements in their order.
     pub fn iter(&self) -> ListIter<'_, T> {
-        Counted { rest: self.slices().flatten(), count: self.len() }
+        CountedIter { rest: self.slices().flatten(), count: self.len() }
     }
 
     /// All elements in their order, as slices of [`Self::SLICE`] elements, but for the last.
-    pub fn slices(&self) -> Slices<'_, T> {
-        Slices(self.chunks.iter())
+    pub fn slices(&self) -> ListSlices<'_, T> {
+        ListSlices(self.chunks.iter())
     }
 
     /// The places of this list where another may have other elements or none: those whose elements they do not share.
@@ -284,7 +284,7 @@ impl<T: Clone> IntoIterator for List<T> {
     }
 }
 
-impl<'a, T> Iterator for Slices<'a, T> {
+impl<'a, T> Iterator for ListSlices<'a, T> {
     type Item = &'a [T];
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -296,15 +296,15 @@ impl<'a, T> Iterator for Slices<'a, T> {
     }
 }
 
-impl<T> DoubleEndedIterator for Slices<'_, T> {
+impl<T> DoubleEndedIterator for ListSlices<'_, T> {
     fn next_back(&mut self) -> Option<Self::Item> {
         self.0.next_back().map(|chunk| chunk.as_slice())
     }
 }
 
-impl<T> ExactSizeIterator for Slices<'_, T> {}
+impl<T> ExactSizeIterator for ListSlices<'_, T> {}
 
-impl<I: Iterator> Iterator for Counted<I> {
+impl<I: Iterator> Iterator for CountedIter<I> {
     type Item = I::Item;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -322,7 +322,7 @@ impl<I: Iterator> Iterator for Counted<I> {
     }
 }
 
-impl<I: DoubleEndedIterator> DoubleEndedIterator for Counted<I> {
+impl<I: DoubleEndedIterator> DoubleEndedIterator for CountedIter<I> {
     fn next_back(&mut self) -> Option<Self::Item> {
         let next = self.rest.next_back();
         self.count -= usize::from(next.is_some());
@@ -330,7 +330,7 @@ impl<I: DoubleEndedIterator> DoubleEndedIterator for Counted<I> {
     }
 }
 
-impl<I: Iterator> ExactSizeIterator for Counted<I> {}
+impl<I: Iterator> ExactSizeIterator for CountedIter<I> {}
 
 #[cfg(test)]
 mod tests {

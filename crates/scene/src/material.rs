@@ -1,6 +1,6 @@
 //! Materials: Whitted's and Phong's coefficients, and what surfaces of glass, metal and plastic do.
 
-use catoptric_optics::{CLEAR, Clear, Dispersion, METALS, Metal, fresnel};
+use catoptric_optics::{CLEAR, ClearSubstance, Dispersion, METALS, Metal, fresnel};
 use glam::DVec3;
 
 use crate::color::Color;
@@ -16,7 +16,7 @@ pub enum Model {
     Phong,
     /// The smooth or rough boundary of a clear substance: reflects by Fresnel's formulas, and lets through the rest.
     Dielectric,
-    /// The same of a metal, which lets nothing through.
+    /// The smooth or rough surface of a metal: reflects by Fresnel's formulas, and lets nothing through.
     Conductor,
     /// Reflects its color under every angle.
     Mirror,
@@ -31,7 +31,7 @@ impl Model {
     pub const ALL: [Self; 6] =
         [Self::Phong, Self::Dielectric, Self::Conductor, Self::Mirror, Self::Matte, Self::Coated];
 
-    /// Its word in scene files.
+    /// The word in scene files.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Phong => "phong",
@@ -139,13 +139,13 @@ pub struct Material {
     pub tint: Color,
     /// A picture on the body, in the place of its color. Default none.
     ///
-    /// It is wrapped once around spheres, cylinders and cones, seen upright from outside, its middle towards z; it covers
-    /// each face of a cube and, as far as a circle goes, each cap; on a plane it is repeated every meter.
+    /// It is wrapped once around spheres, cylinders and cones, seen upright from outside, its middle towards z; it
+    /// covers each face of a cube and, as far as a circle goes, each cap; on a plane it is repeated every meter.
     pub texture: Option<Image>,
     /// A second color in a checkerboard. Default none.
     pub checker: Option<Checker>,
     /// What a dielectric is made of, in the place of `ior`. Default none.
-    pub substance: Option<&'static Clear>,
+    pub substance: Option<&'static ClearSubstance>,
     /// Whether a dielectric bends light of different colors differently. Default false.
     pub dispersion: bool,
     /// How much it does so, unless it is a `substance`: the Abbe number. Default 58.
@@ -157,8 +157,8 @@ pub struct Material {
     pub attenuation_distance: f64,
     /// What a conductor is. Default silver.
     pub conductor: Conductor,
-    /// How rough the surface is that reflects, 0 (the default, smooth) to 1: the square root of the width α of the slopes
-    /// of its facets.
+    /// How rough the surface is that reflects, 0 (the default, smooth) to 1: the square root of the width α of the
+    /// slopes of its facets.
     pub roughness: f64,
 }
 
@@ -236,8 +236,8 @@ impl Material {
         self.model == Model::Phong && self.specular > 0.0
     }
 
-    /// Whether it reflects and refracts by facets that are turned every which way: it has neither image points nor focal
-    /// points.
+    /// Whether it reflects and refracts by facets that are turned every which way: it has neither image points nor
+    /// focal points.
     pub fn is_rough(&self) -> bool {
         self.roughness > 0.0 && !matches!(self.model, Model::Phong | Model::Matte)
     }
@@ -255,7 +255,7 @@ impl Material {
     pub fn ior(&self) -> f64 {
         match self.substance {
             Some(substance) if self.model == Model::Dielectric => {
-                substance.dispersion.index(catoptric_optics::Lines::D)
+                substance.dispersion.index(catoptric_optics::FraunhoferLines::D)
             }
             _ => self.ior,
         }
@@ -272,7 +272,7 @@ pub struct Share {
 }
 
 impl Share {
-    /// The same under every angle.
+    /// An equal share under every angle.
     const fn always(share: f64) -> Self {
         Self { straight: share, most: share }
     }
@@ -336,7 +336,7 @@ impl CheckerSpace {
     /// Both, in the order of the format.
     pub const ALL: [Self; 2] = [Self::World, Self::Body];
 
-    /// Its word in scene files.
+    /// The word in scene files.
     pub const fn key(self) -> &'static str {
         match self {
             Self::World => "world",

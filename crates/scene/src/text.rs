@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// Whether a character does something where it is shown, instead of being seen: it controls a terminal, breaks the line,
-/// or turns the direction of the text around it (as in <https://trojansource.codes>).
+/// Whether a character does something where it is shown, instead of being seen: it controls a terminal, breaks the
+/// line, or turns the direction of the text around it (as in <https://trojansource.codes>).
 pub const fn is_active(character: char) -> bool {
     matches!(
         character,

@@ -1,8 +1,8 @@
 //! How quickly the studio answers, in a real window: `cargo xtask bench-studio` calls this.
 //!
-//! Events of a mouse are put into the window's input and wake it, so that everything runs as under a hand. A time "to the
-//! screen" begins when the mouse moves and ends when the frame that draws the new picture has been handed over and the
-//! next one begins.
+//! Events of a mouse are put into the window's input and wake it, so that everything runs as under a hand. A time "to
+//! the screen" begins when the mouse moves and ends when the frame that draws the new picture has been handed over and
+//! the next one begins.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a benchmark")]
 
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_live::RenderJob;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
-use catoptric_studio::{Start, Studio};
+use catoptric_studio::{StartDocument, Studio};
 use catoptric_tracer::RenderSettings;
 use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Ui, vec2};
 
@@ -47,8 +47,11 @@ fn main() {
     let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
     let create = |creation: &eframe::CreationContext<'_>| {
         catoptric_studio::prepare_window(creation);
-        let studio =
-            Studio::new(&creation.egui_ctx, &Start::Example("four-bodies".to_owned()), Box::new(Nowhere))?;
+        let studio = Studio::new(
+            &creation.egui_ctx,
+            &StartDocument::Example("four-bodies".to_owned()),
+            Box::new(Nowhere),
+        )?;
         Ok(Box::new(Bench::new(studio)) as Box<dyn eframe::App>)
     };
     eframe::run_native("Catoptric", options, Box::new(create)).unwrap();

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use catoptric_editor::Item;
 use catoptric_lab::maps::MapKind;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
-use catoptric_studio::{AuditAct, Command, MeasureAct, Pane, Start, Studio};
+use catoptric_studio::{AuditCommand, Command, MeasureCommand, Pane, StartDocument, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2};
 use egui_kittest::Harness;
 
@@ -150,7 +150,7 @@ fn shots() -> Vec<Shot> {
             ..shot("studio-compare", "english", "dark", "four-bodies")
         },
         Shot {
-            commands: vec![Command::TogglePane(Pane::Measure), Command::Measure(MeasureAct::Start)],
+            commands: vec![Command::TogglePane(Pane::Measure), Command::Measure(MeasureCommand::Start)],
             ..shot("studio-measure", "english", "light", "four-bodies")
         },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
@@ -184,7 +184,7 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         shot.language, shot.theme, !shot.hint
     );
     std::fs::write(&settings, text).unwrap();
-    let start = Start::Example(shot.scene.to_owned());
+    let start = StartDocument::Example(shot.scene.to_owned());
     let theme = if shot.theme == "light" { egui::Theme::Light } else { egui::Theme::Dark };
     let builder = Harness::builder().with_size(size).with_max_steps(64).with_theme(theme).wgpu();
     let mut harness = builder.build_eframe(|creation| {
@@ -221,7 +221,7 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
 
 /// Pins a pixel, and looks at its rays.
 fn audit(harness: &mut Harness<'_, Studio>, look: &Look) {
-    harness.state_mut().run(Command::Audit(AuditAct::Tool));
+    harness.state_mut().run(Command::Audit(AuditCommand::Tool));
     wait(harness, Duration::from_secs(1));
     let rect = harness.state().viewport_rect().unwrap();
     let place = |[x, y]: [f32; 2]| rect.min + egui::vec2(x, y) * rect.size();
@@ -241,7 +241,7 @@ fn audit(harness: &mut Harness<'_, Studio>, look: &Look) {
     harness.event(Event::PointerMoved(rect.left_bottom() + egui::vec2(40.0, 60.0)));
     wait(harness, Duration::from_secs(1));
     if let Some(frames) = look.frames {
-        harness.state_mut().run(Command::Audit(AuditAct::Play));
+        harness.state_mut().run(Command::Audit(AuditCommand::Play));
         harness.run_steps(frames);
     }
 }

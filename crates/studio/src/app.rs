@@ -1,38 +1,38 @@
 //! The studio: its state, and what happens in one frame.
 
 use catoptric_editor::Editor;
-use catoptric_live::{Live, Request, Shows};
+use catoptric_live::{DisplayContent, Live, Request};
 use catoptric_scene::{Camera, Scene};
 use egui::{CentralPanel, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
 use glam::DVec2;
 
 use crate::StudioError;
-use crate::audit::{self, Auditing};
-use crate::card::{self, Card};
+use crate::audit::{self, AuditState};
+use crate::card::{self, WindowCard};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::dialogs::Dialogs;
 use crate::documents::Documents;
-use crate::exact::Exact;
+use crate::exact::ExactState;
 use crate::exports::Exports;
 use crate::first_steps::FirstSteps;
-use crate::help::Help;
+use crate::help::HelpWindow;
 use crate::host::Host;
-use crate::images::Images;
+use crate::images::DocumentImages;
 use crate::layout::{self, Pane};
-use crate::manual::Manual;
-use crate::maps::Maps;
+use crate::manual::ManualWindow;
+use crate::maps::MapState;
 use crate::menu::MenuFocus;
 use crate::notices::Toasts;
-use crate::palette::Palette;
-use crate::panes::{Docked, Panes};
-use crate::pictures::{self, Pictures};
+use crate::palette::CommandPalette;
+use crate::panes::{PaneBehavior, Panes};
+use crate::pictures::{self, RenderedPictures};
 use crate::settings::Settings;
 use crate::texts::Texts;
 use crate::theme;
-use crate::view::View;
-use crate::viewport::Lens;
+use crate::view::ViewState;
+use crate::viewport::Projector;
 use crate::window::Interruption;
 use crate::{
     compare, documents, example_note, exports, images, measure, menu, panes, picture_frame, shortcuts,
@@ -44,33 +44,33 @@ pub struct Studio {
     pub(crate) editor: Editor,
     pub(crate) texts: Texts,
     pub(crate) settings: Settings,
-    pub(crate) view: View,
-    pub(crate) audit: Auditing,
-    pub(crate) maps: Maps,
-    pub(crate) exact: Exact,
+    pub(crate) view: ViewState,
+    pub(crate) audit: AuditState,
+    pub(crate) maps: MapState,
+    pub(crate) exact: ExactState,
     pub(crate) live: Live,
-    pub(crate) card: Card,
+    pub(crate) card: WindowCard,
     pub(crate) layout: Tree<Pane>,
     pub(crate) documents: Documents,
     pub(crate) dialogs: Dialogs,
-    pub(crate) palette: Palette,
-    pub(crate) help: Help,
-    pub(crate) manual: Manual,
+    pub(crate) palette: CommandPalette,
+    pub(crate) help: HelpWindow,
+    pub(crate) manual: ManualWindow,
     pub(crate) first_steps: FirstSteps,
     pub(crate) menu_focus: MenuFocus,
-    pub(crate) keys: shortcuts::Keys,
+    pub(crate) keys: shortcuts::ShortcutState,
     pub(crate) toasts: Toasts,
     pub(crate) host: Box<dyn Host>,
     pub(crate) commands: Vec<Command>,
     pub(crate) panes: Panes,
-    pub(crate) pictures: Pictures,
+    pub(crate) pictures: RenderedPictures,
     pub(crate) exports: Exports,
-    pub(crate) images: Images,
+    pub(crate) images: DocumentImages,
 }
 
-/// What to open at the start.
+/// The document to open at the start.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Start {
+pub enum StartDocument {
     /// The scene of the last time, or else a beautiful example.
     #[default]
     Last,
@@ -85,14 +85,18 @@ impl Studio {
     ///
     /// # Errors
     /// When the thread that traces cannot be started.
-    pub fn new(context: &egui::Context, start: &Start, host: Box<dyn Host>) -> Result<Self, StudioError> {
+    pub fn new(
+        context: &egui::Context,
+        start: &StartDocument,
+        host: Box<dyn Host>,
+    ) -> Result<Self, StudioError> {
         Self::interruptible(context, start, host, None)
     }
 
-    /// The same with a way to end it from outside.
+    /// Builds the studio with a way to end it from outside.
     pub(crate) fn interruptible(
         context: &egui::Context,
-        start: &Start,
+        start: &StartDocument,
         host: Box<dyn Host>,
         interruption: Option<Interruption>,
     ) -> Result<Self, StudioError> {
@@ -114,28 +118,28 @@ impl Studio {
             editor: Editor::new(Scene::default()),
             texts: Texts::new(settings.language),
             settings,
-            view: View::default(),
-            audit: Auditing::default(),
-            maps: Maps::default(),
-            exact: Exact::default(),
+            view: ViewState::default(),
+            audit: AuditState::default(),
+            maps: MapState::default(),
+            exact: ExactState::default(),
             live,
-            card: Card::default(),
+            card: WindowCard::default(),
             layout,
             documents: Documents::default(),
             dialogs: Dialogs::default(),
-            palette: Palette::default(),
-            help: Help::default(),
-            manual: Manual::default(),
+            palette: CommandPalette::default(),
+            help: HelpWindow::default(),
+            manual: ManualWindow::default(),
             first_steps: FirstSteps::default(),
             menu_focus: MenuFocus::default(),
-            keys: shortcuts::Keys::default(),
+            keys: shortcuts::ShortcutState::default(),
             toasts: Toasts::default(),
             host,
             commands: Vec::new(),
             panes: Panes::default(),
-            pictures: Pictures::default(),
+            pictures: RenderedPictures::default(),
             exports: Exports::default(),
-            images: Images::default(),
+            images: DocumentImages::default(),
         };
         studio.panes.compare.choose(&studio.settings.compared);
         documents::start(context, &mut studio, start, interruption);
@@ -237,7 +241,7 @@ impl Studio {
         let (camera, rect) = (self.live.latest()?.camera, self.viewport_rect()?);
         let way = self.audit.found()?.ways.iter().find(|way| way.is_ray() && way.node == ray)?;
         let size = DVec2::new(rect.width().into(), rect.height().into());
-        let ends = Lens::new(&camera, size).segment(way.from, way.to)?;
+        let ends = Projector::new(&camera, size).segment(way.from, way.to)?;
         Some(ends.map(|end| rect.min + egui::vec2(end.x as f32, end.y as f32)))
     }
 
@@ -335,9 +339,11 @@ impl Studio {
     }
 
     /// What of the drawing is asked for: of cube maps, that of the selected body.
-    pub(crate) fn shown(&self) -> Shows {
+    pub(crate) fn shown(&self) -> DisplayContent {
         match self.view.shows {
-            Shows::UnfoldedCube(_) => Shows::UnfoldedCube(self.editor.selection().bodies().next()),
+            DisplayContent::UnfoldedCube(_) => {
+                DisplayContent::UnfoldedCube(self.editor.selection().bodies().next())
+            }
             shows => shows,
         }
     }
@@ -369,7 +375,7 @@ impl Studio {
         let mut kept = std::mem::take(&mut self.panes);
         let viewport = layout.tiles.find_pane(&Pane::Viewport);
         let rows = layout::fit(&mut layout, ui.available_width(), panes::GAP);
-        let mut docked = Docked { cx: self.cx(), panes: &mut kept, viewport, closed: Vec::new() };
+        let mut docked = PaneBehavior { cx: self.cx(), panes: &mut kept, viewport, closed: Vec::new() };
         layout.ui(&mut docked, ui);
         let closed = docked.closed;
         layout::take_over(&mut layout, &rows);

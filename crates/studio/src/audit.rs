@@ -1,16 +1,16 @@
 //! The audit: a pixel is pinned, and all its rays are listed with their numbers and drawn in space.
 
 mod clock;
-mod found;
+mod export;
 mod hidden;
 mod listing;
 mod numbers;
 mod panel;
+mod result;
 mod rows;
 mod run;
-mod saving;
+mod segments;
 mod terms;
-mod ways;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -24,45 +24,45 @@ use glam::UVec2;
 use crate::context::Cx;
 
 pub(crate) use clock::SlowLight;
-pub(crate) use found::Found;
-pub(crate) use hidden::{Part, SEEN};
+pub(crate) use hidden::{SEEN, SegmentPart};
 pub(crate) use numbers::{color_text, short};
 pub(crate) use panel::panel_ui;
+pub(crate) use result::AuditResult;
 pub(crate) use rows::{kind_color, tag};
 pub(crate) use run::{open_panel, run};
-pub(crate) use ways::{Way, WayKind, pixel_at};
+pub(crate) use segments::{RaySegment, SegmentKind, pixel_at};
 
 use crate::latest::Latest;
-use found::Order;
+use result::AuditRequest;
 
-/// A pixel of a picture: what an audit is about.
+/// The pixel that an audit examines, and its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pin {
+pub(crate) struct PinnedPixel {
     /// Column and row, from the upper left.
     pub(crate) pixel: UVec2,
     /// Pixels across and down.
     pub(crate) size: UVec2,
     /// The camera of the picture.
     pub(crate) camera: Camera,
-    /// The same before its window was fitted to the panel: to look through it again.
+    /// The camera before its window was fitted to the panel, for looking through it again.
     pub(crate) home: Camera,
 }
 
 /// The audit of the window.
 #[derive(Default)]
-pub(crate) struct Auditing {
-    pin: Option<Pin>,
+pub(crate) struct AuditState {
+    pin: Option<PinnedPixel>,
     /// A pixel was pinned in this frame: the panel is to be seen.
     wants_panel: bool,
-    found: Option<Arc<Found>>,
+    found: Option<Arc<AuditResult>>,
     failure: Option<AuditError>,
     /// The state of the document that was looked into last, and how it came about.
-    seen: Option<Seen>,
-    audits: Latest<(Seen, Pin), Result<Found, AuditError>>,
-    sights: Latest<SightKey, Vec<Vec<Part>>>,
-    sight: Option<(SightKey, Vec<Vec<Part>>)>,
-    probes: Latest<Probe, Option<[f32; 3]>>,
-    probed: Option<(Probe, [f32; 3])>,
+    seen: Option<DocumentStamp>,
+    audits: Latest<(DocumentStamp, PinnedPixel), Result<AuditResult, AuditError>>,
+    hidden_parts_job: Latest<HiddenPartsKey, Vec<Vec<SegmentPart>>>,
+    hidden_parts: Option<(HiddenPartsKey, Vec<Vec<SegmentPart>>)>,
+    probes: Latest<PixelProbe, Option<[f32; 3]>>,
+    probed: Option<(PixelProbe, [f32; 3])>,
     serial: u64,
     /// The ray that is lit.
     selected: Option<usize>,
@@ -73,15 +73,15 @@ pub(crate) struct Auditing {
     /// The last generation that is shown; `None` for all.
     step: Option<u32>,
     pub(crate) light: SlowLight,
-    listing: listing::Listing,
+    listing: listing::AuditListing,
 }
 
 /// The number of an audit, and the camera that looks at its rays.
-type SightKey = (u64, Camera);
+type HiddenPartsKey = (u64, Camera);
 
 /// A state of the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Seen {
+struct DocumentStamp {
     revision: u64,
     /// The steps of the history, and whether another one is under way: the same for all states of one drag.
     step: (usize, bool),
@@ -89,26 +89,26 @@ struct Seen {
 
 /// A pixel under the pointer, in a state of the document.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Probe {
+struct PixelProbe {
     revision: u64,
     pixel: UVec2,
     size: UVec2,
     camera: Camera,
 }
 
-impl Auditing {
+impl AuditState {
     /// The pinned pixel.
-    pub(crate) fn pin(&self) -> Option<&Pin> {
+    pub(crate) fn pin(&self) -> Option<&PinnedPixel> {
         self.pin.as_ref()
     }
 
     /// What is known of it.
-    pub(crate) fn found(&self) -> Option<&Arc<Found>> {
+    pub(crate) fn found(&self) -> Option<&Arc<AuditResult>> {
         self.found.as_ref()
     }
 
     /// Looks into another pixel.
-    pub(crate) fn pin_to(&mut self, pin: Pin) {
+    pub(crate) fn pin_to(&mut self, pin: PinnedPixel) {
         self.release();
         self.pin = Some(pin);
         self.wants_panel = true;
@@ -117,8 +117,9 @@ impl Auditing {
     /// Looks into no pixel.
     pub(crate) fn release(&mut self) {
         self.audits.cancel();
-        self.sights.cancel();
-        (self.pin, self.failure, self.seen, self.sight, self.selected) = (None, None, None, None, None);
+        self.hidden_parts_job.cancel();
+        (self.pin, self.failure, self.seen, self.hidden_parts, self.selected) =
+            (None, None, None, None, None);
         self.expanded.clear();
         self.step = None;
         self.light.end();
@@ -145,8 +146,8 @@ impl Auditing {
     }
 
     /// The parts of the ways as `camera` sees them; those of the last camera while they are being found.
-    pub(crate) fn sight(&self) -> Option<&Vec<Vec<Part>>> {
-        let ((serial, _), parts) = self.sight.as_ref()?;
+    pub(crate) fn hidden_parts(&self) -> Option<&Vec<Vec<SegmentPart>>> {
+        let ((serial, _), parts) = self.hidden_parts.as_ref()?;
         (Some(*serial) == self.found.as_ref().map(|found| found.serial)).then_some(parts)
     }
 
@@ -167,15 +168,15 @@ impl Auditing {
                 Some(Err(error)) => self.failure = Some(error),
             }
         }
-        if let Some((key, Some(parts))) = self.sights.poll() {
-            self.sight = Some((key, parts));
+        if let Some((key, Some(parts))) = self.hidden_parts_job.poll() {
+            self.hidden_parts = Some((key, parts));
         }
         if let Some((probe, Some(Some(light)))) = self.probes.poll() {
             self.probed = Some((probe, light));
         }
     }
 
-    fn take(&mut self, found: Found) {
+    fn take(&mut self, found: AuditResult) {
         self.failure = None;
         let count = found.tree().map_or(0, |tree| tree.nodes.len());
         self.selected = self.selected.filter(|node| *node < count).or_else(|| (count > 0).then_some(0));
@@ -188,7 +189,7 @@ impl Auditing {
     }
 
     /// The audit before the change that made the present scene.
-    fn before(&self, now: Seen) -> Option<(Arc<Audit>, Arc<Scene>)> {
+    fn before(&self, now: DocumentStamp) -> Option<(Arc<Audit>, Arc<Scene>)> {
         let found = self.found.as_ref()?;
         let is_same_change = self.seen.is_some_and(|seen| seen.step == now.step);
         match &found.before {
@@ -212,7 +213,7 @@ pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>) {
         return;
     }
     let step = (cx.editor.steps_done(), cx.editor.is_in_gesture());
-    let now = Seen { revision: cx.editor.revision(), step };
+    let now = DocumentStamp { revision: cx.editor.revision(), step };
     if cx.audit.seen.is_some_and(|seen| seen.revision == now.revision) {
         return;
     }
@@ -225,7 +226,7 @@ pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>) {
     let Some((_, stage)) = cx.live.stage().filter(|(revision, _)| *revision == now.revision) else { return };
     let before = cx.audit.before(now);
     cx.audit.serial += 1;
-    let order = Order { serial: cx.audit.serial, pin, scene: Arc::clone(scene), stage, before };
+    let order = AuditRequest { serial: cx.audit.serial, pin, scene: Arc::clone(scene), stage, before };
     cx.audit.audits.want(context, &(now, pin), move |control| order.carry_out(control));
 }
 
@@ -235,15 +236,15 @@ fn is_same_but_for_camera(one: &Scene, other: &Scene) -> bool {
 }
 
 /// Finds out which parts of the rays `camera` sees.
-pub(crate) fn keep_sight(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
+pub(crate) fn update_hidden_parts(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
     let Some(found) = &cx.audit.found else { return };
     let key = (found.serial, camera);
-    if cx.audit.sight.as_ref().is_some_and(|(known, _)| *known == key) {
+    if cx.audit.hidden_parts.as_ref().is_some_and(|(known, _)| *known == key) {
         return;
     }
     let Some((_, stage)) = cx.live.stage() else { return };
     let found = Arc::clone(found);
-    cx.audit.sights.want(context, &key, move |control| {
+    cx.audit.hidden_parts_job.want(context, &key, move |control| {
         hidden::parts(&found.ways, &found.scene, &stage, &camera, control)
     });
 }
@@ -251,7 +252,7 @@ pub(crate) fn keep_sight(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
 /// Finds out the light of a pixel under the pointer.
 pub(crate) fn probe(context: &Context, cx: &mut Cx<'_>, pixel: UVec2, size: UVec2, camera: Camera) {
     let Some((revision, stage)) = cx.live.stage() else { return };
-    let probe = Probe { revision, pixel, size, camera };
+    let probe = PixelProbe { revision, pixel, size, camera };
     if cx.view.is_measuring || cx.audit.probed.as_ref().is_some_and(|(known, _)| *known == probe) {
         return;
     }

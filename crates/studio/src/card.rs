@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Weak};
 
-use catoptric_gpu::{Gpu, GpuError, GpuPicture, Watch};
+use catoptric_gpu::{Gpu, GpuError, GpuPicture, LossWatch};
 use catoptric_live::Live;
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 use eframe::egui_wgpu::RenderState;
@@ -11,25 +11,25 @@ use egui::TextureId;
 use crate::app::Studio;
 use crate::texts::Texts;
 
-/// The card of the window, if it can trace.
+/// The graphics card of the window, if it can trace.
 #[derive(Default)]
-pub(crate) struct Card {
+pub(crate) struct WindowCard {
     window: Option<(RenderState, Arc<Gpu>)>,
     /// Whether it is to draw.
     is_on: bool,
-    /// The loss that was told.
+    /// The loss that was reported.
     told: Option<GpuError>,
-    textures: Vec<Texture>,
+    textures: Vec<WindowTexture>,
 }
 
-/// A picture as the window knows it.
-struct Texture {
+/// A picture that is registered as a texture of the window.
+struct WindowTexture {
     picture: Weak<GpuPicture>,
     filter: wgpu::FilterMode,
     id: TextureId,
 }
 
-impl Card {
+impl WindowCard {
     /// Whether there is one that can draw.
     pub(crate) fn is_there(&self) -> bool {
         self.window.is_some()
@@ -56,14 +56,14 @@ impl Card {
             }
             is_alive
         });
-        let is_it = |texture: &&Texture| {
+        let is_it = |texture: &&WindowTexture| {
             std::ptr::eq(texture.picture.as_ptr(), Arc::as_ptr(picture)) && texture.filter == filter
         };
         if let Some(known) = self.textures.iter().find(is_it) {
             return Some(known.id);
         }
         let id = renderer.register_native_texture(&state.device, picture.view(), filter);
-        self.textures.push(Texture { picture: Arc::downgrade(picture), filter, id });
+        self.textures.push(WindowTexture { picture: Arc::downgrade(picture), filter, id });
         Some(id)
     }
 
@@ -92,9 +92,9 @@ impl Studio {
         self.choose_card();
     }
 
-    /// The same for a device that is watched. One that follows a lost one draws only when it is switched on again: a card
-    /// that has just failed is not trusted at once.
-    pub(crate) fn enter_window(&mut self, state: &RenderState, watch: &Arc<Watch>, is_first: bool) {
+    /// Lets the card of a new window draw the picture too. After a loss it draws only when it is switched on again: a
+    /// card that has just failed is not trusted at once.
+    pub(crate) fn enter_window(&mut self, state: &RenderState, watch: &Arc<LossWatch>, is_first: bool) {
         let gpu = Gpu::watched(state.device.clone(), state.queue.clone(), Arc::clone(watch));
         self.card.window = gpu.ok().map(|gpu| (state.clone(), Arc::new(gpu)));
         if is_first {

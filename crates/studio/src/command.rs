@@ -1,4 +1,4 @@
-//! Everything a person can tell the studio to do: one list that feeds menus, shortcuts and the command palette.
+//! The commands of the studio: one list that feeds menus, shortcuts and the command palette.
 
 mod state;
 mod table;
@@ -6,9 +6,9 @@ mod table;
 use std::path::PathBuf;
 
 use catoptric_editor::Action;
-use catoptric_editor::navigate::Axis;
+use catoptric_editor::navigate::ViewSide;
 use catoptric_lab::maps::MapKind;
-use catoptric_live::Shows;
+use catoptric_live::DisplayContent;
 use catoptric_scene::ShapeKind;
 use catoptric_tracer::raster::MethodKind;
 use egui::KeyboardShortcut;
@@ -69,7 +69,7 @@ pub enum Command {
     /// Bring all bodies into view.
     FrameAll,
     /// Look along an axis.
-    LookAlong(Axis),
+    LookAlong(ViewSide),
     /// Perspective or parallel projection.
     ToggleProjection,
     /// Look around without moving the scene's camera, or back through it.
@@ -81,7 +81,7 @@ pub enum Command {
     /// Choose how the picture is drawn.
     Method(MethodKind),
     /// Choose what of the drawing is seen.
-    Show(Shows),
+    Show(DisplayContent),
     /// Choose what the gizmo does.
     Tool(Tool),
     /// Drags in the picture move a light by its highlight or its shadow, or no longer do.
@@ -89,15 +89,15 @@ pub enum Command {
     /// Gizmo along the world's axes or the body's own.
     ToggleGizmoSpace,
     /// Look into a pixel.
-    Audit(AuditAct),
+    Audit(AuditCommand),
     /// Show a map over the picture, or the picture alone.
     Map(Option<MapKind>),
     /// Draw where images, focal points and highlights must be.
     ToggleExact,
     /// Compare pictures.
-    Compare(CompareAct),
+    Compare(CompareCommand),
     /// Measure times.
-    Measure(MeasureAct),
+    Measure(MeasureCommand),
     /// Ground grid and axes.
     ToggleGrid,
     /// The graphics card draws the picture, or the processor.
@@ -109,7 +109,7 @@ pub enum Command {
     /// The first arrangement of the panels.
     ResetLayout,
     /// Bigger, smaller, normal.
-    Zoom(Zoom),
+    Zoom(ZoomStep),
     /// Choose the colors of the window.
     Theme(Theme),
     /// Choose the language.
@@ -144,9 +144,9 @@ pub enum Tool {
     Scale,
 }
 
-/// An act of the audit, which looks into a pixel.
+/// A command of the audit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum AuditAct {
+pub enum AuditCommand {
     /// Clicks in the picture pin pixels, or no longer do.
     Tool,
     /// Shows a generation less.
@@ -167,9 +167,9 @@ pub enum AuditAct {
     Release,
 }
 
-/// An act of the comparison.
+/// A command of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum CompareAct {
+pub enum CompareCommand {
     /// Exchanges the two pictures.
     Swap,
     /// Asks for a picture file as the first picture.
@@ -180,9 +180,9 @@ pub enum CompareAct {
     Save,
 }
 
-/// An act of the measurement.
+/// A command of the measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MeasureAct {
+pub enum MeasureCommand {
     /// Begins to measure.
     Start,
     /// Ends it; what was measured stays.
@@ -193,18 +193,18 @@ pub enum MeasureAct {
 
 /// A step of the window's magnification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Zoom {
+pub enum ZoomStep {
     /// A tenth bigger.
     In,
     /// A tenth smaller.
     Out,
-    /// As the system has it.
+    /// The magnification of the system.
     Normal,
 }
 
-/// What commands are about: the sections of the list of shortcuts.
+/// The group of a command: the sections of the list of shortcuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Group {
+pub enum CommandGroup {
     /// Files and pictures.
     File,
     /// The document.
@@ -225,7 +225,7 @@ pub enum Group {
     Help,
 }
 
-impl Group {
+impl CommandGroup {
     /// All groups, in the order in which to show them.
     pub const ALL: [Self; 9] = [
         Self::File,
@@ -255,16 +255,16 @@ impl Group {
     }
 }
 
-/// How a command is shown.
+/// The icon, message and shortcuts of a command.
 #[derive(Clone, Copy, Debug)]
-pub struct Look {
+pub struct CommandStyle {
     /// The message that names it; its attribute `.tip` explains it.
     pub key: &'static str,
-    /// Its icon.
+    /// The command's icon.
     pub icon: MaterialIcon,
     /// Where it belongs.
-    pub group: Group,
-    /// Its shortcuts, the usual one first.
+    pub group: CommandGroup,
+    /// The command's shortcuts, the usual one first.
     pub shortcuts: &'static [KeyboardShortcut],
 }
 
@@ -275,9 +275,9 @@ impl Command {
     }
 
     /// How it is shown; `None` for a command of which there is one for each file, example or thing.
-    pub fn look(&self) -> Option<&'static Look> {
+    pub fn look(&self) -> Option<&'static CommandStyle> {
         table::ROWS.iter().find(|row| row.command == *self).map(|row| &row.look)
     }
 }
 
-pub(crate) use state::Situation;
+pub(crate) use state::CommandContext;

@@ -1,12 +1,12 @@
 //! The comparison: two pictures of the same view side by side, where and by how much they differ, and why.
 
+mod export;
 mod facts;
 mod header;
 mod images;
 mod panel;
 mod picture;
-mod saving;
-mod work;
+mod task;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -17,23 +17,23 @@ use catoptric_tracer::raster::Method;
 use egui::Context;
 
 use crate::app::Studio;
-use crate::command::CompareAct;
-use crate::documents::ask::Asking;
+use crate::command::CompareCommand;
+use crate::documents::file_prompt::FilePrompt;
 use crate::layout::{self, Pane};
-use crate::methods::Methods;
+use crate::methods::MethodSettings;
 
+pub(crate) use export::poll as poll_opening;
 pub(crate) use panel::compare_ui;
-pub(crate) use saving::poll as poll_opening;
 
-use images::Images;
-use work::{Failure, Found, Running};
+use images::CompareImages;
+use task::{CompareFailure, CompareResult, CompareTask};
 
 /// Nothing is compared before view and scene have rested so long.
 const REST: Duration = Duration::from_millis(300);
 
-/// What the panel shows.
+/// The display of the two pictures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Mode {
+pub(crate) enum CompareMode {
     /// A at the left of a line, B at its right.
     #[default]
     Split,
@@ -49,89 +49,89 @@ pub(crate) enum Mode {
     Reasons,
 }
 
-/// One of the two pictures.
+/// The choice for one of the two pictures.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Side {
-    pub(crate) methods: Methods,
+pub(crate) struct CompareSide {
+    pub(crate) methods: MethodSettings,
     /// A picture file instead.
     pub(crate) file: Option<PathBuf>,
 }
 
-/// What is compared: as long as it stays, the comparison does.
+/// The inputs of a comparison; another key needs a new comparison.
 #[derive(Clone, Debug, PartialEq)]
-struct Key {
-    sources: [Source; 2],
+struct ComparisonKey {
+    sources: [ComparedPicture; 2],
     /// The view, unless only files are compared.
-    view: Option<ViewKey>,
+    view: Option<ComparisonViewKey>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct ViewKey {
+struct ComparisonViewKey {
     revision: u64,
     camera: Camera,
     size: [u32; 2],
 }
 
-/// Where a picture comes from.
+/// The source of a compared picture.
 #[derive(Clone, Debug, PartialEq)]
-enum Source {
+enum ComparedPicture {
     Method(Method),
     File(PathBuf),
 }
 
 /// The comparison of the window.
-pub(crate) struct Comparing {
-    sides: [Side; 2],
-    mode: Mode,
+pub(crate) struct CompareState {
+    sides: [CompareSide; 2],
+    mode: CompareMode,
     /// Where the line between the pictures is, 0…1.
     divider: f32,
     /// The view's size is divided by this.
     coarseness: u32,
-    wanted: Option<(Key, Instant)>,
-    running: Option<Running>,
-    found: Option<Arc<Found>>,
-    failed: Option<(Key, Failure)>,
-    images: Images,
+    wanted: Option<(ComparisonKey, Instant)>,
+    running: Option<CompareTask>,
+    found: Option<Arc<CompareResult>>,
+    failed: Option<(ComparisonKey, CompareFailure)>,
+    images: CompareImages,
     /// The choice of a picture file for one of the sides.
-    opening: Option<(Asking, usize)>,
+    opening: Option<(FilePrompt, usize)>,
     /// The pixel under the pointer.
     pixel: Option<[u32; 2]>,
 }
 
-impl Default for Comparing {
+impl Default for CompareState {
     fn default() -> Self {
-        let side = || Side { methods: Methods::default(), file: None };
+        let side = || CompareSide { methods: MethodSettings::default(), file: None };
         Self {
             sides: [side(), side()],
-            mode: Mode::default(),
+            mode: CompareMode::default(),
             divider: 0.5,
             coarseness: 2,
             wanted: None,
             running: None,
             found: None,
             failed: None,
-            images: Images::default(),
+            images: CompareImages::default(),
             opening: None,
             pixel: None,
         }
     }
 }
 
-impl Comparing {
+impl CompareState {
     /// The device of the window is another.
     pub(crate) fn forget_textures(&mut self) {
-        self.images = Images::default();
+        self.images = CompareImages::default();
     }
 
     /// Compares these ways of drawing.
-    pub(crate) fn choose(&mut self, compared: &[Methods; 2]) {
+    pub(crate) fn choose(&mut self, compared: &[MethodSettings; 2]) {
         for (side, methods) in self.sides.iter_mut().zip(compared) {
             side.methods.clone_from(methods);
         }
     }
 
     /// The two ways of drawing, to be remembered.
-    fn chosen(&self) -> [Methods; 2] {
+    fn chosen(&self) -> [MethodSettings; 2] {
         let [a, b] = &self.sides;
         [a.methods.clone(), b.methods.clone()]
     }
@@ -146,10 +146,10 @@ impl Comparing {
         self.found.is_some()
     }
 
-    fn sources(&self) -> [Source; 2] {
-        let source = |side: &Side| match &side.file {
-            Some(path) => Source::File(path.clone()),
-            None => Source::Method(side.methods.method()),
+    fn sources(&self) -> [ComparedPicture; 2] {
+        let source = |side: &CompareSide| match &side.file {
+            Some(path) => ComparedPicture::File(path.clone()),
+            None => ComparedPicture::Method(side.methods.method()),
         };
         let [a, b] = &self.sides;
         [source(a), source(b)]
@@ -157,24 +157,24 @@ impl Comparing {
 
     /// Gives up what is being drawn.
     fn cancel(&mut self) {
-        // It ends when it is let go of.
+        // Dropping it ends it.
         self.running = None;
     }
 }
 
-impl Source {
+impl ComparedPicture {
     fn is_file(&self) -> bool {
         matches!(self, Self::File(_))
     }
 }
 
 /// Does `act`.
-pub(crate) fn run(studio: &mut Studio, act: CompareAct) {
+pub(crate) fn run(studio: &mut Studio, act: CompareCommand) {
     match act {
-        CompareAct::Swap => studio.panes.compare.sides.swap(0, 1),
-        CompareAct::FileA => saving::ask_for_picture(studio, 0),
-        CompareAct::FileB => saving::ask_for_picture(studio, 1),
-        CompareAct::Save => saving::ask_to_save(studio),
+        CompareCommand::Swap => studio.panes.compare.sides.swap(0, 1),
+        CompareCommand::FileA => export::ask_for_picture(studio, 0),
+        CompareCommand::FileB => export::ask_for_picture(studio, 1),
+        CompareCommand::Save => export::ask_to_save(studio),
     }
 }
 
@@ -212,22 +212,22 @@ pub(crate) fn keep_up(context: &Context, studio: &mut Studio) {
         return;
     }
     let scene = Arc::clone(studio.editor.scene());
-    match Running::start(context, key.clone(), scene, studio.editor.title().to_owned()) {
+    match CompareTask::start(context, key.clone(), scene, studio.editor.title().to_owned()) {
         Ok(running) => comparing.running = Some(running),
-        Err(error) => comparing.failed = Some((key, Failure::Fault(error.to_string()))),
+        Err(error) => comparing.failed = Some((key, CompareFailure::Fault(error.to_string()))),
     }
 }
 
-fn key(studio: &Studio) -> Option<Key> {
+fn key(studio: &Studio) -> Option<ComparisonKey> {
     let comparing = &studio.panes.compare;
     let sources = comparing.sources();
-    if sources.iter().all(Source::is_file) {
-        return Some(Key { sources, view: None });
+    if sources.iter().all(ComparedPicture::is_file) {
+        return Some(ComparisonKey { sources, view: None });
     }
     let size = studio.panes.viewport.size_in_pixels()?;
     let size = size.map(|side| (side / comparing.coarseness.max(1)).max(1));
     let (revision, camera) = (studio.editor.revision(), studio.shown_camera());
-    Some(Key { sources, view: Some(ViewKey { revision, camera, size }) })
+    Some(ComparisonKey { sources, view: Some(ComparisonViewKey { revision, camera, size }) })
 }
 
 fn take_result(studio: &mut Studio) {
@@ -241,7 +241,7 @@ fn take_result(studio: &mut Studio) {
             comparing.found = Some(Arc::new(found));
             comparing.failed = None;
         }
-        Err(Failure::Cancelled) => {}
+        Err(CompareFailure::Cancelled) => {}
         Err(failure) => comparing.failed = Some((key, failure)),
     }
 }

@@ -1,18 +1,18 @@
-//! What a panel is handed each frame.
+//! The context of a panel in a frame.
 
 use catoptric_editor::Editor;
 use catoptric_live::Live;
 
-use crate::audit::Auditing;
-use crate::card::Card;
+use crate::audit::AuditState;
+use crate::card::WindowCard;
 use crate::command::Command;
-use crate::exact::Exact;
+use crate::exact::ExactState;
 use crate::held_keys::HeldKeys;
-use crate::images::Images;
-use crate::maps::Maps;
+use crate::images::DocumentImages;
+use crate::maps::MapState;
 use crate::settings::Settings;
 use crate::texts::Texts;
-use crate::view::View;
+use crate::view::ViewState;
 
 /// The parts of the studio that panels read and change. Borrowed for one frame.
 pub(crate) struct Cx<'a> {
@@ -23,21 +23,21 @@ pub(crate) struct Cx<'a> {
     /// What is remembered.
     pub(crate) settings: &'a mut Settings,
     /// How the document is looked at.
-    pub(crate) view: &'a mut View,
+    pub(crate) view: &'a mut ViewState,
     /// The keys that are held.
     pub(crate) held_keys: &'a HeldKeys,
     /// The pixel that is looked into.
-    pub(crate) audit: &'a mut Auditing,
+    pub(crate) audit: &'a mut AuditState,
     /// The map over the picture.
-    pub(crate) maps: &'a mut Maps,
+    pub(crate) maps: &'a mut MapState,
     /// What the laws of optics say of the selected body.
-    pub(crate) exact: &'a mut Exact,
+    pub(crate) exact: &'a mut ExactState,
     /// The traced picture.
     pub(crate) live: &'a Live,
     /// The pictures that the scene names.
-    pub(crate) images: &'a Images,
+    pub(crate) images: &'a DocumentImages,
     /// The graphics card that may draw it.
-    pub(crate) card: &'a mut Card,
+    pub(crate) card: &'a mut WindowCard,
     /// What is to be done when the frame is drawn.
     pub(crate) commands: &'a mut Vec<Command>,
 }

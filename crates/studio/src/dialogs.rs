@@ -20,15 +20,15 @@ use crate::command::Command;
 use crate::texts::Texts;
 use crate::theme;
 use crate::thumbnails::Thumbnails;
-pub(crate) use message::Message;
+pub(crate) use message::MessageDialog;
 use shield::ClickShield;
 
-/// What becomes of a dialog after a frame.
+/// The fate of a dialog after a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Flow {
-    /// It stays open.
+pub(crate) enum DialogFlow {
+    /// The dialog stays open.
     Stay,
-    /// It has been answered, or is no longer needed.
+    /// The dialog has been answered, or is no longer needed.
     Close,
 }
 
@@ -43,21 +43,21 @@ pub(crate) trait Dialog {
     }
 
     /// Draws what stands below the title, the [`buttons`] last, and does what they say.
-    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow;
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow;
 }
 
 /// The open dialogs.
 #[derive(Default)]
 pub(crate) struct Dialogs {
     /// The last one is on top and has the keyboard.
-    open: Vec<Opened>,
+    open: Vec<DialogSlot>,
     /// Pictures of the examples.
     thumbnails: Thumbnails<usize>,
     /// Where a dialog has just been closed by a click.
     shield: Option<ClickShield>,
 }
 
-struct Opened {
+struct DialogSlot {
     /// Tells it from the other open ones, once it has been drawn.
     number: Option<usize>,
     is_new: bool,
@@ -67,7 +67,7 @@ struct Opened {
 impl Dialogs {
     /// Opens `dialog` on top of the others.
     pub(crate) fn open(&mut self, dialog: impl Dialog + 'static) {
-        self.open.push(Opened { number: None, is_new: true, dialog: Box::new(dialog) });
+        self.open.push(DialogSlot { number: None, is_new: true, dialog: Box::new(dialog) });
     }
 
     /// The device of the window is another.
@@ -89,7 +89,7 @@ pub(crate) fn dialogs_ui(ui: &mut Ui, studio: &mut Studio) {
     let top = open.last().and_then(|opened| opened.number);
     open.retain_mut(|opened| {
         let is_top = top == opened.number;
-        show(ui.ctx(), studio, opened, is_top) == Flow::Stay
+        show(ui.ctx(), studio, opened, is_top) == DialogFlow::Stay
     });
     // Those that were opened meanwhile lie on top.
     open.append(&mut studio.dialogs.open);
@@ -97,7 +97,7 @@ pub(crate) fn dialogs_ui(ui: &mut Ui, studio: &mut Studio) {
 }
 
 /// Gives new dialogs the least numbers that are free, for the toolkit never forgets what it kept for a number.
-fn number_new(open: &mut [Opened]) {
+fn number_new(open: &mut [DialogSlot]) {
     for index in 0..open.len() {
         let least = (0..).find(|number| open.iter().all(|other| other.number != Some(*number)));
         if let Some(opened) = open.get_mut(index) {
@@ -106,11 +106,11 @@ fn number_new(open: &mut [Opened]) {
     }
 }
 
-/// Whether Enter presses the default button, for [`buttons`].
+/// True if Enter presses the default button, for [`buttons`].
 #[derive(Clone, Copy)]
-struct EnterDecides(bool);
+struct EnterDefault(bool);
 
-fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: bool) -> Flow {
+fn show(context: &Context, studio: &mut Studio, opened: &mut DialogSlot, is_top: bool) -> DialogFlow {
     let is_new = std::mem::take(&mut opened.is_new);
     if is_new {
         // Whatever lies below must not hear the keys any more.
@@ -121,7 +121,7 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: boo
     let is_typing = context.text_edit_focused() || context.memory(|memory| memory.focused().is_none());
     let enter = has_keys && is_typing && context.input(|input| input.key_pressed(Key::Enter));
     let enter_id = egui::Id::unique("enter decides");
-    context.data_mut(|data| data.insert_temp(enter_id, EnterDecides(enter)));
+    context.data_mut(|data| data.insert_temp(enter_id, EnterDefault(enter)));
 
     let title = opened.dialog.title(&studio.texts);
     let id = egui::Id::unique(("dialog", opened.number));
@@ -143,22 +143,22 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut Opened, is_top: boo
         })
         .inner;
     let escape = || context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-    if flow == Flow::Close {
+    if flow == DialogFlow::Close {
         studio.dialogs.shield = ClickShield::raise(context).or(studio.dialogs.shield);
     }
-    if flow == Flow::Close || has_keys && escape() {
+    if flow == DialogFlow::Close || has_keys && escape() {
         context.request_repaint();
-        return Flow::Close;
+        return DialogFlow::Close;
     }
-    Flow::Stay
+    DialogFlow::Stay
 }
 
 /// Whether Enter was pressed: it is then not taken for the default button of the dialog that is being drawn.
 fn withhold_enter(ui: &Ui) -> bool {
     let enter_id = egui::Id::unique("enter decides");
     ui.data_mut(|data| {
-        let enter = data.get_temp::<EnterDecides>(enter_id).is_some_and(|enter| enter.0);
-        data.insert_temp(enter_id, EnterDecides(false));
+        let enter = data.get_temp::<EnterDefault>(enter_id).is_some_and(|enter| enter.0);
+        data.insert_temp(enter_id, EnterDefault(false));
         enter
     })
 }
@@ -169,11 +169,11 @@ pub(crate) fn buttons(ui: &mut Ui, labels: &[&str]) -> Option<usize> {
     buttons_if(ui, labels, true)
 }
 
-/// The same with a default button that can only be pressed when `is_ready`.
+/// Draws the row of buttons of a dialog; the default button can be pressed only if `is_ready`.
 pub(crate) fn buttons_if(ui: &mut Ui, labels: &[&str], is_ready: bool) -> Option<usize> {
     let palette = theme::palette(ui.visuals());
     let enter_id = egui::Id::unique("enter decides");
-    let enter = ui.data(|data| data.get_temp::<EnterDecides>(enter_id)).is_some_and(|enter| enter.0);
+    let enter = ui.data(|data| data.get_temp::<EnterDefault>(enter_id)).is_some_and(|enter| enter.0);
     let mut pressed = None;
     ui.add_space(10.0);
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

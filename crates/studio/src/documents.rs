@@ -2,18 +2,18 @@
 //!
 //! Files are read and written by threads; what they bring is taken up in [`keep`], once a frame.
 
-pub(crate) mod ask;
+mod autosave;
+mod banner;
+mod close_guard;
 pub(crate) mod disk;
-mod fresh;
+pub(crate) mod file_prompt;
 pub(crate) mod job;
-mod keeper;
-mod leave;
-mod notice;
+mod new_scene;
 mod open;
 pub(crate) mod recent;
 mod recover;
-mod remember;
 mod save;
+mod settings_file;
 mod start;
 mod watch;
 
@@ -32,14 +32,14 @@ use crate::command::Command;
 use crate::example_note::example_title;
 use crate::host::{FileKind, FileQuestion};
 use crate::settings::LastScene;
-use ask::{Answer, Asking, Chosen};
-use disk::{May, Opened};
-pub(crate) use leave::Next;
-pub(crate) use notice::{banner_ui, progress_ui};
-pub(crate) use recover::{Found, discard, restore};
+pub(crate) use banner::{banner_ui, progress_ui};
+pub(crate) use close_guard::NextDocument;
+use disk::{OpenedScene, OverwriteRule};
+use file_prompt::{ChosenFile, FilePrompt, FilePromptState};
+pub(crate) use recover::{RecoverableDocument, discard, restore};
 pub(crate) use start::start;
 
-/// So many bodies are many.
+/// From this number of bodies on, a scene counts as large.
 const MANY: usize = 10_000;
 
 /// What is known about the open document beyond the editor, and what is being done with files.
@@ -51,29 +51,29 @@ pub(crate) struct Documents {
     saves: u64,
     unsaved: Option<((u64, u64, u64), bool)>,
     /// When the document's own file may be replaced.
-    may: Option<May>,
+    may: Option<OverwriteRule>,
     /// The text of its file as it was read or written last.
     text_on_disk: Option<Arc<str>>,
     /// What other programs do to its file.
-    outside: watch::Outside,
+    outside: watch::ExternalChanges,
     /// Whether the document is only the part of its file that could be read.
     is_partial: bool,
     /// The example that it is, or was made of.
     example: Option<&'static Example>,
-    reading: Option<open::Reading>,
-    restoring: Option<recover::Restoring>,
-    saving: Option<save::Saving>,
+    reading: Option<open::OpenTask>,
+    restoring: Option<recover::RecoveryJob>,
+    saving: Option<save::SceneSaveTask>,
     /// To be saved when the present saving is done.
-    next_saving: Option<save::Order>,
-    asking: Option<(Asking, For)>,
+    next_saving: Option<save::SceneSaveRequest>,
+    prompt: Option<(FilePrompt, FilePurpose)>,
     /// Lives as long as the question whether to save changes is open.
     asked_to_save: Weak<()>,
     /// Whether the window may close.
     is_leaving: bool,
-    keeper: keeper::Keeper,
-    memory: remember::Memory,
-    recent: recent::Recent,
-    notice: notice::Notice,
+    autosave: autosave::Autosave,
+    memory: settings_file::SettingsFile,
+    recent: recent::RecentFiles,
+    notice: banner::ProblemBanner,
     title: String,
     interruption: Option<crate::window::Interruption>,
 }
@@ -100,11 +100,11 @@ impl Documents {
     }
 }
 
-/// What a file is asked for.
-enum For {
+/// The purpose of a prompt for a scene file.
+enum FilePurpose {
     Opening,
     /// To save the document of this number, and what comes after.
-    Saving(u64, Option<Next>),
+    Saving(u64, Option<NextDocument>),
 }
 
 /// Takes up what threads have done, keeps unsaved work and settings, minds the window's title: once a frame.
@@ -113,11 +113,11 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     open::poll(context, studio);
     save::poll(context, studio);
     open::take_dropped(context, studio);
-    leave::mind_close(context, studio);
+    close_guard::mind_close(context, studio);
     recover::poll(context, studio);
     watch::keep(context, studio);
-    keeper::keep(context, studio);
-    remember::keep(context, studio);
+    autosave::keep(context, studio);
+    settings_file::keep(context, studio);
     recent::keep(context, studio);
     show_title(context, studio);
 }
@@ -126,26 +126,26 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
     studio.editor.settle();
     match command {
-        Command::New => leave::replace(context, studio, Next::New),
-        Command::Open => ask_for(studio, For::Opening),
+        Command::New => close_guard::replace(context, studio, NextDocument::New),
+        Command::Open => ask_for(studio, FilePurpose::Opening),
         Command::OpenFile(path) => open::begin(context, studio, &path),
         Command::OpenExample(name) => {
             if let Some(example) = Example::find(name) {
-                leave::replace(context, studio, Next::Example(example));
+                close_guard::replace(context, studio, NextDocument::Example(example));
             }
         }
         Command::Revert => open::revert(context, studio),
         Command::Save => save::save(context, studio, None),
         Command::SaveAs => save_as(studio, None),
-        Command::Quit => leave::replace(context, studio, Next::Quit),
+        Command::Quit => close_guard::replace(context, studio, NextDocument::Quit),
         _ => {}
     }
 }
 
 /// The studio is being left.
 pub(crate) fn leave(studio: &mut Studio) {
-    remember::finish(studio);
-    keeper::finish(studio);
+    settings_file::finish(studio);
+    autosave::finish(studio);
 }
 
 /// Whether the studio is being left on purpose.
@@ -155,7 +155,7 @@ pub(crate) fn is_leaving(studio: &Studio) -> bool {
 
 /// The window is lost, and another one will be opened: first of all, unsaved work is made safe.
 pub(crate) fn outlive_window(studio: &mut Studio) {
-    keeper::keep_now(studio);
+    autosave::keep_now(studio);
     // The new window does not have it yet.
     studio.documents.title.clear();
 }
@@ -206,11 +206,11 @@ fn show(studio: &mut Studio, editor: Editor) {
     studio.audit.release();
     studio.view.is_flying = false;
     studio.view.hovered_body = None;
-    notice::clear_findings(studio);
+    banner::clear_findings(studio);
 }
 
 fn show_fresh(studio: &mut Studio) {
-    let scene = fresh::fresh_scene(&studio.texts);
+    let scene = new_scene::fresh_scene(&studio.texts);
     show(studio, Editor::new(scene));
     studio.settings.last = None;
 }
@@ -223,32 +223,32 @@ fn show_example(studio: &mut Studio, example: &'static Example) {
     studio.settings.last = Some(LastScene::Example(example.name.to_owned()));
 }
 
-fn show_opened(studio: &mut Studio, opened: Opened) {
-    let Opened { path, text, scene, findings, stamp } = opened;
+fn show_opened(studio: &mut Studio, opened: OpenedScene) {
+    let OpenedScene { path, text, scene, findings, stamp } = opened;
     show(studio, Editor::open(path.clone(), text.clone(), scene));
-    studio.documents.may = stamp.map(May::Update);
+    studio.documents.may = stamp.map(OverwriteRule::Update);
     studio.documents.text_on_disk = Some(Arc::clone(&text));
     studio.documents.is_partial = findings.has_errors();
     studio.settings.remember_recent(&path);
     studio.settings.last = Some(LastScene::File(path));
-    notice::show_findings(studio, text, findings);
+    banner::show_findings(studio, text, findings);
 }
 
 /// Shows an unsaved document that was left behind.
 fn show_recovered(studio: &mut Studio, editor: Editor, written: SystemTime) {
     show(studio, editor);
     studio.editor.mark_unsaved();
-    studio.documents.may = Some(May::UpdateBefore(written));
+    studio.documents.may = Some(OverwriteRule::UpdateBefore(written));
     if let Some(path) = studio.editor.path() {
         studio.settings.last = Some(LastScene::File(path.to_owned()));
     }
 }
 
-fn ask_for(studio: &mut Studio, purpose: For) {
-    if studio.documents.asking.is_some() {
+fn ask_for(studio: &mut Studio, purpose: FilePurpose) {
+    if studio.documents.prompt.is_some() {
         return;
     }
-    let is_saving = matches!(purpose, For::Saving(..));
+    let is_saving = matches!(purpose, FilePurpose::Saving(..));
     let key = if is_saving { "ask-save-as" } else { "ask-open" };
     let question = FileQuestion {
         kind: FileKind::Scene,
@@ -257,13 +257,13 @@ fn ask_for(studio: &mut Studio, purpose: For) {
         folder: usual_folder(studio),
         name: if is_saving { usual_name(studio) } else { String::new() },
     };
-    let asking = Asking::start(studio, question);
-    studio.documents.asking = Some((asking, purpose));
+    let prompt = FilePrompt::start(studio, question);
+    studio.documents.prompt = Some((prompt, purpose));
 }
 
 /// Asks for a file and saves the document to it; then does what was meant to come after.
-pub(crate) fn save_as(studio: &mut Studio, then: Option<Next>) {
-    ask_for(studio, For::Saving(studio.documents.number, then));
+pub(crate) fn save_as(studio: &mut Studio, then: Option<NextDocument>) {
+    ask_for(studio, FilePurpose::Saving(studio.documents.number, then));
 }
 
 /// Where scenes are: beside the document, or where the last one was.
@@ -276,25 +276,26 @@ fn usual_folder(studio: &Studio) -> Option<PathBuf> {
 fn usual_name(studio: &Studio) -> String {
     let title = studio.editor.title();
     let title = if title.is_empty() { studio.texts.get("document-file-name") } else { title };
-    ask::with_extension(PathBuf::from(title), FileKind::Scene).to_string_lossy().into_owned()
+    file_prompt::with_extension(PathBuf::from(title), FileKind::Scene).to_string_lossy().into_owned()
 }
 
 fn take_answer(context: &Context, studio: &mut Studio) {
-    let Some((mut asking, purpose)) = studio.documents.asking.take() else { return };
-    match (asking.poll(context, studio), purpose) {
-        (Answer::Waiting, purpose) => studio.documents.asking = Some((asking, purpose)),
-        (Answer::Cancelled, _) => {}
-        (Answer::Chosen(Chosen { path, .. }), For::Opening) => {
+    let Some((mut prompt, purpose)) = studio.documents.prompt.take() else { return };
+    match (prompt.poll(context, studio), purpose) {
+        (FilePromptState::Waiting, purpose) => studio.documents.prompt = Some((prompt, purpose)),
+        (FilePromptState::Cancelled, _) => {}
+        (FilePromptState::Chosen(ChosenFile { path, .. }), FilePurpose::Opening) => {
             open::begin(context, studio, &path);
         }
         // Another document has come while the system's dialog was open.
-        (Answer::Chosen(_), For::Saving(number, _)) if number != studio.documents.number => {}
-        (Answer::Chosen(Chosen { path, may_replace }), For::Saving(_, then)) => {
-            let may = if may_replace { May::Replace } else { May::Create };
+        (FilePromptState::Chosen(_), FilePurpose::Saving(number, _)) if number != studio.documents.number => {
+        }
+        (FilePromptState::Chosen(ChosenFile { path, may_replace }), FilePurpose::Saving(_, then)) => {
+            let may = if may_replace { OverwriteRule::Replace } else { OverwriteRule::Create };
             // Its own file is known; only a change by another program matters.
             let is_own = studio.editor.path() == Some(path.as_path());
             let may = if is_own && !may_replace { studio.documents.may.unwrap_or(may) } else { may };
-            save::order(context, studio, save::Order { path, may, then });
+            save::order(context, studio, save::SceneSaveRequest { path, may, then });
         }
     }
 }

@@ -3,31 +3,31 @@
 use std::sync::Arc;
 
 use catoptric_editor::Item;
-use catoptric_lab::exact::{Answers, answers_for};
+use catoptric_lab::exact::{ExactAnswers, answers_for};
 use catoptric_scene::{Camera, Scene};
 use egui::Context;
 
 use crate::context::Cx;
 use crate::latest::Latest;
 
-/// The answers of the window, if they are wanted.
+/// The exact answers of the window, if they are displayed.
 #[derive(Default)]
-pub(crate) struct Exact {
+pub(crate) struct ExactState {
     pub(crate) is_on: bool,
-    work: Latest<Key, Answers>,
-    known: Option<(Key, Answers)>,
+    work: Latest<ExactAnswerKey, ExactAnswers>,
+    known: Option<(ExactAnswerKey, ExactAnswers)>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Key {
+struct ExactAnswerKey {
     revision: u64,
     body: usize,
     camera: Camera,
 }
 
-impl Exact {
+impl ExactState {
     /// The answers for a body, while they are wanted: those for the last view while the view moves.
-    pub(crate) fn answers(&self, body: usize) -> Option<&Answers> {
+    pub(crate) fn answers(&self, body: usize) -> Option<&ExactAnswers> {
         let (key, answers) = self.known.as_ref().filter(|_| self.is_on)?;
         (key.body == body).then_some(answers)
     }
@@ -50,7 +50,7 @@ pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>, camera: Camera) {
         return;
     }
     let Some(body) = body_of(cx).filter(|_| cx.exact.is_on) else { return };
-    let key = Key { revision: cx.editor.revision(), body, camera };
+    let key = ExactAnswerKey { revision: cx.editor.revision(), body, camera };
     if cx.exact.known.as_ref().is_some_and(|(known, _)| *known == key) {
         return;
     }

@@ -1,4 +1,4 @@
-//! What to notice in the example that is open: a note below the picture.
+//! The note about the open example, below the picture.
 
 use catoptric_scene::Example;
 use egui::text::LayoutJob;
@@ -9,7 +9,7 @@ use egui::{
 use egui_material_icons::icons;
 
 use crate::app::Studio;
-use crate::dialogs::Message;
+use crate::dialogs::MessageDialog;
 use crate::texts::{Language, Texts};
 use crate::widgets::icon_button;
 use crate::{scripts, theme};
@@ -95,7 +95,7 @@ pub(crate) fn toggle(studio: &mut Studio) {
         return;
     }
     let title = title(&studio.texts, example);
-    studio.dialogs.open(Message::new(title, example_notice(example, language)));
+    studio.dialogs.open(MessageDialog::new(title, example_notice(example, language)));
 }
 
 fn title(texts: &Texts, example: &Example) -> String {

@@ -1,5 +1,5 @@
-//! Files that are made of what was found out: drawings, pages, folders with reports. A person says where; a thread makes
-//! them and writes them; what was there before is replaced only if that is agreed.
+//! Files that are made of what was found out: drawings, pages, folders with reports. A person says where; a thread
+//! makes them and writes them; what was there before is replaced only if that is agreed.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,19 +8,19 @@ use catoptric_files::WriteError;
 use egui::Context;
 
 use crate::app::Studio;
-use crate::dialogs::Message;
-use crate::dialogs::question::Question;
-use crate::documents::ask::{Answer, Asking, Chosen, name_of};
+use crate::dialogs::MessageDialog;
+use crate::dialogs::question::QuestionDialog;
 use crate::documents::disk::write_failure_in_words;
-use crate::documents::job::{Job, Progress};
+use crate::documents::file_prompt::{ChosenFile, FilePrompt, FilePromptState, name_of};
+use crate::documents::job::{Job, JobStatus};
 use crate::host::FileQuestion;
-use crate::pictures::told;
+use crate::pictures::words;
 use crate::texts::Texts;
 
 /// Something that can be made a file, or a folder of files.
 pub(crate) trait Export: Send + Sync + 'static {
     /// Makes it and writes it; on a thread.
-    fn write(&self, path: &Path) -> Result<(), Failure>;
+    fn write(&self, path: &Path) -> Result<(), ExportFailure>;
 
     /// The file by which a folder of its kind is known; `None` if it is one file.
     fn landmark(&self) -> Option<&'static str> {
@@ -28,8 +28,8 @@ pub(crate) trait Export: Send + Sync + 'static {
     }
 }
 
-/// Why there are no files.
-pub(crate) enum Failure {
+/// The reason why nothing was exported.
+pub(crate) enum ExportFailure {
     /// The content cannot be made.
     Content(String),
     /// The folder cannot be made.
@@ -41,49 +41,50 @@ pub(crate) enum Failure {
 /// What is asked for or being written.
 #[derive(Default)]
 pub(crate) struct Exports {
-    going: Vec<Going>,
+    going: Vec<ExportTask>,
 }
 
-enum Going {
+/// An export that is under way.
+enum ExportTask {
     /// The person is choosing where.
-    Asking(Asking, Arc<dyn Export>),
+    Asking(FilePrompt, Arc<dyn Export>),
     /// A thread writes it; `None` means that something is there already.
-    Writing(PathBuf, Arc<dyn Export>, Job<Option<Result<(), Failure>>>),
+    Writing(PathBuf, Arc<dyn Export>, Job<Option<Result<(), ExportFailure>>>),
 }
 
 /// Asks where `export` is to be written; a question that has not been answered is forgotten.
 pub(crate) fn ask(studio: &mut Studio, question: FileQuestion, export: impl Export) {
-    studio.exports.going.retain(|going| matches!(going, Going::Writing(..)));
-    let asking = Asking::start(studio, question);
-    studio.exports.going.push(Going::Asking(asking, Arc::new(export)));
+    studio.exports.going.retain(|going| matches!(going, ExportTask::Writing(..)));
+    let prompt = FilePrompt::start(studio, question);
+    studio.exports.going.push(ExportTask::Asking(prompt, Arc::new(export)));
 }
 
 /// Takes up answers, and what has been written; once a frame.
 pub(crate) fn poll(context: &Context, studio: &mut Studio) {
     for going in std::mem::take(&mut studio.exports.going) {
         match going {
-            Going::Asking(mut asking, export) => match asking.poll(context, studio) {
-                Answer::Waiting => studio.exports.going.push(Going::Asking(asking, export)),
-                Answer::Cancelled => {}
-                Answer::Chosen(Chosen { path, may_replace }) => {
+            ExportTask::Asking(mut prompt, export) => match prompt.poll(context, studio) {
+                FilePromptState::Waiting => studio.exports.going.push(ExportTask::Asking(prompt, export)),
+                FilePromptState::Cancelled => {}
+                FilePromptState::Chosen(ChosenFile { path, may_replace }) => {
                     // The system's dialog asks for a folder's name, not for what such a folder has in it.
                     let may_replace = may_replace && export.landmark().is_none();
                     write(context, studio, export, path, may_replace);
                 }
             },
-            Going::Writing(path, export, job) => match job.poll() {
-                Progress::Waiting => studio.exports.going.push(Going::Writing(path, export, job)),
-                Progress::Done(Some(Ok(()))) => {
+            ExportTask::Writing(path, export, job) => match job.poll() {
+                JobStatus::Waiting => studio.exports.going.push(ExportTask::Writing(path, export, job)),
+                JobStatus::Done(Some(Ok(()))) => {
                     let name = [("name", name_of(&path).into())];
                     studio.toasts.success(studio.texts.with("picture-saved", &name));
                 }
-                Progress::Done(Some(Err(failure))) => {
+                JobStatus::Done(Some(Err(failure))) => {
                     let text = failure.in_words(&studio.texts, &path);
                     tell(studio, text);
                 }
-                Progress::Done(None) => ask_to_replace(studio, export, path),
-                Progress::Lost => {
-                    let text = told::fault(&studio.texts, &name_of(&path));
+                JobStatus::Done(None) => ask_to_replace(studio, export, path),
+                JobStatus::Lost => {
+                    let text = words::fault(&studio.texts, &name_of(&path));
                     tell(studio, text);
                 }
             },
@@ -98,8 +99,8 @@ fn write(context: &Context, studio: &mut Studio, export: Arc<dyn Export>, path: 
         (may_replace || !is_there).then(|| own.write(&target))
     };
     match Job::start(context, "export", work) {
-        Ok(job) => studio.exports.going.push(Going::Writing(path, export, job)),
-        Err(error) => tell(studio, told::fault(&studio.texts, &error.to_string())),
+        Ok(job) => studio.exports.going.push(ExportTask::Writing(path, export, job)),
+        Err(error) => tell(studio, words::fault(&studio.texts, &error.to_string())),
     }
 }
 
@@ -109,7 +110,7 @@ fn ask_to_replace(studio: &mut Studio, export: Arc<dyn Export>, path: PathBuf) {
         Some(_) => ("measure-replace-text", path.as_path()),
         None => ("picture-replace-text", path.parent().unwrap_or(Path::new(""))),
     };
-    let question = Question::new(
+    let question = QuestionDialog::new(
         texts.with("picture-replace-title", &[("name", name_of(&path).into())]),
         texts.with(text, &[("folder", folder.display().to_string().into())]),
     )
@@ -120,10 +121,10 @@ fn ask_to_replace(studio: &mut Studio, export: Arc<dyn Export>, path: PathBuf) {
     studio.dialogs.open(question);
 }
 
-impl Failure {
+impl ExportFailure {
     fn in_words(self, texts: &Texts, path: &Path) -> String {
         match self {
-            Self::Content(reason) => told::fault(texts, &reason),
+            Self::Content(reason) => words::fault(texts, &reason),
             Self::Folder(error) => {
                 let (path, reason) = (path.display().to_string(), error.to_string());
                 texts.with("measure-no-folder", &[("path", path.into()), ("reason", reason.into())])
@@ -135,5 +136,5 @@ impl Failure {
 
 fn tell(studio: &mut Studio, text: String) {
     let title = studio.texts.get("report-save-failed").to_owned();
-    studio.dialogs.open(Message::new(title, text));
+    studio.dialogs.open(MessageDialog::new(title, text));
 }

@@ -8,7 +8,7 @@ use egui_material_icons::icons;
 use glam::DVec3;
 
 use crate::app::Studio;
-use crate::command::{AuditAct, Command};
+use crate::command::{AuditCommand, Command};
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
@@ -18,7 +18,7 @@ const STEPS: [&str; 3] = ["first-move", "first-orbit", "first-reflection"];
 
 /// What there is to go on with when all steps are done.
 const NEXT: [(&str, Command); 2] =
-    [("first-gallery", Command::Examples), ("first-lab", Command::Audit(AuditAct::Tool))];
+    [("first-gallery", Command::Examples), ("first-lab", Command::Audit(AuditCommand::Tool))];
 
 /// Which steps have been done.
 #[derive(Debug, Default)]
@@ -63,7 +63,7 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
         return;
     }
     let corner = view.left_bottom() + egui::vec2(14.0, -14.0);
-    let mut done = Done::default();
+    let mut done = CardResponse::default();
     Area::new(Id::unique("first steps"))
         .order(Order::Middle)
         .pivot(Align2::LEFT_BOTTOM)
@@ -78,9 +78,9 @@ pub(crate) fn first_steps_ui(context: &Context, studio: &mut Studio) {
     studio.commands.extend(done.next);
 }
 
-/// What was pressed on the card.
+/// The button of the card that was pressed.
 #[derive(Default)]
-struct Done {
+struct CardResponse {
     is_closed: bool,
     /// Where the hint leads on to.
     next: Option<Command>,
@@ -111,9 +111,9 @@ fn watch(studio: &mut Studio) {
 }
 
 /// Draws the card.
-fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> Done {
+fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> CardResponse {
     let palette = theme::palette(ui.visuals());
-    let mut pressed = Done::default();
+    let mut pressed = CardResponse::default();
     ui.horizontal(|ui| {
         ui.label(RichText::new(texts.get("first-title")).strong());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -140,7 +140,7 @@ fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> Done {
             for (key, command) in NEXT {
                 let button = ui.button(texts.get(key));
                 if button.on_hover_text(texts.tip(key).unwrap_or_default()).clicked() {
-                    pressed = Done { is_closed: true, next: Some(command) };
+                    pressed = CardResponse { is_closed: true, next: Some(command) };
                 }
             }
             pressed.is_closed |= ui.button(texts.get("close")).clicked();

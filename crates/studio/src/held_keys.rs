@@ -1,4 +1,4 @@
-//! Which keys are held, from the events of keys.
+//! The held keys, from the events of keys.
 //!
 //! egui keeps its own set by the logical key, and a release does not always have that of its press: `=` with Shift is
 //! pressed as Plus and released as Equals once Shift is up. Releases can be lost as well, to window managers, input
@@ -19,12 +19,12 @@ const LONGEST_UNSEEN: f64 = 15.0;
 
 /// One press of a key, with what follows until its release.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Stroke(u64);
+pub(crate) struct KeyPress(u64);
 
 /// A key between its press and its release.
 #[derive(Clone, Copy, Debug)]
 struct HeldKey {
-    stroke: Stroke,
+    stroke: KeyPress,
     logical: Key,
     /// The place on the keyboard, if the system tells it.
     physical: Option<Key>,
@@ -87,21 +87,21 @@ impl HeldKeys {
         }
     }
 
-    /// The present stroke of a key, if it is held.
-    pub(crate) fn stroke(&self, logical: Key, physical: Option<Key>) -> Option<Stroke> {
+    /// The present press of a key, if it is held.
+    pub(crate) fn stroke(&self, logical: Key, physical: Option<Key>) -> Option<KeyPress> {
         let held = self.keys.iter().find(|held| held.is(logical, physical) && !held.is_silent);
         held.map(|held| held.stroke)
     }
 
     /// Whether a stroke goes on.
-    pub(crate) fn holds(&self, stroke: Stroke) -> bool {
+    pub(crate) fn holds(&self, stroke: KeyPress) -> bool {
         self.keys.iter().any(|held| held.stroke == stroke && !held.is_silent)
     }
 
     /// Takes up a press; returns whether it is the repeat of one before.
     fn press(&mut self, logical: Key, physical: Option<Key>, now: f64) -> bool {
         // Of another key than the last one, there are no repeats: its release was lost.
-        let last = Stroke(self.strokes);
+        let last = KeyPress(self.strokes);
         if let Some(held) = self.keys.iter_mut().find(|held| held.is(logical, physical))
             && held.stroke == last
         {
@@ -117,7 +117,7 @@ impl HeldKeys {
         self.expect_no_repeats();
         self.strokes += 1;
         self.keys.push(HeldKey {
-            stroke: Stroke(self.strokes),
+            stroke: KeyPress(self.strokes),
             logical,
             physical,
             last: now,
@@ -134,7 +134,7 @@ impl HeldKeys {
 }
 
 impl HeldKey {
-    /// What tells it from other keys.
+    /// The identity of the key.
     fn place(&self) -> Key {
         self.physical.unwrap_or(self.logical)
     }

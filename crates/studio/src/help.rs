@@ -11,15 +11,15 @@ use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
 
-/// What is explained.
+/// A page of the help window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Page {
+pub(crate) enum HelpTopic {
     Shortcuts,
     Terms,
     About,
 }
 
-impl Page {
+impl HelpTopic {
     const ALL: [Self; 3] = [Self::Shortcuts, Self::Terms, Self::About];
 
     const fn key(self) -> &'static str {
@@ -39,20 +39,20 @@ impl Page {
     }
 }
 
-/// The window of explanations: its page, if it is open.
+/// The help window: its page, if it is open.
 #[derive(Debug, Default)]
-pub(crate) struct Help {
-    page: Option<Page>,
+pub(crate) struct HelpWindow {
+    page: Option<HelpTopic>,
 }
 
-impl Help {
+impl HelpWindow {
     /// Whether it is open.
     pub(crate) fn is_any_open(&self) -> bool {
         self.page.is_some()
     }
 
     /// Opens a page; what was being typed below ends.
-    pub(crate) fn open(context: &Context, studio: &mut Studio, page: Page) {
+    pub(crate) fn open(context: &Context, studio: &mut Studio, page: HelpTopic) {
         context.memory_mut(egui::Memory::stop_text_input);
         studio.help.page = Some(page);
     }
@@ -73,18 +73,18 @@ pub(crate) fn help_ui(context: &Context, studio: &mut Studio) {
         ui.separator();
         let scroll = ScrollArea::vertical().id_salt(page.key()).auto_shrink(false);
         scroll.show(ui, |ui| match page {
-            Page::Shortcuts => shortcut_list::list_ui(ui, texts),
-            Page::Terms => terms::terms_ui(ui, texts),
-            Page::About => about_ui(ui, texts),
+            HelpTopic::Shortcuts => shortcut_list::list_ui(ui, texts),
+            HelpTopic::Terms => terms::terms_ui(ui, texts),
+            HelpTopic::About => about_ui(ui, texts),
         });
     });
     studio.help.page = if modal.should_close() { None } else { wanted };
 }
 
 /// The pages to choose from, and the button that closes.
-fn heads_ui(ui: &mut Ui, texts: &Texts, wanted: &mut Option<Page>) {
+fn heads_ui(ui: &mut Ui, texts: &Texts, wanted: &mut Option<HelpTopic>) {
     ui.horizontal(|ui| {
-        for page in Page::ALL {
+        for page in HelpTopic::ALL {
             let name = texts.get(page.key());
             let button = egui::Button::selectable(*wanted == Some(page), (page.icon().rich_text(), name));
             if ui.add(button).accessible_name(name).clicked() {

@@ -1,4 +1,4 @@
-//! What the studio needs from the system around it, behind a trait, so that tests can stand in for it.
+//! The services of the system, behind a trait, so that tests can replace them.
 
 #[cfg(target_os = "linux")]
 use std::path::Path;
@@ -90,11 +90,11 @@ pub trait Host {
     }
 }
 
-/// The desktop.
+/// The host of a desktop.
 #[derive(Debug, Default)]
-pub struct Desktop;
+pub struct DesktopHost;
 
-impl Host for Desktop {
+impl Host for DesktopHost {
     fn ask_file(&mut self, question: &FileQuestion) -> Option<FileAnswer> {
         if !has_native_dialogs() {
             return None;
@@ -108,7 +108,7 @@ impl Host for Desktop {
                 let asked = Instant::now();
                 let chosen = wait_for(dialog).map(|file| file.path().to_owned());
                 if chosen.is_none() && asked.elapsed() < FASTEST {
-                    // No hand is so fast: the dialog could not appear. Without an answer, the studio's own does.
+                    // Nobody answers so quickly: the dialog could not appear. Without an answer, the studio's own does.
                     return;
                 }
                 // The studio may be gone by the time of the answer.
@@ -172,10 +172,10 @@ fn strategy() -> Option<impl etcetera::AppStrategy> {
     .ok()
 }
 
-/// A dialog of the system and what it will answer.
-type Dialog = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
+/// A file dialog of the system, and its future answer.
+type FileDialogFuture = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
-fn native_dialog(question: &FileQuestion) -> Dialog {
+fn native_dialog(question: &FileQuestion) -> FileDialogFuture {
     let mut dialog = rfd::AsyncFileDialog::new().set_title(&question.title);
     let extensions = question.kind.extensions();
     let names: Vec<String> = extensions.iter().map(|extension| format!("*.{extension}")).collect();
@@ -196,9 +196,9 @@ fn native_dialog(question: &FileQuestion) -> Dialog {
 }
 
 /// Wakes a thread that waits for a future.
-struct Unpark(Thread);
+struct ThreadWaker(Thread);
 
-impl Wake for Unpark {
+impl Wake for ThreadWaker {
     fn wake(self: Arc<Self>) {
         self.0.unpark();
     }
@@ -206,7 +206,7 @@ impl Wake for Unpark {
 
 /// Waits until `future` is there.
 fn wait_for<T>(mut future: Pin<Box<dyn Future<Output = T> + Send>>) -> T {
-    let waker = Waker::from(Arc::new(Unpark(std::thread::current())));
+    let waker = Waker::from(Arc::new(ThreadWaker(std::thread::current())));
     let mut context = Context::from_waker(&waker);
     loop {
         match future.as_mut().poll(&mut context) {

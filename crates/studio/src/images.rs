@@ -11,8 +11,8 @@ use catoptric_scene::{Image, ImageError, ImageFault, ImageSource, Scene, Surroun
 use egui::Context;
 
 use crate::app::Studio;
-use crate::documents::ask::{Answer, Asking, name_of};
-use crate::documents::job::{Job, Progress, let_go};
+use crate::documents::file_prompt::{FilePrompt, FilePromptState, name_of};
+use crate::documents::job::{Job, JobStatus, let_go};
 use crate::host::{FileKind, FileQuestion};
 use crate::inspector;
 use crate::texts::Texts;
@@ -26,24 +26,24 @@ pub enum ImageUse {
     Texture,
 }
 
-/// What is known of the document's pictures.
+/// The state of the document's pictures.
 #[derive(Default)]
-pub(crate) struct Images {
+pub(crate) struct DocumentImages {
     /// The document, and the folder at which its paths begin, for which the rest holds.
     home: Option<(u64, Option<PathBuf>)>,
     /// The scene that was looked through last: all its pictures are opened, being opened, or missing.
     looked_at: Option<Arc<Scene>>,
-    /// Those that could not be opened. Those that could are in the document alone: what its paths name may be another
+    /// Pictures that could not be opened. The others are in the document alone: what its paths name may be another
     /// picture by now.
     missing: HashSet<ImageSource>,
-    job: Option<Job<Vec<Opened>>>,
+    job: Option<Job<Vec<OpenedImage>>>,
     /// What is being asked for, with the document that is to have it.
-    asking: Option<(Asking, ImageUse, u64)>,
+    prompt: Option<(FilePrompt, ImageUse, u64)>,
 }
 
-type Opened = (ImageSource, Result<Image, ImageError>);
+type OpenedImage = (ImageSource, Result<Image, ImageError>);
 
-impl Images {
+impl DocumentImages {
     /// Whether the picture of a source could not be opened.
     pub(crate) fn is_missing(&self, source: &ImageSource) -> bool {
         self.missing.contains(source)
@@ -85,8 +85,8 @@ pub(crate) fn ask(studio: &mut Studio, usage: ImageUse) {
         folder: path.as_deref().and_then(Path::parent).map(Path::to_owned),
         name: String::new(),
     };
-    let asking = Asking::start(studio, question);
-    studio.images.asking = Some((asking, usage, studio.documents.number()));
+    let prompt = FilePrompt::start(studio, question);
+    studio.images.prompt = Some((prompt, usage, studio.documents.number()));
 }
 
 /// Takes up answers and pictures, and has those opened that are not: once a frame.
@@ -107,8 +107,8 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     }
 }
 
-/// Sources of the pictures that are to be opened, each once. Of `before` they are already, and of bodies that are shared
-/// with it: a hand that drags one of a million bodies must not wait for a walk through all.
+/// Sources of the pictures that are to be opened, each once. Of `before` they are already, and of bodies that are
+/// shared with it: a drag of one of a million bodies must not wait for a walk through all.
 fn unopened(
     before: Option<&Scene>,
     scene: &Scene,
@@ -142,12 +142,12 @@ fn open(context: &Context, studio: &mut Studio, sources: Vec<ImageSource>) {
 fn take_opened(studio: &mut Studio) {
     let Some(job) = studio.images.job.take() else { return };
     let found = match job.poll() {
-        Progress::Waiting => {
+        JobStatus::Waiting => {
             studio.images.job = Some(job);
             return;
         }
-        Progress::Done(found) => found,
-        Progress::Lost => {
+        JobStatus::Done(found) => found,
+        JobStatus::Lost => {
             let text = studio.texts.get("fault").to_owned();
             studio.toasts.error(text);
             return;
@@ -169,13 +169,13 @@ fn take_opened(studio: &mut Studio) {
 }
 
 fn take_answer(context: &Context, studio: &mut Studio) {
-    let Some((mut asking, usage, document)) = studio.images.asking.take() else { return };
-    match asking.poll(context, studio) {
-        Answer::Waiting => studio.images.asking = Some((asking, usage, document)),
-        Answer::Cancelled => {}
+    let Some((mut prompt, usage, document)) = studio.images.prompt.take() else { return };
+    match prompt.poll(context, studio) {
+        FilePromptState::Waiting => studio.images.prompt = Some((prompt, usage, document)),
+        FilePromptState::Cancelled => {}
         // Another document has come while the system's dialog was open.
-        Answer::Chosen(_) if document != studio.documents.number() => {}
-        Answer::Chosen(chosen) => {
+        FilePromptState::Chosen(_) if document != studio.documents.number() => {}
+        FilePromptState::Chosen(chosen) => {
             let folder =
                 studio.editor.path().and_then(Path::parent).map_or_else(PathBuf::new, Path::to_owned);
             give(studio, usage, &Image::path_from(&folder, &chosen.path));
@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn what_paths_have_led_to_holds_for_one_document_in_one_folder() {
         let (here, away) = (Some(Path::new("/here")), Some(Path::new("/away")));
-        let mut images = Images::default();
+        let mut images = DocumentImages::default();
         images.mind_home(0, here);
         let homes = [(0, here, true), (0, away, false), (0, None, false), (1, None, false), (1, None, true)];
         for (document, folder, is_same) in homes {

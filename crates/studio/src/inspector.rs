@@ -1,6 +1,6 @@
 //! The panel of values of what is selected.
 
-use catoptric_editor::{Item, Label, Refused, Selection};
+use catoptric_editor::{Item, Label, RefusedChange, Selection};
 use egui::{Id, Key, ScrollArea, Ui};
 
 use crate::context::Cx;
@@ -25,7 +25,7 @@ mod sheet;
 mod surroundings;
 mod symbol;
 
-pub(crate) use kinds::{PRESETS as KINDS, Preset as KindPreset};
+pub(crate) use kinds::{CoefficientPreset as KindPreset, PRESETS as KINDS};
 pub(crate) use material::give_texture;
 pub(crate) use physical::told as model_told;
 use symbol::Symbol;
@@ -36,11 +36,11 @@ const LEAST_WIDTH: f32 = 150.0;
 /// What the inspector keeps from frame to frame.
 #[derive(Default)]
 pub(crate) struct Inspector {
-    memory: Memory,
+    memory: InspectorState,
 }
 
-/// What rows remember and tell each other.
-pub(crate) struct Memory {
+/// The state that rows keep and share.
+pub(crate) struct InspectorState {
     /// The symbol that is lit, in the formula and in the rows.
     pub(crate) pointed: Option<Symbol>,
     /// The symbol of the row under the pointer in this frame.
@@ -50,24 +50,24 @@ pub(crate) struct Memory {
     /// What was selected in the last frame.
     pub(crate) selection: Selection,
     /// Why the last change was refused.
-    pub(crate) note: Option<Note>,
+    pub(crate) note: Option<RefusalNote>,
     /// The last change made here, to know which gesture Escape takes back.
     pub(crate) gesture: Option<Label>,
-    /// Whether the drag that still goes on has been given up.
+    /// Whether the present drag was cancelled.
     pub(crate) is_given_up: bool,
     /// Whether the three factors of a scale keep their ratios.
     pub(crate) scale_link: bool,
     /// Whether the edges of a cube do.
     pub(crate) size_link: bool,
     /// The vectors at the start of a gesture.
-    pub(crate) starts: sheet::Starts,
+    pub(crate) starts: sheet::StartVectors,
     /// How many generations the scene needs.
-    pub(crate) adviser: depth::Adviser,
+    pub(crate) adviser: depth::DepthAdviser,
     /// The curves of the material that was shown last.
-    pub(crate) curves: curve::Curves,
+    pub(crate) curves: curve::ReflectanceCurves,
 }
 
-impl Default for Memory {
+impl Default for InspectorState {
     fn default() -> Self {
         Self {
             pointed: None,
@@ -80,16 +80,16 @@ impl Default for Memory {
             // A body is scaled as a whole at first.
             scale_link: true,
             size_link: false,
-            starts: sheet::Starts::default(),
-            adviser: depth::Adviser::default(),
-            curves: curve::Curves::default(),
+            starts: sheet::StartVectors::default(),
+            adviser: depth::DepthAdviser::default(),
+            curves: curve::ReflectanceCurves::default(),
         }
     }
 }
 
-/// Why something was refused, and at which row.
+/// The reason of a refusal, and the row it belongs to.
 #[derive(Clone, Debug)]
-pub(crate) struct Note {
+pub(crate) struct RefusalNote {
     pub(crate) id: Id,
     pub(crate) key: &'static str,
     pub(crate) text: String,
@@ -133,7 +133,7 @@ pub(crate) fn inspector_ui(ui: &mut Ui, cx: &mut Cx<'_>, inspector: &mut Inspect
 }
 
 /// Escape takes back what is being dragged or typed here.
-fn escape(ui: &Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+fn escape(ui: &Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let (is_escaped, is_down) = ui.input(|input| (input.key_pressed(Key::Escape), input.pointer.any_down()));
     memory.is_given_up &= is_down;
     let is_ours = memory.gesture.is_some() && cx.editor.gesture_label() == memory.gesture.as_ref();
@@ -145,7 +145,7 @@ fn escape(ui: &Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
 }
 
 /// Why a change was refused, in the language of the window.
-pub(crate) fn explain(texts: &Texts, refused: &Refused) -> String {
+pub(crate) fn explain(texts: &Texts, refused: &RefusedChange) -> String {
     let key = match refused.problems.first().map(|problem| problem.key) {
         Some("target") => "refused-target",
         Some("up") => "refused-up",

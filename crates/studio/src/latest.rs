@@ -6,7 +6,7 @@ use std::time::Duration;
 use catoptric_tracer::RenderControl;
 use egui::Context;
 
-use crate::documents::job::{Job, Progress};
+use crate::documents::job::{Job, JobStatus};
 
 /// Work that nobody waits for any more may go on for so long: it is nearly done, and begun anew in every frame of a
 /// drag, none would ever be.
@@ -14,10 +14,10 @@ const PATIENCE: Duration = Duration::from_millis(400);
 
 /// Work for a key, and its result.
 pub(crate) struct Latest<K, T> {
-    running: Option<Running<K, T>>,
+    running: Option<LatestTask<K, T>>,
 }
 
-struct Running<K, T> {
+struct LatestTask<K, T> {
     key: K,
     control: Arc<RenderControl>,
     job: Job<T>,
@@ -62,7 +62,7 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
                 let control = Arc::new(RenderControl::default());
                 let own = Arc::clone(&control);
                 // Without a thread there is no result; the next frame tries again.
-                self.running = Job::start(context, "lab", move || work(&own)).ok().map(|job| Running {
+                self.running = Job::start(context, "lab", move || work(&own)).ok().map(|job| LatestTask {
                     key: key.clone(),
                     control,
                     job,
@@ -74,9 +74,9 @@ impl<K: PartialEq + Clone, T: Send + 'static> Latest<K, T> {
     /// What was found, once, with its key; `None` for work that broke down.
     pub(crate) fn poll(&mut self) -> Option<(K, Option<T>)> {
         let found = match self.running.as_ref()?.job.poll() {
-            Progress::Waiting => return None,
-            Progress::Done(found) => Some(found),
-            Progress::Lost => None,
+            JobStatus::Waiting => return None,
+            JobStatus::Done(found) => Some(found),
+            JobStatus::Lost => None,
         };
         self.running.take().map(|running| (running.key, found))
     }

@@ -114,8 +114,8 @@ pub(crate) fn is_in_front(tree: &Tree<Pane>, pane: Pane) -> bool {
         .is_some_and(|tile| tree.is_visible(tile) && tree.active_tiles().contains(&tile))
 }
 
-/// Shows or hides `pane`; a shown one comes to the front, and one of the drawer gets room. A panel that the layout has lost
-/// is put back.
+/// Shows or hides `pane`; a shown one comes to the front, and one of the drawer gets room. A panel that the layout has
+/// lost is put back.
 pub(crate) fn set_visible(tree: &mut Tree<Pane>, pane: Pane, visible: bool) {
     let Some(tile) = tree.tiles.find_pane(&pane) else {
         if visible {

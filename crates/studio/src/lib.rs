@@ -47,14 +47,16 @@ mod viewport;
 mod widgets;
 mod window;
 
-pub use app::{Start, Studio};
-pub use command::{AuditAct, Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
+pub use app::{StartDocument, Studio};
+pub use command::{
+    AuditCommand, Command, CommandGroup, CommandStyle, CompareCommand, MeasureCommand, Tool, ZoomStep,
+};
 pub use images::ImageUse;
 pub use layout::Pane;
-pub use methods::Methods;
+pub use methods::MethodSettings;
 pub use pictures::{PictureKind, RenderChoices};
 pub use settings::{LastScene, Settings, Theme};
 pub use texts::{Language, Texts};
 #[doc(hidden)]
-pub use window::{Fault, open_with_fault};
+pub use window::{InjectedLoss, open_with_fault};
 pub use window::{Interruption, StudioError, open, prepare as prepare_window};

@@ -3,10 +3,10 @@
 mod contents;
 mod formula;
 mod markdown;
+mod missing_glyphs;
 mod page_ui;
 mod pages;
 mod search;
-mod signs;
 
 use egui::accesskit::Role;
 use egui::{
@@ -19,10 +19,10 @@ use crate::app::Studio;
 use crate::texts::{Language, Texts};
 use crate::theme;
 use crate::widgets::icon_button;
-use markdown::{Content, Link, Page};
-use page_ui::{Measured, Shown};
+use markdown::{BlockContent, ManualLink, ManualPage};
+use page_ui::{BlockOffsets, PageView};
 use pages::SOURCES;
-use search::Hit;
+use search::SearchHit;
 
 /// The size of the window at first, and the least one, points.
 const SIZE: Vec2 = vec2(940.0, 640.0);
@@ -30,9 +30,9 @@ const LEAST: Vec2 = vec2(380.0, 240.0);
 /// How far an arrow key scrolls, points.
 const STEP: f32 = 60.0;
 
-/// A page and what of it is in view.
+/// A page and the block in view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Place {
+struct ManualLocation {
     page: usize,
     /// The block that was gone to.
     block: usize,
@@ -40,36 +40,36 @@ struct Place {
 
 /// The window of the manual.
 #[derive(Default)]
-pub(crate) struct Manual {
+pub(crate) struct ManualWindow {
     is_open: bool,
     /// Whether the window was used last, so that Esc and the keys that scroll are for it.
     has_keys: bool,
     is_new: bool,
-    place: Place,
+    place: ManualLocation,
     /// The places before this one.
-    back: Vec<Place>,
+    back: Vec<ManualLocation>,
     /// The block to scroll to.
     to: Option<usize>,
     /// The block that was found by search.
     marked: Option<usize>,
     search: String,
-    hits: Vec<Hit>,
+    hits: Vec<SearchHit>,
     /// The pages that have been read, and their language.
-    library: Option<(Language, Vec<Page>)>,
-    measured: Measured,
+    library: Option<(Language, Vec<ManualPage>)>,
+    measured: BlockOffsets,
 }
 
-/// What was chosen in the window.
+/// The links and buttons pressed in a frame.
 #[derive(Default)]
-struct Choice {
-    follows: Option<Link>,
+struct ManualResponse {
+    follows: Option<ManualLink>,
     /// A hit of the search.
-    hit: Option<Place>,
+    hit: Option<ManualLocation>,
     goes_back: bool,
     is_closed: bool,
 }
 
-impl Manual {
+impl ManualWindow {
     /// Opens the window, or brings it to the front.
     pub(crate) fn open(context: &Context, studio: &mut Studio) {
         let manual = &mut studio.manual;
@@ -89,7 +89,7 @@ impl Manual {
         }
         let sources = SOURCES.iter().enumerate();
         let pages = sources.map(|(place, source)| markdown::read(source.text(language), place, source.path));
-        let pages: Vec<Page> = pages.collect();
+        let pages: Vec<ManualPage> = pages.collect();
         self.hits = search::hits(&pages, &self.search);
         self.library = Some((language, pages));
         // Blocks have other places in another language.
@@ -97,7 +97,7 @@ impl Manual {
         self.back.clear();
     }
 
-    fn go_to(&mut self, place: Place) {
+    fn go_to(&mut self, place: ManualLocation) {
         if place != self.place {
             self.back.push(self.place);
         }
@@ -105,19 +105,19 @@ impl Manual {
         self.to = Some(place.block);
     }
 
-    fn follow(&mut self, context: &Context, link: Link) {
+    fn follow(&mut self, context: &Context, link: ManualLink) {
         match link {
-            Link::Web(url) => context.open_url(OpenUrl::new_tab(url)),
-            Link::Page(page, anchor) => {
+            ManualLink::Web(url) => context.open_url(OpenUrl::new_tab(url)),
+            ManualLink::Page(page, anchor) => {
                 let block = self.library.as_ref().and_then(|(_, pages)| heading(pages.get(page)?, &anchor));
                 self.marked = None;
-                self.go_to(Place { page, block: block.unwrap_or(0) });
+                self.go_to(ManualLocation { page, block: block.unwrap_or(0) });
             }
         }
     }
 
     /// Does what was chosen.
-    fn take(&mut self, context: &Context, choice: Choice) {
+    fn take(&mut self, context: &Context, choice: ManualResponse) {
         if let Some(place) = choice.hit {
             self.go_to(place);
             self.marked = Some(place.block);
@@ -140,9 +140,8 @@ fn window_id() -> Id {
 }
 
 /// The block with the heading that a link names.
-fn heading(page: &Page, anchor: &str) -> Option<usize> {
-    let is_named =
-        |content: &Content| matches!(content, Content::Heading { anchor: own, .. } if own == anchor);
+fn heading(page: &ManualPage, anchor: &str) -> Option<usize> {
+    let is_named = |content: &BlockContent| matches!(content, BlockContent::Heading { anchor: own, .. } if own == anchor);
     page.blocks.iter().position(|block| is_named(&block.content))
 }
 
@@ -157,7 +156,7 @@ pub(crate) fn manual_ui(context: &Context, studio: &mut Studio) {
     let most = (screen.size() - vec2(24.0, 24.0)).max(LEAST.min(screen.size()));
     let style = context.global_style();
     let frame = Frame::window(&style).inner_margin(Margin::same(10));
-    let mut choice = Choice::default();
+    let mut choice = ManualResponse::default();
     let shown = egui::Window::new(texts.get("command-manual"))
         .id(window_id())
         .title_bar(false)
@@ -179,7 +178,13 @@ pub(crate) fn manual_ui(context: &Context, studio: &mut Studio) {
 }
 
 /// The keys are for the window after it was opened or pressed, until something else is pressed. Esc closes it.
-fn mind_keys(context: &Context, manual: &mut Manual, rect: egui::Rect, choice: &mut Choice, is_behind: bool) {
+fn mind_keys(
+    context: &Context,
+    manual: &mut ManualWindow,
+    rect: egui::Rect,
+    choice: &mut ManualResponse,
+    is_behind: bool,
+) {
     let pressed = context.input(|input| {
         let is_pressed = input.pointer.any_pressed();
         input.pointer.interact_pos().filter(|_| is_pressed)
@@ -192,8 +197,8 @@ fn mind_keys(context: &Context, manual: &mut Manual, rect: egui::Rect, choice: &
     choice.is_closed |= is_free && context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
 }
 
-fn window_ui(ui: &mut Ui, texts: &Texts, manual: &mut Manual) -> Choice {
-    let mut choice = Choice::default();
+fn window_ui(ui: &mut Ui, texts: &Texts, manual: &mut ManualWindow) -> ManualResponse {
+    let mut choice = ManualResponse::default();
     head_ui(ui, texts, manual, &mut choice);
     ui.separator();
     let room = ui.available_size();
@@ -207,7 +212,7 @@ fn window_ui(ui: &mut Ui, texts: &Texts, manual: &mut Manual) -> Choice {
             let Some((_, pages)) = &manual.library else { return };
             let Some(page) = pages.get(manual.place.page) else { return };
             let step = scrolled_by_keys(ui, manual.has_keys, &page.title);
-            let shown = Shown { page, place: manual.place.page, marked: manual.marked, texts };
+            let shown = PageView { page, place: manual.place.page, marked: manual.marked, texts };
             let link = page_ui::page_ui(ui, &shown, &mut manual.measured, &mut manual.to, step);
             choice.follows = link.or(choice.follows.take());
         });
@@ -216,7 +221,7 @@ fn window_ui(ui: &mut Ui, texts: &Texts, manual: &mut Manual) -> Choice {
 }
 
 /// The name of the window, the way back, and the button that closes.
-fn head_ui(ui: &mut Ui, texts: &Texts, manual: &Manual, choice: &mut Choice) {
+fn head_ui(ui: &mut Ui, texts: &Texts, manual: &ManualWindow, choice: &mut ManualResponse) {
     ui.horizontal(|ui| {
         let color = theme::palette(ui.visuals()).accent;
         ui.label(icons::ICON_MENU_BOOK.rich_text().size(18.0).color(color));

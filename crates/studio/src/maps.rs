@@ -19,25 +19,25 @@ const COARSE: u32 = 6;
 /// Colors of a map.
 const SHADES: usize = 512;
 
-/// The map of the window, if one is wanted.
+/// The map of the window, if one is displayed.
 #[derive(Default)]
-pub(crate) struct Maps {
+pub(crate) struct MapState {
     pub(crate) kind: Option<MapKind>,
-    work: Latest<Key, Option<Mapped>>,
-    shown: Option<(Key, Map)>,
+    work: Latest<MapKey, Option<MapImage>>,
+    shown: Option<(MapKey, Map)>,
     texture: Option<TextureHandle>,
 }
 
-impl Maps {
+impl MapState {
     /// The device of the window is another: the map is made again.
     pub(crate) fn forget_textures(&mut self) {
         (self.shown, self.texture) = (None, None);
     }
 }
 
-/// What a map is made of.
+/// The inputs of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Key {
+struct MapKey {
     kind: MapKind,
     revision: u64,
     camera: Camera,
@@ -47,14 +47,14 @@ struct Key {
     step: u32,
 }
 
-/// A map and what it looks like.
-struct Mapped {
+/// A map and its image.
+struct MapImage {
     map: Map,
     image: ColorImage,
 }
 
-impl Key {
-    fn carry_out(self, stage: &RenderScene, control: &RenderControl) -> Option<Mapped> {
+impl MapKey {
+    fn carry_out(self, stage: &RenderScene, control: &RenderControl) -> Option<MapImage> {
         let [width, height] = self.size.map(|side| side.div_ceil(self.step).max(1));
         let settings = MapSettings {
             kind: self.kind,
@@ -70,7 +70,7 @@ impl Key {
         let pixels = map.values.iter().map(|value| scale.get(shade(value)).copied().unwrap_or_default());
         let pixels = pixels.collect();
         let image = ColorImage::new([width as usize, height as usize], pixels);
-        Some(Mapped { map, image })
+        Some(MapImage { map, image })
     }
 }
 
@@ -95,7 +95,7 @@ pub(crate) fn draw(painter: &Painter, cx: &mut Cx<'_>, rect: Rect, camera: Camer
     }
     let Some((revision, stage)) = cx.live.stage() else { return };
     let size = (rect.size() * painter.ctx().pixels_per_point()).round();
-    let wanted = Key {
+    let wanted = MapKey {
         kind,
         revision,
         camera,
@@ -104,8 +104,8 @@ pub(crate) fn draw(painter: &Painter, cx: &mut Cx<'_>, rect: Rect, camera: Camer
         step: COARSE,
     };
     let key = match &cx.maps.shown {
-        Some((known, _)) if Key { step: COARSE, ..*known } != wanted => wanted,
-        Some((known, _)) if known.step == COARSE && !cx.view.is_moving => Key { step: 1, ..wanted },
+        Some((known, _)) if MapKey { step: COARSE, ..*known } != wanted => wanted,
+        Some((known, _)) if known.step == COARSE && !cx.view.is_moving => MapKey { step: 1, ..wanted },
         Some(_) => return,
         None => wanted,
     };
@@ -116,8 +116,8 @@ pub(crate) fn draw(painter: &Painter, cx: &mut Cx<'_>, rect: Rect, camera: Camer
 }
 
 /// Takes up a map that is ready.
-fn poll(context: &Context, maps: &mut Maps) {
-    let Some((key, Some(Some(Mapped { map, image })))) = maps.work.poll() else { return };
+fn poll(context: &Context, maps: &mut MapState) {
+    let Some((key, Some(Some(MapImage { map, image })))) = maps.work.poll() else { return };
     let is_whole = key.step == 1;
     let options = if is_whole { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
     match &mut maps.texture {

@@ -22,14 +22,14 @@ use crate::thumbnails::Thumbnails;
 use crate::widgets::explained_icon_button;
 use crate::widgets::filter::filter_field;
 use presets::PRESETS;
-use preview::Preview;
+use preview::MaterialPreview;
 
 /// The width of the field above the pictures, points; where less than twice this is there, it takes a line of its own.
 const FILTER: f32 = 240.0;
 
-/// What belongs together.
+/// A section of the list of materials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Section {
+enum MaterialSection {
     /// What bodies of this scene share.
     Scene,
     /// Phong's and Whitted's models.
@@ -40,7 +40,7 @@ enum Section {
     Rough,
 }
 
-impl Section {
+impl MaterialSection {
     const ALL: [Self; 6] = [Self::Scene, Self::Constant, Self::Metals, Self::Clear, Self::Coats, Self::Rough];
 
     /// The message that names it.
@@ -56,16 +56,16 @@ impl Section {
     }
 }
 
-/// Something to choose.
+/// A material to choose: the scene's or a preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Thing {
+enum MaterialItem {
     /// The scene's material at this place.
     Scene(usize),
     /// The preset at this place.
     Preset(usize),
 }
 
-impl Thing {
+impl MaterialItem {
     fn material(self, scene: &Scene) -> Option<&Material> {
         match self {
             Self::Scene(place) => scene.materials.get(place).map(|named| &named.material),
@@ -73,10 +73,12 @@ impl Thing {
         }
     }
 
-    fn section(self) -> Section {
+    fn section(self) -> MaterialSection {
         match self {
-            Self::Scene(_) => Section::Scene,
-            Self::Preset(place) => PRESETS.get(place).map_or(Section::Constant, |preset| preset.section),
+            Self::Scene(_) => MaterialSection::Scene,
+            Self::Preset(place) => {
+                PRESETS.get(place).map_or(MaterialSection::Constant, |preset| preset.section)
+            }
         }
     }
 
@@ -89,30 +91,30 @@ impl Thing {
     }
 }
 
-/// What the panel keeps from frame to frame.
+/// The state of the panel.
 #[derive(Default)]
-pub(crate) struct Browser {
+pub(crate) struct MaterialBrowser {
     filter: String,
-    found: Option<Found>,
+    found: Option<MaterialFilterResult>,
     /// The thing that the keys have come to, among those that were found.
     cursor: usize,
     /// Whether it is to be brought into view.
     scrolls: bool,
     /// Whether the list is to have the keys.
     wants_focus: bool,
-    thumbnails: Thumbnails<Preview>,
-    /// What materials of the scene were by name when there last was a picture: it stays until there is one of what they are
-    /// now.
-    seen: HashMap<String, Preview>,
+    thumbnails: Thumbnails<MaterialPreview>,
+    /// What materials of the scene were by name when there last was a picture: it stays until there is one of what they
+    /// are now.
+    seen: HashMap<String, MaterialPreview>,
 }
 
-/// What was found, for which document and filter.
-struct Found {
+/// The materials that pass a filter, with the document and filter they belong to.
+struct MaterialFilterResult {
     key: (u64, String),
-    things: Vec<Thing>,
+    things: Vec<MaterialItem>,
 }
 
-impl Browser {
+impl MaterialBrowser {
     /// The panel was asked for: arrows choose at once.
     pub(crate) fn take_focus(&mut self) {
         (self.wants_focus, self.scrolls) = (true, true);
@@ -137,13 +139,13 @@ impl Browser {
         let materials = cx.editor.scene().materials.iter().enumerate();
         let of_scene = materials
             .filter(|(_, named)| key.1.is_empty() || presets::has(&named.name.to_lowercase(), &key.1));
-        let mut things: Vec<Thing> = of_scene.map(|(place, _)| Thing::Scene(place)).collect();
-        things.extend(presets::found(&key.1).map(Thing::Preset));
+        let mut things: Vec<MaterialItem> = of_scene.map(|(place, _)| MaterialItem::Scene(place)).collect();
+        things.extend(presets::found(&key.1).map(MaterialItem::Preset));
         if self.found.as_ref().is_some_and(|found| found.key.1 != key.1) {
             (self.cursor, self.scrolls) = (0, true);
         }
         self.cursor = self.cursor.min(things.len().saturating_sub(1));
-        self.found = Some(Found { key, things });
+        self.found = Some(MaterialFilterResult { key, things });
     }
 }
 
@@ -153,7 +155,7 @@ pub(crate) fn list_id() -> Id {
 }
 
 /// Draws the materials; one that is chosen is given to what is selected.
-pub(crate) fn materials_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser) {
+pub(crate) fn materials_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowser) {
     head_ui(ui, cx, browser);
     browser.find(cx);
     if let Some(thing) = grid::grid_ui(ui, cx, browser) {
@@ -162,7 +164,7 @@ pub(crate) fn materials_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser) 
 }
 
 /// The field that finds by name, and what a click does.
-fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser) {
+fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowser) {
     let is_wide = ui.available_width() > 2.0 * FILTER;
     if is_wide {
         ui.horizontal(|ui| {
@@ -176,7 +178,7 @@ fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser) {
     ui.add_space(2.0);
 }
 
-fn filter_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser, width: f32) {
+fn filter_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowser, width: f32) {
     let texts = cx.texts;
     let tip = texts.tip("materials-filter").unwrap_or_default();
     let words = [texts.get("materials-filter"), tip, texts.get("outliner-filter-clear")];
@@ -246,9 +248,9 @@ fn target(cx: &Cx<'_>) -> (String, bool) {
     }
 }
 
-/// Gives the selected bodies a material: one of the scene is shared, a preset becomes their own. If materials are selected
-/// instead, they become what the preset is.
-fn give(cx: &mut Cx<'_>, thing: Thing) {
+/// Gives the selected bodies a material: one of the scene is shared, a preset becomes their own. If materials are
+/// selected instead, they become what the preset is.
+fn give(cx: &mut Cx<'_>, thing: MaterialItem) {
     let scene = Arc::clone(cx.editor.scene());
     let selection = cx.editor.selection();
     let materials: Vec<usize> = selection
@@ -257,7 +259,7 @@ fn give(cx: &mut Cx<'_>, thing: Thing) {
         .collect();
     let is_for_bodies = selection.bodies().next().is_some();
     match (thing, thing.material(&scene)) {
-        (Thing::Preset(_), Some(preset)) if !is_for_bodies && !materials.is_empty() => {
+        (MaterialItem::Preset(_), Some(preset)) if !is_for_bodies && !materials.is_empty() => {
             cx.editor.settle();
             let subject = match materials.as_slice() {
                 [only] => Item::Material(*only).name(&scene).to_owned(),

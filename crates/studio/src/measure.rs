@@ -1,38 +1,38 @@
 //! The measurement: how the time of a picture grows, measured while everything else rests.
 
+mod export;
 mod form;
 mod panel;
 mod plot;
 mod results;
-mod saving;
-mod work;
+mod task;
 
 use std::sync::Arc;
 
-use catoptric_lab::measure::Measured;
+use catoptric_lab::measure::Measurement;
 use egui::Context;
 
 use crate::app::Studio;
-use crate::command::MeasureAct;
+use crate::command::MeasureCommand;
 use crate::layout::{self, Pane};
 
 pub(crate) use panel::measure_ui;
 
-use form::Form;
-use work::{Failure, Running};
+use form::MeasureForm;
+use task::{MeasureFailure, MeasureTask};
 
 /// The measurement of the window.
 #[derive(Default)]
-pub(crate) struct Measuring {
-    form: Form,
-    running: Option<Running>,
+pub(crate) struct MeasureState {
+    form: MeasureForm,
+    running: Option<MeasureTask>,
     /// What was measured, or is so far.
-    measured: Option<Arc<Measured>>,
-    failure: Option<Failure>,
-    shown: results::Shown,
+    measured: Option<Arc<Measurement>>,
+    failure: Option<MeasureFailure>,
+    shown: results::ResultsView,
 }
 
-impl Measuring {
+impl MeasureState {
     /// Whether times are being measured.
     pub(crate) fn is_running(&self) -> bool {
         self.running.is_some()
@@ -45,15 +45,15 @@ impl Measuring {
 }
 
 /// Does `act`.
-pub(crate) fn run(context: &Context, studio: &mut Studio, act: MeasureAct) {
+pub(crate) fn run(context: &Context, studio: &mut Studio, act: MeasureCommand) {
     match act {
-        MeasureAct::Start => start(context, studio),
-        MeasureAct::Stop => {
+        MeasureCommand::Start => start(context, studio),
+        MeasureCommand::Stop => {
             if let Some(running) = &studio.panes.measure.running {
                 running.cancel();
             }
         }
-        MeasureAct::Save => saving::ask(studio),
+        MeasureCommand::Save => export::ask(studio),
     }
 }
 
@@ -65,16 +65,15 @@ fn start(context: &Context, studio: &mut Studio) {
         layout::set_visible(&mut studio.layout, Pane::Measure, true);
     }
     if studio.is_rendering() {
-        studio.panes.measure.failure = Some(Failure::Busy);
+        studio.panes.measure.failure = Some(MeasureFailure::Busy);
         return;
     }
     let scene = studio.editor.scene();
     let name = studio.editor.title().trim_end_matches(".toml").to_owned();
     let measuring = &mut studio.panes.measure;
-    let started =
-        measuring.form.plan(scene, name).map_err(Failure::Form).and_then(|plan| {
-            Running::start(context, plan).map_err(|error| Failure::Fault(error.to_string()))
-        });
+    let started = measuring.form.plan(scene, name).map_err(MeasureFailure::Form).and_then(|plan| {
+        MeasureTask::start(context, plan).map_err(|error| MeasureFailure::Fault(error.to_string()))
+    });
     match started {
         Ok(running) => {
             (measuring.measured, measuring.failure) = (None, None);

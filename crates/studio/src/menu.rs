@@ -4,7 +4,7 @@ mod alt_key;
 mod focus;
 
 use catoptric_editor::Action;
-use catoptric_editor::navigate::Axis;
+use catoptric_editor::navigate::ViewSide;
 use catoptric_lab::maps::MapKind;
 use catoptric_scene::{Example, ShapeKind};
 use catoptric_tracer::raster::MethodKind;
@@ -16,7 +16,7 @@ use egui::{
 use egui_material_icons::{MaterialIcon, icons};
 
 use crate::app::Studio;
-use crate::command::{AuditAct, Command, CompareAct, MeasureAct, Situation, Tool, Zoom};
+use crate::command::{AuditCommand, Command, CommandContext, CompareCommand, MeasureCommand, Tool, ZoomStep};
 use crate::documents::recent;
 use crate::example_note::example_title;
 use crate::layout::Pane;
@@ -31,7 +31,7 @@ pub(crate) use focus::MenuFocus;
 const FULL_WIDTH: f32 = 520.0;
 
 /// An entry of a menu.
-enum Entry {
+enum MenuItem {
     /// A command.
     Do(Command),
     /// A line.
@@ -43,7 +43,7 @@ enum Entry {
 /// A menu of the bar.
 struct Menu {
     key: &'static str,
-    entries: fn() -> Vec<Entry>,
+    entries: fn() -> Vec<MenuItem>,
 }
 
 const MENUS: [Menu; 6] = [
@@ -156,26 +156,26 @@ fn right_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 fn entries_ui(
     ui: &mut Ui,
     studio: &Studio,
-    entries: Vec<Entry>,
+    entries: Vec<MenuItem>,
     commands: &mut Vec<Command>,
     mut focus: Option<&mut MenuFocus>,
 ) {
     ui.set_min_width(230.0);
     for entry in entries {
-        let is_submenu = matches!(entry, Entry::Sub(..));
+        let is_submenu = matches!(entry, MenuItem::Sub(..));
         let response = match entry {
-            Entry::Do(command) => {
+            MenuItem::Do(command) => {
                 let response = item_response(ui, studio.situation(), &command);
                 if response.as_ref().is_some_and(Response::clicked) {
                     commands.push(command);
                 }
                 response
             }
-            Entry::Line => {
+            MenuItem::Line => {
                 ui.separator();
                 None
             }
-            Entry::Sub(key, icon, content) => {
+            MenuItem::Sub(key, icon, content) => {
                 let text = studio.texts.get(key);
                 let button =
                     Button::new((icon.rich_text(), text)).right_text(SubMenuButton::arrow_atom(None));
@@ -191,11 +191,11 @@ fn entries_ui(
 }
 
 /// Draws a command as an entry of a menu, which closes with it; returns whether it was chosen.
-pub(crate) fn item(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> bool {
+pub(crate) fn item(ui: &mut Ui, situation: CommandContext<'_>, command: &Command) -> bool {
     item_response(ui, situation, command).is_some_and(|response| response.clicked())
 }
 
-fn item_response(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> Option<Response> {
+fn item_response(ui: &mut Ui, situation: CommandContext<'_>, command: &Command) -> Option<Response> {
     let look = command.look()?;
     let name = situation.name(command);
     let is_on = situation.is_on(command);
@@ -224,94 +224,96 @@ fn item_response(ui: &mut Ui, situation: Situation<'_>, command: &Command) -> Op
     Some(response)
 }
 
-fn commands_of<const N: usize>(commands: [Command; N]) -> impl Iterator<Item = Entry> {
-    commands.into_iter().map(Entry::Do)
+fn commands_of<const N: usize>(commands: [Command; N]) -> impl Iterator<Item = MenuItem> {
+    commands.into_iter().map(MenuItem::Do)
 }
 
-fn file() -> Vec<Entry> {
-    let mut entries: Vec<Entry> = commands_of([Command::New, Command::Open]).collect();
-    entries.push(Entry::Sub("menu-recent", icons::ICON_HISTORY, recent_ui));
-    entries.push(Entry::Sub("menu-examples", icons::ICON_PHOTO_LIBRARY, examples_ui));
-    entries.push(Entry::Line);
+fn file() -> Vec<MenuItem> {
+    let mut entries: Vec<MenuItem> = commands_of([Command::New, Command::Open]).collect();
+    entries.push(MenuItem::Sub("menu-recent", icons::ICON_HISTORY, recent_ui));
+    entries.push(MenuItem::Sub("menu-examples", icons::ICON_PHOTO_LIBRARY, examples_ui));
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([Command::Save, Command::SaveAs, Command::Revert]));
-    entries.push(Entry::Line);
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([Command::Render, Command::RenderShown, Command::CopyPicture]));
-    entries.push(Entry::Line);
-    entries.push(Entry::Do(Command::Quit));
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Do(Command::Quit));
     entries
 }
 
-fn edit() -> Vec<Entry> {
+fn edit() -> Vec<MenuItem> {
     let edit = Command::Edit;
-    let mut entries: Vec<Entry> = commands_of([edit(Action::Undo), edit(Action::Redo)]).collect();
-    entries.push(Entry::Line);
+    let mut entries: Vec<MenuItem> = commands_of([edit(Action::Undo), edit(Action::Redo)]).collect();
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([Command::Cut, Command::Copy, Command::Paste]));
     entries.extend(commands_of([edit(Action::Duplicate), edit(Action::Delete), Command::Rename]));
-    entries.push(Entry::Line);
-    entries.push(Entry::Sub("menu-select", icons::ICON_SELECT_ALL, select_ui));
-    entries.push(Entry::Sub("menu-material", icons::ICON_PALETTE, material_ui));
-    entries.push(Entry::Line);
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Sub("menu-select", icons::ICON_SELECT_ALL, select_ui));
+    entries.push(MenuItem::Sub("menu-material", icons::ICON_PALETTE, material_ui));
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([edit(Action::ToggleHidden), edit(Action::ShowAll)]));
     entries.extend(commands_of([edit(Action::ToggleLocked), edit(Action::UnlockAll)]));
-    entries.push(Entry::Line);
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([edit(Action::MoveUp), edit(Action::MoveDown)]));
     entries.extend(commands_of([edit(Action::DropToGround), edit(Action::ResetPlacement)]));
     entries
 }
 
-fn add() -> Vec<Entry> {
-    let mut entries: Vec<Entry> = commands_of(ShapeKind::ALL.map(Command::AddBody)).collect();
-    entries.push(Entry::Line);
+fn add() -> Vec<MenuItem> {
+    let mut entries: Vec<MenuItem> = commands_of(ShapeKind::ALL.map(Command::AddBody)).collect();
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([Command::AddLight, Command::AddMaterial]));
     entries
 }
 
-fn view() -> Vec<Entry> {
-    let mut entries: Vec<Entry> = commands_of([Command::FrameSelection, Command::FrameAll]).collect();
-    entries.push(Entry::Sub("menu-sides", icons::ICON_VIEW_IN_AR, sides_ui));
+fn view() -> Vec<MenuItem> {
+    let mut entries: Vec<MenuItem> = commands_of([Command::FrameSelection, Command::FrameAll]).collect();
+    entries.push(MenuItem::Sub("menu-sides", icons::ICON_VIEW_IN_AR, sides_ui));
     entries.extend(commands_of([Command::ToggleProjection, Command::ToggleFreeView]));
     entries.extend(commands_of([Command::CameraFromView, Command::ToggleFly]));
-    entries.push(Entry::Line);
-    entries.push(Entry::Sub("menu-method", icons::ICON_FLARE, methods_ui));
-    entries.push(Entry::Sub("menu-shown", icons::ICON_LAYERS, shown_ui));
-    entries.push(Entry::Do(Command::ToggleCard));
-    entries.push(Entry::Line);
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Sub("menu-method", icons::ICON_FLARE, methods_ui));
+    entries.push(MenuItem::Sub("menu-shown", icons::ICON_LAYERS, shown_ui));
+    entries.push(MenuItem::Do(Command::ToggleCard));
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool)));
-    entries.push(Entry::Do(Command::AimLight));
+    entries.push(MenuItem::Do(Command::AimLight));
     entries.extend(commands_of([Command::ToggleGizmoSpace, Command::ToggleGrid, Command::ToggleHandles]));
-    entries.push(Entry::Line);
-    entries.push(Entry::Sub("menu-panels", icons::ICON_DASHBOARD, panels_ui));
-    entries.push(Entry::Sub("menu-theme", icons::ICON_CONTRAST, theme_ui));
-    entries.push(Entry::Sub("menu-language", icons::ICON_LANGUAGE, language_ui));
-    entries.push(Entry::Sub("menu-zoom", icons::ICON_ZOOM_IN, zoom_ui));
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Sub("menu-panels", icons::ICON_DASHBOARD, panels_ui));
+    entries.push(MenuItem::Sub("menu-theme", icons::ICON_CONTRAST, theme_ui));
+    entries.push(MenuItem::Sub("menu-language", icons::ICON_LANGUAGE, language_ui));
+    entries.push(MenuItem::Sub("menu-zoom", icons::ICON_ZOOM_IN, zoom_ui));
     entries
 }
 
-fn lab() -> Vec<Entry> {
-    use AuditAct::{All, Copy, Next, Play, Previous, Release, Save, Tool, View};
+fn lab() -> Vec<MenuItem> {
+    use AuditCommand::{All, Copy, Next, Play, Previous, Release, Save, Tool, View};
     let (audit, compare, measure) = (Command::Audit, Command::Compare, Command::Measure);
-    let mut entries: Vec<Entry> = commands_of([Tool, View].map(audit)).collect();
+    let mut entries: Vec<MenuItem> = commands_of([Tool, View].map(audit)).collect();
     entries.extend(commands_of([Previous, Next, All, Play].map(audit)));
     entries.extend(commands_of([Copy, Save, Release].map(audit)));
-    entries.push(Entry::Line);
-    entries.push(Entry::Do(Command::ToggleExact));
-    entries.push(Entry::Sub("menu-map", icons::ICON_STACKS, maps_ui));
-    entries.push(Entry::Line);
-    entries.push(Entry::Do(Command::TogglePane(Pane::Compare)));
-    entries.extend(commands_of([CompareAct::Swap, CompareAct::Save].map(compare)));
-    entries.push(Entry::Line);
-    entries.push(Entry::Do(Command::TogglePane(Pane::Measure)));
-    entries.extend(commands_of([MeasureAct::Start, MeasureAct::Stop, MeasureAct::Save].map(measure)));
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Do(Command::ToggleExact));
+    entries.push(MenuItem::Sub("menu-map", icons::ICON_STACKS, maps_ui));
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Do(Command::TogglePane(Pane::Compare)));
+    entries.extend(commands_of([CompareCommand::Swap, CompareCommand::Save].map(compare)));
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Do(Command::TogglePane(Pane::Measure)));
+    entries.extend(commands_of(
+        [MeasureCommand::Start, MeasureCommand::Stop, MeasureCommand::Save].map(measure),
+    ));
     entries
 }
 
-fn help() -> Vec<Entry> {
-    let mut entries: Vec<Entry> = commands_of([Command::Manual, Command::Palette]).collect();
-    entries.push(Entry::Line);
+fn help() -> Vec<MenuItem> {
+    let mut entries: Vec<MenuItem> = commands_of([Command::Manual, Command::Palette]).collect();
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([Command::FirstSteps, Command::ExampleNote]));
     entries.extend(commands_of([Command::Terms, Command::Shortcuts]));
-    entries.push(Entry::Line);
-    entries.push(Entry::Do(Command::About));
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Do(Command::About));
     entries
 }
 
@@ -338,7 +340,7 @@ fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 }
 
 fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, Axis::ALL.map(Command::LookAlong));
+    do_ui(ui, studio, commands, ViewSide::ALL.map(Command::LookAlong));
 }
 
 fn maps_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
@@ -381,7 +383,7 @@ fn language_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 }
 
 fn zoom_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, [Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));
+    do_ui(ui, studio, commands, [ZoomStep::In, ZoomStep::Out, ZoomStep::Normal].map(Command::Zoom));
 }
 
 /// The pass in which the recent files were shown last.

@@ -4,7 +4,7 @@ pub(crate) mod chooser;
 pub(crate) mod fields;
 
 use catoptric_lab::Variant;
-use catoptric_live::Shows;
+use catoptric_live::DisplayContent;
 use catoptric_tracer::raster::{GBufferLayer, Method, MethodKind};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
@@ -14,29 +14,29 @@ use crate::texts::Texts;
 
 /// The methods with the settings that each had last, and the one that is chosen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "Written", into = "Written")]
-pub struct Methods {
+#[serde(from = "StoredMethods", into = "StoredMethods")]
+pub struct MethodSettings {
     chosen: MethodKind,
     /// In the order of [`MethodKind::ALL`].
     all: [Method; MethodKind::ALL.len()],
 }
 
-/// As it is remembered: each method as the command line writes it.
+/// The form in the settings file: each method as the command line writes it.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default)]
-struct Written {
+struct StoredMethods {
     chosen: String,
     settings: Vec<String>,
 }
 
-impl Default for Methods {
+impl Default for MethodSettings {
     fn default() -> Self {
         Self { chosen: MethodKind::Whitted, all: MethodKind::ALL.map(MethodKind::method) }
     }
 }
 
-impl Methods {
-    /// Those of the first time with this one chosen.
+impl MethodSettings {
+    /// The default settings with one method chosen.
     pub(crate) fn with(kind: MethodKind) -> Self {
         Self { chosen: kind, ..Self::default() }
     }
@@ -76,8 +76,8 @@ impl Methods {
     }
 }
 
-impl From<Written> for Methods {
-    fn from(written: Written) -> Self {
+impl From<StoredMethods> for MethodSettings {
+    fn from(written: StoredMethods) -> Self {
         let mut methods = Self::default();
         // What another version has written otherwise is as at the first time.
         for method in written.settings.iter().filter_map(|text| text.parse::<Variant>().ok()) {
@@ -89,8 +89,8 @@ impl From<Written> for Methods {
     }
 }
 
-impl From<Methods> for Written {
-    fn from(methods: Methods) -> Self {
+impl From<MethodSettings> for StoredMethods {
+    fn from(methods: MethodSettings) -> Self {
         let settings = methods.all.map(|method| Variant::from(method).name).to_vec();
         Self { chosen: methods.chosen.name().to_owned(), settings }
     }
@@ -121,39 +121,43 @@ pub(crate) const fn short_key(kind: MethodKind) -> &'static str {
 }
 
 /// What can be seen of a drawing, in the order in which to offer it.
-pub(crate) const ALL_SHOWN: [Shows; 9] = [
-    Shows::Picture,
-    Shows::Layer(GBufferLayer::Depth),
-    Shows::Layer(GBufferLayer::Normal),
-    Shows::Layer(GBufferLayer::Body),
-    Shows::Layer(GBufferLayer::Color),
-    Shows::Layer(GBufferLayer::Coefficients),
-    Shows::Layer(GBufferLayer::Lit),
-    Shows::Layer(GBufferLayer::Reflected),
-    Shows::UnfoldedCube(None),
+pub(crate) const ALL_SHOWN: [DisplayContent; 9] = [
+    DisplayContent::Picture,
+    DisplayContent::Layer(GBufferLayer::Depth),
+    DisplayContent::Layer(GBufferLayer::Normal),
+    DisplayContent::Layer(GBufferLayer::Body),
+    DisplayContent::Layer(GBufferLayer::Color),
+    DisplayContent::Layer(GBufferLayer::Coefficients),
+    DisplayContent::Layer(GBufferLayer::Lit),
+    DisplayContent::Layer(GBufferLayer::Reflected),
+    DisplayContent::UnfoldedCube(None),
 ];
 
 /// The message that names what is seen; its attribute `.tip` explains it.
-pub(crate) const fn shown_key(shows: Shows) -> &'static str {
+pub(crate) const fn shown_key(shows: DisplayContent) -> &'static str {
     match shows {
-        Shows::Picture => "command-show-picture",
-        Shows::Layer(GBufferLayer::Depth) => "command-show-depth",
-        Shows::Layer(GBufferLayer::Normal) => "command-show-normal",
-        Shows::Layer(GBufferLayer::Color) => "command-show-color",
-        Shows::Layer(GBufferLayer::Coefficients) => "command-show-coefficients",
-        Shows::Layer(GBufferLayer::Body) => "command-show-body",
-        Shows::Layer(GBufferLayer::Lit) => "command-show-lit",
-        Shows::Layer(GBufferLayer::Reflected) => "command-show-reflected",
-        Shows::UnfoldedCube(_) => "command-show-unfolded",
+        DisplayContent::Picture => "command-show-picture",
+        DisplayContent::Layer(GBufferLayer::Depth) => "command-show-depth",
+        DisplayContent::Layer(GBufferLayer::Normal) => "command-show-normal",
+        DisplayContent::Layer(GBufferLayer::Color) => "command-show-color",
+        DisplayContent::Layer(GBufferLayer::Coefficients) => "command-show-coefficients",
+        DisplayContent::Layer(GBufferLayer::Body) => "command-show-body",
+        DisplayContent::Layer(GBufferLayer::Lit) => "command-show-lit",
+        DisplayContent::Layer(GBufferLayer::Reflected) => "command-show-reflected",
+        DisplayContent::UnfoldedCube(_) => "command-show-unfolded",
     }
 }
 
 /// Whether a method's drawings have what is to be seen.
-pub(crate) fn has(method: &Method, shows: Shows) -> bool {
+pub(crate) fn has(method: &Method, shows: DisplayContent) -> bool {
     use catoptric_tracer::raster::SsrFallback;
     match (shows, method) {
-        (Shows::Picture, _) | (_, Method::CubeMap(_)) | (Shows::Layer(_), Method::Ssr(_)) => true,
-        (Shows::UnfoldedCube(_), Method::Ssr(ssr)) => matches!(ssr.fallback, SsrFallback::CubeMap(_)),
+        (DisplayContent::Picture, _)
+        | (_, Method::CubeMap(_))
+        | (DisplayContent::Layer(_), Method::Ssr(_)) => true,
+        (DisplayContent::UnfoldedCube(_), Method::Ssr(ssr)) => {
+            matches!(ssr.fallback, SsrFallback::CubeMap(_))
+        }
         _ => false,
     }
 }
@@ -186,7 +190,7 @@ mod tests {
 
     #[test]
     fn what_was_chosen_is_remembered() {
-        let mut methods = Methods::with(MethodKind::Ssr);
+        let mut methods = MethodSettings::with(MethodKind::Ssr);
         methods.set(Method::CubeMap(CubeMapSettings { size: 64, parallax: true }));
         methods.set(Method::Flat(ShadingSettings { fineness: 3, ..ShadingSettings::default() }));
         assert_eq!(
@@ -194,10 +198,10 @@ mod tests {
             Method::Phong(ShadingSettings { fineness: 3, ..ShadingSettings::default() })
         );
         let text = serde_json::to_string(&methods).unwrap();
-        assert_eq!(serde_json::from_str::<Methods>(&text).unwrap(), methods);
+        assert_eq!(serde_json::from_str::<MethodSettings>(&text).unwrap(), methods);
         let damaged = r#"{"chosen": "radiosity", "settings": ["flat:fineness=900", "cube-map:size=8"]}"#;
-        let mut expected = Methods::default();
+        let mut expected = MethodSettings::default();
         expected.set(Method::CubeMap(CubeMapSettings { size: 8, parallax: false }));
-        assert_eq!(serde_json::from_str::<Methods>(damaged).unwrap(), expected);
+        assert_eq!(serde_json::from_str::<MethodSettings>(damaged).unwrap(), expected);
     }
 }

@@ -19,9 +19,9 @@ const WIDTH: f32 = 330.0;
 /// How many notices are shown at most; older ones give way.
 const MOST: usize = 4;
 
-/// What kind of news.
+/// The kind of a notice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum NoticeKind {
     Success,
     Info,
     Warning,
@@ -31,7 +31,7 @@ enum Kind {
 /// One notice.
 #[derive(Clone, Debug)]
 pub(crate) struct Notice {
-    kind: Kind,
+    kind: NoticeKind,
     text: String,
     /// What is left of its time, seconds; `None` stays until it is closed.
     left: Option<f32>,
@@ -54,25 +54,25 @@ pub(crate) struct Toasts {
 impl Toasts {
     /// Something has been done.
     pub(crate) fn success(&mut self, text: impl Into<String>) -> &mut Notice {
-        self.add(Kind::Success, text.into())
+        self.add(NoticeKind::Success, text.into())
     }
 
     /// Something to know.
     pub(crate) fn info(&mut self, text: impl Into<String>) -> &mut Notice {
-        self.add(Kind::Info, text.into())
+        self.add(NoticeKind::Info, text.into())
     }
 
     /// Something was not done.
     pub(crate) fn warning(&mut self, text: impl Into<String>) -> &mut Notice {
-        self.add(Kind::Warning, text.into())
+        self.add(NoticeKind::Warning, text.into())
     }
 
     /// Something has failed; it stays longer.
     pub(crate) fn error(&mut self, text: impl Into<String>) -> &mut Notice {
-        self.add(Kind::Error, text.into()).duration(Some(3 * STAY))
+        self.add(NoticeKind::Error, text.into()).duration(Some(3 * STAY))
     }
 
-    fn add(&mut self, kind: Kind, text: String) -> &mut Notice {
+    fn add(&mut self, kind: NoticeKind, text: String) -> &mut Notice {
         // The same news twice is said once, anew.
         self.notices.retain(|notice| notice.text != text);
         let surplus = (self.notices.len() + 1).saturating_sub(MOST);
@@ -123,10 +123,10 @@ impl Toasts {
 fn notice_ui(ui: &mut Ui, notice: &Notice, close: &str) -> bool {
     let palette = theme::palette(ui.visuals());
     let (icon, color): (MaterialIcon, _) = match notice.kind {
-        Kind::Success => (icons::ICON_CHECK_CIRCLE, palette.axes[1]),
-        Kind::Info => (icons::ICON_INFO, palette.accent),
-        Kind::Warning => (icons::ICON_WARNING, palette.warning),
-        Kind::Error => (icons::ICON_ERROR, palette.error),
+        NoticeKind::Success => (icons::ICON_CHECK_CIRCLE, palette.axes[1]),
+        NoticeKind::Info => (icons::ICON_INFO, palette.accent),
+        NoticeKind::Warning => (icons::ICON_WARNING, palette.warning),
+        NoticeKind::Error => (icons::ICON_ERROR, palette.error),
     };
     let frame = egui::Frame::popup(ui.style()).inner_margin(egui::Margin::symmetric(12, 9));
     frame.show(ui, |ui| body_ui(ui, &notice.text, (icon, color), close)).inner

@@ -19,7 +19,7 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::texts::Texts;
 use crate::widgets::filter::filter_field;
-use rows::{Row, Rows};
+use rows::{OutlinerRow, OutlinerRows};
 
 /// Height of a row, points.
 const ROW: f32 = 23.0;
@@ -28,10 +28,10 @@ const ROW: f32 = 23.0;
 #[derive(Default)]
 pub(crate) struct Outliner {
     filter: String,
-    rows: Rows,
+    rows: OutlinerRows,
     /// Where ranges of rows begin.
     anchor: Option<Item>,
-    renaming: Option<Renaming>,
+    renaming: Option<RenameField>,
     /// The primary thing that was last brought into view.
     shown: Option<Item>,
     /// The body whose row was under the pointer in the last frame.
@@ -40,8 +40,8 @@ pub(crate) struct Outliner {
     dragged: Option<Item>,
 }
 
-/// A name that is being typed.
-struct Renaming {
+/// The name that is being typed.
+struct RenameField {
     item: Item,
     name: String,
     /// Whether the field has had the focus yet.
@@ -65,7 +65,7 @@ impl Outliner {
     pub(crate) fn rename(&mut self, scene: &Scene, item: Item) {
         if matches!(item, Item::Body(_) | Item::Light(_) | Item::Material(_)) {
             let name = item.name(scene).to_owned();
-            self.renaming = Some(Renaming { item, name, has_begun: false, is_drawn: false });
+            self.renaming = Some(RenameField { item, name, has_begun: false, is_drawn: false });
             self.rows.unfold(item);
             self.shown = None;
         }
@@ -105,8 +105,8 @@ pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner)
         for place in range {
             let Some(row) = outliner.rows.all().get(place).copied() else { continue };
             match row {
-                Row::Head(section, count) => row::head_ui(ui, cx, outliner, section, count),
-                Row::Item(item) => row::item_ui(ui, cx, outliner, item),
+                OutlinerRow::Head(section, count) => row::head_ui(ui, cx, outliner, section, count),
+                OutlinerRow::Item(item) => row::item_ui(ui, cx, outliner, item),
             }
         }
         drag::drag_ui(ui, cx, outliner, top, rect);
@@ -210,7 +210,7 @@ fn rename_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, rect: Rect) 
     ui.memory_mut(|memory| memory.request_focus(list_id()));
 }
 
-fn take_name(cx: &mut Cx<'_>, Renaming { item, name, .. }: Renaming) {
+fn take_name(cx: &mut Cx<'_>, RenameField { item, name, .. }: RenameField) {
     if name != item.name(cx.editor.scene()) {
         cx.run(Command::Edit(Action::Rename { item, name }));
     }

@@ -10,7 +10,7 @@ use egui::{WidgetInfo, pos2, vec2};
 use crate::app::Studio;
 use crate::theme;
 use crate::widgets::{paint_icon, paint_line};
-use entries::{Entry, What};
+use entries::{PaletteAction, PaletteItem};
 
 /// Height of a row, points.
 const ROW: f32 = 28.0;
@@ -21,26 +21,26 @@ const MOST: usize = 200;
 
 /// The palette's state: open or not.
 #[derive(Default)]
-pub(crate) struct Palette {
-    open: Option<Open>,
+pub(crate) struct CommandPalette {
+    open: Option<OpenPalette>,
 }
 
-struct Open {
+struct OpenPalette {
     query: String,
     /// What `shown` was found for.
     searched: Option<String>,
-    entries: Vec<Entry>,
+    entries: Vec<PaletteItem>,
     /// Places in `entries`, the best first.
     shown: Vec<usize>,
     chosen: usize,
     scrolls: bool,
 }
 
-impl Palette {
+impl CommandPalette {
     /// Opens the palette with everything that can be found in it.
     pub(crate) fn open(context: &Context, studio: &mut Studio) {
         let entries = entries::all(context, studio);
-        studio.palette.open = Some(Open {
+        studio.palette.open = Some(OpenPalette {
             query: String::new(),
             searched: None,
             entries,
@@ -74,8 +74,8 @@ pub(crate) fn palette_ui(context: &Context, studio: &mut Studio) {
     // What is done next must not be taken for typing.
     context.memory_mut(|memory| memory.surrender_focus(field_id()));
     match what {
-        Some(What::Run(command)) => studio.run(command),
-        Some(What::Select(item)) => studio.editor.select(item),
+        Some(PaletteAction::Run(command)) => studio.run(command),
+        Some(PaletteAction::Select(item)) => studio.editor.select(item),
         None => {}
     }
 }
@@ -84,14 +84,14 @@ fn field_id() -> Id {
     Id::unique("palette field")
 }
 
-fn can(studio: &Studio, what: &What) -> bool {
+fn can(studio: &Studio, what: &PaletteAction) -> bool {
     match what {
-        What::Run(command) => studio.situation().can(command),
-        What::Select(item) => item.is_in(studio.editor.scene()),
+        PaletteAction::Run(command) => studio.situation().can(command),
+        PaletteAction::Select(item) => item.is_in(studio.editor.scene()),
     }
 }
 
-impl Open {
+impl OpenPalette {
     /// Finds what fits the query, when it has changed.
     fn search(&mut self) {
         if self.searched.as_ref() == Some(&self.query) {
@@ -186,7 +186,7 @@ impl Open {
     }
 }
 
-fn row_ui(ui: &mut Ui, studio: &Studio, entry: &Entry, is_chosen: bool) -> egui::Response {
+fn row_ui(ui: &mut Ui, studio: &Studio, entry: &PaletteItem, is_chosen: bool) -> egui::Response {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::CLICK);
     let is_possible = can(studio, &entry.what);
     response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, is_possible, is_chosen, &entry.name));

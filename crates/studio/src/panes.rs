@@ -6,16 +6,16 @@ use egui::{Frame, Id, Margin, Response, Ui, Visuals, WidgetText};
 use egui_tiles::{SimplificationOptions, TabState, Tabs, TileId, Tiles, UiResponse};
 
 use crate::audit;
-use crate::compare::{Comparing, compare_ui};
+use crate::compare::{CompareState, compare_ui};
 use crate::context::Cx;
 use crate::example_note::{ExampleNote, note_below};
 use crate::history::history_ui;
 use crate::inspector::{Inspector, inspector_ui};
 use crate::layout::{self, Pane};
-use crate::materials::{Browser, materials_ui};
-use crate::measure::{Measuring, measure_ui};
+use crate::materials::{MaterialBrowser, materials_ui};
+use crate::measure::{MeasureState, measure_ui};
 use crate::outliner::{Outliner, outliner_ui};
-use crate::problems::{Problems, problems_ui};
+use crate::problems::{ProblemsPanel, problems_ui};
 use crate::theme;
 use crate::viewport::{Viewport, viewport_ui};
 
@@ -28,24 +28,25 @@ pub(crate) struct Panes {
     pub(crate) viewport: Viewport,
     pub(crate) outliner: Outliner,
     pub(crate) inspector: Inspector,
-    pub(crate) problems: Problems,
-    pub(crate) compare: Comparing,
-    pub(crate) measure: Measuring,
-    pub(crate) materials: Browser,
+    pub(crate) problems: ProblemsPanel,
+    pub(crate) compare: CompareState,
+    pub(crate) measure: MeasureState,
+    pub(crate) materials: MaterialBrowser,
     pub(crate) example_note: ExampleNote,
 }
 
-/// The panels while the layout is drawn.
-pub(crate) struct Docked<'a> {
+/// The behavior of the docked panels for `egui_tiles`.
+pub(crate) struct PaneBehavior<'a> {
     pub(crate) cx: Cx<'a>,
     pub(crate) panes: &'a mut Panes,
     /// The viewport's tile, which needs no title while it stands alone.
     pub(crate) viewport: Option<TileId>,
-    /// The panels whose tabs are closed: they are hidden after the frame, since a layout must not change while it is drawn.
+    /// The panels whose tabs are closed: they are hidden after the frame, since a layout must not change while it is
+    /// drawn.
     pub(crate) closed: Vec<Pane>,
 }
 
-impl egui_tiles::Behavior<Pane> for Docked<'_> {
+impl egui_tiles::Behavior<Pane> for PaneBehavior<'_> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, pane: &mut Pane) -> UiResponse {
         let cx = &mut self.cx;
         let panes = &mut *self.panes;

@@ -3,63 +3,63 @@
 
 mod card;
 mod choices;
+mod close_guard;
 mod copy;
 pub(crate) mod fields;
-mod leave;
 mod proof;
 mod result;
 mod save;
-pub(crate) mod told;
+pub(crate) mod words;
 
 use std::sync::Arc;
 use std::time::Duration;
 
-use catoptric_live::{JobError, RenderJob, Shows};
+use catoptric_live::{DisplayContent, JobError, RenderJob};
 use catoptric_picture::{Development, Picture};
 use catoptric_scene::Scene;
 use catoptric_tracer::raster::{GBufferLayer, Method};
 use egui::{ColorImage, Context, Ui, UserAttentionType, ViewportCommand};
 
 use crate::app::Studio;
-use crate::dialogs::Message;
+use crate::dialogs::MessageDialog;
 use crate::documents::job::let_go;
 use crate::methods;
 pub use choices::{PictureKind, RenderChoices};
+use close_guard::PictureCloseGuard;
+pub(crate) use close_guard::hold;
 pub(crate) use copy::copy_viewport;
-use leave::Leaving;
-pub(crate) use leave::hold;
-use result::Finished;
+use result::FinishedPicture;
 
 /// How often the progress is looked at.
 const LOOK: Duration = Duration::from_millis(200);
 
-/// The pictures of the window.
+/// The rendered pictures of the window.
 #[derive(Default)]
-pub(crate) struct Pictures {
-    running: Option<Running>,
-    finished: Vec<Finished>,
+pub(crate) struct RenderedPictures {
+    running: Option<RenderTask>,
+    finished: Vec<FinishedPicture>,
     /// How many have been finished so far.
     count: u64,
-    copying: copy::Copying,
-    leaving: Leaving,
+    copying: copy::ClipboardCopy,
+    close_guard: PictureCloseGuard,
 }
 
-/// A picture that is being rendered.
-pub(crate) struct Running {
+/// A render that is under way.
+pub(crate) struct RenderTask {
     pub(crate) job: RenderJob,
-    pub(crate) order: Order,
+    pub(crate) order: RenderRequest,
 }
 
-/// What was asked for.
+/// A request to render a picture.
 #[derive(Clone, Debug)]
-pub(crate) struct Order {
+pub(crate) struct RenderRequest {
     pub(crate) choices: RenderChoices,
     pub(crate) development: Development,
     /// The document's name.
     pub(crate) name: String,
 }
 
-impl Pictures {
+impl RenderedPictures {
     /// Whether finished pictures stand in their windows.
     pub(crate) fn has_windows(&self) -> bool {
         !self.finished.is_empty()
@@ -72,7 +72,7 @@ impl Pictures {
 
     /// The device of the window is another.
     pub(crate) fn forget_textures(&mut self) {
-        self.finished.iter_mut().for_each(Finished::forget_texture);
+        self.finished.iter_mut().for_each(FinishedPicture::forget_texture);
     }
 
     /// Gives up the picture that is being rendered.
@@ -84,43 +84,49 @@ impl Pictures {
     }
 }
 
-/// Starts to render the document as it is now, through its own camera; gives up what is being rendered.
+/// Starts to render the document as it is now, through its own camera; cancels the present render.
 pub(crate) fn start(studio: &mut Studio, choices: RenderChoices, development: Development, method: Method) {
     let scene = Arc::clone(studio.editor.scene());
-    let order = Order { choices, development, name: studio.editor.title().to_owned() };
-    begin(studio, scene, (method, Shows::Picture), order);
+    let order = RenderRequest { choices, development, name: studio.editor.title().to_owned() };
+    begin(studio, scene, (method, DisplayContent::Picture), order);
 }
 
 /// Starts to make a picture of what the viewport shows, as large as there and through its camera.
 pub(crate) fn start_shown(studio: &mut Studio) {
     let Some([width, height]) = studio.panes.viewport.size_in_pixels() else { return };
     let method = studio.settings.methods.method();
-    let shows = if methods::has(&method, studio.view.shows) { studio.shown() } else { Shows::Picture };
+    let shows =
+        if methods::has(&method, studio.view.shows) { studio.shown() } else { DisplayContent::Picture };
     let scene = Scene { camera: studio.shown_camera(), ..Scene::clone(studio.editor.scene()) };
     // Layers are of the first sample, and most of them are numbers that no exposure changes.
-    let is_light = matches!(shows, Shows::Picture | Shows::UnfoldedCube(_))
-        || matches!(shows, Shows::Layer(GBufferLayer::Lit | GBufferLayer::Reflected));
-    let samples = if shows == Shows::Picture { studio.settings.viewport_samples } else { 1 };
+    let is_light = matches!(shows, DisplayContent::Picture | DisplayContent::UnfoldedCube(_))
+        || matches!(shows, DisplayContent::Layer(GBufferLayer::Lit | GBufferLayer::Reflected));
+    let samples = if shows == DisplayContent::Picture { studio.settings.viewport_samples } else { 1 };
     let size = RenderChoices { width, height, samples, generations: None, ..studio.settings.render.clone() };
     let development = if is_light { studio.view.development } else { Development::default() };
-    let what = if shows == Shows::Picture {
+    let what = if shows == DisplayContent::Picture {
         method.name()
     } else {
         studio.texts.get(methods::shown_key(studio.view.shows))
     };
     let name = format!("{} {what}", studio.editor.title().trim_end_matches(".toml"));
-    begin(studio, Arc::new(scene), (method, shows), Order { choices: size, development, name });
+    begin(studio, Arc::new(scene), (method, shows), RenderRequest { choices: size, development, name });
 }
 
-fn begin(studio: &mut Studio, scene: Arc<Scene>, (method, shows): (Method, Shows), order: Order) {
+fn begin(
+    studio: &mut Studio,
+    scene: Arc<Scene>,
+    (method, shows): (Method, DisplayContent),
+    order: RenderRequest,
+) {
     studio.pictures.cancel();
-    studio.pictures.leaving.forget();
+    studio.pictures.close_guard.forget();
     let (settings, generations) = (order.choices.settings(), order.choices.generations);
     match RenderJob::drawn(scene, method, shows, settings, generations, 0) {
-        Ok(job) => studio.pictures.running = Some(Running { job, order }),
+        Ok(job) => studio.pictures.running = Some(RenderTask { job, order }),
         Err(error) => {
-            let text = told::fault(&studio.texts, &error.to_string());
-            studio.dialogs.open(Message::new(studio.texts.get("render-failed"), text));
+            let text = words::fault(&studio.texts, &error.to_string());
+            studio.dialogs.open(MessageDialog::new(studio.texts.get("render-failed"), text));
         }
     }
 }
@@ -132,7 +138,7 @@ pub(crate) fn pictures_ui(ui: &mut Ui, studio: &mut Studio) {
     card::card_ui(ui, studio);
     result::results_ui(ui.ctx(), studio);
     copy::poll(ui.ctx(), studio);
-    leave::poll(ui.ctx(), studio);
+    close_guard::poll(ui.ctx(), studio);
 }
 
 /// Makes a finished render a finished picture.
@@ -141,15 +147,15 @@ fn take_result(context: &Context, studio: &mut Studio) {
     context.request_repaint_after(LOOK);
     let Some(result) = running.job.take_result() else { return };
     let elapsed = running.job.progress().elapsed;
-    let Some(Running { order, job }) = studio.pictures.running.take() else { return };
+    let Some(RenderTask { order, job }) = studio.pictures.running.take() else { return };
     let_go(job);
     match result {
         Ok(rendering) => {
             let pictures = &mut studio.pictures;
             pictures.count += 1;
-            pictures.leaving.forget();
+            pictures.close_guard.forget();
             let number = pictures.count;
-            let finished = Finished::new(number, &pictures.finished, rendering, order, elapsed);
+            let finished = FinishedPicture::new(number, &pictures.finished, rendering, order, elapsed);
             pictures.finished.push(finished);
             if !context.input(|input| input.focused) {
                 context.send_viewport_cmd(ViewportCommand::RequestUserAttention(
@@ -159,19 +165,19 @@ fn take_result(context: &Context, studio: &mut Studio) {
         }
         Err(JobError::Cancelled) => {}
         Err(error) => {
-            let text = told::job_error(&studio.texts, &error);
-            studio.dialogs.open(Message::new(studio.texts.get("render-failed"), text));
+            let text = words::job_error(&studio.texts, &error);
+            studio.dialogs.open(MessageDialog::new(studio.texts.get("render-failed"), text));
         }
     }
 }
 
 /// A picture as the window shows it, pixel by pixel.
 pub(crate) fn proof_of(picture: &Picture, development: Development) -> ColorImage {
-    proof::proof(picture, &proof::Wanted { development, size: size_of(picture) })
+    proof::proof(picture, &proof::ProofKey { development, size: size_of(picture) })
 }
 
 /// The name that a new picture file gets.
-fn file_name(order: &Order, kind: PictureKind) -> String {
+fn file_name(order: &RenderRequest, kind: PictureKind) -> String {
     format!("{}.{}", plain_name(&order.name), kind.extension())
 }
 
@@ -198,7 +204,7 @@ mod tests {
     fn names_of_files_are_harmless() {
         let name = |name: &str, kind| {
             let (choices, development) = (RenderChoices::default(), Development::default());
-            file_name(&Order { choices, development, name: name.to_owned() }, kind)
+            file_name(&RenderRequest { choices, development, name: name.to_owned() }, kind)
         };
         assert_eq!(name("four-bodies", PictureKind::Png16), "four-bodies.png");
         assert_eq!(name("a/b: c?.toml", PictureKind::Exr), "a-b- c-.exr");

@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use catoptric_editor::Item;
-use catoptric_scene::{Diagnostic, Diagnostics, Part, Problem, Scene, Severity};
+use catoptric_scene::{Diagnostic, Diagnostics, Problem, Scene, ScenePart, Severity};
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{
     Align2, Color32, FontId, Rect, RichText, ScrollArea, Sense, TextFormat, Ui, WidgetInfo, pos2, vec2,
@@ -16,7 +16,7 @@ use egui::{
 use egui_material_icons::icons;
 
 use crate::context::Cx;
-use crate::theme::{self, Palette};
+use crate::theme::{self, ThemeColors};
 use crate::viewport::why;
 use crate::widgets::paint_line_in;
 use excerpt::Excerpt;
@@ -24,9 +24,9 @@ use excerpt::Excerpt;
 /// Scenes with more bodies than this are not checked as a whole while they are edited; each edit is.
 const MOST_CHECKED: usize = 20_000;
 
-/// What the panel keeps from frame to frame.
+/// The state of the panel.
 #[derive(Default)]
-pub(crate) struct Problems {
+pub(crate) struct ProblemsPanel {
     name: String,
     text: Arc<str>,
     findings: Diagnostics,
@@ -41,7 +41,7 @@ pub(crate) struct Problems {
     checked: Option<u64>,
 }
 
-impl Problems {
+impl ProblemsPanel {
     /// Lists the findings of a file's `text`, which describes `scene`.
     pub(crate) fn set(&mut self, name: &str, text: Arc<str>, findings: Diagnostics, scene: &Scene) {
         name.clone_into(&mut self.name);
@@ -70,7 +70,7 @@ impl Problems {
 }
 
 /// Lists the findings with their lines; a click shows the text.
-pub(crate) fn problems_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &mut Problems) {
+pub(crate) fn problems_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &mut ProblemsPanel) {
     check_scene(cx, problems);
     let fault = cx.live.status().error.map(|error| why(cx.texts, &error));
     let has_live = fault.is_some() || !problems.live.is_empty();
@@ -98,7 +98,7 @@ pub(crate) fn problems_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &mut Problems)
 }
 
 /// Holds the scene against the rules, once for each revision.
-fn check_scene(cx: &Cx<'_>, problems: &mut Problems) {
+fn check_scene(cx: &Cx<'_>, problems: &mut ProblemsPanel) {
     let revision = cx.editor.revision();
     if problems.checked == Some(revision) || cx.editor.is_in_gesture() {
         return;
@@ -109,7 +109,7 @@ fn check_scene(cx: &Cx<'_>, problems: &mut Problems) {
 }
 
 /// What is wrong with the scene itself; a click selects the thing.
-fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &Problems, fault: Option<String>) {
+fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &ProblemsPanel, fault: Option<String>) {
     let color = theme::palette(ui.visuals()).error;
     ui.label(RichText::new(cx.t("problems-scene")).strong());
     if let Some(fault) = fault {
@@ -126,15 +126,15 @@ fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &Problems, fault: Option<Stri
     ui.separator();
 }
 
-fn item(part: &Part) -> Option<Item> {
+fn item(part: &ScenePart) -> Option<Item> {
     match *part {
-        Part::Body(index) => Some(Item::Body(index)),
-        Part::Light(index) => Some(Item::Light(index)),
-        Part::Camera | Part::Environment | Part::Tracing | Part::Material(_) => None,
+        ScenePart::Body(index) => Some(Item::Body(index)),
+        ScenePart::Light(index) => Some(Item::Light(index)),
+        ScenePart::Camera | ScenePart::Environment | ScenePart::Tracing | ScenePart::Material(_) => None,
     }
 }
 
-fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut Problems) {
+fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut ProblemsPanel) {
     let number = problems.findings.len() + problems.findings.omitted();
     let arguments = [("number", number.into()), ("name", problems.name.as_str().into())];
     let heading = if problems.has_only_notes() {
@@ -161,7 +161,7 @@ fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut Problems) {
             let rect = Rect::from_min_max(corner + vec2(0.0, top), pos2(corner.x + width, corner.y + bottom));
             let is_selected = problems.selected == Some(index);
             let excerpt = problems.excerpts.get(index);
-            let rank = Rank::of(finding, problems.notes.get(index) == Some(&true));
+            let rank = FindingRank::of(finding, problems.notes.get(index) == Some(&true));
             if finding_ui(ui, cx, rect, (finding, rank), excerpt, is_selected, palette) {
                 problems.selected = Some(index);
                 problems.scrolls = true;
@@ -188,15 +188,15 @@ fn tops(findings: &Diagnostics, line: f32) -> Vec<f32> {
     tops
 }
 
-/// How much a finding matters to who sees the list.
+/// The rank of a finding in the list.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Rank {
+enum FindingRank {
     Error,
     Warning,
     Note,
 }
 
-impl Rank {
+impl FindingRank {
     fn of(finding: &Diagnostic, is_note: bool) -> Self {
         match finding.severity {
             Severity::Error => Self::Error,
@@ -213,7 +213,7 @@ impl Rank {
         }
     }
 
-    fn sign(self, palette: &Palette) -> (&'static str, Color32) {
+    fn sign(self, palette: &ThemeColors) -> (&'static str, Color32) {
         match self {
             Self::Error => (icons::ICON_ERROR.codepoint, palette.error),
             Self::Warning => (icons::ICON_WARNING.codepoint, palette.warning),
@@ -227,10 +227,10 @@ fn finding_ui(
     ui: &Ui,
     cx: &Cx<'_>,
     rect: Rect,
-    (finding, rank): (&Diagnostic, Rank),
+    (finding, rank): (&Diagnostic, FindingRank),
     excerpt: Option<&Excerpt>,
     is_selected: bool,
-    palette: &Palette,
+    palette: &ThemeColors,
 ) -> bool {
     let language = cx.texts.language().into();
     let text = finding.message(language);

@@ -1,16 +1,16 @@
-//! Doing what was asked for.
+//! Runs commands.
 
 use catoptric_editor::{Action, ActionError, navigate};
 use egui::{Context, OutputCommand, ViewportCommand};
 
 use crate::app::Studio;
-use crate::command::{Command, Zoom};
+use crate::command::{Command, ZoomStep};
 use crate::first_steps::FirstSteps;
-use crate::help::{Help, Page};
+use crate::help::{HelpTopic, HelpWindow};
 use crate::layout::Pane;
-use crate::manual::Manual;
+use crate::manual::ManualWindow;
 use crate::outliner::shape_name;
-use crate::palette::Palette;
+use crate::palette::CommandPalette;
 use crate::texts::Texts;
 use crate::{documents, images, inspector, layout, methods, theme, viewport};
 
@@ -72,7 +72,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
             studio.texts = Texts::new(language);
         }
         Command::Rename => rename(studio),
-        Command::Palette => Palette::open(context, studio),
+        Command::Palette => CommandPalette::open(context, studio),
         Command::FocusMenu => studio.menu_focus.toggle(context),
         Command::Manual
         | Command::ExampleNote
@@ -105,11 +105,11 @@ fn add(studio: &mut Studio, command: &Command) {
 /// Opens what explains the studio or the scene.
 fn explain(context: &Context, studio: &mut Studio, command: &Command) {
     match command {
-        Command::Manual => Manual::open(context, studio),
+        Command::Manual => ManualWindow::open(context, studio),
         Command::ExampleNote => crate::example_note::toggle(studio),
-        Command::Shortcuts => Help::open(context, studio, Page::Shortcuts),
-        Command::Terms => Help::open(context, studio, Page::Terms),
-        Command::About => Help::open(context, studio, Page::About),
+        Command::Shortcuts => HelpWindow::open(context, studio, HelpTopic::Shortcuts),
+        Command::Terms => HelpWindow::open(context, studio, HelpTopic::Terms),
+        Command::About => HelpWindow::open(context, studio, HelpTopic::About),
         Command::FirstSteps => FirstSteps::open(studio),
         _ => {}
     }
@@ -179,7 +179,7 @@ fn rename(studio: &mut Studio) {
     studio.panes.outliner.rename(studio.editor.scene(), item);
 }
 
-/// Does an action; tells in the corner why, if it cannot be done.
+/// Does an action; a notice gives the reason if it cannot be done.
 fn apply(studio: &mut Studio, action: Action) {
     let is_of_material = matches!(action, Action::AssignMaterial(_));
     let Err(error) = studio.editor.apply(action) else { return };
@@ -207,11 +207,11 @@ fn copy(context: &Context, studio: &mut Studio) {
     }
 }
 
-fn zoom(context: &Context, studio: &mut Studio, step: Zoom) {
+fn zoom(context: &Context, studio: &mut Studio, step: ZoomStep) {
     let zoom = match step {
-        Zoom::In => studio.settings.zoom * 1.1,
-        Zoom::Out => studio.settings.zoom / 1.1,
-        Zoom::Normal => 1.0,
+        ZoomStep::In => studio.settings.zoom * 1.1,
+        ZoomStep::Out => studio.settings.zoom / 1.1,
+        ZoomStep::Normal => 1.0,
     };
     studio.settings.zoom = zoom.clamp(0.5, 3.0);
     context.set_zoom_factor(studio.settings.zoom);

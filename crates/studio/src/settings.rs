@@ -1,4 +1,4 @@
-//! What the studio remembers from one start to the next.
+//! The settings that the studio remembers.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::layout::Pane;
-use crate::methods::Methods;
+use crate::methods::MethodSettings;
 use crate::pictures::RenderChoices;
 use crate::texts::Language;
 
@@ -37,9 +37,9 @@ pub struct Settings {
     /// Whether the graphics card draws the picture; as the studio thinks best until that was chosen.
     pub uses_card: Option<bool>,
     /// How the picture is drawn.
-    pub methods: Methods,
+    pub methods: MethodSettings,
     /// The two ways of drawing that were compared last.
-    pub compared: [Methods; 2],
+    pub compared: [MethodSettings; 2],
     /// Samples per pixel up to which the idle picture is refined.
     pub viewport_samples: u32,
     /// Size of everything in the window, 1 being normal.
@@ -68,7 +68,7 @@ pub enum LastScene {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Theme {
-    /// As the system has it.
+    /// The theme of the system.
     System,
     /// Dark, the default: it leaves the picture the brightest thing.
     #[default]
@@ -88,8 +88,8 @@ impl Default for Settings {
             shows_grid: true,
             shows_handles: true,
             uses_card: None,
-            methods: Methods::default(),
-            compared: [MethodKind::Whitted, MethodKind::Ssr].map(Methods::with),
+            methods: MethodSettings::default(),
+            compared: [MethodKind::Whitted, MethodKind::Ssr].map(MethodSettings::with),
             viewport_samples: 16,
             zoom: 1.0,
             window_size: None,
@@ -101,7 +101,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Those of the first start: the system's language.
+    /// The settings of the first start: the system's language.
     pub fn first() -> Self {
         Self { language: Language::of_system(), ..Self::default() }
     }
@@ -118,7 +118,7 @@ impl Settings {
         settings
     }
 
-    /// Those of the first start with the entries found, each as far as it can be read.
+    /// The settings of the first start with the entries found, each as far as it can be read.
     fn of(found: Map<String, Value>) -> Self {
         let mut settings = Self::first();
         let Ok(Value::Object(mut readable)) = serde_json::to_value(&settings) else { return settings };

@@ -1,15 +1,15 @@
-//! From keys to commands.
+//! Shortcuts: from keys to commands.
 
 use catoptric_editor::Action;
 use egui::{Context, Event, Key, KeyboardShortcut, ModifierNames, Modifiers, Popup, Ui};
 
 use crate::app::Studio;
-use crate::command::{Command, Zoom};
+use crate::command::{Command, ZoomStep};
 use crate::held_keys::HeldKeys;
 
-/// What is remembered about keys from frame to frame.
+/// The state of the keyboard from frame to frame.
 #[derive(Debug, Default)]
-pub(crate) struct Keys {
+pub(crate) struct ShortcutState {
     /// The keys that are held.
     pub(crate) held: HeldKeys,
     /// A command has asked for the clipboard in this frame; its text comes with the next one, whatever has the focus
@@ -17,9 +17,9 @@ pub(crate) struct Keys {
     pub(crate) is_paste_asked: bool,
 }
 
-/// What else listens to the keyboard.
+/// Other users of the keyboard, which take precedence over shortcuts.
 #[derive(Clone, Copy, Debug, Default)]
-struct Listeners {
+struct KeyboardListeners {
     /// A text is being typed.
     is_typing: bool,
     /// A menu is open, or the menu bar has the keyboard.
@@ -41,11 +41,11 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     let mut commands = Vec::new();
     let is_behind =
         studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());
-    // What is in the hand must not be deleted or undone under it.
+    // What is being dragged must not be deleted or undone meanwhile.
     let is_dragging =
         context.egui_is_using_pointer() && context.input(|input| input.pointer.is_decidedly_dragging());
     if !is_behind && !is_dragging {
-        let listeners = Listeners {
+        let listeners = KeyboardListeners {
             is_typing: context.text_edit_focused(),
             is_menu_open: Popup::is_any_open(&context) || studio.menu_focus.is_active(),
             // The right button flies, too, while it is down.
@@ -104,7 +104,7 @@ fn take_paste(context: &Context, commands: &mut Vec<Command>) {
 }
 
 /// The command whose shortcut `event` is; `Some(None)` for a shortcut whose repetition means nothing.
-fn command_of(event: &Event, listeners: Listeners) -> Option<Option<&'static Command>> {
+fn command_of(event: &Event, listeners: KeyboardListeners) -> Option<Option<&'static Command>> {
     let Event::Key { key, physical_key, pressed: true, repeat, modifiers } = event else { return None };
     let (command, shortcut) = find(*key, *modifiers).or_else(|| {
         // Layouts put other signs on the keys of digits and brackets: `"` on Shift+2 and ъ on ] in Russian. Letters
@@ -134,7 +134,7 @@ fn is_letter_or_digit(key: Key) -> bool {
 }
 
 /// Whether a shortcut counts beside what else listens.
-fn is_heard(command: &Command, shortcut: KeyboardShortcut, listeners: Listeners) -> bool {
+fn is_heard(command: &Command, shortcut: KeyboardShortcut, listeners: KeyboardListeners) -> bool {
     let KeyboardShortcut { modifiers, logical_key: key } = shortcut;
     let is_function = key >= Key::F1 && key <= Key::F35;
     let is_bare = !modifiers.command && !modifiers.alt && !is_function;
@@ -155,7 +155,7 @@ fn can_repeat(command: &Command) -> bool {
     matches!(
         command,
         Command::Edit(Undo | Redo | SelectNext | SelectPrevious | MoveUp | MoveDown)
-            | Command::Zoom(Zoom::In | Zoom::Out)
+            | Command::Zoom(ZoomStep::In | ZoomStep::Out)
     )
 }
 
@@ -184,15 +184,15 @@ mod tests {
     }
 
     fn heard(event: &Event) -> Option<&'static Command> {
-        command_of(event, Listeners::default()).flatten()
+        command_of(event, KeyboardListeners::default()).flatten()
     }
 
     #[test]
     fn keys_that_a_layout_labels_otherwise_are_found_by_their_place() {
-        use catoptric_editor::navigate::Axis;
+        use catoptric_editor::navigate::ViewSide;
         // Russian: `?` on Shift+7.
         let bottom = press(Key::Questionmark, Key::Num7, Modifiers::SHIFT);
-        assert_eq!(heard(&bottom), Some(&Command::LookAlong(Axis::Bottom)));
+        assert_eq!(heard(&bottom), Some(&Command::LookAlong(ViewSide::Bottom)));
         // German: `+` beside the return key, where ] is.
         let next = press(Key::Plus, Key::CloseBracket, Modifiers::NONE);
         assert_eq!(heard(&next), Some(&Command::Edit(Action::SelectNext)));
@@ -210,8 +210,8 @@ mod tests {
     #[test]
     fn bare_keys_belong_to_who_listens() {
         let key = |key, modifiers| press(key, key, modifiers);
-        let typing = Listeners { is_typing: true, ..Listeners::default() };
-        let flying = Listeners { is_flying: true, ..Listeners::default() };
+        let typing = KeyboardListeners { is_typing: true, ..KeyboardListeners::default() };
+        let flying = KeyboardListeners { is_flying: true, ..KeyboardListeners::default() };
         let control = Modifiers::COMMAND | Modifiers::CTRL;
         for (event, typed, flown) in [
             (key(Key::W, Modifiers::NONE), false, false),
@@ -222,7 +222,7 @@ mod tests {
             (key(Key::S, control), true, true),
             (key(Key::F1, Modifiers::NONE), true, true),
         ] {
-            assert!(command_of(&event, Listeners::default()).is_some(), "{event:?}");
+            assert!(command_of(&event, KeyboardListeners::default()).is_some(), "{event:?}");
             assert_eq!(command_of(&event, typing).is_some(), typed, "{event:?}");
             assert_eq!(command_of(&event, flying).is_some(), flown, "{event:?}");
         }
@@ -233,8 +233,8 @@ mod tests {
         let held =
             |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: true, modifiers };
         let control = Modifiers::COMMAND | Modifiers::CTRL;
-        assert_eq!(command_of(&held(Key::D, control), Listeners::default()), Some(None));
-        let undo = command_of(&held(Key::Z, control), Listeners::default());
+        assert_eq!(command_of(&held(Key::D, control), KeyboardListeners::default()), Some(None));
+        let undo = command_of(&held(Key::Z, control), KeyboardListeners::default());
         assert_eq!(undo, Some(Some(&Command::Edit(Action::Undo))));
     }
 }

@@ -9,7 +9,7 @@ use egui_material_icons::icons;
 use crate::card::why;
 use crate::context::Cx;
 use crate::methods::{method_key, report_language, short_key};
-use crate::pictures::told;
+use crate::pictures::words;
 use crate::texts::Texts;
 use crate::{theme, viewport};
 
@@ -115,7 +115,7 @@ fn passes_in_words(texts: &Texts, status: &Status) -> Option<String> {
             ("built", used.built.into()),
             ("kept", used.kept.into()),
             ("time", number(texts, milliseconds).into()),
-            ("bytes", told::bytes(texts, used.bytes).into()),
+            ("bytes", words::bytes(texts, used.bytes).into()),
         ];
         lines.push(texts.with("status-maps", &arguments));
     }

@@ -1,4 +1,4 @@
-//! What the studio says, in the languages of its catalogues (`texts/en`, `texts/ru`, one file a topic).
+//! The texts of the studio, in the languages of its catalogues (`texts/en`, `texts/ru`, one file a topic).
 
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};

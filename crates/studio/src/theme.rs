@@ -1,4 +1,4 @@
-//! How the window looks: colors, fonts, spacing. Calm, so that the picture is the brightest thing.
+//! The theme: colors, fonts, spacing. It is calm, so that the picture is the brightest thing.
 
 use egui::{
     Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, ThemePreference, Visuals, vec2,
@@ -6,9 +6,9 @@ use egui::{
 
 use crate::settings::Theme;
 
-/// The colors beyond egui's own visuals.
+/// The colors of a theme beyond egui's own visuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Palette {
+pub(crate) struct ThemeColors {
     /// Panels.
     pub(crate) panel: Color32,
     /// Menu and status bars, tab bars.
@@ -37,7 +37,7 @@ pub(crate) struct Palette {
     pub(crate) warning: Color32,
 }
 
-const DARK: Palette = Palette {
+const DARK: ThemeColors = ThemeColors {
     panel: Color32::from_rgb(33, 35, 39),
     bar: Color32::from_rgb(26, 27, 31),
     field: Color32::from_rgb(22, 23, 26),
@@ -53,7 +53,7 @@ const DARK: Palette = Palette {
     warning: Color32::from_rgb(236, 178, 84),
 };
 
-const LIGHT: Palette = Palette {
+const LIGHT: ThemeColors = ThemeColors {
     panel: Color32::from_rgb(247, 248, 250),
     bar: Color32::from_rgb(234, 236, 240),
     field: Color32::from_rgb(255, 255, 255),
@@ -70,7 +70,7 @@ const LIGHT: Palette = Palette {
 };
 
 /// The palette of the theme that `visuals` show.
-pub(crate) fn palette(visuals: &Visuals) -> &'static Palette {
+pub(crate) fn palette(visuals: &Visuals) -> &'static ThemeColors {
     if visuals.dark_mode { &DARK } else { &LIGHT }
 }
 
@@ -96,7 +96,7 @@ pub(crate) fn choose(context: &egui::Context, theme: Theme) {
     });
 }
 
-fn dress(style: &mut Style, palette: &Palette) {
+fn dress(style: &mut Style, palette: &ThemeColors) {
     style.text_styles = [
         (TextStyle::Small, FontId::proportional(11.5)),
         (TextStyle::Body, FontId::proportional(13.5)),
@@ -121,7 +121,7 @@ fn dress(style: &mut Style, palette: &Palette) {
     dress_visuals(&mut style.visuals, palette);
 }
 
-fn dress_visuals(visuals: &mut Visuals, palette: &Palette) {
+fn dress_visuals(visuals: &mut Visuals, palette: &ThemeColors) {
     visuals.panel_fill = palette.panel;
     visuals.window_fill = palette.panel;
     visuals.window_stroke = Stroke::new(1.0, palette.line);

@@ -7,18 +7,18 @@ use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use crate::latest::Latest;
 
-/// So many pictures are kept; the oldest that are not wanted go first.
+/// The most pictures that are kept; the oldest that are not wanted go first.
 const MOST: usize = 250;
 
 /// The pictures so far, each of what its key stands for.
 pub(crate) struct Thumbnails<K> {
     /// Of some scenes there can be no picture.
     pictures: Vec<(K, Option<TextureHandle>)>,
-    work: Latest<K, Traced>,
+    work: Latest<K, TracedThumbnail>,
 }
 
-/// A picture, if there can be one; `None` when it was not wanted any more.
-type Traced = Option<Option<ColorImage>>;
+/// The finished picture, or `None` if the request was superseded.
+type TracedThumbnail = Option<Option<ColorImage>>;
 
 impl<K> Default for Thumbnails<K> {
     fn default() -> Self {

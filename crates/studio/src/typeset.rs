@@ -5,27 +5,27 @@ use std::sync::Arc;
 use egui::text::{LayoutJob, TextFormat, TextWrapping};
 use egui::{Color32, FontId, Galley, Pos2, Rect, Stroke, Ui, Vec2, vec2};
 
-/// A line of pieces, each at its place relative to the left end of the line's middle.
+/// A typeset line: runs at their places relative to the left end of the line's middle.
 #[derive(Default)]
-pub(crate) struct Line {
-    pieces: Vec<Piece>,
+pub(crate) struct TextLine {
+    pieces: Vec<TextRun>,
     width: f32,
 }
 
-enum Piece {
+enum TextRun {
     Text { galley: Arc<Galley>, offset: Vec2 },
     Hat { offset: Vec2, size: Vec2, color: Color32 },
     Chip { offset: Vec2, size: f32, color: Color32 },
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Level {
+enum ScriptLevel {
     Base,
     Sub,
     Sup,
 }
 
-impl Line {
+impl TextLine {
     /// How wide it is.
     pub(crate) fn width(&self) -> f32 {
         self.width
@@ -39,7 +39,7 @@ impl Line {
     /// Appends a formula.
     pub(crate) fn push(&mut self, ui: &Ui, markup: &str, size: f32, color: Color32) {
         let mut wears_hat = false;
-        let mut level = Level::Base;
+        let mut level = ScriptLevel::Base;
         let mut is_grouped = false;
         let mut run = String::new();
         for letter in markup.chars() {
@@ -48,8 +48,8 @@ impl Line {
                     self.flush(ui, &mut run, size, color, level);
                     match letter {
                         '~' => wears_hat = true,
-                        '_' => level = Level::Sub,
-                        _ => level = Level::Sup,
+                        '_' => level = ScriptLevel::Sub,
+                        _ => level = ScriptLevel::Sup,
                     }
                     continue;
                 }
@@ -65,9 +65,9 @@ impl Line {
                 self.flush(ui, &mut run, size, color, level);
                 self.put_hat(start, size, color);
                 wears_hat = false;
-            } else if level != Level::Base && !is_grouped {
+            } else if level != ScriptLevel::Base && !is_grouped {
                 self.flush(ui, &mut run, size, color, level);
-                level = Level::Base;
+                level = ScriptLevel::Base;
             }
         }
         self.flush(ui, &mut run, size, color, level);
@@ -82,7 +82,7 @@ impl Line {
 
     /// Appends a small patch of a color.
     pub(crate) fn push_chip(&mut self, size: f32, color: Color32) {
-        self.pieces.push(Piece::Chip { offset: vec2(self.width, -0.5 * size), size, color });
+        self.pieces.push(TextRun::Chip { offset: vec2(self.width, -0.5 * size), size, color });
         self.width += size + 3.0;
     }
 
@@ -91,17 +91,17 @@ impl Line {
         let painter = ui.painter();
         for piece in &self.pieces {
             match piece {
-                Piece::Text { galley, offset } => {
+                TextRun::Text { galley, offset } => {
                     painter.galley(start + *offset, Arc::clone(galley), Color32::PLACEHOLDER);
                 }
-                Piece::Hat { offset, size, color } => {
+                TextRun::Hat { offset, size, color } => {
                     let left = start + *offset;
                     let top = left + vec2(0.5 * size.x, -size.y);
                     let stroke = Stroke::new(1.0, *color);
                     painter.line_segment([left, top], stroke);
                     painter.line_segment([top, left + vec2(size.x, 0.0)], stroke);
                 }
-                Piece::Chip { offset, size, color } => {
+                TextRun::Chip { offset, size, color } => {
                     let rect = Rect::from_min_size(start + *offset, Vec2::splat(*size));
                     painter.rect_filled(rect, 2.0, *color);
                     let line = ui.visuals().widgets.hovered.bg_stroke;
@@ -111,14 +111,14 @@ impl Line {
         }
     }
 
-    fn flush(&mut self, ui: &Ui, run: &mut String, size: f32, color: Color32, level: Level) {
+    fn flush(&mut self, ui: &Ui, run: &mut String, size: f32, color: Color32, level: ScriptLevel) {
         if run.is_empty() {
             return;
         }
         let (size, shift) = match level {
-            Level::Base => (size, 0.0),
-            Level::Sub => (0.74 * size, 0.26 * size),
-            Level::Sup => (0.74 * size, -0.34 * size),
+            ScriptLevel::Base => (size, 0.0),
+            ScriptLevel::Sub => (0.74 * size, 0.26 * size),
+            ScriptLevel::Sup => (0.74 * size, -0.34 * size),
         };
         let text = std::mem::take(run);
         for token in tokens(&text) {
@@ -139,7 +139,7 @@ impl Line {
         let galley = ui.painter().layout_job(job);
         let size = galley.size();
         let offset = vec2(self.width, shift - 0.5 * size.y);
-        self.pieces.push(Piece::Text { galley, offset });
+        self.pieces.push(TextRun::Text { galley, offset });
         self.width += size.x;
     }
 
@@ -147,7 +147,7 @@ impl Line {
         let width = (self.width - start).min(0.55 * size);
         let left = start + 0.5 * (self.width - start - width) + 0.08 * size;
         let offset = vec2(left, -0.42 * size);
-        self.pieces.push(Piece::Hat { offset, size: vec2(width, 0.2 * size), color });
+        self.pieces.push(TextRun::Hat { offset, size: vec2(width, 0.2 * size), color });
     }
 }
 

@@ -1,15 +1,15 @@
-//! How the document is looked at: what is neither part of the scene nor remembered.
+//! The state of the view, which is neither part of the scene nor saved.
 
 use catoptric_editor::navigate::CachedCameraRange;
-use catoptric_live::Shows;
+use catoptric_live::DisplayContent;
 use catoptric_picture::Development;
 use catoptric_scene::Camera;
 
 use crate::command::Tool;
 
-/// The state of looking.
+/// The state of the view: tool, camera, display.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct View {
+pub(crate) struct ViewState {
     /// What the gizmo does.
     pub(crate) tool: Tool,
     /// Whether clicks in the picture pin pixels for the audit, instead of selecting.
@@ -27,13 +27,13 @@ pub(crate) struct View {
     /// Whether the keys fly the camera.
     pub(crate) is_flying: bool,
     /// What of the drawing is seen.
-    pub(crate) shows: Shows,
+    pub(crate) shows: DisplayContent,
     /// Exposure and tone curve of the viewport.
     pub(crate) development: Development,
     /// The body under the pointer, in the picture or in the outliner.
     pub(crate) hovered_body: Option<usize>,
     /// The point of a body under the pointer in the picture.
-    pub(crate) seen: Option<Seen>,
+    pub(crate) seen: Option<ProjectedPoint>,
     /// Set by whatever is being dragged, flown or turned in this frame: the picture is then traced coarsely, and the
     /// gesture stays open. Cleared at the start of each frame.
     pub(crate) is_moving: bool,
@@ -43,9 +43,9 @@ pub(crate) struct View {
     pub(crate) is_measuring: bool,
 }
 
-/// A point of a body as it is seen.
+/// The point of a body under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Seen {
+pub(crate) struct ProjectedPoint {
     /// The place of the body in the scene.
     pub(crate) body: usize,
     /// The angle between the ray and the normal, degrees.
@@ -54,7 +54,7 @@ pub(crate) struct Seen {
     pub(crate) is_from_inside: bool,
 }
 
-impl View {
+impl ViewState {
     /// The camera through which the viewport looks.
     pub(crate) fn camera(&self, scene: &catoptric_scene::Scene) -> Camera {
         self.free_camera.unwrap_or(scene.camera)

@@ -1,31 +1,31 @@
-//! The panel of the picture: the traced scene itself, with what can be seen and held drawn over it.
+//! The viewport: the traced scene, with handles, outlines and rays drawn over it.
 
-mod aim;
 mod answers;
-mod carry;
+mod camera_commands;
+mod camera_navigation;
+mod camera_transition;
 mod compass;
 mod covered;
 mod dashes;
+mod drag_payload;
 mod gizmo;
-mod glide;
 mod handles;
-mod hands;
-mod jumps;
+mod item_drag;
 mod labels;
-mod lens;
-mod load;
-mod marks;
+mod light_aim;
 mod menu;
 mod offscreen;
+mod overlay_lines;
 mod picture;
-mod pixels;
+mod pixel_pick;
 mod placing;
+mod pointer_tool;
+mod projector;
 mod rays;
-mod sight;
+mod scene_view;
 mod steering;
 mod toolbar;
-mod travel;
-mod wire;
+mod wireframe;
 
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;
@@ -39,24 +39,26 @@ use crate::command::Command;
 use crate::context::Cx;
 use crate::outliner::item_name;
 use crate::{picture_frame, theme};
+pub(crate) use camera_commands::{
+    frame, look_along, look_through, set_camera, set_scene_camera, toggle_free,
+};
+use camera_navigation::CameraNavigation;
 use covered::CoveredPicture;
 pub(crate) use covered::ROOM as ROOM_BELOW_PIXEL;
-use gizmo::{Gizmo, Handle};
-use hands::{Hand, Hands};
-pub(crate) use jumps::{frame, look_along, look_through, set_camera, set_scene_camera, toggle_free};
+use gizmo::{Gizmo, GizmoHandle};
 pub(crate) use labels::beside_pointer as note_beside;
-pub(crate) use lens::Lens;
-use picture::Picture;
+use picture::ViewportPicture;
 pub(crate) use picture::why;
 pub(crate) use placing::{place_for_light, spot_for_body};
-use sight::{Sight, Target};
-use steering::Listener;
-use travel::Travel;
+use pointer_tool::{PointerAction, PointerTool};
+pub(crate) use projector::Projector;
+use scene_view::{PointerTarget, SceneView};
+use steering::KeyListener;
 
 /// What the viewport keeps from frame to frame.
 #[derive(Default)]
 pub(crate) struct Viewport {
-    picture: Picture,
+    picture: ViewportPicture,
     size_in_pixels: Option<[u32; 2]>,
     rect: Option<Rect>,
     /// The part of it that no panel covers.
@@ -64,9 +66,9 @@ pub(crate) struct Viewport {
     covered: Option<CoveredPicture>,
     /// How far the bar over the picture reached down in the last frame, points.
     bar: f32,
-    hands: Hands,
-    travel: Travel,
-    glide: Option<glide::Glide>,
+    pointer_tool: PointerTool,
+    navigation: CameraNavigation,
+    transition: Option<camera_transition::CameraTransition>,
 }
 
 impl Viewport {
@@ -91,11 +93,11 @@ impl Viewport {
         self.covered = self.rect.map(|whole| CoveredPicture::new(whole, shown, window));
     }
 
-    /// Another document has come: whatever hands and keys were doing to the last one ends.
+    /// Ends all drags and key presses, since another document has come.
     pub(crate) fn begin_document(&mut self) {
-        self.hands = Hands::default();
-        self.travel.stop();
-        self.glide = None;
+        self.pointer_tool = PointerTool::default();
+        self.navigation.stop();
+        self.transition = None;
         self.covered = None;
     }
 
@@ -106,7 +108,7 @@ impl Viewport {
 
     /// The device of the window is another.
     pub(crate) fn forget_textures(&mut self) {
-        self.picture = Picture::default();
+        self.picture = ViewportPicture::default();
     }
 
     /// Finds out where the picture is in its tile of the layout.
@@ -132,9 +134,9 @@ impl Viewport {
     fn ease(&mut self, ui: &Ui, cx: &mut Cx<'_>) {
         let camera = cx.view.camera(cx.editor.scene());
         let time = ui.input(|input| input.time);
-        cx.view.eased = self.glide.as_mut().and_then(|glide| glide.now(&camera, time));
+        cx.view.eased = self.transition.as_mut().and_then(|transition| transition.now(&camera, time));
         if cx.view.eased.is_none() {
-            self.glide = None;
+            self.transition = None;
         } else {
             cx.view.is_moving = true;
             ui.ctx().request_repaint();
@@ -142,7 +144,7 @@ impl Viewport {
     }
 }
 
-/// Draws the picture and does what hands and keys do in it.
+/// Draws the picture and handles the pointer and the keys in it.
 pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport) {
     let (tile, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let tile = tile.round_to_pixels(ui.ctx().pixels_per_point());
@@ -156,16 +158,16 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
     let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
-    let sight = Sight::new(cx.live, rect, (tile, viewport.bar), camera);
+    let scene_view = SceneView::new(cx.live, rect, (tile, viewport.bar), camera);
     if frame.as_deref().is_some_and(picture::is_apart) {
         // Nothing can be picked in it, and nothing belongs over it.
-        viewport.hands = Hands::default();
-        viewport.travel.settle(ui, cx);
+        viewport.pointer_tool = PointerTool::default();
+        viewport.navigation.settle(ui, cx);
         tell(ui, cx, &response);
         viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
         return;
     }
-    act(ui, cx, viewport, (&sight, &response));
+    act(ui, cx, viewport, (&scene_view, &response));
     if cx.view.seen != seen_before {
         // A panel drawn before this one tells of it as well.
         ui.ctx().request_repaint();
@@ -175,56 +177,61 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     }
     crate::maps::draw(&painter, cx, rect, camera);
     if let Some(frame) = &frame {
-        marks::grid(&painter, rect, frame, palette);
+        overlay_lines::grid(&painter, rect, frame, palette);
         if cx.settings.shows_handles {
-            marks::outlines(&painter, rect, frame, palette);
+            overlay_lines::outlines(&painter, rect, frame, palette);
         }
     }
-    crate::audit::keep_sight(ui.ctx(), cx, camera);
-    rays::draw(&painter, &sight, cx);
-    over_picture(&painter, cx, viewport, &sight, palette);
-    answers::answers_ui(ui, cx, &sight);
+    crate::audit::update_hidden_parts(ui.ctx(), cx, camera);
+    rays::draw(&painter, &scene_view, cx);
+    over_picture(&painter, cx, viewport, &scene_view, palette);
+    answers::answers_ui(ui, cx, &scene_view);
     tell(ui, cx, &response);
     viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
-    compass::compass_ui(ui, cx, &sight);
-    crate::maps::legend_ui(ui, cx, rect, sight.visible);
-    notes(ui, cx, viewport, &sight);
+    compass::compass_ui(ui, cx, &scene_view);
+    crate::maps::legend_ui(ui, cx, rect, scene_view.visible);
+    notes(ui, cx, viewport, &scene_view);
 }
 
-/// What hands and keys do.
-fn act(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport, (sight, response): (&Sight, &Response)) {
-    let Viewport { hands, travel, .. } = viewport;
-    let listener = if cx.view.is_flying || hands.flies_beside(ui, response) {
-        Listener::Flight
+/// Handles the pointer and the keys.
+fn act(
+    ui: &mut Ui,
+    cx: &mut Cx<'_>,
+    viewport: &mut Viewport,
+    (scene_view, response): (&SceneView, &Response),
+) {
+    let Viewport { pointer_tool, navigation, .. } = viewport;
+    let listener = if cx.view.is_flying || pointer_tool.flies_beside(ui, response) {
+        KeyListener::Flight
     } else if listens(ui, response) {
-        Listener::Picture
+        KeyListener::Picture
     } else {
-        Listener::Nobody
+        KeyListener::Nobody
     };
-    travel.listen(ui, cx, listener);
+    navigation.listen(ui, cx, listener);
     if cx.view.is_flying {
-        hands.hand = Hand::Open;
-        hands.over = None;
-        travel.fly(ui, cx);
+        pointer_tool.action = PointerAction::Idle;
+        pointer_tool.over = None;
+        navigation.fly(ui, cx);
     } else {
-        travel.land(ui, cx);
-        let gizmo = hands::gizmo(cx);
-        hands.act(ui, cx, (sight, response), gizmo.as_ref(), travel);
+        navigation.land(ui, cx);
+        let gizmo = pointer_tool::gizmo(cx);
+        pointer_tool.act(ui, cx, (scene_view, response), gizmo.as_ref(), navigation);
         if response.contains_pointer() {
-            travel.wheel(ui, cx, sight);
+            navigation.wheel(ui, cx, scene_view);
         }
-        if listener == Listener::Picture {
+        if listener == KeyListener::Picture {
             keys(ui, cx);
-            travel.keys(ui, cx, sight);
+            navigation.keys(ui, cx, scene_view);
         }
-        if hands.opens_menu() {
+        if pointer_tool.opens_menu() {
             response.context_menu(|ui| menu::menu_ui(ui, cx));
         }
     }
-    travel.settle(ui, cx);
-    let is_busy = !matches!(viewport.hands.hand, Hand::Open);
+    navigation.settle(ui, cx);
+    let is_busy = !matches!(viewport.pointer_tool.action, PointerAction::Idle);
     if response.has_focus() {
-        // Arrows move the camera, and Esc ends what the hand does.
+        // Arrows move the camera, and Esc cancels the drag.
         let filter =
             EventFilter { tab: false, horizontal_arrows: true, vertical_arrows: true, escape: is_busy };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
@@ -264,30 +271,37 @@ fn over_picture(
     painter: &egui::Painter,
     cx: &Cx<'_>,
     viewport: &Viewport,
-    sight: &Sight,
-    palette: &theme::Palette,
+    scene_view: &SceneView,
+    palette: &theme::ThemeColors,
 ) {
-    let over = viewport.hands.over;
-    let hovered = if let Some(Target::Mark(item) | Target::Arrow(item)) = over { Some(item) } else { None };
-    handles::draw(painter, sight, cx, hovered, palette);
-    offscreen::draw(painter, sight, cx, hovered, palette);
-    let pulled: Option<(Gizmo, Handle)> = match &viewport.hands.hand {
-        Hand::Pull(held) => {
-            gizmo::draw::ghost(painter, sight, &held.by, palette);
+    let over = viewport.pointer_tool.over;
+    let hovered = if let Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item)) = over {
+        Some(item)
+    } else {
+        None
+    };
+    handles::draw(painter, scene_view, cx, hovered, palette);
+    offscreen::draw(painter, scene_view, cx, hovered, palette);
+    let pulled: Option<(Gizmo, GizmoHandle)> = match &viewport.pointer_tool.action {
+        PointerAction::DragHandle(active) => {
+            gizmo::draw::ghost(painter, scene_view, &active.drag, palette);
             // It goes with what it moves, and keeps its axes while it turns.
-            let pivot = hands::gizmo(cx).map_or(held.by.gizmo.pivot, |gizmo| gizmo.pivot);
-            Some((Gizmo { pivot, ..held.by.gizmo }, held.by.handle))
+            let pivot = pointer_tool::gizmo(cx).map_or(active.drag.gizmo.pivot, |gizmo| gizmo.pivot);
+            Some((Gizmo { pivot, ..active.drag.gizmo }, active.drag.handle))
         }
         _ => None,
     };
     let active = match (pulled, over) {
-        (Some((_, handle)), _) | (None, Some(Target::Handle(handle))) => Some(handle),
+        (Some((_, handle)), _) | (None, Some(PointerTarget::Handle(handle))) => Some(handle),
         _ => None,
     };
-    // What is carried by itself needs no handles meanwhile.
-    let at_rest = || hands::gizmo(cx).filter(|_| !matches!(viewport.hands.hand, Hand::Carry(_)));
+    // A thing that is dragged by itself needs no handles meanwhile.
+    let at_rest = || {
+        pointer_tool::gizmo(cx)
+            .filter(|_| !matches!(viewport.pointer_tool.action, PointerAction::DragItem(_)))
+    };
     if let Some(gizmo) = pulled.map(|pulled| pulled.0).or_else(at_rest) {
-        gizmo::draw::draw(painter, sight, &gizmo, active, palette);
+        gizmo::draw::draw(painter, scene_view, &gizmo, active, palette);
     }
 }
 
@@ -311,58 +325,64 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
 }
 
 /// Short texts: what is being changed, what is under the pointer, how to fly.
-fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, sight: &Sight) {
-    /// How long the pointer rests before it is told what it is over, seconds.
+fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, scene_view: &SceneView) {
+    /// How long the pointer rests before a label names the thing under it, seconds.
     const REST: f32 = 0.5;
     let palette = theme::palette(ui.visuals());
-    let painter = ui.painter_at(sight.visible);
+    let painter = ui.painter_at(scene_view.visible);
     let (pointer, rest) =
         ui.input(|input| (input.pointer.latest_pos(), input.pointer.time_since_last_movement()));
-    let amount = match &viewport.hands.hand {
-        Hand::Carry(held) => held.amount,
-        Hand::Pull(held) => held.amount,
-        Hand::Aim(held) => held.amount,
+    let amount = match &viewport.pointer_tool.action {
+        PointerAction::DragItem(active) => active.amount,
+        PointerAction::DragHandle(active) => active.amount,
+        PointerAction::AimLight(active) => active.amount,
         _ => None,
     };
     let scene = cx.editor.scene();
-    let over = match viewport.hands.over {
-        Some(Target::Mark(item) | Target::Arrow(item)) => Some(item),
-        Some(Target::Body { index, .. }) => Some(Item::Body(index)),
+    let over = match viewport.pointer_tool.over {
+        Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item)) => Some(item),
+        Some(PointerTarget::Body { index, .. }) => Some(Item::Body(index)),
         _ => None,
     };
     if cx.view.is_auditing {
-        pixels::note(ui, cx, sight, palette);
+        pixel_pick::note(ui, cx, scene_view, palette);
     } else if let (Some(amount), Some(pointer)) = (amount, pointer) {
-        let grain = sight.lens.meters_per_point(sight.camera.target);
+        let grain = scene_view.projector.meters_per_point(scene_view.camera.target);
         let text = labels::amount_text(cx.texts, amount, grain);
-        labels::beside_pointer(&painter, sight.visible, pointer, &text, palette);
+        labels::beside_pointer(&painter, scene_view.visible, pointer, &text, palette);
     } else if let (Some(item), Some(pointer), false) =
         (over.filter(|_| cx.maps.kind.is_none()), pointer, Popup::is_any_open(ui.ctx()))
     {
         if rest >= REST {
             let name = item_name(cx.texts, scene, item);
-            let text = match viewport.hands.over {
-                Some(Target::Arrow(_)) => {
+            let text = match viewport.pointer_tool.over {
+                Some(PointerTarget::Arrow(_)) => {
                     cx.texts.with("viewport-out-of-view", &[("name", name.into_owned().into())])
                 }
                 _ => name.into_owned(),
             };
-            labels::beside_pointer(&painter, sight.visible, pointer, &text, palette);
+            labels::beside_pointer(&painter, scene_view.visible, pointer, &text, palette);
         } else {
             let left = std::time::Duration::from_secs_f32(REST - rest);
             ui.ctx().request_repaint_after(left);
         }
     }
     if cx.view.is_measuring {
-        let at = sight.visible.center_bottom() - vec2(0.0, 14.0);
+        let at = scene_view.visible.center_bottom() - vec2(0.0, 14.0);
         let text = cx.t("viewport-measuring");
-        labels::plate(&painter, sight.visible, at, Align2::CENTER_BOTTOM, text, palette);
+        labels::plate(&painter, scene_view.visible, at, Align2::CENTER_BOTTOM, text, palette);
     }
-    hint(&painter, cx, &viewport.hands.hand, sight, palette);
+    hint(&painter, cx, &viewport.pointer_tool.action, scene_view, palette);
 }
 
 /// Says what to do next in a mode of the picture.
-fn hint(painter: &egui::Painter, cx: &Cx<'_>, hand: &Hand, sight: &Sight, palette: &theme::Palette) {
+fn hint(
+    painter: &egui::Painter,
+    cx: &Cx<'_>,
+    action: &PointerAction,
+    scene_view: &SceneView,
+    palette: &theme::ThemeColors,
+) {
     let text = if cx.view.is_flying {
         // Lines break between the keys, not within what is said of one.
         let parts = cx.t("viewport-fly-hint").split(" · ").map(|part| part.replace(' ', "\u{a0}"));
@@ -370,9 +390,9 @@ fn hint(painter: &egui::Painter, cx: &Cx<'_>, hand: &Hand, sight: &Sight, palett
     } else if cx.view.is_auditing && cx.audit.pin().is_none() {
         cx.t("viewport-audit-hint").to_owned()
     } else if cx.view.is_aiming {
-        let key = match hand {
-            Hand::Aim(held) if held.by.is_by_shadow() => "viewport-aim-shadow",
-            Hand::Aim(_) => "viewport-aim-highlight",
+        let key = match action {
+            PointerAction::AimLight(active) if active.drag.is_by_shadow() => "viewport-aim-shadow",
+            PointerAction::AimLight(_) => "viewport-aim-highlight",
             _ => "viewport-aim-hint",
         };
         cx.t(key).to_owned()
@@ -380,7 +400,7 @@ fn hint(painter: &egui::Painter, cx: &Cx<'_>, hand: &Hand, sight: &Sight, palett
         return;
     };
     // Below the bar, where no other panel floats, and beside the compass.
-    let room = sight.clear.shrink2(vec2(compass::WIDTH, 0.0));
+    let room = scene_view.clear.shrink2(vec2(compass::WIDTH, 0.0));
     let at = room.center_top() + vec2(0.0, 10.0);
     labels::plate(painter, room, at, Align2::CENTER_TOP, &text, palette);
 }

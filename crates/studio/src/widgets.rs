@@ -24,7 +24,7 @@ pub(crate) fn icon_button(ui: &mut Ui, icon: MaterialIcon, name: &str, is_on: bo
     explained_icon_button(ui, icon, name, name, is_on)
 }
 
-/// The same with a tooltip that says more than its name.
+/// A flat button that shows only an icon, with a tooltip that says more than its name.
 pub(crate) fn explained_icon_button(
     ui: &mut Ui,
     icon: MaterialIcon,

@@ -9,19 +9,19 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Instant;
 
-use catoptric_gpu::Watch;
+use catoptric_gpu::LossWatch;
 use eframe::NativeOptions;
 use egui::{
     Context, Event, IconData, Modifiers, PointerButton, RawInput, Ui, ViewportBuilder, ViewportCommand,
 };
 
-use crate::app::{Start, Studio};
+use crate::app::{StartDocument, Studio};
 use crate::documents;
-use crate::host::{Desktop, Host as _};
+use crate::host::{DesktopHost, Host as _};
 use crate::settings::Settings;
 pub use failure::StudioError;
-use failure::{Quiet, of_eframe};
-use losses::Losses;
+use failure::{PanicFilter, of_eframe};
+use losses::DeviceLosses;
 
 /// A way to end the studio from outside, such as by Ctrl-C: unsaved work is kept for the next start.
 #[derive(Clone, Debug, Default)]
@@ -48,11 +48,11 @@ impl Interruption {
 /// Makes the device that draws the window fail: for tests, which cannot wait for a driver to do so.
 #[doc(hidden)]
 #[derive(Clone, Debug, Default)]
-pub struct Fault {
-    window: Arc<Mutex<Option<Arc<Watch>>>>,
+pub struct InjectedLoss {
+    window: Arc<Mutex<Option<Arc<LossWatch>>>>,
 }
 
-impl Fault {
+impl InjectedLoss {
     /// Loses the device of the open window, if there is one.
     pub fn strike(&self) {
         if let Some(watch) = self.window.lock().unwrap_or_else(PoisonError::into_inner).take() {
@@ -60,7 +60,7 @@ impl Fault {
         }
     }
 
-    fn aim(&self, watch: &Arc<Watch>) {
+    fn aim(&self, watch: &Arc<LossWatch>) {
         *self.window.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(watch));
     }
 }
@@ -69,27 +69,31 @@ impl Fault {
 /// anew with everything in it.
 ///
 /// # Errors
-/// When there is no display, when neither the graphics card nor a software driver can draw a window, or when devices are
-/// lost again and again.
-pub fn open(start: &Start, interruption: &Interruption) -> Result<(), StudioError> {
-    open_with_fault(start, interruption, &Fault::default())
+/// When there is no display, when neither the graphics card nor a software driver can draw a window, or when devices
+/// are lost again and again.
+pub fn open(start: &StartDocument, interruption: &Interruption) -> Result<(), StudioError> {
+    open_with_fault(start, interruption, &InjectedLoss::default())
 }
 
-/// The same with a device that can be made to fail.
+/// Opens the studio with a device that a test can make fail.
 #[doc(hidden)]
-pub fn open_with_fault(start: &Start, interruption: &Interruption, fault: &Fault) -> Result<(), StudioError> {
+pub fn open_with_fault(
+    start: &StartDocument,
+    interruption: &Interruption,
+    fault: &InjectedLoss,
+) -> Result<(), StudioError> {
     if !has_display() {
         return Err(StudioError::NoDisplay);
     }
     let mut opened = None;
-    let mut losses = Losses::default();
+    let mut losses = DeviceLosses::default();
     let mut is_broken_off = false;
     loop {
         let watch = OnceCell::new();
         let shown = show(&mut opened, &watch, (start, interruption, fault));
-        let Some(Opened { studio, context }) = &mut opened else { return shown };
-        // What the toolkit still holds of a device that is lost can make it panic. Its loop then has to end first, which it
-        // does without a window.
+        let Some(WindowSession { studio, context }) = &mut opened else { return shown };
+        // What the toolkit still holds of a device that is lost can make it panic. Its loop then has to end first,
+        // which it does without a window.
         let was_broken_off = std::mem::replace(&mut is_broken_off, shown.is_err());
         if was_broken_off && shown.is_ok() && watch.get().is_none() {
             continue;
@@ -110,21 +114,21 @@ pub fn open_with_fault(start: &Start, interruption: &Interruption, fault: &Fault
     }
 }
 
-/// The studio, which outlives its windows, and what it is drawn with.
-struct Opened {
+/// The studio, which outlives its windows, and its egui context.
+struct WindowSession {
     studio: Studio,
     context: Context,
 }
 
-/// Opens a window and stays until it is closed, or its device is lost, as `watch` then tells.
+/// Opens a window and stays until it is closed, or its device is lost, as `watch` then reports.
 fn show(
-    opened: &mut Option<Opened>,
-    watch: &OnceCell<Arc<Watch>>,
-    (start, interruption, fault): (&Start, &Interruption, &Fault),
+    opened: &mut Option<WindowSession>,
+    watch: &OnceCell<Arc<LossWatch>>,
+    (start, interruption, fault): (&StartDocument, &Interruption, &InjectedLoss),
 ) -> Result<(), StudioError> {
     let context = opened.as_ref().map(|opened| opened.context.clone());
     let options = NativeOptions { viewport: viewport(opened.as_ref()), ..NativeOptions::default() };
-    let quiet = Quiet::default();
+    let quiet = PanicFilter::default();
     let create = |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App + '_>, _> {
         quiet.end();
         let context = &creation.egui_ctx;
@@ -135,8 +139,8 @@ fn show(
             none => {
                 let _ = interruption.context.set(context.clone());
                 let interruption = Some(interruption.clone());
-                let studio = Studio::interruptible(context, start, Box::new(Desktop), interruption)?;
-                none.insert(Opened { studio, context: context.clone() })
+                let studio = Studio::interruptible(context, start, Box::new(DesktopHost), interruption)?;
+                none.insert(WindowSession { studio, context: context.clone() })
             }
         };
         if let Some(state) = &creation.wgpu_render_state {
@@ -145,20 +149,20 @@ fn show(
                 quiet.begin_again();
                 wake.request_repaint();
             };
-            let watch = watch.get_or_init(|| Watch::over(&state.device, tell));
+            let watch = watch.get_or_init(|| LossWatch::over(&state.device, tell));
             watch.mind_errors();
             fault.aim(watch);
             opened.studio.enter_window(state, watch, is_first);
         }
         let held = if is_first { Vec::new() } else { held(context) };
-        Ok(Box::new(Shown { studio: &mut opened.studio, watch: watch.get(), quiet: &quiet, held }))
+        Ok(Box::new(WindowApp { studio: &mut opened.studio, watch: watch.get(), quiet: &quiet, held }))
     };
     let run = || eframe::run_native_ext("Catoptric", options, context, Box::new(create));
     quiet.during(run)?.map_err(of_eframe)
 }
 
-fn viewport(opened: Option<&Opened>) -> ViewportBuilder {
-    let first = || Desktop.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
+fn viewport(opened: Option<&WindowSession>) -> ViewportBuilder {
+    let first = || DesktopHost.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
     let settings = opened.map_or_else(first, |opened| opened.studio.settings().clone());
     let viewport = ViewportBuilder::default()
         .with_title("Catoptric")
@@ -180,7 +184,7 @@ fn viewport(opened: Option<&Opened>) -> ViewportBuilder {
     })
 }
 
-/// What lets go of all that was held down in a window that is gone: nobody will tell that it is released.
+/// Releases all keys and buttons that were down in a closed window, since no event reports it.
 fn held(context: &Context) -> Vec<Event> {
     context.input(|input| {
         let pos = input.pointer.interact_pos().unwrap_or_default();
@@ -192,22 +196,22 @@ fn held(context: &Context) -> Vec<Event> {
     })
 }
 
-/// The studio in one of its windows.
-struct Shown<'a> {
+/// The studio in one window, as an app of eframe.
+struct WindowApp<'a> {
     studio: &'a mut Studio,
-    watch: Option<&'a Arc<Watch>>,
-    quiet: &'a Quiet,
+    watch: Option<&'a Arc<LossWatch>>,
+    quiet: &'a PanicFilter,
     /// What comes before the first input.
     held: Vec<Event>,
 }
 
-impl Shown<'_> {
+impl WindowApp<'_> {
     fn is_lost(&self) -> bool {
         self.watch.is_some_and(|watch| watch.lost().is_some())
     }
 }
 
-impl eframe::App for Shown<'_> {
+impl eframe::App for WindowApp<'_> {
     fn raw_input_hook(&mut self, _context: &Context, input: &mut RawInput) {
         input.events.splice(0..0, self.held.drain(..));
     }

@@ -48,7 +48,7 @@ pub(super) fn find(text: &str) -> Result<&'static Case, String> {
 }
 
 /// A case's scene as files.
-pub(super) struct Files {
+pub(super) struct CaseFiles {
     pub scene: PathBuf,
     pub pov: PathBuf,
     pub bodies: usize,
@@ -56,9 +56,9 @@ pub(super) struct Files {
 
 impl Case {
     /// Writes the scene for us and for POV-Ray.
-    pub(super) fn write(&self) -> Result<Files> {
+    pub(super) fn write(&self) -> Result<CaseFiles> {
         let scene = (self.make)()?;
-        let files = Files {
+        let files = CaseFiles {
             scene: folder().join(format!("{}.toml", self.name)),
             pov: folder().join(format!("{}.pov", self.name)),
             bodies: scene.bodies.len(),

@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::folder;
 use super::programs::program;
-use super::series::Series;
+use super::series::TimeSeries;
 use crate::root;
 use crate::shell::{self, command};
 
@@ -15,7 +15,7 @@ pub(super) fn measure(runs: usize) -> Result<String> {
     let scene = root().join("tests/reference/whitted.toml").display().to_string();
     let output = folder().join("first-picture.png").display().to_string();
     let words = ["render", &scene, "-o", &output, "--size", "1280x720", "--threads", "2", "--quiet"];
-    let mut series = Series::default();
+    let mut series = TimeSeries::default();
     for _ in 0..runs {
         let start = Instant::now();
         shell::run(&mut command(&program(), &words))?;

@@ -3,8 +3,8 @@
 use anyhow::{Context as _, Result};
 
 use super::folder;
-use super::programs::{Stats, program, render_arguments};
-use crate::povray::Task;
+use super::programs::{RenderStats, program, render_arguments};
+use crate::povray::PovrayTask;
 use crate::root;
 use crate::shell::{self, command, exists};
 
@@ -37,7 +37,7 @@ pub(super) fn count() -> Result<String> {
 fn run(samples: u32) -> Result<(f64, f64)> {
     let scene = root().join("tests/reference/whitted.toml");
     let output = folder().join("instructions.exr");
-    let task = Task { output: &output, width: SIZE.0, height: SIZE.1, threads: 1 };
+    let task = PovrayTask { output: &output, width: SIZE.0, height: SIZE.1, threads: 1 };
     let profile = format!("--callgrind-out-file={}", folder().join("callgrind.out").display());
     let mut words = vec!["--tool=callgrind".to_owned(), profile, program()];
     words.extend(render_arguments(&scene, &task));
@@ -45,7 +45,7 @@ fn run(samples: u32) -> Result<(f64, f64)> {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let [printed, said] = shell::streams(&mut command("valgrind", &words))?;
     let count = collected(&said).with_context(|| format!("Valgrind told no count:\n{said}"))?;
-    Ok((count, Stats::from_json(&printed)?.all_rays()))
+    Ok((count, RenderStats::from_json(&printed)?.all_rays()))
 }
 
 /// From a line like "==123== Collected : 4567".

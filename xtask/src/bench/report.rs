@@ -1,9 +1,9 @@
 //! The figures as tables for BENCHMARKS.md.
 
-use super::measure::{Measured, Row};
+use super::measure::{CaseTimings, TimingRow};
 
 /// Both tables, with what they mean. The other renderers are in the order of the figures.
-pub(super) fn tables(results: &[Measured], others: &[&str], [width, height]: [u32; 2]) -> String {
+pub(super) fn tables(results: &[CaseTimings], others: &[&str], [width, height]: [u32; 2]) -> String {
     format!(
         "Trace times in ms at {width}x{height}, one sample: best (median, worst) of the runs by turns; ratios of the \
          best times, scaling against the first number of threads.\n\n{}\nRays by kind, ms to prepare, bytes a body, and the percentage of pixels within 1/255 of \
@@ -13,7 +13,7 @@ pub(super) fn tables(results: &[Measured], others: &[&str], [width, height]: [u3
     )
 }
 
-fn times(results: &[Measured], others: &[&str]) -> String {
+fn times(results: &[CaseTimings], others: &[&str]) -> String {
     let names = others.iter().map(|name| (*name).to_owned());
     let ratios = ["Catoptric"].iter().chain(others).map(|name| format!("POV-Ray / {name}"));
     let head = cells(["scene", "threads", "POV-Ray", "Catoptric"]).into_iter().chain(names).chain(ratios);
@@ -24,8 +24,8 @@ fn times(results: &[Measured], others: &[&str]) -> String {
     table(&rows)
 }
 
-fn times_row(result: &Measured, row: &Row) -> Vec<String> {
-    let Row { threads, povray, trace, others, .. } = row;
+fn times_row(result: &CaseTimings, row: &TimingRow) -> Vec<String> {
+    let TimingRow { threads, povray, trace, others, .. } = row;
     let ours = std::iter::once(trace);
     let times = std::iter::once(povray).chain(ours.clone()).chain(others).map(ToString::to_string);
     let ratios = ours.chain(others).map(|times| format!("{:.1}", povray.best() / times.best()));
@@ -35,7 +35,7 @@ fn times_row(result: &Measured, row: &Row) -> Vec<String> {
     scene.into_iter().chain(times).chain(ratios).chain([format!("{scaling:.2}"), mrays]).collect()
 }
 
-fn scenes(results: &[Measured], others: &[&str]) -> String {
+fn scenes(results: &[CaseTimings], others: &[&str]) -> String {
     let threads =
         results.first().map(|result| result.rows.iter().map(|row| row.threads)).into_iter().flatten();
     let head = cells(["scene", "bodies", "primary", "shadow", "reflected", "refracted"]).into_iter();
@@ -46,8 +46,8 @@ fn scenes(results: &[Measured], others: &[&str]) -> String {
     table(&rows)
 }
 
-fn scenes_row(result: &Measured) -> Vec<String> {
-    let Measured { bodies, stats, rows, same, others_same, .. } = result;
+fn scenes_row(result: &CaseTimings) -> Vec<String> {
+    let CaseTimings { bodies, stats, rows, same, others_same, .. } = result;
     let rays = stats.rays.map(|count| format!("{count:.0}"));
     let prepare = rows.iter().map(|row| row.prepare.to_string());
     let bytes = stats.stage_bytes / (*bodies).max(1) as f64;
@@ -57,7 +57,7 @@ fn scenes_row(result: &Measured) -> Vec<String> {
     row.chain([format!("{bytes:.0}")]).chain(same).collect()
 }
 
-impl Measured {
+impl CaseTimings {
     fn title(&self) -> String {
         format!("{} {}", self.case.label, self.case.name)
     }
@@ -89,31 +89,31 @@ pub(super) fn table(rows: &[Vec<String>]) -> String {
 mod tests {
     use super::*;
     use crate::bench::case::CASES;
-    use crate::bench::programs::Stats;
-    use crate::bench::series::Series;
+    use crate::bench::programs::RenderStats;
+    use crate::bench::series::TimeSeries;
 
-    fn measured() -> Measured {
+    fn measured() -> CaseTimings {
         let series = |times: [f64; 3]| {
-            let mut series = Series::default();
+            let mut series = TimeSeries::default();
             times.into_iter().for_each(|time| series.push(time));
             series
         };
-        let row = Row {
+        let row = TimingRow {
             threads: 2,
             povray: series([400.0, 420.0, 410.0]),
             prepare: series([0.5; 3]),
             trace: series([10.0, 12.0, 11.0]),
             others: vec![series([20.0; 3])],
         };
-        let stats = Stats { prepare: 0.5, trace: 12.0, rays: [4e5, 3e5, 2e5, 1e5], stage_bytes: 700.0 };
+        let stats = RenderStats { prepare: 0.5, trace: 12.0, rays: [4e5, 3e5, 2e5, 1e5], stage_bytes: 700.0 };
         let others_same = vec![None];
-        Measured { case: &CASES[0], bodies: 7, stats, rows: vec![row], same: 99.95, others_same }
+        CaseTimings { case: &CASES[0], bodies: 7, stats, rows: vec![row], same: 99.95, others_same }
     }
 
     #[test]
     fn the_tables_say_what_was_measured() {
         let mut result = measured();
-        let first = Row { threads: 1, ..result.rows[0].clone() };
+        let first = TimingRow { threads: 1, ..result.rows[0].clone() };
         result.rows.insert(0, first);
         result.rows[1].trace.push(8.0);
         let text = tables(&[result], &["mine"], [320, 180]);
@@ -146,7 +146,7 @@ mod tests {
     fn a_picture_below_its_bound_is_a_fault() {
         let good = measured();
         assert_eq!(good.fault(), None);
-        let bad = Measured { same: 99.89, ..good };
+        let bad = CaseTimings { same: 99.89, ..good };
         assert!(bad.fault().unwrap().starts_with("B1 whitted: 99.890 %"));
     }
 }

@@ -12,7 +12,7 @@ use crate::shell::{self, command};
 
 /// A number of threads, and the milliseconds of a picture with so many.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Point {
+struct ScalingPoint {
     threads: u32,
     median: f64,
     least: f64,
@@ -35,14 +35,14 @@ pub(super) fn measure(cases: &[&'static Case], arguments: &BenchArguments) -> Re
     ))
 }
 
-fn row(case: &Case, first: Point, point: Point) -> Vec<String> {
+fn row(case: &Case, first: ScalingPoint, point: ScalingPoint) -> Vec<String> {
     let times = [point.median, point.least].map(|time| format!("{time:.2}"));
     let gains = [first.median / point.median, first.least / point.least].map(|gain| format!("{gain:.2}"));
     let name = [format!("{} {}", case.label, case.name), point.threads.to_string()];
     name.into_iter().chain(times).chain(gains).collect()
 }
 
-fn points(scene: &Path, arguments: &BenchArguments) -> Result<Vec<Point>> {
+fn points(scene: &Path, arguments: &BenchArguments) -> Result<Vec<ScalingPoint>> {
     let output = folder().join("scaling");
     let threads: Vec<String> = arguments.threads.iter().map(u32::to_string).collect();
     let vary = format!("threads={}", threads.join(","));
@@ -57,7 +57,7 @@ fn points(scene: &Path, arguments: &BenchArguments) -> Result<Vec<Point>> {
 }
 
 /// The points of a `points.csv`, none of whose cells here has a comma in it.
-fn read(text: &str) -> Option<Vec<Point>> {
+fn read(text: &str) -> Option<Vec<ScalingPoint>> {
     let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let head = lines.next()?;
     let column = |name| head.iter().position(|cell| *cell == name);
@@ -65,7 +65,7 @@ fn read(text: &str) -> Option<Vec<Point>> {
     let point = |cells: Vec<&str>| {
         let number = |column: usize| cells.get(column)?.parse::<f64>().ok();
         let threads = cells.get(threads)?.parse().ok()?;
-        Some(Point { threads, median: number(median)?, least: number(least)? })
+        Some(ScalingPoint { threads, median: number(median)?, least: number(least)? })
     };
     lines.map(point).collect::<Option<Vec<_>>>().filter(|points| !points.is_empty())
 }
@@ -79,7 +79,7 @@ mod tests {
     fn reads_what_was_measured() {
         let text = "threads,runs,median_ms,least_ms\n1,25,24.5,24\n2,25,12.5,12.5\n";
         let points = read(text).unwrap();
-        assert_eq!(points[1], Point { threads: 2, median: 12.5, least: 12.5 });
+        assert_eq!(points[1], ScalingPoint { threads: 2, median: 12.5, least: 12.5 });
         let row = row(&CASES[0], points[0], points[1]);
         assert_eq!(row, ["B1 whitted", "2", "12.50", "12.50", "1.96", "1.92"]);
         for wrong in

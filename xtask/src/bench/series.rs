@@ -4,9 +4,9 @@ use std::fmt;
 
 /// Times in milliseconds, as they came.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Series(Vec<f64>);
+pub(super) struct TimeSeries(Vec<f64>);
 
-impl Series {
+impl TimeSeries {
     pub(super) fn push(&mut self, milliseconds: f64) {
         self.0.push(milliseconds);
     }
@@ -40,7 +40,7 @@ impl Series {
 }
 
 /// Best, and in brackets the median and the worst.
-impl fmt::Display for Series {
+impl fmt::Display for TimeSeries {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = if self.best() < 1000.0 { 1 } else { 0 };
         let [best, median, worst] = [self.best(), self.median(), self.worst()];
@@ -54,9 +54,9 @@ mod tests {
 
     #[test]
     fn best_median_and_worst() {
-        let series = Series(vec![30.0, 10.0, 20.26]);
+        let series = TimeSeries(vec![30.0, 10.0, 20.26]);
         assert_eq!(series.to_string(), "10.0 (20.3, 30.0)");
-        assert_eq!(Series(vec![4000.0, 1000.0]).to_string(), "1000 (2500, 4000)");
-        assert!(Series::default().median().is_nan() && Series::default().best().is_nan());
+        assert_eq!(TimeSeries(vec![4000.0, 1000.0]).to_string(), "1000 (2500, 4000)");
+        assert!(TimeSeries::default().median().is_nan() && TimeSeries::default().best().is_nan());
     }
 }

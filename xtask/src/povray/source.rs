@@ -100,7 +100,8 @@ fn shape(body: &Body) -> String {
     }
 }
 
-/// The way from the body's frame to the world: the images of the three axes and of the origin, mirrored before and after.
+/// The way from the body's frame to the world: the images of the three axes and of the origin, mirrored before and
+/// after.
 fn matrix(body: &Body) -> String {
     let world_from_body = body.placement.world_from_body();
     let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| world_from_body.transform_vector3(axis));
@@ -183,7 +184,7 @@ mod tests {
     use catoptric_scene::{MaterialChoice, load};
 
     use super::*;
-    use crate::povray::{Task, trace};
+    use crate::povray::{PovrayTask, trace};
     use crate::root;
 
     fn reference(file: &str) -> PathBuf {
@@ -278,7 +279,7 @@ mod tests {
             let name = path.file_stem().unwrap().to_string_lossy();
             let [pov, output] = ["pov", "exr"].map(|ending| folder.join(format!("{name}.{ending}")));
             std::fs::write(&pov, source(&load(&path).unwrap().scene).unwrap()).unwrap();
-            trace(&pov, &Task { output: &output, width: 320, height: 180, threads: 2 }).unwrap();
+            trace(&pov, &PovrayTask { output: &output, width: 320, height: 180, threads: 2 }).unwrap();
             let stored = read(&path.with_extension("exr")).unwrap();
             let difference = Difference::between(&read(&output).unwrap(), &stored).unwrap();
             println!("{name}: {} pixels differ", difference.above);

@@ -23,7 +23,7 @@ pub(crate) struct MethodArguments {
     pub shadows: bool,
     /// flat, gouraud, phong: which of the local terms count [default: phong]
     #[arg(long, value_enum)]
-    pub model: Option<Model>,
+    pub model: Option<LocalModel>,
     /// ssr: from one look at the depths to the next, pixels, 0.25 to 256 [default: 1]
     #[arg(long, value_name = "PIXELS")]
     pub ssr_step: Option<f64>,
@@ -52,7 +52,7 @@ pub(crate) struct MethodArguments {
 
 /// Which of the local terms count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Model {
+pub(crate) enum LocalModel {
     /// Ambient and diffuse light
     Lambert,
     /// Highlights too
@@ -127,8 +127,8 @@ impl MethodArguments {
             fineness: self.fineness.unwrap_or(default.fineness),
             shadows: self.shadows,
             model: match self.model {
-                Some(Model::Lambert) => LightModel::Lambert,
-                Some(Model::Phong) | None => LightModel::Phong,
+                Some(LocalModel::Lambert) => LightModel::Lambert,
+                Some(LocalModel::Phong) | None => LightModel::Phong,
             },
         }
     }

@@ -5,13 +5,13 @@ use catoptric_lab::audit::{Audit, AuditSettings, audit};
 use catoptric_lab::exact;
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::AuditArguments;
 use crate::console::{json_text, print};
 use crate::files::CommandFiles;
 use crate::input;
 
-pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &AuditArguments) -> Result<CommandOutcome> {
     let mut files = CommandFiles::default();
     for path in arguments.dot.iter().chain(&arguments.svg) {
         files.add_output(path)?;
@@ -41,7 +41,7 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<Outcome> {
         let audit = audit(scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default())?;
         write(&audit, arguments, &files)?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 fn write(audit: &Audit, arguments: &AuditArguments, files: &CommandFiles) -> Result<()> {

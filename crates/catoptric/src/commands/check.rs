@@ -5,19 +5,19 @@ use std::path::Path;
 use anyhow::Result;
 use catoptric_scene::{Diagnostics, LoadError, Scene, Severity, visible};
 
-use super::{Outcome, in_words};
+use super::{CommandOutcome, in_words};
 use crate::arguments::CheckArguments;
 use crate::console::{color_on, count, print_colored};
 use crate::files::{CommandFiles, OutputIsInput};
 use crate::{input, notes};
 
-pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &CheckArguments) -> Result<CommandOutcome> {
     let color = color_on(&std::io::stdout());
-    let mut outcome = Outcome::Done;
+    let mut outcome = CommandOutcome::Done;
     for path in &arguments.scenes {
         let (good, report) = check(path, color)?;
         if !good {
-            outcome = Outcome::WrongInput;
+            outcome = CommandOutcome::WrongInput;
         }
         print_colored(&report)?;
     }
@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<Outcome> {
 fn check(path: &Path, color: bool) -> Result<(bool, String)> {
     let name = visible(&path.display().to_string()).into_owned();
     Ok(match input::scene(path, &mut CommandFiles::default()) {
-        Ok(input::Named { loaded, .. }) => {
+        Ok(input::NamedScene { loaded, .. }) => {
             let found = findings(&loaded.warnings, &name, &loaded.text, color);
             let notes = notes::on_scene(&name, &loaded.scene);
             (true, format!("{found}{notes}{name}: {}\n", praise(&loaded.scene, &loaded.warnings)))

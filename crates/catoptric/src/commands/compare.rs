@@ -4,26 +4,26 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use catoptric_lab::Machine;
-use catoptric_lab::compare::{Compared, Contender, Job, compare, draw_all, reason_picture};
-use catoptric_lab::report::{Settings, page};
+use catoptric_lab::compare::{CompareJob, Contender, MethodComparison, compare, draw_all, reason_picture};
+use catoptric_lab::report::{PageSettings, page};
 use catoptric_picture::{BitDepth, Development, HeatMap, Picture, ToneCurve, encode_png, heat_map};
 use catoptric_scene::visible;
 use catoptric_tracer::{RenderControl, RenderSettings};
 use serde_json::{Value, json};
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::CompareArguments;
 use crate::backend::threads;
 use crate::console::{json_text, print};
 use crate::files::CommandFiles;
-use crate::input::{self, Named};
+use crate::input::{self, NamedScene};
 use crate::layers::LayerReader;
 use crate::progress::Progress;
 
 const REPORT: &str = "report.html";
 const METRICS: &str = "metrics.json";
 
-pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
     Picture::check_size(arguments.size.width, arguments.size.height)?;
     let mut files = CommandFiles::default();
     let input = arguments.scene.as_deref().map(|scene| input::scene(scene, &mut files)).transpose()?;
@@ -45,7 +45,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
     contenders.extend(pictures);
     let progress = Progress::new(arguments.quiet);
     let folder = arguments.output.to_string_lossy();
-    let compared = progress.of_writing(&folder, || -> Result<Compared> {
+    let compared = progress.of_writing(&folder, || -> Result<MethodComparison> {
         let compared = compare(contenders, arguments.tolerance)?;
         let settings = settings(arguments, input.as_ref(), pool.current_num_threads());
         let html = page(&compared, &Machine::here(), &settings)?;
@@ -59,10 +59,10 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome> {
         let report = arguments.output.join(REPORT);
         print(&format!("{}report: {}\n", summary(&compared), report.display()))?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-/// The picture files, before anything is drawn: what cannot be read is told at once.
+/// The picture files, before anything is drawn: what cannot be read is reported at once.
 fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Result<Vec<Contender>> {
     let mut contenders: Vec<Contender> = Vec::new();
     let mut layers = LayerReader::new(arguments.layer.as_deref());
@@ -91,8 +91,12 @@ fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Resu
     Ok(contenders)
 }
 
-fn draw(arguments: &CompareArguments, input: &Named, pool: &rayon::ThreadPool) -> Result<Vec<Contender>> {
-    let job = Job {
+fn draw(
+    arguments: &CompareArguments,
+    input: &NamedScene,
+    pool: &rayon::ThreadPool,
+) -> Result<Vec<Contender>> {
+    let job = CompareJob {
         scene: &input.loaded.scene,
         variants: &arguments.methods,
         settings: RenderSettings {
@@ -111,9 +115,9 @@ fn draw(arguments: &CompareArguments, input: &Named, pool: &rayon::ThreadPool) -
     })
 }
 
-fn settings(arguments: &CompareArguments, input: Option<&Named>, threads: usize) -> Settings {
+fn settings(arguments: &CompareArguments, input: Option<&NamedScene>, threads: usize) -> PageSettings {
     let scene = input.map(|input| &input.loaded.scene);
-    Settings {
+    PageSettings {
         scene: input.map(|input| input.name.clone()),
         bodies_and_lights: scene.map(|scene| [scene.bodies.len(), scene.lights.len()]),
         samples: scene.map(|_| arguments.samples),
@@ -124,8 +128,8 @@ fn settings(arguments: &CompareArguments, input: Option<&Named>, threads: usize)
     }
 }
 
-/// The files of a list with commas between them. A comma may be a part of a name: as many pieces of the list make one name
-/// as name a file that exists.
+/// The files of a list with commas between them. A comma may be a part of a name: as many pieces of the list make one
+/// name as name a file that exists.
 fn listed_files(list: &Path) -> Vec<PathBuf> {
     let Some(text) = list.to_str() else { return vec![list.to_owned()] };
     let ends =
@@ -157,7 +161,7 @@ fn names(arguments: &CompareArguments, pictures: &[Contender]) -> Vec<String> {
 
 /// The pictures and maps of the page as files of their own.
 fn write_pictures(
-    compared: &Compared,
+    compared: &MethodComparison,
     development: &Development,
     write_bytes: &dyn Fn(&str, &[u8]) -> Result<()>,
 ) -> Result<()> {
@@ -195,7 +199,7 @@ fn file_stem(index: usize, name: &str) -> String {
     format!("{}-{}", index + 1, name.trim_matches('-'))
 }
 
-fn as_json(compared: &Compared) -> Value {
+fn as_json(compared: &MethodComparison) -> Value {
     let finite = |value: f64| value.is_finite().then_some(value);
     let passes = |contender: &Contender| {
         contender.drawn.as_ref().map(|drawn| {
@@ -235,7 +239,7 @@ fn as_json(compared: &Compared) -> Value {
 }
 
 /// A line for each picture.
-fn summary(compared: &Compared) -> String {
+fn summary(compared: &MethodComparison) -> String {
     let names = compared.contenders.iter().map(|contender| visible(&contender.name).chars().count());
     let width = names.max().unwrap_or(0);
     let mut text = String::new();

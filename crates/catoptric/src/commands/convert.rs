@@ -7,51 +7,51 @@ use catoptric_files::{directory_of_file, is_stream};
 use catoptric_picture::{PictureFormat, ReadOptions};
 use catoptric_scene::{HasImages as _, Image, write};
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::ConvertArguments;
 use crate::files::CommandFiles;
 use crate::input;
-use crate::output::Kind;
+use crate::output::OutputKind;
 
-pub(crate) fn run(arguments: &ConvertArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &ConvertArguments) -> Result<CommandOutcome> {
     let ConvertArguments { from, to, format, layer, quality, development } = arguments;
     let mut files = CommandFiles::default();
-    match (Kind::of(from), kind_to_write(from, to, *format)?) {
-        (Some(Kind::Scene), Kind::Scene) => write_scene(from, to, &mut files)?,
+    match (OutputKind::of(from), kind_to_write(from, to, *format)?) {
+        (Some(OutputKind::Scene), OutputKind::Scene) => write_scene(from, to, &mut files)?,
         // The name of a stream says nothing of what it brings.
-        (None, Kind::Scene) if is_stream(from) => write_scene(from, to, &mut files)?,
-        (Some(Kind::Scene), Kind::Picture(_)) => {
+        (None, OutputKind::Scene) if is_stream(from) => write_scene(from, to, &mut files)?,
+        (Some(OutputKind::Scene), OutputKind::Picture(_)) => {
             bail!("{} is a scene: `catoptric render` makes a picture of it", from.display())
         }
-        (_, Kind::Picture(format)) => {
+        (_, OutputKind::Picture(format)) => {
             let options = development.save_options(format, *quality)?;
             files.add_picture_output(to)?;
             files.add_input(from)?;
             let picture = ReadOptions { layer: layer.clone(), ..ReadOptions::default() }.read(from)?;
             files.write_picture(to, &options, &picture)?;
         }
-        (_, Kind::Scene) => bail!(
+        (_, OutputKind::Scene) => bail!(
             "cannot make a scene of {}: only a file that ends in .toml is one; `catoptric examples` writes the \
              built-in scenes",
             from.display()
         ),
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// What to write: `format` if it is given, else what the extension of `to` says. The name of a stream may say nothing:
 /// then a scene becomes a scene, and a picture a PNG.
-fn kind_to_write(from: &Path, to: &Path, format: Option<Kind>) -> Result<Kind> {
-    match (format, Kind::of(to)) {
+fn kind_to_write(from: &Path, to: &Path, format: Option<OutputKind>) -> Result<OutputKind> {
+    match (format, OutputKind::of(to)) {
         (Some(kind), _) | (None, Some(kind)) => Ok(kind),
         (None, None) if !is_stream(to) => bail!(
             "cannot tell the format of {}: give a name that ends in {} or .toml, or --format",
             to.display(),
             PictureFormat::extensions_in_words(true).replace(" or ", ", ")
         ),
-        (None, None) => match Kind::of(from) {
-            Some(Kind::Scene) => Ok(Kind::Scene),
-            _ => Ok(Kind::Picture(PictureFormat::Png)),
+        (None, None) => match OutputKind::of(from) {
+            Some(OutputKind::Scene) => Ok(OutputKind::Scene),
+            _ => Ok(OutputKind::Picture(PictureFormat::Png)),
         },
     }
 }

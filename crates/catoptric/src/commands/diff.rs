@@ -9,14 +9,14 @@ use catoptric_picture::{
 };
 use serde_json::json;
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::DiffArguments;
 use crate::console::{json_text, print};
 use crate::files::CommandFiles;
 use crate::layers::LayerReader;
 use crate::output::format_for_output;
 
-pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &DiffArguments) -> Result<CommandOutcome> {
     let mut files = CommandFiles::default();
     files.add_input(&arguments.a)?;
     files.add_input(&arguments.b)?;
@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
         let map = heat_map(&a, &b, &options).with_context(names)?;
         files.write_picture(path, &SaveOptions::new(PictureFormat::Png, None)?, &map)?;
     }
-    let perceived = Perceived::of(&a, &b).with_context(names)?;
+    let perceived = PerceivedDifference::of(&a, &b).with_context(names)?;
     let equal = difference.share_above <= arguments.allow;
     let size = [a.width(), a.height()];
     print(&if arguments.json {
@@ -43,7 +43,7 @@ pub(crate) fn run(arguments: &DiffArguments) -> Result<Outcome> {
     } else {
         as_text(&difference, &perceived, arguments, size, equal)
     })?;
-    Ok(if equal { Outcome::Done } else { Outcome::Failed })
+    Ok(if equal { CommandOutcome::Done } else { CommandOutcome::Failed })
 }
 
 /// Refuses a heat map that would not be a PNG, or that would run into the numbers.
@@ -58,14 +58,14 @@ fn check_heat(path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// How different the pictures look.
-struct Perceived {
+/// The ꟻLIP difference of two pictures.
+struct PerceivedDifference {
     /// `None` when they are too small for it.
     ssim: Option<f64>,
     flip: f64,
 }
 
-impl Perceived {
+impl PerceivedDifference {
     fn of(a: &Picture, b: &Picture) -> Result<Self, CompareError> {
         let ssim = match ssim(a, b) {
             Err(CompareError::TooSmall { .. }) => None,
@@ -77,7 +77,7 @@ impl Perceived {
 
 fn as_json(
     difference: &Difference,
-    perceived: &Perceived,
+    perceived: &PerceivedDifference,
     arguments: &DiffArguments,
     size: [u32; 2],
     equal: bool,
@@ -105,7 +105,7 @@ fn as_json(
 
 fn as_text(
     difference: &Difference,
-    perceived: &Perceived,
+    perceived: &PerceivedDifference,
     arguments: &DiffArguments,
     size: [u32; 2],
     equal: bool,

@@ -3,21 +3,21 @@
 use anyhow::{Result, bail};
 use catoptric_scene::Example;
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::ExamplesArguments;
 use crate::console::print;
 use crate::files::CommandFiles;
 use crate::input::no_such_example;
-use crate::output::Kind;
+use crate::output::OutputKind;
 
-pub(crate) fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &ExamplesArguments) -> Result<CommandOutcome> {
     let Some(name) = &arguments.name else {
         print(&list())?;
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     };
     let example = Example::find(name).ok_or_else(|| no_such_example(name))?;
     match &arguments.output {
-        Some(path) if matches!(Kind::of(path), Some(Kind::Picture(_))) => bail!(
+        Some(path) if matches!(OutputKind::of(path), Some(OutputKind::Picture(_))) => bail!(
             "a scene file should not be called {0}: give a name that ends in .toml; for the picture, use \
              `catoptric render {name} -o {0}`",
             path.display()
@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &ExamplesArguments) -> Result<Outcome> {
         }
         None => print(example.text)?,
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 fn list() -> String {

@@ -3,19 +3,19 @@
 use anyhow::{Result, bail};
 use clap::CommandFactory as _;
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::{Arguments, CompletionsArguments, HelpArguments, ManArguments};
 use crate::console::{color_on, print, print_colored};
 
-pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<Outcome> {
+pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<CommandOutcome> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut Arguments::command(), "catoptric", &mut script);
     print(&String::from_utf8_lossy(&script))?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Explains the program or a command as its option `--help` does.
-pub(crate) fn help(arguments: &HelpArguments) -> Result<Outcome> {
+pub(crate) fn help(arguments: &HelpArguments) -> Result<CommandOutcome> {
     let mut command = chosen(arguments.command.as_deref(), |_| true)?;
     let words = command.render_long_help();
     if color_on(&std::io::stdout()) {
@@ -23,7 +23,7 @@ pub(crate) fn help(arguments: &HelpArguments) -> Result<Outcome> {
     } else {
         print(&words.to_string())?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The command of this name, one of those that `is_meant` accepts, or the whole program.
@@ -42,7 +42,7 @@ fn chosen(name: Option<&str>, is_meant: impl Fn(&str) -> bool) -> Result<clap::C
     }
 }
 
-pub(crate) fn man(arguments: &ManArguments) -> Result<Outcome> {
+pub(crate) fn man(arguments: &ManArguments) -> Result<CommandOutcome> {
     // The pages are the help.
     let command = chosen(arguments.command.as_deref(), |name| name != "help")?;
     let command = match &arguments.command {
@@ -53,5 +53,5 @@ pub(crate) fn man(arguments: &ManArguments) -> Result<Outcome> {
     let source = concat!("Catoptric ", env!("CARGO_PKG_VERSION"));
     clap_mangen::Man::new(command).source(source).manual("Catoptric").render(&mut page)?;
     print(&String::from_utf8_lossy(&page))?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }

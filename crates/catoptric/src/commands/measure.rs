@@ -4,19 +4,19 @@ use std::fs;
 use std::sync::Arc;
 
 use anyhow::{Context as _, Result};
-use catoptric_lab::measure::{Axis, MeasureError, Plan, measure};
-use catoptric_lab::report::{Study, study};
+use catoptric_lab::measure::{Axis, MeasureError, MeasurePlan, measure};
+use catoptric_lab::report::{MeasurementReport, study};
 use catoptric_picture::Picture;
 use catoptric_tracer::{RenderControl, RenderSettings};
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::MeasureArguments;
 use crate::console::{print, say};
 use crate::files::CommandFiles;
 use crate::progress::Progress;
 use crate::{input, interrupt};
 
-pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &MeasureArguments) -> Result<CommandOutcome> {
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let axes = Axis::read(&arguments.vary, threads).context("--vary")?;
     Picture::check_size(arguments.size.width, arguments.size.height)?;
@@ -25,12 +25,12 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
     if !arguments.quiet {
         input.warn();
     }
-    files.add_directory(&arguments.output, Study::NAMES.map(str::to_owned))?;
+    files.add_directory(&arguments.output, MeasurementReport::NAMES.map(str::to_owned))?;
     // At once: what was measured must not be lost for want of a place when the sweep is interrupted.
     let is_new_directory = !arguments.output.exists();
     fs::create_dir_all(&arguments.output)
         .with_context(|| format!("cannot make the directory {}", arguments.output.display()))?;
-    let plan = Plan {
+    let plan = MeasurePlan {
         scene: input.loaded.scene,
         name: input.name,
         variant: arguments.method.clone(),
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
         threads: arguments.threads.map_or(0, usize::from),
         axes,
         rounds: arguments.rounds,
-        least_time: Plan::LEAST_TIME,
+        least_time: MeasurePlan::LEAST_TIME,
     };
     let control = Arc::new(RenderControl::default());
     let asked = Arc::clone(&control);
@@ -59,7 +59,7 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
     let measured = match measured {
         Err(MeasureError::Cancelled) => {
             say("interrupted; nothing was written");
-            return Ok(Outcome::Interrupted);
+            return Ok(CommandOutcome::Interrupted);
         }
         other => other?,
     };
@@ -72,8 +72,8 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<Outcome> {
         print(&format!("{}\nreport: {}\n", study.laws.join("\n"), report.display()))?;
     }
     if measured.complete {
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
     say(&format!("interrupted; what was measured is in {}", arguments.output.display()));
-    Ok(Outcome::Interrupted)
+    Ok(CommandOutcome::Interrupted)
 }

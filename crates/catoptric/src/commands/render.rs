@@ -11,23 +11,23 @@ use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOp
 use catoptric_tracer::raster::{GBufferLayer, Method, MethodOutput};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::arguments::RenderArguments;
-use crate::backend::{Drawer, Drawn, threads};
+use crate::backend::{RenderedPicture, Renderer, threads};
 use crate::console::{count, json_text, say};
 use crate::files::CommandFiles;
 use crate::output::{format_for_output, milliseconds};
 use crate::progress::{Progress, WorkEstimate};
-use crate::stats::{Stats, Times};
+use crate::stats::{Stats, StepTimes};
 use crate::{input, memory, notes};
 
-pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
+pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
     let method = arguments.method.chosen()?;
     let mut files = CommandFiles::default();
     let options = refuse_early(arguments, &mut files)?;
-    let drawer = Drawer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
+    let drawer = Renderer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
     let progress = Progress::new(arguments.quiet);
-    let mut times = Times::default();
+    let mut times = StepTimes::default();
 
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let (width, height) = (arguments.size.width, arguments.size.height);
@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
         drawer.draw(&stage, &method, settings, &pool, &control)
     })?;
     times.trace = milliseconds(start);
-    let Drawn { drawing, on_card, fallen_back } = drawn;
+    let RenderedPicture { drawing, on_card, fallen_back } = drawn;
     fallen_back.iter().filter(|_| !arguments.quiet).for_each(warn_of_fallback);
 
     (times.develop, times.write) = progress.of_writing(&arguments.output.to_string_lossy(), || {
@@ -94,7 +94,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<Outcome> {
     if progress.is_shown() {
         advise(&stage, settings, &pool);
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Writes a map instead of the picture: in colors with a legend, or its numbers where the format is linear.
@@ -106,7 +106,7 @@ fn show_map(
     picture: RenderSettings,
     pool: &rayon::ThreadPool,
     progress: Progress,
-) -> Result<Outcome> {
+) -> Result<CommandOutcome> {
     let settings = MapSettings { kind: map_kind, picture, exposure_stops: arguments.development.exposure };
     let control = RenderControl::default();
     let pixels = u64::from(picture.width) * u64::from(picture.height);
@@ -137,7 +137,7 @@ fn show_map(
             map.in_words(map.mean() as f32)
         ));
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Says it before very many rays are traced. The rays of the picture, if trees can fork.
@@ -231,7 +231,7 @@ fn warn_of_fallback(reason: &GpuError) {
 }
 
 /// Says what may surprise in the picture.
-fn warn_of_scene(input: &input::Named) {
+fn warn_of_scene(input: &input::NamedScene) {
     input.warn();
     if input.loaded.scene.bodies.is_empty() {
         say(&format!(

@@ -3,20 +3,20 @@
 use std::path::Path;
 
 use anyhow::{Result, anyhow};
-use catoptric_studio::{Interruption, Start, StudioError, open};
+use catoptric_studio::{Interruption, StartDocument, StudioError, open};
 
-use super::Outcome;
+use super::CommandOutcome;
 use crate::{input, interrupt};
 
-pub(crate) fn run(scene: Option<&Path>) -> Result<Outcome> {
+pub(crate) fn run(scene: Option<&Path>) -> Result<CommandOutcome> {
     let start = match scene {
-        None => Start::Last,
+        None => StartDocument::Last,
         Some(scene) => match input::source(scene)? {
-            input::Source::Example(example) => Start::Example(example.name.to_owned()),
+            input::SceneSource::Example(example) => StartDocument::Example(example.name.to_owned()),
             // One with errors is opened in part.
-            input::Source::File(path) => {
+            input::SceneSource::File(path) => {
                 input::check_readable(path)?;
-                Start::File(path.to_owned())
+                StartDocument::File(path.to_owned())
             }
         },
     };
@@ -26,8 +26,8 @@ pub(crate) fn run(scene: Option<&Path>) -> Result<Outcome> {
         move || interruption.ask()
     });
     match open(&start, &interruption) {
-        Ok(()) if interruption.is_asked() => Ok(Outcome::Interrupted),
-        Ok(()) => Ok(Outcome::Done),
+        Ok(()) if interruption.is_asked() => Ok(CommandOutcome::Interrupted),
+        Ok(()) => Ok(CommandOutcome::Done),
         Err(error @ StudioError::Thread(_)) => Err(error.into()),
         Err(error) => Err(anyhow!("{error}; `catoptric render` makes pictures without a window")),
     }

@@ -251,7 +251,7 @@ impl Desk {
         self.find_window().unwrap()
     }
 
-    /// The same, if there is one.
+    /// The studio's window, if there is one.
     pub(crate) fn find_window(&self) -> Option<Window> {
         let protocols = self.atom("WM_PROTOCOLS");
         let tree = self.connection.query_tree(self.root).unwrap().reply().unwrap();

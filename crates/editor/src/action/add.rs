@@ -3,12 +3,12 @@
 use catoptric_scene::{Body, Color, Light, Material, MaterialChoice, NamedMaterial, Scene, ShapeKind};
 use glam::DVec3;
 
-use super::outcome::Outcome;
-use crate::names::Names;
+use super::outcome::ActionOutcome;
+use crate::names::UsedNames;
+use crate::new_body::NewBodyPlacement;
 use crate::selection::{Item, Selection};
-use crate::spot::Spot;
 
-/// Colors of new bodies, sRGB: of equal weight, each told from the others at a glance.
+/// Colors of new bodies, sRGB: of equal weight, each distinguished from the others at a glance.
 const PALETTE: [[u8; 3]; 8] = [
     [0xe4, 0x5b, 0x43],
     [0x2f, 0x9c, 0x95],
@@ -20,8 +20,8 @@ const PALETTE: [[u8; 3]; 8] = [
     [0x8a, 0x97, 0xa8],
 ];
 
-pub(super) fn body(scene: &Scene, shape: ShapeKind, spot: &Spot, name: &str) -> Outcome {
-    let mut names = Names::of(scene.bodies.iter().map(|body| body.name.as_str()));
+pub(super) fn body(scene: &Scene, shape: ShapeKind, spot: &NewBodyPlacement, name: &str) -> ActionOutcome {
+    let mut names = UsedNames::of(scene.bodies.iter().map(|body| body.name.as_str()));
     let body = Body {
         name: names.take(if name.is_empty() { shape.key() } else { name }),
         material: MaterialChoice::Inline(Box::new(material(scene, shape))),
@@ -31,27 +31,27 @@ pub(super) fn body(scene: &Scene, shape: ShapeKind, spot: &Spot, name: &str) -> 
     let selection = Selection::one(Item::Body(scene.bodies.len()));
     let subject = body.name.clone();
     scene.bodies.push(body);
-    Outcome { scene, selection, subject }
+    ActionOutcome { scene, selection, subject }
 }
 
-pub(super) fn light(scene: &Scene, at: DVec3, name: &str) -> Outcome {
-    let mut names = Names::of(scene.lights.iter().map(|light| light.name.as_str()));
+pub(super) fn light(scene: &Scene, at: DVec3, name: &str) -> ActionOutcome {
+    let mut names = UsedNames::of(scene.lights.iter().map(|light| light.name.as_str()));
     let name = names.take(if name.is_empty() { "light" } else { name });
     let mut scene = scene.clone();
     let selection = Selection::one(Item::Light(scene.lights.len()));
     let subject = name.clone();
     scene.lights.push(Light { name, position: at, ..Light::default() });
-    Outcome { scene, selection, subject }
+    ActionOutcome { scene, selection, subject }
 }
 
-pub(super) fn named_material(scene: &Scene, name: &str) -> Outcome {
-    let mut names = Names::of_materials(scene);
+pub(super) fn named_material(scene: &Scene, name: &str) -> ActionOutcome {
+    let mut names = UsedNames::of_materials(scene);
     let name = names.take(if name.is_empty() { "material" } else { name });
     let mut scene = scene.clone();
     let selection = Selection::one(Item::Material(scene.materials.len()));
     let subject = name.clone();
     scene.materials.push(NamedMaterial { name, material: Material::default() });
-    Outcome { scene, selection, subject }
+    ActionOutcome { scene, selection, subject }
 }
 
 /// Of the palette's colors, the one that the fewest bodies have or come near to; with some gloss, but for planes.

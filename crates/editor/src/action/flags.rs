@@ -3,7 +3,7 @@
 use catoptric_scene::Scene;
 
 use super::ActionError;
-use super::outcome::{Outcome, Result};
+use super::outcome::{ActionOutcome, Result};
 use crate::selection::{Item, Selection};
 
 /// One of the two flags.
@@ -79,8 +79,8 @@ pub(super) fn clear(scene: &Scene, selection: &Selection, flag: Flag) -> Result 
     Ok(set_all(scene, selection, flag, &items, false))
 }
 
-fn set_all(scene: &Scene, selection: &Selection, flag: Flag, items: &[Item], to: bool) -> Outcome {
-    Outcome::edited(scene, selection, items, |scene| {
+fn set_all(scene: &Scene, selection: &Selection, flag: Flag, items: &[Item], to: bool) -> ActionOutcome {
+    ActionOutcome::edited(scene, selection, items, |scene| {
         for item in items {
             flag.set(*item, scene, to);
         }

@@ -1,13 +1,13 @@
-//! What stands in the lists: duplicates, deletions, order.
+//! Actions on the lists: duplicates, deletions, order.
 
 use std::collections::HashSet;
 
 use catoptric_scene::{MaterialChoice, Scene};
 
 use super::ActionError;
-use super::outcome::{Outcome, Result, subject};
+use super::outcome::{ActionOutcome, Result, subject};
 use crate::fragment;
-use crate::names::Names;
+use crate::names::UsedNames;
 use crate::selection::{Item, Selection};
 
 /// The selected bodies, lights and materials, in the scene's order.
@@ -28,7 +28,7 @@ pub(super) fn check_duplicate(selection: &Selection) -> Result<Vec<Item>> {
 pub(super) fn duplicate(scene: &Scene, selection: &Selection) -> Result {
     let items = check_duplicate(selection)?;
     let mut copies = Scene::default();
-    let mut names = Names::of_materials(scene);
+    let mut names = UsedNames::of_materials(scene);
     for &item in &items {
         match item {
             Item::Body(index) => copies.bodies.extend(scene.bodies.get(index).cloned()),
@@ -60,7 +60,7 @@ pub(super) fn delete(scene: &Scene, selection: &Selection) -> Result {
 }
 
 /// Deletes these, which are sorted.
-pub(super) fn delete_items(scene: &Scene, selection: &Selection, items: &[Item]) -> Outcome {
+pub(super) fn delete_items(scene: &Scene, selection: &Selection, items: &[Item]) -> ActionOutcome {
     let subject = subject(scene, items);
     let gone: HashSet<Item> = items.iter().copied().collect();
     let mut left = scene.clone();
@@ -78,7 +78,7 @@ pub(super) fn delete_items(scene: &Scene, selection: &Selection, items: &[Item])
     if items.iter().any(|item| matches!(item, Item::Body(_))) {
         left.bodies.retain(stays(&gone, Item::Body));
     }
-    let before = |index: usize, kind: Kind| {
+    let before = |index: usize, kind: ItemFromIndex| {
         let less = |than: Item| items.partition_point(|item| *item < than);
         less(kind(index)) - less(kind(0))
     };
@@ -89,7 +89,7 @@ pub(super) fn delete_items(scene: &Scene, selection: &Selection, items: &[Item])
         Item::Body(index) => Some(Item::Body(index - before(index, Item::Body))),
         item => Some(item),
     });
-    Outcome { scene: left, selection, subject }
+    ActionOutcome { scene: left, selection, subject }
 }
 
 /// A material as a body's own.
@@ -98,25 +98,29 @@ pub(super) fn own(scene: &Scene, choice: &MaterialChoice) -> MaterialChoice {
 }
 
 /// Whether the next element of a list is not gone.
-fn stays<T>(gone: &HashSet<Item>, kind: Kind) -> impl FnMut(&T) -> bool {
+fn stays<T>(gone: &HashSet<Item>, kind: ItemFromIndex) -> impl FnMut(&T) -> bool {
     let mut indices = 0..;
     move |_| indices.next().is_some_and(|index| !gone.contains(&kind(index)))
 }
 
-/// Makes items of one kind of the places in its list.
-type Kind = fn(usize) -> Item;
+/// Turns a place in a list into an item.
+type ItemFromIndex = fn(usize) -> Item;
 
-/// Where to move things in their list.
+/// A move of items within their list.
 #[derive(Clone, Copy)]
-pub(super) enum Move {
+pub(super) enum ListMove {
     Up,
     Down,
     To(usize),
 }
 
 /// The kind of the primary item, and the order of its list after a move: for each new place the old one.
-pub(super) fn check_reorder(scene: &Scene, selection: &Selection, to: Move) -> Result<(Kind, Vec<usize>)> {
-    let (kind, count): (Kind, usize) = match selection.primary() {
+pub(super) fn check_reorder(
+    scene: &Scene,
+    selection: &Selection,
+    to: ListMove,
+) -> Result<(ItemFromIndex, Vec<usize>)> {
+    let (kind, count): (ItemFromIndex, usize) = match selection.primary() {
         Some(Item::Material(_)) => (Item::Material, scene.materials.len()),
         Some(Item::Light(_)) => (Item::Light, scene.lights.len()),
         Some(Item::Body(_)) => (Item::Body, scene.bodies.len()),
@@ -125,13 +129,13 @@ pub(super) fn check_reorder(scene: &Scene, selection: &Selection, to: Move) -> R
     let selected: HashSet<Item> = selection.iter().collect();
     let is_moved = |index: usize| selected.contains(&kind(index));
     let order = match to {
-        Move::Up => shifted((0..count).collect(), is_moved),
-        Move::Down => {
+        ListMove::Up => shifted((0..count).collect(), is_moved),
+        ListMove::Down => {
             let mut order = shifted((0..count).rev().collect(), is_moved);
             order.reverse();
             order
         }
-        Move::To(place) => {
+        ListMove::To(place) => {
             let place = place.min(count);
             let before = (0..place).filter(|index| !is_moved(*index));
             let moved = (0..count).filter(|index| is_moved(*index));
@@ -159,7 +163,7 @@ fn shifted(mut order: Vec<usize>, is_moved: impl Fn(usize) -> bool) -> Vec<usize
     order
 }
 
-pub(super) fn reorder(scene: &Scene, selection: &Selection, to: Move) -> Result {
+pub(super) fn reorder(scene: &Scene, selection: &Selection, to: ListMove) -> Result {
     let (kind, order) = check_reorder(scene, selection, to)?;
     let moved: Vec<Item> = selection
         .iter()
@@ -184,7 +188,7 @@ pub(super) fn reorder(scene: &Scene, selection: &Selection, to: Move) -> Result 
         }
         item => Some(item),
     });
-    Ok(Outcome { scene, selection, subject })
+    Ok(ActionOutcome { scene, selection, subject })
 }
 
 fn permute<T: Clone>(list: &mut Vec<T>, order: &[usize]) {

@@ -4,8 +4,8 @@ use catoptric_scene::{Body, MaterialChoice, NamedMaterial, Scene};
 
 use super::ActionError;
 use super::list::{delete_items, own};
-use super::outcome::{Outcome, Result, edit_bodies, free_bodies, wanting};
-use crate::names::{Names, used_materials};
+use super::outcome::{ActionOutcome, Result, edit_bodies, free_bodies, wanting};
+use crate::names::{UsedNames, used_materials};
 use crate::selection::{Item, Selection};
 
 fn check_defined(scene: &Scene, choice: &MaterialChoice) -> Result<()> {
@@ -41,7 +41,7 @@ pub(super) fn share(scene: &Scene, selection: &Selection) -> Result {
     let MaterialChoice::Inline(material) = &primary.material else {
         return assign(scene, selection, &primary.material);
     };
-    let mut names = Names::of_materials(scene);
+    let mut names = UsedNames::of_materials(scene);
     let name = names.take(if primary.name.is_empty() { "material" } else { &primary.name });
     let choice = MaterialChoice::Named(name.clone());
     let mut with = scene.clone();
@@ -88,14 +88,14 @@ pub(super) fn check_rename(scene: &Scene, item: Item, name: &str) -> Result<Stri
     if is_material && name.is_empty() {
         return Err(ActionError::EmptyName);
     }
-    let name = Names::of(names.into_iter().filter(|other| *other != old)).take(name);
+    let name = UsedNames::of(names.into_iter().filter(|other| *other != old)).take(name);
     if name == old { Err(ActionError::NothingToDo) } else { Ok(name) }
 }
 
 pub(super) fn rename(scene: &Scene, selection: &Selection, item: Item, name: &str) -> Result {
     let name = check_rename(scene, item, name)?;
     let old = item.name(scene);
-    let mut outcome = Outcome::edited(scene, selection, &[item], |scene| match item {
+    let mut outcome = ActionOutcome::edited(scene, selection, &[item], |scene| match item {
         Item::Material(index) => {
             let old = MaterialChoice::Named(old.to_owned());
             for body in scene.bodies.iter_mut().filter(|body| body.material == old) {

@@ -1,4 +1,4 @@
-//! What an action makes of a scene, before it is taken over.
+//! The outcome of an action, before the document takes it over.
 
 use catoptric_scene::{Body, Scene};
 
@@ -6,16 +6,16 @@ use super::ActionError;
 use crate::selection::{Item, Selection};
 
 /// The scene and the selection after an action.
-pub(crate) struct Outcome {
+pub(crate) struct ActionOutcome {
     pub(crate) scene: Scene,
     pub(crate) selection: Selection,
     /// The name of what was edited; empty when it is several things.
     pub(crate) subject: String,
 }
 
-pub(crate) type Result<T = Outcome> = std::result::Result<T, ActionError>;
+pub(crate) type Result<T = ActionOutcome> = std::result::Result<T, ActionError>;
 
-impl Outcome {
+impl ActionOutcome {
     /// The selected things at these items edited, the selection kept.
     pub(crate) fn edited(
         scene: &Scene,
@@ -55,7 +55,7 @@ pub(super) fn edit_bodies(
 ) -> Result {
     let indices = wanting(scene, selection, wants)?;
     let items: Vec<Item> = indices.iter().copied().map(Item::Body).collect();
-    Ok(Outcome::edited(scene, selection, &items, |scene| {
+    Ok(ActionOutcome::edited(scene, selection, &items, |scene| {
         for index in indices {
             if let Some(body) = scene.bodies.get_mut(index) {
                 edit(body);

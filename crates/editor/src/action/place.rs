@@ -1,4 +1,4 @@
-//! Where bodies stand.
+//! Actions on the placement of bodies.
 
 use catoptric_scene::{Anchor, Body, Placement, Scene, Shape};
 use glam::DVec3;

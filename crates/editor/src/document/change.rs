@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use catoptric_scene::{Body, Camera, Environment, Light, Material, Part, Problem, Scene, Tracing};
+use catoptric_scene::{Body, Camera, Environment, Light, Material, Problem, Scene, ScenePart, Tracing};
 
-use super::{Difference, Editor, Gesture, Label, Refused, Selection, Step};
+use super::{Difference, Editor, Gesture, Label, RefusedChange, Selection, UndoStep};
 
 /// Changes of more elements than this are checked by a check of the whole scene.
 const MOST_PARTS: usize = 16;
@@ -17,7 +17,7 @@ impl Editor {
     ///
     /// # Errors
     /// When the scene would have problems that it does not have now. It stays as it was, and so does the gesture.
-    pub fn change(&mut self, label: Label, edit: impl FnOnce(&mut Scene)) -> Result<bool, Refused> {
+    pub fn change(&mut self, label: Label, edit: impl FnOnce(&mut Scene)) -> Result<bool, RefusedChange> {
         self.settle_unless(&label);
         let mut scene = Scene::clone(&self.scene);
         edit(&mut scene);
@@ -38,13 +38,13 @@ impl Editor {
     /// Changes one body; one that does not exist stays so.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_body(
         &mut self,
         index: usize,
         label: Label,
         edit: impl FnOnce(&mut Body),
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, RefusedChange> {
         let mut edit = Some(edit);
         self.change_bodies([index], label, |_, body| {
             if let Some(edit) = edit.take() {
@@ -53,29 +53,35 @@ impl Editor {
         })
     }
 
-    /// Changes several bodies, all or none; `edit` is told the place of each.
+    /// Changes several bodies, all or none; `edit` gets the place of each.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_bodies(
         &mut self,
         indices: impl IntoIterator<Item = usize>,
         label: Label,
         edit: impl FnMut(usize, &mut Body),
-    ) -> Result<bool, Refused> {
-        self.change_elements(indices, label, |scene, index| scene.bodies.get_mut(index), Part::Body, edit)
+    ) -> Result<bool, RefusedChange> {
+        self.change_elements(
+            indices,
+            label,
+            |scene, index| scene.bodies.get_mut(index),
+            ScenePart::Body,
+            edit,
+        )
     }
 
     /// Changes one light; one that does not exist stays so.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_light(
         &mut self,
         index: usize,
         label: Label,
         edit: impl FnOnce(&mut Light),
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, RefusedChange> {
         let mut edit = Some(edit);
         self.change_lights([index], label, |_, light| {
             if let Some(edit) = edit.take() {
@@ -84,36 +90,42 @@ impl Editor {
         })
     }
 
-    /// Changes several lights, all or none; `edit` is told the place of each.
+    /// Changes several lights, all or none; `edit` gets the place of each.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_lights(
         &mut self,
         indices: impl IntoIterator<Item = usize>,
         label: Label,
         edit: impl FnMut(usize, &mut Light),
-    ) -> Result<bool, Refused> {
-        self.change_elements(indices, label, |scene, index| scene.lights.get_mut(index), Part::Light, edit)
+    ) -> Result<bool, RefusedChange> {
+        self.change_elements(
+            indices,
+            label,
+            |scene, index| scene.lights.get_mut(index),
+            ScenePart::Light,
+            edit,
+        )
     }
 
     /// Changes the coefficients of a named material; one that does not exist stays so. Its name is changed by
     /// [`crate::Action::Rename`].
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_material(
         &mut self,
         index: usize,
         label: Label,
         edit: impl FnOnce(&mut Material),
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, RefusedChange> {
         let mut edit = Some(edit);
         self.change_elements(
             [index],
             label,
             |scene, index| scene.materials.get_mut(index),
-            Part::Material,
+            ScenePart::Material,
             |_, named| {
                 if let Some(edit) = edit.take() {
                     edit(&mut named.material);
@@ -125,17 +137,21 @@ impl Editor {
     /// Changes the camera.
     ///
     /// # Errors
-    /// As for [`Self::change`].
-    pub fn change_camera(&mut self, label: Label, edit: impl FnOnce(&mut Camera)) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.camera, &Part::Camera, edit)
+    /// Those of [`Self::change`].
+    pub fn change_camera(
+        &mut self,
+        label: Label,
+        edit: impl FnOnce(&mut Camera),
+    ) -> Result<bool, RefusedChange> {
+        self.change_value(label, |scene| &mut scene.camera, &ScenePart::Camera, edit)
     }
 
-    /// Moves the camera by looking around, as with [`Self::change_camera`]: it can be undone, and pictures show it. In a
-    /// document without a file it is no [work](Self::has_unsaved_work).
+    /// Moves the camera by looking around, as with [`Self::change_camera`]: it can be undone, and pictures show it. In
+    /// a document without a file it is no [work](Self::has_unsaved_work).
     ///
     /// # Errors
-    /// As for [`Self::change`].
-    pub fn navigate(&mut self, label: Label, camera: Camera) -> Result<bool, Refused> {
+    /// Those of [`Self::change`].
+    pub fn navigate(&mut self, label: Label, camera: Camera) -> Result<bool, RefusedChange> {
         let open = self.gesture.as_ref().filter(|gesture| gesture.label == label);
         let is_navigation = open.is_none_or(|gesture| gesture.is_navigation);
         let has_changed = self.change_camera(label, |own| *own = camera)?;
@@ -148,29 +164,38 @@ impl Editor {
     /// Changes the environment.
     ///
     /// # Errors
-    /// As for [`Self::change`].
+    /// Those of [`Self::change`].
     pub fn change_environment(
         &mut self,
         label: Label,
         edit: impl FnOnce(&mut Environment),
-    ) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.environment, &Part::Environment, edit)
+    ) -> Result<bool, RefusedChange> {
+        self.change_value(label, |scene| &mut scene.environment, &ScenePart::Environment, edit)
     }
 
     /// Changes the limits of tracing.
     ///
     /// # Errors
-    /// As for [`Self::change`].
-    pub fn change_tracing(&mut self, label: Label, edit: impl FnOnce(&mut Tracing)) -> Result<bool, Refused> {
-        self.change_value(label, |scene| &mut scene.tracing, &Part::Tracing, edit)
+    /// Those of [`Self::change`].
+    pub fn change_tracing(
+        &mut self,
+        label: Label,
+        edit: impl FnOnce(&mut Tracing),
+    ) -> Result<bool, RefusedChange> {
+        self.change_value(label, |scene| &mut scene.tracing, &ScenePart::Tracing, edit)
     }
 
     /// Takes over a whole new scene and selection as one undo step, no gesture being open. Returns whether this changed
     /// anything; another selection alone is no step.
     ///
     /// # Errors
-    /// As for [`Self::change`].
-    pub(crate) fn step(&mut self, label: Label, scene: Scene, selection: Selection) -> Result<bool, Refused> {
+    /// Those of [`Self::change`].
+    pub(crate) fn step(
+        &mut self,
+        label: Label,
+        scene: Scene,
+        selection: Selection,
+    ) -> Result<bool, RefusedChange> {
         let Some(difference) = Difference::between(&self.scene, &scene) else {
             let is_new = self.selection != selection;
             self.selection = selection;
@@ -185,7 +210,7 @@ impl Editor {
         let selection_before = std::mem::replace(&mut self.selection, selection);
         let selection_after = self.selection.clone();
         let is_navigation = false;
-        self.history.push(Step { label, difference, selection_before, selection_after, is_navigation });
+        self.history.push(UndoStep { label, difference, selection_before, selection_after, is_navigation });
         Ok(true)
     }
 
@@ -193,9 +218,9 @@ impl Editor {
         &mut self,
         label: Label,
         value_of: impl Fn(&mut Scene) -> &mut T,
-        part: &Part,
+        part: &ScenePart,
         edit: impl FnOnce(&mut T),
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, RefusedChange> {
         let swap = |scene: &mut Scene, value: &mut T| std::mem::swap(value_of(scene), value);
         self.settle_unless(&label);
         let before = self.scene_before();
@@ -220,9 +245,9 @@ impl Editor {
         indices: impl IntoIterator<Item = usize>,
         label: Label,
         element_of: impl Fn(&mut Scene, usize) -> Option<&mut T>,
-        part: impl Fn(usize) -> Part,
+        part: impl Fn(usize) -> ScenePart,
         mut edit: impl FnMut(usize, &mut T),
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, RefusedChange> {
         self.settle_unless(&label);
         let before = self.scene_before();
         let scene = Arc::make_mut(&mut self.scene);
@@ -244,7 +269,7 @@ impl Editor {
             }
         };
         let check = |scene: &Scene, old: &[(usize, T)]| -> Vec<Problem> {
-            // Each part's name is held against all others.
+            // Each part's name is compared with all others.
             if old.len() > MOST_PARTS {
                 return scene.check();
             }
@@ -268,8 +293,8 @@ impl Editor {
         &mut self,
         label: Label,
         before: Option<Arc<Scene>>,
-        outcome: Result<bool, Refused>,
-    ) -> Result<bool, Refused> {
+        outcome: Result<bool, RefusedChange>,
+    ) -> Result<bool, RefusedChange> {
         if matches!(outcome, Ok(true)) {
             self.open_at(label, before);
             self.revision += 1;
@@ -308,7 +333,10 @@ impl Editor {
 
 /// Refuses problems that were not there before. Names and places may have changed, so problems of one key count as the
 /// same.
-fn only_known(mut problems: Vec<Problem>, before: impl FnOnce() -> Vec<Problem>) -> Result<(), Refused> {
+fn only_known(
+    mut problems: Vec<Problem>,
+    before: impl FnOnce() -> Vec<Problem>,
+) -> Result<(), RefusedChange> {
     let mut known: Vec<&str> = before().iter().map(|problem| problem.key).collect();
     problems.retain(|problem| match known.iter().position(|key| *key == problem.key) {
         Some(place) => {
@@ -317,5 +345,5 @@ fn only_known(mut problems: Vec<Problem>, before: impl FnOnce() -> Vec<Problem>)
         }
         None => true,
     });
-    if problems.is_empty() { Ok(()) } else { Err(Refused { problems }) }
+    if problems.is_empty() { Ok(()) } else { Err(RefusedChange { problems }) }
 }

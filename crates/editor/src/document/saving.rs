@@ -1,4 +1,4 @@
-//! Where a document is saved, and whether it is.
+//! The path and the saved state of a document.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -6,22 +6,22 @@ use std::sync::Arc;
 use catoptric_scene::{Scene, update, write};
 
 use super::images::{move_images, share_pixels};
-use super::{Editor, Gesture, Label, Refused};
+use super::{Editor, Gesture, Label, RefusedChange};
 
-/// A scene to be written, apart from the editor, so that another thread can make its text.
+/// A snapshot of the scene for writing, so that another thread can make its text.
 #[derive(Clone, Debug)]
-pub struct Writing {
+pub struct SceneWriter {
     scene: Arc<Scene>,
     original_text: Arc<str>,
 }
 
-impl Writing {
+impl SceneWriter {
     /// The scene.
     pub fn scene(&self) -> &Arc<Scene> {
         &self.scene
     }
 
-    /// Its text: that of the file it came from, with what was edited since, comments and order kept.
+    /// The text to write: that of the scene's file with the edits since; comments and order are kept.
     pub fn text(&self) -> String {
         if self.original_text.is_empty() {
             write(&self.scene)
@@ -30,7 +30,7 @@ impl Writing {
         }
     }
 
-    /// The same with whole paths of pictures, for a document without a file: they are found wherever the text is read.
+    /// Makes the paths of pictures absolute, for a document without a file: they are found wherever the text is read.
     #[must_use]
     pub fn with_whole_paths(mut self) -> Self {
         move_images(&mut self.scene, None, None);
@@ -40,13 +40,13 @@ impl Writing {
 
 impl Editor {
     /// The scene as it is now, to be written. Its text takes as long to make as the file takes to read.
-    pub fn writing(&self) -> Writing {
-        Writing { scene: Arc::clone(&self.scene), original_text: Arc::clone(&self.text) }
+    pub fn writing(&self) -> SceneWriter {
+        SceneWriter { scene: Arc::clone(&self.scene), original_text: Arc::clone(&self.text) }
     }
 
-    /// The same to be written into the file at `path`, from whose folder it finds its pictures. The document itself is
-    /// as before until [`Self::mark_written`]: nothing may come of it.
-    pub fn writing_to(&self, path: &Path) -> Writing {
+    /// The scene as it is now, with paths of pictures from the folder of the file at `path`, to be written there. The
+    /// document itself does not change before [`Self::mark_written`], since the writing may fail.
+    pub fn writing_to(&self, path: &Path) -> SceneWriter {
         let mut writing = self.writing();
         if self.folder() != path.parent() {
             move_images(&mut writing.scene, self.folder(), path.parent());
@@ -56,7 +56,12 @@ impl Editor {
 
     /// Tells that `writing`, made [for it](Self::writing_to), was saved as `text` in the file at `path`. The scene may
     /// have changed since. In another folder than before, the document finds its pictures from there; this is no edit.
-    pub fn mark_written(&mut self, writing: &Writing, path: impl Into<PathBuf>, text: impl Into<Arc<str>>) {
+    pub fn mark_written(
+        &mut self,
+        writing: &SceneWriter,
+        path: impl Into<PathBuf>,
+        text: impl Into<Arc<str>>,
+    ) {
         let path = path.into();
         if self.folder() != path.parent() {
             let from = self.folder().map(Path::to_owned);
@@ -121,7 +126,7 @@ impl Editor {
     ///
     /// # Errors
     /// When the scene has problems.
-    pub fn revert(&mut self, text: impl Into<Arc<str>>, scene: Scene) -> Result<(), Refused> {
+    pub fn revert(&mut self, text: impl Into<Arc<str>>, scene: Scene) -> Result<(), RefusedChange> {
         self.settle();
         let saved = Arc::new(scene);
         let target = Arc::clone(&saved);

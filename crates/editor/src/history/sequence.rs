@@ -6,13 +6,13 @@ use catoptric_scene::List;
 
 /// A list of a scene.
 pub(super) trait Sequence<T> {
-    /// Its length.
+    /// The number of elements.
     fn count(&self) -> usize;
 
     /// The element at a place.
     fn at(&self, index: usize) -> Option<&T>;
 
-    /// The same, to be changed.
+    /// The element at a place, for changes.
     fn at_mut(&mut self, index: usize) -> Option<&mut T>;
 
     /// The places of all elements that another list of the same length may have otherwise.

@@ -1,4 +1,4 @@
-//! How near and how far navigation brings the camera, from the extent of a scene.
+//! The distances that navigation allows, from the extent of a scene.
 
 use catoptric_scene::format::spec::Limits;
 use catoptric_scene::{Body, Camera, Light, List, Projection, Scene};

@@ -42,7 +42,7 @@ fn orbits_turn_about_the_target() {
 #[test]
 fn views_along_the_axes_orbit_about_the_vertical_again() {
     let camera = looking(DVec3::new(0.0, 1.0, 5.0));
-    let top = look_along(&camera, Axis::Top, DVec3::X);
+    let top = look_along(&camera, ViewSide::Top, DVec3::X);
     assert_eq!((top.position, top.target, top.up), (DVec3::new(1.0, 5.0, 0.0), DVec3::X, DVec3::NEG_Z));
     let front = orbit(&top, 0.0, -FRAC_PI_2);
     assert_near(front.position, DVec3::new(1.0, 0.0, 5.0));
@@ -50,17 +50,17 @@ fn views_along_the_axes_orbit_about_the_vertical_again() {
     // What is up in the picture stays up at the start.
     let a_little = orbit(&top, 0.0, -0.01);
     assert!(axes(&a_little).y_axis.dot(DVec3::NEG_Z) > 0.99);
-    let bottom = orbit(&look_along(&camera, Axis::Bottom, DVec3::X), 0.0, 0.01);
+    let bottom = orbit(&look_along(&camera, ViewSide::Bottom, DVec3::X), 0.0, 0.01);
     assert!(axes(&bottom).y_axis.dot(DVec3::Z) > 0.99 && bottom.position.y < 0.0);
     let spun = orbit(&top, FRAC_PI_2, 0.0);
     assert!(axes(&spun).y_axis.dot(DVec3::NEG_X) > 0.99);
     for (axis, right) in [
-        (Axis::Front, DVec3::X),
-        (Axis::Back, DVec3::NEG_X),
-        (Axis::Left, DVec3::Z),
-        (Axis::Right, DVec3::NEG_Z),
-        (Axis::Top, DVec3::X),
-        (Axis::Bottom, DVec3::X),
+        (ViewSide::Front, DVec3::X),
+        (ViewSide::Back, DVec3::NEG_X),
+        (ViewSide::Left, DVec3::Z),
+        (ViewSide::Right, DVec3::NEG_Z),
+        (ViewSide::Top, DVec3::X),
+        (ViewSide::Bottom, DVec3::X),
     ] {
         let camera = look_along(&camera, axis, DVec3::ZERO);
         assert_near(axes(&camera).x_axis, right);
@@ -165,7 +165,7 @@ proptest! {
 
     #[test]
     fn every_move_gives_a_camera(camera in camera(), point in vector(), a in number(), b in number(), side in 0usize..6) {
-        let axis = Axis::ALL[side];
+        let axis = ViewSide::ALL[side];
         let moves = [
             ("orbit", orbit(&camera, a, b)),
             ("pan", pan(&camera, a, b)),

@@ -15,7 +15,7 @@ fn files(folder: &Path) -> usize {
     fs::read_dir(folder).unwrap().count()
 }
 
-/// As if the program had been killed: the lock is let go, the files stay.
+/// Leaves what a killed program leaves: the lock is free, the files stay.
 fn kill(mut session: Session) {
     drop(session.lock.take());
     std::mem::forget(session);

@@ -1,12 +1,12 @@
 //! Known answers of the actions on bodies and lights.
 
-use catoptric_editor::{Action, ActionError, Item, Selection, Spot, bounds};
+use catoptric_editor::{Action, ActionError, Item, NewBodyPlacement, Selection, bounds};
 use catoptric_scene::{Anchor, Placement, Shape, ShapeKind};
 use glam::DVec3;
 
 use crate::common::{act, bodies, editor, gray, label, names, refuse, selected, selecting};
 
-fn add(shape: ShapeKind, spot: Spot) -> Action {
+fn add(shape: ShapeKind, spot: NewBodyPlacement) -> Action {
     Action::AddBody { shape, spot, name: String::new() }
 }
 
@@ -21,7 +21,7 @@ fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
         (ShapeKind::Cone, 0.0),
         (ShapeKind::Sphere, 2.0),
     ] {
-        act(&mut editor, &add(shape, Spot { size: 2.0, ..Spot::at(foot) }));
+        act(&mut editor, &add(shape, NewBodyPlacement { size: 2.0, ..NewBodyPlacement::at(foot) }));
         let body = editor.scene().bodies.last().unwrap();
         assert_eq!(body.placement, Placement::at(foot + height * DVec3::Y));
         assert_eq!(bounds::of_body(body).unwrap().min.y, 7.0);
@@ -37,10 +37,10 @@ fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
         colors.push(color);
     }
     let name = " Пол ".to_owned();
-    act(&mut editor, &Action::AddBody { shape: ShapeKind::Plane, spot: Spot::at(foot), name });
+    act(&mut editor, &Action::AddBody { shape: ShapeKind::Plane, spot: NewBodyPlacement::at(foot), name });
     let plane = editor.scene().bodies.last().unwrap();
     assert_eq!((plane.name.as_str(), plane.placement.origin()), ("Пол", foot));
-    let far = Spot::at(DVec3::new(f64::NAN, 0.0, 0.0));
+    let far = NewBodyPlacement::at(DVec3::new(f64::NAN, 0.0, 0.0));
     assert!(matches!(refuse(&mut editor, &add(ShapeKind::Cube, far)), ActionError::Refused(_)));
 }
 

@@ -102,7 +102,7 @@ pub(crate) fn refuse(editor: &mut Editor, action: &Action) -> ActionError {
     error
 }
 
-/// The same, where the menu should have been gray.
+/// Applies an action that cannot be done and whose menu entry is gray; nothing may have changed.
 pub(crate) fn gray(editor: &mut Editor, action: &Action) -> ActionError {
     assert!(!editor.can(action), "{action:?}");
     refuse(editor, action)

@@ -1,6 +1,6 @@
 //! Anything in any order.
 
-use catoptric_editor::{Action, ActionError, Editor, Item, Selection, Spot, navigate};
+use catoptric_editor::{Action, ActionError, Editor, Item, NewBodyPlacement, Selection, navigate};
 use catoptric_scene::{Example, Material, MaterialChoice, Scene, Shape, ShapeKind};
 use glam::DVec3;
 
@@ -82,7 +82,7 @@ impl Chance {
         let scene = editor.scene();
         match self.below(36) {
             0 | 1 => {
-                let spot = Spot { size: self.number(), ..Spot::at(self.vector()) };
+                let spot = NewBodyPlacement { size: self.number(), ..NewBodyPlacement::at(self.vector()) };
                 Action::AddBody { shape: ShapeKind::ALL[self.below(5)], spot, name: self.name() }
             }
             2 => Action::AddLight { at: self.vector(), name: self.name() },

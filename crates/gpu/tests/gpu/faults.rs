@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, StageOnCard, render};
+use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, GpuScene, render};
 use catoptric_scene::{Body, Color, Material, MaterialChoice, Scene};
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 use catoptric_tracer::{RenderControl, RenderSettings};
@@ -40,7 +40,7 @@ fn a_card_that_is_lost_in_the_middle_is_an_error() {
     let stage = stage_of(&reference("whitted"));
     let again = render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default());
     assert!(matches!(again, Err(GpuError::Lost(_))), "{again:?}");
-    assert!(GpuFilm::new(&gpu, 8, 8).is_err() && StageOnCard::new(&gpu).is_err());
+    assert!(GpuFilm::new(&gpu, 8, 8).is_err() && GpuScene::new(&gpu).is_err());
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn a_render_can_be_cancelled_and_gone_on_with() {
     assert_eq!(disturbed(&gpu, |_, control| control.cancel()), GpuError::Cancelled);
     let stage = stage_of(&reference("mirrors"));
     let camera = stage.camera();
-    let mut on_card = StageOnCard::new(&gpu).unwrap();
+    let mut on_card = GpuScene::new(&gpu).unwrap();
     on_card.follow(&gpu, &stage, camera).unwrap();
     let mut film = GpuFilm::new(&gpu, 200, 100).unwrap();
     let cancelled = RenderControl::default();

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{Gpu, GpuFilm, StageOnCard, render};
+use catoptric_gpu::{Gpu, GpuFilm, GpuScene, render};
 use catoptric_scene::{Body, Light, Material, MaterialChoice, Model, Projection, Scene, Shape};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::DVec3;
@@ -40,13 +40,13 @@ struct Follower {
     gpu: Arc<Gpu>,
     scene: Scene,
     stage: RenderScene,
-    on_card: StageOnCard,
+    on_card: GpuScene,
 }
 
 impl Follower {
     fn new(gpu: Arc<Gpu>, scene: Scene) -> (Self, u64) {
         let stage = stage_of(&scene);
-        let mut on_card = StageOnCard::new(&gpu).unwrap();
+        let mut on_card = GpuScene::new(&gpu).unwrap();
         let sent = on_card.follow(&gpu, &stage, stage.camera()).unwrap();
         (Self { gpu, scene, stage, on_card }, sent)
     }

@@ -1,6 +1,6 @@
 //! Every reference scene and every example: the same picture as the CPU's, and the same bodies in it.
 
-use catoptric_gpu::{Gpu, GpuFilm, StageOnCard};
+use catoptric_gpu::{Gpu, GpuFilm, GpuScene};
 use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
 use catoptric_tracer::{NO_BODY, RayCounts, RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec2;
@@ -26,7 +26,7 @@ pub(crate) fn compare(card: &Gpu, stage: &RenderScene, samples: u32) -> Compared
     let settings = RenderSettings { width, height, samples };
     let cpu = render(stage, settings, &RenderControl::default()).unwrap();
     let mut film = GpuFilm::new(card, width, height).unwrap();
-    let mut on_card = StageOnCard::new(card).unwrap();
+    let mut on_card = GpuScene::new(card).unwrap();
     on_card.follow(card, stage, stage.camera()).unwrap();
     let control = RenderControl::default();
     let pass = film.add_samples(card, (stage, &on_card), stage.camera(), samples, &control).unwrap();
@@ -82,8 +82,9 @@ pub(crate) fn apart(one: u64, other: u64) -> f64 {
     one.abs_diff(other) as f64 / one.max(other).max(1) as f64
 }
 
-/// One sample does for rough surfaces, soft shadows and split light as well: what looks random is chosen by hashes of whole
-/// numbers, and a direction that is off by rounding passes an edge on the other side no more often than a mirrored one.
+/// One sample does for rough surfaces, soft shadows and split light as well: what looks random is chosen by hashes of
+/// whole numbers, and a direction that is off by rounding passes an edge on the other side no more often than a
+/// mirrored one.
 #[test]
 fn pictures_are_those_of_the_cpu() {
     let Some(card) = card("pictures_are_those_of_the_cpu") else { return };

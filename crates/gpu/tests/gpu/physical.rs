@@ -1,5 +1,5 @@
-//! Physical materials where the examples do not go: all of them side by side and in one another, an eye within, waves that
-//! go straight on, many samples.
+//! Physical materials where the examples do not go: all of them side by side and in one another, an eye within, waves
+//! that go straight on, many samples.
 
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{

@@ -1,9 +1,9 @@
-//! Skies, pictures around the bodies and textures where the examples do not go: every shape, edges and poles, light of any
-//! strength, and what an edit sends.
+//! Skies, pictures around the bodies and textures where the examples do not go: every shape, edges and poles, light of
+//! any strength, and what an edit sends.
 
 use std::sync::Arc;
 
-use catoptric_gpu::{GpuFilm, StageOnCard, render};
+use catoptric_gpu::{GpuFilm, GpuScene, render};
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
     Anchor, Body, Checker, Color, Image, Light, Material, MaterialChoice, Model, Placement, Projection,
@@ -158,7 +158,7 @@ fn an_edit_sends_pictures_that_are_new() {
     let textured = |image: &Image| Material { texture: Some(image.clone()), ..Material::default() };
     let mut scene = shapes(&textured(&first), &Material::default());
     scene.environment.surroundings = Surroundings::Picture(patches("around", 200, 100, 1.0));
-    let mut on_card = StageOnCard::new(&card).unwrap();
+    let mut on_card = GpuScene::new(&card).unwrap();
     let stage = stage_of(&scene);
     let all = on_card.follow(&card, &stage, stage.camera()).unwrap();
     // 20,000 pixels and 2048.

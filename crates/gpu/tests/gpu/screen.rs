@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{GpuFilm, GpuScreen, StageOnCard};
+use catoptric_gpu::{GpuFilm, GpuScene, GpuScreen};
 use catoptric_picture::{Development, ToneCurve};
 use catoptric_tracer::RenderControl;
 
@@ -12,7 +12,7 @@ use crate::common::{card, reference, stage_of};
 fn a_developed_film_has_the_codes_of_the_processor() {
     let Some(gpu) = card("a_developed_film_has_the_codes_of_the_processor") else { return };
     let stage = stage_of(&reference("whitted"));
-    let mut on_card = StageOnCard::new(&gpu).unwrap();
+    let mut on_card = GpuScene::new(&gpu).unwrap();
     on_card.follow(&gpu, &stage, stage.camera()).unwrap();
     let mut film = GpuFilm::new(&gpu, 150, 70).unwrap();
     film.add_samples(&gpu, (&stage, &on_card), stage.camera(), 1, &RenderControl::default()).unwrap();

@@ -59,7 +59,7 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
     kinds
 }
 
-/// The same with skies and textures.
+/// A kind of stage with each sky and with textures.
 fn with_pictures(kind: ShaderSpecialization) -> [ShaderSpecialization; 4] {
     let all = [
         (EnvironmentKind::Gradient, false),

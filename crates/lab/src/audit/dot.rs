@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use catoptric_scene::visible;
 
-use super::drawing::{self, Drawn};
+use super::drawing::{self, RayDiagram};
 use super::numbers::{exact_color, short_color};
 use super::{Audit, RayTree};
 
 impl Audit {
-    /// The trees as a graph for Graphviz' `dot`: a node for each ray, colored by kind, edges as wide as the weight. Rays
-    /// more than `depth` steps from the eye are left out if that is given.
+    /// The trees as a graph for Graphviz' `dot`: a node for each ray, colored by kind, edges as wide as the weight.
+    /// Rays more than `depth` steps from the eye are left out if that is given.
     pub fn to_dot(&self, depth: Option<usize>) -> String {
         let mut text = String::from("digraph audit {\n");
         let [red, green, blue] = self.light;
@@ -34,7 +34,7 @@ impl Audit {
 
     fn write_tree(&self, text: &mut String, tree: &RayTree, depth: Option<usize>) {
         let name = |place: usize| format!("s{}r{}", tree.sample + 1, place + 1);
-        let Drawn { places, hidden } = Drawn::of(tree, depth, usize::MAX);
+        let RayDiagram { places, hidden } = RayDiagram::of(tree, depth, usize::MAX);
         for place in places {
             let Some(node) = tree.nodes.get(place) else { continue };
             let color = drawing::color(node.kind);

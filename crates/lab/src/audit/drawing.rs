@@ -1,4 +1,4 @@
-//! What drawings of a tree have in common.
+//! Common parts of the drawings of a tree.
 
 use std::collections::VecDeque;
 
@@ -24,15 +24,15 @@ pub(super) fn end_of(audit: &Audit, node: &Node) -> String {
     node.ray.hit.map_or_else(|| "background".to_owned(), |hit| audit.names.body(hit.body))
 }
 
-/// The rays of a tree that are drawn: those near the eye.
-pub(super) struct Drawn {
-    /// Their places, in order.
+/// The rays that a drawing of a tree shows: those near the eye.
+pub(super) struct RayDiagram {
+    /// The places of the drawn rays in the tree, in order.
     pub(super) places: Vec<usize>,
     /// How many rays are not.
     pub(super) hidden: usize,
 }
 
-impl Drawn {
+impl RayDiagram {
     /// The rays up to `depth` steps from the eye, at most `limit`.
     pub(super) fn of(tree: &RayTree, depth: Option<usize>, limit: usize) -> Self {
         let mut places = Vec::new();

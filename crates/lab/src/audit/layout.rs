@@ -11,10 +11,10 @@ pub(super) fn tidy(parents: &[Option<usize>]) -> Vec<f64> {
         }
     }
     // From the leaves to the root: where each node stands beside its parent.
-    let mut outlines: Vec<Outline> = (0..parents.len()).map(|_| Outline::default()).collect();
+    let mut outlines: Vec<BranchContour> = (0..parents.len()).map(|_| BranchContour::default()).collect();
     let mut beside = vec![0.0; parents.len()];
     for (place, children) in children.iter().enumerate().rev() {
-        let mut all = Outline::default();
+        let mut all = BranchContour::default();
         let mut offsets = Vec::with_capacity(children.len());
         for &child in children {
             let branch = outlines.get_mut(child).map(std::mem::take).unwrap_or_default();
@@ -43,13 +43,13 @@ pub(super) fn tidy(parents: &[Option<usize>]) -> Vec<f64> {
     places
 }
 
-/// How far a branch reaches to both sides, level by level; the deepest level first.
+/// The contour of a branch: its reach to both sides, level by level; the deepest level first.
 #[derive(Default)]
-struct Outline {
+struct BranchContour {
     levels: Vec<(f64, f64)>,
 }
 
-impl Outline {
+impl BranchContour {
     /// Puts another branch beside this one, as near as it goes; how far its root is moved.
     fn put_beside(&mut self, other: Self) -> f64 {
         let pairs = self.levels.iter().rev().zip(other.levels.iter().rev());

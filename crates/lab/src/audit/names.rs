@@ -1,19 +1,19 @@
-//! What bodies and lights are called.
+//! The names of bodies and lights in reports.
 
 use std::collections::BTreeMap;
 
 use catoptric_scene::{Scene, quoted_name};
 
-/// The names of a scene's bodies and lights, as a person would say them: those of the file, or what they are.
+/// The names of a scene's bodies and lights in reports: those of the file, or descriptions.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Names {
+pub struct DisplayNames {
     /// By the place in the scene.
     bodies: BTreeMap<usize, String>,
     /// Of those that are not hidden.
     lights: Vec<String>,
 }
 
-impl Names {
+impl DisplayNames {
     /// The names of lights; those of bodies are added when they are met.
     pub(super) fn of_lights(scene: &Scene) -> Self {
         let lights = scene.lights.iter().enumerate().filter(|(_, light)| !light.hidden);
@@ -34,8 +34,8 @@ impl Names {
         self.bodies.entry(body).or_insert_with(name);
     }
 
-    /// The name of the body at this place in the scene, in quotes, or its shape and number counted from 1. Bodies that no
-    /// ray of the audit meets are known by number only.
+    /// The name of the body at this place in the scene, in quotes, or its shape and number counted from 1. Bodies that
+    /// no ray of the audit meets are known by number only.
     pub fn body(&self, body: usize) -> String {
         self.bodies.get(&body).cloned().unwrap_or_else(|| format!("body {}", body + 1))
     }

@@ -10,7 +10,7 @@ pub(super) fn exact(number: f32) -> String {
     if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{number:e}") } else { format!("{number}") }
 }
 
-/// The same for three channels: one number if they are alike.
+/// Writes three channels in their shortest digits: one number if they are equal.
 pub(super) fn exact_color(color: Vec3) -> String {
     let [r, g, b] = color.to_array().map(exact);
     if r == g && g == b { r } else { format!("({r} {g} {b})") }

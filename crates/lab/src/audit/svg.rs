@@ -6,7 +6,7 @@ use catoptric_picture::srgb;
 use catoptric_tracer::{BranchOutcome, SurfaceRecord};
 use glam::DVec3;
 
-use super::drawing::{self, Drawn};
+use super::drawing::{self, RayDiagram};
 use super::layout::tidy;
 use super::numbers::{exact, exact_color, short_color};
 use super::{Audit, Node, NodeKind, Proof, RayTree};
@@ -22,15 +22,15 @@ impl Audit {
     /// How many rays of a sample are drawn at most.
     pub const MOST_DRAWN: usize = 4096;
 
-    /// The tree of the first sample as an SVG picture: a card for each ray, colored by kind, with what it meets, the share
-    /// that it brings and its lights; lines as wide as the weight. Rays more than `depth` steps from the eye are
+    /// The tree of the first sample as an SVG picture: a card for each ray, colored by kind, with what it meets, the
+    /// share that it brings and its lights; lines as wide as the weight. Rays more than `depth` steps from the eye are
     /// left out if that is given, and those beyond [`Audit::MOST_DRAWN`].
     pub fn to_svg(&self, depth: Option<usize>) -> String {
         let mut body = String::new();
         let mut size = [0.0_f64; 2];
         let mut hidden = 0;
         if let Some(tree) = self.trees.first() {
-            let drawing = Drawing::new(self, tree, depth);
+            let drawing = TreeDrawing::new(self, tree, depth);
             size = drawing.size();
             hidden = drawing.hidden;
             drawing.lines(&mut body);
@@ -81,8 +81,8 @@ impl Audit {
     }
 }
 
-/// A tree with the places of its cards.
-struct Drawing<'a> {
+/// A tree with the places of its cards in the drawing.
+struct TreeDrawing<'a> {
     audit: &'a Audit,
     tree: &'a RayTree,
     /// The nodes that are drawn, with the upper left corners of their cards.
@@ -90,9 +90,9 @@ struct Drawing<'a> {
     hidden: usize,
 }
 
-impl<'a> Drawing<'a> {
+impl<'a> TreeDrawing<'a> {
     fn new(audit: &'a Audit, tree: &'a RayTree, depth: Option<usize>) -> Self {
-        let Drawn { places, hidden } = Drawn::of(tree, depth, Audit::MOST_DRAWN);
+        let RayDiagram { places, hidden } = RayDiagram::of(tree, depth, Audit::MOST_DRAWN);
         let parents: Vec<Option<usize>> = places
             .iter()
             .map(|&place| {

@@ -11,9 +11,9 @@ use super::numbers::{degrees, exact, exact_color, exact_double, short, short_col
 use super::{Audit, Node, NodeKind, Proof, RayTree};
 
 impl Audit {
-    /// The audit in words and numbers, plain text of several lines in English: the tree at a glance, then every ray with
-    /// the terms of its light, then the sum. Rays more than `depth` steps from the eye are left out if that is given (0
-    /// leaves the primary ray alone); the sum has all.
+    /// The audit in words and numbers, plain text of several lines in English: the tree at a glance, then every ray
+    /// with the terms of its light, then the sum. Rays more than `depth` steps from the eye are left out if that is
+    /// given (0 leaves the primary ray alone); the sum has all.
     ///
     /// Light, weights and coefficients stand in the shortest digits that name their single-precision number and no
     /// other; lengths, directions and angles have four significant digits.
@@ -30,7 +30,7 @@ impl Audit {
                     short(tree.offset.y)
                 );
             }
-            Page { audit: self, tree, depth, text: &mut text }.write();
+            AuditText { audit: self, tree, depth, text: &mut text }.write();
         }
         self.write_mean(&mut text);
         text
@@ -118,15 +118,15 @@ fn columns(texts: &[String], width: usize) -> String {
     padded.concat().trim_end().to_owned()
 }
 
-/// One tree on its way to paper.
-struct Page<'a> {
+/// The text of an audit while it is written.
+struct AuditText<'a> {
     audit: &'a Audit,
     tree: &'a RayTree,
     depth: Option<usize>,
     text: &'a mut String,
 }
 
-impl Page<'_> {
+impl AuditText<'_> {
     fn write(&mut self) {
         let depths = depths(self.tree);
         let shown: Vec<usize> = (0..self.tree.nodes.len())

@@ -39,11 +39,12 @@ pub fn ring_of_images(object: DVec3, mirrors: [(DVec3, DVec3); 2], most: usize) 
     images
 }
 
-/// How far from the center of a sphere of radius R, towards the object, the image of an object at the distance D from the
-/// center stands, for rays near the line through both: R·D/(2D − R).
+/// How far from the center of a sphere of radius R, towards the object, the image of an object at the distance D from
+/// the center stands, for rays near the line through both: R·D/(2D − R).
 ///
-/// That is the mirror equation 1/u + 1/v = −2/R for an object outside (u = D − R, the image |v| behind the surface), and
-/// 1/u + 1/v = 2/R for one inside, mirrored by the wall beside it (u = R − D). At D = R/2 the image is infinitely far.
+/// That is the mirror equation 1/u + 1/v = −2/R for an object outside (u = D − R, the image |v| behind the surface),
+/// and 1/u + 1/v = 2/R for one inside, mirrored by the wall beside it (u = R − D). At D = R/2 the image is infinitely
+/// far.
 pub fn sphere_image(radius: f64, distance: f64) -> f64 {
     radius * distance / (2.0 * distance - radius)
 }

@@ -1,9 +1,9 @@
-//! What seems to have an exact answer and has none, since a formula does not apply.
+//! The reasons why an exact answer does not exist: a formula does not apply.
 
 use catoptric_scene::{Body, Material, Scene, Shape};
 use glam::DVec3;
 
-use super::{Place, radius};
+use super::{PlacedBody, radius};
 
 /// Why a formula does not apply. Numbers are places of bodies in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,8 +54,8 @@ pub enum Inapplicable {
     },
 }
 
-/// The least index of a lens. Below it a ray near the axis is bent by less than 10⁻³, which single precision knows to no
-/// better than a ten-thousandth.
+/// The least index of a lens. Below it a ray near the axis is bent by less than 10⁻³, which single precision knows to
+/// no better than a ten-thousandth.
 const LEAST_IOR: f64 = 1.05;
 
 impl Inapplicable {
@@ -82,7 +82,7 @@ impl Inapplicable {
         }
     }
 
-    /// Its word in JSON.
+    /// The reason's word in JSON.
     pub const fn key(self) -> &'static str {
         match self {
             Self::RoughMirror { .. } => "rough-mirror",
@@ -110,7 +110,7 @@ impl Inapplicable {
     }
 
     /// Why a transparent sphere has no focal point that the formula of a ball in air knows.
-    pub(super) fn of_lens(scene: &Scene, lens: &Place<'_>) -> Option<Self> {
+    pub(super) fn of_lens(scene: &Scene, lens: &PlacedBody<'_>) -> Option<Self> {
         let body = lens.index;
         let material = scene.material(&lens.body.material)?;
         if material.is_rough() {
@@ -135,8 +135,8 @@ impl Inapplicable {
 /// radius.
 const CONTACT: f64 = 1e-6;
 
-/// The least distance of a point from a body, meters; 0 or less within it. Cones and uneven spheres count as the cylinder
-/// and the box around them.
+/// The least distance of a point from a body, meters; 0 or less within it. Cones and uneven spheres count as the
+/// cylinder and the box around them.
 fn distance_from(body: &Body, point: DVec3) -> f64 {
     let frame = body.placement.world_from_body();
     let scale = body.placement.scale.abs();

@@ -2,9 +2,11 @@
 
 use super::geometry::{ball_crossing, ball_focal_length};
 use super::probe::{Line, Probe};
-use super::{Compared, ExactAnswer, Found, Inapplicable, MARGINAL, Place, Setting, radius};
+use super::{
+    AnswerCollector, ExactAnswer, ExactDeviation, ExactSetup, Inapplicable, MARGINAL, PlacedBody, radius,
+};
 
-pub(super) fn answer(setting: &Setting<'_>, found: &mut Found) {
+pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut AnswerCollector) {
     for lens in &setting.lenses {
         match Inapplicable::of_lens(setting.scene, lens) {
             Some(reason) => found.inapplicable.push(reason),
@@ -13,7 +15,7 @@ pub(super) fn answer(setting: &Setting<'_>, found: &mut Found) {
     }
 }
 
-fn focus(setting: &Setting<'_>, lens: &Place<'_>, radius: f64) -> Option<ExactAnswer> {
+fn focus(setting: &ExactSetup<'_>, lens: &PlacedBody<'_>, radius: f64) -> Option<ExactAnswer> {
     /// Near enough to the axis for the aberration to vanish, far enough for single precision.
     const PARAXIAL: f64 = 0.01;
     let ior = setting.scene.material(&lens.body.material)?.ior();
@@ -35,7 +37,7 @@ fn focus(setting: &Setting<'_>, lens: &Place<'_>, radius: f64) -> Option<ExactAn
     Some(ExactAnswer::Focus {
         body: lens.index,
         focal_length,
-        paraxial: Compared { exact: at(focal_length), found: found(PARAXIAL) },
-        marginal: marginal.map(|crossing| Compared { exact: at(crossing), found: found(MARGINAL) }),
+        paraxial: ExactDeviation { exact: at(focal_length), found: found(PARAXIAL) },
+        marginal: marginal.map(|crossing| ExactDeviation { exact: at(crossing), found: found(MARGINAL) }),
     })
 }

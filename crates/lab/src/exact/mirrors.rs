@@ -7,18 +7,18 @@ use glam::{DVec3, Vec3Swizzles as _};
 
 use super::geometry::{mirrored, ring_of_images};
 use super::probe::Probe;
-use super::{Compared, ExactAnswer, Place, RingImage, Setting};
+use super::{ExactAnswer, ExactDeviation, ExactSetup, PlacedBody, RingImage};
 
 /// The most images of a ring that are listed.
 const MOST_IMAGES: usize = 64;
 
-pub(super) fn answer(setting: &Setting<'_>, found: &mut Vec<ExactAnswer>) {
+pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut Vec<ExactAnswer>) {
     for &object in &setting.objects {
-        let flat: Vec<(Place<'_>, Face)> = setting
+        let flat: Vec<(PlacedBody<'_>, MirrorFace)> = setting
             .mirrors
             .iter()
             .filter(|mirror| mirror.index != object.index)
-            .filter_map(|&mirror| Some((mirror, Face::before(mirror.body, object.center)?)))
+            .filter_map(|&mirror| Some((mirror, MirrorFace::before(mirror.body, object.center)?)))
             .collect();
         for (mirror, face) in &flat {
             found.extend(plane_image(setting, mirror, face, &object));
@@ -31,15 +31,15 @@ pub(super) fn answer(setting: &Setting<'_>, found: &mut Vec<ExactAnswer>) {
     }
 }
 
-/// A flat side of a mirror.
-struct Face {
-    /// Its middle; of a plane, some point on it.
+/// A flat face of a mirror.
+struct MirrorFace {
+    /// The middle of the face; of a plane, some point on it.
     point: DVec3,
     normal: DVec3,
     is_endless: bool,
 }
 
-impl Face {
+impl MirrorFace {
     /// The largest flat side that a point lies before.
     fn before(body: &Body, point: DVec3) -> Option<Self> {
         let frame = body.placement.world_from_body();
@@ -75,10 +75,10 @@ impl Face {
 
 /// Two rays from the body to the mirror: extended backwards, what is reflected meets where the image is.
 fn plane_image(
-    setting: &Setting<'_>,
-    mirror: &Place<'_>,
-    face: &Face,
-    object: &Place<'_>,
+    setting: &ExactSetup<'_>,
+    mirror: &PlacedBody<'_>,
+    face: &MirrorFace,
+    object: &PlacedBody<'_>,
 ) -> Option<ExactAnswer> {
     let image = mirrored(object.center, face.point, face.normal);
     let probe = Probe::of(setting.scene, [mirror.body], None, object.center)?;
@@ -96,11 +96,15 @@ fn plane_image(
         mirror: mirror.index,
         body: object.index,
         object: object.center,
-        image: Compared { exact: image, found: met },
+        image: ExactDeviation { exact: image, found: met },
     })
 }
 
-fn ring(setting: &Setting<'_>, mirrors: [&(Place<'_>, Face); 2], object: &Place<'_>) -> Option<ExactAnswer> {
+fn ring(
+    setting: &ExactSetup<'_>,
+    mirrors: [&(PlacedBody<'_>, MirrorFace); 2],
+    object: &PlacedBody<'_>,
+) -> Option<ExactAnswer> {
     let [(first, a), (second, b)] = mirrors;
     let angle = PI - a.normal.dot(b.normal).clamp(-1.0, 1.0).acos();
     // Mirrors side by side, face to face, or turned away from each other make no ring.

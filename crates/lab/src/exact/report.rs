@@ -6,9 +6,9 @@ use catoptric_scene::{Scene, quoted_name};
 use glam::DVec3;
 use serde_json::{Value, json};
 
-use super::{Answers, Compared, ExactAnswer, Inapplicable};
+use super::{ExactAnswer, ExactAnswers, ExactDeviation, Inapplicable};
 
-impl Answers {
+impl ExactAnswers {
     pub(super) fn name_bodies(&mut self, scene: &Scene) {
         let mut places: Vec<usize> = self.answers.iter().flat_map(bodies_of).collect();
         places.extend(
@@ -47,7 +47,7 @@ fn bodies_of(answer: &ExactAnswer) -> Vec<usize> {
 }
 
 /// The answers in words and numbers: plain text in English.
-pub fn to_text(answers: &Answers) -> String {
+pub fn to_text(answers: &ExactAnswers) -> String {
     let mut text = String::new();
     for answer in &answers.answers {
         write_answer(&mut text, answers, answer);
@@ -64,7 +64,7 @@ pub fn to_text(answers: &Answers) -> String {
     text
 }
 
-fn inapplicable(names: &Answers, reason: Inapplicable) -> String {
+fn inapplicable(names: &ExactAnswers, reason: Inapplicable) -> String {
     let body = names.body(reason.body());
     let other = reason.other().map_or("", |other| names.body(other));
     match reason {
@@ -91,7 +91,7 @@ fn inapplicable(names: &Answers, reason: Inapplicable) -> String {
     }
 }
 
-fn write_answer(text: &mut String, names: &Answers, answer: &ExactAnswer) {
+fn write_answer(text: &mut String, names: &ExactAnswers, answer: &ExactAnswer) {
     let mut title = |title: String| {
         let _ = writeln!(text, "{title}");
     };
@@ -157,7 +157,7 @@ fn write_answer(text: &mut String, names: &Answers, answer: &ExactAnswer) {
     }
 }
 
-fn compare(text: &mut String, what: &str, compared: &Compared) {
+fn compare(text: &mut String, what: &str, compared: &ExactDeviation) {
     let found = match (compared.found, compared.difference()) {
         (Some(found), Some(difference)) => format!("tracer {}  difference {difference:.1e} m", point(found)),
         _ => "the tracer's rays go elsewhere".to_owned(),
@@ -172,7 +172,7 @@ fn point(at: DVec3) -> String {
 }
 
 /// The answers as JSON, with the keys of the document of the command line.
-pub fn to_json(answers: &Answers) -> Value {
+pub fn to_json(answers: &ExactAnswers) -> Value {
     let list: Vec<Value> = answers.answers.iter().map(|answer| one(answers, answer)).collect();
     let inapplicable: Vec<Value> = answers
         .inapplicable
@@ -185,7 +185,7 @@ pub fn to_json(answers: &Answers) -> Value {
     json!({ "answers": list, "inapplicable": inapplicable, "cut": answers.is_cut })
 }
 
-fn one(names: &Answers, answer: &ExactAnswer) -> Value {
+fn one(names: &ExactAnswers, answer: &ExactAnswer) -> Value {
     let body = |place: &usize| json!({ "index": place, "name": names.body(*place) });
     match answer {
         ExactAnswer::PlaneImage { mirror, body: of, object, image } => json!({
@@ -228,7 +228,7 @@ fn one(names: &Answers, answer: &ExactAnswer) -> Value {
     }
 }
 
-fn compared(compared: &Compared) -> Value {
+fn compared(compared: &ExactDeviation) -> Value {
     json!({
         "exact": compared.exact.to_array(),
         "found": compared.found.map(|found| found.to_array()),

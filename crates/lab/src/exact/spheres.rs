@@ -6,12 +6,13 @@ use glam::{DVec3, Vec3};
 
 use super::geometry::{Arc, alhazen_from, crossing, sphere_image};
 use super::probe::Probe;
-use super::{Compared, ExactAnswer, Found, Inapplicable, Place, Setting, radius};
+use super::{AnswerCollector, ExactAnswer, ExactDeviation, ExactSetup, Inapplicable, PlacedBody, radius};
 
-/// An image farther away than so many radii cannot be told from none: rays of single precision towards it are parallel.
+/// An image farther away than so many radii cannot be distinguished from none: rays of single precision towards it are
+/// parallel.
 const FARTHEST_IMAGE: f64 = 100.0;
 
-pub(super) fn answer(setting: &Setting<'_>, found: &mut Found) {
+pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut AnswerCollector) {
     for mirror in &setting.mirrors {
         let Some(radius) = radius(mirror.body) else { continue };
         for object in setting.objects.iter().filter(|object| object.index != mirror.index) {
@@ -35,19 +36,19 @@ pub(super) fn answer(setting: &Setting<'_>, found: &mut Found) {
     }
 }
 
-/// How far from the mirror's center the image stands, towards the object; infinite in the focus, `None` for an object in
-/// the center.
-fn image_distance(mirror: &Place<'_>, radius: f64, object: &Place<'_>) -> Option<f64> {
+/// How far from the mirror's center the image stands, towards the object; infinite in the focus, `None` for an object
+/// in the center.
+fn image_distance(mirror: &PlacedBody<'_>, radius: f64, object: &PlacedBody<'_>) -> Option<f64> {
     let distance = object.center.distance(mirror.center);
     (distance > 0.0).then(|| sphere_image(radius, distance))
 }
 
 /// Two rays from the body that meet the mirror near the line through both centers.
 fn image(
-    setting: &Setting<'_>,
-    mirror: &Place<'_>,
+    setting: &ExactSetup<'_>,
+    mirror: &PlacedBody<'_>,
     radius: f64,
-    object: &Place<'_>,
+    object: &PlacedBody<'_>,
     at: f64,
 ) -> Option<ExactAnswer> {
     /// Half of what they see of the mirror, radians: the square of it is the aberration.
@@ -68,15 +69,15 @@ fn image(
         mirror: mirror.index,
         body: object.index,
         object: object.center,
-        image: Compared { exact: mirror.center + at * axis, found },
+        image: ExactDeviation { exact: mirror.center + at * axis, found },
     })
 }
 
 fn reflection_point(
-    setting: &Setting<'_>,
-    mirror: &Place<'_>,
+    setting: &ExactSetup<'_>,
+    mirror: &PlacedBody<'_>,
     radius: f64,
-    object: &Place<'_>,
+    object: &PlacedBody<'_>,
 ) -> Option<ExactAnswer> {
     let (center, eye) = (mirror.center, setting.viewpoint());
     let exact = alhazen_from(center, radius, object.center, eye)?;
@@ -99,13 +100,13 @@ fn reflection_point(
         mirror: mirror.index,
         body: object.index,
         object: object.center,
-        point: Compared { exact, found },
+        point: ExactDeviation { exact, found },
     })
 }
 
 fn highlight(
-    setting: &Setting<'_>,
-    glossy: &Place<'_>,
+    setting: &ExactSetup<'_>,
+    glossy: &PlacedBody<'_>,
     (place, light): (usize, &Light),
 ) -> Option<ExactAnswer> {
     let point = alhazen_from(glossy.center, radius(glossy.body)?, light.position, setting.viewpoint())?;

@@ -2,9 +2,9 @@
 
 use super::least_squares::{Solution, solve};
 
-/// How a time grows with a parameter x.
+/// A law of how a time grows with a parameter x.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Law {
+pub enum GrowthLaw {
     /// t = a: it does not grow.
     Constant,
     /// t = a + b·x.
@@ -24,7 +24,7 @@ pub enum Law {
 /// A coefficient and its 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficient {
-    /// Its letter in the law's formula.
+    /// The letter in the law's formula.
     pub symbol: &'static str,
     /// The value.
     pub value: f64,
@@ -38,8 +38,8 @@ pub struct Coefficient {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// Which law.
-    pub law: Law,
-    /// Its coefficients, in the order of the formula.
+    pub law: GrowthLaw,
+    /// The coefficients, in the order of the formula.
     pub coefficients: Vec<Coefficient>,
     /// The share of the variation of the values that the law explains, R², at most 1.
     pub r_squared: f64,
@@ -54,13 +54,13 @@ impl Fit {
     pub fn at(&self, x: f64) -> f64 {
         let c = |index: usize| self.coefficients.get(index).map_or(0.0, |coefficient| coefficient.value);
         match self.law {
-            Law::Constant => c(0),
-            Law::Linear => c(0) + c(1) * x,
-            Law::Square => c(0) + c(1) * x * x,
-            Law::Power => c(0) * x.powf(c(1)),
-            Law::Bounded => c(0) - c(1) * c(2).powf(x),
-            Law::Geometric => c(0) + c(1) * c(2).powf(x),
-            Law::Amdahl => c(0) + c(1) / x,
+            GrowthLaw::Constant => c(0),
+            GrowthLaw::Linear => c(0) + c(1) * x,
+            GrowthLaw::Square => c(0) + c(1) * x * x,
+            GrowthLaw::Power => c(0) * x.powf(c(1)),
+            GrowthLaw::Bounded => c(0) - c(1) * c(2).powf(x),
+            GrowthLaw::Geometric => c(0) + c(1) * c(2).powf(x),
+            GrowthLaw::Amdahl => c(0) + c(1) / x,
         }
     }
 
@@ -70,27 +70,28 @@ impl Fit {
     }
 }
 
-/// Fits one law to points (x, t) with t > 0, so that relative residuals are least: times that differ by magnitudes weigh
-/// alike. `None` when there are too few different points, or they do not determine the coefficients.
-pub fn fit(law: Law, points: &[(f64, f64)]) -> Option<Fit> {
+/// Fits one law to points (x, t) with t > 0, so that relative residuals are least: times that differ by magnitudes
+/// weigh alike. `None` when there are too few different points, or they do not determine the coefficients.
+pub fn fit(law: GrowthLaw, points: &[(f64, f64)]) -> Option<Fit> {
     if points.iter().any(|&(x, t)| !(x.is_finite() && t.is_finite() && t > 0.0)) {
         return None;
     }
     match law {
-        Law::Constant => linear_in(law, points, &["a"], |_| vec![1.0]),
-        Law::Linear => linear_in(law, points, &["a", "b"], |x| vec![1.0, x]),
-        Law::Square => linear_in(law, points, &["a", "b"], |x| vec![1.0, x * x]),
-        Law::Amdahl => linear_in(law, points, &["a", "b"], |x| vec![1.0, 1.0 / x]),
-        Law::Power => power(points),
-        Law::Bounded => exponential(law, points, 1e-3, 0.999),
-        Law::Geometric => exponential(law, points, 1.001, 64.0),
+        GrowthLaw::Constant => linear_in(law, points, &["a"], |_| vec![1.0]),
+        GrowthLaw::Linear => linear_in(law, points, &["a", "b"], |x| vec![1.0, x]),
+        GrowthLaw::Square => linear_in(law, points, &["a", "b"], |x| vec![1.0, x * x]),
+        GrowthLaw::Amdahl => linear_in(law, points, &["a", "b"], |x| vec![1.0, 1.0 / x]),
+        GrowthLaw::Power => power(points),
+        GrowthLaw::Bounded => exponential(law, points, 1e-3, 0.999),
+        GrowthLaw::Geometric => exponential(law, points, 1.001, 64.0),
     }
 }
 
 /// Of the laws that growth with generations can follow, the one that is best for its number of coefficients: the least
-/// AICc (N. Sugiura, 1978; K. P. Burnham and D. R. Anderson, Model Selection and Multimodel Inference, 2002, section 2.4).
+/// AICc (N. Sugiura, 1978; K. P. Burnham and D. R. Anderson, Model Selection and Multimodel Inference, 2002, section
+/// 2.4).
 pub fn best_growth(points: &[(f64, f64)]) -> Option<Fit> {
-    let laws = [Law::Constant, Law::Linear, Law::Bounded, Law::Geometric];
+    let laws = [GrowthLaw::Constant, GrowthLaw::Linear, GrowthLaw::Bounded, GrowthLaw::Geometric];
     let fits = laws.into_iter().filter_map(|law| fit(law, points));
     fits.min_by(|one, other| criterion(one).total_cmp(&criterion(other)))
 }
@@ -101,14 +102,14 @@ fn criterion(fit: &Fit) -> f64 {
     if points - count - 1.0 <= 0.0 {
         return f64::INFINITY;
     }
-    // Below a millionth, laws cannot be told apart by their residuals.
+    // Below a millionth, laws cannot be distinguished by their residuals.
     let scatter = (fit.error * fit.error).max(1e-12);
     points * scatter.ln() + 2.0 * count + 2.0 * count * (count + 1.0) / (points - count - 1.0)
 }
 
 /// Fits a law that is linear in its coefficients.
 fn linear_in(
-    law: Law,
+    law: GrowthLaw,
     points: &[(f64, f64)],
     symbols: &[&'static str],
     row: impl Fn(f64) -> Vec<f64>,
@@ -130,16 +131,16 @@ fn power(points: &[(f64, f64)]) -> Option<Fit> {
     if let Some(factor) = coefficients.first_mut() {
         (factor.value, factor.low, factor.high) = (factor.value.exp(), factor.low.exp(), factor.high.exp());
     }
-    Some(finished(Law::Power, points, coefficients))
+    Some(finished(GrowthLaw::Power, points, coefficients))
 }
 
 /// Fits t = a ± b·qˣ: for each ratio q the rest is linear; the best ratio is found on a grid and then by the golden
 /// section. Its interval comes from the linearized problem.
-fn exponential(law: Law, points: &[(f64, f64)], least: f64, greatest: f64) -> Option<Fit> {
+fn exponential(law: GrowthLaw, points: &[(f64, f64)], least: f64, greatest: f64) -> Option<Fit> {
     if points.len() < 3 {
         return None;
     }
-    let sign = if law == Law::Bounded { -1.0 } else { 1.0 };
+    let sign = if law == GrowthLaw::Bounded { -1.0 } else { 1.0 };
     let solved = |ratio: f64| {
         let rows: Vec<Vec<f64>> = points.iter().map(|&(x, _)| vec![1.0, sign * ratio.powf(x)]).collect();
         solve(&rows, &times(points), &weights(points))
@@ -200,11 +201,11 @@ fn coefficients(symbols: &[&'static str], solution: &Solution) -> Vec<Coefficien
 }
 
 /// The fit with its measures of error.
-fn finished(law: Law, points: &[(f64, f64)], coefficients: Vec<Coefficient>) -> Fit {
+fn finished(law: GrowthLaw, points: &[(f64, f64)], coefficients: Vec<Coefficient>) -> Fit {
     let mut fit = Fit { law, coefficients, r_squared: 0.0, error: 0.0, points: points.len() };
     let count = points.len() as f64;
     // A power law is a line of logarithms, and its R² is that line's.
-    let scale = |t: f64| if law == Law::Power { t.ln() } else { t };
+    let scale = |t: f64| if law == GrowthLaw::Power { t.ln() } else { t };
     let mean = points.iter().map(|&(_, t)| scale(t)).sum::<f64>() / count;
     let squares =
         |term: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(|point| term(point).powi(2)).sum::<f64>();
@@ -241,14 +242,14 @@ mod tests {
     #[test]
     fn exact_laws_are_found_exactly() {
         let xs = [1.0, 2.0, 4.0, 8.0, 16.0];
-        let line = fit(Law::Linear, &points(&xs, 0.0, |x| 3.0 + 0.5 * x)).unwrap();
+        let line = fit(GrowthLaw::Linear, &points(&xs, 0.0, |x| 3.0 + 0.5 * x)).unwrap();
         assert_near(&line, &[("a", 3.0), ("b", 0.5)], 1e-9);
         assert!((line.r_squared - 1.0).abs() < 1e-12 && line.error < 1e-9);
-        let square = fit(Law::Square, &points(&xs, 0.0, |x| 2.0 + 0.25 * x * x)).unwrap();
+        let square = fit(GrowthLaw::Square, &points(&xs, 0.0, |x| 2.0 + 0.25 * x * x)).unwrap();
         assert_near(&square, &[("a", 2.0), ("b", 0.25)], 1e-9);
-        let power = fit(Law::Power, &points(&xs, 0.0, |x| 5.0 * x.powf(0.4))).unwrap();
+        let power = fit(GrowthLaw::Power, &points(&xs, 0.0, |x| 5.0 * x.powf(0.4))).unwrap();
         assert_near(&power, &[("c", 5.0), ("α", 0.4)], 1e-9);
-        let amdahl = fit(Law::Amdahl, &points(&xs, 0.0, |x| 2.0 + 30.0 / x)).unwrap();
+        let amdahl = fit(GrowthLaw::Amdahl, &points(&xs, 0.0, |x| 2.0 + 30.0 / x)).unwrap();
         assert_near(&amdahl, &[("a", 2.0), ("b", 30.0)], 1e-9);
         assert!((amdahl.at(4.0) - 9.5).abs() < 1e-9);
     }
@@ -256,7 +257,7 @@ mod tests {
     #[test]
     fn intervals_hold_the_truth_under_noise() {
         let xs = [100.0, 300.0, 1e3, 3e3, 1e4, 3e4, 1e5];
-        let power = fit(Law::Power, &points(&xs, 0.05, |x| 0.02 * x.powf(0.33))).unwrap();
+        let power = fit(GrowthLaw::Power, &points(&xs, 0.05, |x| 0.02 * x.powf(0.33))).unwrap();
         let exponent = power.coefficient("α").unwrap();
         assert!(exponent.low < 0.33 && 0.33 < exponent.high, "{exponent:?}");
         assert!(exponent.high - exponent.low < 0.1 && power.r_squared > 0.99);
@@ -266,37 +267,44 @@ mod tests {
     #[test]
     fn growth_is_named_as_it_is() {
         let bounded = best_growth(&points(&generations(), 0.005, |x| 40.0 - 30.0 * 0.5_f64.powf(x))).unwrap();
-        assert_eq!(bounded.law, Law::Bounded);
+        assert_eq!(bounded.law, GrowthLaw::Bounded);
         assert_near(&bounded, &[("a", 40.0), ("q", 0.5)], 0.05);
         let doubling = best_growth(&points(&generations(), 0.01, |x| 3.0 + 0.2 * 2.0_f64.powf(x))).unwrap();
-        assert_eq!(doubling.law, Law::Geometric);
+        assert_eq!(doubling.law, GrowthLaw::Geometric);
         let ratio = doubling.coefficient("q").unwrap();
         assert!(ratio.low < 2.0 && 2.0 < ratio.high && ratio.high - ratio.low < 0.1, "{ratio:?}");
         let line = best_growth(&points(&generations(), 0.005, |x| 5.0 + 2.0 * x)).unwrap();
-        assert_eq!(line.law, Law::Linear);
+        assert_eq!(line.law, GrowthLaw::Linear);
         assert_near(&line, &[("b", 2.0)], 0.02);
         let level = best_growth(&points(&generations(), 0.01, |_| 7.0)).unwrap();
-        assert_eq!(level.law, Law::Constant);
+        assert_eq!(level.law, GrowthLaw::Constant);
         assert_near(&level, &[("a", 7.0)], 0.01);
     }
 
     #[test]
     fn counts_of_a_full_tree_double() {
         let full = best_growth(&points(&generations(), 0.0, |x| 2.0_f64.powf(x) - 1.0)).unwrap();
-        assert_eq!(full.law, Law::Geometric);
+        assert_eq!(full.law, GrowthLaw::Geometric);
         assert_near(&full, &[("a", -1.0), ("b", 1.0), ("q", 2.0)], 1e-4);
     }
 
     #[test]
     fn what_determines_no_law_gives_none() {
-        for law in [Law::Linear, Law::Square, Law::Power, Law::Bounded, Law::Geometric, Law::Amdahl] {
+        for law in [
+            GrowthLaw::Linear,
+            GrowthLaw::Square,
+            GrowthLaw::Power,
+            GrowthLaw::Bounded,
+            GrowthLaw::Geometric,
+            GrowthLaw::Amdahl,
+        ] {
             assert_eq!(fit(law, &[]), None);
             assert_eq!(fit(law, &[(1.0, 2.0)]), None, "{law:?}");
             assert_eq!(fit(law, &[(1.0, 2.0), (1.0, 3.0), (1.0, 2.5)]), None, "{law:?}");
             assert_eq!(fit(law, &[(1.0, 2.0), (2.0, f64::NAN), (3.0, 1.0), (4.0, 1.0)]), None);
             assert_eq!(fit(law, &[(1.0, 2.0), (2.0, 0.0), (3.0, 1.0), (4.0, 1.0)]), None);
         }
-        assert_eq!(fit(Law::Power, &[(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]), None);
+        assert_eq!(fit(GrowthLaw::Power, &[(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]), None);
         assert_eq!(best_growth(&[]), None);
     }
 }

@@ -4,15 +4,15 @@
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Solution {
     pub coefficients: Vec<f64>,
-    /// Half the width of the 95 % interval of each coefficient, from the scatter about the fit and Student's t; infinite
-    /// when there are no more points than coefficients.
+    /// Half the width of the 95 % interval of each coefficient, from the scatter about the fit and Student's t;
+    /// infinite when there are no more points than coefficients.
     pub margins: Vec<f64>,
     /// The weighted sum of the squared residuals.
     pub residual: f64,
 }
 
-/// Finds c that makes Σ wᵢ (yᵢ − Σⱼ cⱼ xᵢⱼ)² least, by the normal equations; `None` when the columns depend on each other
-/// or something is not finite.
+/// Finds c that makes Σ wᵢ (yᵢ − Σⱼ cⱼ xᵢⱼ)² least, by the normal equations; `None` when the columns depend on each
+/// other or something is not finite.
 pub(super) fn solve(rows: &[Vec<f64>], values: &[f64], weights: &[f64]) -> Option<Solution> {
     let count = rows.first()?.len();
     let mut normal = vec![vec![0.0; count]; count];

@@ -1,4 +1,4 @@
-//! What can be varied, and in which steps.
+//! The parameters of measurements, and their values.
 
 use std::fmt;
 
@@ -75,7 +75,7 @@ pub enum AxisError {
     /// One parameter, or two.
     #[error("vary one parameter or two, not {0}")]
     Number(usize),
-    /// The same parameter twice.
+    /// A parameter is named twice.
     #[error("{0} is varied twice; name each parameter once")]
     Twice(Parameter),
 }

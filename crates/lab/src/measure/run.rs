@@ -1,4 +1,4 @@
-//! Doing the measurements.
+//! Runs the measurements.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -16,9 +16,9 @@ use crate::machine::Machine;
 use crate::random::Random;
 use crate::variant::Variant;
 
-/// What to measure.
+/// The plan of a measurement.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct MeasurePlan {
     /// The scene; what varies is changed in copies of it.
     pub scene: Scene,
     /// What the scene is called in the report.
@@ -39,7 +39,7 @@ pub struct Plan {
     pub least_time: Duration,
 }
 
-impl Plan {
+impl MeasurePlan {
     /// How often each point is measured, if nothing is said.
     pub const ROUNDS: u32 = 11;
     /// The least time of a measurement, if nothing is said.
@@ -63,7 +63,7 @@ pub enum MeasureError {
         method: String,
     },
     /// Too many points.
-    #[error("{0} points are too many to measure: at most {most}", most = Plan::MOST_POINTS)]
+    #[error("{0} points are too many to measure: at most {most}", most = MeasurePlan::MOST_POINTS)]
     Points(usize),
     /// The scene cannot be prepared.
     #[error(transparent)]
@@ -84,9 +84,9 @@ pub enum MeasureError {
     Cancelled,
 }
 
-/// One measurement of a point.
+/// The times of one round at a point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct PointTimes {
     /// In which round, from 0.
     pub round: u32,
     /// The time to prepare the scene, milliseconds.
@@ -99,7 +99,7 @@ pub struct Run {
 
 /// A combination of values and its measurements.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct MeasuredPoint {
     /// The value of each axis.
     pub values: Vec<Value>,
     /// How many bodies were drawn.
@@ -117,12 +117,12 @@ pub struct Point {
     /// How often the picture is drawn for one measurement.
     pub repeats: u32,
     /// The measurements, round by round; the warm-up is none of them.
-    pub runs: Vec<Run>,
+    pub runs: Vec<PointTimes>,
 }
 
-/// How far a sweep is.
+/// The progress of a sweep.
 #[derive(Clone, Copy, Debug)]
-pub struct Progress<'a> {
+pub struct SweepProgress<'a> {
     /// Pictures measured, those of the warm-up counted.
     pub done: usize,
     /// All there will be.
@@ -132,18 +132,18 @@ pub struct Progress<'a> {
     /// The time that the rest will take, once every point was drawn.
     pub left: Option<Duration>,
     /// What was measured so far.
-    pub points: &'a [Point],
+    pub points: &'a [MeasuredPoint],
 }
 
-/// The measurements.
+/// The result of a sweep.
 #[derive(Clone, Debug)]
-pub struct Measured {
+pub struct Measurement {
     /// What the scene is called.
     pub name: String,
     /// What was varied.
     pub axes: Vec<Axis>,
     /// The points; those of the first axis are next to each other.
-    pub points: Vec<Point>,
+    pub points: Vec<MeasuredPoint>,
     /// How many rounds were asked for.
     pub rounds: u32,
     /// Whether all of them were made.
@@ -159,15 +159,15 @@ pub struct Measured {
 /// shuffled anew (always the same for the same plan), so that whatever drifts, such as the processor's clock, hits all
 /// alike. Each measurement prepares the scene again, and the scene is made again for each: the memory is that of one.
 ///
-/// `watch` is told of the progress after each measurement. When `control` is cancelled, what was measured is kept.
+/// `watch` gets the progress after each measurement. When `control` is cancelled, what was measured is kept.
 ///
 /// # Errors
 /// When the plan makes no sense, a picture cannot be drawn, or it is cancelled before each point was measured once.
 pub fn measure(
-    plan: &Plan,
+    plan: &MeasurePlan,
     control: &RenderControl,
-    watch: &mut dyn FnMut(&Progress<'_>),
-) -> Result<Measured, MeasureError> {
+    watch: &mut dyn FnMut(&SweepProgress<'_>),
+) -> Result<Measurement, MeasureError> {
     let works = works(plan)?;
     let rounds = plan.rounds.max(1);
     let mut sweep = Sweep {
@@ -191,7 +191,7 @@ pub fn measure(
     {
         return Err(MeasureError::Cancelled);
     }
-    Ok(Measured {
+    Ok(Measurement {
         name: plan.name.clone(),
         axes: plan.axes.clone(),
         points: sweep.points,
@@ -201,8 +201,8 @@ pub fn measure(
     })
 }
 
-/// What is drawn at a point.
-struct Work {
+/// The settings that a point is drawn with.
+struct PointSetup {
     values: Vec<Value>,
     bodies: Option<usize>,
     variant: Variant,
@@ -212,11 +212,11 @@ struct Work {
 }
 
 /// All combinations of values.
-fn works(plan: &Plan) -> Result<Vec<Work>, MeasureError> {
+fn works(plan: &MeasurePlan) -> Result<Vec<PointSetup>, MeasureError> {
     Axis::check(&plan.axes)?;
     let counts = plan.axes.iter().map(|axis| axis.values.len());
     let count = counts.fold(1_usize, usize::saturating_mul);
-    if count > Plan::MOST_POINTS {
+    if count > MeasurePlan::MOST_POINTS {
         return Err(MeasureError::Points(count));
     }
     let mut combinations: Vec<Vec<(Parameter, Value)>> = vec![Vec::new()];
@@ -231,11 +231,11 @@ fn works(plan: &Plan) -> Result<Vec<Work>, MeasureError> {
             })
             .collect();
     }
-    combinations.iter().map(|values| Work::new(plan, values)).collect()
+    combinations.iter().map(|values| PointSetup::new(plan, values)).collect()
 }
 
-impl Work {
-    fn new(plan: &Plan, values: &[(Parameter, Value)]) -> Result<Self, MeasureError> {
+impl PointSetup {
+    fn new(plan: &MeasurePlan, values: &[(Parameter, Value)]) -> Result<Self, MeasureError> {
         let mut work = Self {
             values: values.iter().map(|(_, value)| value.clone()).collect(),
             bodies: None,
@@ -293,10 +293,10 @@ impl Work {
 
 /// A sweep under way.
 struct Sweep<'a> {
-    plan: &'a Plan,
+    plan: &'a MeasurePlan,
     control: &'a RenderControl,
     pools: HashMap<usize, ThreadPool>,
-    points: Vec<Point>,
+    points: Vec<MeasuredPoint>,
     /// The seconds that a measurement of each point took last, with making and preparing the scene.
     costs: Vec<f64>,
     total: usize,
@@ -307,9 +307,9 @@ struct Sweep<'a> {
 impl Sweep<'_> {
     fn run(
         &mut self,
-        works: &[Work],
+        works: &[PointSetup],
         rounds: u32,
-        watch: &mut dyn FnMut(&Progress<'_>),
+        watch: &mut dyn FnMut(&SweepProgress<'_>),
     ) -> Result<(), MeasureError> {
         for work in works {
             self.warm_up(work)?;
@@ -325,7 +325,7 @@ impl Sweep<'_> {
                 let start = Instant::now();
                 let drawn = self.draw(work, repeats)?;
                 if let (Some(point), Some(cost)) = (self.points.get_mut(index), self.costs.get_mut(index)) {
-                    point.runs.push(Run { round, ..drawn.run });
+                    point.runs.push(PointTimes { round, ..drawn.run });
                     *cost = start.elapsed().as_secs_f64();
                 }
                 self.tell(watch, rounds);
@@ -335,7 +335,7 @@ impl Sweep<'_> {
     }
 
     /// Counts a measurement and says how far it is.
-    fn tell(&mut self, watch: &mut dyn FnMut(&Progress<'_>), rounds: u32) {
+    fn tell(&mut self, watch: &mut dyn FnMut(&SweepProgress<'_>), rounds: u32) {
         self.done += 1;
         let left = (rounds > 0).then(|| {
             let rest = self.points.iter().zip(&self.costs);
@@ -343,7 +343,7 @@ impl Sweep<'_> {
                 rest.map(|(point, cost)| cost * (f64::from(rounds) - point.runs.len() as f64).max(0.0));
             Duration::try_from_secs_f64(rest.sum()).unwrap_or(Duration::MAX)
         });
-        watch(&Progress {
+        watch(&SweepProgress {
             done: self.done,
             total: self.total,
             elapsed: self.start.elapsed(),
@@ -353,13 +353,13 @@ impl Sweep<'_> {
     }
 
     /// Draws a point for the first time, and finds how often to draw it for a measurement.
-    fn warm_up(&mut self, work: &Work) -> Result<(), MeasureError> {
+    fn warm_up(&mut self, work: &PointSetup) -> Result<(), MeasureError> {
         let first = self.draw(work, 1)?;
         let wanted = self.plan.least_time.as_secs_f64() * 1e3 / first.run.draw.max(1e-6);
         let repeats = wanted.ceil().clamp(1.0, 1000.0) as u32;
-        let Drawn { run, rays, bodies, generations, threads } = first;
+        let PointResult { run, rays, bodies, generations, threads } = first;
         self.costs.push((run.prepare + run.draw * f64::from(repeats)) / 1e3);
-        self.points.push(Point {
+        self.points.push(MeasuredPoint {
             values: work.values.clone(),
             bodies,
             settings: work.settings,
@@ -374,7 +374,7 @@ impl Sweep<'_> {
     }
 
     /// Makes the scene of a point, prepares it and draws it so many times.
-    fn draw(&mut self, work: &Work, repeats: u32) -> Result<Drawn, MeasureError> {
+    fn draw(&mut self, work: &PointSetup, repeats: u32) -> Result<PointResult, MeasureError> {
         let grown = work.bodies.map(|bodies| grown(&self.plan.scene, bodies));
         let scene = grown.as_ref().unwrap_or(&self.plan.scene);
         let control = self.control;
@@ -386,8 +386,8 @@ impl Sweep<'_> {
             Some(generations) => stage.with_generations(generations),
             None => stage,
         };
-        let mut drawn = Drawn {
-            run: Run { round: 0, prepare, draw: 0.0, passes: Vec::new() },
+        let mut drawn = PointResult {
+            run: PointTimes { round: 0, prepare, draw: 0.0, passes: Vec::new() },
             rays: RayCounts::default(),
             bodies: stage.body_count(),
             generations: stage.generations(),
@@ -414,16 +414,16 @@ impl Sweep<'_> {
     }
 }
 
-/// What drawing a point told.
-struct Drawn {
-    run: Run,
+/// The times and counts of drawing a point once.
+struct PointResult {
+    run: PointTimes,
     rays: RayCounts,
     bodies: usize,
     generations: u32,
     threads: usize,
 }
 
-impl Run {
+impl PointTimes {
     /// Adds the passes of one of so many drawings.
     fn add(&mut self, passes: &[(PassName, Duration)], repeats: f64) {
         for (name, time) in passes {

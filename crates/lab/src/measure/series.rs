@@ -1,8 +1,8 @@
 //! Curves: the points along the first axis for each value of the second, with the law behind them.
 
-use super::law::{Fit, Law, best_growth, fit};
+use super::law::{Fit, GrowthLaw, best_growth, fit};
 use super::parameter::{Parameter, Value};
-use super::run::{Measured, Point};
+use super::run::{MeasuredPoint, Measurement};
 use super::statistics::{Summary, summarize};
 
 /// A curve.
@@ -11,7 +11,7 @@ pub struct Series<'a> {
     /// The value of the second axis, if there is one.
     pub value: Option<&'a Value>,
     /// The points with the summary of their times, in the order of the first axis.
-    pub points: Vec<(&'a Point, Summary)>,
+    pub points: Vec<(&'a MeasuredPoint, Summary)>,
     /// The law of the times, where the first axis is a number and the points determine one.
     pub law: Option<Fit>,
     /// The law of the numbers of rays, for generations: without any error of measurement.
@@ -19,21 +19,21 @@ pub struct Series<'a> {
 }
 
 /// The curves of what was measured.
-pub fn series(measured: &Measured) -> Vec<Series<'_>> {
+pub fn series(measured: &Measurement) -> Vec<Series<'_>> {
     let Some(first) = measured.axes.first() else { return Vec::new() };
     let chunks = measured.points.chunks(first.values.len().max(1));
     chunks.map(|points| Series::of(first.parameter, points)).collect()
 }
 
 impl<'a> Series<'a> {
-    fn of(parameter: Parameter, points: &'a [Point]) -> Self {
+    fn of(parameter: Parameter, points: &'a [MeasuredPoint]) -> Self {
         let value = points.first().and_then(|point| point.values.get(1));
-        let summary = |point: &'a Point| {
+        let summary = |point: &'a MeasuredPoint| {
             let times: Vec<f64> = point.runs.iter().map(|run| run.draw).collect();
             Some((point, summarize(&times)?))
         };
         let points: Vec<_> = points.iter().filter_map(summary).collect();
-        let pairs = |y: &dyn Fn(&Point, &Summary) -> f64| -> Vec<(f64, f64)> {
+        let pairs = |y: &dyn Fn(&MeasuredPoint, &Summary) -> f64| -> Vec<(f64, f64)> {
             let pairs =
                 points.iter().filter_map(|(point, summary)| Some((point.number()?, y(point, summary))));
             pairs.collect()
@@ -49,7 +49,7 @@ impl<'a> Series<'a> {
     }
 }
 
-impl Point {
+impl MeasuredPoint {
     /// The number along the first axis.
     pub fn number(&self) -> Option<f64> {
         self.values.first()?.number()
@@ -63,12 +63,12 @@ fn law_of(parameter: Parameter, points: &[(f64, f64)]) -> Option<Fit> {
         return None;
     }
     match parameter {
-        Parameter::Size | Parameter::Samples => fit(Law::Linear, points),
-        Parameter::Bodies => fit(Law::Power, points),
+        Parameter::Size | Parameter::Samples => fit(GrowthLaw::Linear, points),
+        Parameter::Bodies => fit(GrowthLaw::Power, points),
         Parameter::Generations => best_growth(points),
-        Parameter::Threads => fit(Law::Amdahl, points),
+        Parameter::Threads => fit(GrowthLaw::Amdahl, points),
         // The faces of a body, and the pixels of a map, are as the square.
-        Parameter::Fineness | Parameter::CubeMapSize => fit(Law::Square, points),
+        Parameter::Fineness | Parameter::CubeMapSize => fit(GrowthLaw::Square, points),
         Parameter::Method | Parameter::Search => None,
     }
 }

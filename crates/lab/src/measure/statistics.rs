@@ -1,4 +1,4 @@
-//! What repeated measurements say of one time.
+//! Statistics of repeated measurements.
 
 /// The middle of some measurements, how sure it is, and what lies far off.
 #[derive(Clone, Debug, PartialEq)]

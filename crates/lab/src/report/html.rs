@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use catoptric_scene::visible;
 
-/// Text as XML has it: no markup, no character that XML cannot say, none that turns the direction of the text around it.
+/// Text as XML has it: no markup, no character that XML cannot say, none that turns the direction of the text around
+/// it.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in visible(text).chars() {

@@ -15,12 +15,12 @@ use super::html::{escape, table};
 use super::language::Language;
 use super::study::machine_rows;
 use super::texts::fill;
-use crate::compare::{Compared, Contender, Metrics};
+use crate::compare::{Contender, MethodComparison, Metrics};
 use crate::machine::Machine;
 
-/// What the page says of the circumstances.
+/// The circumstances that a page states.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct PageSettings {
     /// What the scene is called; `None` when only files are compared.
     pub scene: Option<String>,
     /// How many bodies and lights it has.
@@ -56,8 +56,12 @@ pub enum PageError {
 ///
 /// # Errors
 /// When there is too little memory.
-pub fn page(compared: &Compared, machine: &Machine, settings: &Settings) -> Result<String, PageError> {
-    let page = Page { compared, machine, settings };
+pub fn page(
+    compared: &MethodComparison,
+    machine: &Machine,
+    settings: &PageSettings,
+) -> Result<String, PageError> {
+    let page = HtmlPage { compared, machine, settings };
     let language = settings.language;
     let title = fill(language.compare_title(), &[("truth", page.truth_name())]);
     let mut html = frame::head(language, &title);
@@ -74,14 +78,14 @@ pub fn page(compared: &Compared, machine: &Machine, settings: &Settings) -> Resu
     Ok(html)
 }
 
-/// A page being made.
-struct Page<'a> {
-    compared: &'a Compared,
+/// A page while it is written.
+struct HtmlPage<'a> {
+    compared: &'a MethodComparison,
     machine: &'a Machine,
-    settings: &'a Settings,
+    settings: &'a PageSettings,
 }
 
-impl Page<'_> {
+impl HtmlPage<'_> {
     fn truth_name(&self) -> &str {
         self.compared.truth().map_or("", |truth| &truth.name)
     }

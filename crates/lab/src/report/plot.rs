@@ -11,7 +11,7 @@ pub use scale::{Scale, Tick};
 /// What an axis is about.
 #[derive(Clone, Debug)]
 pub struct PlotAxis {
-    /// Its title, with the unit.
+    /// The title of the axis, with the unit.
     pub title: String,
     /// Whether it is logarithmic; only where all values are above 0.
     pub logarithmic: bool,
@@ -19,28 +19,28 @@ pub struct PlotAxis {
     pub names: Vec<String>,
 }
 
-/// A measured place of a curve.
+/// A measured value with its interval.
 #[derive(Clone, Debug)]
-pub struct Mark {
+pub struct PlotMark {
     /// The place along the first axis: a value, or the number of its name.
     pub x: f64,
     /// The median.
     pub y: f64,
     /// The interval of y.
     pub low: f64,
-    /// Its other end.
+    /// The upper end of the interval.
     pub high: f64,
     /// All measurements, and whether each is an outlier.
     pub all: Vec<(f64, bool)>,
 }
 
-/// Measured places and the law through them.
+/// Measured values and the law through them.
 #[derive(Clone, Debug)]
-pub struct Curve {
+pub struct PlotCurve {
     /// For the legend; not drawn when empty.
     pub label: String,
     /// In the order of the first axis.
-    pub marks: Vec<Mark>,
+    pub marks: Vec<PlotMark>,
     /// The law's name for the legend and its values.
     pub law: Option<(String, Vec<(f64, f64)>)>,
 }
@@ -55,7 +55,7 @@ pub struct Plot {
     /// Up.
     pub y: PlotAxis,
     /// In the order of the legend.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<PlotCurve>,
     /// How numbers are written.
     pub language: Language,
 }
@@ -105,7 +105,7 @@ impl Plot {
         let marks = || self.curves.iter().flat_map(|curve| &curve.marks);
         let laws = || self.curves.iter().filter_map(|curve| curve.law.as_ref()).flat_map(|(_, law)| law);
         let xs = marks().map(|mark| mark.x).chain(laws().map(|point| point.0));
-        let all = |mark: &Mark| mark.all.iter().map(|(y, _)| *y).collect::<Vec<_>>();
+        let all = |mark: &PlotMark| mark.all.iter().map(|(y, _)| *y).collect::<Vec<_>>();
         let ys = marks().flat_map(|mark| [vec![mark.low, mark.high, mark.y], all(mark)].concat());
         let ys = ys.chain(laws().map(|point| point.1));
         let x = if self.x.names.is_empty() {
@@ -164,14 +164,14 @@ impl Plot {
     }
 
     /// What stands below the plot: a line for each curve and each law.
-    fn legend(&self) -> Vec<Entry> {
+    fn legend(&self) -> Vec<LegendEntry> {
         let mut entries = Vec::new();
         for (curve, index) in self.curves.iter().zip(0..) {
             let law = curve.law.as_ref().map(|(name, _)| name.as_str()).unwrap_or_default();
             let text: Vec<&str> =
                 [curve.label.as_str(), law].into_iter().filter(|text| !text.is_empty()).collect();
             if !text.is_empty() {
-                entries.push(Entry { index, line: curve.law.is_some(), text: text.join(": ") });
+                entries.push(LegendEntry { index, line: curve.law.is_some(), text: text.join(": ") });
             }
         }
         entries
@@ -179,7 +179,7 @@ impl Plot {
 }
 
 /// A line of the legend.
-struct Entry {
+struct LegendEntry {
     index: usize,
     line: bool,
     text: String,
@@ -197,7 +197,7 @@ fn text_at(svg: &mut String, [x, y]: [f64; 2], anchor: &str, text: &str) {
     );
 }
 
-fn draw_entry(svg: &mut String, entry: &Entry, y: f64) {
+fn draw_entry(svg: &mut String, entry: &LegendEntry, y: f64) {
     if entry.line {
         let _ = writeln!(
             svg,
@@ -212,7 +212,7 @@ fn draw_entry(svg: &mut String, entry: &Entry, y: f64) {
 }
 
 /// The law, the measurements, their intervals and medians, from back to front.
-fn draw_curve(svg: &mut String, curve: &Curve, index: usize, x: &Scale, y: &Scale) {
+fn draw_curve(svg: &mut String, curve: &PlotCurve, index: usize, x: &Scale, y: &Scale) {
     let color = color(index);
     if let Some((_, law)) = &curve.law {
         let places: Vec<String> = law
@@ -256,7 +256,7 @@ fn draw_curve(svg: &mut String, curve: &Curve, index: usize, x: &Scale, y: &Scal
     }
 }
 
-/// The symbol of a curve: also on a black and white print they can be told apart.
+/// The symbol of a curve, which distinguishes it on a black and white print too.
 fn draw_symbol(svg: &mut String, [x, y]: [f64; 2], index: usize) {
     let shape = match index % 4 {
         0 => format!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"4.2\""),

@@ -9,13 +9,13 @@ use resvg::usvg::{Options, Tree, fontdb::Database};
 /// Why an SVG cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum RasterError {
-    /// It is no SVG.
+    /// The text is no SVG.
     #[error("the plot cannot be drawn: {0}")]
     Svg(#[from] resvg::usvg::Error),
     /// The picture would be too large.
     #[error(transparent)]
     Size(#[from] SizeError),
-    /// It cannot be written as a PNG.
+    /// The pixels cannot be written as a PNG.
     #[error(transparent)]
     Encode(#[from] EncodeError),
 }

@@ -1,27 +1,27 @@
-//! What was measured, as the files of a chapter: the measurements, tables, plots, and the text around them.
+//! The files of a report on a measurement: data, tables, plots, and the text around them.
 
 use std::fmt::Write as _;
 
 use catoptric_picture::{BitDepth, Development, encode_png};
 
 use super::language::Language;
-use super::plot::{Curve, Mark, Plot, PlotAxis};
+use super::plot::{Plot, PlotAxis, PlotCurve, PlotMark};
 use super::raster::{RasterError, rasterize};
 use super::tables::{Table, csv_line, markdown, tex};
 use super::texts::fill;
 use crate::machine::Machine;
-use crate::measure::{Fit, Law, Measured, Parameter, Point, Series, Summary, series};
+use crate::measure::{Fit, GrowthLaw, MeasuredPoint, Measurement, Parameter, Series, Summary, series};
 
-/// Files by their names.
+/// The files of a report, by name.
 #[derive(Clone, Debug)]
-pub struct Study {
+pub struct MeasurementReport {
     /// Names and contents, in the order in which to name them.
     pub files: Vec<(&'static str, Vec<u8>)>,
     /// The laws in words, a line for each curve.
     pub laws: Vec<String>,
 }
 
-impl Study {
+impl MeasurementReport {
     /// The names that files can have.
     pub const NAMES: [&'static str; 8] =
         ["runs.csv", "points.csv", "time.png", "time.svg", "rays.png", "rays.svg", "report.md", "report.tex"];
@@ -37,8 +37,8 @@ const SHARPNESS: f32 = 2.0;
 ///
 /// # Errors
 /// When a plot cannot be drawn.
-pub fn study(measured: &Measured, language: Language) -> Result<Study, RasterError> {
-    let chapter = Chapter { measured, curves: series(measured), language };
+pub fn study(measured: &Measurement, language: Language) -> Result<MeasurementReport, RasterError> {
+    let chapter = ReportWriter { measured, curves: series(measured), language };
     let mut files = vec![
         ("runs.csv", runs_csv(measured).into_bytes()),
         ("points.csv", points_csv(&chapter.curves, measured).into_bytes()),
@@ -53,17 +53,20 @@ pub fn study(measured: &Measured, language: Language) -> Result<Study, RasterErr
     }
     files.push(("report.md", chapter.markdown().into_bytes()));
     files.push(("report.tex", chapter.latex().into_bytes()));
-    Ok(Study { files, laws: chapter.curves.iter().map(|curve| chapter.law_line(curve)).collect() })
+    Ok(MeasurementReport {
+        files,
+        laws: chapter.curves.iter().map(|curve| chapter.law_line(curve)).collect(),
+    })
 }
 
 /// The plot of the times, with the laws as far as the points tell them: for measurements under way, too.
-pub fn time_plot(measured: &Measured, language: Language) -> Plot {
-    Chapter { measured, curves: series(measured), language }.time_plot()
+pub fn time_plot(measured: &Measurement, language: Language) -> Plot {
+    ReportWriter { measured, curves: series(measured), language }.time_plot()
 }
 
 /// The laws in words, a line for each curve.
-pub fn law_lines(measured: &Measured, language: Language) -> Vec<String> {
-    let chapter = Chapter { measured, curves: series(measured), language };
+pub fn law_lines(measured: &Measurement, language: Language) -> Vec<String> {
+    let chapter = ReportWriter { measured, curves: series(measured), language };
     chapter.curves.iter().map(|curve| chapter.law_line(curve)).collect()
 }
 
@@ -74,7 +77,7 @@ fn png(svg: &str) -> Result<Vec<u8>, RasterError> {
 }
 
 /// The heads of the columns that say where a point is.
-fn place_heads(measured: &Measured) -> Vec<String> {
+fn place_heads(measured: &Measurement) -> Vec<String> {
     let axes = measured.axes.iter().map(|axis| axis.parameter.key().to_owned());
     axes.chain(
         ["method", "bodies", "width", "height", "samples", "generations", "threads"]
@@ -83,7 +86,7 @@ fn place_heads(measured: &Measured) -> Vec<String> {
     .collect()
 }
 
-fn place(point: &Point) -> Vec<String> {
+fn place(point: &MeasuredPoint) -> Vec<String> {
     let values = point.values.iter().map(ToString::to_string);
     let settings = point.settings;
     values
@@ -99,7 +102,7 @@ fn place(point: &Point) -> Vec<String> {
         .collect()
 }
 
-fn runs_csv(measured: &Measured) -> String {
+fn runs_csv(measured: &Measurement) -> String {
     let heads = ["round", "repeats", "prepare_ms", "draw_ms", "passes_ms"].map(str::to_owned);
     let mut text = csv_line(&[place_heads(measured), heads.to_vec()].concat());
     for point in &measured.points {
@@ -119,7 +122,7 @@ fn runs_csv(measured: &Measured) -> String {
     text
 }
 
-fn points_csv(curves: &[Series<'_>], measured: &Measured) -> String {
+fn points_csv(curves: &[Series<'_>], measured: &Measurement) -> String {
     let heads = [
         "runs",
         "median_ms",
@@ -164,7 +167,7 @@ fn points_csv(curves: &[Series<'_>], measured: &Measured) -> String {
 }
 
 /// The median time of preparing.
-fn preparing(point: &Point) -> f64 {
+fn preparing(point: &MeasuredPoint) -> f64 {
     let times: Vec<f64> = point.runs.iter().map(|run| run.prepare).collect();
     crate::measure::summarize(&times).map_or(f64::NAN, |summary| summary.median)
 }
@@ -188,14 +191,14 @@ pub fn machine_rows(machine: &Machine, language: Language) -> Vec<Vec<String>> {
     .to_vec()
 }
 
-/// The text around the measurements.
-struct Chapter<'a> {
-    measured: &'a Measured,
+/// Writes the text around the measurements.
+struct ReportWriter<'a> {
+    measured: &'a Measurement,
     curves: Vec<Series<'a>>,
     language: Language,
 }
 
-impl Chapter<'_> {
+impl ReportWriter<'_> {
     fn first(&self) -> Parameter {
         self.measured.axes.first().map_or(Parameter::Size, |axis| axis.parameter)
     }
@@ -215,13 +218,13 @@ impl Chapter<'_> {
         let sign = |symbol: &str| if value(symbol) < 0.0 { "−" } else { "+" };
         let lead = |symbol: &str| language.significant(value(symbol), 3);
         match fit.law {
-            Law::Constant => format!("t = {}", lead("a")),
-            Law::Linear => format!("t = {} {} {}·{x}", lead("a"), sign("b"), number("b")),
-            Law::Square => format!("t = {} {} {}·{x}²", lead("a"), sign("b"), number("b")),
-            Law::Power => format!("t = {}·{x}^{}", lead("c"), language.fixed(value("α"), 3)),
-            Law::Bounded => format!("t = {} − {}·{}^{x}", lead("a"), number("b"), number("q")),
-            Law::Geometric => format!("t = {} + {}·{}^{x}", lead("a"), number("b"), number("q")),
-            Law::Amdahl => format!("t = {} {} {}/{x}", lead("a"), sign("b"), number("b")),
+            GrowthLaw::Constant => format!("t = {}", lead("a")),
+            GrowthLaw::Linear => format!("t = {} {} {}·{x}", lead("a"), sign("b"), number("b")),
+            GrowthLaw::Square => format!("t = {} {} {}·{x}²", lead("a"), sign("b"), number("b")),
+            GrowthLaw::Power => format!("t = {}·{x}^{}", lead("c"), language.fixed(value("α"), 3)),
+            GrowthLaw::Bounded => format!("t = {} − {}·{}^{x}", lead("a"), number("b"), number("q")),
+            GrowthLaw::Geometric => format!("t = {} + {}·{}^{x}", lead("a"), number("b"), number("q")),
+            GrowthLaw::Amdahl => format!("t = {} {} {}/{x}", lead("a"), sign("b"), number("b")),
         }
     }
 
@@ -256,11 +259,11 @@ impl Chapter<'_> {
                 let all = point.runs.iter().enumerate();
                 let all = all.map(|(place, run)| (run.draw, summary.outliers.contains(&place)));
                 let x = point.number().unwrap_or(f64::from(index));
-                Mark { x, y: summary.median, low: summary.low, high: summary.high, all: all.collect() }
+                PlotMark { x, y: summary.median, low: summary.low, high: summary.high, all: all.collect() }
             });
             marks.collect()
         };
-        let curves = self.curves.iter().map(|curve| Curve {
+        let curves = self.curves.iter().map(|curve| PlotCurve {
             label: self.curve_name(curve),
             marks: marks(curve),
             law: curve.law.as_ref().map(|fit| self.law_curve(curve, fit)),
@@ -282,9 +285,9 @@ impl Chapter<'_> {
         let curves = self.curves.iter().map(|curve| {
             let marks = curve.points.iter().filter_map(|(point, _)| {
                 let rays = point.rays.total() as f64;
-                Some(Mark { x: point.number()?, y: rays, low: rays, high: rays, all: Vec::new() })
+                Some(PlotMark { x: point.number()?, y: rays, low: rays, high: rays, all: Vec::new() })
             });
-            Curve {
+            PlotCurve {
                 label: self.curve_name(curve),
                 marks: marks.collect(),
                 law: curve.rays.as_ref().map(|fit| self.law_curve(curve, fit)),
@@ -293,7 +296,7 @@ impl Chapter<'_> {
         Some(self.plot(self.language.rays_caption().to_owned(), self.language.rays_axis(), curves.collect()))
     }
 
-    fn plot(&self, description: String, y_title: &str, curves: Vec<Curve>) -> Plot {
+    fn plot(&self, description: String, y_title: &str, curves: Vec<PlotCurve>) -> Plot {
         let language = self.language;
         let ys = || curves.iter().flat_map(|curve| &curve.marks).map(|mark| mark.y);
         let xs = || curves.iter().flat_map(|curve| &curve.marks).map(|mark| mark.x);
@@ -358,7 +361,7 @@ impl Chapter<'_> {
         Table { caption: self.filled(language.times_caption()), heads: heads.collect(), rows: rows.collect() }
     }
 
-    fn time_row(&self, point: &Point, summary: &Summary) -> Vec<String> {
+    fn time_row(&self, point: &MeasuredPoint, summary: &Summary) -> Vec<String> {
         let language = self.language;
         let values = point.values.iter().map(|value| match (value, value.number()) {
             (crate::measure::Value::Size(_), Some(pixels)) => {

@@ -1,9 +1,9 @@
-//! All that reports say, in both languages. What stands in braces is filled in.
+//! The texts of reports, in both languages. Placeholders stand in braces.
 
 use catoptric_tracer::raster::{PassName, Reason};
 
 use super::language::Language;
-use crate::measure::{Law, Parameter, Value};
+use crate::measure::{GrowthLaw, Parameter, Value};
 
 /// Fills in what stands in braces.
 pub(crate) fn fill(text: &str, values: &[(&str, &str)]) -> String {
@@ -269,15 +269,15 @@ impl Language {
     }
 
     /// What a law is called.
-    pub const fn law_name(self, law: Law) -> &'static str {
+    pub const fn law_name(self, law: GrowthLaw) -> &'static str {
         match law {
-            Law::Constant => self.choose("no growth", "не растёт"),
-            Law::Linear => self.choose("linear", "линейный"),
-            Law::Square => self.choose("quadratic", "квадратичный"),
-            Law::Power => self.choose("power law", "степенной"),
-            Law::Bounded => self.choose("bounded", "ограниченный"),
-            Law::Geometric => self.choose("geometric", "геометрическая прогрессия"),
-            Law::Amdahl => self.choose("Amdahl's law", "закон Амдала"),
+            GrowthLaw::Constant => self.choose("no growth", "не растёт"),
+            GrowthLaw::Linear => self.choose("linear", "линейный"),
+            GrowthLaw::Square => self.choose("quadratic", "квадратичный"),
+            GrowthLaw::Power => self.choose("power law", "степенной"),
+            GrowthLaw::Bounded => self.choose("bounded", "ограниченный"),
+            GrowthLaw::Geometric => self.choose("geometric", "геометрическая прогрессия"),
+            GrowthLaw::Amdahl => self.choose("Amdahl's law", "закон Амдала"),
         }
     }
 }

@@ -269,7 +269,7 @@ fn only_a_clear_smooth_ball_by_itself_in_air_has_the_focal_point() {
     let scene = |bodies: Vec<Body>| Scene { bodies: bodies.into_iter().collect(), ..Scene::default() };
     let alone = |material| answers_for(&scene(vec![lens(material)]), None);
     assert_eq!(alone(glass(1.5)).inapplicable, []);
-    let only = |found: &catoptric_lab::exact::Answers, reason| {
+    let only = |found: &catoptric_lab::exact::ExactAnswers, reason| {
         assert_eq!((found.answers.as_slice(), found.inapplicable.as_slice()), (&[][..], &[reason][..]));
     };
     only(&alone(Material { roughness: 0.2, ..glass(1.5) }), Inapplicable::RoughLens { body: 0 });

@@ -9,7 +9,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 
-/// The same cases every time. `PROPTEST_RNG_SEED` and `PROPTEST_CASES` explore others.
+/// A fixed sequence of cases. `PROPTEST_RNG_SEED` and `PROPTEST_CASES` explore others.
 pub(crate) fn cases(count: u32) -> Config {
     let mut config = Config::default();
     if config.rng_seed == RngSeed::Random {
@@ -146,7 +146,7 @@ fn physical() -> impl Strategy<Value = Material> {
     )
 }
 
-/// The same bodies of physical materials, under lights of which some are balls.
+/// Bodies of physical materials, under lights of which some are spherical.
 pub(crate) fn any_physical_scene() -> impl Strategy<Value = Scene> {
     let materials = prop::collection::vec(physical(), 20);
     let radii = prop::collection::vec(prop_oneof![Just(0.0), 0.1..1.5_f64], 4);

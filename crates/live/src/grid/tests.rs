@@ -1,10 +1,10 @@
-//! The grid held against where its lines must lie.
+//! The grid compared with the places where its lines must lie.
 
 use catoptric_scene::{Body, Camera, Placement, Projection, Scene, Shape};
 use catoptric_tracer::RenderScene;
 use glam::{DVec2, DVec3};
 
-use super::{Measures, trace};
+use super::{GridMeasures, trace};
 use crate::frame::{GridKind, GridLine};
 use crate::request::GridSpec;
 
@@ -33,7 +33,7 @@ fn lines_lie_on_multiples_of_the_step() {
         let camera = Camera { projection, ..Camera::default() };
         let lines = grid(&Scene { camera, ..Scene::default() });
         assert!(lines.len() > 20);
-        let step = Measures::new(&camera).unwrap().step;
+        let step = GridMeasures::new(&camera).unwrap().step;
         assert_eq!(step, 1.0);
         for line in &lines {
             assert!(line.strength > 0.0 && line.strength <= 1.0);
@@ -95,7 +95,7 @@ fn the_step_follows_the_distance_without_jumps() {
     let at = |distance: f64| {
         let camera =
             Camera { position: DVec3::new(0.0, 0.0, distance), target: DVec3::ZERO, ..Camera::default() };
-        Measures::new(&camera).unwrap()
+        GridMeasures::new(&camera).unwrap()
     };
     assert_eq!(
         [0.5, 5.0, 39.0, 41.0, 5000.0].map(|distance| at(distance).step),

@@ -1,4 +1,4 @@
-//! Where a body can be seen at all, and how finely to look there.
+//! The area of the view in which a body can be visible, and the lattice over it.
 
 use std::ops::Range;
 

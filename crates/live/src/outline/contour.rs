@@ -31,19 +31,19 @@ pub(super) struct Contour {
 
 /// The edge of the lattice that runs from the point (column, row) to the right or down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Edge {
+struct LatticeEdge {
     row: usize,
     column: usize,
     down: bool,
 }
 
-/// All lines of the border of a region within an area, the inside on the same hand of each.
+/// All lines of the border of a region within an area, the inside on the same side of each.
 pub(super) fn contours(area: &Area, is_inside: &(impl Fn(DVec2) -> bool + Sync)) -> Vec<Contour> {
     let lattice = Lattice::sample(area, is_inside);
     let steps = lattice.steps(is_inside);
-    let edges: BTreeSet<Edge> = steps.iter().flat_map(|&(from, to)| [from, to]).collect();
-    let edges: Vec<Edge> = edges.into_iter().collect();
-    let crossings: BTreeMap<Edge, BorderPoint> =
+    let edges: BTreeSet<LatticeEdge> = steps.iter().flat_map(|&(from, to)| [from, to]).collect();
+    let edges: Vec<LatticeEdge> = edges.into_iter().collect();
+    let crossings: BTreeMap<LatticeEdge, BorderPoint> =
         edges.into_par_iter().map(|edge| (edge, lattice.crossing(edge, is_inside))).collect();
     chains(&steps)
         .into_par_iter()
@@ -57,16 +57,17 @@ pub(super) fn contours(area: &Area, is_inside: &(impl Fn(DVec2) -> bool + Sync))
 /// Which points of a lattice over the area are inside.
 struct Lattice<'a> {
     area: &'a Area,
-    rows: Vec<Row>,
+    rows: Vec<LatticeRow>,
 }
 
-/// A row of the lattice. Outside of its span nothing is inside and nothing is kept: of a slanted rod's box nearly all is.
-struct Row {
+/// A row of the lattice. Outside of its span nothing is inside and nothing is kept: most of the bounding box of a
+/// slanted rod.
+struct LatticeRow {
     start: usize,
     inside: Vec<bool>,
 }
 
-impl Row {
+impl LatticeRow {
     fn end(&self) -> usize {
         self.start + self.inside.len()
     }
@@ -77,7 +78,7 @@ impl<'a> Lattice<'a> {
         let sample_row = |row: usize| {
             let span = area.span(row);
             let start = span.start;
-            Row { start, inside: span.map(|column| is_inside(area.point(column, row))).collect() }
+            LatticeRow { start, inside: span.map(|column| is_inside(area.point(column, row))).collect() }
         };
         Self { area, rows: (0..area.rows()).into_par_iter().map(sample_row).collect() }
     }
@@ -89,7 +90,7 @@ impl<'a> Lattice<'a> {
     }
 
     /// The steps of the border through the cells, from edge to edge.
-    fn steps(&self, is_inside: &impl Fn(DVec2) -> bool) -> Vec<(Edge, Edge)> {
+    fn steps(&self, is_inside: &impl Fn(DVec2) -> bool) -> Vec<(LatticeEdge, LatticeEdge)> {
         let mut steps = Vec::new();
         let last_column = self.area.columns().saturating_sub(1);
         for (row, (upper, lower)) in self.rows.iter().zip(self.rows.iter().skip(1)).enumerate() {
@@ -102,10 +103,10 @@ impl<'a> Lattice<'a> {
                 }
                 let center =
                     || is_inside(0.5 * (self.area.point(column, row) + self.area.point(column + 1, row + 1)));
-                let top = Edge { row, column, down: false };
-                let left = Edge { row, column, down: true };
-                let right = Edge { row, column: column + 1, down: true };
-                let bottom = Edge { row: row + 1, column, down: false };
+                let top = LatticeEdge { row, column, down: false };
+                let left = LatticeEdge { row, column, down: true };
+                let right = LatticeEdge { row, column: column + 1, down: true };
+                let bottom = LatticeEdge { row: row + 1, column, down: false };
                 let [first, second] = steps_of_cell(corners, center, [top, right, bottom, left]);
                 steps.extend(first.into_iter().chain(second));
             }
@@ -113,8 +114,8 @@ impl<'a> Lattice<'a> {
         steps
     }
 
-    fn crossing(&self, edge: Edge, is_inside: &impl Fn(DVec2) -> bool) -> BorderPoint {
-        let Edge { row, column, down } = edge;
+    fn crossing(&self, edge: LatticeEdge, is_inside: &impl Fn(DVec2) -> bool) -> BorderPoint {
+        let LatticeEdge { row, column, down } = edge;
         let ends = [
             self.area.point(column, row),
             self.area.point(column + usize::from(!down), row + usize::from(down)),
@@ -142,8 +143,8 @@ fn halved(mut inside: DVec2, mut outside: DVec2, is_inside: &impl Fn(DVec2) -> b
 fn steps_of_cell(
     corners: [bool; 4],
     center: impl Fn() -> bool,
-    [top, right, bottom, left]: [Edge; 4],
-) -> [Option<(Edge, Edge)>; 2] {
+    [top, right, bottom, left]: [LatticeEdge; 4],
+) -> [Option<(LatticeEdge, LatticeEdge)>; 2] {
     let one = |from, to| [Some((from, to)), None];
     let two = |first, second| [Some(first), Some(second)];
     match corners.map(u8::from) {
@@ -168,12 +169,12 @@ fn steps_of_cell(
 }
 
 /// Joins steps to lines, and says of each whether it is closed.
-fn chains(steps: &[(Edge, Edge)]) -> Vec<(Vec<Edge>, bool)> {
-    let mut next: BTreeMap<Edge, Edge> = steps.iter().copied().collect();
-    let ends: BTreeSet<Edge> = next.values().copied().collect();
-    let open: Vec<Edge> = next.keys().filter(|start| !ends.contains(start)).copied().collect();
+fn chains(steps: &[(LatticeEdge, LatticeEdge)]) -> Vec<(Vec<LatticeEdge>, bool)> {
+    let mut next: BTreeMap<LatticeEdge, LatticeEdge> = steps.iter().copied().collect();
+    let ends: BTreeSet<LatticeEdge> = next.values().copied().collect();
+    let open: Vec<LatticeEdge> = next.keys().filter(|start| !ends.contains(start)).copied().collect();
     let mut chains = Vec::new();
-    let mut follow = |start: Edge, next: &mut BTreeMap<Edge, Edge>| {
+    let mut follow = |start: LatticeEdge, next: &mut BTreeMap<LatticeEdge, LatticeEdge>| {
         let mut chain = vec![start];
         let mut at = start;
         while let Some(to) = next.remove(&at) {

@@ -1,10 +1,10 @@
-//! Outlines held against what projection says they must be.
+//! Outlines compared with projections of the bodies.
 
 use catoptric_scene::{Anchor, Body, Camera, Placement, Projection, Scene, Shape};
 use catoptric_tracer::RenderScene;
 use glam::{DVec2, DVec3};
 
-use super::Outlines;
+use super::OutlineTracer;
 use super::area::Area;
 use crate::frame::Polyline;
 
@@ -36,7 +36,7 @@ pub(super) fn one_body(shape: Shape, position: DVec3, degrees: DVec3, size: DVec
 
 fn outlines(scene: &Scene, bodies: &[usize]) -> Vec<Polyline> {
     let stage = RenderScene::build(scene).unwrap();
-    Outlines::new(scene, &stage, bodies).trace(scene, &stage, stage.camera(), SIZE)
+    OutlineTracer::new(scene, &stage, bodies).trace(scene, &stage, stage.camera(), SIZE)
 }
 
 /// The distance of a point from a line.
@@ -268,7 +268,7 @@ fn no_camera_and_no_body_is_too_odd() {
             scene.camera = Camera { position, ..Camera::default() };
             let stage = RenderScene::build(&scene).unwrap();
             for size in [DVec2::ONE, DVec2::new(1.0, 500.0), DVec2::new(3000.0, 2.0)] {
-                Outlines::new(&scene, &stage, &[0, 1]).trace(&scene, &stage, stage.camera(), size);
+                OutlineTracer::new(&scene, &stage, &[0, 1]).trace(&scene, &stage, stage.camera(), size);
             }
         }
     }

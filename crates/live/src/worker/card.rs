@@ -1,4 +1,4 @@
-//! When a graphics card draws, and when the processor does in its place.
+//! The choice between the graphics card and the processor.
 
 use std::sync::Arc;
 
@@ -6,14 +6,14 @@ use catoptric_gpu::{Gpu, GpuError};
 use catoptric_tracer::raster::Method;
 
 use super::Worker;
-use crate::canvas::{Card, PassError};
+use crate::canvas::{CardRenderer, PassError};
 use crate::pace::Pace;
 use crate::status::LiveError;
 
 impl Worker {
     /// Lets a card draw from now on, or the processor.
     pub(super) fn change_card(&mut self, gpu: Option<Arc<Gpu>>) {
-        let opened = gpu.map(Card::new).transpose();
+        let opened = gpu.map(CardRenderer::new).transpose();
         let lost = opened.as_ref().err().cloned();
         self.card = opened.unwrap_or_default();
         let name = self.card.as_ref().map(|card| card.gpu.info().name.clone());

@@ -1,6 +1,6 @@
 //! Other methods than Whitted's, and what lies behind their pictures.
 
-use catoptric_live::{LiveError, RenderJob, Request, Shows};
+use catoptric_live::{DisplayContent, LiveError, RenderJob, Request};
 use catoptric_picture::{Development, Picture};
 use catoptric_tracer::raster::{
     CubeMapSettings, GBufferLayer, Method, MethodKind, ShadingSettings, draw_through,
@@ -19,9 +19,9 @@ fn drawn(request: &Request, samples: u32) -> Picture {
     let (control, mut maps) = (RenderControl::default(), Default::default());
     let drawing = draw_through(&stage, &camera, &request.method, settings, &control, &mut maps).unwrap();
     match request.shows {
-        Shows::Picture => drawing.picture,
-        Shows::Layer(layer) => drawing.layer(&stage, layer).unwrap().unwrap(),
-        Shows::UnfoldedCube(body) => {
+        DisplayContent::Picture => drawing.picture,
+        DisplayContent::Layer(layer) => drawing.layer(&stage, layer).unwrap().unwrap(),
+        DisplayContent::UnfoldedCube(body) => {
             let maps = drawing.maps(&stage);
             let found = maps.iter().find(|(other, _)| Some(*other) == body).unwrap();
             found.1.unfolded().unwrap()
@@ -38,7 +38,7 @@ fn every_method_comes_to_its_drawing_and_tells_its_passes() {
         let frame = window.shown(asked.clone());
         assert_eq!(
             (frame.samples, frame.picture_size, frame.shows),
-            (5, asked.size, Shows::Picture),
+            (5, asked.size, DisplayContent::Picture),
             "{kind}"
         );
         assert!(*frame.pixels == developed(&drawn(&asked, 5), &asked.development), "{kind}");
@@ -77,7 +77,7 @@ fn layers_and_cubes_are_seen_without_drawing_anew() {
     asked.development.exposure_stops = 1.0;
     let first = window.shown(asked.clone());
     for layer in GBufferLayer::ALL {
-        asked.shows = Shows::Layer(layer);
+        asked.shows = DisplayContent::Layer(layer);
         let frame = window.shown(asked.clone());
         assert_eq!(frame.shows, asked.shows);
         let is_light = matches!(layer, GBufferLayer::Lit | GBufferLayer::Reflected);
@@ -85,15 +85,15 @@ fn layers_and_cubes_are_seen_without_drawing_anew() {
         assert!(*frame.pixels == developed(&drawn(&asked, 1), &development), "{layer:?}");
         assert_eq!(frame.rays, first.rays);
     }
-    asked.shows = Shows::UnfoldedCube(Some(1));
+    asked.shows = DisplayContent::UnfoldedCube(Some(1));
     let frame = window.shown(asked.clone());
     assert_eq!((frame.picture_size, frame.shows), ([64, 48], asked.shows));
     assert!(*frame.pixels == developed(&drawn(&asked, 1), &asked.development));
     // Where there is no such thing, it is the picture.
     asked.method = Method::Flat(ShadingSettings::default());
-    assert_eq!(window.shown(asked.clone()).shows, Shows::Picture);
+    assert_eq!(window.shown(asked.clone()).shows, DisplayContent::Picture);
     asked.method = Method::Whitted;
-    assert_eq!(window.shown(asked).shows, Shows::Picture);
+    assert_eq!(window.shown(asked).shows, DisplayContent::Picture);
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn what_cannot_be_drawn_is_told_and_the_next_request_is_served() {
 #[test]
 fn a_job_draws_by_a_method() {
     let settings = RenderSettings { width: 60, height: 40, samples: 2 };
-    for shows in [Shows::Picture, Shows::Layer(GBufferLayer::Normal)] {
+    for shows in [DisplayContent::Picture, DisplayContent::Layer(GBufferLayer::Normal)] {
         let method = MethodKind::Ssr.method();
         let job = RenderJob::drawn(four_bodies(), method, shows, settings, None, 2).unwrap();
         while !job.progress().is_finished {

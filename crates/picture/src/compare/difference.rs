@@ -92,7 +92,7 @@ impl Comparison {
     /// When the sizes differ.
     pub fn compare(&self, a: &Picture, b: &Picture) -> Result<Difference, SizeMismatch> {
         SizeMismatch::check(a, b)?;
-        let mut tally = Tally::default();
+        let mut tally = DifferenceSums::default();
         for (y, (row_a, row_b)) in (0..).zip(a.rows().zip(b.rows())) {
             for (x, (pixel_a, pixel_b)) in (0..).zip(row_a.iter().zip(row_b)) {
                 self.count(&mut tally, [x, y], pixel_a, pixel_b);
@@ -102,7 +102,7 @@ impl Comparison {
     }
 
     /// Adds one pixel.
-    fn count(&self, tally: &mut Tally, at: [u32; 2], a: &[f32; 3], b: &[f32; 3]) {
+    fn count(&self, tally: &mut DifferenceSums, at: [u32; 2], a: &[f32; 3], b: &[f32; 3]) {
         let mut worst = 0.0_f64;
         for (&a, &b) in a.iter().zip(b) {
             let error = channel_error(a, b, self.clamp);
@@ -135,9 +135,9 @@ pub(crate) fn channel_error(a: f32, b: f32, clamp: bool) -> f64 {
     }
 }
 
-/// The sums while the pixels are walked over.
+/// The sums over the pixels that were compared so far.
 #[derive(Default)]
-struct Tally {
+struct DifferenceSums {
     sum: f64,
     squares: f64,
     max: f64,
@@ -146,7 +146,7 @@ struct Tally {
     worst: Option<[u32; 2]>,
 }
 
-impl Tally {
+impl DifferenceSums {
     fn finish(self, pixels: usize) -> Difference {
         let pixels = pixels as f64;
         let rmse = (self.squares / (3.0 * pixels)).sqrt();

@@ -14,7 +14,7 @@ use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::f16;
 
 use super::dwa::check_dwa;
-use super::layers::{Columns, Layer, choose};
+use super::layers::{ChannelIndices, Layer, choose};
 use super::limits::{DEFLATE, check_length, check_memory};
 use super::{DecodeError, ReadOptions};
 use crate::picture::Picture;
@@ -131,7 +131,7 @@ fn fill(
     picture: &mut Picture,
     block: &UncompressedBlock,
     channels: &[ChannelDescription],
-    columns: Columns,
+    columns: ChannelIndices,
 ) -> Result<(), DecodeError> {
     let Vec2(left, top) = block.index.pixel_position;
     let Vec2(width, height) = block.index.pixel_size;

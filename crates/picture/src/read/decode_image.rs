@@ -85,7 +85,7 @@ fn picture_of(
     let count = usize::try_from(bytes).map_err(|_| memory())?;
     let mut codes: Vec<u8> = bytemuck::allocation::try_zeroed_vec(count).map_err(|()| memory())?;
     decoder.read_image(&mut codes).map_err(|error| refusal(format, error))?;
-    let placed = Placed { width, height, orientation };
+    let placed = UprightMapping { width, height, orientation };
     let (samples, channels) = (codes.as_slice(), usize::from(color.channel_count()));
     match color {
         ColorType::L8 | ColorType::La8 | ColorType::Rgb8 | ColorType::Rgba8 => {
@@ -122,8 +122,8 @@ fn color_of<const N: usize>(pixel: &[u8], light: impl Fn(&[u8; N]) -> f32) -> [f
     }
 }
 
-/// Where the stored pixels belong in the upright picture.
-struct Placed {
+/// The map from stored pixels to the upright picture.
+struct UprightMapping {
     /// Pixels across, as stored.
     width: u32,
     /// Pixels down, as stored.
@@ -131,7 +131,7 @@ struct Placed {
     orientation: Orientation,
 }
 
-impl Placed {
+impl UprightMapping {
     /// The upright picture of the stored pixels, in their order.
     fn fill<'s>(
         &self,
@@ -183,8 +183,8 @@ impl Placed {
 
 /// Checks that a JPEG has an end: the decoder fills what is missing with gray.
 ///
-/// Segments before the first scan have lengths and may hold thumbnails with ends of their own. In a scan, a byte 0xff of
-/// the data is followed by 0, so that the marker 0xffd9 can only be the end.
+/// Segments before the first scan have lengths and may hold thumbnails with ends of their own. In a scan, a byte 0xff
+/// of the data is followed by 0, so that the marker 0xffd9 can only be the end.
 fn check_end_of_jpeg(source: &mut (impl BufRead + Seek)) -> Result<(), DecodeError> {
     let corrupt =
         |reason: &str| DecodeError::Corrupt { format: PictureFormat::Jpeg.name(), reason: reason.to_owned() };
@@ -255,8 +255,8 @@ fn refusal(format: PictureFormat, error: ImageError) -> DecodeError {
 mod tests {
     use super::*;
 
-    /// Exif orientation by the tables of the standard (CIPA DC-008, 4.6.5.1, tag 274): which corner the first stored row
-    /// and column lie at.
+    /// Exif orientation by the tables of the standard (CIPA DC-008, 4.6.5.1, tag 274): which corner the first stored
+    /// row and column lie at.
     #[test]
     fn stored_rows_and_columns_lie_where_exif_says() {
         let (width, height) = (3, 2);
@@ -272,7 +272,7 @@ mod tests {
             (8, [0, 2], [0, 1]),
         ] {
             let orientation = Orientation::from_exif(exif).unwrap();
-            let placed = Placed { width, height, orientation };
+            let placed = UprightMapping { width, height, orientation };
             assert_eq!((placed.upright(0, 0), placed.upright(1, 0)), (first, next), "{exif}");
             assert_eq!(placed.size(), if exif < 5 { [3, 2] } else { [2, 3] });
             let [across, down] = placed.size();

@@ -74,8 +74,8 @@ fn color_of(mut samples: impl Iterator<Item = f32>) -> [f32; 3] {
     }
 }
 
-/// Where a stored row belongs: row `y`, every `step`-th column from `x` on.
-struct Row {
+/// The target of a stored row: row `y`, every `step`-th column from `x` on.
+struct RowTarget {
     y: usize,
     x: usize,
     step: usize,
@@ -83,17 +83,16 @@ struct Row {
 
 /// The stored rows in their order: one pass from the top, or the seven passes of Adam7 (PNG specification,
 /// third edition, 8.2), where passes without pixels are left out.
-fn rows(width: u32, height: u32, interlaced: bool) -> impl Iterator<Item = Row> {
+fn rows(width: u32, height: u32, interlaced: bool) -> impl Iterator<Item = RowTarget> {
     // First column, first row, columns apart, rows apart.
     const WHOLE: [[usize; 4]; 1] = [[0, 0, 1, 1]];
     const ADAM7: [[usize; 4]; 7] =
         [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
     let passes: &[[usize; 4]] = if interlaced { &ADAM7 } else { &WHOLE };
     let (width, height) = (width as usize, height as usize);
-    passes
-        .iter()
-        .filter(move |[x, ..]| *x < width)
-        .flat_map(move |&[x, y, step, apart]| (y..height).step_by(apart).map(move |y| Row { y, x, step }))
+    passes.iter().filter(move |[x, ..]| *x < width).flat_map(move |&[x, y, step, apart]| {
+        (y..height).step_by(apart).map(move |y| RowTarget { y, x, step })
+    })
 }
 
 fn corrupt(reason: impl Into<String>) -> DecodeError {

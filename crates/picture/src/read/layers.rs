@@ -5,23 +5,23 @@ use exr::meta::header::Header;
 
 use super::DecodeError;
 
-/// The channels to take as red, green and blue, by their place in the part's list.
-pub(super) type Columns = [usize; 3];
+/// The places of red, green and blue in the part's list of channels.
+pub(super) type ChannelIndices = [usize; 3];
 
 /// A layer: channels of one part whose names have a common beginning.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Layer {
     /// The name up to the last dot, with the part's name where there are several parts; empty if it has none.
     name: String,
-    kind: Kind,
+    kind: LayerKind,
     /// The place of its part in the file.
     pub(super) part: usize,
-    pub(super) columns: Columns,
+    pub(super) columns: ChannelIndices,
 }
 
-/// What a layer holds.
+/// The kind of a layer's channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum LayerKind {
     /// R, G and B.
     Color,
     /// Y, which is luminance.
@@ -46,7 +46,7 @@ pub(super) fn choose(parts: &[Header], name: Option<&str>) -> Result<Layer, Deco
     let layers = layers(parts);
     match name {
         Some(name) => named(&layers, name),
-        None if layers.iter().all(|layer| layer.kind == Kind::Data) => Err(no_colors(parts)),
+        None if layers.iter().all(|layer| layer.kind == LayerKind::Data) => Err(no_colors(parts)),
         None => main(&layers),
     }
     .cloned()
@@ -80,17 +80,20 @@ fn main(layers: &[Layer]) -> Result<&Layer, DecodeError> {
     let called = |layer: &Layer, name: &str| {
         layer.name.rsplit('.').next().is_some_and(|last| last.eq_ignore_ascii_case(name))
     };
-    let unnamed = of_kind(Kind::Color).find(|layer| layer.name.is_empty());
+    let unnamed = of_kind(LayerKind::Color).find(|layer| layer.name.is_empty());
     let known = || {
-        let best = MAIN.iter().find(|name| of_kind(Kind::Color).any(|layer| called(layer, name)))?;
-        only(of_kind(Kind::Color).filter(|layer| called(layer, best)))
+        let best = MAIN.iter().find(|name| of_kind(LayerKind::Color).any(|layer| called(layer, name)))?;
+        only(of_kind(LayerKind::Color).filter(|layer| called(layer, best)))
     };
-    if let Some(layer) = unnamed.or_else(known).or_else(|| only(of_kind(Kind::Color))) {
+    if let Some(layer) = unnamed.or_else(known).or_else(|| only(of_kind(LayerKind::Color))) {
         return Ok(layer);
     }
-    let gray =
-        || of_kind(Kind::Gray).find(|layer| layer.name.is_empty()).or_else(|| only(of_kind(Kind::Gray)));
-    let is_colorless = of_kind(Kind::Color).next().is_none();
+    let gray = || {
+        of_kind(LayerKind::Gray)
+            .find(|layer| layer.name.is_empty())
+            .or_else(|| only(of_kind(LayerKind::Gray)))
+    };
+    let is_colorless = of_kind(LayerKind::Color).next().is_none();
     is_colorless.then(gray).flatten().ok_or_else(|| DecodeError::ManyLayers { layers: names(layers.iter()) })
 }
 
@@ -145,20 +148,20 @@ fn groups(channels: &[ChannelDescription]) -> Vec<(String, Vec<(String, usize)>)
 }
 
 /// What the channels of a group are; `None` if they are no picture.
-fn kind_of(channels: &[(String, usize)]) -> Option<(Kind, Columns)> {
+fn kind_of(channels: &[(String, usize)]) -> Option<(LayerKind, ChannelIndices)> {
     let place = |name: &str| channels.iter().find(|channel| channel.0 == name).map(|channel| channel.1);
     let three = |[a, b, c]: [&str; 3]| Some([place(a)?, place(b)?, place(c)?]);
     if let Some(columns) = three(["R", "G", "B"]) {
-        return Some((Kind::Color, columns));
+        return Some((LayerKind::Color, columns));
     }
     if let Some(columns) = three(["X", "Y", "Z"]) {
-        return Some((Kind::Data, columns));
+        return Some((LayerKind::Data, columns));
     }
     // Chroma channels say that Y is only a part of the color.
     let is_gray = place("RY").or(place("BY")).is_none();
     match (place("Y"), channels) {
-        (Some(luminance), _) if is_gray => Some((Kind::Gray, [luminance; 3])),
-        (None, [(_, only)]) => Some((Kind::Data, [*only; 3])),
+        (Some(luminance), _) if is_gray => Some((LayerKind::Gray, [luminance; 3])),
+        (None, [(_, only)]) => Some((LayerKind::Data, [*only; 3])),
         _ => None,
     }
 }

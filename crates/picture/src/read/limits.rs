@@ -1,10 +1,10 @@
-//! What a file's length can justify.
+//! The limits on sizes that a file's length can justify.
 
 use super::DecodeError;
 use crate::picture::SizeError;
 
-/// The most bytes that Deflate makes of one: 258 bytes from two bits, with some room. The run lengths of PIZ and RLE, and
-/// the blocks of B44, make fewer.
+/// The most bytes that Deflate makes of one: 258 bytes from two bits, with some room. The run lengths of PIZ and RLE,
+/// and the blocks of B44, make fewer.
 pub(super) const DEFLATE: u64 = 1100;
 
 /// Turns away files that cannot possibly hold what they declare, before memory is taken for it: each of their bytes

@@ -1,4 +1,4 @@
-//! How the codes of a PNG become light.
+//! The transfer functions of PNG: from codes to light.
 
 use super::DecodeError;
 use crate::srgb;
@@ -6,7 +6,7 @@ use crate::srgb;
 /// A transfer function: from display values 0…1 to light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Transfer {
-    /// That of sRGB.
+    /// The transfer function of sRGB.
     Srgb,
     /// Light is the display value to this power; 1 is linear.
     Power(f64),

@@ -39,7 +39,7 @@ pub fn encode_exr(picture: &Picture) -> Result<Vec<u8>, EncodeError> {
 /// The bytes of [`encode_exr`] by another level of Deflate, 0 (as they are) to 9 (slow); for measuring.
 ///
 /// # Errors
-/// As there.
+/// Those of [`encode_exr`].
 pub fn encode_exr_at(picture: &Picture, level: u32) -> Result<Vec<u8>, EncodeError> {
     let mut bytes = Cursor::new(Vec::new());
     write_at(&mut bytes, picture, level.min(9))?;

@@ -19,8 +19,8 @@ const STRIPS_AT_ONCE: usize = 64;
 /// The developed picture as the bytes of a PNG file: RGB, no alpha, marked as sRGB.
 ///
 /// Chunks: `sRGB` (perceptual), with the `gAMA` and `cHRM` that stand in for it in older readers, and the
-/// text `Software` = `Catoptric`. Rows are filtered and compressed on all threads. The same picture gives the same bytes:
-/// no date, no machine, no matter how many threads.
+/// text `Software` = `Catoptric`. Rows are filtered and compressed on all threads. The same picture gives the same
+/// bytes: no date, no machine, no matter how many threads.
 ///
 /// # Errors
 /// None is known for a [`Developed`] picture; the encoder's refusals are passed on.
@@ -32,18 +32,18 @@ pub fn encode_png(picture: &Developed) -> Result<Vec<u8>, EncodeError> {
 
 /// Writes the bytes of [`encode_png`].
 pub(crate) fn encode_png_to(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
-    let mut sink = Witness { sink, failure: None };
+    let mut sink = FailureRecorder { sink, failure: None };
     let encoded = encode_rows(&mut sink, picture);
     sink.failure.map_or(encoded, |failure| Err(EncodeError::Io(failure)))
 }
 
-/// Keeps the first failure of the sink as it was: the encoder makes a mere text of it.
-struct Witness<W> {
+/// Keeps the first error of the sink, of which the encoder makes a mere text.
+struct FailureRecorder<W> {
     sink: W,
     failure: Option<io::Error>,
 }
 
-impl<W: Write> Witness<W> {
+impl<W: Write> FailureRecorder<W> {
     fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.map_err(|error| {
             let kind = error.kind();
@@ -55,7 +55,7 @@ impl<W: Write> Witness<W> {
     }
 }
 
-impl<W: Write> Write for Witness<W> {
+impl<W: Write> Write for FailureRecorder<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.sink.write(bytes);
         self.note(written)
@@ -96,7 +96,7 @@ fn write_rows(
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let rows = (STRIP / (6 * width)).max(1);
     let strips = height.div_ceil(rows);
-    let mut sum = Adler { sum: 1 };
+    let mut sum = Adler32 { sum: 1 };
     for first in (0..strips).step_by(STRIPS_AT_ONCE) {
         let strips_now = first..strips.min(first + STRIPS_AT_ONCE);
         let compressed: Vec<_> = strips_now
@@ -104,7 +104,7 @@ fn write_rows(
             .map(|strip| compress(&filtered(picture, strip * rows..height.min((strip + 1) * rows)), level))
             .collect();
         for (strip, compressed) in (first..).zip(compressed) {
-            let Strip { mut bytes, adler, length } = compressed?;
+            let CompressedStrip { mut bytes, adler, length } = compressed?;
             sum = sum.followed_by(adler, length);
             if strip == 0 {
                 // Deflate with a window of 32 KiB (RFC 1950, section 2.2).
@@ -122,7 +122,7 @@ fn write_rows(
 }
 
 /// Compressed rows, ended at a whole byte and without an end of the stream.
-struct Strip {
+struct CompressedStrip {
     bytes: Vec<u8>,
     /// The Adler-32 of the bytes before compression, and their number.
     adler: u32,
@@ -130,7 +130,7 @@ struct Strip {
 }
 
 /// Compresses the bytes of some rows.
-fn compress(bytes: &[u8], level: u32) -> Result<Strip, EncodeError> {
+fn compress(bytes: &[u8], level: u32) -> Result<CompressedStrip, EncodeError> {
     let refused = |reason: &str| EncodeError::Refused { format: "PNG", reason: reason.to_owned() };
     let mut deflate = Compress::new(flate2::Compression::new(level), true);
     // Room for the most that Deflate makes of any bytes.
@@ -145,15 +145,15 @@ fn compress(bytes: &[u8], level: u32) -> Result<Strip, EncodeError> {
     deflate.compress_vec(&[], &mut end, FlushCompress::Finish).map_err(failed)?;
     let sum = end.last_chunk::<4>().ok_or_else(|| refused("its stream has no end"))?;
     let adler = u32::from_be_bytes(*sum);
-    Ok(Strip { bytes: compressed.split_off(2), adler, length: bytes.len() })
+    Ok(CompressedStrip { bytes: compressed.split_off(2), adler, length: bytes.len() })
 }
 
 /// The checksum of RFC 1950, section 8.2: two sums modulo 65521, of bytes and of sums.
-struct Adler {
+struct Adler32 {
     sum: u32,
 }
 
-impl Adler {
+impl Adler32 {
     /// The checksum of the bytes so far and `length` more, whose own checksum is `next`.
     fn followed_by(&self, next: u32, length: usize) -> Self {
         const BASE: u64 = 65_521;
@@ -297,7 +297,7 @@ mod tests {
         let bytes: Vec<u8> = (0..200_000_u64).map(|i| (i * i % 253) as u8).collect();
         for cut in [0, 1, 2, 65_520, 65_521, 131_042, 200_000] {
             let (one, other) = bytes.split_at(cut);
-            let sum = Adler { sum: whole(one) }.followed_by(whole(other), other.len()).sum;
+            let sum = Adler32 { sum: whole(one) }.followed_by(whole(other), other.len()).sum;
             assert_eq!(sum, whole(&bytes), "cut at {cut}");
         }
         let strip = compress(&bytes, LEVEL).unwrap();

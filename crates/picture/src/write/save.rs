@@ -155,7 +155,7 @@ impl PreparedPicture<'_> {
     /// Writes the bytes of [`Self::encode`].
     ///
     /// # Errors
-    /// As there, and when the bytes cannot be stored.
+    /// Those of [`Self::encode`], and those of the sink.
     pub fn encode_to(&self, sink: &mut dyn Sink) -> Result<(), EncodeError> {
         match (&self.pixels, self.format) {
             (Pixels::Light(picture), PictureFormat::Hdr) => encode_hdr_to(sink, picture),

@@ -1,14 +1,14 @@
-//! From tables to the document's types. Everything absent or wrong keeps its default.
+//! Builds the document's types from tables. Everything absent or wrong keeps its default.
 
-use catoptric_optics::{Clear, Metal};
+use catoptric_optics::{ClearSubstance, Metal};
 use glam::DVec3;
 
 use crate::body::{Anchor, Body, Placement, Shape};
 use crate::camera::{Camera, Projection};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
-use crate::format::message::{Meaning, Message};
-use crate::format::rules::{self, Broken};
+use crate::format::message::{KeyMeaning, Message};
+use crate::format::rules::{self, BrokenRule};
 use crate::format::spec::TableSpec;
 use crate::format::toml::{Span, Value, ValueKind};
 use crate::format::tree::Table;
@@ -17,8 +17,8 @@ use crate::light::{Falloff, Light};
 use crate::material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model};
 use crate::{Environment, Sky, Surroundings, Tracing};
 
-/// What tables are built with.
-pub(crate) struct Build<'a, 't> {
+/// Builds the document from tables.
+pub(crate) struct SceneBuilder<'a, 't> {
     pub(crate) text: &'t str,
     pub(crate) found: &'a mut Diagnostics,
 }
@@ -34,7 +34,7 @@ pub(crate) struct BuiltBody {
     pub(crate) material_span: Option<Span>,
 }
 
-impl<'t> Build<'_, 't> {
+impl<'t> SceneBuilder<'_, 't> {
     fn fields<'b>(&mut self, spec: &'static TableSpec, table: &'b Table<'t>) -> Fields<'_, 'b, 't> {
         let mut fields = Fields { text: self.text, spec, table, found: self.found };
         fields.check_choices();
@@ -131,7 +131,7 @@ impl<'t> Build<'_, 't> {
             tint: fields.color("tint").unwrap_or(default.tint),
             texture: fields.image("texture", "layer"),
             checker: None,
-            substance: fields.choice("substance").ok().flatten().and_then(Clear::named),
+            substance: fields.choice("substance").ok().flatten().and_then(ClearSubstance::named),
             dispersion: fields.flag("dispersion").unwrap_or(default.dispersion),
             abbe: fields.number("abbe").unwrap_or(default.abbe),
             attenuation_color: fields.color("attenuation_color").unwrap_or(default.attenuation_color),
@@ -309,7 +309,7 @@ fn check_company(fields: &mut Fields<'_, '_, '_>, help: &Message) {
         if let Some(other) = key.requires.filter(|other| !fields.has(other)) {
             let finding = Diagnostic::error(span.clone(), Message::Needs { key: key.name, other })
                 .with_label(Message::Missing { key: other });
-            let meaning = fields.spec.key(other).map(|key| Meaning { key, has_range: false });
+            let meaning = fields.spec.key(other).map(|key| KeyMeaning { key, has_range: false });
             fields.found.push(match meaning {
                 Some(meaning) => finding.with_help(Message::KeyMeans { meaning }),
                 None => finding,
@@ -332,7 +332,7 @@ fn check_company(fields: &mut Fields<'_, '_, '_>, help: &Message) {
 }
 
 /// Reports a broken rule at its key, or at the first of `others` that is given.
-fn report(fields: &mut Fields<'_, '_, '_>, broken: Broken, others: &[&str]) {
+fn report(fields: &mut Fields<'_, '_, '_>, broken: BrokenRule, others: &[&str]) {
     let span = fields
         .key_span(broken.key)
         .or_else(|| others.iter().find_map(|key| fields.key_span(key)))

@@ -15,9 +15,9 @@ use crate::language::Language;
 use crate::light::Light;
 use crate::material::NamedMaterial;
 
-/// The part of a scene that a problem is in.
+/// The part of a scene that has a problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum ScenePart {
     /// The camera.
     Camera,
     /// The environment.
@@ -36,7 +36,7 @@ pub enum Part {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// Where it is.
-    pub part: Part,
+    pub part: ScenePart,
     /// The key of the value that is wrong, as files call it.
     pub key: &'static str,
     /// The name of the part, between backquotes; `None` for what has none.
@@ -59,12 +59,12 @@ impl Problem {
     /// What the part is called: ``body `floor` ``, or `body 3` when it has no name.
     fn title(&self, language: Language) -> String {
         let (english, russian, index) = match self.part {
-            Part::Camera => ("the camera", "камера", None),
-            Part::Environment => ("the environment", "окружение", None),
-            Part::Tracing => ("the tracing", "трассировка", None),
-            Part::Material(index) => ("material", "материал", Some(index)),
-            Part::Light(index) => ("light", "источник света", Some(index)),
-            Part::Body(index) => ("body", "тело", Some(index)),
+            ScenePart::Camera => ("the camera", "камера", None),
+            ScenePart::Environment => ("the environment", "окружение", None),
+            ScenePart::Tracing => ("the tracing", "трассировка", None),
+            ScenePart::Material(index) => ("material", "материал", Some(index)),
+            ScenePart::Light(index) => ("light", "источник света", Some(index)),
+            ScenePart::Body(index) => ("body", "тело", Some(index)),
         };
         let kind = language.pick(english, russian);
         match (index, &self.name) {
@@ -88,10 +88,10 @@ impl Scene {
     /// All problems of the scene: values out of range, names used twice, materials that are not defined. A scene
     /// without problems can be written, and reads back the same.
     pub fn check(&self) -> Vec<Problem> {
-        let mut check = Check { problems: Vec::new() };
+        let mut check = SceneValidator { problems: Vec::new() };
         check.camera(&self.camera);
-        check.record(&NamedPart::unnamed(Part::Environment), &record::environment(&self.environment));
-        check.record(&NamedPart::unnamed(Part::Tracing), &record::tracing(&self.tracing));
+        check.record(&NamedPart::unnamed(ScenePart::Environment), &record::environment(&self.environment));
+        check.record(&NamedPart::unnamed(ScenePart::Tracing), &record::tracing(&self.tracing));
         for (index, named) in self.materials.iter().enumerate() {
             check.material(index, named);
         }
@@ -108,31 +108,34 @@ impl Scene {
     /// The problems of one part, by itself: its values, whether its name is another's too, whether its material is
     /// defined. Much cheaper than [`Self::check`] where only this part can have changed. A part that the scene does not
     /// have has no problems.
-    pub fn check_part(&self, part: &Part) -> Vec<Problem> {
-        let mut check = Check { problems: Vec::new() };
+    pub fn check_part(&self, part: &ScenePart) -> Vec<Problem> {
+        let mut check = SceneValidator { problems: Vec::new() };
         match *part {
-            Part::Camera => check.camera(&self.camera),
-            Part::Environment => {
-                check.record(&NamedPart::unnamed(Part::Environment), &record::environment(&self.environment));
+            ScenePart::Camera => check.camera(&self.camera),
+            ScenePart::Environment => {
+                check.record(
+                    &NamedPart::unnamed(ScenePart::Environment),
+                    &record::environment(&self.environment),
+                );
             }
-            Part::Tracing => {
-                check.record(&NamedPart::unnamed(Part::Tracing), &record::tracing(&self.tracing));
+            ScenePart::Tracing => {
+                check.record(&NamedPart::unnamed(ScenePart::Tracing), &record::tracing(&self.tracing));
             }
-            Part::Material(index) => {
+            ScenePart::Material(index) => {
                 if let Some(named) = self.materials.get(index) {
                     check.material(index, named);
                     let names = self.materials.iter().map(|other| other.name.as_str());
                     check.other_uses(Collection::Materials, names, &named.name, part);
                 }
             }
-            Part::Light(index) => {
+            ScenePart::Light(index) => {
                 if let Some(light) = self.lights.get(index) {
                     check.light(index, light);
                     let names = self.lights.iter().map(|other| other.name.as_str());
                     check.other_uses(Collection::Lights, names, &light.name, part);
                 }
             }
-            Part::Body(index) => {
+            ScenePart::Body(index) => {
                 if let Some(body) = self.bodies.get(index) {
                     check.body(index, body);
                     let names = self.bodies.iter().map(|other| other.name.as_str());
@@ -151,7 +154,7 @@ impl Camera {
     /// Whether a scene can have this camera: finite numbers within the format's limits, a direction of view, and an
     /// upward direction across it.
     pub fn is_valid(&self) -> bool {
-        let mut check = Check { problems: Vec::new() };
+        let mut check = SceneValidator { problems: Vec::new() };
         check.camera(self);
         check.problems.is_empty()
     }
@@ -164,22 +167,22 @@ fn named_alike(things: Collection, name: &str, first: usize, second: usize) -> M
 
 /// The part that is looked at, with its name.
 struct NamedPart<'a> {
-    part: Part,
+    part: ScenePart,
     name: &'a str,
 }
 
 impl NamedPart<'static> {
     /// A part without a name.
-    fn unnamed(part: Part) -> Self {
+    fn unnamed(part: ScenePart) -> Self {
         Self { part, name: "" }
     }
 }
 
-struct Check {
+struct SceneValidator {
     problems: Vec<Problem>,
 }
 
-impl Check {
+impl SceneValidator {
     fn add(&mut self, of: &NamedPart<'_>, key: &'static str, message: Message) {
         let name = (!of.name.is_empty()).then(|| quoted(of.name));
         self.problems.push(Problem { part: of.part.clone(), key, name, message });
@@ -187,7 +190,7 @@ impl Check {
 
     fn camera(&mut self, camera: &Camera) {
         let before = self.problems.len();
-        let of = NamedPart::unnamed(Part::Camera);
+        let of = NamedPart::unnamed(ScenePart::Camera);
         self.record(&of, &record::camera(camera));
         if self.problems.len() > before {
             return;
@@ -198,7 +201,7 @@ impl Check {
     }
 
     fn material(&mut self, index: usize, named: &NamedMaterial) {
-        let of = NamedPart { part: Part::Material(index), name: &named.name };
+        let of = NamedPart { part: ScenePart::Material(index), name: &named.name };
         self.record(&of, &record::material(&named.material));
         if named.name.is_empty() {
             self.add(&of, "name", Message::UnnamedMaterial);
@@ -206,11 +209,11 @@ impl Check {
     }
 
     fn light(&mut self, index: usize, light: &Light) {
-        self.record(&NamedPart { part: Part::Light(index), name: &light.name }, &record::light(light));
+        self.record(&NamedPart { part: ScenePart::Light(index), name: &light.name }, &record::light(light));
     }
 
     fn body(&mut self, index: usize, body: &Body) {
-        let of = NamedPart { part: Part::Body(index), name: &body.name };
+        let of = NamedPart { part: ScenePart::Body(index), name: &body.name };
         let before = self.problems.len();
         self.record(&of, &record::body(body));
         let Anchor::Axis { base, top } = body.placement.anchor else { return };
@@ -258,9 +261,13 @@ impl Check {
 
     fn names(&mut self, scene: &Scene) {
         let materials = scene.materials.iter().map(|named| named.name.as_str());
-        self.unique(Collection::Materials, materials, Part::Material);
-        self.unique(Collection::Lights, scene.lights.iter().map(|light| light.name.as_str()), Part::Light);
-        self.unique(Collection::Bodies, scene.bodies.iter().map(|body| body.name.as_str()), Part::Body);
+        self.unique(Collection::Materials, materials, ScenePart::Material);
+        self.unique(
+            Collection::Lights,
+            scene.lights.iter().map(|light| light.name.as_str()),
+            ScenePart::Light,
+        );
+        self.unique(Collection::Bodies, scene.bodies.iter().map(|body| body.name.as_str()), ScenePart::Body);
         let defined: HashSet<&str> = scene.materials.iter().map(|named| named.name.as_str()).collect();
         for (index, body) in scene.bodies.iter().enumerate() {
             if body.material.name().is_some_and(|name| !defined.contains(name)) {
@@ -271,7 +278,7 @@ impl Check {
 
     fn undefined(&mut self, index: usize, body: &Body) {
         let Some(name) = body.material.name() else { return };
-        let of = NamedPart { part: Part::Body(index), name: &body.name };
+        let of = NamedPart { part: ScenePart::Body(index), name: &body.name };
         self.add(&of, "material", Message::Undefined { name: quoted(name) });
     }
 
@@ -281,7 +288,7 @@ impl Check {
         things: Collection,
         names: impl Iterator<Item = &'a str>,
         name: &str,
-        part: &Part,
+        part: &ScenePart,
     ) {
         if name.is_empty() {
             return;
@@ -296,7 +303,7 @@ impl Check {
         &mut self,
         things: Collection,
         names: impl Iterator<Item = &'a str>,
-        part: impl Fn(usize) -> Part,
+        part: impl Fn(usize) -> ScenePart,
     ) {
         let mut first_at: HashMap<&str, usize> = HashMap::new();
         for (index, name) in names.enumerate().filter(|(_, name)| !name.is_empty()) {
@@ -389,17 +396,17 @@ mod tests {
         scene.tracing.threshold = 2.0;
         scene.environment.ambient.r = f64::INFINITY;
         let whole = scene.check();
-        let parts = [Part::Camera, Part::Environment, Part::Tracing].into_iter();
-        let parts = parts.chain((0..3).map(Part::Material)).chain((0..4).map(Part::Light));
+        let parts = [ScenePart::Camera, ScenePart::Environment, ScenePart::Tracing].into_iter();
+        let parts = parts.chain((0..3).map(ScenePart::Material)).chain((0..4).map(ScenePart::Light));
         let mut alone: Vec<Problem> =
-            parts.chain((0..5).map(Part::Body)).flat_map(|part| scene.check_part(&part)).collect();
+            parts.chain((0..5).map(ScenePart::Body)).flat_map(|part| scene.check_part(&part)).collect();
         for problem in whole {
             let at = alone.iter().position(|other| *other == problem);
             alone.remove(at.unwrap_or_else(|| panic!("{problem} is in no part")));
         }
         // By itself the first of two with a name is as wrong as the second.
-        let left: Vec<&Part> = alone.iter().map(|problem| &problem.part).collect();
-        assert_eq!(left, [&Part::Material(0), &Part::Light(1), &Part::Body(1)]);
+        let left: Vec<&ScenePart> = alone.iter().map(|problem| &problem.part).collect();
+        assert_eq!(left, [&ScenePart::Material(0), &ScenePart::Light(1), &ScenePart::Body(1)]);
         assert!(alone.iter().all(|problem| problem.key == "name"));
     }
 }

@@ -105,19 +105,19 @@ impl Diagnostic {
         Self::new(Severity::Error, span, message)
     }
 
-    /// The same with words beside the mark.
+    /// Adds a label beside the mark.
     pub(crate) fn with_label(mut self, label: Message) -> Self {
         self.label = Some(label);
         self
     }
 
-    /// The same with help.
+    /// Adds help.
     pub(crate) fn with_help(mut self, help: Message) -> Self {
         self.help = Some(help);
         self
     }
 
-    /// The same with another place that explains it.
+    /// Adds another place of the file that explains the finding.
     pub(crate) fn with_related(mut self, span: Range<usize>, message: Message) -> Self {
         self.related = Some(Related { span, line: 0, column: 0, message });
         self
@@ -143,7 +143,7 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// So many findings are kept; the others are counted.
+    /// The most findings that are kept; the others are counted.
     pub const MOST: usize = 1000;
 
     /// Adds a finding, or counts it when there are too many already.

@@ -1,6 +1,7 @@
 //! Messages about scene files and scenes, each with its English and its Russian sentence.
 //!
-//! A finding keeps the message and its arguments; it becomes a text when somebody reads it, in the language of the reader.
+//! A finding keeps the message and its arguments; it becomes a text when somebody reads it, in the language of the
+//! reader.
 
 mod catalog;
 mod image;
@@ -9,7 +10,7 @@ mod syntax;
 
 pub(crate) use catalog::Message;
 pub(crate) use phrase::{
-    Collection, Component, Enumeration, FoundValue, Link, Meaning, Requirement, Subject,
+    Collection, Component, Conjunction, Enumeration, FoundValue, KeyMeaning, Requirement, Subject,
 };
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 /// Words longer than this are not compared: nobody mistypes a key into them.
 const LONGEST_WORD: usize = 40;
-/// So many candidates are looked at: a scene can define a million materials.
+/// The most candidates that are compared: a scene can define a million materials.
 const MOST_CANDIDATES: usize = 2000;
 
 /// The candidate that `word` is most likely a misspelling of: at most a third of its letters (and at least one) wrong,

@@ -1,9 +1,9 @@
-//! What a file says, repeated in a message.
+//! Quotes text of a file in a message.
 
 use crate::format::write::{key_text, text_value};
 use crate::text::{is_active, push_escape};
 
-/// So many characters are repeated.
+/// The most characters that are repeated.
 const MOST: usize = 40;
 
 /// `found` between backquotes, on one line, cut when it is long.
@@ -32,12 +32,14 @@ pub(crate) fn quoted(found: &str) -> String {
 /// The longest name that is repeated whole, for it is to be copied: in bytes.
 const LONGEST_TO_COPY: usize = 200;
 
-/// A name between backquotes as a value that can be copied into the file; shortened like any other text when nobody would.
+/// A name between backquotes as a value that can be copied into the file; shortened like any other text when nobody
+/// would.
 pub(crate) fn quoted_value(name: &str) -> String {
     if name.len() > LONGEST_TO_COPY { quoted(name) } else { format!("`{}`", text_value(name)) }
 }
 
-/// A key of a table that can be copied into the file, with quotes where it needs them; `None` if it is too long for that.
+/// A key of a table that can be copied into the file, with quotes where it needs them; `None` if it is too long for
+/// that.
 pub(crate) fn key_to_copy(name: &str) -> Option<String> {
     (name.len() <= LONGEST_TO_COPY).then(|| key_text(name))
 }

@@ -6,27 +6,29 @@ mod names;
 use std::path::Path;
 
 use crate::Scene;
-use crate::format::build::Build;
+use crate::format::build::SceneBuilder;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
 use crate::format::message::{Message, Subject};
 use crate::format::quote::{path_to_copy, quoted};
 use crate::format::spec::Kind;
-use crate::format::toml::{Assignment, Header, Key, Line, Lines, Span, Statement, Value, ValueKind, parse};
-use crate::format::tree::{Defined, Schema, Table};
+use crate::format::toml::{
+    Assignment, Header, Key, LogicalLine, LogicalLines, Span, Statement, Value, ValueKind, parse,
+};
+use crate::format::tree::{Schema, Table, TableOrigin};
 use crate::language::Language;
 use crate::material::NamedMaterial;
 use toml_parser::lexer::TokenKind;
 
-use list::{List, ListKind};
-use names::Places;
+use list::{ListKind, ListReader};
+use names::SourcePositions;
 
 /// Longest text in bytes: 1 GiB.
 pub const LONGEST_TEXT: usize = 1 << 30;
 
-/// What was read.
+/// The scene of a text, and its findings.
 #[derive(Clone, Debug)]
-pub struct Reading {
+pub struct ParsedScene {
     /// The scene as far as it could be understood: wrong values have their defaults, bodies of an unknown shape are
     /// left out.
     pub scene: Scene,
@@ -34,7 +36,7 @@ pub struct Reading {
     pub diagnostics: Diagnostics,
 }
 
-impl Reading {
+impl ParsedScene {
     /// Opens the pictures that the scene names, whose paths begin at `folder`, and adds what is wrong with them to the
     /// findings; `text` is what was read.
     pub fn open_images(&mut self, folder: Option<&Path>, text: &str) {
@@ -62,26 +64,26 @@ pub struct Warned<T> {
     pub warnings: Diagnostics,
 }
 
-/// Reads a scene from the text of a file. Never fails: what is wrong is told in the findings.
+/// Reads a scene from the text of a file. Never fails: errors are among the findings.
 ///
 /// ```
 /// let reading = catoptric_scene::read("format = 'catoptric/1'\n[camera]\nfov = 300");
 /// assert_eq!(reading.diagnostics.to_string(), "3:7: error: `fov` is `300`, but must be at most 179.9");
 /// ```
-pub fn read(text: &str) -> Reading {
+pub fn read(text: &str) -> ParsedScene {
     if text.len() > LONGEST_TEXT {
         let mut diagnostics = Diagnostics::default();
         let help = Message::LongestText { bytes: LONGEST_TEXT.to_string() };
         diagnostics.push(Diagnostic::error(0..0, Message::TextTooLong).with_help(help));
         diagnostics.locate("");
-        return Reading { scene: Scene::default(), diagnostics };
+        return ParsedScene { scene: Scene::default(), diagnostics };
     }
     Reader::new(text).read()
 }
 
 /// Reads a scene from the bytes of a file, which should be UTF-8. With the reading comes the text that its places
 /// refer to.
-pub fn read_bytes(bytes: Vec<u8>) -> (Reading, String) {
+pub fn read_bytes(bytes: Vec<u8>) -> (ParsedScene, String) {
     match String::from_utf8(bytes) {
         Ok(text) => (read(&text), text),
         Err(error) => {
@@ -96,7 +98,7 @@ pub fn read_bytes(bytes: Vec<u8>) -> (Reading, String) {
                     .with_help(Message::SaveAsUtf8),
             );
             diagnostics.locate(&text);
-            (Reading { scene: Scene::default(), diagnostics }, text)
+            (ParsedScene { scene: Scene::default(), diagnostics }, text)
         }
     }
 }
@@ -112,8 +114,8 @@ fn not_a_list(path: &[Key<'_>], span: Span) -> Diagnostic {
     })
 }
 
-/// Which table assignments go to.
-enum Place<'t> {
+/// The table that receives the next assignments.
+enum AssignmentTarget<'t> {
     /// The one at this path from the root.
     Table(Vec<Key<'t>>),
     /// The one at this path from the open element of a list.
@@ -132,10 +134,10 @@ struct Reader<'t> {
     /// Whether tables may have got lost in syntax errors.
     has_lost_tables: bool,
     root: Table<'t>,
-    lights: List<'t>,
-    bodies: List<'t>,
-    place: Place<'t>,
-    places: Places,
+    lights: ListReader<'t>,
+    bodies: ListReader<'t>,
+    place: AssignmentTarget<'t>,
+    places: SourcePositions,
     scene: Scene,
 }
 
@@ -146,17 +148,17 @@ impl<'t> Reader<'t> {
             found: Diagnostics::default(),
             syntax: Diagnostics::default(),
             has_lost_tables: false,
-            root: Table::new(Schema::Keys(&keys::ROOT), Defined::ByHeader),
-            lights: List::default(),
-            bodies: List::default(),
-            place: Place::Table(Vec::new()),
-            places: Places::default(),
+            root: Table::new(Schema::Keys(&keys::ROOT), TableOrigin::ByHeader),
+            lights: ListReader::default(),
+            bodies: ListReader::default(),
+            place: AssignmentTarget::Table(Vec::new()),
+            places: SourcePositions::default(),
             scene: Scene::default(),
         }
     }
 
-    fn read(mut self) -> Reading {
-        let mut lines = Lines::new(self.text);
+    fn read(mut self) -> ParsedScene {
+        let mut lines = LogicalLines::new(self.text);
         while let Some(line) = lines.next() {
             self.line(&line);
         }
@@ -165,13 +167,13 @@ impl<'t> Reader<'t> {
         self.finish();
         self.found.locate(self.text);
         self.scene.lights.shrink_to_fit();
-        Reading { scene: self.scene, diagnostics: self.found }
+        ParsedScene { scene: self.scene, diagnostics: self.found }
     }
 
-    fn line(&mut self, line: &Line<'_>) {
+    fn line(&mut self, line: &LogicalLine<'_>) {
         let tokens = match line {
-            Line::Tokens(tokens) => tokens,
-            Line::TooLong(span) => {
+            LogicalLine::Tokens(tokens) => tokens,
+            LogicalLine::TooLong(span) => {
                 self.syntax.push(
                     Diagnostic::error(span.range(), Message::ValueTooLong)
                         .with_help(Message::WriteWithHeaders),
@@ -207,10 +209,10 @@ impl<'t> Reader<'t> {
                     self.found.push(not_a_list(&path, span));
                 }
                 match self.root.open(&path) {
-                    Ok(()) => Place::Table(path),
+                    Ok(()) => AssignmentTarget::Table(path),
                     Err(problem) => {
                         self.found.push(*problem);
-                        Place::Nowhere
+                        AssignmentTarget::Nowhere
                     }
                 }
             }
@@ -220,16 +222,16 @@ impl<'t> Reader<'t> {
     fn assignment(&mut self, assignment: Assignment<'t>) {
         let found = &mut self.found;
         let table = match &self.place {
-            Place::Nowhere => None,
-            Place::Table(path) if path.is_empty() => {
+            AssignmentTarget::Nowhere => None,
+            AssignmentTarget::Table(path) if path.is_empty() => {
                 let kind = assignment.path.first().and_then(|key| ListKind::from_key(&key.text));
                 if let Some(kind) = kind {
                     return self.list_value(kind, assignment);
                 }
                 Some(&mut self.root)
             }
-            Place::Table(path) => self.root.at(path),
-            Place::Element(kind, path) => match kind {
+            AssignmentTarget::Table(path) => self.root.at(path),
+            AssignmentTarget::Element(kind, path) => match kind {
                 ListKind::Lights => &mut self.lights,
                 ListKind::Bodies => &mut self.bodies,
             }
@@ -262,7 +264,7 @@ impl<'t> Reader<'t> {
     }
 
     fn singletons(&mut self) {
-        let mut build = Build { text: self.text, found: &mut self.found };
+        let mut build = SceneBuilder { text: self.text, found: &mut self.found };
         if let Some(camera) = build.root(&self.root, "camera") {
             self.scene.camera = build.camera(camera);
         }
@@ -276,7 +278,7 @@ impl<'t> Reader<'t> {
 
     /// Builds the materials; the answer has the place of each name.
     fn materials(&mut self) -> Vec<std::ops::Range<usize>> {
-        let mut build = Build { text: self.text, found: &mut self.found };
+        let mut build = SceneBuilder { text: self.text, found: &mut self.found };
         let Some(materials) = build.root(&self.root, "materials") else { return Vec::new() };
         let mut spans = Vec::new();
         for entry in &materials.entries {

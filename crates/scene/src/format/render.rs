@@ -42,7 +42,7 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let marked = Marked::new(text, &diagnostic.span);
+    let marked = MarkedLine::new(text, &diagnostic.span);
     let label = diagnostic.label(LANGUAGE).unwrap_or_default();
     let snippet = marked.snippet(file_name, diagnostic.line, &label);
     let mut main = level.primary_title(diagnostic.message(LANGUAGE)).element(snippet);
@@ -51,7 +51,7 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
     }
     let mut out = marked.with_true_column(renderer.render(&[main]), diagnostic.line, diagnostic.column);
     if let Some(related) = &diagnostic.related {
-        let marked = Marked::new(text, &related.span);
+        let marked = MarkedLine::new(text, &related.span);
         let title = Level::NOTE.secondary_title(related.message(LANGUAGE));
         let group: Group<'_> = title.element(marked.snippet(file_name, related.line, ""));
         out.push('\n');
@@ -60,13 +60,13 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
     out
 }
 
-/// The part of one line that is shown.
-struct Marked {
+/// The displayed part of a line, and its mark.
+struct MarkedLine {
     line: String,
     mark: Range<usize>,
 }
 
-impl Marked {
+impl MarkedLine {
     fn new(text: &str, span: &Range<usize>) -> Self {
         let start = floor_boundary(text, span.start.min(text.len()));
         let end = floor_boundary(text, span.end.clamp(start, text.len()));

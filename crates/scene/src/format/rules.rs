@@ -9,9 +9,9 @@ use crate::format::spec::Limits;
 /// rounding of their product in double precision, in which cameras are placed.
 const PARALLEL: f64 = 1e-12;
 
-/// A broken rule.
+/// A rule that a scene breaks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Broken {
+pub(crate) struct BrokenRule {
     /// The key that is marked.
     pub(crate) key: &'static str,
     /// What is wrong.
@@ -21,10 +21,10 @@ pub(crate) struct Broken {
 }
 
 /// A camera needs a direction of view, and an upward direction across it.
-pub(crate) fn camera(position: DVec3, target: DVec3, up: DVec3) -> Option<Broken> {
+pub(crate) fn camera(position: DVec3, target: DVec3, up: DVec3) -> Option<BrokenRule> {
     // The difference of two doubles is exact, or off by one rounding: it gives a direction wherever both points are.
     if let Some(how) = are_too_near(position, target) {
-        return Some(Broken {
+        return Some(BrokenRule {
             key: "target",
             message: match how {
                 Nearness::Same => Message::TargetIsPosition,
@@ -34,30 +34,30 @@ pub(crate) fn camera(position: DVec3, target: DVec3, up: DVec3) -> Option<Broken
         });
     }
     if up.abs().max_element() < Limits::LENGTH.min {
-        return Some(Broken { key: "up", message: Message::UpIsZero, help: Message::UpPoints });
+        return Some(BrokenRule { key: "up", message: Message::UpIsZero, help: Message::UpPoints });
     }
     // Scaled first, so that no square overflows or vanishes.
     let view = target - position;
     let view = (view / view.abs().max_element()).normalize();
     let up = (up / up.abs().max_element()).normalize();
     if view.cross(up).length() < PARALLEL {
-        return Some(Broken { key: "up", message: Message::UpIsParallel, help: Message::ChooseUp });
+        return Some(BrokenRule { key: "up", message: Message::UpIsParallel, help: Message::ChooseUp });
     }
     None
 }
 
 /// An axis needs two different points at a distance that can be a height.
-pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<Broken> {
+pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<BrokenRule> {
     let help = Message::AxisEnds;
     if let Some(how) = are_too_near(base, top) {
         let message = match how {
             Nearness::Same => Message::BaseIsTop,
             Nearness::Near => Message::BaseIsNearTop,
         };
-        return Some(Broken { key: "top", message, help });
+        return Some(BrokenRule { key: "top", message, help });
     }
     if !Limits::LENGTH.contains(base.distance(top)) {
-        return Some(Broken { key: "top", message: Message::BaseIsFarFromTop, help });
+        return Some(BrokenRule { key: "top", message: Message::BaseIsFarFromTop, help });
     }
     None
 }
@@ -87,9 +87,9 @@ mod tests {
         let up = DVec3::Y;
         assert_eq!(camera(DVec3::Z, DVec3::ZERO, up), None);
         assert_eq!(camera(DVec3::Z * 1e-6, DVec3::ZERO, up * 1e-6), None);
-        let key = |broken: Option<Broken>| broken.map(|broken| broken.key);
+        let key = |broken: Option<BrokenRule>| broken.map(|broken| broken.key);
         assert_eq!(key(camera(DVec3::Z, DVec3::Z, up)), Some("target"));
-        let message = |broken: Option<Broken>| broken.map(|broken| broken.message);
+        let message = |broken: Option<BrokenRule>| broken.map(|broken| broken.message);
         for far in [1e5, 1e8, 1e9] {
             let at = DVec3::new(far, -far, far);
             for step in [DVec3::X, DVec3::Z * 1e-3, DVec3::NEG_ONE] {

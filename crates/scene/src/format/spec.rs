@@ -9,7 +9,7 @@ pub struct TableSpec {
     pub name: &'static str,
     /// What the table describes, one line.
     pub doc: &'static str,
-    /// Its keys in the order of writing.
+    /// The table's keys in the order of writing.
     pub keys: &'static [KeySpec],
 }
 
@@ -86,32 +86,32 @@ impl KeySpec {
         }
     }
 
-    /// The same with a default.
+    /// Gives the key a default.
     pub const fn or(mut self, default: Default) -> Self {
         self.default = default;
         self
     }
 
-    /// The same, for some values of the table's choice only.
+    /// Limits the key to some values of the table's choice.
     pub const fn only(mut self, choice: &'static str, values: &'static [&'static str]) -> Self {
         self.when = When::Choice { choice, values };
         self
     }
 
-    /// The same, with a key that must and keys that must not stand beside it.
+    /// Requires one key beside it and excludes others.
     pub const fn beside(mut self, requires: &'static str, excludes: &'static [&'static str]) -> Self {
         self.requires = Some(requires);
         self.excludes = excludes;
         self
     }
 
-    /// The same, with keys that must not stand beside it.
+    /// Excludes other keys beside it.
     pub const fn excluding(mut self, excludes: &'static [&'static str]) -> Self {
         self.excludes = excludes;
         self
     }
 
-    /// The same, written always.
+    /// Makes the writer write the key even at its default.
     pub const fn written(mut self) -> Self {
         self.always_written = true;
         self
@@ -259,7 +259,7 @@ pub enum When {
     Choice {
         /// The key that chooses.
         choice: &'static str,
-        /// Its values for which the key applies.
+        /// The values of the choice for which the key applies.
         values: &'static [&'static str],
     },
 }

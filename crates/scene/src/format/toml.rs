@@ -8,7 +8,7 @@ mod lines;
 mod problem;
 
 pub(crate) use builder::parse;
-pub(crate) use lines::{Line, Lines};
+pub(crate) use lines::{LogicalLine, LogicalLines};
 
 use std::borrow::Cow;
 use std::ops::Range;

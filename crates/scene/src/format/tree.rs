@@ -1,5 +1,5 @@
-//! Tables as the file defines them, held against the table of the format while they grow: unknown keys and keys given
-//! twice are reported at once and never stored.
+//! Tables as the file defines them, checked against the table of the format while they grow: unknown keys and keys
+//! given twice are reported at once and never stored.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -16,16 +16,16 @@ use crate::format::typed::key_help;
 /// Which keys a table can have.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Schema {
-    /// Those of the format.
+    /// The keys of a table of the format.
     Keys(&'static TableSpec),
     /// Names of the user's choice, each a table of this kind.
     Names(&'static TableSpec),
 }
 
-/// How a table came about, which decides who may add to it (TOML 1.1, "Table").
+/// The definition that made a table, which decides who may add to it (TOML 1.1, "Table").
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Defined {
-    /// As the way to a deeper header.
+pub(crate) enum TableOrigin {
+    /// By the header of a table within it.
     Implicitly,
     /// By its own header.
     ByHeader,
@@ -37,7 +37,7 @@ pub(crate) enum Defined {
 
 /// A key with its value.
 #[derive(Clone, Debug)]
-pub(crate) struct Entry<'t> {
+pub(crate) struct KeyValue<'t> {
     pub(crate) key: Key<'t>,
     pub(crate) value: Value<'t>,
 }
@@ -46,19 +46,19 @@ pub(crate) struct Entry<'t> {
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'t> {
     pub(crate) schema: Schema,
-    pub(crate) defined: Defined,
-    pub(crate) entries: Vec<Entry<'t>>,
+    pub(crate) defined: TableOrigin,
+    pub(crate) entries: Vec<KeyValue<'t>>,
     /// Places of the entries by name, for tables with names of the user's choice.
     by_name: HashMap<Cow<'t, str>, usize>,
 }
 
 impl<'t> Table<'t> {
-    pub(crate) fn new(schema: Schema, defined: Defined) -> Self {
+    pub(crate) fn new(schema: Schema, defined: TableOrigin) -> Self {
         Self { schema, defined, entries: Vec::new(), by_name: HashMap::new() }
     }
 
     /// The entry called `name`.
-    pub(crate) fn entry(&self, name: &str) -> Option<&Entry<'t>> {
+    pub(crate) fn entry(&self, name: &str) -> Option<&KeyValue<'t>> {
         self.entries.get(self.place(name)?)
     }
 
@@ -81,7 +81,7 @@ impl<'t> Table<'t> {
         let Some(mut key) = path.next() else { return };
         let mut table = self;
         for next in path {
-            match table.step(&key, Defined::ByDottedKey) {
+            match table.step(&key, TableOrigin::ByDottedKey) {
                 Ok(child) => table = child,
                 Err(problem) => return found.push(*problem),
             }
@@ -95,7 +95,7 @@ impl<'t> Table<'t> {
         let mut table = self;
         for (index, key) in path.iter().enumerate() {
             let is_last = index + 1 == path.len();
-            table = table.step(key, if is_last { Defined::ByHeader } else { Defined::Implicitly })?;
+            table = table.step(key, if is_last { TableOrigin::ByHeader } else { TableOrigin::Implicitly })?;
         }
         Ok(())
     }
@@ -114,7 +114,7 @@ impl<'t> Table<'t> {
     }
 
     /// The table `key` of this one, made if need be; `by` is how it is reached.
-    fn step(&mut self, key: &Key<'t>, by: Defined) -> Result<&mut Self, Box<Diagnostic>> {
+    fn step(&mut self, key: &Key<'t>, by: TableOrigin) -> Result<&mut Self, Box<Diagnostic>> {
         let Some(schema) = self.child_schema(key)? else {
             let message = Message::NotATable { name: quoted(&key.text) };
             let diagnostic = Diagnostic::error(key.span.range(), message);
@@ -133,15 +133,15 @@ impl<'t> Table<'t> {
             return Err(twice(key, entry.key.span).into());
         };
         let may_enter = match by {
-            Defined::Implicitly => child.defined != Defined::Inline,
-            Defined::ByHeader => child.defined == Defined::Implicitly,
-            Defined::ByDottedKey => child.defined == Defined::ByDottedKey,
-            Defined::Inline => false,
+            TableOrigin::Implicitly => child.defined != TableOrigin::Inline,
+            TableOrigin::ByHeader => child.defined == TableOrigin::Implicitly,
+            TableOrigin::ByDottedKey => child.defined == TableOrigin::ByDottedKey,
+            TableOrigin::Inline => false,
         };
         if !may_enter {
             return Err(twice(key, entry.key.span).into());
         }
-        if by == Defined::ByHeader {
+        if by == TableOrigin::ByHeader {
             child.defined = by;
         }
         Ok(child)
@@ -181,13 +181,13 @@ impl<'t> Table<'t> {
         self.insert(key, value);
     }
 
-    /// An inline table held against its keys.
+    /// An inline table checked against its keys.
     pub(crate) fn from_inline(
         schema: Schema,
         assignments: Vec<Assignment<'t>>,
         found: &mut Diagnostics,
     ) -> Self {
-        let mut table = Self::new(schema, Defined::Inline);
+        let mut table = Self::new(schema, TableOrigin::Inline);
         for assignment in assignments {
             table.assign(assignment, found);
         }
@@ -198,7 +198,7 @@ impl<'t> Table<'t> {
         if matches!(self.schema, Schema::Names(_)) {
             self.by_name.insert(key.text.clone(), self.entries.len());
         }
-        self.entries.push(Entry { key, value });
+        self.entries.push(KeyValue { key, value });
     }
 
     fn spec_of(&self, name: &str) -> Option<&'static KeySpec> {

@@ -1,4 +1,4 @@
-//! Values held against the type and limits of their key.
+//! Values checked against the type and limits of their key.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::color::Color;
 use crate::format::decimal;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
-use crate::format::message::{Component, Enumeration, FoundValue, Meaning, Message, Subject};
+use crate::format::message::{Component, Enumeration, FoundValue, KeyMeaning, Message, Subject};
 use crate::format::nearest::nearest;
 use crate::format::quote::{quoted, quoted_value};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec, When};
@@ -343,7 +343,7 @@ fn wrong_value(key: &KeySpec, value: &Value<'_>, found: FoundValue) -> Diagnosti
 
 /// What a key means and which values it can have.
 pub(crate) fn key_help(key: &'static KeySpec) -> Message {
-    Message::KeyMeans { meaning: Meaning { key, has_range: true } }
+    Message::KeyMeans { meaning: KeyMeaning { key, has_range: true } }
 }
 
 /// A color from `#rrggbb`.

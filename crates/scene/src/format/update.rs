@@ -10,7 +10,7 @@ use crate::format::read::read;
 use crate::format::record::{self, Record};
 use crate::format::write::write;
 use edit::{apply, apply_inline, apply_keys, new_table};
-use matching::{Entry, matches};
+use matching::{MatchedElement, matches};
 
 /// Longer texts are written anew: an editable tree of them would take gigabytes.
 const LONGEST_EDITED: usize = 16 << 20;
@@ -137,10 +137,10 @@ fn materials(document: &mut DocumentMut, original: &Scene, scene: &Scene) -> Opt
         document.insert("materials", Item::Table(table));
     }
     let table = document.get_mut("materials")?.as_table_mut()?;
-    let old_entries: Vec<Entry<'_>> =
-        old_names.iter().zip(&old).map(|(name, record)| Entry { name, record }).collect();
-    let new_entries: Vec<Entry<'_>> =
-        new_names.iter().zip(&new).map(|(name, record)| Entry { name, record }).collect();
+    let old_entries: Vec<MatchedElement<'_>> =
+        old_names.iter().zip(&old).map(|(name, record)| MatchedElement { name, record }).collect();
+    let new_entries: Vec<MatchedElement<'_>> =
+        new_names.iter().zip(&new).map(|(name, record)| MatchedElement { name, record }).collect();
     let matched = matches(&old_entries, &new_entries);
     let mut taken: Vec<Option<Item>> = old_names.iter().map(|name| table.remove(name)).collect();
     let mut last = place;
@@ -176,8 +176,8 @@ fn list(document: &mut DocumentMut, key: &str, old: &[Record<'_>], new: &[Record
         return Some(());
     }
     let place = place_before(document, key);
-    let old_entries: Vec<Entry<'_>> = old.iter().map(Entry::named).collect();
-    let new_entries: Vec<Entry<'_>> = new.iter().map(Entry::named).collect();
+    let old_entries: Vec<MatchedElement<'_>> = old.iter().map(MatchedElement::named).collect();
+    let new_entries: Vec<MatchedElement<'_>> = new.iter().map(MatchedElement::named).collect();
     let matched = matches(&old_entries, &new_entries);
     let in_place =
         old.len() == new.len() && matched.iter().enumerate().all(|(index, from)| *from == Some(index));

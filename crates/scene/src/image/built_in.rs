@@ -8,19 +8,19 @@ use glam::DVec3;
 
 use super::sane;
 
-/// A picture that is computed.
-pub(super) struct BuiltIn {
+/// A picture that is computed, not stored.
+pub(super) struct BuiltInImage {
     name: &'static str,
     size: [u32; 2],
     /// The light at a place of the picture, from its upper left corner (0, 0) to its lower right one (1, 1).
     color: fn(f64, f64) -> DVec3,
 }
 
-pub(super) const ALL: [BuiltIn; 4] = [
-    BuiltIn { name: "evening", size: [1536, 768], color: |u, v| evening(direction(u, v)) },
-    BuiltIn { name: "studio", size: [1024, 512], color: |u, v| studio(direction(u, v)) },
-    BuiltIn { name: "planet", size: [1024, 512], color: |u, v| planet(direction(u, v)) },
-    BuiltIn { name: "grid", size: [1024, 1024], color: grid },
+pub(super) const ALL: [BuiltInImage; 4] = [
+    BuiltInImage { name: "evening", size: [1536, 768], color: |u, v| evening(direction(u, v)) },
+    BuiltInImage { name: "studio", size: [1024, 512], color: |u, v| studio(direction(u, v)) },
+    BuiltInImage { name: "planet", size: [1024, 512], color: |u, v| planet(direction(u, v)) },
+    BuiltInImage { name: "grid", size: [1024, 1024], color: grid },
 ];
 
 pub(super) const NAMES: [&str; ALL.len()] = {
@@ -50,7 +50,8 @@ pub(super) fn picture(name: &str) -> Option<Arc<Picture>> {
     Some(picture)
 }
 
-/// Where a place of a picture of everything around lies, as [`Surroundings::Picture`](crate::Surroundings::Picture) says.
+/// Where a place of a picture of everything around lies, as [`Surroundings::Picture`](crate::Surroundings::Picture)
+/// says.
 fn direction(u: f64, v: f64) -> DVec3 {
     let ((sin, cos), (height, around)) = ((TAU * (u - 0.5)).sin_cos(), (PI * (0.5 - v)).sin_cos());
     DVec3::new(around * sin, height, -around * cos)

@@ -1,6 +1,6 @@
 //! Slow light: how far it has come, and how far it goes.
 
-use super::ways::Way;
+use super::segments::RaySegment;
 
 /// How long slow light runs at first, seconds.
 const DURATION: f64 = 6.0;
@@ -27,7 +27,7 @@ pub(crate) struct LightSpan {
 
 impl LightSpan {
     /// The span of the ways of an audit.
-    pub(super) fn of_ways(ways: &[Way]) -> Self {
+    pub(super) fn of_ways(ways: &[RaySegment]) -> Self {
         let events = || ways.iter().filter(|way| !way.is_open).map(|way| way.path[1]);
         let Some(first) = events().reduce(f64::min) else {
             // The ray from the eye meets nothing.
@@ -85,7 +85,7 @@ impl LightSpan {
     }
 }
 
-/// Light that runs along the rays, so slowly that one can follow it. Whoever draws tells it the time.
+/// The animation of light along the rays. The drawing code advances its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SlowLight {
     /// Whether it runs.
@@ -139,13 +139,13 @@ mod tests {
     use catoptric_lab::audit::NodeKind;
     use glam::DVec3;
 
-    use super::super::ways::WayKind;
+    use super::super::segments::SegmentKind;
     use super::*;
 
-    fn way(path: [f64; 2], is_open: bool) -> Way {
-        Way {
+    fn way(path: [f64; 2], is_open: bool) -> RaySegment {
+        RaySegment {
             node: 0,
-            kind: WayKind::Ray(NodeKind::Primary),
+            kind: SegmentKind::Ray(NodeKind::Primary),
             from: DVec3::ZERO,
             to: DVec3::X,
             weight: 1.0,

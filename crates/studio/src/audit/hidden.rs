@@ -1,11 +1,11 @@
-//! Which parts of the ways run behind bodies, as the viewport's camera sees them: found by tracing.
+//! The parts of ray segments that bodies hide from the viewport's camera, found by tracing.
 
 use catoptric_scene::{Camera, Scene};
 use catoptric_tracer::{Ray, RenderControl, RenderScene};
 use glam::{DVec2, DVec3};
 
-use super::ways::Way;
-use crate::viewport::Lens;
+use super::segments::RaySegment;
+use crate::viewport::Projector;
 
 /// Points that are looked at along a way.
 const SAMPLES: u32 = 24;
@@ -14,9 +14,9 @@ const HALVINGS: u32 = 5;
 /// What lies nearer than this share of its distance before a point does not hide it: it lies on that body.
 const NEAR: f64 = 2e-3;
 
-/// A part of a way, from one share of its length to another.
+/// A part of a segment, by shares of its length, and whether it is hidden.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Part {
+pub(crate) struct SegmentPart {
     pub(crate) from: f64,
     pub(crate) to: f64,
     /// Whether an opaque body stands before it.
@@ -24,31 +24,31 @@ pub(crate) struct Part {
 }
 
 /// The whole of a way of which nothing is known yet.
-pub(crate) const SEEN: [Part; 1] = [Part { from: 0.0, to: 1.0, is_hidden: false }];
+pub(crate) const SEEN: [SegmentPart; 1] = [SegmentPart { from: 0.0, to: 1.0, is_hidden: false }];
 
 /// The parts of each way, for `camera`.
 pub(super) fn parts(
-    ways: &[Way],
+    ways: &[RaySegment],
     scene: &Scene,
     stage: &RenderScene,
     camera: &Camera,
     control: &RenderControl,
-) -> Vec<Vec<Part>> {
-    let look = Look { scene, stage, lens: Lens::new(camera, DVec2::ONE) };
+) -> Vec<Vec<SegmentPart>> {
+    let look = VisibilityTest { scene, stage, projector: Projector::new(camera, DVec2::ONE) };
     ways.iter().map(|way| if control.is_cancelled() { SEEN.to_vec() } else { look.parts(way) }).collect()
 }
 
-struct Look<'a> {
+struct VisibilityTest<'a> {
     scene: &'a Scene,
     stage: &'a RenderScene,
-    lens: Lens,
+    projector: Projector,
 }
 
-impl Look<'_> {
-    fn parts(&self, way: &Way) -> Vec<Part> {
+impl VisibilityTest<'_> {
+    fn parts(&self, way: &RaySegment) -> Vec<SegmentPart> {
         // The ends lie on bodies, where it is hard to tell.
         let share = |sample: u32| (f64::from(sample) + 0.5) / f64::from(SAMPLES);
-        let mut parts: Vec<Part> = Vec::new();
+        let mut parts: Vec<SegmentPart> = Vec::new();
         let (mut last, mut was_hidden, mut start) = (0.0, None, 0.0);
         for sample in 0..SAMPLES {
             let at = share(sample);
@@ -57,16 +57,16 @@ impl Look<'_> {
                 && before != is_hidden
             {
                 let border = self.border(way, [last, at], before);
-                parts.push(Part { from: start, to: border, is_hidden: before });
+                parts.push(SegmentPart { from: start, to: border, is_hidden: before });
                 start = border;
             }
             (last, was_hidden) = (at, Some(is_hidden));
         }
-        parts.push(Part { from: start, to: 1.0, is_hidden: was_hidden.unwrap_or(false) });
+        parts.push(SegmentPart { from: start, to: 1.0, is_hidden: was_hidden.unwrap_or(false) });
         parts
     }
 
-    fn border(&self, way: &Way, [mut low, mut high]: [f64; 2], low_hidden: bool) -> f64 {
+    fn border(&self, way: &RaySegment, [mut low, mut high]: [f64; 2], low_hidden: bool) -> f64 {
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if self.hides(way.from.lerp(way.to, middle)) == low_hidden {
@@ -80,11 +80,11 @@ impl Look<'_> {
 
     /// Whether an opaque body stands before a point. Through glass it is seen.
     fn hides(&self, point: DVec3) -> bool {
-        let direction = self.lens.towards(point);
-        let distance = match self.lens.is_parallel() {
+        let direction = self.projector.towards(point);
+        let distance = match self.projector.is_parallel() {
             // Behind all that could stand before it.
-            true => self.lens.depth(point),
-            false => (point - self.lens.position()).length(),
+            true => self.projector.depth(point),
+            false => (point - self.projector.position()).length(),
         };
         let origin = point - distance * direction;
         let ray = Ray::from_point(origin.as_vec3(), direction.as_vec3());

@@ -1,48 +1,48 @@
 //! The rows of the list of rays: which ray or which of its terms stands where.
 
-use super::{Auditing, terms};
+use super::{AuditState, terms};
 use crate::texts::{Language, Texts};
 
-/// What stands in a row.
+/// The content of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Row {
+pub(super) enum AuditRow {
     /// A ray.
     Ray(usize),
     /// A term of a ray, by its place among them.
     Term(usize, usize),
 }
 
-/// The rows, as long as nothing changes that decides about them.
+/// The rows, kept until something changes that decides about them.
 #[derive(Default)]
-pub(super) struct Listing {
-    key: Option<Key>,
-    rows: Vec<Row>,
+pub(super) struct AuditListing {
+    key: Option<AuditListingKey>,
+    rows: Vec<AuditRow>,
     /// How many steps each ray is from the eye.
     depths: Vec<u32>,
 }
 
 #[derive(PartialEq)]
-struct Key {
+struct AuditListingKey {
     serial: u64,
     step: Option<u32>,
     expanded: Vec<usize>,
     language: Language,
 }
 
-impl Listing {
+impl AuditListing {
     /// How many rows there are.
     pub(super) fn len(&self) -> usize {
         self.rows.len()
     }
 
     /// What stands in a row.
-    pub(super) fn row(&self, index: usize) -> Option<Row> {
+    pub(super) fn row(&self, index: usize) -> Option<AuditRow> {
         self.rows.get(index).copied()
     }
 
     /// Where a ray stands, if it is shown.
     pub(super) fn place_of(&self, node: usize) -> Option<usize> {
-        self.rows.iter().position(|row| *row == Row::Ray(node))
+        self.rows.iter().position(|row| *row == AuditRow::Ray(node))
     }
 
     /// How many steps a ray is from the eye.
@@ -52,10 +52,10 @@ impl Listing {
 }
 
 /// Brings the rows up to date.
-pub(super) fn refresh(audit: &mut Auditing, texts: &Texts) {
+pub(super) fn refresh(audit: &mut AuditState, texts: &Texts) {
     let Some(found) = &audit.found else { return };
     let (expanded, step) = (audit.expanded.iter().copied().collect(), audit.step);
-    let key = Key { serial: found.serial, step, expanded, language: texts.language() };
+    let key = AuditListingKey { serial: found.serial, step, expanded, language: texts.language() };
     if audit.listing.key.as_ref() == Some(&key) {
         return;
     }
@@ -68,13 +68,13 @@ pub(super) fn refresh(audit: &mut Auditing, texts: &Texts) {
         if !audit.shows(node.ray.generation) {
             continue;
         }
-        rows.push(Row::Ray(place));
+        rows.push(AuditRow::Ray(place));
         if audit.expanded.contains(&place) {
             let count = terms::of_node(texts, &found.scene, &found.audit, node).len();
-            rows.extend((0..count).map(|term| Row::Term(place, term)));
+            rows.extend((0..count).map(|term| AuditRow::Term(place, term)));
         }
     }
-    audit.listing = Listing { key: Some(key), rows, depths };
+    audit.listing = AuditListing { key: Some(key), rows, depths };
 }
 
 #[cfg(test)]
@@ -85,12 +85,12 @@ mod tests {
     use catoptric_tracer::{RenderControl, RenderScene};
     use glam::{DVec3, UVec2};
 
-    use super::super::found::Order;
-    use super::super::{Found, Pin};
+    use super::super::result::AuditRequest;
+    use super::super::{AuditResult, PinnedPixel};
     use super::*;
 
     /// A pixel whose rays branch at each of some panes of glass, one behind the other.
-    fn found(panes: usize) -> Found {
+    fn found(panes: usize) -> AuditResult {
         let glass = Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
         let pane = |place: usize| Body {
             shape: Shape::Cube { size: DVec3::new(4.0, 4.0, 0.1) },
@@ -102,8 +102,8 @@ mod tests {
         (scene.tracing.generations, scene.tracing.threshold) = (6, 0.0);
         let stage = Arc::new(RenderScene::build(&scene).unwrap());
         let camera = scene.camera;
-        let pin = Pin { pixel: UVec2::new(80, 70), size: UVec2::new(160, 90), camera, home: camera };
-        let order = Order { serial: 1, pin, scene: Arc::new(scene), stage, before: None };
+        let pin = PinnedPixel { pixel: UVec2::new(80, 70), size: UVec2::new(160, 90), camera, home: camera };
+        let order = AuditRequest { serial: 1, pin, scene: Arc::new(scene), stage, before: None };
         order.carry_out(&RenderControl::default()).unwrap()
     }
 
@@ -113,14 +113,14 @@ mod tests {
         let found = found(3);
         let count = found.tree().unwrap().nodes.len();
         assert!(count > 8, "{count}");
-        let mut audit = Auditing { found: Some(Arc::new(found)), ..Auditing::default() };
+        let mut audit = AuditState { found: Some(Arc::new(found)), ..AuditState::default() };
         refresh(&mut audit, &texts);
         assert_eq!(audit.listing.len(), count);
         audit.expanded.insert(0);
         refresh(&mut audit, &texts);
         let terms = audit.listing.len() - count;
         assert!(terms > 5, "{terms}");
-        assert_eq!(audit.listing.row(1), Some(Row::Term(0, 0)));
+        assert_eq!(audit.listing.row(1), Some(AuditRow::Term(0, 0)));
         assert_eq!(audit.listing.place_of(1), Some(1 + terms));
         audit.step = Some(1);
         refresh(&mut audit, &texts);

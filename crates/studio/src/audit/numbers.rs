@@ -20,7 +20,7 @@ pub(crate) fn color_text(texts: &Texts, color: DVec3) -> String {
     if r == g && g == b { r } else { format!("({r}  {g}  {b})") }
 }
 
-/// The same of single-precision numbers.
+/// Writes three single-precision channels: one number if they are equal.
 pub(super) fn color(texts: &Texts, color: Vec3) -> String {
     color_text(texts, color.as_dvec3())
 }

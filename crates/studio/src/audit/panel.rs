@@ -8,8 +8,8 @@ use egui_material_icons::icons;
 
 use super::clock::LightSpan;
 use super::rows::chip_color;
-use super::{Found, clock, rows};
-use crate::command::{AuditAct, Command};
+use super::{AuditResult, clock, rows};
+use crate::command::{AuditCommand, Command};
 use crate::context::Cx;
 use crate::texts::Texts;
 use crate::theme;
@@ -45,14 +45,14 @@ fn empty_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
         if !cx.view.is_auditing {
             ui.add_space(4.0);
             if ui.button(cx.t("audit-begin")).clicked() {
-                cx.run(Command::Audit(AuditAct::Tool));
+                cx.run(Command::Audit(AuditCommand::Tool));
             }
         }
     });
 }
 
 /// The pixel, its light, and how it is known that the rays make it.
-fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
+fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &AuditResult) {
     let texts = cx.texts;
     let palette = theme::palette(ui.visuals());
     ui.horizontal_wrapped(|ui| {
@@ -89,19 +89,19 @@ fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
 }
 
 /// Steps, slow light, and what can be done with the audit.
-fn controls_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<Found>) {
+fn controls_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<AuditResult>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        button(ui, cx, AuditAct::Previous);
+        button(ui, cx, AuditCommand::Previous);
         let shown = cx.audit.step.unwrap_or(found.generations());
         let arguments = [("shown", shown.into()), ("count", found.generations().into())];
         ui.label(cx.texts.with("audit-generations", &arguments));
-        button(ui, cx, AuditAct::Next);
-        button(ui, cx, AuditAct::All);
+        button(ui, cx, AuditCommand::Next);
+        button(ui, cx, AuditCommand::All);
         ui.separator();
         light_ui(ui, cx, found);
         ui.separator();
-        for act in [AuditAct::View, AuditAct::Copy, AuditAct::Save, AuditAct::Release] {
+        for act in [AuditCommand::View, AuditCommand::Copy, AuditCommand::Save, AuditCommand::Release] {
             button(ui, cx, act);
         }
         if found.ways_left_out > 0 {
@@ -112,8 +112,8 @@ fn controls_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<Found>) {
 }
 
 /// Slow light: run, stop, how far it has come, and how long it takes.
-fn light_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found) {
-    button(ui, cx, AuditAct::Play);
+fn light_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &AuditResult) {
+    button(ui, cx, AuditCommand::Play);
     ui.spacing_mut().slider_width = 90.0;
     front_ui(ui, cx, found.span);
     duration_ui(ui, cx);
@@ -125,7 +125,7 @@ fn front_ui(ui: &mut Ui, cx: &mut Cx<'_>, span: LightSpan) {
     let mut share = cx.audit.light.front.map_or(1.0, |front| span.share(front));
     // Digits enough for the shortest way.
     let decimals = (1.0 - span.finest().log10()).ceil().clamp(2.0, 9.0) as usize;
-    // The slider rounds to as many digits as it shows, and would take that for a move of the hand.
+    // The slider rounds to as many digits as it shows, and would take that for a drag.
     let slider = Slider::new(&mut share, 0.0..=1.0)
         .suffix(format!(" {}", cx.t("audit-meters")))
         .custom_formatter(move |share, _| texts.localized(format!("{:.decimals$}", span.path(share))))
@@ -157,7 +157,7 @@ fn read(texts: &Texts, unit: Unit, typed: &str) -> Option<f64> {
     evaluate(typed, unit, texts.language().decimal_sign()).ok()
 }
 
-fn button(ui: &mut Ui, cx: &mut Cx<'_>, act: AuditAct) {
+fn button(ui: &mut Ui, cx: &mut Cx<'_>, act: AuditCommand) {
     let command = Command::Audit(act);
     let Some(look) = command.look() else { return };
     let situation = cx.situation();

@@ -12,14 +12,14 @@ use egui::{
 use egui_material_icons::icons;
 use glam::DVec3;
 
-use super::Found;
-use super::listing::{self, Row};
+use super::AuditResult;
+use super::listing::{self, AuditRow};
 use super::numbers::{color, color_text, short};
-use super::terms::{self, Term, body_name};
+use super::terms::{self, AuditLine, body_name};
 use crate::context::Cx;
 use crate::texts::Texts;
-use crate::theme::{self, Palette};
-use crate::typeset::{self, Line};
+use crate::theme::{self, ThemeColors};
+use crate::typeset::{self, TextLine};
 use crate::widgets::color::screen_color;
 use crate::widgets::{paint_icon, paint_line, paint_line_in};
 
@@ -54,7 +54,7 @@ const fn kind_key(kind: NodeKind) -> &'static str {
 }
 
 /// Draws the list, as far as it is seen.
-pub(super) fn list_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<Found>) {
+pub(super) fn list_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<AuditResult>) {
     listing::refresh(cx.audit, cx.texts);
     head_ui(ui, cx);
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -74,16 +74,16 @@ pub(super) fn list_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Arc<Found>) {
     });
 }
 
-fn rows_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found, range: Range<usize>) {
-    let mut known: Option<(usize, Vec<Term>, Vec<Term>)> = None;
+fn rows_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &AuditResult, range: Range<usize>) {
+    let mut known: Option<(usize, Vec<AuditLine>, Vec<AuditLine>)> = None;
     for index in range {
         match cx.audit.listing.row(index) {
-            Some(Row::Ray(place)) => {
+            Some(AuditRow::Ray(place)) => {
                 if let Some(node) = found.node(place) {
                     ray_ui(ui, cx, found, place, node);
                 }
             }
-            Some(Row::Term(place, term)) => {
+            Some(AuditRow::Term(place, term)) => {
                 if known.as_ref().is_none_or(|(of, ..)| *of != place) {
                     known = Some(terms_of(cx, found, place));
                 }
@@ -100,7 +100,7 @@ fn rows_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found, range: Range<usize>) {
 }
 
 /// The terms of a ray, now and before the last change.
-fn terms_of(cx: &Cx<'_>, found: &Found, place: usize) -> (usize, Vec<Term>, Vec<Term>) {
+fn terms_of(cx: &Cx<'_>, found: &AuditResult, place: usize) -> (usize, Vec<AuditLine>, Vec<AuditLine>) {
     let of = |scene, audit, node| terms::of_node(cx.texts, scene, audit, node);
     let now = found.node(place).map(|node| of(&found.scene, &found.audit, node)).unwrap_or_default();
     let before = found.before.as_ref().and_then(|before| {
@@ -139,7 +139,7 @@ fn columns(rect: Rect) -> [Rect; 3] {
 }
 
 /// A ray: its kind, what it ends at, generation, weight, and what it brings.
-fn ray_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &Found, place: usize, node: &Node) {
+fn ray_ui(ui: &mut Ui, cx: &mut Cx<'_>, found: &AuditResult, place: usize, node: &Node) {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let texts = cx.texts;
     let end = match node.ray.hit {
@@ -196,7 +196,13 @@ fn row_info(ui: &Ui, response: &Response, name: &str, is_selected: bool, is_expa
     });
 }
 
-fn columns_ui(ui: &Ui, texts: &Texts, found: &Found, (place, node): (usize, &Node), columns: [Rect; 3]) {
+fn columns_ui(
+    ui: &Ui,
+    texts: &Texts,
+    found: &AuditResult,
+    (place, node): (usize, &Node),
+    columns: [Rect; 3],
+) {
     let palette = theme::palette(ui.visuals());
     let font = FontId::proportional(12.5);
     let old = found.before.as_ref().map(|before| before.twin(place).map(|(_, node)| node));
@@ -256,7 +262,13 @@ fn toggle(cx: &mut Cx<'_>, place: usize) {
 }
 
 /// A term: words, the formula, its numbers, and what comes out; what it was before the last change.
-fn term_ui(ui: &mut Ui, cx: &Cx<'_>, term: &Term, old: Option<&Term>, (place, level): (usize, u32)) {
+fn term_ui(
+    ui: &mut Ui,
+    cx: &Cx<'_>,
+    term: &AuditLine,
+    old: Option<&AuditLine>,
+    (place, level): (usize, u32),
+) {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let palette = theme::palette(ui.visuals());
     let is_changed = old.is_some_and(|old| (&old.numbers, &old.value) != (&term.numbers, &term.value));
@@ -278,9 +290,16 @@ fn term_ui(ui: &mut Ui, cx: &Cx<'_>, term: &Term, old: Option<&Term>, (place, le
 }
 
 /// Sets a term.
-fn set(ui: &Ui, term: &Term, old: Option<&Term>, cx: &Cx<'_>, palette: &Palette, room: f32) -> Line {
+fn set(
+    ui: &Ui,
+    term: &AuditLine,
+    old: Option<&AuditLine>,
+    cx: &Cx<'_>,
+    palette: &ThemeColors,
+    room: f32,
+) -> TextLine {
     const SIZE: f32 = 13.0;
-    let mut line = Line::default();
+    let mut line = TextLine::default();
     let inner = if term.is_inner() { 12.0 } else { 0.0 };
     line.space(inner);
     line.push_words(ui, &term.name, 12.0, palette.weak, NAMES - 8.0 - inner);
@@ -312,13 +331,13 @@ fn set(ui: &Ui, term: &Term, old: Option<&Term>, cx: &Cx<'_>, palette: &Palette,
 }
 
 /// What a term was before the last change.
-fn was(texts: &Texts, old: &Term) -> String {
+fn was(texts: &Texts, old: &AuditLine) -> String {
     let value = old.value.map_or_else(|| typeset::plain(&old.numbers), |value| color_text(texts, value));
     texts.with("audit-was", &[("value", value.into())])
 }
 
 /// A term as plain text.
-fn plain(texts: &Texts, term: &Term) -> String {
+fn plain(texts: &Texts, term: &AuditLine) -> String {
     let value = term.value.map(|value| color_text(texts, value)).unwrap_or_default();
     let sides = [typeset::plain(term.symbols), typeset::plain(&term.numbers), value];
     let equation: Vec<String> = sides.into_iter().filter(|side| !side.is_empty()).collect();

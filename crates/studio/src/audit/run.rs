@@ -1,22 +1,22 @@
-//! What the commands of the audit do.
+//! Runs the commands of the audit.
 
 use std::sync::Arc;
 
 use egui::{Context, OutputCommand};
 
-use super::saving;
+use super::export;
 use crate::app::Studio;
-use crate::command::AuditAct;
+use crate::command::AuditCommand;
 use crate::layout::{self, Pane};
 use crate::viewport::{self, ROOM_BELOW_PIXEL};
 
 /// Does `act`.
-pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
+pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditCommand) {
     let found = studio.audit.found.clone();
     let generations = found.as_ref().map_or(0, |found| found.generations());
     let span = found.as_ref().map(|found| found.span).unwrap_or_default();
     match act {
-        AuditAct::Tool => {
+        AuditCommand::Tool => {
             studio.view.is_auditing = !studio.view.is_auditing;
             studio.view.is_aiming = false;
             // The panel comes with the first pixel, and goes with the tool.
@@ -24,42 +24,42 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: AuditAct) {
                 layout::set_visible(&mut studio.layout, Pane::Audit, studio.view.is_auditing);
             }
         }
-        AuditAct::Release => studio.audit.release(),
-        AuditAct::View => {
+        AuditCommand::Release => studio.audit.release(),
+        AuditCommand::View => {
             if let Some(pin) = studio.audit.pin {
                 viewport::look_through(studio, pin.home);
             }
         }
-        AuditAct::Previous => {
+        AuditCommand::Previous => {
             let shown = studio.audit.step.unwrap_or(generations);
             studio.audit.step = Some(shown.saturating_sub(1).max(1)).filter(|step| *step < generations);
         }
-        AuditAct::Next => {
+        AuditCommand::Next => {
             studio.audit.step = studio.audit.step.map(|step| step + 1).filter(|step| *step < generations);
         }
-        AuditAct::All => {
+        AuditCommand::All => {
             studio.audit.step = None;
             studio.audit.light.end();
         }
-        AuditAct::Play => studio.audit.light.toggle(&span),
-        AuditAct::Copy => {
+        AuditCommand::Play => studio.audit.light.toggle(&span),
+        AuditCommand::Copy => {
             if let Some(found) = found {
                 let text = found.audit.to_text(None);
                 context.output_mut(|output| output.commands.push(OutputCommand::CopyText(text)));
                 studio.toasts.success(studio.texts.get("audit-copied"));
             }
         }
-        AuditAct::Save => {
+        AuditCommand::Save => {
             if let Some(found) = found {
-                saving::ask(studio, Arc::clone(&found.audit));
+                export::ask(studio, Arc::clone(&found.audit));
             }
         }
     }
     context.request_repaint();
 }
 
-/// Shows the panel if a pixel was pinned in this frame. The picture stays where it is, so that the pixel stays under the
-/// pointer, and the panel lies below the pixel where there is room for it.
+/// Shows the panel if a pixel was pinned in this frame. The picture stays where it is, so that the pixel stays under
+/// the pointer, and the panel lies below the pixel where there is room for it.
 pub(crate) fn open_panel(context: &Context, studio: &mut Studio) {
     if !std::mem::take(&mut studio.audit.wants_panel) || layout::is_in_front(&studio.layout, Pane::Audit) {
         return;

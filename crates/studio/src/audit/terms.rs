@@ -15,9 +15,9 @@ use crate::texts::Texts;
 /// Surfaces between a point and a light that are named; there may be very many.
 const MOST_NAMED: usize = 4;
 
-/// Which term a line is about.
+/// The term that a line shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum AuditTerm {
     Way,
     Meets,
     Angles,
@@ -37,10 +37,10 @@ pub(super) enum Part {
     Brings,
 }
 
-/// A line: words, and a formula with its numbers and what comes out.
+/// A line of a ray's terms: words, a formula with its numbers, and the value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Term {
-    pub(super) part: Part,
+pub(super) struct AuditLine {
+    pub(super) part: AuditTerm,
     pub(super) name: String,
     pub(super) words: String,
     /// Markup of [`typeset`](crate::typeset).
@@ -50,8 +50,8 @@ pub(super) struct Term {
     pub(super) value: Option<DVec3>,
 }
 
-impl Term {
-    fn new(part: Part, name: &str) -> Self {
+impl AuditLine {
+    fn new(part: AuditTerm, name: &str) -> Self {
         let (name, words, numbers) = (name.to_owned(), String::new(), String::new());
         Self { part, name, words, symbols: "", numbers, value: None }
     }
@@ -73,13 +73,16 @@ impl Term {
 
     /// Whether it is a part of the term above it.
     pub(super) fn is_inner(&self) -> bool {
-        matches!(self.part, Part::Diffuse(_) | Part::Highlight(_) | Part::Facets(_) | Part::Arrives(_))
+        matches!(
+            self.part,
+            AuditTerm::Diffuse(_) | AuditTerm::Highlight(_) | AuditTerm::Facets(_) | AuditTerm::Arrives(_)
+        )
     }
 }
 
 /// All lines about a ray.
-pub(super) fn of_node(texts: &Texts, scene: &Scene, audit: &Audit, node: &Node) -> Vec<Term> {
-    Writer { texts, scene, audit }.node(node)
+pub(super) fn of_node(texts: &Texts, scene: &Scene, audit: &Audit, node: &Node) -> Vec<AuditLine> {
+    AuditLineWriter { texts, scene, audit }.node(node)
 }
 
 /// What a body is called.
@@ -87,20 +90,20 @@ pub(super) fn body_name(texts: &Texts, scene: &Scene, body: usize) -> String {
     item_name(texts, scene, Item::Body(body)).into_owned()
 }
 
-struct Writer<'a> {
+struct AuditLineWriter<'a> {
     texts: &'a Texts,
     scene: &'a Scene,
     audit: &'a Audit,
 }
 
-impl Writer<'_> {
-    fn node(&self, node: &Node) -> Vec<Term> {
+impl AuditLineWriter<'_> {
+    fn node(&self, node: &Node) -> Vec<AuditLine> {
         let mut terms = vec![self.way(node)];
         match node.answer() {
             Some(answer) => self.surface(&mut terms, node, answer),
             None => {
                 let background = self.texts.get("audit-background").to_owned();
-                let meets = Term::new(Part::Meets, self.texts.get("audit-meets")).words(background);
+                let meets = AuditLine::new(AuditTerm::Meets, self.texts.get("audit-meets")).words(background);
                 terms.push(meets.value(node.ray.local));
             }
         }
@@ -114,13 +117,13 @@ impl Writer<'_> {
             color(self.texts, node.ray.local)
         );
         terms.push(
-            Term::new(Part::Adds, self.texts.get("audit-adds"))
+            AuditLine::new(AuditTerm::Adds, self.texts.get("audit-adds"))
                 .words(self.texts.get("audit-weight-times-light").to_owned())
                 .formula("", numbers)
                 .value(node.ray.light),
         );
         if !node.children.is_empty() {
-            let mut term = Term::new(Part::Brings, self.texts.get("audit-brings"))
+            let mut term = AuditLine::new(AuditTerm::Brings, self.texts.get("audit-brings"))
                 .words(self.texts.get("audit-with-branches").to_owned());
             term.value = Some(node.brings);
             terms.push(term);
@@ -128,7 +131,7 @@ impl Writer<'_> {
         terms
     }
 
-    fn way(&self, node: &Node) -> Term {
+    fn way(&self, node: &Node) -> AuditLine {
         let inside = node.ray.media.first().map(|body| body_name(self.texts, self.scene, *body));
         let medium = inside.unwrap_or_else(|| self.texts.get("audit-air").to_owned());
         let arguments = [
@@ -144,10 +147,10 @@ impl Writer<'_> {
                 &self.texts.with("audit-wave", &[("nanometers", short(self.texts, nanometers).into())]),
             );
         }
-        Term::new(Part::Way, self.texts.get("audit-way")).words(words)
+        AuditLine::new(AuditTerm::Way, self.texts.get("audit-way")).words(words)
     }
 
-    fn surface(&self, terms: &mut Vec<Term>, node: &Node, answer: &SurfaceRecord) {
+    fn surface(&self, terms: &mut Vec<AuditLine>, node: &Node, answer: &SurfaceRecord) {
         let texts = self.texts;
         if let Some(hit) = node.ray.hit {
             let arguments = [
@@ -157,7 +160,9 @@ impl Writer<'_> {
                 ("normal", vector(self.texts, hit.normal).into()),
             ];
             let key = if hit.hit.leaving { "audit-meets-within" } else { "audit-meets-words" };
-            terms.push(Term::new(Part::Meets, texts.get("audit-meets")).words(texts.with(key, &arguments)));
+            terms.push(
+                AuditLine::new(AuditTerm::Meets, texts.get("audit-meets")).words(texts.with(key, &arguments)),
+            );
         }
         terms.extend(self.angles(node, answer));
         let numbers = format!(
@@ -166,7 +171,7 @@ impl Writer<'_> {
             color(self.texts, answer.color),
             color(self.texts, answer.ambient_light)
         );
-        let ambient = Term::new(Part::Ambient, texts.get("audit-ambient")).value(answer.ambient);
+        let ambient = AuditLine::new(AuditTerm::Ambient, texts.get("audit-ambient")).value(answer.ambient);
         match answer.law {
             ReflectionModel::Constant => terms.push(ambient.formula("k_a C I_a", numbers)),
             ReflectionModel::Coat => terms.push(ambient.words(texts.get("audit-through-coat").to_owned())),
@@ -183,9 +188,9 @@ impl Writer<'_> {
                 ["R(θ)", "1 − R(θ)"]
             }
         };
-        terms.push(self.branch(Part::Reflected, "audit-reflected", reflected, answer.reflected));
+        terms.push(self.branch(AuditTerm::Reflected, "audit-reflected", reflected, answer.reflected));
         if answer.interface.is_some() {
-            let branch = self.branch(Part::Refracted, "audit-refracted", refracted, answer.refracted);
+            let branch = self.branch(AuditTerm::Refracted, "audit-refracted", refracted, answer.refracted);
             let waves = self.audit.trees.first().and_then(|tree| node.waves(tree));
             terms.push(match waves {
                 Some(waves) => {
@@ -198,7 +203,7 @@ impl Writer<'_> {
         }
     }
 
-    fn angles(&self, node: &Node, answer: &SurfaceRecord) -> Option<Term> {
+    fn angles(&self, node: &Node, answer: &SurfaceRecord) -> Option<AuditLine> {
         let incidence = degrees(self.texts, node.incidence?);
         let words = match (answer.interface, node.refraction) {
             (Some(interface), refraction) => {
@@ -216,12 +221,12 @@ impl Writer<'_> {
             }
             (None, _) => self.texts.with("audit-angle", &[("incidence", incidence.into())]),
         };
-        Some(Term::new(Part::Angles, self.texts.get("audit-angles")).words(words))
+        Some(AuditLine::new(AuditTerm::Angles, self.texts.get("audit-angles")).words(words))
     }
 
-    fn light(&self, terms: &mut Vec<Term>, light: &LightTerm, answer: &SurfaceRecord) {
+    fn light(&self, terms: &mut Vec<AuditLine>, light: &LightTerm, answer: &SurfaceRecord) {
         let texts = self.texts;
-        let head = Term::new(Part::Light(light.light), &self.light_name(light.light));
+        let head = AuditLine::new(AuditTerm::Light(light.light), &self.light_name(light.light));
         let cosine = short(self.texts, light.cosine.into());
         let Some(shadow) = &light.shadow else {
             terms.push(head.words(texts.get("audit-light-below").to_owned()).formula("~n·~L", cosine));
@@ -240,8 +245,8 @@ impl Writer<'_> {
         if answer.diffuse_coefficient != 0.0 {
             let k = short(self.texts, answer.diffuse_coefficient.into());
             let numbers = format!("{k} · {} · {cosine}", color(self.texts, answer.color));
-            let diffuse =
-                Term::new(Part::Diffuse(light.light), texts.get("audit-diffuse")).value(sent.diffuse);
+            let diffuse = AuditLine::new(AuditTerm::Diffuse(light.light), texts.get("audit-diffuse"))
+                .value(sent.diffuse);
             terms.push(match answer.law {
                 ReflectionModel::Coat => diffuse.words(texts.get("audit-through-coat").to_owned()),
                 _ => diffuse.formula("k_d C (~n·~L)", numbers),
@@ -252,13 +257,13 @@ impl Writer<'_> {
             let k = short(self.texts, answer.specular_coefficient.into());
             let (base, power) =
                 (short(self.texts, sent.highlight_cosine.into()), short(self.texts, answer.shininess.into()));
-            let highlight = Term::new(Part::Highlight(light.light), texts.get("audit-highlight"));
+            let highlight = AuditLine::new(AuditTerm::Highlight(light.light), texts.get("audit-highlight"));
             let numbers = format!("{k} · {base}^{{{power}}}");
             terms.push(highlight.formula("k_s (~S·~R)^n", numbers).value(Vec3::splat(sent.highlight)));
             sum.push(short(self.texts, sent.highlight.into()));
         }
         if answer.alpha > 0.0 {
-            let facets = Term::new(Part::Facets(light.light), texts.get("audit-facets"));
+            let facets = AuditLine::new(AuditTerm::Facets(light.light), texts.get("audit-facets"));
             let numbers = format!("α = {}", short(self.texts, answer.alpha.into()));
             terms.push(facets.formula("π F D G/(4 ~n·~S)", numbers).value(sent.glints));
             sum.push(color(self.texts, sent.glints));
@@ -266,7 +271,7 @@ impl Writer<'_> {
         let sum = if sum.len() > 1 { format!("({})", sum.join(" + ")) } else { sum.concat() };
         let numbers =
             format!("{} · {} · {sum}", color(self.texts, shadow.passed), color(self.texts, sent.power));
-        let arrives = Term::new(Part::Arrives(light.light), texts.get("audit-arrives"));
+        let arrives = AuditLine::new(AuditTerm::Arrives(light.light), texts.get("audit-arrives"));
         terms.push(arrives.formula("V A(d)I (…)", numbers).value(sent.light));
     }
 
@@ -315,18 +320,24 @@ impl Writer<'_> {
         words.join(", ")
     }
 
-    fn local(&self, node: &Node, answer: &SurfaceRecord) -> Term {
+    fn local(&self, node: &Node, answer: &SurfaceRecord) -> AuditLine {
         let lights = answer.lights.iter().filter_map(|light| light.answer).map(|answer| answer.light);
         let terms: Vec<String> =
             std::iter::once(answer.ambient).chain(lights).map(|light| color(self.texts, light)).collect();
         // One term by itself is its own sum.
         let numbers = if terms.len() > 1 { terms.join(" + ") } else { String::new() };
-        let term = Term::new(Part::Local, self.texts.get("audit-local"));
+        let term = AuditLine::new(AuditTerm::Local, self.texts.get("audit-local"));
         term.formula("I_{local}", numbers).value(node.ray.local)
     }
 
     /// What becomes of a ray that may go on.
-    fn branch(&self, part: Part, key: &'static str, symbols: &'static str, branch: BranchRecord) -> Term {
+    fn branch(
+        &self,
+        part: AuditTerm,
+        key: &'static str,
+        symbols: &'static str,
+        branch: BranchRecord,
+    ) -> AuditLine {
         let texts = self.texts;
         let weight = || ("weight", color(self.texts, branch.weight).into());
         let words = match branch.fate {
@@ -342,7 +353,7 @@ impl Writer<'_> {
             }
             BranchOutcome::LeftOut => texts.with("audit-ends-left-out", &[weight()]),
         };
-        let term = Term::new(part, texts.get(key)).words(words);
+        let term = AuditLine::new(part, texts.get(key)).words(words);
         if branch.fate == BranchOutcome::TotalReflection {
             term
         } else {

@@ -1,46 +1,46 @@
-//! Whether a command can be done now, whether it is on, and what to call it.
+//! The state of commands: possible or not, on or off, and their names.
 
 use catoptric_editor::{Action, Editor, Item};
 use catoptric_live::Live;
 use egui_tiles::Tree;
 
-use super::{AuditAct, Command, CompareAct, MeasureAct};
+use super::{AuditCommand, Command, CompareCommand, MeasureCommand};
 use crate::app::Studio;
-use crate::audit::Auditing;
-use crate::card::Card;
+use crate::audit::AuditState;
+use crate::card::WindowCard;
 use crate::context::Cx;
-use crate::exact::Exact;
+use crate::exact::ExactState;
 use crate::history::step_name;
 use crate::layout::{self, Pane};
-use crate::maps::Maps;
+use crate::maps::MapState;
 use crate::methods;
 use crate::settings::Settings;
 use crate::texts::Texts;
-use crate::view::View;
+use crate::view::ViewState;
 
-/// What decides about commands.
+/// The state that decides which commands are possible.
 #[derive(Clone, Copy)]
-pub(crate) struct Situation<'a> {
+pub(crate) struct CommandContext<'a> {
     pub(crate) editor: &'a Editor,
     pub(crate) texts: &'a Texts,
     settings: &'a Settings,
     /// What the lab has: `None` while the panels are being drawn.
-    lab: Option<Lab>,
-    view: &'a View,
-    audit: &'a Auditing,
-    maps: &'a Maps,
-    exact: &'a Exact,
+    lab: Option<LabState>,
+    view: &'a ViewState,
+    audit: &'a AuditState,
+    maps: &'a MapState,
+    exact: &'a ExactState,
     live: &'a Live,
-    card: &'a Card,
+    card: &'a WindowCard,
     /// Whether the note about the example is open; `None` without an example, and while the panels are being drawn.
     example_note: Option<bool>,
     /// The panels; `None` while they are being drawn.
     layout: Option<&'a Tree<Pane>>,
 }
 
-/// What the lab has found so far.
+/// The results that the lab has so far.
 #[derive(Clone, Copy)]
-struct Lab {
+struct LabState {
     is_compared: bool,
     is_measuring: bool,
     is_measured: bool,
@@ -48,12 +48,12 @@ struct Lab {
 
 impl Studio {
     /// What decides about commands.
-    pub(crate) fn situation(&self) -> Situation<'_> {
-        Situation {
+    pub(crate) fn situation(&self) -> CommandContext<'_> {
+        CommandContext {
             editor: &self.editor,
             texts: &self.texts,
             settings: &self.settings,
-            lab: Some(Lab {
+            lab: Some(LabState {
                 is_compared: self.panes.compare.is_found(),
                 is_measuring: self.panes.measure.is_running(),
                 is_measured: self.panes.measure.is_measured(),
@@ -72,8 +72,8 @@ impl Studio {
 
 impl Cx<'_> {
     /// What decides about commands.
-    pub(crate) fn situation(&self) -> Situation<'_> {
-        Situation {
+    pub(crate) fn situation(&self) -> CommandContext<'_> {
+        CommandContext {
             editor: self.editor,
             texts: self.texts,
             settings: self.settings,
@@ -90,7 +90,7 @@ impl Cx<'_> {
     }
 }
 
-impl Situation<'_> {
+impl CommandContext<'_> {
     /// Whether there is something that `command` could be done to.
     pub(crate) fn can(&self, command: &Command) -> bool {
         let selection = self.editor.selection();
@@ -110,11 +110,11 @@ impl Situation<'_> {
             Command::Render => !self.view.is_measuring,
             Command::RenderShown => self.live.latest().is_some() && !self.view.is_measuring,
             Command::CopyPicture => self.live.latest().is_some(),
-            Command::Compare(CompareAct::Save) => self.lab.is_some_and(|lab| lab.is_compared),
+            Command::Compare(CompareCommand::Save) => self.lab.is_some_and(|lab| lab.is_compared),
             Command::Measure(act) => self.lab.is_some_and(|lab| match act {
-                MeasureAct::Start => !lab.is_measuring,
-                MeasureAct::Stop => lab.is_measuring,
-                MeasureAct::Save => lab.is_measured && !lab.is_measuring,
+                MeasureCommand::Start => !lab.is_measuring,
+                MeasureCommand::Stop => lab.is_measuring,
+                MeasureCommand::Save => lab.is_measured && !lab.is_measuring,
             }),
             Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
             Command::FrameAll => !self.editor.scene().bodies.is_empty(),
@@ -125,17 +125,17 @@ impl Situation<'_> {
         }
     }
 
-    fn can_audit(&self, act: AuditAct) -> bool {
+    fn can_audit(&self, act: AuditCommand) -> bool {
         let generations = self.audit.found().map(|found| found.generations());
         match act {
-            AuditAct::Tool => true,
-            AuditAct::Release | AuditAct::View => self.audit.pin().is_some(),
-            AuditAct::Previous => generations.is_some_and(|count| count > 1 && self.audit.shows(2)),
-            AuditAct::Next => generations.is_some_and(|count| !self.audit.shows(count)),
-            AuditAct::All => {
+            AuditCommand::Tool => true,
+            AuditCommand::Release | AuditCommand::View => self.audit.pin().is_some(),
+            AuditCommand::Previous => generations.is_some_and(|count| count > 1 && self.audit.shows(2)),
+            AuditCommand::Next => generations.is_some_and(|count| !self.audit.shows(count)),
+            AuditCommand::All => {
                 generations.is_some_and(|count| !self.audit.shows(count)) || self.audit.light.front.is_some()
             }
-            AuditAct::Play | AuditAct::Copy | AuditAct::Save => generations.is_some(),
+            AuditCommand::Play | AuditCommand::Copy | AuditCommand::Save => generations.is_some(),
         }
     }
 
@@ -156,8 +156,8 @@ impl Situation<'_> {
             Command::Show(shows) => self.view.shows == *shows,
             Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing && !self.view.is_aiming,
             Command::AimLight => self.view.is_aiming,
-            Command::Audit(AuditAct::Tool) => self.view.is_auditing,
-            Command::Audit(AuditAct::Play) => self.audit.light.is_running,
+            Command::Audit(AuditCommand::Tool) => self.view.is_auditing,
+            Command::Audit(AuditCommand::Play) => self.audit.light.is_running,
             Command::ToggleExact => self.exact.is_on,
             Command::Map(kind) => self.maps.kind == *kind,
             Command::Theme(theme) => self.settings.theme == *theme,

@@ -1,23 +1,25 @@
 //! The table of commands: names, icons, shortcuts.
 
 use catoptric_editor::Action;
-use catoptric_editor::navigate::Axis;
+use catoptric_editor::navigate::ViewSide;
 use catoptric_lab::maps::MapKind;
-use catoptric_live::Shows;
+use catoptric_live::DisplayContent;
 use catoptric_scene::ShapeKind;
 use catoptric_tracer::raster::{GBufferLayer, MethodKind};
 use egui::{Key, KeyboardShortcut, Modifiers};
 use egui_material_icons::icons;
 
-use super::{AuditAct, Command, CompareAct, Group, Look, MeasureAct, Tool, Zoom};
+use super::{
+    AuditCommand, Command, CommandGroup, CommandStyle, CompareCommand, MeasureCommand, Tool, ZoomStep,
+};
 use crate::layout::Pane;
 use crate::settings::Theme;
 use crate::texts::Language;
 
-/// A command and how it is shown.
-pub(super) struct Row {
+/// A command with its style.
+pub(super) struct CommandRow {
     pub(super) command: Command,
-    pub(super) look: Look,
+    pub(super) look: CommandStyle,
 }
 
 /// The command key: Ctrl, or Cmd on a Mac.
@@ -49,12 +51,12 @@ const fn plain(key: Key) -> KeyboardShortcut {
 macro_rules! rows {
     ($($group:ident: { $($command:expr => $key:literal, $icon:ident $(, $shortcut:expr)*;)+ })+) => {
         &[$($(
-            Row {
+            CommandRow {
                 command: $command,
-                look: Look {
+                look: CommandStyle {
                     key: $key,
                     icon: icons::$icon,
-                    group: Group::$group,
+                    group: CommandGroup::$group,
                     shortcuts: &[$($shortcut),*],
                 },
             },
@@ -63,7 +65,7 @@ macro_rules! rows {
 }
 
 /// All commands that need nothing to be said besides.
-pub(super) static ROWS: &[Row] = rows! {
+pub(super) static ROWS: &[CommandRow] = rows! {
     File: {
         Command::New => "command-new", ICON_NOTE_ADD, ctrl(Key::N);
         Command::Open => "command-open", ICON_FOLDER_OPEN, ctrl(Key::O);
@@ -116,12 +118,12 @@ pub(super) static ROWS: &[Row] = rows! {
     View: {
         Command::FrameSelection => "command-frame-selection", ICON_CENTER_FOCUS_STRONG, plain(Key::F);
         Command::FrameAll => "command-frame-all", ICON_FIT_SCREEN, plain(Key::Home);
-        Command::LookAlong(Axis::Front) => "command-look-front", ICON_VIEW_IN_AR, plain(Key::Num1);
-        Command::LookAlong(Axis::Back) => "command-look-back", ICON_VIEW_IN_AR, shift(Key::Num1);
-        Command::LookAlong(Axis::Right) => "command-look-right", ICON_VIEW_IN_AR, plain(Key::Num3);
-        Command::LookAlong(Axis::Left) => "command-look-left", ICON_VIEW_IN_AR, shift(Key::Num3);
-        Command::LookAlong(Axis::Top) => "command-look-top", ICON_VIEW_IN_AR, plain(Key::Num7);
-        Command::LookAlong(Axis::Bottom) => "command-look-bottom", ICON_VIEW_IN_AR, shift(Key::Num7);
+        Command::LookAlong(ViewSide::Front) => "command-look-front", ICON_VIEW_IN_AR, plain(Key::Num1);
+        Command::LookAlong(ViewSide::Back) => "command-look-back", ICON_VIEW_IN_AR, shift(Key::Num1);
+        Command::LookAlong(ViewSide::Right) => "command-look-right", ICON_VIEW_IN_AR, plain(Key::Num3);
+        Command::LookAlong(ViewSide::Left) => "command-look-left", ICON_VIEW_IN_AR, shift(Key::Num3);
+        Command::LookAlong(ViewSide::Top) => "command-look-top", ICON_VIEW_IN_AR, plain(Key::Num7);
+        Command::LookAlong(ViewSide::Bottom) => "command-look-bottom", ICON_VIEW_IN_AR, shift(Key::Num7);
         Command::ToggleProjection => "command-toggle-projection", ICON_CAMERASWITCH, plain(Key::Num5);
         Command::ToggleFreeView => "command-toggle-free-view", ICON_360, plain(Key::Num0);
         Command::CameraFromView => "command-camera-from-view", ICON_VIDEOCAM, ctrl_alt(Key::Num0);
@@ -132,15 +134,15 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Method(MethodKind::Phong) => "command-method-phong", ICON_BLUR_LINEAR, ctrl(Key::Num4);
         Command::Method(MethodKind::Gouraud) => "command-method-gouraud", ICON_GRADIENT, ctrl(Key::Num5);
         Command::Method(MethodKind::Flat) => "command-method-flat", ICON_CATEGORY, ctrl(Key::Num6);
-        Command::Show(Shows::Picture) => "command-show-picture", ICON_LAYERS;
-        Command::Show(Shows::Layer(GBufferLayer::Depth)) => "command-show-depth", ICON_LAYERS;
-        Command::Show(Shows::Layer(GBufferLayer::Normal)) => "command-show-normal", ICON_LAYERS;
-        Command::Show(Shows::Layer(GBufferLayer::Body)) => "command-show-body", ICON_LAYERS;
-        Command::Show(Shows::Layer(GBufferLayer::Color)) => "command-show-color", ICON_LAYERS;
-        Command::Show(Shows::Layer(GBufferLayer::Coefficients)) => "command-show-coefficients", ICON_LAYERS;
-        Command::Show(Shows::Layer(GBufferLayer::Lit)) => "command-show-lit", ICON_LAYERS;
-        Command::Show(Shows::Layer(GBufferLayer::Reflected)) => "command-show-reflected", ICON_LAYERS;
-        Command::Show(Shows::UnfoldedCube(None)) => "command-show-unfolded", ICON_LAYERS;
+        Command::Show(DisplayContent::Picture) => "command-show-picture", ICON_LAYERS;
+        Command::Show(DisplayContent::Layer(GBufferLayer::Depth)) => "command-show-depth", ICON_LAYERS;
+        Command::Show(DisplayContent::Layer(GBufferLayer::Normal)) => "command-show-normal", ICON_LAYERS;
+        Command::Show(DisplayContent::Layer(GBufferLayer::Body)) => "command-show-body", ICON_LAYERS;
+        Command::Show(DisplayContent::Layer(GBufferLayer::Color)) => "command-show-color", ICON_LAYERS;
+        Command::Show(DisplayContent::Layer(GBufferLayer::Coefficients)) => "command-show-coefficients", ICON_LAYERS;
+        Command::Show(DisplayContent::Layer(GBufferLayer::Lit)) => "command-show-lit", ICON_LAYERS;
+        Command::Show(DisplayContent::Layer(GBufferLayer::Reflected)) => "command-show-reflected", ICON_LAYERS;
+        Command::Show(DisplayContent::UnfoldedCube(None)) => "command-show-unfolded", ICON_LAYERS;
     }
     Tool: {
         Command::Tool(Tool::Move) => "command-tool-move", ICON_OPEN_WITH, plain(Key::W);
@@ -153,15 +155,15 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::ToggleHandles => "command-toggle-handles", ICON_TOUCH_APP, shift(Key::G);
     }
     Lab: {
-        Command::Audit(AuditAct::Tool) => "command-audit", ICON_COLORIZE, plain(Key::A);
-        Command::Audit(AuditAct::View) => "command-audit-view", ICON_CENTER_FOCUS_WEAK, shift(Key::A);
-        Command::Audit(AuditAct::Previous) => "command-audit-previous", ICON_SKIP_PREVIOUS, plain(Key::Comma);
-        Command::Audit(AuditAct::Next) => "command-audit-next", ICON_SKIP_NEXT, plain(Key::Period);
-        Command::Audit(AuditAct::All) => "command-audit-all", ICON_DONE_ALL;
-        Command::Audit(AuditAct::Play) => "command-audit-play", ICON_PLAY_ARROW, plain(Key::P);
-        Command::Audit(AuditAct::Copy) => "command-audit-copy", ICON_CONTENT_COPY;
-        Command::Audit(AuditAct::Save) => "command-audit-save", ICON_SAVE_AS;
-        Command::Audit(AuditAct::Release) => "command-audit-release", ICON_CLOSE;
+        Command::Audit(AuditCommand::Tool) => "command-audit", ICON_COLORIZE, plain(Key::A);
+        Command::Audit(AuditCommand::View) => "command-audit-view", ICON_CENTER_FOCUS_WEAK, shift(Key::A);
+        Command::Audit(AuditCommand::Previous) => "command-audit-previous", ICON_SKIP_PREVIOUS, plain(Key::Comma);
+        Command::Audit(AuditCommand::Next) => "command-audit-next", ICON_SKIP_NEXT, plain(Key::Period);
+        Command::Audit(AuditCommand::All) => "command-audit-all", ICON_DONE_ALL;
+        Command::Audit(AuditCommand::Play) => "command-audit-play", ICON_PLAY_ARROW, plain(Key::P);
+        Command::Audit(AuditCommand::Copy) => "command-audit-copy", ICON_CONTENT_COPY;
+        Command::Audit(AuditCommand::Save) => "command-audit-save", ICON_SAVE_AS;
+        Command::Audit(AuditCommand::Release) => "command-audit-release", ICON_CLOSE;
         Command::ToggleExact => "command-exact", ICON_ADJUST, alt(Key::E);
         Command::Map(None) => "command-map-none", ICON_IMAGE, alt(Key::Num0);
         Command::Map(Some(MapKind::Generations)) => "command-map-generations", ICON_STACKS, alt(Key::Num1);
@@ -169,13 +171,13 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Map(Some(MapKind::LimitLoss)) => "command-map-limit-loss", ICON_LAYERS_CLEAR, alt(Key::Num3);
         Command::Map(Some(MapKind::ThresholdLoss)) => "command-map-threshold-loss", ICON_FILTER_ALT, alt(Key::Num4);
         Command::Map(Some(MapKind::Clipped)) => "command-map-clipped", ICON_FLARE, alt(Key::Num5);
-        Command::Compare(CompareAct::Swap) => "command-compare-swap", ICON_SWAP_HORIZ;
-        Command::Compare(CompareAct::FileA) => "command-compare-file-a", ICON_IMAGE;
-        Command::Compare(CompareAct::FileB) => "command-compare-file-b", ICON_IMAGE;
-        Command::Compare(CompareAct::Save) => "command-compare-save", ICON_SAVE;
-        Command::Measure(MeasureAct::Start) => "command-measure-start", ICON_PLAY_ARROW;
-        Command::Measure(MeasureAct::Stop) => "command-measure-stop", ICON_STOP;
-        Command::Measure(MeasureAct::Save) => "command-measure-save", ICON_SAVE;
+        Command::Compare(CompareCommand::Swap) => "command-compare-swap", ICON_SWAP_HORIZ;
+        Command::Compare(CompareCommand::FileA) => "command-compare-file-a", ICON_IMAGE;
+        Command::Compare(CompareCommand::FileB) => "command-compare-file-b", ICON_IMAGE;
+        Command::Compare(CompareCommand::Save) => "command-compare-save", ICON_SAVE;
+        Command::Measure(MeasureCommand::Start) => "command-measure-start", ICON_PLAY_ARROW;
+        Command::Measure(MeasureCommand::Stop) => "command-measure-stop", ICON_STOP;
+        Command::Measure(MeasureCommand::Save) => "command-measure-save", ICON_SAVE;
     }
     Window: {
         Command::TogglePane(Pane::Outliner) => "command-pane-outliner", ICON_ACCOUNT_TREE;
@@ -194,10 +196,10 @@ pub(super) static ROWS: &[Row] = rows! {
         Command::Theme(Theme::System) => "command-theme-system", ICON_CONTRAST;
         Command::Language(Language::English) => "command-language-english", ICON_LANGUAGE;
         Command::Language(Language::Russian) => "command-language-russian", ICON_LANGUAGE;
-        Command::Zoom(Zoom::In) => "command-zoom-in", ICON_ZOOM_IN,
+        Command::Zoom(ZoomStep::In) => "command-zoom-in", ICON_ZOOM_IN,
             ctrl(Key::Plus), ctrl(Key::Equals), ctrl_shift(Key::Plus);
-        Command::Zoom(Zoom::Out) => "command-zoom-out", ICON_ZOOM_OUT, ctrl(Key::Minus);
-        Command::Zoom(Zoom::Normal) => "command-zoom-normal", ICON_SEARCH, ctrl(Key::Num0);
+        Command::Zoom(ZoomStep::Out) => "command-zoom-out", ICON_ZOOM_OUT, ctrl(Key::Minus);
+        Command::Zoom(ZoomStep::Normal) => "command-zoom-normal", ICON_SEARCH, ctrl(Key::Num0);
     }
     Help: {
         Command::Palette => "command-palette", ICON_TERMINAL, ctrl(Key::P), ctrl_shift(Key::P);
@@ -237,14 +239,14 @@ mod tests {
         let all: Vec<&Command> = Command::all().collect();
         let mut expected: Vec<Command> = Pane::ALL.into_iter().map(Command::TogglePane).collect();
         expected.extend(ShapeKind::ALL.into_iter().map(Command::AddBody));
-        expected.extend(Axis::ALL.into_iter().map(Command::LookAlong));
+        expected.extend(ViewSide::ALL.into_iter().map(Command::LookAlong));
         expected.extend(Language::ALL.into_iter().map(Command::Language));
         expected.extend(MapKind::ALL.map(|kind| Command::Map(Some(kind))));
         expected.extend([Theme::Dark, Theme::Light, Theme::System].map(Command::Theme));
         expected.extend([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool));
         expected.extend(MethodKind::ALL.map(Command::Method));
         expected.extend(crate::methods::ALL_SHOWN.map(Command::Show));
-        expected.extend([Zoom::In, Zoom::Out, Zoom::Normal].map(Command::Zoom));
+        expected.extend([ZoomStep::In, ZoomStep::Out, ZoomStep::Normal].map(Command::Zoom));
         for command in expected {
             assert!(all.contains(&&command), "{command:?}");
         }
@@ -252,8 +254,8 @@ mod tests {
 
     #[test]
     fn groups_stand_together() {
-        let mut groups: Vec<Group> = ROWS.iter().map(|row| row.look.group).collect();
+        let mut groups: Vec<CommandGroup> = ROWS.iter().map(|row| row.look.group).collect();
         groups.dedup();
-        assert_eq!(groups, Group::ALL);
+        assert_eq!(groups, CommandGroup::ALL);
     }
 }

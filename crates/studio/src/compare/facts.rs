@@ -2,19 +2,19 @@
 
 use std::fmt::Write as _;
 
-use catoptric_lab::compare::{AGREED, Contender, Drawn, Metrics, reason_color};
+use catoptric_lab::compare::{AGREED, Contender, ContenderPicture, Metrics, reason_color};
 use catoptric_lab::report::Language;
 use catoptric_picture::Picture;
 use catoptric_tracer::raster::ReasonMap;
 use egui::{Align, Color32, Label, Layout, RichText, Sense, TextStyle, Ui, vec2};
 
-use super::Source;
-use super::work::Found;
+use super::ComparedPicture;
+use super::task::CompareResult;
 use crate::context::Cx;
 use crate::methods::{method_key, report_language};
 use crate::theme;
 
-pub(super) fn facts_ui(ui: &mut Ui, cx: &Cx<'_>, found: &Found) {
+pub(super) fn facts_ui(ui: &mut Ui, cx: &Cx<'_>, found: &CompareResult) {
     let Some(truth) = found.compared.truth() else { return };
     let Some((other, metrics)) = found.compared.others().next() else { return };
     let language = report_language(cx.texts);
@@ -70,7 +70,7 @@ fn row(ui: &mut Ui, width: f32, name: &str, tip: &str, values: &[String]) {
     }
 }
 
-/// The same as a line of its own.
+/// Draws a row in a line of its own.
 fn line(ui: &mut Ui, name: &str, tip: &str, values: &[String]) {
     let width = ui.available_width() - 8.0;
     ui.horizontal(|ui| row(ui, width, name, tip, values));
@@ -105,16 +105,22 @@ fn measures_ui(ui: &mut Ui, cx: &Cx<'_>, language: Language, metrics: &Metrics) 
     }
 }
 
-fn times_ui(ui: &mut Ui, cx: &Cx<'_>, language: Language, found: &Found, contenders: [&Contender; 2]) {
+fn times_ui(
+    ui: &mut Ui,
+    cx: &Cx<'_>,
+    language: Language,
+    found: &CompareResult,
+    contenders: [&Contender; 2],
+) {
     head(ui, cx.t("compare-times"));
     ui.scope(|ui| {
         for ((contender, source), letter) in contenders.into_iter().zip(&found.key.sources).zip(["A", "B"]) {
             let what = match source {
-                Source::Method(method) => cx.t(method_key(method.kind())).to_owned(),
-                Source::File(_) => contender.name.clone(),
+                ComparedPicture::Method(method) => cx.t(method_key(method.kind())).to_owned(),
+                ComparedPicture::File(_) => contender.name.clone(),
             };
             let name = format!("{letter}  {}", what.chars().take(30).collect::<String>());
-            let time = |drawn: &Drawn| {
+            let time = |drawn: &ContenderPicture| {
                 cx.texts.with("status-time", &[("time", language.significant(drawn.time, 3).into())])
             };
             let value = contender.drawn.as_ref().map_or_else(|| "–".to_owned(), time);
@@ -124,7 +130,7 @@ fn times_ui(ui: &mut Ui, cx: &Cx<'_>, language: Language, found: &Found, contend
     });
 }
 
-fn passes_in_words(cx: &Cx<'_>, language: Language, drawn: &Drawn) -> String {
+fn passes_in_words(cx: &Cx<'_>, language: Language, drawn: &ContenderPicture) -> String {
     let mut text = cx.t("compare-passes").to_owned();
     for (pass, time) in &drawn.passes {
         let arguments =
@@ -134,11 +140,11 @@ fn passes_in_words(cx: &Cx<'_>, language: Language, drawn: &Drawn) -> String {
     text
 }
 
-/// The height of what is told of the pixel under the pointer, points.
+/// The height of the facts about the pixel under the pointer, points.
 pub(super) const POINTER: f32 = 2.0 * ROW + 10.0;
 
 /// Red, green and blue of both pictures under the pointer, and why they differ: two lines below the pictures.
-pub(super) fn pointer_ui(ui: &mut Ui, cx: &Cx<'_>, pixel: Option<[u32; 2]>, found: &Found) {
+pub(super) fn pointer_ui(ui: &mut Ui, cx: &Cx<'_>, pixel: Option<[u32; 2]>, found: &CompareResult) {
     let Some(truth) = found.compared.truth() else { return };
     let Some((other, _)) = found.compared.others().next() else { return };
     let language = report_language(cx.texts);

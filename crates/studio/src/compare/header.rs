@@ -1,39 +1,39 @@
-//! What is compared, and how it is shown.
+//! The choice of the two pictures and of their display.
 
 use egui::{Button, ComboBox, Popup, PopupCloseBehavior, RichText, Ui};
 use egui_material_icons::icons::{ICON_IMAGE, ICON_SAVE, ICON_SWAP_HORIZ};
 
-use super::{Comparing, Mode, Side};
-use crate::command::{Command, CompareAct};
+use super::{CompareMode, CompareSide, CompareState};
+use crate::command::{Command, CompareCommand};
 use crate::context::Cx;
 use crate::methods::chooser::methods_ui;
 use crate::methods::{icon, method_key, short_key};
 use crate::texts::Texts;
 use crate::theme;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::icon_button;
 
 /// What can be shown, with its message.
-const MODES: [(Mode, &str); 6] = [
-    (Mode::Split, "compare-mode-split"),
-    (Mode::A, "compare-mode-a"),
-    (Mode::B, "compare-mode-b"),
-    (Mode::Difference, "compare-mode-difference"),
-    (Mode::Flip, "compare-mode-flip"),
-    (Mode::Reasons, "compare-mode-reasons"),
+const MODES: [(CompareMode, &str); 6] = [
+    (CompareMode::Split, "compare-mode-split"),
+    (CompareMode::A, "compare-mode-a"),
+    (CompareMode::B, "compare-mode-b"),
+    (CompareMode::Difference, "compare-mode-difference"),
+    (CompareMode::Flip, "compare-mode-flip"),
+    (CompareMode::Reasons, "compare-mode-reasons"),
 ];
 
 /// The view's size divided by these.
 const COARSENESS: [(u32, &str); 3] =
     [(1, "compare-size-whole"), (2, "compare-size-half"), (4, "compare-size-quarter")];
 
-pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) {
+pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareState) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         let [a, b] = &mut comparing.sides;
         side_ui(ui, cx, a, 0);
         if icon_button(ui, ICON_SWAP_HORIZ, cx.t("command-compare-swap"), false).clicked() {
-            cx.run(Command::Compare(CompareAct::Swap));
+            cx.run(Command::Compare(CompareCommand::Swap));
         }
         side_ui(ui, cx, b, 1);
         ui.add_space(2.0);
@@ -45,16 +45,16 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing)
             .add_enabled(comparing.is_found(), Button::new(label))
             .accessible_name(cx.t("command-compare-save"));
         if save.on_hover_text(cx.texts.tip("command-compare-save").unwrap_or_default()).clicked() {
-            cx.run(Command::Compare(CompareAct::Save));
+            cx.run(Command::Compare(CompareCommand::Save));
         }
     });
 }
 
 /// A button with what one of the pictures is; it opens the choice.
-fn side_ui(ui: &mut Ui, cx: &mut Cx<'_>, side: &mut Side, index: usize) {
+fn side_ui(ui: &mut Ui, cx: &mut Cx<'_>, side: &mut CompareSide, index: usize) {
     let letter = ["A", "B"].get(index).copied().unwrap_or_default();
     let (picture, what) = match &side.file {
-        Some(path) => (ICON_IMAGE, super::work::name_of(path)),
+        Some(path) => (ICON_IMAGE, super::task::name_of(path)),
         None => (icon(side.methods.kind()), cx.t(short_key(side.methods.kind())).to_owned()),
     };
     let full = match &side.file {
@@ -79,7 +79,11 @@ fn side_ui(ui: &mut Ui, cx: &mut Cx<'_>, side: &mut Side, index: usize) {
             let label = format!("{} {}", ICON_IMAGE.codepoint, cx.t("compare-file"));
             let choose = ui.button(label).accessible_name(cx.t("compare-file"));
             if choose.on_hover_text(cx.texts.tip("compare-file").unwrap_or_default()).clicked() {
-                cx.run(Command::Compare(if index == 0 { CompareAct::FileA } else { CompareAct::FileB }));
+                cx.run(Command::Compare(if index == 0 {
+                    CompareCommand::FileA
+                } else {
+                    CompareCommand::FileB
+                }));
                 ui.close();
             }
             if side.file.is_some() && ui.button(cx.t("compare-no-file")).clicked() {
@@ -89,13 +93,13 @@ fn side_ui(ui: &mut Ui, cx: &mut Cx<'_>, side: &mut Side, index: usize) {
     });
 }
 
-fn modes_ui(ui: &mut Ui, texts: &Texts, comparing: &mut Comparing) {
+fn modes_ui(ui: &mut Ui, texts: &Texts, comparing: &mut CompareState) {
     let can_tell = comparing.found.as_ref().is_none_or(|found| found.reasons.is_some());
-    let choices = MODES.map(|(value, key)| Choice {
+    let choices = MODES.map(|(value, key)| ChoiceItem {
         value,
         text: texts.get(key),
         tip: texts.tip(key).unwrap_or_default(),
-        is_enabled: value != Mode::Reasons || can_tell,
+        is_enabled: value != CompareMode::Reasons || can_tell,
     });
     let width = match texts.language() {
         crate::texts::Language::English => 318.0,

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use catoptric_picture::Development;
 use egui::{ColorImage, Context, TextureFilter, TextureHandle, TextureOptions};
 
-use super::work::{Found, image};
-use crate::documents::job::{Job, Progress};
+use super::task::{CompareResult, image};
+use crate::documents::job::{Job, JobStatus};
 
 /// Pixels stay pixels when they are enlarged.
 const OPTIONS: TextureOptions = TextureOptions {
@@ -15,10 +15,10 @@ const OPTIONS: TextureOptions = TextureOptions {
     ..TextureOptions::LINEAR
 };
 
-/// The images of a comparison.
+/// The images of a comparison, as textures.
 #[derive(Default)]
-pub(super) struct Images {
-    of: Option<Arc<Found>>,
+pub(super) struct CompareImages {
+    of: Option<Arc<CompareResult>>,
     /// The two pictures, as they were developed.
     pictures: Option<(Development, [TextureHandle; 2])>,
     developing: Option<(Development, Job<[ColorImage; 2]>)>,
@@ -27,9 +27,14 @@ pub(super) struct Images {
     reasons: Option<TextureHandle>,
 }
 
-impl Images {
+impl CompareImages {
     /// Brings the images up to `found` and `development`, as soon as they are developed.
-    pub(super) fn keep_up(&mut self, context: &Context, found: &Arc<Found>, development: Development) {
+    pub(super) fn keep_up(
+        &mut self,
+        context: &Context,
+        found: &Arc<CompareResult>,
+        development: Development,
+    ) {
         if !self.of.as_ref().is_some_and(|of| Arc::ptr_eq(of, found)) {
             *self = Self { of: Some(Arc::clone(found)), pictures: self.pictures.take(), ..Self::default() };
             let load = |name: &str, image: &ColorImage| context.load_texture(name, image.clone(), OPTIONS);
@@ -40,9 +45,9 @@ impl Images {
         }
         if let Some((of, job)) = self.developing.take() {
             match job.poll() {
-                Progress::Waiting => self.developing = Some((of, job)),
-                Progress::Lost => {}
-                Progress::Done([a, b]) => {
+                JobStatus::Waiting => self.developing = Some((of, job)),
+                JobStatus::Lost => {}
+                JobStatus::Done([a, b]) => {
                     let load = |name: &str, image| context.load_texture(name, image, OPTIONS);
                     self.pictures = Some((of, [load("picture A", a), load("picture B", b)]));
                 }
@@ -54,7 +59,7 @@ impl Images {
         }
     }
 
-    fn develop(&mut self, context: &Context, found: &Arc<Found>, development: Development) {
+    fn develop(&mut self, context: &Context, found: &Arc<CompareResult>, development: Development) {
         let own = Arc::clone(found);
         let work = move || {
             let developed = |index: usize| {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use egui::{Align, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
 
-use super::work::{Failure, Found};
-use super::{Comparing, facts, header, picture};
+use super::task::{CompareFailure, CompareResult};
+use super::{CompareState, facts, header, picture};
 use crate::context::Cx;
 use crate::theme;
 
@@ -16,7 +16,7 @@ const FACTS: f32 = 318.0;
 const NARROW: f32 = 620.0;
 
 /// Draws the comparison.
-pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) {
+pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareState) {
     if ui.available_width() < NARROW {
         // Everything scrolls: the choices alone may be higher than the panel.
         ScrollArea::vertical().id_salt("comparison").auto_shrink(false).show(ui, |ui| {
@@ -42,7 +42,7 @@ pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing
 }
 
 /// What is compared, and how far it is; returns what was found.
-fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) -> Option<Arc<Found>> {
+fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareState) -> Option<Arc<CompareResult>> {
     header::header_ui(ui, cx, comparing);
     progress_ui(ui, cx, comparing);
     let found = comparing.found.clone();
@@ -57,7 +57,7 @@ fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) -> Option<Ar
 }
 
 /// How far it is, or why there is no comparison.
-fn progress_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) {
+fn progress_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareState) {
     let palette = theme::palette(ui.visuals());
     if let Some((_, failure)) = comparing.failed.as_ref().filter(|_| comparing.running.is_none()) {
         ui.label(RichText::new(in_words(cx, failure)).color(palette.error));
@@ -79,23 +79,23 @@ fn progress_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing) {
     if is_cancelled {
         let key = running.key.clone();
         comparing.cancel();
-        comparing.failed = Some((key, Failure::Cancelled));
+        comparing.failed = Some((key, CompareFailure::Cancelled));
     }
 }
 
-fn in_words(cx: &Cx<'_>, failure: &Failure) -> String {
+fn in_words(cx: &Cx<'_>, failure: &CompareFailure) -> String {
     let size = |[width, height]: &[u32; 2]| format!("{width} × {height}");
     let said = |key: &str, reason: &str| cx.texts.with(key, &[("reason", reason.into())]);
     match failure {
-        Failure::Cancelled => cx.t("compare-cancelled").to_owned(),
-        Failure::Read(path, reason) => cx.texts.with(
+        CompareFailure::Cancelled => cx.t("compare-cancelled").to_owned(),
+        CompareFailure::Read(path, reason) => cx.texts.with(
             "compare-unreadable",
-            &[("name", super::work::name_of(path).into()), ("reason", reason.as_str().into())],
+            &[("name", super::task::name_of(path).into()), ("reason", reason.as_str().into())],
         ),
-        Failure::Sizes(a, b) => {
+        CompareFailure::Sizes(a, b) => {
             cx.texts.with("compare-sizes", &[("a", size(a).into()), ("b", size(b).into())])
         }
-        Failure::Compare(reason) => said("compare-failed", reason),
-        Failure::Fault(reason) => said("compare-fault", reason),
+        CompareFailure::Compare(reason) => said("compare-failed", reason),
+        CompareFailure::Fault(reason) => said("compare-fault", reason),
     }
 }

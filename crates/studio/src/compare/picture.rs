@@ -7,8 +7,8 @@ use egui::{
     Role, Sense, Shape, Stroke, StrokeKind, TextureHandle, Ui, WidgetInfo, lerp, pos2, vec2,
 };
 
-use super::work::Found;
-use super::{Comparing, Mode, facts};
+use super::task::CompareResult;
+use super::{CompareMode, CompareState, facts};
 use crate::context::Cx;
 use crate::methods::report_language;
 use crate::picture_frame;
@@ -20,12 +20,12 @@ const SCALE: f32 = 34.0;
 /// How far an arrow moves the line; with Shift five times as far.
 const STEP: f32 = 0.02;
 
-pub(super) fn picture_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing, found: &Found) {
+pub(super) fn picture_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareState, found: &CompareResult) {
     let mode = match comparing.mode {
-        Mode::Reasons if found.reasons.is_none() => Mode::Split,
+        CompareMode::Reasons if found.reasons.is_none() => CompareMode::Split,
         mode => mode,
     };
-    let has_scale = matches!(mode, Mode::Difference | Mode::Flip);
+    let has_scale = matches!(mode, CompareMode::Difference | CompareMode::Flip);
     let room = ui.available_size() - vec2(0.0, facts::POINTER);
     let (whole, response) = ui.allocate_exact_size(room.max(egui::Vec2::ZERO), Sense::click_and_drag());
     let room = if has_scale { whole.with_max_y(whole.max.y - SCALE) } else { whole };
@@ -36,7 +36,7 @@ pub(super) fn picture_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing
     let rect = picture_frame::frame(room, width / height);
     let rect = rect.translate(vec2(room.left() - rect.left(), room.top() - rect.top()));
     let rect = rect.round_to_pixels(ui.ctx().pixels_per_point());
-    if mode == Mode::Split {
+    if mode == CompareMode::Split {
         move_line(ui, &response, rect, &mut comparing.divider);
     }
     comparing.pixel = pixel_under(ui, &response, rect, found.size());
@@ -44,12 +44,12 @@ pub(super) fn picture_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing
     let images = &comparing.images;
     let whole_picture = (0.0, 1.0);
     match (mode, images.pictures()) {
-        (Mode::Difference, _) => paint(&painter, images.difference(), rect, whole_picture),
-        (Mode::Flip, _) => paint(&painter, images.flip(), rect, whole_picture),
-        (Mode::Reasons, _) => paint(&painter, images.reasons(), rect, whole_picture),
-        (Mode::A, Some([a, _])) => paint(&painter, Some(a), rect, whole_picture),
-        (Mode::B, Some([_, b])) => paint(&painter, Some(b), rect, whole_picture),
-        (Mode::Split, Some([a, b])) => {
+        (CompareMode::Difference, _) => paint(&painter, images.difference(), rect, whole_picture),
+        (CompareMode::Flip, _) => paint(&painter, images.flip(), rect, whole_picture),
+        (CompareMode::Reasons, _) => paint(&painter, images.reasons(), rect, whole_picture),
+        (CompareMode::A, Some([a, _])) => paint(&painter, Some(a), rect, whole_picture),
+        (CompareMode::B, Some([_, b])) => paint(&painter, Some(b), rect, whole_picture),
+        (CompareMode::Split, Some([a, b])) => {
             paint(&painter, Some(a), rect, (0.0, comparing.divider));
             paint(&painter, Some(b), rect, (comparing.divider, 1.0));
             line_ui(&painter, rect, comparing.divider, &response);
@@ -57,7 +57,7 @@ pub(super) fn picture_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut Comparing
         (_, None) => {}
     }
     if has_scale {
-        let end = if mode == Mode::Difference { found.scale } else { 1.0 };
+        let end = if mode == CompareMode::Difference { found.scale } else { 1.0 };
         scale_ui(ui, cx, rect, end);
     }
     tell(ui, cx, (&response, rect), mode, comparing.divider);
@@ -188,17 +188,17 @@ fn scale_ui(ui: &Ui, cx: &Cx<'_>, picture: Rect, end: f64) {
 }
 
 /// Tells what is seen to those who do not see it, and shows the focus.
-fn tell(ui: &Ui, cx: &Cx<'_>, (response, rect): (&Response, Rect), mode: Mode, divider: f32) {
+fn tell(ui: &Ui, cx: &Cx<'_>, (response, rect): (&Response, Rect), mode: CompareMode, divider: f32) {
     let label = match mode {
-        Mode::Split => cx.t("compare-divider"),
-        Mode::A => cx.t("compare-picture-a"),
-        Mode::B => cx.t("compare-picture-b"),
-        Mode::Difference => cx.t("compare-picture-difference"),
-        Mode::Flip => cx.t("compare-picture-flip"),
-        Mode::Reasons => cx.t("compare-picture-reasons"),
+        CompareMode::Split => cx.t("compare-divider"),
+        CompareMode::A => cx.t("compare-picture-a"),
+        CompareMode::B => cx.t("compare-picture-b"),
+        CompareMode::Difference => cx.t("compare-picture-difference"),
+        CompareMode::Flip => cx.t("compare-picture-flip"),
+        CompareMode::Reasons => cx.t("compare-picture-reasons"),
     };
     response.widget_info(|| match mode {
-        Mode::Split => WidgetInfo::slider(true, f64::from(100.0 * divider).round(), label),
+        CompareMode::Split => WidgetInfo::slider(true, f64::from(100.0 * divider).round(), label),
         _ => WidgetInfo::labeled(Role::Image, true, label),
     });
     if response.has_focus() {

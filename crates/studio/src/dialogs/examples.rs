@@ -8,7 +8,7 @@ use egui::{
 };
 use egui_material_icons::icons;
 
-use super::{Dialog, Flow, buttons_if};
+use super::{Dialog, DialogFlow, buttons_if};
 use crate::app::Studio;
 use crate::command::Command;
 use crate::example_note::{example_notice, example_title};
@@ -24,7 +24,7 @@ const GAP: f32 = 12.0;
 const TRACED: RenderSettings = RenderSettings { width: 288, height: 162, samples: 4 };
 
 /// Shows the built-in scenes; one that is chosen is opened.
-struct Gallery {
+struct ExampleGallery {
     search: String,
     selected: usize,
     is_new: bool,
@@ -33,7 +33,7 @@ struct Gallery {
 
 /// Opens the gallery.
 pub(super) fn open(studio: &mut Studio) {
-    let gallery = Gallery { search: String::new(), selected: 0, is_new: true, scrolls: false };
+    let gallery = ExampleGallery { search: String::new(), selected: 0, is_new: true, scrolls: false };
     studio.dialogs.open(gallery);
 }
 
@@ -53,7 +53,7 @@ fn scene_of(index: &usize) -> Option<(Scene, RenderSettings)> {
     Example::ALL.get(*index)?.load().ok().map(|loaded| (loaded.scene, TRACED))
 }
 
-impl Dialog for Gallery {
+impl Dialog for ExampleGallery {
     fn title(&self, texts: &Texts) -> String {
         texts.get("examples-title").to_owned()
     }
@@ -62,7 +62,7 @@ impl Dialog for Gallery {
         4.0 * PICTURE.x + 3.0 * GAP + 16.0
     }
 
-    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
         let all: Vec<usize> = (0..Example::ALL.len()).collect();
         studio.dialogs.thumbnails.want(ui.ctx(), &all, scene_of);
         self.search_ui(ui, &studio.texts);
@@ -74,16 +74,16 @@ impl Dialog for Gallery {
         let texts = &studio.texts;
         match buttons_if(ui, &[texts.get("open"), texts.get("cancel")], !found.is_empty()) {
             Some(0) => opened = found.get(self.selected).map(|(_, example)| *example),
-            Some(_) => return Flow::Close,
+            Some(_) => return DialogFlow::Close,
             None => {}
         }
-        let Some(example) = opened else { return Flow::Stay };
+        let Some(example) = opened else { return DialogFlow::Stay };
         studio.run(Command::OpenExample(example.name));
-        Flow::Close
+        DialogFlow::Close
     }
 }
 
-impl Gallery {
+impl ExampleGallery {
     fn search_ui(&mut self, ui: &mut Ui, texts: &Texts) {
         let edit = TextEdit::singleline(&mut self.search)
             .hint_text(format!("{} {}", icons::ICON_SEARCH.codepoint, texts.get("examples-search")))

@@ -18,22 +18,22 @@ use egui::text_edit::TextEditState;
 use egui::{Key, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use egui_material_icons::icons;
 
-use super::question::Question;
-use super::{Dialog, Flow, buttons_if};
+use super::question::QuestionDialog;
+use super::{Dialog, DialogFlow, buttons_if};
 use crate::app::Studio;
-use crate::documents::ask::{Chosen, completed, name_of};
-use crate::documents::job::{Job, Progress};
+use crate::documents::file_prompt::{ChosenFile, completed, name_of};
+use crate::documents::job::{Job, JobStatus};
 use crate::host::FileQuestion;
 use crate::texts::Texts;
-use listing::{Entry, Listing, list, split};
-use new_folder::{NewFolder, Outcome};
+use listing::{FolderItem, FolderListing, list, split};
+use new_folder::{NewFolderField, NewFolderOutcome};
 pub(super) use table::age;
 
 /// Asks for a file.
 pub(crate) struct FileDialog {
     question: FileQuestion,
     /// What answers the question; nothing sent means that it was cancelled.
-    sender: Sender<Option<Chosen>>,
+    sender: Sender<Option<ChosenFile>>,
     home: Option<PathBuf>,
     /// Folders of recent files.
     recent: Vec<PathBuf>,
@@ -43,13 +43,13 @@ pub(crate) struct FileDialog {
     is_typed: bool,
     shows_all: bool,
     /// What was read last, and what is being read.
-    listing: Option<Listing>,
-    reading: Option<Job<Listing>>,
+    listing: Option<FolderListing>,
+    reading: Option<Job<FolderListing>>,
     /// The entry of the list with the arrow keys, by name.
     selected: Option<String>,
     scrolls: bool,
     is_new: bool,
-    new_folder: Option<NewFolder>,
+    new_folder: Option<NewFolderField>,
     /// Whether the question whether to replace a file has been answered so.
     is_done: Rc<Cell<bool>>,
 }
@@ -59,7 +59,7 @@ impl FileDialog {
     pub(crate) fn new(
         question: FileQuestion,
         recent: impl Iterator<Item = PathBuf>,
-        sender: Sender<Option<Chosen>>,
+        sender: Sender<Option<ChosenFile>>,
     ) -> Self {
         let home = etcetera::home_dir().ok();
         let folder = question.folder.clone().or_else(|| home.clone()).unwrap_or_else(|| PathBuf::from("."));
@@ -103,10 +103,10 @@ impl FileDialog {
     fn read(&mut self, ui: &Ui) {
         if let Some(reading) = self.reading.take() {
             match reading.poll() {
-                Progress::Waiting => self.reading = Some(reading),
-                Progress::Done(listing) if listing.folder == self.folder => self.listing = Some(listing),
-                Progress::Done(_) => {}
-                Progress::Lost => self.fail(io::ErrorKind::Other),
+                JobStatus::Waiting => self.reading = Some(reading),
+                JobStatus::Done(listing) if listing.folder == self.folder => self.listing = Some(listing),
+                JobStatus::Done(_) => {}
+                JobStatus::Lost => self.fail(io::ErrorKind::Other),
             }
         }
         if self.listing.is_none() && self.reading.is_none() {
@@ -119,12 +119,12 @@ impl FileDialog {
     }
 
     fn fail(&mut self, kind: io::ErrorKind) {
-        self.listing = Some(Listing { folder: self.folder.clone(), entries: Err(kind) });
+        self.listing = Some(FolderListing { folder: self.folder.clone(), entries: Err(kind) });
     }
 
     /// The entries to be shown.
-    fn entries(&self) -> Vec<&Entry> {
-        let Some(Listing { entries: Ok(entries), .. }) = &self.listing else { return Vec::new() };
+    fn entries(&self) -> Vec<&FolderItem> {
+        let Some(FolderListing { entries: Ok(entries), .. }) = &self.listing else { return Vec::new() };
         let typed =
             if self.is_typed && !self.question.is_saving { self.name.to_lowercase() } else { String::new() };
         entries
@@ -180,7 +180,7 @@ impl FileDialog {
             }
             let icon = icons::ICON_CREATE_NEW_FOLDER.codepoint;
             if icon_button(ui, icon, texts, "files-new-folder", self.new_folder.is_none()) {
-                self.new_folder = Some(NewFolder::new(texts.get("files-new-folder")));
+                self.new_folder = Some(NewFolderField::new(texts.get("files-new-folder")));
             }
             self.crumbs_ui(ui);
         });
@@ -191,9 +191,9 @@ impl FileDialog {
     fn new_folder_ui(&mut self, ui: &mut Ui, texts: &Texts) {
         let Some(new_folder) = &mut self.new_folder else { return };
         match new_folder.ui(ui, &self.folder, texts) {
-            Outcome::Stay => {}
-            Outcome::Close => self.new_folder = None,
-            Outcome::Made(folder) => self.go_to(folder),
+            NewFolderOutcome::Stay => {}
+            NewFolderOutcome::Close => self.new_folder = None,
+            NewFolderOutcome::Made(folder) => self.go_to(folder),
         }
         // What is typed next is the name of the file.
         self.is_new |= self.new_folder.is_none();
@@ -279,7 +279,7 @@ impl FileDialog {
     }
 
     /// What the default button means now.
-    fn decide(&mut self, studio: &mut Studio) -> Flow {
+    fn decide(&mut self, studio: &mut Studio) -> DialogFlow {
         let entries = self.entries();
         let selected = entries.iter().find(|entry| Some(&entry.name) == self.selected.as_ref());
         // With a single one left, what was typed needs not be complete.
@@ -295,10 +295,10 @@ impl FileDialog {
                 if !self.question.is_saving {
                     self.name.clear();
                 }
-                Flow::Stay
+                DialogFlow::Stay
             }
             Some((name, false)) if !self.question.is_saving => self.answer(self.folder.join(name), false),
-            _ if self.name.trim().is_empty() => Flow::Stay,
+            _ if self.name.trim().is_empty() => DialogFlow::Stay,
             _ if self.question.is_saving => self.save_as(studio),
             // Perhaps a hidden file; if there is none, opening it says so.
             _ => self.answer(self.folder.join(self.name.trim()), false),
@@ -306,11 +306,13 @@ impl FileDialog {
     }
 
     /// Takes the typed name; asks before replacing a file.
-    fn save_as(&mut self, studio: &mut Studio) -> Flow {
+    fn save_as(&mut self, studio: &mut Studio) -> DialogFlow {
         let path = completed(self.folder.join(self.name.trim()), &self.question);
         let file_name = name_of(&path);
         let is_taken = match &self.listing {
-            Some(Listing { entries: Ok(entries), .. }) => entries.iter().any(|entry| entry.name == file_name),
+            Some(FolderListing { entries: Ok(entries), .. }) => {
+                entries.iter().any(|entry| entry.name == file_name)
+            }
             _ => false,
         };
         if !is_taken {
@@ -319,23 +321,23 @@ impl FileDialog {
         let texts = &studio.texts;
         let (sender, is_done) = (self.sender.clone(), Rc::clone(&self.is_done));
         let shown = path.display().to_string();
-        let question = Question::new(
+        let question = QuestionDialog::new(
             texts.with("replace-title", &[("name", file_name.into())]),
             texts.with("replace-text", &[("path", shown.into())]),
         )
         .choice(texts.get("cancel"), |_, _| {})
         .choice(texts.get("replace"), move |_, _| {
-            let _ = sender.send(Some(Chosen { path, may_replace: true }));
+            let _ = sender.send(Some(ChosenFile { path, may_replace: true }));
             is_done.set(true);
         });
         studio.dialogs.open(question);
-        Flow::Stay
+        DialogFlow::Stay
     }
 
-    fn answer(&self, path: PathBuf, may_replace: bool) -> Flow {
+    fn answer(&self, path: PathBuf, may_replace: bool) -> DialogFlow {
         // Whoever asked may have gone.
-        let _ = self.sender.send(Some(Chosen { path, may_replace }));
-        Flow::Close
+        let _ = self.sender.send(Some(ChosenFile { path, may_replace }));
+        DialogFlow::Close
     }
 }
 
@@ -348,9 +350,9 @@ impl Dialog for FileDialog {
         640.0
     }
 
-    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
         if self.is_done.get() {
-            return Flow::Close;
+            return DialogFlow::Close;
         }
         self.read(ui);
         if self.new_folder.is_none() {
@@ -365,9 +367,9 @@ impl Dialog for FileDialog {
         let pressed = buttons_if(ui, &[texts.get(act), texts.get("cancel")], is_ready);
         match pressed {
             Some(0) => self.decide(studio),
-            Some(_) => Flow::Close,
+            Some(_) => DialogFlow::Close,
             None if opened => self.decide(studio),
-            None => Flow::Stay,
+            None => DialogFlow::Stay,
         }
     }
 }

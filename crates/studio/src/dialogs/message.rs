@@ -1,36 +1,36 @@
-//! Something that must be read before going on.
+//! A dialog with a message.
 
 use egui::{Label, Ui};
 
-use super::{Dialog, Flow, buttons};
+use super::{Dialog, DialogFlow, buttons};
 use crate::app::Studio;
 use crate::texts::Texts;
 
-/// A dialog that only tells something.
-pub(crate) struct Message {
+/// A dialog with a message and one button.
+pub(crate) struct MessageDialog {
     title: String,
     text: String,
 }
 
-impl Message {
+impl MessageDialog {
     /// Tells `text` below `title`, both in the present language.
     pub(crate) fn new(title: impl Into<String>, text: impl Into<String>) -> Self {
         Self { title: title.into(), text: text.into() }
     }
 }
 
-impl Dialog for Message {
+impl Dialog for MessageDialog {
     fn title(&self, _texts: &Texts) -> String {
         self.title.clone()
     }
 
-    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
         let size = egui::TextStyle::Body.resolve(ui.style()).size;
         let text = crate::scripts::job(&self.text, size, ui.visuals().text_color());
         ui.add(Label::new(text).wrap().selectable(true));
         match buttons(ui, &[studio.texts.get("ok")]) {
-            Some(_) => Flow::Close,
-            None => Flow::Stay,
+            Some(_) => DialogFlow::Close,
+            None => DialogFlow::Stay,
         }
     }
 }

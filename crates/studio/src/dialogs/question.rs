@@ -4,22 +4,22 @@ use std::rc::{Rc, Weak};
 
 use egui::{Context, Label, Ui};
 
-use super::{Dialog, Flow, buttons};
+use super::{Dialog, DialogFlow, buttons};
 use crate::app::Studio;
 use crate::texts::Texts;
 
-/// What an answer leads to.
-pub(crate) type Act = Box<dyn FnOnce(&Context, &mut Studio)>;
+/// The action of an answer.
+pub(crate) type AnswerAction = Box<dyn FnOnce(&Context, &mut Studio)>;
 
-/// A dialog that asks; Esc answers nothing.
-pub(crate) struct Question {
+/// A dialog with a question; Esc chooses no answer.
+pub(crate) struct QuestionDialog {
     title: String,
     text: String,
-    choices: Vec<(String, Act)>,
+    choices: Vec<(String, AnswerAction)>,
     alive: Rc<()>,
 }
 
-impl Question {
+impl QuestionDialog {
     /// Asks `title`, explained by `text`, both in the present language.
     pub(crate) fn new(title: impl Into<String>, text: impl Into<String>) -> Self {
         Self { title: title.into(), text: text.into(), choices: Vec::new(), alive: Rc::default() }
@@ -37,17 +37,17 @@ impl Question {
     }
 }
 
-impl Dialog for Question {
+impl Dialog for QuestionDialog {
     fn title(&self, _texts: &Texts) -> String {
         self.title.clone()
     }
 
-    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
         ui.add(Label::new(&self.text).wrap());
         let labels: Vec<&str> = self.choices.iter().map(|(label, _)| label.as_str()).collect();
-        let Some(pressed) = buttons(ui, &labels) else { return Flow::Stay };
+        let Some(pressed) = buttons(ui, &labels) else { return DialogFlow::Stay };
         let (_, act) = self.choices.swap_remove(pressed);
         act(ui.ctx(), studio);
-        Flow::Close
+        DialogFlow::Close
     }
 }

@@ -6,10 +6,10 @@ use std::rc::Rc;
 use egui::{Align, Button, Frame, Label, Layout, Margin, RichText, ScrollArea, Ui, Vec2, vec2};
 
 use super::files::age;
-use super::question::Question;
-use super::{Dialog, Flow};
+use super::question::QuestionDialog;
+use super::{Dialog, DialogFlow};
 use crate::app::Studio;
-use crate::documents::{self, Found};
+use crate::documents::{self, RecoverableDocument};
 use crate::texts::Texts;
 use crate::theme;
 
@@ -17,18 +17,18 @@ use crate::theme;
 const ROW: f32 = 60.0;
 const BUTTON: Vec2 = vec2(84.0, 28.0);
 
-/// Offers what was left behind.
-pub(crate) struct Recovery {
-    found: Rc<RefCell<Vec<Found>>>,
+/// A dialog that offers recovered documents.
+pub(crate) struct RecoveryDialog {
+    found: Rc<RefCell<Vec<RecoverableDocument>>>,
 }
 
-impl Recovery {
+impl RecoveryDialog {
     /// Offers `found`, at least one.
-    pub(crate) fn new(found: Vec<Found>) -> Self {
+    pub(crate) fn new(found: Vec<RecoverableDocument>) -> Self {
         Self { found: Rc::new(RefCell::new(found)) }
     }
 
-    fn row(ui: &mut Ui, studio: &Studio, found: &Found) -> Option<Act> {
+    fn row(ui: &mut Ui, studio: &Studio, found: &RecoverableDocument) -> Option<RecoveryAction> {
         let texts = &studio.texts;
         let palette = theme::palette(ui.visuals());
         let mut act = None;
@@ -39,7 +39,7 @@ impl Recovery {
                 let restore = Button::new(texts.get("restore")).fill(palette.selection).min_size(BUTTON);
                 let restore = named(ui.add(restore), texts.get("restore"), &found.title);
                 if restore.clicked() {
-                    act = Some(Act::Restore);
+                    act = Some(RecoveryAction::Restore);
                 }
                 // The first one is what Enter restores.
                 if ui.memory(|memory| memory.focused().is_none()) {
@@ -47,7 +47,7 @@ impl Recovery {
                 }
                 let discard = ui.add(Button::new(texts.get("discard")).min_size(BUTTON));
                 if named(discard, texts.get("discard"), &found.title).clicked() {
-                    act = Some(Act::Discard);
+                    act = Some(RecoveryAction::Discard);
                 }
                 ui.with_layout(Layout::top_down(Align::Min), |ui| Self::words(ui, texts, found));
             });
@@ -56,7 +56,7 @@ impl Recovery {
     }
 
     /// What it is, where it belongs, and how old it is.
-    fn words(ui: &mut Ui, texts: &Texts, found: &Found) {
+    fn words(ui: &mut Ui, texts: &Texts, found: &RecoverableDocument) {
         ui.spacing_mut().item_spacing.y = 2.0;
         ui.add(Label::new(RichText::new(&found.title).strong()).truncate());
         let place = match &found.path {
@@ -68,7 +68,7 @@ impl Recovery {
     }
 }
 
-enum Act {
+enum RecoveryAction {
     Restore,
     Discard,
 }
@@ -79,7 +79,7 @@ fn named(response: egui::Response, act: &str, title: &str) -> egui::Response {
     response
 }
 
-impl Dialog for Recovery {
+impl Dialog for RecoveryDialog {
     fn title(&self, texts: &Texts) -> String {
         texts.get("recovery-title").to_owned()
     }
@@ -88,7 +88,7 @@ impl Dialog for Recovery {
         560.0
     }
 
-    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
         ui.add(Label::new(studio.texts.get("recovery-text")).wrap());
         ui.add_space(4.0);
         let mut act = None;
@@ -100,31 +100,31 @@ impl Dialog for Recovery {
             }
         });
         match act {
-            Some((index, Act::Restore)) => {
+            Some((index, RecoveryAction::Restore)) => {
                 if let Some(found) = self.found.borrow().get(index) {
                     documents::restore(ui.ctx(), studio, found);
                 }
-                return Flow::Close;
+                return DialogFlow::Close;
             }
-            Some((index, Act::Discard)) => self.ask_to_discard(studio, index),
-            None if self.found.borrow().is_empty() => return Flow::Close,
+            Some((index, RecoveryAction::Discard)) => self.ask_to_discard(studio, index),
+            None if self.found.borrow().is_empty() => return DialogFlow::Close,
             None => {}
         }
         ui.add_space(10.0);
         let later = Button::new(studio.texts.get("decide-later")).min_size(BUTTON);
         let later = ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.add(later)).inner;
-        if later.clicked() { Flow::Close } else { Flow::Stay }
+        if later.clicked() { DialogFlow::Close } else { DialogFlow::Stay }
     }
 }
 
-impl Recovery {
+impl RecoveryDialog {
     /// Asks first, since this cannot be undone.
     fn ask_to_discard(&self, studio: &mut Studio, index: usize) {
         let texts = &studio.texts;
         let title = self.found.borrow().get(index).map(|found| found.title.clone()).unwrap_or_default();
         let found = Rc::clone(&self.found);
         let title = texts.with("discard-title", &[("name", title.into())]);
-        let question = Question::new(title, texts.get("discard-text"))
+        let question = QuestionDialog::new(title, texts.get("discard-text"))
             .choice(texts.get("cancel"), |_, _| {})
             .choice(texts.get("discard"), move |_, studio| {
                 let mut found = found.borrow_mut();

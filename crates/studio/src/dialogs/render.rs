@@ -11,16 +11,16 @@ use catoptric_tracer::raster::MethodKind;
 use egui::{ComboBox, Grid, Label, Response, RichText, Ui};
 use egui_material_icons::icons::{ICON_INFO, ICON_MEMORY, ICON_SCHEDULE, ICON_WARNING};
 
-use super::{Dialog, Flow, buttons_if};
+use super::{Dialog, DialogFlow, buttons_if};
 use crate::app::Studio;
 use crate::methods::method_key;
-use crate::pictures::{self, PictureKind, RenderChoices, fields, told};
+use crate::pictures::{self, PictureKind, RenderChoices, fields, words};
 use crate::texts::Texts;
 use crate::theme;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::number::{NumberField, Refusal, Unit};
-use estimate::{Estimate, Time};
-use size::Size;
+use estimate::{RenderEstimate, RenderTime};
+use size::SizeFields;
 
 /// Samples to choose from: powers of four, since noise of edges halves with each.
 const SAMPLES: [u32; 5] = [1, 4, 16, 64, 256];
@@ -36,8 +36,8 @@ pub(crate) struct RenderDialog {
     choices: RenderChoices,
     development: Development,
     method: MethodKind,
-    size: Size,
-    estimate: Estimate,
+    size: SizeFields,
+    estimate: RenderEstimate,
     /// Why a text that waits in one of the fields is no number for it.
     refused: Option<Refusal>,
     /// Bytes of memory that were free when the dialog was opened.
@@ -50,8 +50,8 @@ pub(crate) fn open(studio: &mut Studio) {
     let dialog = RenderDialog {
         development: studio.view.development,
         method: studio.settings.methods.kind(),
-        size: Size::new(&choices, studio.panes.viewport.size_in_pixels()),
-        estimate: Estimate::default(),
+        size: SizeFields::new(&choices, studio.panes.viewport.size_in_pixels()),
+        estimate: RenderEstimate::default(),
         refused: None,
         free_memory: studio.host.free_memory(),
         choices,
@@ -68,7 +68,7 @@ impl Dialog for RenderDialog {
         500.0
     }
 
-    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> Flow {
+    fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
         let texts = &studio.texts;
         let scene = studio.editor.scene();
         self.refused = None;
@@ -95,10 +95,10 @@ impl Dialog for RenderDialog {
                 studio.settings.render = self.choices.clone();
                 let method = studio.settings.methods.of(self.method);
                 pictures::start(studio, self.choices.clone(), self.development, method);
-                Flow::Close
+                DialogFlow::Close
             }
-            Some(_) => Flow::Close,
-            None => Flow::Stay,
+            Some(_) => DialogFlow::Close,
+            None => DialogFlow::Stay,
         }
     }
 }
@@ -118,7 +118,7 @@ impl RenderDialog {
     }
 
     /// What is to be known before: what it costs, and whether it is possible at all.
-    fn notes_ui(&self, ui: &mut Ui, studio: &Studio, time: Option<Time>) -> bool {
+    fn notes_ui(&self, ui: &mut Ui, studio: &Studio, time: Option<RenderTime>) -> bool {
         let texts = &studio.texts;
         let palette = theme::palette(ui.visuals());
         ui.separator();
@@ -138,14 +138,14 @@ impl RenderDialog {
             note(ui, ICON_WARNING.codepoint, &problem, palette.error);
             return false;
         }
-        let memory = told::bytes(texts, self.choices.bytes());
+        let memory = words::bytes(texts, self.choices.bytes());
         let memory = texts.with("render-memory", &[("bytes", memory.into())]);
         note(ui, ICON_MEMORY.codepoint, &memory, palette.weak);
         if let Some(time) = time {
             let time = match time {
-                Time::Unknown => texts.get("render-time-unknown").to_owned(),
-                Time::Seconds(seconds) => {
-                    texts.with("render-time", &[("time", told::rough_time(texts, seconds).into())])
+                RenderTime::Unknown => texts.get("render-time-unknown").to_owned(),
+                RenderTime::Seconds(seconds) => {
+                    texts.with("render-time", &[("time", words::rough_time(texts, seconds).into())])
                 }
             };
             note(ui, ICON_SCHEDULE.codepoint, &time, palette.weak);
@@ -159,18 +159,18 @@ impl RenderDialog {
     /// Why there can be no such picture.
     fn problem(&self, texts: &Texts) -> Option<String> {
         if let Err(error) = self.choices.check_size() {
-            return Some(told::size_error(texts, &error));
+            return Some(words::size_error(texts, &error));
         }
         if !self.choices.fits_kind() {
             let format = self.choices.kind.format();
             let (width, height) = (self.choices.width, self.choices.height);
             let error = FormatError::Side { format, width, height, most: format.max_side() };
-            return Some(told::format_error(texts, &error));
+            return Some(words::format_error(texts, &error));
         }
         let (needed, free) = (self.choices.bytes(), self.free_memory?);
         (needed > free).then(|| {
             let arguments =
-                [("bytes", told::bytes(texts, needed).into()), ("free", told::bytes(texts, free).into())];
+                [("bytes", words::bytes(texts, needed).into()), ("free", words::bytes(texts, free).into())];
             texts.with("render-too-much-memory", &arguments)
         })
     }
@@ -193,7 +193,7 @@ fn note(ui: &mut Ui, icon: &str, text: &str, color: egui::Color32) {
 fn whole_ui(
     ui: &mut Ui,
     texts: &Texts,
-    whole: &Whole<'_>,
+    whole: &IntegerField<'_>,
     number: &mut u32,
     refused: &mut Option<Refusal>,
 ) -> bool {
@@ -222,7 +222,7 @@ fn whole_ui(
 }
 
 /// A field for a whole number.
-struct Whole<'a> {
+struct IntegerField<'a> {
     name: &'a str,
     tip: &'a str,
     most: u32,
@@ -235,16 +235,16 @@ fn samples_row(ui: &mut Ui, texts: &Texts, samples: &mut u32, refused: &mut Opti
     label(ui, texts, "render-samples");
     ui.horizontal(|ui| {
         let counts = SAMPLES.map(|count| count.to_string());
-        let choices: Vec<Choice<'_, u32>> = SAMPLES
+        let choices: Vec<ChoiceItem<'_, u32>> = SAMPLES
             .iter()
             .zip(&counts)
-            .map(|(&value, text)| Choice { value, text, tip: "", is_enabled: true })
+            .map(|(&value, text)| ChoiceItem { value, text, tip: "", is_enabled: true })
             .collect();
         if let Some(few) = choice_ui(ui, ui.scope_id().with("samples"), name, WIDTH, &choices, Some(*samples))
         {
             *samples = few;
         }
-        let whole = Whole { name, tip, most: RenderSettings::MAX_SAMPLES, speed: 0.2 };
+        let whole = IntegerField { name, tip, most: RenderSettings::MAX_SAMPLES, speed: 0.2 };
         whole_ui(ui, texts, &whole, samples, refused);
     });
     ui.end_row();
@@ -263,8 +263,8 @@ fn generations_row(
     ui.horizontal(|ui| {
         let as_in_scene = texts.with("render-generations-scene", &[("count", of_scene.into())]);
         let choices = [
-            Choice { value: false, text: &as_in_scene, tip, is_enabled: true },
-            Choice { value: true, text: texts.get("render-generations-own"), tip, is_enabled: true },
+            ChoiceItem { value: false, text: &as_in_scene, tip, is_enabled: true },
+            ChoiceItem { value: true, text: texts.get("render-generations-own"), tip, is_enabled: true },
         ];
         let is_own = generations.is_some();
         match choice_ui(ui, ui.scope_id().with("generations"), name, WIDTH, &choices, Some(is_own)) {
@@ -274,7 +274,7 @@ fn generations_row(
         }
         let mut number = generations.unwrap_or(of_scene);
         let name = format!("{name}: {}", texts.get("render-generations-own"));
-        let whole = Whole { name: &name, tip, most: Tracing::MAX_GENERATIONS, speed: 0.1 };
+        let whole = IntegerField { name: &name, tip, most: Tracing::MAX_GENERATIONS, speed: 0.1 };
         ui.add_enabled_ui(is_own, |ui| {
             if whole_ui(ui, texts, &whole, &mut number, refused) {
                 *generations = Some(number);

@@ -6,36 +6,36 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
 
-use catoptric_editor::Writing;
+use catoptric_editor::SceneWriter;
 use catoptric_files::WriteError;
 use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadError, Scene, load_partly, save};
 use fluent_bundle::FluentValue;
 
 use crate::texts::Texts;
 
-/// What tells whether a file is still as it was.
+/// The identity, size and time of a file, which tell whether it has changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Stamp {
+pub(crate) struct FileStamp {
     modified: Option<SystemTime>,
     length: u64,
 }
 
-impl Stamp {
-    /// That of the file at `path`, if there is one.
+impl FileStamp {
+    /// The stamp of the file at `path`, if there is one.
     pub(super) fn of(path: &Path) -> Option<Self> {
         let metadata = fs::metadata(path).ok()?;
         Some(Self { modified: metadata.modified().ok(), length: metadata.len() })
     }
 }
 
-/// A scene file that has been read, at least in part.
+/// A scene file that was read, at least in part.
 #[derive(Clone, Debug)]
-pub(crate) struct Opened {
+pub(crate) struct OpenedScene {
     pub(crate) path: PathBuf,
     pub(crate) text: Arc<str>,
     pub(crate) scene: Scene,
     pub(crate) findings: Diagnostics,
-    pub(crate) stamp: Option<Stamp>,
+    pub(crate) stamp: Option<FileStamp>,
 }
 
 /// Why a file cannot be opened.
@@ -51,15 +51,15 @@ pub(crate) enum ReadFailure {
 }
 
 /// Reads the file at `path`.
-pub(crate) fn read(path: &Path) -> Result<Opened, ReadFailure> {
+pub(crate) fn read(path: &Path) -> Result<OpenedScene, ReadFailure> {
     // Looked at before reading: what is written meanwhile counts as a change.
-    let stamp = Stamp::of(path);
+    let stamp = FileStamp::of(path);
     let (reading, text) = load_partly(path).map_err(|error| read_failure(path, error))?;
     if reading.diagnostics.has_errors() && reading.scene == Scene::default() {
         return Err(ReadFailure::Nothing(reading.diagnostics.iter().take(3).cloned().collect()));
     }
     let (scene, findings) = (reading.scene, reading.diagnostics);
-    Ok(Opened { path: path.to_owned(), text: text.into(), scene, findings, stamp })
+    Ok(OpenedScene { path: path.to_owned(), text: text.into(), scene, findings, stamp })
 }
 
 fn read_failure(path: &Path, error: LoadError) -> ReadFailure {
@@ -97,22 +97,22 @@ impl ReadFailure {
     }
 }
 
-/// When a file may be written over another.
+/// The condition on which a file may replace another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum May {
+pub(crate) enum OverwriteRule {
     /// In any case.
     Replace,
     /// If there is none.
     Create,
     /// If it is still the one that was read or written last.
-    Update(Stamp),
+    Update(FileStamp),
     /// If nobody has written it since then.
     UpdateBefore(SystemTime),
 }
 
-impl May {
+impl OverwriteRule {
     fn allows(self, path: &Path) -> bool {
-        let Some(found) = Stamp::of(path) else { return true };
+        let Some(found) = FileStamp::of(path) else { return true };
         match self {
             Self::Replace => true,
             Self::Create => false,
@@ -122,11 +122,11 @@ impl May {
     }
 }
 
-/// A file that has been written.
+/// A file that was written.
 #[derive(Debug)]
-pub(crate) struct Written {
+pub(crate) struct SavedFile {
     pub(crate) text: Arc<str>,
-    pub(crate) stamp: Option<Stamp>,
+    pub(crate) stamp: Option<FileStamp>,
 }
 
 /// Why a file has not been written; the old one is untouched.
@@ -134,18 +134,22 @@ pub(crate) struct Written {
 pub(crate) enum WriteFailure {
     /// There is one already, or another one than before.
     Other,
-    /// It cannot be.
+    /// The file cannot be written.
     Cannot(WriteError),
 }
 
 /// Writes a document to the file at `path`, whole or not at all.
-pub(crate) fn write(writing: &Writing, path: &Path, may: May) -> Result<Written, WriteFailure> {
+pub(crate) fn write(
+    writing: &SceneWriter,
+    path: &Path,
+    may: OverwriteRule,
+) -> Result<SavedFile, WriteFailure> {
     if !may.allows(path) {
         return Err(WriteFailure::Other);
     }
     let text = writing.text();
     save(path, &text).map_err(WriteFailure::Cannot)?;
-    Ok(Written { text: text.into(), stamp: Stamp::of(path) })
+    Ok(SavedFile { text: text.into(), stamp: FileStamp::of(path) })
 }
 
 /// What stands in the way of writing and what to do.
@@ -185,19 +189,19 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.toml");
         let writing = Editor::new(Scene::default()).writing();
-        let written = write(&writing, &path, May::Create).unwrap();
-        assert!(matches!(write(&writing, &path, May::Create), Err(WriteFailure::Other)));
+        let written = write(&writing, &path, OverwriteRule::Create).unwrap();
+        assert!(matches!(write(&writing, &path, OverwriteRule::Create), Err(WriteFailure::Other)));
         let stamp = written.stamp.unwrap();
-        let again = write(&writing, &path, May::Update(stamp)).unwrap();
+        let again = write(&writing, &path, OverwriteRule::Update(stamp)).unwrap();
         fs::write(&path, "format = 'catoptric/1' # mine\n").unwrap();
-        let update = May::Update(again.stamp.unwrap());
+        let update = OverwriteRule::Update(again.stamp.unwrap());
         assert!(matches!(write(&writing, &path, update), Err(WriteFailure::Other)));
         assert!(matches!(
-            write(&writing, &path, May::UpdateBefore(SystemTime::UNIX_EPOCH)),
+            write(&writing, &path, OverwriteRule::UpdateBefore(SystemTime::UNIX_EPOCH)),
             Err(WriteFailure::Other)
         ));
         assert!(fs::read_to_string(&path).unwrap().ends_with("# mine\n"));
-        write(&writing, &path, May::Replace).unwrap();
+        write(&writing, &path, OverwriteRule::Replace).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), writing.text());
     }
 

@@ -12,14 +12,14 @@ pub(crate) struct Job<T> {
     since: Instant,
 }
 
-/// How work is doing.
+/// The status of a job.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Progress<T> {
-    /// It is under way.
+pub(crate) enum JobStatus<T> {
+    /// The work is under way.
     Waiting,
-    /// Its result.
+    /// The result of the work.
     Done(T),
-    /// It broke down.
+    /// The work panicked.
     Lost,
 }
 
@@ -46,11 +46,11 @@ impl<T: Send + 'static> Job<T> {
     }
 
     /// How it is doing; the result comes once.
-    pub(crate) fn poll(&self) -> Progress<T> {
+    pub(crate) fn poll(&self) -> JobStatus<T> {
         match self.receiver.try_recv() {
-            Ok(result) => Progress::Done(result),
-            Err(TryRecvError::Empty) => Progress::Waiting,
-            Err(TryRecvError::Disconnected) => Progress::Lost,
+            Ok(result) => JobStatus::Done(result),
+            Err(TryRecvError::Empty) => JobStatus::Waiting,
+            Err(TryRecvError::Disconnected) => JobStatus::Lost,
         }
     }
 

@@ -4,28 +4,28 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 
-use catoptric_editor::Refused;
+use catoptric_editor::RefusedChange;
 use catoptric_scene::Image;
 use egui::Context;
 
-use super::disk::{self, May, Opened, ReadFailure};
-use super::job::{Job, Progress};
-use super::{Next, ask, leave, notice};
+use super::disk::{self, OpenedScene, OverwriteRule, ReadFailure};
+use super::job::{Job, JobStatus};
+use super::{NextDocument, banner, close_guard, file_prompt};
 use crate::app::Studio;
-use crate::dialogs::Message;
+use crate::dialogs::MessageDialog;
 use crate::host::FileKind;
 use crate::images::{self, ImageUse};
 use crate::inspector;
 
 /// A file that is being read.
-pub(super) struct Reading {
-    job: Job<Result<Opened, ReadFailure>>,
+pub(super) struct OpenTask {
+    job: Job<Result<OpenedScene, ReadFailure>>,
     pub(super) path: PathBuf,
-    purpose: Purpose,
+    purpose: OpenPurpose,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Purpose {
+enum OpenPurpose {
     /// To be opened instead of the document.
     Open,
     /// To revert the document with this number.
@@ -34,7 +34,7 @@ enum Purpose {
     Reload(u64),
 }
 
-impl Reading {
+impl OpenTask {
     pub(super) fn since(&self) -> std::time::Instant {
         self.job.since()
     }
@@ -43,14 +43,14 @@ impl Reading {
 /// Begins to read the file at `path`, to open it instead of the document. Only a file that can be opened leads to the
 /// question what becomes of changes.
 pub(super) fn begin(context: &Context, studio: &mut Studio, path: &Path) {
-    read(context, studio, path, Purpose::Open);
+    read(context, studio, path, OpenPurpose::Open);
 }
 
 /// Takes back all changes since the file was saved, as one step.
 pub(super) fn revert(context: &Context, studio: &mut Studio) {
     let document = studio.documents.number;
     match (studio.editor.path().map(Path::to_owned), studio.documents.example) {
-        (Some(path), _) => read(context, studio, &path, Purpose::Revert(document)),
+        (Some(path), _) => read(context, studio, &path, OpenPurpose::Revert(document)),
         (None, Some(example)) => {
             if let Ok(loaded) = example.load() {
                 let reverted = studio.editor.revert(loaded.text, loaded.scene);
@@ -68,17 +68,17 @@ pub(super) fn revert(context: &Context, studio: &mut Studio) {
 pub(super) fn reload(context: &Context, studio: &mut Studio) {
     if let Some(path) = studio.editor.path().map(Path::to_owned) {
         let document = studio.documents.number;
-        read(context, studio, &path, Purpose::Reload(document));
+        read(context, studio, &path, OpenPurpose::Reload(document));
     }
 }
 
-fn read(context: &Context, studio: &mut Studio, path: &Path, purpose: Purpose) {
+fn read(context: &Context, studio: &mut Studio, path: &Path, purpose: OpenPurpose) {
     // The path must mean the same whatever the folder of the program is later.
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let read = path.clone();
     match Job::start(context, "open", move || disk::read(&read)) {
         // A file that was being read is no longer wanted.
-        Ok(job) => studio.documents.reading = Some(Reading { job, path, purpose }),
+        Ok(job) => studio.documents.reading = Some(OpenTask { job, path, purpose }),
         Err(error) => failed(studio, &path, &ReadFailure::Other(error.to_string())),
     }
 }
@@ -87,36 +87,39 @@ fn read(context: &Context, studio: &mut Studio, path: &Path, purpose: Purpose) {
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
     let Some(reading) = studio.documents.reading.take() else { return };
     let result = match reading.job.poll() {
-        Progress::Waiting => {
+        JobStatus::Waiting => {
             studio.documents.reading = Some(reading);
             return;
         }
-        Progress::Done(result) => result,
-        Progress::Lost => Err(ReadFailure::Other(studio.texts.get("fault").to_owned())),
+        JobStatus::Done(result) => result,
+        JobStatus::Lost => Err(ReadFailure::Other(studio.texts.get("fault").to_owned())),
     };
     match (result, reading.purpose) {
         (Err(failure), _) => failed(studio, &reading.path, &failure),
-        (Ok(opened), Purpose::Open) => leave::replace(context, studio, Next::Show(Rc::new(opened))),
-        (Ok(opened), Purpose::Revert(document) | Purpose::Reload(document))
+        (Ok(opened), OpenPurpose::Open) => {
+            close_guard::replace(context, studio, NextDocument::Show(Rc::new(opened)));
+        }
+        (Ok(opened), OpenPurpose::Revert(document) | OpenPurpose::Reload(document))
             if studio.documents.number == document =>
         {
-            let Opened { text, scene, findings, stamp, .. } = opened;
+            let OpenedScene { text, scene, findings, stamp, .. } = opened;
             let reverted = studio.editor.revert(text.clone(), scene);
             if reverted.is_ok() {
-                studio.documents.may = stamp.map(May::Update);
+                studio.documents.may = stamp.map(OverwriteRule::Update);
                 studio.documents.text_on_disk = Some(Arc::clone(&text));
                 studio.documents.is_partial = findings.has_errors();
-                notice::show_findings(studio, text, findings);
+                banner::show_findings(studio, text, findings);
             }
-            let done = if matches!(reading.purpose, Purpose::Reload(_)) { "reloaded" } else { "reverted" };
+            let done =
+                if matches!(reading.purpose, OpenPurpose::Reload(_)) { "reloaded" } else { "reverted" };
             after_revert(studio, reverted, done);
         }
-        (Ok(_), Purpose::Revert(_) | Purpose::Reload(_)) => {}
+        (Ok(_), OpenPurpose::Revert(_) | OpenPurpose::Reload(_)) => {}
     }
 }
 
 /// Tells that the document is as its file is, with the message `done`, or why it cannot be.
-fn after_revert(studio: &mut Studio, reverted: Result<(), Refused>, done: &str) {
+fn after_revert(studio: &mut Studio, reverted: Result<(), RefusedChange>, done: &str) {
     studio.documents.saves += 1;
     match reverted {
         Ok(()) => {
@@ -135,7 +138,7 @@ pub(super) fn failed(studio: &mut Studio, path: &Path, failure: &ReadFailure) {
         studio.settings.recent.retain(|recent| recent != path);
     }
     let text = failure.in_words(&studio.texts, path);
-    studio.dialogs.open(Message::new(studio.texts.get("open-failed"), text));
+    studio.dialogs.open(MessageDialog::new(studio.texts.get("open-failed"), text));
 }
 
 /// Opens the first scene file that was dropped on the window.
@@ -145,19 +148,19 @@ pub(super) fn take_dropped(context: &Context, studio: &mut Studio) {
     if dropped.is_empty() {
         return;
     }
-    match dropped.iter().find(|path| ask::fits(path, FileKind::Scene)) {
+    match dropped.iter().find(|path| file_prompt::fits(path, FileKind::Scene)) {
         Some(path) if studio.dialogs.is_any_open() => {
             let name = path.display().to_string();
             studio.toasts.info(studio.texts.with("dropped-later", &[("name", name.into())]));
         }
         Some(path) => {
             if dropped.len() > 1 {
-                let name = ask::name_of(path);
+                let name = file_prompt::name_of(path);
                 studio.toasts.info(studio.texts.with("dropped-several", &[("name", name.into())]));
             }
             begin(context, studio, path);
         }
-        None => match dropped.iter().find(|path| ask::fits(path, FileKind::Picture)) {
+        None => match dropped.iter().find(|path| file_prompt::fits(path, FileKind::Picture)) {
             Some(path) if !studio.dialogs.is_any_open() => {
                 let folder = studio.editor.path().and_then(Path::parent).unwrap_or(Path::new(""));
                 let path = Image::path_from(folder, path);

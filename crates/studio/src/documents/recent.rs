@@ -1,16 +1,16 @@
-//! Which of the recent files are still there: looked up by a thread, since a disk may be far away.
+//! The recent files that still exist, looked up by a thread, since a disk may be far away.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use egui::Context;
 
-use super::job::{Job, Progress};
+use super::job::{Job, JobStatus};
 use crate::app::Studio;
 
-/// What is known about the recent files.
+/// The recent files, and which of them are missing.
 #[derive(Default)]
-pub(super) struct Recent {
+pub(super) struct RecentFiles {
     looked_up: Vec<PathBuf>,
     missing: HashSet<PathBuf>,
     job: Option<Job<HashSet<PathBuf>>>,
@@ -21,9 +21,9 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     let recent = &mut studio.documents.recent;
     if let Some(job) = recent.job.take() {
         match job.poll() {
-            Progress::Waiting => recent.job = Some(job),
-            Progress::Done(missing) => recent.missing = missing,
-            Progress::Lost => {}
+            JobStatus::Waiting => recent.job = Some(job),
+            JobStatus::Done(missing) => recent.missing = missing,
+            JobStatus::Lost => {}
         }
     } else if recent.looked_up != studio.settings.recent {
         recent.looked_up.clone_from(&studio.settings.recent);

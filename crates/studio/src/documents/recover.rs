@@ -1,4 +1,4 @@
-//! What an earlier studio left behind when it crashed.
+//! Recovery of the documents that a crash has left.
 
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -10,17 +10,17 @@ use catoptric_editor::recovery::{Orphan, Snapshot};
 use catoptric_scene::{Diagnostics, Scene, load_partly, read};
 use egui::Context;
 
-use super::job::{Job, Progress};
-use super::{Next, leave, notice, show_recovered};
+use super::job::{Job, JobStatus};
+use super::{NextDocument, banner, close_guard, show_recovered};
 use crate::app::Studio;
-use crate::dialogs::Message;
-use crate::dialogs::recovery::Recovery;
+use crate::dialogs::MessageDialog;
+use crate::dialogs::recovery::RecoveryDialog;
 
-/// A document that was left behind, to be offered.
+/// A document that a crash has left, with its recovery file.
 #[derive(Clone, Debug)]
-pub(crate) struct Found {
+pub(crate) struct RecoverableDocument {
     orphan: Arc<Orphan>,
-    /// Its title.
+    /// The document's title.
     pub(crate) title: String,
     /// The file that it belongs to.
     pub(crate) path: Option<PathBuf>,
@@ -28,21 +28,21 @@ pub(crate) struct Found {
     pub(crate) written: SystemTime,
 }
 
-impl Found {
+impl RecoverableDocument {
     /// Looks into it.
     pub(super) fn new(orphan: Orphan) -> Self {
         let written = orphan.written();
         let (title, path) = match orphan.read() {
             Ok(Snapshot { title, original_path, .. }) => (title, original_path),
-            // It can at least be told and discarded.
+            // It can at least be listed and discarded.
             Err(_) => (orphan.path().display().to_string(), None),
         };
         Self { orphan: Arc::new(orphan), title, path, written }
     }
 }
 
-/// A document that has been read again.
-pub(crate) struct Recovered {
+/// A recovered document that was read.
+pub(crate) struct RecoveredDocument {
     orphan: Arc<Orphan>,
     snapshot: Snapshot,
     scene: Scene,
@@ -51,11 +51,11 @@ pub(crate) struct Recovered {
     is_partial: bool,
 }
 
-/// Reading it.
-pub(super) type Restoring = Job<Result<Recovered, String>>;
+/// The job that reads a recovery file.
+pub(super) type RecoveryJob = Job<Result<RecoveredDocument, String>>;
 
 /// Opens a document that was left behind.
-pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
+pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &RecoverableDocument) {
     let orphan = Arc::clone(&found.orphan);
     let work = move || {
         let snapshot = orphan.read().map_err(|error| error.to_string())?;
@@ -66,7 +66,7 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
         let is_partial =
             reading.diagnostics.has_errors() || snapshot.original_path.as_deref().is_some_and(has_errors);
         let (scene, findings) = (reading.scene, reading.diagnostics);
-        Ok(Recovered { orphan, snapshot, scene, findings, is_partial })
+        Ok(RecoveredDocument { orphan, snapshot, scene, findings, is_partial })
     };
     match Job::start(context, "restore", work) {
         Ok(job) => studio.documents.restoring = Some(job),
@@ -75,23 +75,25 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Found) {
 }
 
 /// Removes a document that was left behind for good.
-pub(crate) fn discard(studio: &mut Studio, found: Found) {
-    studio.documents.keeper.discard(found.orphan);
+pub(crate) fn discard(studio: &mut Studio, found: RecoverableDocument) {
+    studio.documents.autosave.discard(found.orphan);
 }
 
 /// Offers what was found, and opens what was wanted.
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
-    let found = std::mem::take(&mut studio.documents.keeper.found);
+    let found = std::mem::take(&mut studio.documents.autosave.found);
     if !found.is_empty() {
-        studio.dialogs.open(Recovery::new(found));
+        studio.dialogs.open(RecoveryDialog::new(found));
         context.request_repaint();
     }
     let Some(job) = studio.documents.restoring.take() else { return };
     match job.poll() {
-        Progress::Waiting => studio.documents.restoring = Some(job),
-        Progress::Done(Ok(recovered)) => leave::replace(context, studio, Next::Recovered(Rc::new(recovered))),
-        Progress::Done(Err(reason)) => failed(studio, &reason),
-        Progress::Lost => {
+        JobStatus::Waiting => studio.documents.restoring = Some(job),
+        JobStatus::Done(Ok(recovered)) => {
+            close_guard::replace(context, studio, NextDocument::Recovered(Rc::new(recovered)));
+        }
+        JobStatus::Done(Err(reason)) => failed(studio, &reason),
+        JobStatus::Lost => {
             let reason = studio.texts.get("fault").to_owned();
             failed(studio, &reason);
         }
@@ -100,12 +102,12 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
 
 fn failed(studio: &mut Studio, reason: &str) {
     let text = studio.texts.with("restore-failed", &[("reason", reason.into())]);
-    studio.dialogs.open(Message::new(studio.texts.get("restore-failed-title"), text));
+    studio.dialogs.open(MessageDialog::new(studio.texts.get("restore-failed-title"), text));
 }
 
 /// Puts it into the window, as a changed document with its own file.
-pub(super) fn show(studio: &mut Studio, recovered: &Recovered) {
-    let Recovered { orphan, snapshot, scene, findings, is_partial } = recovered;
+pub(super) fn show(studio: &mut Studio, recovered: &RecoveredDocument) {
+    let RecoveredDocument { orphan, snapshot, scene, findings, is_partial } = recovered;
     let text: Arc<str> = snapshot.text.as_str().into();
     let editor = match &snapshot.original_path {
         Some(path) => Editor::open(path.clone(), Arc::clone(&text), scene.clone()),
@@ -114,9 +116,9 @@ pub(super) fn show(studio: &mut Studio, recovered: &Recovered) {
     show_recovered(studio, editor, orphan.written());
     studio.documents.is_partial = *is_partial;
     let number = studio.documents.number;
-    studio.documents.keeper.has_restored(number, Arc::clone(orphan));
+    studio.documents.autosave.has_restored(number, Arc::clone(orphan));
     if !findings.is_empty() {
-        notice::show_findings(studio, text, findings.clone());
+        banner::show_findings(studio, text, findings.clone());
     }
     let title = super::name(studio);
     studio.toasts.success(studio.texts.with("restored", &[("name", title.into())]));

@@ -4,34 +4,34 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use catoptric_editor::Writing;
+use catoptric_editor::SceneWriter;
 use egui::Context;
 
-use super::ask::name_of;
-use super::disk::{self, May, WriteFailure, Written};
-use super::job::{Job, Progress};
-use super::{Next, leave, notice, save_as};
+use super::disk::{self, OverwriteRule, SavedFile, WriteFailure};
+use super::file_prompt::name_of;
+use super::job::{Job, JobStatus};
+use super::{NextDocument, banner, close_guard, save_as};
 use crate::app::Studio;
-use crate::dialogs::question::{Act, Question};
+use crate::dialogs::question::{AnswerAction, QuestionDialog};
 use crate::settings::LastScene;
 
-/// A saving to be begun.
-pub(super) struct Order {
+/// A request to save the document.
+pub(super) struct SceneSaveRequest {
     pub(super) path: PathBuf,
-    pub(super) may: May,
+    pub(super) may: OverwriteRule,
     /// What was meant to come after it.
-    pub(super) then: Option<Next>,
+    pub(super) then: Option<NextDocument>,
 }
 
-/// A saving under way.
-pub(super) struct Saving {
-    job: Job<Result<Written, WriteFailure>>,
-    writing: Writing,
+/// A save that is under way.
+pub(super) struct SceneSaveTask {
+    job: Job<Result<SavedFile, WriteFailure>>,
+    writing: SceneWriter,
     document: u64,
-    order: Order,
+    order: SceneSaveRequest,
 }
 
-impl Saving {
+impl SceneSaveTask {
     pub(super) fn since(&self) -> Instant {
         self.job.since()
     }
@@ -41,37 +41,37 @@ impl Saving {
     }
 
     /// Has something done after it, unless something else is meant to come already.
-    pub(super) fn then(&mut self, next: Next) {
+    pub(super) fn then(&mut self, next: NextDocument) {
         self.order.then.get_or_insert(next);
     }
 }
 
 /// Saves the document to its file, or asks for one; then does what was meant to come after.
-pub(crate) fn save(context: &Context, studio: &mut Studio, then: Option<Next>) {
+pub(crate) fn save(context: &Context, studio: &mut Studio, then: Option<NextDocument>) {
     let Some(path) = studio.editor.path().map(Path::to_owned) else { return save_as(studio, then) };
     if studio.documents.is_partial {
         ask_about_partial(studio, path, then);
         return;
     }
-    let may = studio.documents.may.unwrap_or(May::Replace);
-    order(context, studio, Order { path, may, then });
+    let may = studio.documents.may.unwrap_or(OverwriteRule::Replace);
+    order(context, studio, SceneSaveRequest { path, may, then });
 }
 
 /// Begins to save, or waits until the saving under way is done.
-pub(super) fn order(context: &Context, studio: &mut Studio, order: Order) {
+pub(super) fn order(context: &Context, studio: &mut Studio, order: SceneSaveRequest) {
     if studio.documents.saving.is_some() {
         studio.documents.next_saving = Some(order);
         return;
     }
     studio.editor.settle();
     let path = std::path::absolute(&order.path).unwrap_or(order.path);
-    let order = Order { path, ..order };
+    let order = SceneSaveRequest { path, ..order };
     let writing = studio.editor.writing_to(&order.path);
     let (written, path, may) = (writing.clone(), order.path.clone(), order.may);
     match Job::start(context, "save", move || disk::write(&written, &path, may)) {
         Ok(job) => {
             let document = studio.documents.number;
-            studio.documents.saving = Some(Saving { job, writing, document, order });
+            studio.documents.saving = Some(SceneSaveTask { job, writing, document, order });
         }
         Err(error) => {
             let path = order.path.display().to_string();
@@ -86,30 +86,30 @@ pub(super) fn order(context: &Context, studio: &mut Studio, order: Order) {
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
     let Some(saving) = studio.documents.saving.take() else { return };
     match saving.job.poll() {
-        Progress::Waiting => {
+        JobStatus::Waiting => {
             studio.documents.saving = Some(saving);
             return;
         }
-        Progress::Done(Ok(written)) => return saved(context, studio, saving, written),
-        Progress::Done(Err(WriteFailure::Other)) => ask_about_replacing(studio, saving.order),
-        Progress::Done(Err(WriteFailure::Cannot(error))) => {
+        JobStatus::Done(Ok(written)) => return saved(context, studio, saving, written),
+        JobStatus::Done(Err(WriteFailure::Other)) => ask_about_replacing(studio, saving.order),
+        JobStatus::Done(Err(WriteFailure::Cannot(error))) => {
             let text = disk::write_failure_in_words(&studio.texts, &error);
             tell_failure(studio, &text, saving.order.then);
         }
-        Progress::Lost => {
+        JobStatus::Lost => {
             let text = studio.texts.get("fault").to_owned();
             tell_failure(studio, &text, saving.order.then);
         }
     }
-    // What went wrong is told; the person may try again.
+    // The error is shown; the person may try again.
     studio.documents.next_saving = None;
 }
 
-fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Written) {
-    let Saving { writing, document, order: Order { path, then, .. }, .. } = saving;
+fn saved(context: &Context, studio: &mut Studio, saving: SceneSaveTask, written: SavedFile) {
+    let SceneSaveTask { writing, document, order: SceneSaveRequest { path, then, .. }, .. } = saving;
     let then = then.map(|next| match next {
         // What has been read is no longer what the file says.
-        Next::Show(opened) if opened.path == path => Next::Open(path.clone()),
+        NextDocument::Show(opened) if opened.path == path => NextDocument::Open(path.clone()),
         next => next,
     });
     studio.settings.remember_recent(&path);
@@ -120,75 +120,77 @@ fn saved(context: &Context, studio: &mut Studio, saving: Saving, written: Writte
         let documents = &mut studio.documents;
         documents.text_on_disk = Some(written.text);
         documents.saves += 1;
-        documents.may = written.stamp.map(May::Update);
+        documents.may = written.stamp.map(OverwriteRule::Update);
         documents.is_partial = false;
         documents.example = None;
         studio.settings.last = Some(LastScene::File(path));
-        notice::clear_findings(studio);
+        banner::clear_findings(studio);
     }
     match (studio.documents.next_saving.take(), then) {
         (Some(mut next), then) => {
             // First things first.
             next.then = next.then.or(then);
-            if let (May::Update(_) | May::UpdateBefore(_), Some(may)) = (next.may, studio.documents.may) {
+            if let (OverwriteRule::Update(_) | OverwriteRule::UpdateBefore(_), Some(may)) =
+                (next.may, studio.documents.may)
+            {
                 // The file is the one that has just been written.
                 next.may = may;
             }
             order(context, studio, next);
         }
         // Asks again if the scene has changed while it was being written.
-        (None, Some(next)) => leave::replace(context, studio, next),
+        (None, Some(next)) => close_guard::replace(context, studio, next),
         (None, None) => {}
     }
 }
 
 /// There is a file already, or another program has changed it.
-fn ask_about_replacing(studio: &mut Studio, order: Order) {
+fn ask_about_replacing(studio: &mut Studio, order: SceneSaveRequest) {
     let name = name_of(&order.path);
     let path = order.path.display().to_string();
     let texts = &studio.texts;
     let (title, text) = match order.may {
-        May::Create | May::Replace => ("replace-title", "replace-text"),
-        May::Update(_) | May::UpdateBefore(_) => ("overwrite-title", "overwrite-text"),
+        OverwriteRule::Create | OverwriteRule::Replace => ("replace-title", "replace-text"),
+        OverwriteRule::Update(_) | OverwriteRule::UpdateBefore(_) => ("overwrite-title", "overwrite-text"),
     };
-    let question = Question::new(
+    let question = QuestionDialog::new(
         texts.with(title, &[("name", name.into())]),
         texts.with(text, &[("path", path.into())]),
     );
-    let Order { path, then, .. } = order;
+    let SceneSaveRequest { path, then, .. } = order;
     let other = then.clone();
     let question = question
         .choice(texts.get("save-as"), move |_, studio| save_as(studio, other))
         .choice(texts.get("cancel"), |_, _| {})
         .choice(texts.get("replace"), move |context, studio| {
-            super::save::order(context, studio, Order { path, may: May::Replace, then });
+            super::save::order(context, studio, SceneSaveRequest { path, may: OverwriteRule::Replace, then });
         });
     studio.dialogs.open(question);
 }
 
 /// The file has parts that could not be read and would be lost.
-fn ask_about_partial(studio: &mut Studio, path: PathBuf, then: Option<Next>) {
+fn ask_about_partial(studio: &mut Studio, path: PathBuf, then: Option<NextDocument>) {
     let texts = &studio.texts;
     let name = super::name(studio);
     let other = then.clone();
-    let question = Question::new(
+    let question = QuestionDialog::new(
         texts.with("partial-title", &[("name", name.clone().into())]),
         texts.with("partial-text", &[("name", name.into())]),
     )
     .choice(texts.get("save-as"), move |_, studio| save_as(studio, other))
     .choice(texts.get("cancel"), |_, _| {})
     .choice(texts.get("replace"), move |context, studio: &mut Studio| {
-        let may = studio.documents.may.unwrap_or(May::Replace);
-        order(context, studio, Order { path, may, then });
+        let may = studio.documents.may.unwrap_or(OverwriteRule::Replace);
+        order(context, studio, SceneSaveRequest { path, may, then });
     });
     studio.dialogs.open(question);
 }
 
 /// The document could not be saved; nothing is lost.
-fn tell_failure(studio: &mut Studio, text: &str, then: Option<Next>) {
+fn tell_failure(studio: &mut Studio, text: &str, then: Option<NextDocument>) {
     let texts = &studio.texts;
-    let rest: Act = Box::new(move |_, studio| save_as(studio, then));
-    let question = Question::new(
+    let rest: AnswerAction = Box::new(move |_, studio| save_as(studio, then));
+    let question = QuestionDialog::new(
         texts.get("save-failed"),
         format!("{text}\n\n{}", texts.get("save-failed-nothing-lost")),
     )

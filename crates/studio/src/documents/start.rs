@@ -1,15 +1,15 @@
-//! What the studio starts with.
+//! The document at the start.
 
 use std::path::{Path, PathBuf};
 
 use catoptric_scene::Example;
 use egui::Context;
 
+use super::autosave::Autosave;
 use super::disk::{self, ReadFailure};
-use super::keeper::Keeper;
-use super::remember::Memory;
+use super::settings_file::SettingsFile;
 use super::{Documents, open, show_example, show_fresh, show_opened};
-use crate::app::{Start, Studio};
+use crate::app::{StartDocument, Studio};
 use crate::settings::LastScene;
 use crate::window::Interruption;
 
@@ -23,18 +23,18 @@ const SHORT: u64 = 1 << 21;
 pub(crate) fn start(
     context: &Context,
     studio: &mut Studio,
-    start: &Start,
+    start: &StartDocument,
     interruption: Option<Interruption>,
 ) {
-    let memory = Memory::of(&studio.settings);
+    let memory = SettingsFile::of(&studio.settings);
     studio.documents = Documents { memory, interruption, ..Documents::default() };
     if let Some(folder) = studio.host.recovery_folder() {
-        studio.documents.keeper = Keeper::start(context, folder);
+        studio.documents.autosave = Autosave::start(context, folder);
     }
     match start {
-        Start::Example(name) => show_named(studio, name),
-        Start::File(path) => show_file(context, studio, path, false),
-        Start::Last => match studio.settings.last.clone() {
+        StartDocument::Example(name) => show_named(studio, name),
+        StartDocument::File(path) => show_file(context, studio, path, false),
+        StartDocument::Last => match studio.settings.last.clone() {
             Some(LastScene::File(path)) => show_file(context, studio, &path, true),
             Some(LastScene::Example(name)) => show_named(studio, &name),
             None => show_named(studio, FIRST),
@@ -49,7 +49,7 @@ fn show_named(studio: &mut Studio, name: &str) {
     }
 }
 
-/// Shows the file at `path`. If it cannot be read, the first example is shown, and the reason told.
+/// Shows the file at `path`. If it cannot be read, the first example is shown with the reason.
 fn show_file(context: &Context, studio: &mut Studio, path: &Path, is_last: bool) {
     let path: PathBuf = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     match std::fs::metadata(&path) {

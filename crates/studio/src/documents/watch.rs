@@ -1,4 +1,4 @@
-//! Whether another program has changed the file of the open document.
+//! A watch over changes of the open file by other programs.
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
@@ -10,8 +10,8 @@ use std::time::Duration;
 use egui::{Align, Context, Event, Frame, Label, Layout, Margin, Panel, RichText, Ui};
 use egui_material_icons::icons;
 
-use super::ask::name_of;
-use super::disk::{May, Stamp};
+use super::disk::{FileStamp, OverwriteRule};
+use super::file_prompt::name_of;
 use super::{has_unsaved_work, open};
 use crate::app::Studio;
 use crate::theme;
@@ -19,42 +19,42 @@ use crate::theme;
 /// How often the file is looked at; it is looked at when the window gets the focus, too.
 const INTERVAL: Duration = Duration::from_secs(2);
 
-/// The file as it was read or written here last.
+/// The file as it was last read or written here.
 #[derive(Clone)]
-struct Known {
+struct WatchedFile {
     document: u64,
     path: PathBuf,
-    stamp: Stamp,
+    stamp: FileStamp,
     text: Arc<str>,
 }
 
-impl Known {
+impl WatchedFile {
     fn is_same(&self, other: &Self) -> bool {
         (self.document, self.stamp, &self.path) == (other.document, other.stamp, &other.path)
             && Arc::ptr_eq(&self.text, &other.text)
     }
 }
 
-/// What another program has done to the file.
+/// A change of the file by another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Change {
-    /// It has written the same text.
-    Touched(Stamp),
-    /// It has written another text.
+enum FileChange {
+    /// Another program has written the same text.
+    Touched(FileStamp),
+    /// Another program has written another text.
     Rewritten,
 }
 
 /// A thread that looks at the file of the document again and again.
 struct FileWatch {
-    known: Known,
-    changes: Receiver<Change>,
+    known: WatchedFile,
+    changes: Receiver<FileChange>,
     thread: Thread,
     /// The thread ends without it.
     alive: Option<Arc<()>>,
 }
 
 impl FileWatch {
-    fn start(context: &Context, known: Known) -> Option<Self> {
+    fn start(context: &Context, known: WatchedFile) -> Option<Self> {
         let (sender, changes) = mpsc::channel();
         let alive = Arc::new(());
         let (watched, life, context) = (known.clone(), Arc::downgrade(&alive), context.clone());
@@ -75,13 +75,13 @@ impl Drop for FileWatch {
 }
 
 /// Tells each change of the file once.
-fn look(known: &Known, life: &Weak<()>, sender: &Sender<Change>, context: &Context) {
+fn look(known: &WatchedFile, life: &Weak<()>, sender: &Sender<FileChange>, context: &Context) {
     let mut last = known.stamp;
     while life.strong_count() > 0 {
-        if let Some(found) = Stamp::of(&known.path).filter(|found| *found != last) {
+        if let Some(found) = FileStamp::of(&known.path).filter(|found| *found != last) {
             last = found;
             let is_same = has_text(&known.path, &known.text);
-            let change = if is_same { Change::Touched(found) } else { Change::Rewritten };
+            let change = if is_same { FileChange::Touched(found) } else { FileChange::Rewritten };
             if sender.send(change).is_err() {
                 return;
             }
@@ -100,9 +100,9 @@ fn has_text(path: &Path, text: &str) -> bool {
     file.take(limit).read_to_end(&mut read).is_ok() && read == text.as_bytes()
 }
 
-/// What is known about changes by other programs.
+/// The changes of the file by other programs.
 #[derive(Default)]
-pub(super) struct Outside {
+pub(super) struct ExternalChanges {
     watch: Option<FileWatch>,
     /// Whether to offer to reload the file.
     is_rewritten: bool,
@@ -119,7 +119,7 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
         _ => false,
     };
     if !is_watched {
-        *outside = Outside::default();
+        *outside = ExternalChanges::default();
         outside.watch = known.and_then(|known| FileWatch::start(context, known));
     }
     let Some(watch) = &outside.watch else { return };
@@ -128,23 +128,24 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     }
     for change in watch.changes.try_iter() {
         match change {
-            Change::Touched(stamp) => {
-                documents.may = Some(May::Update(stamp));
+            FileChange::Touched(stamp) => {
+                documents.may = Some(OverwriteRule::Update(stamp));
                 outside.is_rewritten = false;
             }
-            Change::Rewritten => outside.is_rewritten = true,
+            FileChange::Rewritten => outside.is_rewritten = true,
         }
     }
 }
 
-fn known(studio: &Studio) -> Option<Known> {
+fn known(studio: &Studio) -> Option<WatchedFile> {
     let documents = &studio.documents;
-    let (Some(May::Update(stamp)), None, None) = (documents.may, &documents.saving, &documents.reading)
+    let (Some(OverwriteRule::Update(stamp)), None, None) =
+        (documents.may, &documents.saving, &documents.reading)
     else {
         return None;
     };
     let (path, text) = (studio.editor.path()?.to_owned(), Arc::clone(documents.text_on_disk.as_ref()?));
-    Some(Known { document: documents.number, path, stamp, text })
+    Some(WatchedFile { document: documents.number, path, stamp, text })
 }
 
 /// Draws the banner that offers to reload a file that another program has changed.

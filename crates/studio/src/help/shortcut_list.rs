@@ -1,8 +1,8 @@
-//! All commands with their shortcuts, and what the mouse does in the picture.
+//! All commands with their shortcuts, and the use of the mouse in the picture.
 
 use egui::{Align, Layout, RichText, Sense, Ui, vec2};
 
-use crate::command::{Command, Group};
+use crate::command::{Command, CommandGroup};
 use crate::shortcuts;
 use crate::texts::Texts;
 use crate::theme;
@@ -37,7 +37,7 @@ pub(super) fn list_ui(ui: &mut Ui, texts: &Texts) {
     for (hand, does) in GESTURES {
         line_ui(ui, texts.get(does), &[texts.get(hand).to_owned()]);
     }
-    for group in Group::ALL {
+    for group in CommandGroup::ALL {
         title_ui(ui, texts.get(group.key()));
         for command in Command::all() {
             let Some(look) = command.look().filter(|look| look.group == group) else { continue };

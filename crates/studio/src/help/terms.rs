@@ -7,18 +7,18 @@ use crate::texts::Texts;
 use crate::theme;
 
 /// A term: its sign with the index that stands under it, and its message.
-struct Term {
+struct GlossaryTerm {
     sign: &'static str,
     index: &'static str,
     key: &'static str,
 }
 
-const fn term(sign: &'static str, index: &'static str, key: &'static str) -> Term {
-    Term { sign, index, key }
+const fn term(sign: &'static str, index: &'static str, key: &'static str) -> GlossaryTerm {
+    GlossaryTerm { sign, index, key }
 }
 
 /// The terms, from the surface over the light to the rays, then the other ways of drawing.
-const TERMS: [Term; 27] = [
+const TERMS: [GlossaryTerm; 27] = [
     term("C", "", "glossary-color"),
     term("k", "a", "glossary-ambient"),
     term("k", "d", "glossary-diffuse"),
@@ -66,7 +66,7 @@ pub(super) fn terms_ui(ui: &mut Ui, texts: &Texts) {
     });
 }
 
-fn sign(term: &Term, color: egui::Color32) -> LayoutJob {
+fn sign(term: &GlossaryTerm, color: egui::Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let format = |size, valign| TextFormat {
         font_id: FontId::proportional(size),

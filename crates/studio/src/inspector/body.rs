@@ -7,15 +7,15 @@ use catoptric_scene::format::keys;
 use catoptric_scene::{Body, Shape, ShapeKind};
 use egui::{Id, Ui};
 
-use super::sheet::{Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
-use super::{Memory, header, material, place, reshape};
+use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
+use super::{InspectorState, header, material, place, reshape};
 use crate::context::Cx;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::section::section;
 
-static RADIUS: Number<Body> = Number::<Body>::new(
-    Quantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
-    Rail::None,
+static RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
+    SliderRail::None,
     |body| match body.shape {
         Shape::Sphere { radius } | Shape::Cylinder { radius, .. } => Some(radius),
         _ => None,
@@ -27,9 +27,9 @@ static RADIUS: Number<Body> = Number::<Body>::new(
     },
 );
 
-static BASE_RADIUS: Number<Body> = Number::<Body>::new(
-    Quantity::new("base-radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
-    Rail::None,
+static BASE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("base-radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
+    SliderRail::None,
     |body| if let Shape::Cone { radius, .. } = body.shape { Some(radius) } else { None },
     |body, value| {
         if let Shape::Cone { radius, .. } = &mut body.shape {
@@ -38,9 +38,9 @@ static BASE_RADIUS: Number<Body> = Number::<Body>::new(
     },
 );
 
-static TOP_RADIUS: Number<Body> = Number::<Body>::new(
-    Quantity::new("top-radius", "edit-top-radius", &keys::BODY, "top_radius").in_unit(Unit::Meters),
-    Rail::None,
+static TOP_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("top-radius", "edit-top-radius", &keys::BODY, "top_radius").in_unit(Unit::Meters),
+    SliderRail::None,
     |body| if let Shape::Cone { top_radius, .. } = body.shape { Some(top_radius) } else { None },
     |body, value| {
         if let Shape::Cone { top_radius, .. } = &mut body.shape {
@@ -49,16 +49,16 @@ static TOP_RADIUS: Number<Body> = Number::<Body>::new(
     },
 );
 
-static HEIGHT: Number<Body> = Number::<Body>::new(
-    Quantity::new("height", "edit-height", &keys::BODY, "height").in_unit(Unit::Meters),
-    Rail::None,
+static HEIGHT: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("height", "edit-height", &keys::BODY, "height").in_unit(Unit::Meters),
+    SliderRail::None,
     Body::height,
     reshape::set_height,
 );
 
-static SIZE: Vector<Body> = Vector::<Body>::new(
-    Quantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
-    Spread::Same,
+static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
+    RowQuantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
+    VectorSpread::Same,
     |body| if let Shape::Cube { size } = body.shape { Some(size) } else { None },
     |body, value| {
         if let Shape::Cube { size } = &mut body.shape {
@@ -69,13 +69,13 @@ static SIZE: Vector<Body> = Vector::<Body>::new(
 .linked(|memory| &mut memory.size_link);
 
 /// Draws the values of the selected bodies.
-pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let scene = Arc::clone(cx.editor.scene());
     let selected = cx.editor.selection().bodies().rev().collect();
     let chosen = header::chosen_ui(ui, cx, Item::Body, selected, "several-bodies");
-    let Some(header::Chosen { indices, first, subject, is_free }) = chosen else { return };
+    let Some(header::InspectedItems { indices, first, subject, is_free }) = chosen else { return };
     let Some(primary) = scene.bodies.get(first) else { return };
-    let mut sheet = Sheet {
+    let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
         subject: subject.clone(),
@@ -96,14 +96,14 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     material::of_bodies_ui(ui, cx, memory, &scene, &indices, &subject);
 }
 
-fn shape_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
+fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     let kind = sheet.primary.shape.kind();
     let summary = texts.get(shape_key(&sheet.primary.shape));
     section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free, |ui| {
         let choices = ShapeKind::ALL.map(|kind| {
             let key = shape_key(&kind.shape());
-            Choice {
+            ChoiceItem {
                 value: kind,
                 text: texts.get(key),
                 tip: texts.tip(key).unwrap_or_default(),

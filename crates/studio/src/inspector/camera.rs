@@ -9,37 +9,38 @@ use catoptric_scene::{Camera, Projection};
 use egui::{Id, Ui};
 use glam::DVec3;
 
-use super::sheet::{Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
-use super::{Memory, header};
+use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
+use super::{InspectorState, header};
 use crate::context::Cx;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::number::{shown, tidy};
 use crate::widgets::section::section;
 
-static POSITION: Vector<Camera> = Vector::<Camera>::new(
-    Quantity::new("camera-position", "edit-camera-position", &keys::CAMERA, "position").in_unit(Unit::Meters),
-    Spread::Same,
+static POSITION: VectorRow<Camera> = VectorRow::<Camera>::new(
+    RowQuantity::new("camera-position", "edit-camera-position", &keys::CAMERA, "position")
+        .in_unit(Unit::Meters),
+    VectorSpread::Same,
     |camera| Some(camera.position),
     |camera, value| camera.position = value,
 );
 
-static TARGET: Vector<Camera> = Vector::<Camera>::new(
-    Quantity::new("camera-target", "edit-camera-target", &keys::CAMERA, "target").in_unit(Unit::Meters),
-    Spread::Same,
+static TARGET: VectorRow<Camera> = VectorRow::<Camera>::new(
+    RowQuantity::new("camera-target", "edit-camera-target", &keys::CAMERA, "target").in_unit(Unit::Meters),
+    VectorSpread::Same,
     |camera| Some(camera.target),
     |camera, value| camera.target = value,
 );
 
-static UP: Vector<Camera> = Vector::<Camera>::new(
-    Quantity::new("camera-up", "edit-camera-up", &keys::CAMERA, "up"),
-    Spread::Same,
+static UP: VectorRow<Camera> = VectorRow::<Camera>::new(
+    RowQuantity::new("camera-up", "edit-camera-up", &keys::CAMERA, "up"),
+    VectorSpread::Same,
     |camera| Some(camera.up),
     |camera, value| camera.up = value,
 );
 
-static FOV: Number<Camera> = Number::<Camera>::new(
-    Quantity::new("fov", "edit-fov", &keys::CAMERA, "fov").in_unit(Unit::Degrees),
-    Rail::Even(5.0, 120.0),
+static FOV: NumberRow<Camera> = NumberRow::<Camera>::new(
+    RowQuantity::new("fov", "edit-fov", &keys::CAMERA, "fov").in_unit(Unit::Degrees),
+    SliderRail::Even(5.0, 120.0),
     |camera| match camera.projection {
         Projection::Perspective { fov_degrees } => Some(fov_degrees),
         Projection::Parallel { .. } => None,
@@ -48,9 +49,9 @@ static FOV: Number<Camera> = Number::<Camera>::new(
 )
 .tuned(0.1, 2);
 
-static WINDOW: Number<Camera> = Number::<Camera>::new(
-    Quantity::new("window-height", "edit-window-height", &keys::CAMERA, "height").in_unit(Unit::Meters),
-    Rail::None,
+static WINDOW: NumberRow<Camera> = NumberRow::<Camera>::new(
+    RowQuantity::new("window-height", "edit-window-height", &keys::CAMERA, "height").in_unit(Unit::Meters),
+    SliderRail::None,
     |camera| match camera.projection {
         Projection::Parallel { height } => Some(height),
         Projection::Perspective { .. } => None,
@@ -59,26 +60,26 @@ static WINDOW: Number<Camera> = Number::<Camera>::new(
 );
 
 /// The direction of view in three numbers. Changing one moves the target; the camera stays.
-static DISTANCE: Number<Camera> = Number::<Camera>::new(
+static DISTANCE: NumberRow<Camera> = NumberRow::<Camera>::new(
     // The limits of a window's height are those of all lengths.
-    Quantity::new("view-distance", "edit-view-direction", &keys::CAMERA, "height").in_unit(Unit::Meters),
-    Rail::None,
+    RowQuantity::new("view-distance", "edit-view-direction", &keys::CAMERA, "height").in_unit(Unit::Meters),
+    SliderRail::None,
     |camera| Some(tidy(camera.position.distance(camera.target))),
     |camera, value| look(camera, |view| view.distance = value),
 );
 
-static AZIMUTH: Number<Camera> = Number::<Camera>::new(
-    Quantity::new("view-azimuth", "edit-view-direction", &ANGLES, "azimuth").in_unit(Unit::Degrees),
-    Rail::Even(-180.0, 180.0),
-    |camera| Some(round_angle(View::of(camera).azimuth)),
+static AZIMUTH: NumberRow<Camera> = NumberRow::<Camera>::new(
+    RowQuantity::new("view-azimuth", "edit-view-direction", &ANGLES, "azimuth").in_unit(Unit::Degrees),
+    SliderRail::Even(-180.0, 180.0),
+    |camera| Some(round_angle(CameraAngles::of(camera).azimuth)),
     |camera, value| look(camera, |view| view.azimuth = value),
 )
 .tuned(0.2, 2);
 
-static ELEVATION: Number<Camera> = Number::<Camera>::new(
-    Quantity::new("view-elevation", "edit-view-direction", &ANGLES, "elevation").in_unit(Unit::Degrees),
-    Rail::Even(-90.0, 90.0),
-    |camera| Some(round_angle(View::of(camera).elevation)),
+static ELEVATION: NumberRow<Camera> = NumberRow::<Camera>::new(
+    RowQuantity::new("view-elevation", "edit-view-direction", &ANGLES, "elevation").in_unit(Unit::Degrees),
+    SliderRail::Even(-90.0, 90.0),
+    |camera| Some(round_angle(CameraAngles::of(camera).elevation)),
     |camera, value| look(camera, |view| view.elevation = value),
 )
 .tuned(0.2, 2);
@@ -93,8 +94,8 @@ static ANGLES: TableSpec = TableSpec {
     ],
 };
 
-/// Where a camera looks, seen from its place.
-struct View {
+/// The direction of a camera as angles.
+struct CameraAngles {
     /// Degrees to the right of -Z.
     azimuth: f64,
     /// Degrees above the horizon.
@@ -103,7 +104,7 @@ struct View {
     distance: f64,
 }
 
-impl View {
+impl CameraAngles {
     fn of(camera: &Camera) -> Self {
         let view = camera.target - camera.position;
         let flat = view.x.hypot(view.z);
@@ -124,17 +125,17 @@ fn round_angle(degrees: f64) -> f64 {
     (degrees * 1e6).round() / 1e6
 }
 
-fn look(camera: &mut Camera, change: impl FnOnce(&mut View)) {
-    let mut view = View::of(camera);
+fn look(camera: &mut Camera, change: impl FnOnce(&mut CameraAngles)) {
+    let mut view = CameraAngles::of(camera);
     change(&mut view);
     camera.target = (camera.position + view.distance * view.direction()).map(tidy);
 }
 
 /// Draws the values of the camera.
-pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let scene = Arc::clone(cx.editor.scene());
     let is_free = cx.view.free_camera.is_some();
-    let mut sheet = Sheet {
+    let mut sheet = PropertySheet {
         primary: &scene.camera,
         things: vec![&scene.camera],
         subject: String::new(),
@@ -167,10 +168,10 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     });
 }
 
-fn projection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>) {
+fn projection_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Camera>) {
     let texts = sheet.texts();
     let choices = [(false, "projection-perspective"), (true, "projection-parallel")].map(|(value, key)| {
-        Choice { value, text: texts.get(key), tip: texts.tip(key).unwrap_or_default(), is_enabled: true }
+        ChoiceItem { value, text: texts.get(key), tip: texts.tip(key).unwrap_or_default(), is_enabled: true }
     });
     let chosen = matches!(sheet.primary.projection, Projection::Parallel { .. });
     let id = sheet.id.with("projection");
@@ -185,7 +186,7 @@ fn projection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>) {
 }
 
 /// The lens that sees as much on film of 36 × 24 mm: f = 12 mm / tan(fov / 2).
-fn lens_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Camera>, fov_degrees: f64) {
+fn lens_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Camera>, fov_degrees: f64) {
     let millimeters = 12.0 / (0.5 * fov_degrees).to_radians().tan();
     sheet.plain_row(ui, "lens", |sheet, ui| {
         ui.label(sheet.texts().with("lens-value", &[("value", shown(sheet.texts(), millimeters, 1).into())]));
@@ -200,12 +201,12 @@ mod tests {
     fn the_direction_of_view_goes_there_and_back() {
         let mut camera = Camera { position: DVec3::new(1.0, 2.0, 3.0), ..Camera::default() };
         for (azimuth, elevation) in [(0.0, 0.0), (90.0, 30.0), (-135.0, -60.0), (180.0, 10.0)] {
-            look(&mut camera, |view| *view = View { azimuth, elevation, distance: 4.0 });
-            let view = View::of(&camera);
+            look(&mut camera, |view| *view = CameraAngles { azimuth, elevation, distance: 4.0 });
+            let view = CameraAngles::of(&camera);
             assert!((view.azimuth - azimuth).abs() < 1e-6, "{azimuth} {}", view.azimuth);
             assert!((view.elevation - elevation).abs() < 1e-6 && (view.distance - 4.0).abs() < 1e-9);
         }
-        look(&mut camera, |view| *view = View { azimuth: 90.0, elevation: 0.0, distance: 1.0 });
+        look(&mut camera, |view| *view = CameraAngles { azimuth: 90.0, elevation: 0.0, distance: 1.0 });
         assert!(camera.target.abs_diff_eq(DVec3::new(2.0, 2.0, 3.0), 1e-9));
     }
 }

@@ -1,6 +1,8 @@
 //! The curve of reflection: how much a material reflects under which angle.
 
-use catoptric_lab::reflectance::{Curve, CurveKind, Mark, MarkKind, curves_of, marks_of, reflected_at};
+use catoptric_lab::reflectance::{
+    CurveKind, ReflectanceCurve, SpecialAngle, SpecialAngleKind, curves_of, marks_of, reflected_at,
+};
 use catoptric_scene::Material;
 use egui::{
     Align2, Color32, FontId, Pos2, Rect, RichText, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
@@ -9,23 +11,23 @@ use egui::{
 
 use super::header::hint;
 use crate::texts::Texts;
-use crate::theme::{self, Palette};
-use crate::view::Seen;
+use crate::theme::{self, ThemeColors};
+use crate::view::ProjectedPoint;
 use crate::widgets::number::shown;
 
 const HEIGHT: f32 = 132.0;
 /// Points of a curve: two for each degree, so that critical angles are sharp.
 const POINTS: usize = 181;
 
-/// The curves of a material and what is marked in them, kept as long as it stays the same: those of metals take work.
+/// The reflectance curves of a material and their special angles, kept until it changes: those of metals take work.
 #[derive(Default)]
-pub(crate) struct Curves {
+pub(crate) struct ReflectanceCurves {
     of: Option<Box<Material>>,
-    curves: Vec<Curve>,
-    marks: Vec<Mark>,
+    curves: Vec<ReflectanceCurve>,
+    marks: Vec<SpecialAngle>,
 }
 
-impl Curves {
+impl ReflectanceCurves {
     fn follow(&mut self, material: &Material) {
         if self.of.as_deref() != Some(material) {
             self.curves = curves_of(material);
@@ -40,18 +42,18 @@ pub(super) fn curve_ui(
     ui: &mut Ui,
     texts: &Texts,
     material: &Material,
-    kept: &mut Curves,
-    seen: Option<Seen>,
+    kept: &mut ReflectanceCurves,
+    seen: Option<ProjectedPoint>,
 ) {
     kept.follow(material);
-    let Curves { curves, marks, .. } = kept;
+    let ReflectanceCurves { curves, marks, .. } = kept;
     if curves.is_empty() {
         return;
     }
     let palette = theme::palette(ui.visuals());
     let (whole, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
     let area = Rect::from_min_max(whole.min + vec2(26.0, 8.0), whole.max - vec2(8.0, 18.0));
-    let chart = Chart { area, palette };
+    let chart = CurveChart { area, palette };
     chart.axes(ui, texts);
     for mark in marks.iter() {
         chart.mark(ui, texts, mark);
@@ -86,7 +88,7 @@ pub(super) fn curve_ui(
 }
 
 /// The angle under which a point is seen, and what is reflected there.
-fn seen_text(texts: &Texts, seen: Seen, [red, green, blue]: [f64; 3]) -> String {
+fn seen_text(texts: &Texts, seen: ProjectedPoint, [red, green, blue]: [f64; 3]) -> String {
     let angle = texts.localized(format!("{:.1}", seen.degrees));
     if red == green && green == blue {
         let key = if seen.is_from_inside { "curve-seen-inside-alike" } else { "curve-seen-alike" };
@@ -98,12 +100,12 @@ fn seen_text(texts: &Texts, seen: Seen, [red, green, blue]: [f64; 3]) -> String 
     texts.with(if seen.is_from_inside { "curve-seen-inside" } else { "curve-seen" }, &shares)
 }
 
-struct Chart<'p> {
+struct CurveChart<'p> {
     area: Rect,
-    palette: &'p Palette,
+    palette: &'p ThemeColors,
 }
 
-impl Chart<'_> {
+impl CurveChart<'_> {
     fn place(&self, degrees: f64, share: f64) -> Pos2 {
         let x = self.area.left() + self.area.width() * (degrees / 90.0) as f32;
         pos2(x, self.area.bottom() - self.area.height() * share as f32)
@@ -127,7 +129,7 @@ impl Chart<'_> {
         }
     }
 
-    fn curve(&self, ui: &Ui, curve: &Curve) {
+    fn curve(&self, ui: &Ui, curve: &ReflectanceCurve) {
         let step = 90.0 / (POINTS - 1) as f64;
         let points: Vec<Pos2> = (0..POINTS)
             .map(|index| {
@@ -144,7 +146,7 @@ impl Chart<'_> {
     }
 
     /// Marks an angle, and where the curves are there.
-    fn pointer<'c>(&self, ui: &Ui, degrees: f64, curves: impl Iterator<Item = &'c Curve>) {
+    fn pointer<'c>(&self, ui: &Ui, degrees: f64, curves: impl Iterator<Item = &'c ReflectanceCurve>) {
         let x = self.place(degrees, 0.0).x;
         ui.painter().vline(x, self.area.y_range(), Stroke::new(1.0, self.palette.text));
         for curve in curves {
@@ -158,26 +160,26 @@ impl Chart<'_> {
         }
     }
 
-    fn mark(&self, ui: &Ui, texts: &Texts, mark: &Mark) {
+    fn mark(&self, ui: &Ui, texts: &Texts, mark: &SpecialAngle) {
         let at = self.place(mark.degrees, 1.0);
         let stroke = Stroke::new(1.0, self.palette.accent.gamma_multiply(0.8));
         let bottom = self.place(mark.degrees, 0.0);
         ui.painter().extend(Shape::dashed_line(&[at, bottom], stroke, 2.0, 3.0));
         let sign = texts.get(match mark.kind {
-            MarkKind::Brewster => "brewster-sign",
-            MarkKind::Critical => "critical-sign",
+            SpecialAngleKind::Brewster => "brewster-sign",
+            SpecialAngleKind::Critical => "critical-sign",
         });
         let font = FontId::proportional(10.5);
         ui.painter().text(at + vec2(3.0, 2.0), Align2::LEFT_TOP, sign, font, self.palette.accent);
     }
 }
 
-fn told(texts: &Texts, mark: &Mark) -> String {
+fn told(texts: &Texts, mark: &SpecialAngle) -> String {
     let key = match (mark.kind, mark.is_from_inside) {
-        (MarkKind::Brewster, false) => "brewster-outside",
-        (MarkKind::Brewster, true) => "brewster-inside",
-        (MarkKind::Critical, false) => "critical-outside",
-        (MarkKind::Critical, true) => "critical-inside",
+        (SpecialAngleKind::Brewster, false) => "brewster-outside",
+        (SpecialAngleKind::Brewster, true) => "brewster-inside",
+        (SpecialAngleKind::Critical, false) => "critical-outside",
+        (SpecialAngleKind::Critical, true) => "critical-inside",
     };
     texts.with(key, &[("angle", shown(texts, mark.degrees, 2).into())])
 }
@@ -192,7 +194,7 @@ fn name_of(texts: &Texts, kind: CurveKind) -> &str {
     })
 }
 
-fn color_of(kind: CurveKind, palette: &Palette) -> Color32 {
+fn color_of(kind: CurveKind, palette: &ThemeColors) -> Color32 {
     match kind {
         CurveKind::Red => Color32::from_rgb(226, 84, 72),
         CurveKind::Green => Color32::from_rgb(84, 176, 92),

@@ -1,4 +1,4 @@
-//! How many generations the scene needs: from the mirrors alone, and from tracing what is seen.
+//! The generations that the scene needs: from the mirrors alone, and from tracing the view.
 
 use std::sync::Arc;
 
@@ -10,48 +10,48 @@ use catoptric_tracer::{RenderControl, RenderScene};
 use egui::{Button, Label, Response, RichText, Ui, vec2};
 use glam::UVec2;
 
-use super::sheet::Sheet;
+use super::sheet::PropertySheet;
 use crate::audit::short;
 use crate::latest::Latest;
 use crate::outliner::item_name;
 use crate::theme;
-use crate::typeset::Line;
+use crate::typeset::TextLine;
 use crate::widgets::number::{HEIGHT, shown};
 use crate::widgets::tip::tip_beside;
 
 /// The size of letters in the formula.
 const SIZE: f32 = 13.5;
 
-/// What is known about the present scene.
+/// Finds how many generations the scene needs.
 #[derive(Default)]
-pub(crate) struct Adviser {
-    work: Latest<Key, Advice>,
-    known: Option<(Key, Advice)>,
+pub(crate) struct DepthAdviser {
+    work: Latest<DepthKey, DepthAdvice>,
+    known: Option<(DepthKey, DepthAdvice)>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Key {
+struct DepthKey {
     revision: u64,
     /// The picture that is traced for it; `None` to look at the mirrors alone.
     picture: Option<(Camera, [u32; 2])>,
 }
 
 #[derive(Clone, Debug)]
-struct Advice {
+struct DepthAdvice {
     bound: DepthBound,
     /// The rays of a picture as the scene is, and with the advised threshold, if they are very many.
     work: Option<[RayEstimate; 2]>,
     measure: Option<DepthMeasure>,
 }
 
-impl Key {
-    fn carry_out(self, scene: &Scene, stage: &RenderScene, control: &RenderControl) -> Advice {
+impl DepthKey {
+    fn carry_out(self, scene: &Scene, stage: &RenderScene, control: &RenderControl) -> DepthAdvice {
         let bound = DepthBound::of(scene, stage);
         let work = work_of(stage, self.picture, control);
         let measure = self.picture.and_then(|(camera, size)| {
             DepthMeasure::of(stage, &stage.camera_for(&camera), UVec2::from(size), control).ok()
         });
-        Advice { bound, work, measure }
+        DepthAdvice { bound, work, measure }
     }
 }
 
@@ -79,7 +79,7 @@ fn work_of(
 }
 
 /// Draws what is known, with buttons that set the generations; has the rest found out.
-pub(super) fn depth_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
+pub(super) fn depth_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Tracing>) {
     keep_up(ui, sheet);
     let Some((key, advice)) = sheet.memory.adviser.known.clone() else { return };
     ui.add_space(4.0);
@@ -97,7 +97,7 @@ pub(super) fn depth_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
 }
 
 /// The mirrors are looked at at once; what is seen is traced when the picture is done.
-fn keep_up(ui: &Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
+fn keep_up(ui: &Ui, sheet: &mut PropertySheet<'_, '_, Tracing>) {
     let adviser = &mut sheet.memory.adviser;
     if let Some((key, Some(advice))) = adviser.work.poll() {
         adviser.known = Some((key, advice));
@@ -113,15 +113,15 @@ fn keep_up(ui: &Ui, sheet: &mut Sheet<'_, '_, Tracing>) {
             if known.picture == picture || !sheet.cx.live.status().is_idle {
                 return;
             }
-            Key { revision, picture }
+            DepthKey { revision, picture }
         }
-        _ => Key { revision, picture: None },
+        _ => DepthKey { revision, picture: None },
     };
     adviser.work.want(ui.ctx(), &key, move |control| key.carry_out(&scene, &stage, control));
 }
 
 /// The series of the strongest cycle of mirrors.
-fn bound_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, bound: &DepthBound) {
+fn bound_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Tracing>, bound: &DepthBound) {
     let texts = sheet.texts();
     let palette = theme::palette(ui.visuals());
     if bound.cycle.is_empty() {
@@ -140,14 +140,14 @@ fn bound_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, bound: &DepthBound)
     };
     note(ui, &texts.with(key, &arguments), texts.tip(key));
     let Some(generations) = bound.generations else { return };
-    let mut line = Line::default();
+    let mut line = TextLine::default();
     let (now, next) = (generations, generations + 1);
     line.push(ui, &format!("k^{{{now}}} + k^{{{next}}} + … < 1/512"), SIZE, palette.accent);
     advice_ui(ui, sheet, &line, generations);
 }
 
 /// Very many rays, and a button that sets the threshold that bounds them.
-fn work_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, [now, bounded]: &[RayEstimate; 2]) {
+fn work_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Tracing>, [now, bounded]: &[RayEstimate; 2]) {
     let texts = sheet.texts();
     let threshold = RayEstimate::ADVISED_THRESHOLD;
     let rays = |estimate: &RayEstimate| short(texts, estimate.per_sample.round());
@@ -168,7 +168,7 @@ fn work_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, [now, bounded]: &[Ra
 }
 
 /// What tracing showed.
-fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMeasure) {
+fn measure_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Tracing>, measure: &DepthMeasure) {
     let texts = sheet.texts();
     let limit = sheet.primary.generations;
     let place = usize::try_from(limit.saturating_sub(1)).unwrap_or(usize::MAX);
@@ -185,7 +185,7 @@ fn measure_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, measure: &DepthMe
         false => "depth-measured-part",
     };
     note(ui, &texts.with(key, &arguments), texts.tip(key));
-    let mut line = Line::default();
+    let mut line = TextLine::default();
     let color = theme::palette(ui.visuals()).accent;
     line.push_words(ui, &texts.with("depth-enough", &arguments), SIZE, color, ui.available_width() - 96.0);
     advice_ui(ui, sheet, &line, measure.generations);
@@ -198,7 +198,7 @@ fn note(ui: &mut Ui, text: &str, tip: Option<&str>) -> Response {
 }
 
 /// A line, and a button that sets the generations.
-fn advice_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Tracing>, line: &Line, generations: u32) {
+fn advice_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Tracing>, line: &TextLine, generations: u32) {
     let text = sheet.texts().with("depth-set", &[("count", generations.into())]);
     let is_set = sheet.primary.generations == generations;
     let is_clicked = ui

@@ -1,4 +1,4 @@
-//! Quiet words when a surface or its highlight would send out more light than it receives.
+//! Notes when a surface or its highlight would send out more light than it receives.
 
 use catoptric_lab::depth::{ExcessKind, excess_of};
 use catoptric_scene::{Color, Material, Model};

@@ -5,11 +5,11 @@
 use catoptric_scene::Color;
 use egui::{Color32, Frame, Id, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use super::Memory;
+use super::InspectorState;
 use super::symbol::Symbol;
 use crate::texts::Texts;
 use crate::theme;
-use crate::typeset::{self, Line};
+use crate::typeset::{self, TextLine};
 use crate::widgets::color::screen_color;
 use crate::widgets::number::{list, shown};
 use crate::widgets::tip::tip_beside;
@@ -27,15 +27,15 @@ const SIZE: f32 = 14.0;
 /// The height of a line of them.
 const LINE: f32 = 23.0;
 
-/// A part of a formula: markup, and the symbol that it is or is the number of.
-struct Factor {
+/// A part of a formula: markup, and the symbol that it shows.
+struct FormulaFactor {
     markup: String,
     /// A color to show before it.
     chip: Option<Color>,
     symbol: Option<Symbol>,
 }
 
-impl Factor {
+impl FormulaFactor {
     /// What stands between: `+`, `·`, brackets.
     fn sign(markup: &str) -> Self {
         Self { markup: markup.to_owned(), chip: None, symbol: None }
@@ -72,10 +72,10 @@ fn color_text(texts: &Texts, color: Color) -> String {
 }
 
 /// One line of a formula.
-struct Row<'t> {
+struct FormulaRow<'t> {
     /// What the line is called, for the names of its parts.
     name: &'t str,
-    factors: Vec<Factor>,
+    factors: Vec<FormulaFactor>,
     /// Whether it has the numbers of the line above it.
     is_numeric: bool,
     /// Whether it adds nothing.
@@ -85,7 +85,7 @@ struct Row<'t> {
 }
 
 /// Draws the lines of a formula in a frame of their own.
-fn rows_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, rows: &[Row<'_>]) {
+fn rows_ui(ui: &mut Ui, texts: &Texts, memory: &mut InspectorState, id: Id, rows: &[FormulaRow<'_>]) {
     let palette = theme::palette(ui.visuals());
     let frame =
         Frame::new().fill(palette.field).corner_radius(4.0).inner_margin(egui::Margin::symmetric(8, 6));
@@ -102,7 +102,7 @@ fn rows_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, rows: &[Row<
 }
 
 /// Sets one line, broken between factors where it is too long.
-fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>) {
+fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut InspectorState, id: Id, row: &FormulaRow<'_>) {
     let palette = theme::palette(ui.visuals());
     let color = match (row.is_idle, row.is_numeric) {
         (true, _) => palette.weak.gamma_multiply(0.8),
@@ -110,10 +110,10 @@ fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>
         (false, false) => palette.text,
     };
     let size = if row.is_numeric { SIZE - 1.0 } else { SIZE };
-    let set: Vec<Line> = row.factors.iter().map(|factor| set_factor(ui, factor, size, color)).collect();
+    let set: Vec<TextLine> = row.factors.iter().map(|factor| set_factor(ui, factor, size, color)).collect();
     let right = ui.available_width();
     // In a narrow panel, what is indented moves to the left rather than out of it.
-    let widest = set.iter().map(Line::width).fold(0.0, f32::max);
+    let widest = set.iter().map(TextLine::width).fold(0.0, f32::max);
     let indent = row.indent.min((right - 18.0 - widest).max(0.0));
     let mut x = indent;
     let mut line = 0.0;
@@ -142,8 +142,8 @@ fn row_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, id: Id, row: &Row<'_>
     }
 }
 
-fn set_factor(ui: &Ui, factor: &Factor, size: f32, color: Color32) -> Line {
-    let mut line = Line::default();
+fn set_factor(ui: &Ui, factor: &FormulaFactor, size: f32, color: Color32) -> TextLine {
+    let mut line = TextLine::default();
     if factor.symbol.is_some() && !factor.markup.starts_with('^') {
         line.space(1.5);
     }
@@ -156,7 +156,15 @@ fn set_factor(ui: &Ui, factor: &Factor, size: f32, color: Color32) -> Line {
 }
 
 /// Lights a factor that is pointed to, here or in its row, and explains it.
-fn point(ui: &Ui, texts: &Texts, memory: &mut Memory, id: Id, place: Rect, name: &str, symbol: Symbol) {
+fn point(
+    ui: &Ui,
+    texts: &Texts,
+    memory: &mut InspectorState,
+    id: Id,
+    place: Rect,
+    name: &str,
+    symbol: Symbol,
+) {
     let is_lit = memory.pointed == Some(symbol);
     if is_lit {
         let palette = theme::palette(ui.visuals());

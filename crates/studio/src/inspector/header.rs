@@ -59,9 +59,9 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
     }
 }
 
-/// Things of one kind whose values are shown.
-pub(super) struct Chosen {
-    /// Their places in their list, that of the primary one first.
+/// The selected things of one kind whose values are shown.
+pub(super) struct InspectedItems {
+    /// The places of the things in their list, that of the primary one first.
     pub(super) indices: Vec<usize>,
     pub(super) first: usize,
     /// What they are called together.
@@ -78,7 +78,7 @@ pub(super) fn chosen_ui(
     kind: fn(usize) -> Item,
     selected: Vec<usize>,
     several: &str,
-) -> Option<Chosen> {
+) -> Option<InspectedItems> {
     let scene = std::sync::Arc::clone(cx.editor.scene());
     let free: Vec<usize> = selected.iter().copied().filter(|&index| !kind(index).is_locked(&scene)).collect();
     let (is_free, count, locked) = (!free.is_empty(), selected.len(), selected.len() - free.len());
@@ -98,7 +98,7 @@ pub(super) fn chosen_ui(
     if !is_free {
         locked_ui(ui, cx, &items);
     }
-    Some(Chosen { indices, first, subject, is_free })
+    Some(InspectedItems { indices, first, subject, is_free })
 }
 
 /// Says that several things are edited together.

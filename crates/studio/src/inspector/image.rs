@@ -4,21 +4,21 @@ use catoptric_scene::Image;
 use egui::{ComboBox, Ui};
 
 use super::header;
-use super::sheet::Sheet;
+use super::sheet::PropertySheet;
 use crate::command::Command;
 use crate::images::{self, ImageUse};
 use crate::widgets::row::control_width;
 use crate::widgets::tip::tip_beside;
 
-/// Something else than a picture that can be chosen.
-pub(super) struct Other<T> {
+/// A choice besides pictures.
+pub(super) struct OtherChoice<T> {
     pub(super) key: &'static str,
     pub(super) is_chosen: bool,
     pub(super) value: T,
 }
 
-/// What was chosen.
-pub(super) enum Picked<T> {
+/// The chosen entry of the menu.
+pub(super) enum ImageMenuChoice<T> {
     Other(T),
     Picture(Image),
 }
@@ -27,12 +27,12 @@ pub(super) enum Picked<T> {
 /// other file.
 pub(super) fn choice_ui<T, V: Copy>(
     ui: &mut Ui,
-    sheet: &mut Sheet<'_, '_, T>,
+    sheet: &mut PropertySheet<'_, '_, T>,
     key: &'static str,
     usage: ImageUse,
-    others: &[Other<V>],
+    others: &[OtherChoice<V>],
     image: Option<&Image>,
-) -> Option<Picked<V>> {
+) -> Option<ImageMenuChoice<V>> {
     let texts = sheet.texts();
     let built_in: &[&str] = match usage {
         ImageUse::Surroundings => &["builtin:evening", "builtin:studio"],
@@ -51,14 +51,14 @@ pub(super) fn choice_ui<T, V: Copy>(
         let list = combo.show_ui(ui, |ui| {
             for other in others {
                 if ui.selectable_label(other.is_chosen, texts.get(other.key)).clicked() && !other.is_chosen {
-                    picked = Some(Picked::Other(other.value));
+                    picked = Some(ImageMenuChoice::Other(other.value));
                 }
             }
             let own = path.filter(|path| !built_in.contains(path));
             for &choice in built_in.iter().chain(&own) {
                 let is_chosen = path == Some(choice);
                 if ui.selectable_label(is_chosen, images::name(texts, choice)).clicked() && !is_chosen {
-                    picked = Some(Picked::Picture(Image::new(choice)));
+                    picked = Some(ImageMenuChoice::Picture(Image::new(choice)));
                 }
             }
             asks = ui.selectable_label(false, texts.get("picture-of-file")).clicked();

@@ -4,7 +4,7 @@ use catoptric_scene::Material;
 
 /// A kind of reflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum ReflectionKind {
     /// Diffuse light only.
     Matte,
     /// Diffuse light with a highlight (Phong 1975), and at most a weak mirror image.
@@ -15,9 +15,9 @@ pub(crate) enum Kind {
     Glass,
 }
 
-/// A kind with the coefficients that make it, and what it is recognized by.
-pub(crate) struct Preset {
-    pub(crate) kind: Kind,
+/// A kind of reflection with its coefficients, and the test that recognizes it.
+pub(crate) struct CoefficientPreset {
+    pub(crate) kind: ReflectionKind,
     /// The message that names it.
     pub(crate) key: &'static str,
     ambient: f64,
@@ -31,9 +31,9 @@ pub(crate) struct Preset {
 }
 
 /// The kinds in the order in which to offer them. No material fits two.
-pub(crate) static PRESETS: [Preset; 4] = [
-    Preset {
-        kind: Kind::Matte,
+pub(crate) static PRESETS: [CoefficientPreset; 4] = [
+    CoefficientPreset {
+        kind: ReflectionKind::Matte,
         key: "kind-matte",
         ambient: 0.1,
         diffuse: 0.9,
@@ -44,8 +44,8 @@ pub(crate) static PRESETS: [Preset; 4] = [
         fits: |m| is_opaque(m) && m.specular == 0.0 && m.reflection() == 0.0 && m.diffuse > 0.0,
     },
     // Plastic, lacquer, porcelain: a white highlight over the color.
-    Preset {
-        kind: Kind::Glossy,
+    CoefficientPreset {
+        kind: ReflectionKind::Glossy,
         key: "kind-glossy",
         ambient: 0.1,
         diffuse: 0.8,
@@ -56,8 +56,8 @@ pub(crate) static PRESETS: [Preset; 4] = [
         fits: |m| is_opaque(m) && m.specular > 0.0 && m.reflection() < m.diffuse,
     },
     // About the reflectance of polished silver; what is left of its own color only keeps it from looking like a hole.
-    Preset {
-        kind: Kind::Mirror,
+    CoefficientPreset {
+        kind: ReflectionKind::Mirror,
         key: "kind-mirror",
         ambient: 0.02,
         diffuse: 0.02,
@@ -68,8 +68,8 @@ pub(crate) static PRESETS: [Preset; 4] = [
         fits: |m| is_opaque(m) && m.reflection() >= 0.5 && m.diffuse <= 0.2,
     },
     // The glass ball of Whitted's picture: a little mirrored, most let through.
-    Preset {
-        kind: Kind::Glass,
+    CoefficientPreset {
+        kind: ReflectionKind::Glass,
         key: "kind-glass",
         ambient: 0.0,
         diffuse: 0.0,
@@ -86,11 +86,11 @@ fn is_opaque(material: &Material) -> bool {
 }
 
 /// The kind of a material; `None` when it is one of its own.
-pub(super) fn kind_of(material: &Material) -> Option<&'static Preset> {
+pub(super) fn kind_of(material: &Material) -> Option<&'static CoefficientPreset> {
     PRESETS.iter().find(|preset| (preset.fits)(material))
 }
 
-impl Preset {
+impl CoefficientPreset {
     /// Makes a material of this kind. Colors, tint, checker and index of refraction stay.
     pub(crate) fn give(&self, material: &mut Material) {
         material.ambient = self.ambient;

@@ -7,57 +7,60 @@ use catoptric_scene::format::keys;
 use catoptric_scene::{Falloff, Light};
 use egui::{Id, Ui};
 
-use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
+use super::sheet::{
+    ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread,
+};
 use super::symbol::Symbol;
-use super::{Memory, formula, header};
+use super::{InspectorState, formula, header};
 use crate::context::Cx;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::section::section;
 
-static POSITION: Vector<Light> = Vector::<Light>::new(
-    Quantity::new("light-position", "edit-position", &keys::LIGHT, "position").in_unit(Unit::Meters),
-    Spread::Offset,
+static POSITION: VectorRow<Light> = VectorRow::<Light>::new(
+    RowQuantity::new("light-position", "edit-position", &keys::LIGHT, "position").in_unit(Unit::Meters),
+    VectorSpread::Offset,
     |light| Some(light.position),
     |light, value| light.position = value,
 );
 
 static COLOR: ColorRow<Light> = ColorRow {
-    what: Quantity::new("light-color", "edit-color", &keys::LIGHT, "color").with_symbol(Symbol::LightColor),
+    what: RowQuantity::new("light-color", "edit-color", &keys::LIGHT, "color")
+        .with_symbol(Symbol::LightColor),
     get: |light| Some(light.color),
     set: |light, color| light.color = color,
 };
 
-static INTENSITY: Number<Light> = Number::<Light>::new(
-    Quantity::new("intensity", "edit-intensity", &keys::LIGHT, "intensity").with_symbol(Symbol::Intensity),
-    Rail::Even(0.0, 4.0),
+static INTENSITY: NumberRow<Light> = NumberRow::<Light>::new(
+    RowQuantity::new("intensity", "edit-intensity", &keys::LIGHT, "intensity").with_symbol(Symbol::Intensity),
+    SliderRail::Even(0.0, 4.0),
     |light| Some(light.intensity),
     |light, value| light.intensity = value,
 );
 
-static CONSTANT: Number<Light> = Number::<Light>::new(
-    Quantity::new("falloff-constant", "edit-falloff-constant", &keys::LIGHT, "falloff_constant")
+static CONSTANT: NumberRow<Light> = NumberRow::<Light>::new(
+    RowQuantity::new("falloff-constant", "edit-falloff-constant", &keys::LIGHT, "falloff_constant")
         .in_unit(Unit::Meters)
         .with_symbol(Symbol::FalloffConstant),
-    Rail::Even(0.0, 10.0),
+    SliderRail::Even(0.0, 10.0),
     |light| if let Falloff::Linear { constant } = light.falloff { Some(constant) } else { None },
     |light, value| light.falloff = Falloff::Linear { constant: value },
 );
 
-static RADIUS: Number<Light> = Number::<Light>::new(
-    Quantity::new("light-radius", "edit-light-radius", &keys::LIGHT, "radius").in_unit(Unit::Meters),
-    Rail::Even(0.0, 3.0),
+static RADIUS: NumberRow<Light> = NumberRow::<Light>::new(
+    RowQuantity::new("light-radius", "edit-light-radius", &keys::LIGHT, "radius").in_unit(Unit::Meters),
+    SliderRail::Even(0.0, 3.0),
     |light| Some(light.radius),
     |light, value| light.radius = value,
 );
 
 /// Draws the values of the selected lights.
-pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let scene = Arc::clone(cx.editor.scene());
     let selected = cx.editor.selection().lights().rev().collect();
     let chosen = header::chosen_ui(ui, cx, Item::Light, selected, "several-lights");
-    let Some(header::Chosen { indices, first, subject, is_free }) = chosen else { return };
+    let Some(header::InspectedItems { indices, first, subject, is_free }) = chosen else { return };
     let Some(primary) = scene.lights.get(first) else { return };
-    let mut sheet = Sheet {
+    let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.lights.get(index)).collect(),
         subject,
@@ -76,7 +79,7 @@ pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
     rows_ui(ui, &mut sheet);
 }
 
-fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
+fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Light>) {
     let texts = sheet.texts();
     section(ui, "light", texts.get("section-light"), "", sheet.is_free, |ui| {
         sheet.vector(ui, &POSITION);
@@ -91,7 +94,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
     });
 }
 
-fn falloff_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
+fn falloff_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Light>) {
     let texts = sheet.texts();
     let own = sheet.primary.falloff;
     let constant = if let Falloff::Linear { constant } = own { constant } else { 1.0 };
@@ -100,7 +103,7 @@ fn falloff_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Light>) {
         (Falloff::Linear { constant }, "falloff-linear"),
         (Falloff::InverseSquare, "falloff-square"),
     ];
-    let choices = laws.map(|(value, key)| Choice {
+    let choices = laws.map(|(value, key)| ChoiceItem {
         value,
         text: texts.get(key),
         tip: texts.tip(key).unwrap_or_default(),

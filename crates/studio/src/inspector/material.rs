@@ -3,22 +3,22 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use catoptric_editor::{Action, Editor, Item, Label, Refused};
+use catoptric_editor::{Action, Editor, Item, Label, RefusedChange};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Image, Material, MaterialChoice, Model, Scene};
 use egui::{Button, ComboBox, Id, TextStyle, Ui, vec2};
 use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
-use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet};
+use super::sheet::{ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail};
 use super::symbol::Symbol;
-use super::{Memory, curve, energy, formula, header, pattern, physical};
+use super::{InspectorState, curve, energy, formula, header, pattern, physical};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::layout::Pane;
 use crate::outliner::item_name;
 use crate::texts::Texts;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::number::{HEIGHT, shown};
 use crate::widgets::row::{GAP, control_width};
 use crate::widgets::section::section;
@@ -28,10 +28,15 @@ use crate::widgets::{ICON_BUTTON, explained_icon_button};
 /// The least width of the list of materials beside a button, points.
 const LEAST_LIST: f32 = 110.0;
 
-const UNIT_RAIL: Rail = Rail::Even(0.0, 1.0);
+const UNIT_RAIL: SliderRail = SliderRail::Even(0.0, 1.0);
 
-const fn coefficient(key: &'static str, edit: &'static str, name: &'static str, symbol: Symbol) -> Quantity {
-    Quantity::new(key, edit, &keys::MATERIAL, name).with_symbol(symbol)
+const fn coefficient(
+    key: &'static str,
+    edit: &'static str,
+    name: &'static str,
+    symbol: Symbol,
+) -> RowQuantity {
+    RowQuantity::new(key, edit, &keys::MATERIAL, name).with_symbol(symbol)
 }
 
 static COLOR: ColorRow<Material> = ColorRow {
@@ -40,52 +45,52 @@ static COLOR: ColorRow<Material> = ColorRow {
     set: |material, color| material.color = color,
 };
 
-static AMBIENT: Number<Material> = Number::<Material>::new(
+static AMBIENT: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("ambient", "edit-ambient", "ambient", Symbol::Ambient),
     UNIT_RAIL,
     |material| Some(material.ambient),
     |material, value| material.ambient = value,
 );
 
-static DIFFUSE: Number<Material> = Number::<Material>::new(
+static DIFFUSE: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("diffuse", "edit-diffuse", "diffuse", Symbol::Diffuse),
     UNIT_RAIL,
     |material| Some(material.diffuse),
     |material, value| material.diffuse = value,
 );
 
-static SPECULAR: Number<Material> = Number::<Material>::new(
+static SPECULAR: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("specular", "edit-specular", "specular", Symbol::Specular),
     UNIT_RAIL,
     |material| Some(material.specular),
     |material, value| material.specular = value,
 );
 
-static SHININESS: Number<Material> = Number::<Material>::new(
+static SHININESS: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("shininess", "edit-shininess", "shininess", Symbol::Shininess),
-    Rail::Logarithmic(1.0, 1000.0),
+    SliderRail::Logarithmic(1.0, 1000.0),
     |material| Some(material.shininess),
     |material, value| material.shininess = value,
 )
 .tuned(0.5, 1);
 
-static REFLECTION: Number<Material> = Number::<Material>::new(
+static REFLECTION: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("reflection", "edit-reflection", "reflection", Symbol::Reflection),
     UNIT_RAIL,
     |material| Some(material.reflection()),
     |material, value| material.reflection = Some(value),
 );
 
-static TRANSMISSION: Number<Material> = Number::<Material>::new(
+static TRANSMISSION: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("transmission", "edit-transmission", "transmission", Symbol::Transmission),
     UNIT_RAIL,
     |material| Some(material.transmission),
     |material, value| material.transmission = value,
 );
 
-static IOR: Number<Material> = Number::<Material>::new(
+static IOR: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("ior", "edit-ior", "ior", Symbol::Ior),
-    Rail::Even(1.0, 3.0),
+    SliderRail::Even(1.0, 3.0),
     |material| Some(material.ior),
     |material, value| material.ior = value,
 );
@@ -96,17 +101,17 @@ static TINT: ColorRow<Material> = ColorRow {
     set: |material, color| material.tint = color,
 };
 
-/// Where a material of a sheet is kept.
+/// The owner of a material: the scene's list or a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Home {
+enum MaterialOwner {
     Named(usize),
     Body(usize),
 }
 
-/// Some materials, the primary one first.
+/// The edited materials, the primary one first.
 #[derive(Clone, Copy)]
-struct Made<'s> {
-    homes: &'s [Home],
+struct MaterialGroup<'s> {
+    homes: &'s [MaterialOwner],
     /// The bodies that are made of them; none when the material itself is selected.
     bodies: &'s [usize],
     /// What is edited, for the history.
@@ -114,7 +119,7 @@ struct Made<'s> {
 }
 
 /// Draws the values of a named material.
-pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, index: usize) {
+pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState, index: usize) {
     let scene = Arc::clone(cx.editor.scene());
     header::header_ui(ui, cx, Item::Material(index));
     let name = Item::Material(index).name(&scene);
@@ -122,35 +127,41 @@ pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, index:
         browse_ui(ui, cx);
         header::hint(ui, &used_by(cx, &scene, name));
     });
-    sheet_ui(ui, cx, memory, &scene, &Made { homes: &[Home::Named(index)], bodies: &[], subject: name });
+    sheet_ui(
+        ui,
+        cx,
+        memory,
+        &scene,
+        &MaterialGroup { homes: &[MaterialOwner::Named(index)], bodies: &[], subject: name },
+    );
 }
 
 /// Draws the material of some bodies, the primary one first.
 pub(super) fn of_bodies_ui(
     ui: &mut Ui,
     cx: &mut Cx<'_>,
-    memory: &mut Memory,
+    memory: &mut InspectorState,
     scene: &Arc<Scene>,
     bodies: &[usize],
     subject: &str,
 ) {
     let homes = homes_of(scene, bodies);
     let own = match homes.as_slice() {
-        [Home::Named(index)] => Some(item_name(cx.texts, scene, Item::Material(*index))),
+        [MaterialOwner::Named(index)] => Some(item_name(cx.texts, scene, Item::Material(*index))),
         _ => None,
     };
     let subject = own.as_deref().unwrap_or(subject);
-    sheet_ui(ui, cx, memory, scene, &Made { homes: &homes, bodies, subject });
+    sheet_ui(ui, cx, memory, scene, &MaterialGroup { homes: &homes, bodies, subject });
 }
 
 /// Where the materials of some bodies are kept, each once.
-fn homes_of(scene: &Scene, bodies: &[usize]) -> Vec<Home> {
+fn homes_of(scene: &Scene, bodies: &[usize]) -> Vec<MaterialOwner> {
     let named: HashMap<&str, usize> =
         scene.materials.iter().enumerate().map(|(index, named)| (named.name.as_str(), index)).collect();
     let mut seen = HashSet::new();
     let home = |&index: &usize| match &scene.bodies.get(index)?.material {
-        MaterialChoice::Inline(_) => Some(Home::Body(index)),
-        MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| Home::Named(index)),
+        MaterialChoice::Inline(_) => Some(MaterialOwner::Body(index)),
+        MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| MaterialOwner::Named(index)),
     };
     bodies.iter().filter_map(home).filter(|&home| seen.insert(home)).collect()
 }
@@ -241,12 +252,18 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
 }
 
 /// Draws the values of some materials, the primary one first, and the formula.
-fn sheet_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, scene: &Arc<Scene>, made: &Made<'_>) {
-    let Made { homes, bodies, subject } = *made;
+fn sheet_ui(
+    ui: &mut Ui,
+    cx: &mut Cx<'_>,
+    memory: &mut InspectorState,
+    scene: &Arc<Scene>,
+    made: &MaterialGroup<'_>,
+) {
+    let MaterialGroup { homes, bodies, subject } = *made;
     let things: Vec<&Material> = homes.iter().filter_map(|&home| material_at(scene, home)).collect();
     let Some(&primary) = things.first() else { return };
     let first = bodies.first().copied();
-    let mut sheet = Sheet {
+    let mut sheet = PropertySheet {
         primary,
         things,
         subject: subject.to_owned(),
@@ -282,7 +299,7 @@ fn sheet_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory, scene: &Arc<Scene
     });
 }
 
-fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     physical::model_ui(ui, sheet);
     if sheet.primary.model == Model::Phong {
         phong_ui(ui, sheet);
@@ -302,7 +319,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     energy::energy_ui(ui, sheet.texts(), sheet.primary);
 }
 
-fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn phong_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     kinds_ui(ui, sheet);
     sheet.color(ui, &COLOR);
     pattern::texture_ui(ui, sheet);
@@ -318,19 +335,19 @@ fn phong_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 }
 
 /// Where the material of a body is kept.
-fn home_of(scene: &Scene, body: usize) -> Option<Home> {
+fn home_of(scene: &Scene, body: usize) -> Option<MaterialOwner> {
     match &scene.bodies.get(body)?.material {
-        MaterialChoice::Inline(_) => Some(Home::Body(body)),
+        MaterialChoice::Inline(_) => Some(MaterialOwner::Body(body)),
         MaterialChoice::Named(name) => {
-            scene.materials.iter().position(|named| named.name == *name).map(Home::Named)
+            scene.materials.iter().position(|named| named.name == *name).map(MaterialOwner::Named)
         }
     }
 }
 
-fn material_at(scene: &Scene, home: Home) -> Option<&Material> {
+fn material_at(scene: &Scene, home: MaterialOwner) -> Option<&Material> {
     match home {
-        Home::Named(index) => scene.materials.get(index).map(|named| &named.material),
-        Home::Body(index) => match &scene.bodies.get(index)?.material {
+        MaterialOwner::Named(index) => scene.materials.get(index).map(|named| &named.material),
+        MaterialOwner::Body(index) => match &scene.bodies.get(index)?.material {
             MaterialChoice::Inline(material) => Some(material),
             MaterialChoice::Named(_) => None,
         },
@@ -339,13 +356,15 @@ fn material_at(scene: &Scene, home: Home) -> Option<&Material> {
 
 fn apply(
     editor: &mut Editor,
-    homes: &[Home],
+    homes: &[MaterialOwner],
     label: Label,
     change: &mut dyn FnMut(usize, &mut Material),
-) -> Result<bool, Refused> {
+) -> Result<bool, RefusedChange> {
     match homes {
-        [Home::Named(index)] => editor.change_material(*index, label, |material| change(0, material)),
-        [Home::Body(index)] => editor.change_body(*index, label, |body| {
+        [MaterialOwner::Named(index)] => {
+            editor.change_material(*index, label, |material| change(0, material))
+        }
+        [MaterialOwner::Body(index)] => editor.change_body(*index, label, |body| {
             if let MaterialChoice::Inline(material) = &mut body.material {
                 change(0, material);
             }
@@ -353,11 +372,15 @@ fn apply(
         _ => editor.change(label, |scene| {
             for (place, home) in homes.iter().enumerate() {
                 let material = match *home {
-                    Home::Named(index) => scene.materials.get_mut(index).map(|named| &mut named.material),
-                    Home::Body(index) => match scene.bodies.get_mut(index).map(|body| &mut body.material) {
-                        Some(MaterialChoice::Inline(material)) => Some(&mut **material),
-                        _ => None,
-                    },
+                    MaterialOwner::Named(index) => {
+                        scene.materials.get_mut(index).map(|named| &mut named.material)
+                    }
+                    MaterialOwner::Body(index) => {
+                        match scene.bodies.get_mut(index).map(|body| &mut body.material) {
+                            Some(MaterialChoice::Inline(material)) => Some(&mut **material),
+                            _ => None,
+                        }
+                    }
                 };
                 if let Some(material) = material {
                     change(place, material);
@@ -367,20 +390,20 @@ fn apply(
     }
 }
 
-fn kinds_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn kinds_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let texts = sheet.texts();
     let kind = kind_of(sheet.primary).map(|preset| preset.kind);
     let is_mixed = sheet.things.iter().any(|material| kind_of(material).map(|preset| preset.kind) != kind);
-    let mut choices: Vec<Choice<'_, _>> = PRESETS
+    let mut choices: Vec<ChoiceItem<'_, _>> = PRESETS
         .iter()
-        .map(|preset| Choice {
+        .map(|preset| ChoiceItem {
             value: Some(preset.kind),
             text: texts.get(preset.key),
             tip: texts.tip(preset.key).unwrap_or_default(),
             is_enabled: true,
         })
         .collect();
-    choices.push(Choice {
+    choices.push(ChoiceItem {
         value: None,
         text: texts.get("kind-custom"),
         tip: texts.tip("kind-custom").unwrap_or_default(),
@@ -397,7 +420,7 @@ fn kinds_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 }
 
 /// k_r, which is k_s as long as it has no value of its own.
-fn reflection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn reflection_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let mut follows = sheet.primary.reflection.is_none();
     ui.add_enabled_ui(!follows, |ui| sheet.number_or(ui, &REFLECTION, None));
     let texts = sheet.texts();
@@ -415,7 +438,7 @@ fn reflection_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 }
 
 /// η, with a list of media.
-fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn ior_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     sheet.number(ui, &IOR, None);
     let ior = sheet.primary.ior;
     let texts = sheet.texts();
@@ -447,11 +470,11 @@ fn ior_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 ///
 /// # Errors
 /// When a scene cannot have it.
-pub(crate) fn give_texture(editor: &mut Editor, texts: &Texts, image: &Image) -> Result<bool, Refused> {
+pub(crate) fn give_texture(editor: &mut Editor, texts: &Texts, image: &Image) -> Result<bool, RefusedChange> {
     let scene = Arc::clone(editor.scene());
     let bodies: Vec<usize> = editor.selection().bodies().collect();
     let homes = match editor.selection().primary() {
-        Some(Item::Material(index)) => vec![Home::Named(index)],
+        Some(Item::Material(index)) => vec![MaterialOwner::Named(index)],
         _ => homes_of(&scene, &bodies),
     };
     let subject = editor.selection().primary().map(|item| item_name(texts, &scene, item)).unwrap_or_default();

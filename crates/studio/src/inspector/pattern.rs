@@ -4,16 +4,16 @@ use catoptric_scene::format::keys;
 use catoptric_scene::{Checker, CheckerSpace, Material};
 use egui::Ui;
 
-use super::image::{self, Other, Picked};
-use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
+use super::image::{self, ImageMenuChoice, OtherChoice};
+use super::sheet::{ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail, Unit};
 use super::symbol::Symbol;
 use crate::images::ImageUse;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::row::control_width;
 use crate::widgets::tip::tip_beside;
 
 static CHECKER_COLOR: ColorRow<Material> = ColorRow {
-    what: Quantity::new("checker-color", "edit-checker-color", &keys::CHECKER, "color"),
+    what: RowQuantity::new("checker-color", "edit-checker-color", &keys::CHECKER, "color"),
     get: |material| material.checker.map(|checker| checker.color),
     set: |material, color| {
         if let Some(checker) = &mut material.checker {
@@ -22,11 +22,11 @@ static CHECKER_COLOR: ColorRow<Material> = ColorRow {
     },
 };
 
-static CHECKER_SIZE: Number<Material> = Number::<Material>::new(
-    Quantity::new("checker-size", "edit-checker-size", &keys::CHECKER, "size")
+static CHECKER_SIZE: NumberRow<Material> = NumberRow::<Material>::new(
+    RowQuantity::new("checker-size", "edit-checker-size", &keys::CHECKER, "size")
         .in_unit(Unit::Meters)
         .with_symbol(Symbol::CheckerSize),
-    Rail::None,
+    SliderRail::None,
     |material| material.checker.map(|checker| checker.size),
     |material, value| {
         if let Some(checker) = &mut material.checker {
@@ -36,7 +36,7 @@ static CHECKER_SIZE: Number<Material> = Number::<Material>::new(
 );
 
 /// The second color.
-pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let mut is_on = sheet.primary.checker.is_some();
     let mut is_clicked = false;
     let texts = sheet.texts();
@@ -58,7 +58,7 @@ pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
             CheckerSpace::Body => "checker-body",
         };
         let tip = texts.tip(key).unwrap_or_default();
-        Choice { value: space, text: texts.get(key), tip, is_enabled: true }
+        ChoiceItem { value: space, text: texts.get(key), tip, is_enabled: true }
     });
     let mut picked = None;
     sheet.plain_row(ui, "checker-space", |sheet, ui| {
@@ -73,14 +73,14 @@ pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 }
 
 /// A picture in the place of the color.
-pub(super) fn texture_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+pub(super) fn texture_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let texture = sheet.primary.texture.as_ref();
-    let none = [Other { key: "texture-none", is_chosen: texture.is_none(), value: () }];
+    let none = [OtherChoice { key: "texture-none", is_chosen: texture.is_none(), value: () }];
     let picked = image::choice_ui(ui, sheet, "texture", ImageUse::Texture, &none, texture);
     let Some(picked) = picked else { return };
     let chosen = match picked {
-        Picked::Other(()) => None,
-        Picked::Picture(image) => Some(image),
+        ImageMenuChoice::Other(()) => None,
+        ImageMenuChoice::Picture(image) => Some(image),
     };
     sheet.change("texture", "edit-texture", |_, material| material.texture.clone_from(&chosen));
 }

@@ -1,21 +1,23 @@
 //! Materials of other models than Phong's: what they are made of, and how rough they are.
 
-use catoptric_optics::{CLEAR, Lines, METALS};
+use catoptric_optics::{CLEAR, FraunhoferLines, METALS};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Conductor, Material, Model};
 use egui::{ComboBox, Ui};
 use glam::DVec3;
 
-use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Spread, Unit, Vector};
+use super::sheet::{
+    ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread,
+};
 use super::symbol::Symbol;
 use crate::texts::Texts;
 use crate::widgets::number::shown;
 use crate::widgets::row::control_width;
 use crate::widgets::tip::tip_beside;
 
-static CLEAR_IOR: Number<Material> = Number::<Material>::new(
-    Quantity::new("ior", "edit-ior", &keys::MATERIAL, "ior").with_symbol(Symbol::Ior),
-    Rail::Even(1.0, 3.0),
+static CLEAR_IOR: NumberRow<Material> = NumberRow::<Material>::new(
+    RowQuantity::new("ior", "edit-ior", &keys::MATERIAL, "ior").with_symbol(Symbol::Ior),
+    SliderRail::Even(1.0, 3.0),
     |material| {
         let is_own = material.model == Model::Coated || material.substance.is_none();
         (is_own && matches!(material.model, Model::Dielectric | Model::Coated)).then_some(material.ior)
@@ -23,46 +25,46 @@ static CLEAR_IOR: Number<Material> = Number::<Material>::new(
     |material, value| material.ior = value,
 );
 
-static ABBE: Number<Material> = Number::<Material>::new(
-    Quantity::new("abbe", "edit-abbe", &keys::MATERIAL, "abbe"),
-    Rail::Even(20.0, 100.0),
+static ABBE: NumberRow<Material> = NumberRow::<Material>::new(
+    RowQuantity::new("abbe", "edit-abbe", &keys::MATERIAL, "abbe"),
+    SliderRail::Even(20.0, 100.0),
     |material| (material.dispersion && material.substance.is_none()).then_some(material.abbe),
     |material, value| material.abbe = value,
 )
 .tuned(0.1, 1);
 
 static ATTENUATION_COLOR: ColorRow<Material> = ColorRow {
-    what: Quantity::new("attenuation-color", "edit-attenuation", &keys::MATERIAL, "attenuation_color"),
+    what: RowQuantity::new("attenuation-color", "edit-attenuation", &keys::MATERIAL, "attenuation_color"),
     get: |material| (material.model == Model::Dielectric).then_some(material.attenuation_color),
     set: |material, color| material.attenuation_color = color,
 };
 
-static ATTENUATION_DISTANCE: Number<Material> = Number::<Material>::new(
-    Quantity::new("attenuation-distance", "edit-attenuation", &keys::MATERIAL, "attenuation_distance")
+static ATTENUATION_DISTANCE: NumberRow<Material> = NumberRow::<Material>::new(
+    RowQuantity::new("attenuation-distance", "edit-attenuation", &keys::MATERIAL, "attenuation_distance")
         .in_unit(Unit::Meters),
-    Rail::None,
+    SliderRail::None,
     |material| (material.model == Model::Dielectric).then_some(material.attenuation_distance),
     |material, value| material.attenuation_distance = value,
 );
 
-static ROUGHNESS: Number<Material> = Number::<Material>::new(
-    Quantity::new("roughness", "edit-roughness", &keys::MATERIAL, "roughness"),
-    Rail::Even(0.0, 1.0),
+static ROUGHNESS: NumberRow<Material> = NumberRow::<Material>::new(
+    RowQuantity::new("roughness", "edit-roughness", &keys::MATERIAL, "roughness"),
+    SliderRail::Even(0.0, 1.0),
     |material| (!matches!(material.model, Model::Phong | Model::Matte)).then_some(material.roughness),
     |material, value| material.roughness = value,
 );
 
-static MIRROR: Number<Material> = Number::<Material>::new(
-    Quantity::new("reflection", "edit-reflection", &keys::MATERIAL, "reflection")
+static MIRROR: NumberRow<Material> = NumberRow::<Material>::new(
+    RowQuantity::new("reflection", "edit-reflection", &keys::MATERIAL, "reflection")
         .with_symbol(Symbol::Reflection),
-    Rail::Even(0.0, 1.0),
+    SliderRail::Even(0.0, 1.0),
     |material| (material.model == Model::Mirror).then(|| material.reflection()),
     |material, value| material.reflection = Some(value),
 );
 
-static N: Vector<Material> = Vector::<Material>::new(
-    Quantity::new("conductor-n", "edit-conductor", &keys::MATERIAL, "n"),
-    Spread::Same,
+static N: VectorRow<Material> = VectorRow::<Material>::new(
+    RowQuantity::new("conductor-n", "edit-conductor", &keys::MATERIAL, "n"),
+    VectorSpread::Same,
     |material| index_of(material).map(|[n, _]| n),
     |material, n| {
         if let Conductor::Index { n: own, .. } = &mut material.conductor {
@@ -71,9 +73,9 @@ static N: Vector<Material> = Vector::<Material>::new(
     },
 );
 
-static K: Vector<Material> = Vector::<Material>::new(
-    Quantity::new("conductor-k", "edit-conductor", &keys::MATERIAL, "k"),
-    Spread::Same,
+static K: VectorRow<Material> = VectorRow::<Material>::new(
+    RowQuantity::new("conductor-k", "edit-conductor", &keys::MATERIAL, "k"),
+    VectorSpread::Same,
     |material| index_of(material).map(|[_, k]| k),
     |material, k| {
         if let Conductor::Index { k: own, .. } = &mut material.conductor {
@@ -102,7 +104,7 @@ const fn model_key(model: Model) -> &'static str {
 }
 
 /// Draws the choice of the model.
-pub(super) fn model_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+pub(super) fn model_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let texts = sheet.texts();
     let model = sheet.primary.model;
     let is_mixed = sheet.things.iter().any(|material| material.model != model);
@@ -127,7 +129,7 @@ pub(super) fn model_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 }
 
 /// Draws what a model has besides color and ambient light.
-pub(super) fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+pub(super) fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     match sheet.primary.model {
         Model::Dielectric => {
             substance_ui(ui, sheet);
@@ -150,7 +152,7 @@ pub(super) fn rows_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
 }
 
 /// Water, glass, diamond …, or an index of one's own.
-fn substance_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn substance_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let texts = sheet.texts();
     let own = sheet.primary.substance;
     let mut picked = None;
@@ -167,7 +169,7 @@ fn substance_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
                 picked = Some(None);
             }
             for clear in CLEAR {
-                let index = shown(texts, clear.dispersion.index(Lines::D), 3);
+                let index = shown(texts, clear.dispersion.index(FraunhoferLines::D), 3);
                 let text = format!("{}  {index}", texts.get(&named("substance", clear.name)));
                 let response = ui.selectable_label(own == Some(clear), text);
                 if tip_beside(ui, response, clear.source).clicked() {
@@ -186,7 +188,7 @@ fn substance_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
     }
 }
 
-fn metal_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn metal_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let texts = sheet.texts();
     let own = sheet.primary.conductor;
     let mut picked = None;
@@ -236,7 +238,7 @@ fn index_like(conductor: Conductor) -> Conductor {
     }
 }
 
-fn dispersion_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Material>) {
+fn dispersion_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let mut is_on = sheet.primary.dispersion;
     let mut is_clicked = false;
     let texts = sheet.texts();

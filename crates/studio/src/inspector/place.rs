@@ -1,17 +1,17 @@
-//! Where bodies stand: position, rotation and scale, or the two ends of their axis.
+//! Rows for the placement of bodies: position, rotation and scale, or the two ends of their axis.
 
 use catoptric_scene::format::keys;
 use catoptric_scene::{Anchor, Body, Shape};
 use egui::Ui;
 
 use super::reshape;
-use super::sheet::{Quantity, Sheet, Spread, Unit, Vector};
-use crate::widgets::choice::{Choice, choice_ui};
+use super::sheet::{PropertySheet, RowQuantity, Unit, VectorRow, VectorSpread};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::section::section;
 
-static POSITION: Vector<Body> = Vector::<Body>::new(
-    Quantity::new("position", "edit-position", &keys::BODY, "position").in_unit(Unit::Meters),
-    Spread::Offset,
+static POSITION: VectorRow<Body> = VectorRow::<Body>::new(
+    RowQuantity::new("position", "edit-position", &keys::BODY, "position").in_unit(Unit::Meters),
+    VectorSpread::Offset,
     |body| if let Anchor::Frame { position, .. } = body.placement.anchor { Some(position) } else { None },
     |body, value| {
         if let Anchor::Frame { position, .. } = &mut body.placement.anchor {
@@ -20,9 +20,9 @@ static POSITION: Vector<Body> = Vector::<Body>::new(
     },
 );
 
-static ROTATION: Vector<Body> = Vector::<Body>::new(
-    Quantity::new("rotation", "edit-rotation", &keys::BODY, "rotation").in_unit(Unit::Degrees),
-    Spread::Same,
+static ROTATION: VectorRow<Body> = VectorRow::<Body>::new(
+    RowQuantity::new("rotation", "edit-rotation", &keys::BODY, "rotation").in_unit(Unit::Degrees),
+    VectorSpread::Same,
     |body| match body.placement.anchor {
         Anchor::Frame { rotation_degrees, .. } => Some(rotation_degrees),
         Anchor::Axis { .. } => None,
@@ -35,9 +35,9 @@ static ROTATION: Vector<Body> = Vector::<Body>::new(
 )
 .tuned(0.5, 2);
 
-static BASE: Vector<Body> = Vector::<Body>::new(
-    Quantity::new("base", "edit-base", &keys::BODY, "base").in_unit(Unit::Meters),
-    Spread::Offset,
+static BASE: VectorRow<Body> = VectorRow::<Body>::new(
+    RowQuantity::new("base", "edit-base", &keys::BODY, "base").in_unit(Unit::Meters),
+    VectorSpread::Offset,
     |body| if let Anchor::Axis { base, .. } = body.placement.anchor { Some(base) } else { None },
     |body, value| {
         if let Anchor::Axis { base, .. } = &mut body.placement.anchor {
@@ -46,9 +46,9 @@ static BASE: Vector<Body> = Vector::<Body>::new(
     },
 );
 
-static TOP: Vector<Body> = Vector::<Body>::new(
-    Quantity::new("top", "edit-top", &keys::BODY, "top").in_unit(Unit::Meters),
-    Spread::Offset,
+static TOP: VectorRow<Body> = VectorRow::<Body>::new(
+    RowQuantity::new("top", "edit-top", &keys::BODY, "top").in_unit(Unit::Meters),
+    VectorSpread::Offset,
     |body| if let Anchor::Axis { top, .. } = body.placement.anchor { Some(top) } else { None },
     |body, value| {
         if let Anchor::Axis { top, .. } = &mut body.placement.anchor {
@@ -57,16 +57,16 @@ static TOP: Vector<Body> = Vector::<Body>::new(
     },
 );
 
-static SCALE: Vector<Body> = Vector::<Body>::new(
-    Quantity::new("scale", "edit-scale", &keys::BODY, "scale"),
-    Spread::Same,
+static SCALE: VectorRow<Body> = VectorRow::<Body>::new(
+    RowQuantity::new("scale", "edit-scale", &keys::BODY, "scale"),
+    VectorSpread::Same,
     |body| Some(body.placement.scale),
     |body, value| body.placement.scale = value,
 )
 .linked(|memory| &mut memory.scale_link);
 
 /// Draws the values of the place.
-pub(super) fn place_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
+pub(super) fn place_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     section(ui, "place", texts.get("section-place"), "", sheet.is_free, |ui| {
         if matches!(sheet.primary.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
@@ -81,18 +81,18 @@ pub(super) fn place_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
 }
 
 /// The choice between the two ways of placing cylinders and cones. Neither moves the body.
-fn anchor_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Body>) {
+fn anchor_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     let can_be_axis = reshape::to_axis(sheet.primary).is_some();
     let axis_tip = if can_be_axis { texts.tip("anchor-axis") } else { texts.tip("anchor-refused") };
     let choices = [
-        Choice {
+        ChoiceItem {
             value: false,
             text: texts.get("anchor-frame"),
             tip: texts.tip("anchor-frame").unwrap_or_default(),
             is_enabled: true,
         },
-        Choice {
+        ChoiceItem {
             value: true,
             text: texts.get("anchor-axis"),
             tip: axis_tip.unwrap_or_default(),

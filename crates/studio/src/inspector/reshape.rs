@@ -1,4 +1,4 @@
-//! Another shape for a body, or another way of placing it, without a jump: sizes and the middle are kept.
+//! Changes of a body's shape or anchor without a jump: sizes and the middle are kept.
 
 use catoptric_scene::{Anchor, Body, Shape, ShapeKind};
 use glam::{DVec3, EulerRot};
@@ -86,8 +86,8 @@ pub(super) fn to_frame(body: &mut Body) {
     body.placement.anchor = Anchor::Frame { position: base, rotation_degrees };
 }
 
-/// The same body placed by the ends of its axis. `None` where that would turn it about the axis and it is not round:
-/// such a turn cannot be said by two points.
+/// Places the body by the ends of its axis. `None` where that would turn a body that is not round about the axis: two
+/// points cannot express such a turn.
 pub(super) fn to_axis(body: &Body) -> Option<Body> {
     let Anchor::Frame { position: base, .. } = body.placement.anchor else { return Some(body.clone()) };
     let height = body.height()?;

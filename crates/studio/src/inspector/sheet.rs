@@ -1,6 +1,6 @@
 //! A sheet of values: the rows of one kind of thing, read from all that are selected and written to all of them.
 
-use catoptric_editor::{Editor, Label, Refused};
+use catoptric_editor::{Editor, Label, RefusedChange};
 use catoptric_scene::Color;
 use catoptric_scene::format::spec::{KeySpec, Limits, TableSpec};
 use egui::{Id, Ui};
@@ -8,10 +8,10 @@ use glam::DVec3;
 
 use crate::context::Cx;
 use crate::inspector::symbol::Symbol;
-use crate::inspector::{Memory, Note};
+use crate::inspector::{InspectorState, RefusalNote};
 use crate::texts::Texts;
 pub(crate) use crate::widgets::number::Unit;
-use crate::widgets::number::{Entered, NumberField, exact, limits_in_words, tidy};
+use crate::widgets::number::{NumberField, NumberResponse, exact, limits_in_words, tidy};
 use crate::widgets::row::{GAP, RowLabel, control_width, reset_button, row};
 use crate::widgets::tip::tip_beside;
 use crate::{theme, typeset};
@@ -21,31 +21,31 @@ mod number;
 mod vector;
 
 pub(crate) use color::ColorRow;
-pub(crate) use number::{Number, Rail};
-pub(crate) use vector::{Spread, Starts, Vector};
+pub(crate) use number::{NumberRow, SliderRail};
+pub(crate) use vector::{StartVectors, VectorRow, VectorSpread};
 
-/// Changes all things of a sheet; the function is told the place of each in the sheet.
-pub(crate) type Apply<'s, T> =
-    dyn Fn(&mut Editor, Label, &mut dyn FnMut(usize, &mut T)) -> Result<bool, Refused> + 's;
+/// Applies a change to all things of a sheet; the function gets the place of each in the sheet.
+pub(crate) type ApplyToAll<'s, T> =
+    dyn Fn(&mut Editor, Label, &mut dyn FnMut(usize, &mut T)) -> Result<bool, RefusedChange> + 's;
 
-/// What a row shows, apart from how it reads and writes it.
+/// The quantity that a row shows: its message, key, unit and symbol.
 #[derive(Clone, Copy)]
-pub(crate) struct Quantity {
+pub(crate) struct RowQuantity {
     /// The message that names it; its attribute `.tip` explains it.
     pub(crate) key: &'static str,
     /// The message that names its change in the history.
     pub(crate) edit: &'static str,
     /// Where the format says what it can be.
     pub(crate) table: &'static TableSpec,
-    /// Its key there.
+    /// The key in that table.
     pub(crate) name: &'static str,
     /// What it is measured in.
     pub(crate) unit: Unit,
-    /// Its symbol in the model.
+    /// The symbol in the model.
     pub(crate) symbol: Option<Symbol>,
 }
 
-impl Quantity {
+impl RowQuantity {
     /// A quantity of a table of the format.
     pub(crate) const fn new(
         key: &'static str,
@@ -56,13 +56,13 @@ impl Quantity {
         Self { key, edit, table, name, unit: Unit::None, symbol: None }
     }
 
-    /// The same, in a unit.
+    /// Sets the unit.
     pub(crate) const fn in_unit(mut self, unit: Unit) -> Self {
         self.unit = unit;
         self
     }
 
-    /// The same, with a symbol.
+    /// Sets the symbol.
     pub(crate) const fn with_symbol(mut self, symbol: Symbol) -> Self {
         self.symbol = Some(symbol);
         self
@@ -87,10 +87,10 @@ impl Quantity {
     }
 }
 
-/// The values of some things of one kind while they are drawn.
-pub(crate) struct Sheet<'s, 'a, T> {
+/// The rows for the selected things of one kind.
+pub(crate) struct PropertySheet<'s, 'a, T> {
     pub(crate) cx: &'s mut Cx<'a>,
-    pub(crate) memory: &'s mut Memory,
+    pub(crate) memory: &'s mut InspectorState,
     /// The one whose values are shown.
     pub(crate) primary: &'s T,
     /// All, the primary one first.
@@ -101,10 +101,10 @@ pub(crate) struct Sheet<'s, 'a, T> {
     pub(crate) id: Id,
     /// Whether they can be changed.
     pub(crate) is_free: bool,
-    pub(crate) apply: &'s Apply<'s, T>,
+    pub(crate) apply: &'s ApplyToAll<'s, T>,
 }
 
-impl<'a, T> Sheet<'_, 'a, T> {
+impl<'a, T> PropertySheet<'_, 'a, T> {
     pub(crate) fn texts(&self) -> &'a Texts {
         self.cx.texts
     }
@@ -129,7 +129,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
             }
             Err(refused) => {
                 let text = crate::inspector::explain(self.cx.texts, &refused);
-                self.memory.note = Some(Note { id: self.id, key, text });
+                self.memory.note = Some(RefusalNote { id: self.id, key, text });
             }
         }
     }
@@ -141,12 +141,12 @@ impl<'a, T> Sheet<'_, 'a, T> {
         values.any(|value| value != first)
     }
 
-    /// Draws a row for a quantity, with the note of what was refused there. Its label tells the unit that its fields have no
-    /// room for.
+    /// Draws a row for a quantity, with the note of what was refused there. Its label tells the unit that its fields
+    /// have no room for.
     pub(crate) fn row(
         &mut self,
         ui: &mut Ui,
-        what: &Quantity,
+        what: &RowQuantity,
         unit: Unit,
         tip: String,
         contents: impl FnOnce(&mut Self, &mut Ui),
@@ -178,7 +178,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
         self.labelled_row(ui, key, "", text, contents);
     }
 
-    /// The same with a formula for a label.
+    /// A row whose label is a formula, without limits and a default.
     pub(crate) fn marked_row(
         &mut self,
         ui: &mut Ui,
@@ -214,7 +214,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
 
     /// Follows what is typed into a number field of the row `key`: one text is one step of the history, and one that is
     /// not taken leaves no trace. Returns the number to be set.
-    fn typed(&mut self, key: &'static str, entered: &Entered) -> Option<f64> {
+    fn typed(&mut self, key: &'static str, entered: &NumberResponse) -> Option<f64> {
         if entered.has_begun {
             self.cx.editor.settle();
         }
@@ -226,7 +226,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
         }
         if let Some(refusal) = &entered.refusal {
             let text = refusal.explained(self.texts());
-            self.memory.note = Some(Note { id: self.id, key, text });
+            self.memory.note = Some(RefusalNote { id: self.id, key, text });
         } else if entered.is_taken_back && self.memory.note.as_ref().is_some_and(|note| note.key == key) {
             self.memory.note = None;
         }
@@ -234,7 +234,7 @@ impl<'a, T> Sheet<'_, 'a, T> {
     }
 
     /// What a row explains: the term, its limits, what it is at first.
-    fn tip(&self, what: &Quantity, default: Option<String>) -> String {
+    fn tip(&self, what: &RowQuantity, default: Option<String>) -> String {
         let texts = self.texts();
         let mut tip = texts.tip(what.key).unwrap_or_default().to_owned();
         let unit = what.unit.suffix(texts);

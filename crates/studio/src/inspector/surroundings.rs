@@ -6,22 +6,22 @@ use catoptric_scene::format::keys;
 use catoptric_scene::{Color, Environment, Sky, Surroundings, Tracing};
 use egui::{Id, Ui};
 
-use super::image::{Other, Picked};
-use super::sheet::{ColorRow, Number, Quantity, Rail, Sheet, Unit};
+use super::image::{ImageMenuChoice, OtherChoice};
+use super::sheet::{ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail, Unit};
 use super::symbol::Symbol;
-use super::{Memory, depth, image};
+use super::{InspectorState, depth, image};
 use crate::context::Cx;
 use crate::images::ImageUse;
 use crate::widgets::section::section;
 
 static BACKGROUND: ColorRow<Environment> = ColorRow {
-    what: Quantity::new("background", "edit-background", &keys::ENVIRONMENT, "background"),
+    what: RowQuantity::new("background", "edit-background", &keys::ENVIRONMENT, "background"),
     get: |environment| (environment.surroundings == Surroundings::Even).then_some(environment.background),
     set: |environment, color| environment.background = color,
 };
 
 static AMBIENT: ColorRow<Environment> = ColorRow {
-    what: Quantity::new("ambient-light", "edit-ambient-light", &keys::ENVIRONMENT, "ambient")
+    what: RowQuantity::new("ambient-light", "edit-ambient-light", &keys::ENVIRONMENT, "ambient")
         .with_symbol(Symbol::AmbientLight),
     get: |environment| Some(environment.ambient),
     set: |environment, color| environment.ambient = color,
@@ -35,7 +35,7 @@ const fn of_sky(
     get: fn(&Environment) -> Option<Color>,
     set: fn(&mut Environment, Color),
 ) -> ColorRow<Environment> {
-    ColorRow { what: Quantity::new(key, edit, &keys::SKY, name), get, set }
+    ColorRow { what: RowQuantity::new(key, edit, &keys::SKY, name), get, set }
 }
 
 fn sky(environment: &Environment) -> Option<&Sky> {
@@ -73,43 +73,43 @@ static SKY: [ColorRow<Environment>; 3] = [
     ),
 ];
 
-static ROTATION: Number<Environment> = Number::<Environment>::new(
-    Quantity::new("picture-rotation", "edit-picture-rotation", &keys::ENVIRONMENT, "rotation")
+static ROTATION: NumberRow<Environment> = NumberRow::<Environment>::new(
+    RowQuantity::new("picture-rotation", "edit-picture-rotation", &keys::ENVIRONMENT, "rotation")
         .in_unit(Unit::Degrees),
-    Rail::Even(-180.0, 180.0),
+    SliderRail::Even(-180.0, 180.0),
     |around| around.surroundings.picture().map(|_| around.rotation_degrees),
     |around, value| around.rotation_degrees = value,
 )
 .tuned(0.5, 1);
 
-static STRENGTH: Number<Environment> = Number::<Environment>::new(
-    Quantity::new("sky-strength", "edit-sky-strength", &keys::ENVIRONMENT, "strength"),
-    Rail::Even(0.0, 4.0),
+static STRENGTH: NumberRow<Environment> = NumberRow::<Environment>::new(
+    RowQuantity::new("sky-strength", "edit-sky-strength", &keys::ENVIRONMENT, "strength"),
+    SliderRail::Even(0.0, 4.0),
     |around| (around.surroundings != Surroundings::Even).then_some(around.strength),
     |around, value| around.strength = value,
 );
 
-static GENERATIONS: Number<Tracing> = Number::<Tracing>::new(
-    Quantity::new("generations", "edit-generations", &keys::TRACING, "generations"),
-    Rail::Even(1.0, 64.0),
+static GENERATIONS: NumberRow<Tracing> = NumberRow::<Tracing>::new(
+    RowQuantity::new("generations", "edit-generations", &keys::TRACING, "generations"),
+    SliderRail::Even(1.0, 64.0),
     |tracing| Some(f64::from(tracing.generations)),
     // A float to an integer saturates; the limits of the row are those of the format.
     |tracing, value| tracing.generations = value.round() as u32,
 )
 .tuned(0.1, 0);
 
-static THRESHOLD: Number<Tracing> = Number::<Tracing>::new(
-    Quantity::new("threshold", "edit-threshold", &keys::TRACING, "threshold"),
-    Rail::Logarithmic(0.0, 1.0),
+static THRESHOLD: NumberRow<Tracing> = NumberRow::<Tracing>::new(
+    RowQuantity::new("threshold", "edit-threshold", &keys::TRACING, "threshold"),
+    SliderRail::Logarithmic(0.0, 1.0),
     |tracing| Some(tracing.threshold),
     |tracing, value| tracing.threshold = value,
 )
 .tuned(0.001, 4);
 
 /// Draws what surrounds the bodies, and ambient light.
-pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let scene = Arc::clone(cx.editor.scene());
-    let mut sheet = Sheet {
+    let mut sheet = PropertySheet {
         primary: &scene.environment,
         things: vec![&scene.environment],
         subject: String::new(),
@@ -133,28 +133,28 @@ pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) 
 }
 
 /// Draws the choice of what surrounds the bodies.
-fn around_ui(ui: &mut Ui, sheet: &mut Sheet<'_, '_, Environment>) {
+fn around_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Environment>) {
     let now = &sheet.primary.surroundings;
     let is_even = *now == Surroundings::Even;
     let others = [
-        Other { key: "around-even", is_chosen: is_even, value: false },
-        Other { key: "around-sky", is_chosen: now.sky().is_some(), value: true },
+        OtherChoice { key: "around-even", is_chosen: is_even, value: false },
+        OtherChoice { key: "around-sky", is_chosen: now.sky().is_some(), value: true },
     ];
     let picture = now.picture();
     let picked = image::choice_ui(ui, sheet, "surroundings", ImageUse::Surroundings, &others, picture);
     let Some(picked) = picked else { return };
     let chosen = match picked {
-        Picked::Other(false) => Surroundings::Even,
-        Picked::Other(true) => Surroundings::Sky(Sky::default()),
-        Picked::Picture(image) => Surroundings::Picture(image),
+        ImageMenuChoice::Other(false) => Surroundings::Even,
+        ImageMenuChoice::Other(true) => Surroundings::Sky(Sky::default()),
+        ImageMenuChoice::Picture(image) => Surroundings::Picture(image),
     };
     sheet.change("surroundings", "edit-surroundings", |_, around| around.surroundings = chosen.clone());
 }
 
 /// Draws the limits of tracing.
-pub(super) fn tracing_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Memory) {
+pub(super) fn tracing_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let scene = Arc::clone(cx.editor.scene());
-    let mut sheet = Sheet {
+    let mut sheet = PropertySheet {
         primary: &scene.tracing,
         things: vec![&scene.tracing],
         subject: String::new(),

@@ -4,10 +4,10 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Button, FontId, Key, Label, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 use egui_material_icons::icons;
 
-use super::markdown::{Content, Link, Page};
+use super::markdown::{BlockContent, ManualLink, ManualPage};
 use super::pages::SOURCES;
-use super::search::{self, Hit};
-use super::{Choice, Manual, Place};
+use super::search::{self, SearchHit};
+use super::{ManualLocation, ManualResponse, ManualWindow};
 use crate::texts::Texts;
 use crate::theme;
 
@@ -15,7 +15,12 @@ use crate::theme;
 const INDENT: f32 = 14.0;
 
 /// Draws the column.
-pub(super) fn contents_ui(ui: &mut Ui, texts: &Texts, manual: &mut Manual, choice: &mut Choice) {
+pub(super) fn contents_ui(
+    ui: &mut Ui,
+    texts: &Texts,
+    manual: &mut ManualWindow,
+    choice: &mut ManualResponse,
+) {
     search_ui(ui, texts, manual, choice);
     ui.add_space(4.0);
     let is_searching = !manual.search.trim().is_empty();
@@ -31,7 +36,7 @@ pub(super) fn contents_ui(ui: &mut Ui, texts: &Texts, manual: &mut Manual, choic
     });
 }
 
-fn search_ui(ui: &mut Ui, texts: &Texts, manual: &mut Manual, choice: &mut Choice) {
+fn search_ui(ui: &mut Ui, texts: &Texts, manual: &mut ManualWindow, choice: &mut ManualResponse) {
     let name = texts.get("manual-search");
     let edit = TextEdit::singleline(&mut manual.search)
         .hint_text(format!("{} {name}", icons::ICON_SEARCH.codepoint))
@@ -52,26 +57,26 @@ fn search_ui(ui: &mut Ui, texts: &Texts, manual: &mut Manual, choice: &mut Choic
     }
 }
 
-fn place_of(hit: &Hit) -> Place {
-    Place { page: hit.page, block: hit.block }
+fn place_of(hit: &SearchHit) -> ManualLocation {
+    ManualLocation { page: hit.page, block: hit.block }
 }
 
 /// The pages, and the headings of the one that is read.
-fn pages_ui(ui: &mut Ui, pages: &[Page], present: usize, choice: &mut Choice) {
+fn pages_ui(ui: &mut Ui, pages: &[ManualPage], present: usize, choice: &mut ManualResponse) {
     for (place, (page, source)) in pages.iter().zip(SOURCES).enumerate() {
         let indent = if source.is_below() { INDENT } else { 0.0 };
         if entry_ui(ui, indent, RichText::new(&page.title), place == present) {
-            choice.follows = Some(Link::Page(place, String::new()));
+            choice.follows = Some(ManualLink::Page(place, String::new()));
         }
         if place != present {
             continue;
         }
         let weak = theme::palette(ui.visuals()).weak;
         for block in &page.blocks {
-            if let Content::Heading { level: 2, anchor, .. } = &block.content
+            if let BlockContent::Heading { level: 2, anchor, .. } = &block.content
                 && entry_ui(ui, indent + INDENT, RichText::new(&block.plain).size(12.5).color(weak), false)
             {
-                choice.follows = Some(Link::Page(place, anchor.clone()));
+                choice.follows = Some(ManualLink::Page(place, anchor.clone()));
             }
         }
     }
@@ -88,7 +93,12 @@ fn entry_ui(ui: &mut Ui, indent: f32, text: RichText, is_present: bool) -> bool 
     .inner
 }
 
-fn hits_ui(ui: &mut Ui, texts: &Texts, (pages, hits): (&[Page], &[Hit]), choice: &mut Choice) {
+fn hits_ui(
+    ui: &mut Ui,
+    texts: &Texts,
+    (pages, hits): (&[ManualPage], &[SearchHit]),
+    choice: &mut ManualResponse,
+) {
     let palette = theme::palette(ui.visuals());
     if hits.is_empty() {
         ui.add(Label::new(RichText::new(texts.get("manual-nothing")).color(palette.weak)).wrap());

@@ -7,12 +7,12 @@ pub(super) use boxes::lines;
 /// A formula.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Formula {
-    node: Node,
+    node: FormulaNode,
 }
 
 /// A part of a formula.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Node {
+pub(super) enum FormulaNode {
     /// Parts side by side.
     Row(Vec<Self>),
     /// A letter that stands for a quantity; it leans.
@@ -39,7 +39,7 @@ pub(super) enum Node {
     Braced { base: Box<Self>, note: Box<Self> },
 }
 
-impl Node {
+impl FormulaNode {
     /// A letter that leans, or another sign.
     pub(super) fn letter(letter: char) -> Self {
         if letter.is_alphabetic() { Self::Letter(letter) } else { Self::Sign(letter.to_string()) }
@@ -93,12 +93,12 @@ impl Node {
 
 impl Formula {
     /// A formula of one part.
-    pub(super) fn of(node: Node) -> Self {
+    pub(super) fn of(node: FormulaNode) -> Self {
         Self { node }
     }
 
-    /// Its parts.
-    pub(super) fn node(&self) -> &Node {
+    /// The root of the formula's tree.
+    pub(super) fn node(&self) -> &FormulaNode {
         &self.node
     }
 
@@ -111,18 +111,18 @@ impl Formula {
 
 /// Reads a formula. What is not known is shown as it is written.
 pub(super) fn read(tex: &str) -> Formula {
-    let mut reader = Reader { rest: tex };
-    Formula { node: Node::Row(reader.row(None)) }
+    let mut reader = FormulaParser { rest: tex };
+    Formula { node: FormulaNode::Row(reader.row(None)) }
 }
 
-struct Reader<'a> {
+struct FormulaParser<'a> {
     rest: &'a str,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> FormulaParser<'a> {
     /// Reads parts until the closing brace or `\right`, or to the end.
-    fn row(&mut self, end: Option<&str>) -> Vec<Node> {
-        let mut nodes: Vec<Node> = Vec::new();
+    fn row(&mut self, end: Option<&str>) -> Vec<FormulaNode> {
+        let mut nodes: Vec<FormulaNode> = Vec::new();
         loop {
             self.rest = self.rest.trim_start();
             if let Some(end) = end
@@ -140,12 +140,12 @@ impl<'a> Reader<'a> {
                 }
                 '\'' => {
                     self.skip(first);
-                    attach(&mut nodes, true, Node::Sign("′".to_owned()));
+                    attach(&mut nodes, true, FormulaNode::Sign("′".to_owned()));
                 }
                 _ => {
                     let node = self.part();
                     nodes.push(if is_sign_of_number(&nodes, &node) {
-                        Node::Sign("−".to_owned())
+                        FormulaNode::Sign("−".to_owned())
                     } else {
                         node
                     });
@@ -159,19 +159,19 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads one part: a group, a command with what it takes, a number, or a sign.
-    fn part(&mut self) -> Node {
+    fn part(&mut self) -> FormulaNode {
         self.rest = self.rest.trim_start();
-        let Some(first) = self.rest.chars().next() else { return Node::Row(Vec::new()) };
+        let Some(first) = self.rest.chars().next() else { return FormulaNode::Row(Vec::new()) };
         if first.is_ascii_digit() {
-            return Node::Sign(self.number());
+            return FormulaNode::Sign(self.number());
         }
         self.skip(first);
         match first {
-            '{' => Node::Row(self.row(Some("}"))),
+            '{' => FormulaNode::Row(self.row(Some("}"))),
             '\\' => self.command(),
-            '-' => Node::Operator('−'),
-            '+' | '=' | '<' | '>' | ',' => Node::Operator(first),
-            other => Node::letter(other),
+            '-' => FormulaNode::Operator('−'),
+            '+' | '=' | '<' | '>' | ',' => FormulaNode::Operator(first),
+            other => FormulaNode::letter(other),
         }
     }
 
@@ -184,12 +184,12 @@ impl<'a> Reader<'a> {
     }
 
     /// What a command takes: a group, or a single sign.
-    fn argument(&mut self) -> Node {
+    fn argument(&mut self) -> FormulaNode {
         self.rest = self.rest.trim_start();
         match self.rest.chars().next() {
             Some(figure) if figure.is_ascii_digit() => {
                 self.skip(figure);
-                Node::Sign(figure.to_string())
+                FormulaNode::Sign(figure.to_string())
             }
             _ => self.part(),
         }
@@ -211,50 +211,50 @@ impl<'a> Reader<'a> {
         name
     }
 
-    fn command(&mut self) -> Node {
+    fn command(&mut self) -> FormulaNode {
         let name = self.name();
         match name {
-            "hat" => Node::Hat(Box::new(self.argument())),
-            "sqrt" => Node::Root(Box::new(self.argument())),
+            "hat" => FormulaNode::Hat(Box::new(self.argument())),
+            "sqrt" => FormulaNode::Root(Box::new(self.argument())),
             "frac" | "tfrac" | "dfrac" => {
                 let over = self.argument();
-                Node::Fraction(Box::new(over), Box::new(self.argument()))
+                FormulaNode::Fraction(Box::new(over), Box::new(self.argument()))
             }
-            "text" | "mathrm" | "operatorname" => Node::Sign(self.words()),
+            "text" | "mathrm" | "operatorname" => FormulaNode::Sign(self.words()),
             "underbrace" => self.braced(),
             "left" => self.fence(),
             // Sizes of brackets.
             "big" | "Big" | "bigl" | "bigr" | "Bigl" | "Bigr" => self.part(),
-            "," => Node::Space(0.17),
-            ";" => Node::Space(0.28),
-            " " => Node::Space(0.3),
-            "!" => Node::Space(0.0),
-            "quad" => Node::Space(1.0),
-            "qquad" => Node::Space(2.0),
+            "," => FormulaNode::Space(0.17),
+            ";" => FormulaNode::Space(0.28),
+            " " => FormulaNode::Space(0.3),
+            "!" => FormulaNode::Space(0.0),
+            "quad" => FormulaNode::Space(1.0),
+            "qquad" => FormulaNode::Space(2.0),
             "sin" | "cos" | "tan" | "arcsin" | "arccos" | "arctan" | "min" | "max" | "exp" | "ln" => {
-                Node::Function(name.to_owned())
+                FormulaNode::Function(name.to_owned())
             }
-            "bmod" => Node::Sign(" mod ".to_owned()),
+            "bmod" => FormulaNode::Sign(" mod ".to_owned()),
             _ => sign(name),
         }
     }
 
-    fn braced(&mut self) -> Node {
+    fn braced(&mut self) -> FormulaNode {
         let base = Box::new(self.argument());
         let note = match self.rest.trim_start().strip_prefix('_') {
             Some(rest) => {
                 self.rest = rest;
                 self.argument()
             }
-            None => Node::Row(Vec::new()),
+            None => FormulaNode::Row(Vec::new()),
         };
-        Node::Braced { base, note: Box::new(note) }
+        FormulaNode::Braced { base, note: Box::new(note) }
     }
 
-    fn fence(&mut self) -> Node {
+    fn fence(&mut self) -> FormulaNode {
         let open = self.bracket();
-        let inner = Box::new(Node::Row(self.row(Some("\\right"))));
-        Node::Fence { open, inner, close: self.bracket() }
+        let inner = Box::new(FormulaNode::Row(self.row(Some("\\right"))));
+        FormulaNode::Fence { open, inner, close: self.bracket() }
     }
 
     fn bracket(&mut self) -> char {
@@ -264,42 +264,42 @@ impl<'a> Reader<'a> {
 }
 
 /// Whether a minus stands before its number, and not between two.
-fn is_sign_of_number(before: &[Node], node: &Node) -> bool {
+fn is_sign_of_number(before: &[FormulaNode], node: &FormulaNode) -> bool {
     let starts = match before.last() {
-        None | Some(Node::Operator(_)) => true,
-        Some(Node::Sign(sign)) => sign.ends_with(['(', '[', '/']),
+        None | Some(FormulaNode::Operator(_)) => true,
+        Some(FormulaNode::Sign(sign)) => sign.ends_with(['(', '[', '/']),
         _ => false,
     };
-    *node == Node::Operator('−') && starts
+    *node == FormulaNode::Operator('−') && starts
 }
 
 /// Hangs an index or exponent on the last part.
-fn attach(nodes: &mut Vec<Node>, is_above: bool, script: Node) {
+fn attach(nodes: &mut Vec<FormulaNode>, is_above: bool, script: FormulaNode) {
     let (base, below, above) = match nodes.pop() {
-        Some(Node::Script { base, below, above }) => (base, below, above),
+        Some(FormulaNode::Script { base, below, above }) => (base, below, above),
         Some(base) => (Box::new(base), None, None),
-        None => (Box::new(Node::Row(Vec::new())), None, None),
+        None => (Box::new(FormulaNode::Row(Vec::new())), None, None),
     };
     // By itself, a sign of operation has no room at its sides.
     let script = match script {
-        Node::Operator(sign) => Node::Sign(sign.to_string()),
+        FormulaNode::Operator(sign) => FormulaNode::Sign(sign.to_string()),
         other => other,
     };
     let script = Some(Box::new(script));
     nodes.push(if is_above {
         // A prime and an exponent stand side by side.
         let above = match (above, script) {
-            (Some(first), Some(second)) => Some(Box::new(Node::Row(vec![*first, *second]))),
+            (Some(first), Some(second)) => Some(Box::new(FormulaNode::Row(vec![*first, *second]))),
             (first, second) => first.or(second),
         };
-        Node::Script { base, below, above }
+        FormulaNode::Script { base, below, above }
     } else {
-        Node::Script { base, below: script, above }
+        FormulaNode::Script { base, below: script, above }
     });
 }
 
 /// The sign of a command; a command that is not known is shown by its name.
-fn sign(name: &str) -> Node {
+fn sign(name: &str) -> FormulaNode {
     const LETTERS: [(&str, char); 16] = [
         ("alpha", 'α'),
         ("beta", 'β'),
@@ -342,13 +342,13 @@ fn sign(name: &str) -> Node {
         ("ldots", "…"),
     ];
     if let Some((_, letter)) = LETTERS.iter().find(|(own, _)| *own == name) {
-        return Node::Letter(*letter);
+        return FormulaNode::Letter(*letter);
     }
     if let Some((_, operator)) = OPERATORS.iter().find(|(own, _)| *own == name) {
-        return Node::Operator(*operator);
+        return FormulaNode::Operator(*operator);
     }
     let sign = SIGNS.iter().find(|(own, _)| *own == name).map_or(name, |(_, sign)| sign);
-    Node::Sign(sign.to_owned())
+    FormulaNode::Sign(sign.to_owned())
 }
 
 #[cfg(test)]
@@ -375,17 +375,19 @@ mod tests {
     fn no_formula_of_the_manual_has_a_command_that_is_not_known() {
         use crate::manual::pages::SOURCES;
         use crate::texts::Language;
-        fn names(node: &Node, into: &mut Vec<String>) {
+        fn names(node: &FormulaNode, into: &mut Vec<String>) {
             match node {
-                Node::Row(nodes) => nodes.iter().for_each(|node| names(node, into)),
-                Node::Sign(sign) => into.push(sign.clone()),
-                Node::Hat(inner) | Node::Root(inner) | Node::Fence { inner, .. } => names(inner, into),
-                Node::Fraction(over, under) => [over, under].iter().for_each(|node| names(node, into)),
-                Node::Script { base, below, above } => {
+                FormulaNode::Row(nodes) => nodes.iter().for_each(|node| names(node, into)),
+                FormulaNode::Sign(sign) => into.push(sign.clone()),
+                FormulaNode::Hat(inner) | FormulaNode::Root(inner) | FormulaNode::Fence { inner, .. } => {
+                    names(inner, into);
+                }
+                FormulaNode::Fraction(over, under) => [over, under].iter().for_each(|node| names(node, into)),
+                FormulaNode::Script { base, below, above } => {
                     names(base, into);
                     [below, above].into_iter().flatten().for_each(|node| names(node, into));
                 }
-                Node::Braced { base, .. } => names(base, into),
+                FormulaNode::Braced { base, .. } => names(base, into),
                 _ => {}
             }
         }

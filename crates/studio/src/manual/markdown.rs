@@ -5,19 +5,19 @@ use std::rc::Rc;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
 use super::formula::{self, Formula};
+use super::missing_glyphs;
 use super::pages;
-use super::signs;
 
 /// A document that has been read.
-pub(super) struct Page {
-    /// Its first heading.
+pub(super) struct ManualPage {
+    /// The first heading.
     pub(super) title: String,
     pub(super) blocks: Vec<Block>,
 }
 
 /// What stands below each other on a page.
 pub(super) struct Block {
-    pub(super) content: Content,
+    pub(super) content: BlockContent,
     /// How far it is set in, in steps of lists and quotations.
     pub(super) indent: usize,
     /// Words without marks, to be searched.
@@ -25,15 +25,15 @@ pub(super) struct Block {
 }
 
 /// A block's content.
-pub(super) enum Content {
+pub(super) enum BlockContent {
     /// A heading; the title of the page has level 1.
-    Heading { level: usize, spans: Vec<Span>, anchor: String },
+    Heading { level: usize, spans: Vec<TextSpan>, anchor: String },
     /// Running text, perhaps with the mark of a list before it.
-    Paragraph { marker: Option<String>, spans: Vec<Span> },
+    Paragraph { marker: Option<String>, spans: Vec<TextSpan> },
     /// Text with its own lines.
     Code(String),
     /// Rows of cells; the first row is the head.
-    Table(Vec<Vec<Vec<Span>>>),
+    Table(Vec<Vec<Vec<TextSpan>>>),
     /// A formula of its own.
     Formula(Formula),
     /// A line across the page.
@@ -42,16 +42,16 @@ pub(super) enum Content {
 
 /// A piece of running text.
 #[derive(Clone)]
-pub(super) struct Span {
-    pub(super) kind: SpanKind,
+pub(super) struct TextSpan {
+    pub(super) kind: TextSpanKind,
     pub(super) is_strong: bool,
     pub(super) is_emphasized: bool,
-    pub(super) link: Option<Rc<Link>>,
+    pub(super) link: Option<Rc<ManualLink>>,
 }
 
-/// What a piece of running text is.
+/// The kind of a piece of running text.
 #[derive(Clone)]
-pub(super) enum SpanKind {
+pub(super) enum TextSpanKind {
     Text(String),
     Code(String),
     Formula(Rc<Formula>),
@@ -61,9 +61,9 @@ pub(super) enum SpanKind {
     Break,
 }
 
-/// Where a link leads.
+/// The target of a link.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Link {
+pub(super) enum ManualLink {
     /// To a page, by its place, and to a heading of it.
     Page(usize, String),
     /// Into the browser.
@@ -71,8 +71,8 @@ pub(super) enum Link {
 }
 
 /// Reads the document `text`, the page at `place` with this path.
-pub(super) fn read(text: &str, place: usize, path: &str) -> Page {
-    let mut reader = Reader { place, path, ..Reader::default() };
+pub(super) fn read(text: &str, place: usize, path: &str) -> ManualPage {
+    let mut reader = MarkdownReader { place, path, ..MarkdownReader::default() };
     let options = Options::ENABLE_TABLES | Options::ENABLE_MATH;
     for event in Parser::new_ext(text, options) {
         reader.take(event);
@@ -84,24 +84,24 @@ pub(super) fn read(text: &str, place: usize, path: &str) -> Page {
         blocks.remove(1);
     }
     let title = blocks.first().map_or_else(String::new, |block| block.plain.clone());
-    Page { title, blocks }
+    ManualPage { title, blocks }
 }
 
 /// Whether a block is the line of links between the documents of the repository.
 fn leads_to_other_language(block: &Block) -> bool {
-    let Content::Paragraph { marker: None, spans } = &block.content else { return false };
+    let BlockContent::Paragraph { marker: None, spans } = &block.content else { return false };
     spans.len() <= 4 && (block.plain.contains("По-русски") || block.plain.contains("In English"))
 }
 
 #[derive(Default)]
-struct Reader<'a> {
+struct MarkdownReader<'a> {
     place: usize,
     path: &'a str,
     blocks: Vec<Block>,
-    spans: Vec<Span>,
+    spans: Vec<TextSpan>,
     strong: usize,
     emphasis: usize,
-    link: Option<Rc<Link>>,
+    link: Option<Rc<ManualLink>>,
     /// The numbers of the open lists; `None` for dots.
     lists: Vec<Option<u64>>,
     quotes: usize,
@@ -109,26 +109,26 @@ struct Reader<'a> {
     code: Option<String>,
     /// What stands for the picture that is open.
     picture: Option<String>,
-    rows: Vec<Vec<Vec<Span>>>,
+    rows: Vec<Vec<Vec<TextSpan>>>,
 }
 
-impl Reader<'_> {
+impl MarkdownReader<'_> {
     fn take(&mut self, event: Event<'_>) {
         match event {
             Event::Start(tag) => self.start(tag),
             Event::End(tag) => self.end(tag),
             Event::Text(text) => self.text(&text),
-            Event::Code(text) => self.span(SpanKind::Code(signs::simplified(&text))),
-            Event::InlineMath(tex) => self.span(SpanKind::Formula(Rc::new(formula::read(&tex)))),
+            Event::Code(text) => self.span(TextSpanKind::Code(missing_glyphs::simplified(&text))),
+            Event::InlineMath(tex) => self.span(TextSpanKind::Formula(Rc::new(formula::read(&tex)))),
             Event::DisplayMath(tex) => {
                 self.end_paragraph();
                 let formula = formula::read(&tex);
                 let plain = formula.plain();
-                self.block(Content::Formula(formula), plain);
+                self.block(BlockContent::Formula(formula), plain);
             }
             Event::SoftBreak => self.text(" "),
-            Event::HardBreak => self.span(SpanKind::Break),
-            Event::Rule => self.block(Content::Line, String::new()),
+            Event::HardBreak => self.span(TextSpanKind::Break),
+            Event::Rule => self.block(BlockContent::Line, String::new()),
             Event::Html(_)
             | Event::InlineHtml(_)
             | Event::FootnoteReference(_)
@@ -182,14 +182,14 @@ impl Reader<'_> {
             TagEnd::CodeBlock => {
                 let code = self.code.take().unwrap_or_default();
                 let code = code.trim_end().to_owned();
-                self.block(Content::Code(code.clone()), code);
+                self.block(BlockContent::Code(code.clone()), code);
             }
             TagEnd::Strong => self.strong = self.strong.saturating_sub(1),
             TagEnd::Emphasis => self.emphasis = self.emphasis.saturating_sub(1),
             TagEnd::Link => self.link = None,
             TagEnd::Image => {
                 let picture = self.picture.take().unwrap_or_default();
-                self.span(SpanKind::Picture(picture));
+                self.span(TextSpanKind::Picture(picture));
             }
             TagEnd::TableCell => {
                 let cell = std::mem::take(&mut self.spans);
@@ -200,7 +200,7 @@ impl Reader<'_> {
             TagEnd::Table => {
                 let rows = std::mem::take(&mut self.rows);
                 let plain = rows.iter().flatten().map(|cell| plain(cell)).collect::<Vec<_>>().join("  ");
-                self.block(Content::Table(rows), plain);
+                self.block(BlockContent::Table(rows), plain);
             }
             _ => {}
         }
@@ -212,66 +212,68 @@ impl Reader<'_> {
         } else if let Some(picture) = &mut self.picture {
             picture.push_str(text);
         } else {
-            for kind in signs::pieces(text) {
+            for kind in missing_glyphs::pieces(text) {
                 self.span(kind);
             }
         }
     }
 
-    fn span(&mut self, kind: SpanKind) {
+    fn span(&mut self, kind: TextSpanKind) {
         let (is_strong, is_emphasized) = (self.strong > 0, self.emphasis > 0);
         let link = self.link.clone();
         // Pieces of one look are one, so that lines break as they should.
-        if let (SpanKind::Text(more), Some(last)) = (&kind, self.spans.last_mut())
+        if let (TextSpanKind::Text(more), Some(last)) = (&kind, self.spans.last_mut())
             && (last.is_strong, last.is_emphasized, &last.link) == (is_strong, is_emphasized, &link)
-            && let SpanKind::Text(text) = &mut last.kind
+            && let TextSpanKind::Text(text) = &mut last.kind
         {
             text.push_str(more);
             return;
         }
-        self.spans.push(Span { kind, is_strong, is_emphasized, link });
+        self.spans.push(TextSpan { kind, is_strong, is_emphasized, link });
     }
 
-    fn block(&mut self, content: Content, plain: String) {
+    fn block(&mut self, content: BlockContent, plain: String) {
         let indent = self.lists.len() + self.quotes;
         self.blocks.push(Block { content, indent, plain });
     }
 
     fn end_paragraph(&mut self) {
         let spans = std::mem::take(&mut self.spans);
-        if spans.iter().all(|span| matches!(&span.kind, SpanKind::Text(text) if text.trim().is_empty())) {
+        if spans.iter().all(|span| matches!(&span.kind, TextSpanKind::Text(text) if text.trim().is_empty())) {
             return;
         }
         let plain = plain(&spans);
         let marker = self.marker.take();
-        self.block(Content::Paragraph { marker, spans }, plain);
+        self.block(BlockContent::Paragraph { marker, spans }, plain);
     }
 
     fn end_heading(&mut self, level: HeadingLevel) {
         let spans = std::mem::take(&mut self.spans);
         let plain = plain(&spans);
         let anchor = anchor(&plain);
-        self.block(Content::Heading { level: level as usize, spans, anchor }, plain);
+        self.block(BlockContent::Heading { level: level as usize, spans, anchor }, plain);
     }
 
-    fn target(&self, url: &str) -> Option<Link> {
+    fn target(&self, url: &str) -> Option<ManualLink> {
         if url.starts_with("https://") || url.starts_with("http://") {
-            return Some(Link::Web(url.to_owned()));
+            return Some(ManualLink::Web(url.to_owned()));
         }
         let (path, anchor) = url.split_once('#').unwrap_or((url, ""));
         let place = if path.is_empty() { Some(self.place) } else { pages::find(self.path, path) };
-        Some(Link::Page(place?, anchor.to_owned()))
+        Some(ManualLink::Page(place?, anchor.to_owned()))
     }
 }
 
 /// Words without marks.
-fn plain(spans: &[Span]) -> String {
+fn plain(spans: &[TextSpan]) -> String {
     let mut plain = String::new();
     for span in spans {
         match &span.kind {
-            SpanKind::Text(text) | SpanKind::Code(text) | SpanKind::Picture(text) => plain.push_str(text),
-            SpanKind::Formula(formula) => plain.push_str(&formula.plain()),
-            SpanKind::Break => plain.push(' '),
+            TextSpanKind::Text(text) | TextSpanKind::Code(text) | TextSpanKind::Picture(text) => {
+                plain.push_str(text);
+            }
+            TextSpanKind::Formula(formula) => plain.push_str(&formula.plain()),
+            TextSpanKind::Break => plain.push(' '),
         }
     }
     plain
@@ -289,15 +291,17 @@ mod tests {
     use crate::manual::pages::SOURCES;
     use crate::texts::Language;
 
-    fn all(language: Language) -> Vec<Page> {
+    fn all(language: Language) -> Vec<ManualPage> {
         let sources = SOURCES.iter().enumerate();
         sources.map(|(place, source)| read(source.text(language), place, source.path)).collect()
     }
 
-    fn spans(block: &Block) -> Vec<&Span> {
+    fn spans(block: &Block) -> Vec<&TextSpan> {
         match &block.content {
-            Content::Heading { spans, .. } | Content::Paragraph { spans, .. } => spans.iter().collect(),
-            Content::Table(rows) => rows.iter().flatten().flatten().collect(),
+            BlockContent::Heading { spans, .. } | BlockContent::Paragraph { spans, .. } => {
+                spans.iter().collect()
+            }
+            BlockContent::Table(rows) => rows.iter().flatten().flatten().collect(),
             _ => Vec::new(),
         }
     }
@@ -309,9 +313,9 @@ mod tests {
             let mut count = 0;
             for (page, source) in pages.iter().zip(SOURCES) {
                 for span in page.blocks.iter().flat_map(spans) {
-                    let Some(Link::Page(place, anchor)) = span.link.as_deref() else { continue };
+                    let Some(ManualLink::Page(place, anchor)) = span.link.as_deref() else { continue };
                     count += 1;
-                    let is_there = |block: &Block| matches!(&block.content, Content::Heading { anchor: own, .. } if own == anchor);
+                    let is_there = |block: &Block| matches!(&block.content, BlockContent::Heading { anchor: own, .. } if own == anchor);
                     let is_found = anchor.is_empty() || pages[*place].blocks.iter().any(is_there);
                     assert!(is_found, "{language:?} {}: {}#{anchor}", source.path, SOURCES[*place].path);
                 }
@@ -324,7 +328,7 @@ mod tests {
     fn a_page_has_its_title_and_no_links_to_other_languages() {
         for language in Language::ALL {
             for (page, source) in all(language).iter().zip(SOURCES) {
-                let is_title = matches!(&page.blocks[0].content, Content::Heading { level: 1, .. });
+                let is_title = matches!(&page.blocks[0].content, BlockContent::Heading { level: 1, .. });
                 assert!(is_title && !page.title.is_empty(), "{}", source.path);
                 let is_left = |block: &Block| block.plain.contains("По-русски") && block.plain.len() < 90;
                 assert!(!page.blocks.iter().any(is_left), "{language:?} {}", source.path);
@@ -343,14 +347,14 @@ mod tests {
             .blocks
             .iter()
             .map(|block| match &block.content {
-                Content::Heading { level, anchor, .. } => format!("h{level} {anchor}"),
-                Content::Paragraph { marker, .. } => {
+                BlockContent::Heading { level, anchor, .. } => format!("h{level} {anchor}"),
+                BlockContent::Paragraph { marker, .. } => {
                     format!("{} {:?} {}", block.indent, marker.as_deref(), block.plain)
                 }
-                Content::Table(rows) => format!("{}×{}", rows.len(), rows[0].len()),
-                Content::Formula(formula) => formula.plain(),
-                Content::Code(code) => code.clone(),
-                Content::Line => "-".to_owned(),
+                BlockContent::Table(rows) => format!("{}×{}", rows.len(), rows[0].len()),
+                BlockContent::Formula(formula) => formula.plain(),
+                BlockContent::Code(code) => code.clone(),
+                BlockContent::Line => "-".to_owned(),
             })
             .collect();
         let expected =

@@ -7,8 +7,8 @@ use egui::{Color32, Frame, Label, Margin, Rect, RichText, ScrollArea, Sense, Str
 use egui_material_icons::icons;
 
 use super::formula::{Formula, lines};
-use super::markdown::{Block, Content, Link, Page};
-use super::signs;
+use super::markdown::{Block, BlockContent, ManualLink, ManualPage};
+use super::missing_glyphs;
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::icon_button;
@@ -20,18 +20,18 @@ const FORMULA: f32 = 15.5;
 /// Lines longer than this are hard to read, points.
 const MOST_WIDTH: f32 = 760.0;
 
-/// Where the blocks of a page begin, so that only those in view have to be drawn.
+/// The offsets of the blocks of a page, so that only those in view are drawn.
 #[derive(Default)]
-pub(super) struct Measured {
+pub(super) struct BlockOffsets {
     /// What the heights depend on.
     of: Option<(usize, crate::texts::Language, i32)>,
     /// The top of each block, and the end of the last one, points.
     tops: Vec<f32>,
 }
 
-/// What there is to draw.
-pub(super) struct Shown<'a> {
-    pub(super) page: &'a Page,
+/// A page to draw, with the place in it.
+pub(super) struct PageView<'a> {
+    pub(super) page: &'a ManualPage,
     /// The place of the page.
     pub(super) place: usize,
     /// The block that was searched for.
@@ -39,15 +39,15 @@ pub(super) struct Shown<'a> {
     pub(super) texts: &'a Texts,
 }
 
-/// Draws a page that can be scrolled; `to` is the block to scroll to, which is forgotten when that has been done, `step`
-/// how far the keys scroll, points. Returns the link that was followed.
+/// Draws a page that can be scrolled; `to` is the block to scroll to, which is forgotten when that has been done,
+/// `step` how far the keys scroll, points. Returns the link that was followed.
 pub(super) fn page_ui(
     ui: &mut Ui,
-    shown: &Shown<'_>,
-    measured: &mut Measured,
+    shown: &PageView<'_>,
+    measured: &mut BlockOffsets,
     to: &mut Option<usize>,
     step: f32,
-) -> Option<Link> {
+) -> Option<ManualLink> {
     let width = (ui.available_width() - 24.0).clamp(80.0, MOST_WIDTH);
     let of = Some((shown.place, shown.texts.language(), width as i32));
     let is_measured = measured.of == of;
@@ -92,7 +92,7 @@ fn in_view(tops: &[f32], view: Rect) -> (usize, usize) {
     (first, tops.partition_point(|top| *top < view.max.y).clamp(first, count))
 }
 
-fn block_ui(ui: &mut Ui, shown: &Shown<'_>, place: usize, block: &Block) -> Option<Link> {
+fn block_ui(ui: &mut Ui, shown: &PageView<'_>, place: usize, block: &Block) -> Option<ManualLink> {
     let palette = theme::palette(ui.visuals());
     let background = ui.painter().add(egui::Shape::Noop);
     let is_marked = shown.marked == Some(place);
@@ -113,10 +113,10 @@ fn block_ui(ui: &mut Ui, shown: &Shown<'_>, place: usize, block: &Block) -> Opti
     inner.inner
 }
 
-fn content_ui(ui: &mut Ui, shown: &Shown<'_>, block: &Block) -> Option<Link> {
+fn content_ui(ui: &mut Ui, shown: &PageView<'_>, block: &Block) -> Option<ManualLink> {
     let palette = theme::palette(ui.visuals());
     match &block.content {
-        Content::Heading { level, spans, .. } => {
+        BlockContent::Heading { level, spans, .. } => {
             let size = [22.0, 17.0, 14.5].get(level.saturating_sub(1)).copied().unwrap_or(13.5);
             ui.add_space(if *level == 1 { 2.0 } else { 10.0 });
             let followed = spans::spans_ui(ui, spans, size, shown.texts);
@@ -126,10 +126,10 @@ fn content_ui(ui: &mut Ui, shown: &Shown<'_>, block: &Block) -> Option<Link> {
             }
             followed
         }
-        Content::Paragraph { marker: None, spans } if block.indent == 0 => {
+        BlockContent::Paragraph { marker: None, spans } if block.indent == 0 => {
             spans::spans_ui(ui, spans, spans::BODY, shown.texts)
         }
-        Content::Paragraph { marker, spans } => {
+        BlockContent::Paragraph { marker, spans } => {
             ui.horizontal_top(|ui| {
                 let size = vec2(INDENT, spans::ROW);
                 let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -142,16 +142,16 @@ fn content_ui(ui: &mut Ui, shown: &Shown<'_>, block: &Block) -> Option<Link> {
             })
             .inner
         }
-        Content::Code(code) => {
+        BlockContent::Code(code) => {
             code_ui(ui, code, shown.texts);
             None
         }
-        Content::Table(rows) => table::table_ui(ui, rows, shown.texts),
-        Content::Formula(formula) => {
+        BlockContent::Table(rows) => table::table_ui(ui, rows, shown.texts),
+        BlockContent::Formula(formula) => {
             formula_ui(ui, formula);
             None
         }
-        Content::Line => {
+        BlockContent::Line => {
             let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 5.0), Sense::hover());
             ui.painter().hline(rect.x_range(), rect.center().y, Stroke::new(1.0, palette.line));
             None
@@ -177,7 +177,7 @@ fn formula_ui(ui: &mut Ui, formula: &Formula) {
 /// Text with its own lines, which can be copied.
 fn code_ui(ui: &mut Ui, code: &str, texts: &Texts) {
     let palette = theme::palette(ui.visuals());
-    let shown = signs::simplified(code);
+    let shown = missing_glyphs::simplified(code);
     let frame = Frame::new().fill(palette.field).corner_radius(5.0).inner_margin(Margin::symmetric(10, 7));
     let framed = frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
@@ -202,7 +202,7 @@ fn code_ui(ui: &mut Ui, code: &str, texts: &Texts) {
 
 /// Draws the hats of letters, which the font does not have.
 fn hats_ui(ui: &Ui, rect: Rect, code: &str, shown: &str, color: Color32) {
-    let hats = signs::hats(code);
+    let hats = missing_glyphs::hats(code);
     if hats.is_empty() {
         return;
     }

@@ -3,8 +3,8 @@
 use crate::texts::Language;
 
 /// A document in both languages.
-pub(super) struct Source {
-    /// Its path below the folder of its language.
+pub(super) struct ManualDocument {
+    /// The path below the folder of a language.
     pub(super) path: &'static str,
     english: &'static str,
     russian: &'static str,
@@ -12,7 +12,7 @@ pub(super) struct Source {
 
 macro_rules! sources {
     ($($path:literal),+ $(,)?) => {
-        [$(Source {
+        [$(ManualDocument {
             path: $path,
             english: include_str!(concat!("../../../../docs/en/", $path)),
             russian: include_str!(concat!("../../../../docs/ru/", $path)),
@@ -21,7 +21,7 @@ macro_rules! sources {
 }
 
 /// All documents, in the order in which to list them.
-pub(super) const SOURCES: &[Source] = &sources![
+pub(super) const SOURCES: &[ManualDocument] = &sources![
     "studio.md",
     "scene-format.md",
     "materials.md",
@@ -40,8 +40,8 @@ pub(super) const SOURCES: &[Source] = &sources![
     "gpu.md",
 ];
 
-impl Source {
-    /// Its text in a language.
+impl ManualDocument {
+    /// The document's text in a language.
     pub(super) const fn text(&self, language: Language) -> &'static str {
         match language {
             Language::English => self.english,

@@ -1,6 +1,6 @@
 //! Search over all pages.
 
-use super::markdown::{Content, Page};
+use super::markdown::{BlockContent, ManualPage};
 
 /// At most so many hits are listed.
 const MOST: usize = 60;
@@ -8,9 +8,9 @@ const MOST: usize = 60;
 const BEFORE: usize = 28;
 const AFTER: usize = 70;
 
-/// A block that has what was searched for.
+/// A block that contains the searched words.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Hit {
+pub(super) struct SearchHit {
     pub(super) page: usize,
     pub(super) block: usize,
     /// A part of the block, in three: before the words, the words, after them.
@@ -19,7 +19,7 @@ pub(super) struct Hit {
 }
 
 /// The blocks of `pages` that have all words of `search`, headings first. Case does not matter.
-pub(super) fn hits(pages: &[Page], search: &str) -> Vec<Hit> {
+pub(super) fn hits(pages: &[ManualPage], search: &str) -> Vec<SearchHit> {
     let words: Vec<String> = search.split_whitespace().map(folded).collect();
     let Some(first) = words.first() else { return Vec::new() };
     let mut hits = Vec::new();
@@ -32,8 +32,8 @@ pub(super) fn hits(pages: &[Page], search: &str) -> Vec<Hit> {
             // The whole search in one place says more than its first word.
             let whole = folded(search.trim());
             let found = if plain.contains(&whole) { &whole } else { first };
-            let is_heading = matches!(content.content, Content::Heading { .. });
-            hits.push(Hit { page, block, excerpt: excerpt(&content.plain, found), is_heading });
+            let is_heading = matches!(content.content, BlockContent::Heading { .. });
+            hits.push(SearchHit { page, block, excerpt: excerpt(&content.plain, found), is_heading });
         }
     }
     hits.sort_by_key(|hit| !hit.is_heading);

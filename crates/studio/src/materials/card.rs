@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use catoptric_lab::depth::excess_of;
-use catoptric_optics::Lines;
+use catoptric_optics::FraunhoferLines;
 use catoptric_scene::{MaterialChoice, Scene};
 use egui::{
     Align2, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
@@ -12,8 +12,8 @@ use egui::{
 use egui_material_icons::icons::{ICON_CHECK_CIRCLE, ICON_HOURGLASS_EMPTY, ICON_WARNING};
 
 use super::grid::preview;
-use super::presets::{About, PRESETS, Preset};
-use super::{Browser, Thing, list_id};
+use super::presets::{MaterialPreset, PRESETS, PresetDescription};
+use super::{MaterialBrowser, MaterialItem, list_id};
 use crate::context::Cx;
 use crate::texts::Texts;
 use crate::theme;
@@ -24,7 +24,7 @@ use crate::widgets::paint_icon;
 pub(super) const PICTURE: f32 = 96.0;
 /// The picture with two lines of text.
 pub(super) const CARD: Vec2 = vec2(PICTURE, PICTURE + 33.0);
-/// So many materials of scenes are remembered as they were.
+/// The most materials of scenes whose last pictures are remembered.
 const MOST_SEEN: usize = 400;
 /// Between cards, points.
 pub(super) const GAP: f32 = 8.0;
@@ -33,8 +33,8 @@ pub(super) const GAP: f32 = 8.0;
 pub(super) fn card_ui(
     ui: &mut Ui,
     cx: &Cx<'_>,
-    browser: &mut Browser,
-    (thing, place): (Thing, usize),
+    browser: &mut MaterialBrowser,
+    (thing, place): (MaterialItem, usize),
     rect: Rect,
 ) -> bool {
     let scene = std::sync::Arc::clone(cx.editor.scene());
@@ -83,11 +83,11 @@ pub(super) fn card_ui(
 }
 
 /// The picture, or what it was before; an hourglass until there is one.
-fn picture_ui(ui: &Ui, browser: &mut Browser, scene: &Scene, thing: Thing, rect: Rect) {
+fn picture_ui(ui: &Ui, browser: &mut MaterialBrowser, scene: &Scene, thing: MaterialItem, rect: Rect) {
     let Some(preview) = preview(ui, scene, thing) else { return };
     let named = match thing {
-        Thing::Scene(place) => scene.materials.get(place),
-        Thing::Preset(_) => None,
+        MaterialItem::Scene(place) => scene.materials.get(place),
+        MaterialItem::Preset(_) => None,
     };
     let mut texture = browser.thumbnails.get(&preview);
     if let Some(named) = named {
@@ -120,31 +120,33 @@ fn picture_ui(ui: &Ui, browser: &mut Browser, scene: &Scene, thing: Thing, rect:
 }
 
 /// Whether the selected body is made of it.
-fn is_worn(cx: &Cx<'_>, scene: &Scene, thing: Thing) -> bool {
+fn is_worn(cx: &Cx<'_>, scene: &Scene, thing: MaterialItem) -> bool {
     let body = cx.editor.selection().bodies().next_back().and_then(|body| scene.bodies.get(body));
     match (thing, body.map(|body| &body.material)) {
-        (Thing::Scene(place), Some(MaterialChoice::Named(name))) => {
+        (MaterialItem::Scene(place), Some(MaterialChoice::Named(name))) => {
             scene.materials.get(place).is_some_and(|named| named.name == *name)
         }
-        (Thing::Preset(_), Some(MaterialChoice::Inline(own))) => thing.material(scene) == Some(own),
+        (MaterialItem::Preset(_), Some(MaterialChoice::Inline(own))) => thing.material(scene) == Some(own),
         _ => false,
     }
 }
 
-fn name_of<'a>(texts: &'a Texts, scene: &'a Scene, thing: Thing) -> Option<Cow<'a, str>> {
+fn name_of<'a>(texts: &'a Texts, scene: &'a Scene, thing: MaterialItem) -> Option<Cow<'a, str>> {
     match thing {
-        Thing::Scene(place) => scene.materials.get(place).map(|named| Cow::Borrowed(named.name.as_str())),
-        Thing::Preset(place) => PRESETS.get(place).map(|preset| Cow::Borrowed(texts.get(&preset.key))),
+        MaterialItem::Scene(place) => {
+            scene.materials.get(place).map(|named| Cow::Borrowed(named.name.as_str()))
+        }
+        MaterialItem::Preset(place) => PRESETS.get(place).map(|preset| Cow::Borrowed(texts.get(&preset.key))),
     }
 }
 
-/// Its name, what it is, and where its numbers come from.
-fn tip_ui(response: Response, cx: &Cx<'_>, scene: &Scene, thing: Thing, name: &str) {
+/// The tooltip of a material: its name, what it is, and where its numbers come from.
+fn tip_ui(response: Response, cx: &Cx<'_>, scene: &Scene, thing: MaterialItem, name: &str) {
     response.on_hover_ui(|ui| {
         ui.set_max_width(320.0);
         ui.strong(name);
         match thing {
-            Thing::Scene(place) => {
+            MaterialItem::Scene(place) => {
                 let Some(named) = scene.materials.get(place) else { return };
                 ui.label(crate::inspector::model_told(cx.texts, named.material.model));
                 let is_it = |choice: &MaterialChoice| choice.name() == Some(&named.name);
@@ -155,7 +157,7 @@ fn tip_ui(response: Response, cx: &Cx<'_>, scene: &Scene, thing: Thing, name: &s
                     ui.label(egui::RichText::new(cx.texts.get("materials-excess")).color(color));
                 }
             }
-            Thing::Preset(place) => {
+            MaterialItem::Preset(place) => {
                 if let Some(preset) = PRESETS.get(place) {
                     about_ui(ui, cx.texts, preset);
                 }
@@ -164,21 +166,21 @@ fn tip_ui(response: Response, cx: &Cx<'_>, scene: &Scene, thing: Thing, name: &s
     });
 }
 
-fn about_ui(ui: &mut Ui, texts: &Texts, preset: &Preset) {
+fn about_ui(ui: &mut Ui, texts: &Texts, preset: &MaterialPreset) {
     let source = match preset.about {
-        About::Tip => {
+        PresetDescription::Tip => {
             ui.label(texts.tip(&preset.key).unwrap_or_default());
             return;
         }
-        About::Metal(metal) => {
+        PresetDescription::Metal(metal) => {
             let share = |share: f64| shown(texts, 100.0 * share.min(1.0), 0);
             let [red, green, blue] = metal.reflectance(1.0, 1.0).map(share);
             let shares = [("red", red.into()), ("green", green.into()), ("blue", blue.into())];
             ui.label(texts.with("materials-metal", &shares));
             metal.source
         }
-        About::Clear(clear) => {
-            let index = shown(texts, clear.dispersion.index(Lines::D), 3);
+        PresetDescription::Clear(clear) => {
+            let index = shown(texts, clear.dispersion.index(FraunhoferLines::D), 3);
             let abbe = shown(texts, clear.dispersion.abbe(), 0);
             ui.label(texts.with("materials-index", &[("index", index.into()), ("abbe", abbe.into())]));
             clear.source

@@ -10,8 +10,8 @@ use egui::{
 };
 
 use super::card::{CARD, GAP, card_ui};
-use super::preview::Preview;
-use super::{Browser, Section, Thing, list_id};
+use super::preview::MaterialPreview;
+use super::{MaterialBrowser, MaterialItem, MaterialSection, list_id};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::layout::Pane;
@@ -22,24 +22,24 @@ use crate::widgets::paint_line_in;
 const HEAD: f32 = 24.0;
 
 /// A line of the list.
-struct Line {
+struct BrowserLine {
     top: f32,
-    kind: Kind,
+    kind: BrowserLineKind,
 }
 
-enum Kind {
-    Head(Section),
+enum BrowserLineKind {
+    Head(MaterialSection),
     /// There is none in the scene.
     Nothing,
-    /// Those from here to there.
+    /// The cards of a range of materials.
     Cards(Range<usize>),
 }
 
-impl Line {
+impl BrowserLine {
     fn height(&self) -> f32 {
         match self.kind {
-            Kind::Head(_) | Kind::Nothing => HEAD,
-            Kind::Cards(_) => CARD.y + GAP,
+            BrowserLineKind::Head(_) | BrowserLineKind::Nothing => HEAD,
+            BrowserLineKind::Cards(_) => CARD.y + GAP,
         }
     }
 
@@ -50,7 +50,7 @@ impl Line {
 }
 
 /// Draws what was found; returns what was chosen.
-pub(super) fn grid_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser) -> Option<Thing> {
+pub(super) fn grid_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowser) -> Option<MaterialItem> {
     let things = browser.found.as_ref().map(|found| found.things.clone()).unwrap_or_default();
     let rect = ui.available_rect_before_wrap();
     focus(ui, cx, browser, rect);
@@ -81,9 +81,9 @@ pub(super) fn grid_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser) -> Op
         for line in lines.iter().filter(|line| view.y_range().intersects(line.span())) {
             let left_top = corner + vec2(0.0, line.top);
             match &line.kind {
-                Kind::Head(section) => head_ui(ui, cx, left_top, room, *section),
-                Kind::Nothing => note_ui(ui, cx, left_top, room),
-                Kind::Cards(range) => {
+                BrowserLineKind::Head(section) => head_ui(ui, cx, left_top, room, *section),
+                BrowserLineKind::Nothing => note_ui(ui, cx, left_top, room),
+                BrowserLineKind::Cards(range) => {
                     for (column, place) in range.clone().enumerate() {
                         let Some(thing) = things.get(place).copied() else { continue };
                         let rect =
@@ -102,29 +102,29 @@ pub(super) fn grid_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut Browser) -> Op
     chosen
 }
 
-/// The headings and rows of what was found; the scene's heading stands there even without materials, unless something is
-/// looked for.
-fn lines(things: &[Thing], columns: usize, is_all: bool) -> Vec<Line> {
-    let mut lines: Vec<Line> = Vec::new();
+/// The headings and rows of what was found; the scene's heading stands there even without materials, unless something
+/// is looked for.
+fn lines(things: &[MaterialItem], columns: usize, is_all: bool) -> Vec<BrowserLine> {
+    let mut lines: Vec<BrowserLine> = Vec::new();
     let mut top = 0.0;
     let mut push = |kind| {
-        let line = Line { top, kind };
+        let line = BrowserLine { top, kind };
         top += line.height();
         lines.push(line);
     };
     let mut start = 0;
-    for section in Section::ALL {
+    for section in MaterialSection::ALL {
         let count = things.iter().skip(start).take_while(|thing| thing.section() == section).count();
         let end = start + count;
-        if count > 0 || section == Section::Scene && is_all {
-            push(Kind::Head(section));
+        if count > 0 || section == MaterialSection::Scene && is_all {
+            push(BrowserLineKind::Head(section));
         }
-        if count == 0 && section == Section::Scene && is_all {
-            push(Kind::Nothing);
+        if count == 0 && section == MaterialSection::Scene && is_all {
+            push(BrowserLineKind::Nothing);
         }
         while start < end {
             let next = (start + columns).min(end);
-            push(Kind::Cards(start..next));
+            push(BrowserLineKind::Cards(start..next));
             start = next;
         }
     }
@@ -132,16 +132,17 @@ fn lines(things: &[Thing], columns: usize, is_all: bool) -> Vec<Line> {
 }
 
 /// Where the card of the thing at a place begins.
-fn place_of(lines: &[Line], columns: usize, place: usize) -> Option<Pos2> {
-    let line =
-        lines.iter().find(|line| matches!(&line.kind, Kind::Cards(range) if range.contains(&place)))?;
-    let Kind::Cards(range) = &line.kind else { return None };
+fn place_of(lines: &[BrowserLine], columns: usize, place: usize) -> Option<Pos2> {
+    let line = lines
+        .iter()
+        .find(|line| matches!(&line.kind, BrowserLineKind::Cards(range) if range.contains(&place)))?;
+    let BrowserLineKind::Cards(range) = &line.kind else { return None };
     let column = (place - range.start).min(columns);
     Some(pos2(column as f32 * (CARD.x + GAP), line.top))
 }
 
 /// Lets the list have the focus as a whole: arrows walk over the cards, and Tab passes them in one step.
-fn focus(ui: &mut Ui, cx: &Cx<'_>, browser: &mut Browser, rect: Rect) {
+fn focus(ui: &mut Ui, cx: &Cx<'_>, browser: &mut MaterialBrowser, rect: Rect) {
     let list = ui.interact(rect, list_id(), Sense::focusable_noninteractive());
     list.widget_info(|| WidgetInfo::labeled(Role::ListBox, true, cx.texts.get("materials-list")));
     if std::mem::take(&mut browser.wants_focus) {
@@ -154,7 +155,7 @@ fn focus(ui: &mut Ui, cx: &Cx<'_>, browser: &mut Browser, rect: Rect) {
 }
 
 /// Arrows walk over the cards, Escape closes; whether Enter or Space chose the one they have come to.
-fn keys(ui: &Ui, cx: &mut Cx<'_>, browser: &mut Browser, lines: &[Line]) -> bool {
+fn keys(ui: &Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowser, lines: &[BrowserLine]) -> bool {
     if egui::Popup::is_any_open(ui.ctx()) {
         return false;
     }
@@ -162,7 +163,7 @@ fn keys(ui: &Ui, cx: &mut Cx<'_>, browser: &mut Browser, lines: &[Line]) -> bool
     let before = browser.cursor;
     let rows: Vec<&Range<usize>> = lines
         .iter()
-        .filter_map(|line| if let Kind::Cards(range) = &line.kind { Some(range) } else { None })
+        .filter_map(|line| if let BrowserLineKind::Cards(range) = &line.kind { Some(range) } else { None })
         .collect();
     let row = rows.iter().position(|range| range.contains(&before));
     let beside = |row: Option<usize>| {
@@ -192,7 +193,7 @@ fn keys(ui: &Ui, cx: &mut Cx<'_>, browser: &mut Browser, lines: &[Line]) -> bool
     pressed(Key::Space) || enter
 }
 
-fn head_ui(ui: &mut Ui, cx: &Cx<'_>, left_top: Pos2, width: f32, section: Section) {
+fn head_ui(ui: &mut Ui, cx: &Cx<'_>, left_top: Pos2, width: f32, section: MaterialSection) {
     let rect = Rect::from_min_size(left_top, vec2(width, HEAD));
     let title = cx.texts.get(section.key());
     let response = ui.interact(rect, list_id().with(section.key()), Sense::empty());
@@ -207,18 +208,18 @@ fn note_ui(ui: &Ui, cx: &Cx<'_>, left_top: Pos2, width: f32) {
 }
 
 /// Has the pictures traced that are seen and missing.
-fn want(ui: &Ui, cx: &Cx<'_>, browser: &mut Browser, drawn: &[Thing]) {
+fn want(ui: &Ui, cx: &Cx<'_>, browser: &mut MaterialBrowser, drawn: &[MaterialItem]) {
     if cx.view.is_measuring || cx.view.is_moving {
         return;
     }
     let scene = Arc::clone(cx.editor.scene());
-    let wanted: Vec<Preview> = drawn.iter().filter_map(|thing| preview(ui, &scene, *thing)).collect();
+    let wanted: Vec<MaterialPreview> = drawn.iter().filter_map(|thing| preview(ui, &scene, *thing)).collect();
     browser.thumbnails.want(ui.ctx(), &wanted, |preview| Some((preview.scene()?, preview.settings())));
 }
 
 /// A thing as it is to be seen on this screen.
-pub(super) fn preview(ui: &Ui, scene: &Scene, thing: Thing) -> Option<Preview> {
+pub(super) fn preview(ui: &Ui, scene: &Scene, thing: MaterialItem) -> Option<MaterialPreview> {
     let material = Box::new(thing.material(scene)?.clone());
     let side = (super::card::PICTURE * ui.ctx().pixels_per_point()).round();
-    Some(Preview { material, side: side.clamp(48.0, 256.0) as u32 })
+    Some(MaterialPreview { material, side: side.clamp(48.0, 256.0) as u32 })
 }

@@ -2,41 +2,41 @@
 
 use std::sync::LazyLock;
 
-use catoptric_optics::{CLEAR, Clear, METALS, Metal};
+use catoptric_optics::{CLEAR, ClearSubstance, METALS, Metal};
 use catoptric_scene::{Color, Conductor, Material, Model};
 
-use super::Section;
+use super::MaterialSection;
 use crate::inspector::{KINDS, KindPreset as Kind};
 use crate::texts::{Language, Texts};
 
 /// A material with a name.
-pub(super) struct Preset {
-    pub(super) section: Section,
+pub(super) struct MaterialPreset {
+    pub(super) section: MaterialSection,
     /// The message that names it.
     pub(super) key: String,
     pub(super) material: Material,
-    pub(super) about: About,
+    pub(super) about: PresetDescription,
 }
 
-/// What there is to be told.
+/// The source of a preset's tooltip.
 #[derive(Clone, Copy)]
-pub(super) enum About {
+pub(super) enum PresetDescription {
     /// What the message's attribute says.
     Tip,
     /// A measured metal.
     Metal(&'static Metal),
     /// A measured clear substance.
-    Clear(&'static Clear),
+    Clear(&'static ClearSubstance),
 }
 
 /// All presets, in the order in which to show them.
-pub(super) static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| {
-    let mut all: Vec<Preset> = KINDS.iter().map(kind).collect();
-    all.extend(METALS.iter().map(|metal| Preset {
-        section: Section::Metals,
+pub(super) static PRESETS: LazyLock<Vec<MaterialPreset>> = LazyLock::new(|| {
+    let mut all: Vec<MaterialPreset> = KINDS.iter().map(kind).collect();
+    all.extend(METALS.iter().map(|metal| MaterialPreset {
+        section: MaterialSection::Metals,
         key: format!("metal-{}", metal.name),
         material: of_metal(metal, 0.0),
-        about: About::Metal(metal),
+        about: PresetDescription::Metal(metal),
     }));
     let satin = [
         ("preset-satin-aluminum", "aluminum", 0.36),
@@ -46,13 +46,13 @@ pub(super) static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| {
     ];
     all.extend(satin.into_iter().filter_map(|(key, name, roughness)| {
         let metal = Metal::named(name)?;
-        Some(tipped(Section::Metals, key, of_metal(metal, roughness)))
+        Some(tipped(MaterialSection::Metals, key, of_metal(metal, roughness)))
     }));
-    all.extend(CLEAR.iter().map(|clear| Preset {
-        section: Section::Clear,
+    all.extend(CLEAR.iter().map(|clear| MaterialPreset {
+        section: MaterialSection::Clear,
         key: format!("substance-{}", clear.name),
         material: Material { model: Model::Dielectric, substance: Some(clear), ..Material::default() },
-        about: About::Clear(clear),
+        about: PresetDescription::Clear(clear),
     }));
     all.extend(clear_colored());
     all.extend(coats());
@@ -61,15 +61,15 @@ pub(super) static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| {
 });
 
 /// The four kinds of Phong's and Whitted's models, in a color that suits them.
-fn kind(kind: &'static Kind) -> Preset {
+fn kind(kind: &'static Kind) -> MaterialPreset {
     let color = if kind.key == "kind-glossy" { Color::new(0.75, 0.06, 0.05) } else { Color::gray(0.8) };
     let mut material = Material { color, ..Material::default() };
     kind.give(&mut material);
-    tipped(Section::Constant, kind.key, material)
+    tipped(MaterialSection::Constant, kind.key, material)
 }
 
-fn tipped(section: Section, key: &str, material: Material) -> Preset {
-    Preset { section, key: key.to_owned(), material, about: About::Tip }
+fn tipped(section: MaterialSection, key: &str, material: Material) -> MaterialPreset {
+    MaterialPreset { section, key: key.to_owned(), material, about: PresetDescription::Tip }
 }
 
 fn of_metal(metal: &'static Metal, roughness: f64) -> Material {
@@ -78,7 +78,7 @@ fn of_metal(metal: &'static Metal, roughness: f64) -> Material {
 }
 
 /// Glass that absorbs light, in colors that a body of a meter shows well.
-fn clear_colored() -> impl Iterator<Item = Preset> {
+fn clear_colored() -> impl Iterator<Item = MaterialPreset> {
     let all = [
         ("preset-bottle-glass", [0.25, 0.62, 0.30]),
         ("preset-cobalt-glass", [0.12, 0.25, 0.80]),
@@ -88,11 +88,11 @@ fn clear_colored() -> impl Iterator<Item = Preset> {
         let attenuation_color = Color::new(r, g, b);
         let glass =
             Material { model: Model::Dielectric, ior: 1.52, attenuation_color, ..Material::default() };
-        tipped(Section::Clear, key, glass)
+        tipped(MaterialSection::Clear, key, glass)
     })
 }
 
-fn coats() -> impl Iterator<Item = Preset> {
+fn coats() -> impl Iterator<Item = MaterialPreset> {
     let mirror = Material { model: Model::Mirror, color: Color::WHITE, ..Material::default() };
     let all = [
         ("preset-red-lacquer", [0.50, 0.015, 0.02], 1.52),
@@ -104,23 +104,27 @@ fn coats() -> impl Iterator<Item = Preset> {
     ];
     let coated = all.into_iter().map(|(key, [r, g, b], ior)| {
         let color = Color::new(r, g, b);
-        tipped(Section::Coats, key, Material { model: Model::Coated, color, ior, ..Material::default() })
+        tipped(
+            MaterialSection::Coats,
+            key,
+            Material { model: Model::Coated, color, ior, ..Material::default() },
+        )
     });
-    std::iter::once(tipped(Section::Coats, "preset-ideal-mirror", mirror)).chain(coated)
+    std::iter::once(tipped(MaterialSection::Coats, "preset-ideal-mirror", mirror)).chain(coated)
 }
 
-fn rough() -> [Preset; 5] {
+fn rough() -> [MaterialPreset; 5] {
     let of = |model, color: [f64; 3], roughness| {
         let [r, g, b] = color;
         Material { model, color: Color::new(r, g, b), roughness, ..Material::default() }
     };
     let frosted = Material {
         model: Model::Dielectric,
-        substance: Clear::named("crown-glass"),
+        substance: ClearSubstance::named("crown-glass"),
         roughness: 0.35,
         ..Material::default()
     };
-    let rough = |key, material| tipped(Section::Rough, key, material);
+    let rough = |key, material| tipped(MaterialSection::Rough, key, material);
     [
         rough("preset-frosted-glass", frosted),
         rough("preset-dull-mirror", of(Model::Mirror, [0.9; 3], 0.3)),
@@ -162,13 +166,16 @@ mod tests {
             let texts = Texts::new(language);
             for preset in PRESETS.iter() {
                 assert_ne!(texts.get(&preset.key), preset.key, "{language:?}");
-                let is_told = !matches!(preset.about, About::Tip) || texts.tip(&preset.key).is_some();
+                let is_told =
+                    !matches!(preset.about, PresetDescription::Tip) || texts.tip(&preset.key).is_some();
                 assert!(is_told, "{}", preset.key);
             }
         }
         assert!(PRESETS.iter().all(|preset| excess_of(&preset.material).next().is_none()));
-        let metals = PRESETS.iter().filter(|preset| matches!(preset.about, About::Metal(_))).count();
-        let clear = PRESETS.iter().filter(|preset| matches!(preset.about, About::Clear(_))).count();
+        let metals =
+            PRESETS.iter().filter(|preset| matches!(preset.about, PresetDescription::Metal(_))).count();
+        let clear =
+            PRESETS.iter().filter(|preset| matches!(preset.about, PresetDescription::Clear(_))).count();
         assert_eq!((metals, clear), (METALS.len(), CLEAR.len()));
     }
 

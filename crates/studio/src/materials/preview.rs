@@ -9,14 +9,14 @@ use catoptric_tracer::RenderSettings;
 /// Samples for each pixel of smooth surfaces, and of those that scatter.
 const SAMPLES: [u32; 2] = [16, 64];
 
-/// A material as it is seen in a picture of this width and height, pixels.
+/// A material, and the width and height of its preview in pixels.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Preview {
+pub(super) struct MaterialPreview {
     pub(super) material: Box<Material>,
     pub(super) side: u32,
 }
 
-impl Preview {
+impl MaterialPreview {
     /// How it is traced.
     pub(super) fn settings(&self) -> RenderSettings {
         let material = &self.material;
@@ -45,14 +45,16 @@ mod tests {
     #[test]
     fn the_scene_of_previews_can_be_read_and_shows_the_material() {
         let material = Box::new(Material { model: catoptric_scene::Model::Conductor, ..Material::default() });
-        let preview = Preview { material: material.clone(), side: 96 };
+        let preview = MaterialPreview { material: material.clone(), side: 96 };
         let scene = preview.scene().unwrap();
         let is_shown = |choice: &MaterialChoice| *choice == MaterialChoice::Inline(material.clone());
         assert_eq!(scene.bodies.iter().filter(|body| is_shown(&body.material)).count(), 1);
         assert!(catoptric_tracer::RenderScene::build(&scene).is_ok());
         assert_eq!(preview.settings().samples, 16);
-        let rough =
-            Preview { material: Box::new(Material { roughness: 0.2, ..(*material).clone() }), side: 96 };
+        let rough = MaterialPreview {
+            material: Box::new(Material { roughness: 0.2, ..(*material).clone() }),
+            side: 96,
+        };
         assert_eq!(rough.settings().samples, 64);
     }
 }

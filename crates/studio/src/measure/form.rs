@@ -1,7 +1,7 @@
-//! What to measure.
+//! The form of a measurement.
 
 use catoptric_lab::Variant;
-use catoptric_lab::measure::{Axis, Parameter, Plan, Value};
+use catoptric_lab::measure::{Axis, MeasurePlan, Parameter, Value};
 use catoptric_lab::report::Language;
 use catoptric_scene::Scene;
 use catoptric_scene::format::spec::Limits;
@@ -10,7 +10,7 @@ use catoptric_tracer::raster::{Method, MethodKind};
 use egui::{Button, ComboBox, Popup, PopupCloseBehavior, RichText, TextEdit, Ui};
 
 use crate::methods::chooser::methods_ui;
-use crate::methods::{Methods, icon, method_key, report_language, short_key};
+use crate::methods::{MethodSettings, icon, method_key, report_language, short_key};
 use crate::texts::{DecimalSign, Texts};
 use crate::theme;
 use crate::widgets::number::{NumberField, Unit, evaluate};
@@ -21,42 +21,42 @@ const MOST_SIDE: u32 = 8192;
 /// The most rounds that are offered.
 const MOST_ROUNDS: u32 = 1000;
 
-/// What was chosen.
-pub(super) struct Form {
+/// The choices of the form.
+pub(super) struct MeasureForm {
     /// What is varied; the second one may be nothing.
-    axes: [Chosen; 2],
-    pub(super) methods: Methods,
+    axes: [ParameterDraft; 2],
+    pub(super) methods: MethodSettings,
     size: [u32; 2],
     rounds: u32,
 }
 
-/// A parameter and its values as they are typed.
-struct Chosen {
+/// A parameter and its values as typed.
+struct ParameterDraft {
     parameter: Option<Parameter>,
     values: String,
 }
 
-/// What cannot be measured.
+/// The reason why a choice cannot be measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Wrong {
-    /// This cannot be a value of the parameter.
+pub(super) enum MeasureFormError {
+    /// A text is no value of the parameter.
     Value(Parameter, String),
-    /// The same parameter twice.
+    /// One parameter is chosen twice.
     Twice,
 }
 
-impl Default for Form {
+impl Default for MeasureForm {
     fn default() -> Self {
         Self {
-            axes: [Chosen::usual(Some(Parameter::Size)), Chosen::usual(None)],
-            methods: Methods::default(),
+            axes: [ParameterDraft::usual(Some(Parameter::Size)), ParameterDraft::usual(None)],
+            methods: MethodSettings::default(),
             size: [320, 180],
-            rounds: Plan::ROUNDS,
+            rounds: MeasurePlan::ROUNDS,
         }
     }
 }
 
-impl Chosen {
+impl ParameterDraft {
     /// A parameter with the values that are usual for this machine.
     fn usual(parameter: Option<Parameter>) -> Self {
         let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
@@ -66,17 +66,17 @@ impl Chosen {
     }
 
     /// The axis, if one was chosen.
-    fn axis(&self) -> Result<Option<Axis>, Wrong> {
+    fn axis(&self) -> Result<Option<Axis>, MeasureFormError> {
         let Some(parameter) = self.parameter else { return Ok(None) };
         let mut axis = Axis { parameter, values: Vec::new() };
         for word in self.values.split([',', ';']).map(str::trim).filter(|word| !word.is_empty()) {
-            let wrong = || Wrong::Value(parameter, word.to_owned());
+            let wrong = || MeasureFormError::Value(parameter, word.to_owned());
             let value = computed(parameter, word);
             let read = Axis::read(&format!("{}={value}", parameter.key()), 1).map_err(|_| wrong())?;
             axis.values.extend(read.into_iter().next().ok_or_else(wrong)?.values);
         }
         if axis.values.is_empty() {
-            return Err(Wrong::Value(parameter, String::new()));
+            return Err(MeasureFormError::Value(parameter, String::new()));
         }
         Ok(Some(axis))
     }
@@ -93,17 +93,17 @@ fn computed(parameter: Parameter, word: &str) -> String {
     }
 }
 
-impl Form {
+impl MeasureForm {
     /// What to measure, of a scene as it is seen through its own camera.
-    pub(super) fn plan(&self, scene: &Scene, name: String) -> Result<Plan, Wrong> {
+    pub(super) fn plan(&self, scene: &Scene, name: String) -> Result<MeasurePlan, MeasureFormError> {
         let [first, second] = &self.axes;
         let axes: Vec<Axis> = [first.axis()?, second.axis()?].into_iter().flatten().collect();
         if let [one, other] = axes.as_slice()
             && one.parameter == other.parameter
         {
-            return Err(Wrong::Twice);
+            return Err(MeasureFormError::Twice);
         }
-        Ok(Plan {
+        Ok(MeasurePlan {
             scene: scene.clone(),
             name,
             variant: Variant::from(self.methods.method()),
@@ -111,7 +111,7 @@ impl Form {
             threads: 0,
             axes,
             rounds: self.rounds,
-            least_time: Plan::LEAST_TIME,
+            least_time: MeasurePlan::LEAST_TIME,
         })
     }
 
@@ -190,13 +190,13 @@ impl Form {
     }
 }
 
-/// A parameter and its values; tells whether another parameter was chosen.
+/// Draws a parameter and its values; returns whether another parameter was chosen.
 fn axis_ui(
     ui: &mut Ui,
     texts: &Texts,
     language: Language,
     width: f32,
-    (chosen, key, is_optional): (&mut Chosen, &'static str, bool),
+    (chosen, key, is_optional): (&mut ParameterDraft, &'static str, bool),
 ) -> bool {
     let mut picked = None;
     ui.label(RichText::new(texts.get(key)).color(theme::palette(ui.visuals()).weak))
@@ -219,7 +219,7 @@ fn axis_ui(
     });
     shown.response.accessible_name(texts.get(key));
     if let Some(parameter) = picked {
-        *chosen = Chosen::usual(parameter);
+        *chosen = ParameterDraft::usual(parameter);
     }
     if let Some(parameter) = chosen.parameter {
         let name = texts.with("measure-values", &[("parameter", language.parameter(parameter).into())]);
@@ -234,7 +234,7 @@ fn axis_ui(
     picked.is_some()
 }
 
-/// The message that tells what values a parameter can have.
+/// The message about the values that a parameter can have.
 pub(super) const fn expected_key(parameter: Parameter) -> &'static str {
     match parameter {
         Parameter::Size => "measure-expected-sizes",
@@ -274,27 +274,28 @@ mod tests {
 
     #[test]
     fn what_is_typed_is_read_or_named() {
-        let mut chosen = Chosen { parameter: Some(Parameter::Size), values: "64x36; 128×72,".to_owned() };
+        let mut chosen =
+            ParameterDraft { parameter: Some(Parameter::Size), values: "64x36; 128×72,".to_owned() };
         let axis = chosen.axis().unwrap().unwrap();
         assert_eq!(axis.values, [Value::Size([64, 36]), Value::Size([128, 72])]);
         chosen.values = "64x36, large".to_owned();
-        assert_eq!(chosen.axis(), Err(Wrong::Value(Parameter::Size, "large".to_owned())));
+        assert_eq!(chosen.axis(), Err(MeasureFormError::Value(Parameter::Size, "large".to_owned())));
         // The name of a parameter is no value of another.
-        chosen = Chosen { parameter: Some(Parameter::Bodies), values: "10, threads".to_owned() };
-        assert_eq!(chosen.axis(), Err(Wrong::Value(Parameter::Bodies, "threads".to_owned())));
+        chosen = ParameterDraft { parameter: Some(Parameter::Bodies), values: "10, threads".to_owned() };
+        assert_eq!(chosen.axis(), Err(MeasureFormError::Value(Parameter::Bodies, "threads".to_owned())));
         chosen.values = "2^4, 3*(5 + 5)".to_owned();
         assert_eq!(chosen.axis().unwrap().unwrap().values, [Value::Count(16), Value::Count(30)]);
         chosen.values = "10abc".to_owned();
-        assert_eq!(chosen.axis(), Err(Wrong::Value(Parameter::Bodies, "10abc".to_owned())));
+        assert_eq!(chosen.axis(), Err(MeasureFormError::Value(Parameter::Bodies, "10abc".to_owned())));
         chosen.values = " , ".to_owned();
-        assert_eq!(chosen.axis(), Err(Wrong::Value(Parameter::Bodies, String::new())));
+        assert_eq!(chosen.axis(), Err(MeasureFormError::Value(Parameter::Bodies, String::new())));
         for parameter in Parameter::ALL {
-            assert!(Chosen::usual(Some(parameter)).axis().unwrap().is_some(), "{parameter}");
+            assert!(ParameterDraft::usual(Some(parameter)).axis().unwrap().is_some(), "{parameter}");
         }
-        let mut form = Form::default();
-        form.axes[1] = Chosen::usual(Some(Parameter::Size));
-        assert_eq!(form.plan(&Scene::default(), String::new()).unwrap_err(), Wrong::Twice);
-        form.axes[1] = Chosen::usual(Some(Parameter::Fineness));
+        let mut form = MeasureForm::default();
+        form.axes[1] = ParameterDraft::usual(Some(Parameter::Size));
+        assert_eq!(form.plan(&Scene::default(), String::new()).unwrap_err(), MeasureFormError::Twice);
+        form.axes[1] = ParameterDraft::usual(Some(Parameter::Fineness));
         form.fit_method();
         assert_eq!(form.methods.kind(), MethodKind::Phong);
         assert_eq!(form.plan(&Scene::default(), String::new()).unwrap().axes.len(), 2);

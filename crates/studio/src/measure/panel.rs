@@ -1,15 +1,15 @@
-//! The panel: what to measure at the left, what was measured at the right.
+//! The panel of the measurement: the form at the left, the results at the right.
 
 use egui::{Align, Button, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
 use egui_material_icons::icons::{ICON_PLAY_ARROW, ICON_SAVE, ICON_STOP};
 
-use super::form::{Wrong, expected_key};
-use super::work::Failure;
-use super::{Measuring, results};
-use crate::command::{Command, MeasureAct};
+use super::form::{MeasureFormError, expected_key};
+use super::task::MeasureFailure;
+use super::{MeasureState, results};
+use crate::command::{Command, MeasureCommand};
 use crate::context::Cx;
 use crate::methods::report_language;
-use crate::pictures::told;
+use crate::pictures::words;
 use crate::theme;
 
 /// The width of the form, points.
@@ -19,7 +19,7 @@ const FORM: f32 = 268.0;
 const NARROW: f32 = 600.0;
 
 /// Draws the measurement.
-pub(crate) fn measure_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut Measuring) {
+pub(crate) fn measure_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
     if ui.available_width() < NARROW {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             form_ui(ui, cx, measuring);
@@ -42,7 +42,7 @@ pub(crate) fn measure_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut Measuring
     });
 }
 
-fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut Measuring) {
+fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
     let is_running = measuring.is_running();
     ui.add_enabled_ui(!is_running, |ui| measuring.form.ui(ui, cx.texts));
     ui.add_space(4.0);
@@ -51,7 +51,7 @@ fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut Measuring) {
             let label = format!("{} {}", ICON_STOP.codepoint, cx.t("measure-stop"));
             let stop = ui.button(label).accessible_name(cx.t("command-measure-stop"));
             if stop.on_hover_text(cx.texts.tip("command-measure-stop").unwrap_or_default()).clicked() {
-                cx.run(Command::Measure(MeasureAct::Stop));
+                cx.run(Command::Measure(MeasureCommand::Stop));
             }
         } else {
             let palette = theme::palette(ui.visuals());
@@ -60,7 +60,7 @@ fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut Measuring) {
                 .add(Button::new(label).fill(palette.selection))
                 .accessible_name(cx.t("command-measure-start"));
             if start.on_hover_text(cx.texts.tip("command-measure-start").unwrap_or_default()).clicked() {
-                cx.run(Command::Measure(MeasureAct::Start));
+                cx.run(Command::Measure(MeasureCommand::Start));
             }
         }
         let label = format!("{} {}", ICON_SAVE.codepoint, cx.t("measure-save"));
@@ -68,14 +68,14 @@ fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut Measuring) {
         let save = save.accessible_name(cx.t("command-measure-save"));
         let tip = cx.texts.tip("command-measure-save").unwrap_or_default();
         if save.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
-            cx.run(Command::Measure(MeasureAct::Save));
+            cx.run(Command::Measure(MeasureCommand::Save));
         }
     });
     progress_ui(ui, cx, measuring);
 }
 
 /// How far it is, or why nothing was measured.
-fn progress_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &Measuring) {
+fn progress_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &MeasureState) {
     let palette = theme::palette(ui.visuals());
     let Some(running) = &measuring.running else {
         if let Some(failure) = &measuring.failure {
@@ -95,29 +95,31 @@ fn progress_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &Measuring) {
         _ => cx.texts.with("measure-done", &arguments),
     };
     if let Some(left) = told.left {
-        text = format!("{text} · {}", cx.texts.with("measure-left", &[("time", told::clock(left).into())]));
+        text = format!("{text} · {}", cx.texts.with("measure-left", &[("time", words::clock(left).into())]));
     }
     ui.label(RichText::new(text).color(palette.weak));
     ui.add(egui::Label::new(RichText::new(cx.t("measure-paused")).color(palette.weak)).wrap());
 }
 
-fn in_words(cx: &Cx<'_>, failure: &Failure) -> String {
+fn in_words(cx: &Cx<'_>, failure: &MeasureFailure) -> String {
     let language = report_language(cx.texts);
     match failure {
-        Failure::Form(Wrong::Value(parameter, value)) => {
+        MeasureFailure::Form(MeasureFormError::Value(parameter, value)) => {
             let arguments =
                 [("value", value.as_str().into()), ("parameter", language.parameter(*parameter).into())];
             format!("{} {}", cx.texts.with("measure-wrong-value", &arguments), cx.t(expected_key(*parameter)))
         }
-        Failure::Form(Wrong::Twice) => cx.t("measure-twice").to_owned(),
-        Failure::Meaningless(parameter) => {
+        MeasureFailure::Form(MeasureFormError::Twice) => cx.t("measure-twice").to_owned(),
+        MeasureFailure::Meaningless(parameter) => {
             cx.texts.with("measure-meaningless", &[("parameter", language.parameter(*parameter).into())])
         }
-        Failure::Busy => cx.t("measure-busy").to_owned(),
-        Failure::Cancelled => cx.t("measure-nothing-measured").to_owned(),
-        Failure::Method(error) => {
+        MeasureFailure::Busy => cx.t("measure-busy").to_owned(),
+        MeasureFailure::Cancelled => cx.t("measure-nothing-measured").to_owned(),
+        MeasureFailure::Method(error) => {
             cx.texts.with("render-error-method", &[("reason", error.to_string().into())])
         }
-        Failure::Fault(reason) => cx.texts.with("measure-fault", &[("reason", reason.as_str().into())]),
+        MeasureFailure::Fault(reason) => {
+            cx.texts.with("measure-fault", &[("reason", reason.as_str().into())])
+        }
     }
 }

@@ -1,11 +1,11 @@
 //! The plot of a measurement, in the colors of the window.
 
-use catoptric_lab::report::{Curve, Language, Mark, Plot, Scale};
+use catoptric_lab::report::{Language, Plot, PlotCurve, PlotMark, Scale};
 use egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::theme::{self, Palette};
+use crate::theme::{self, ThemeColors};
 
 /// Colors that the color-blind can tell apart (M. Okabe, K. Ito, 2008), on light ground and on dark.
 const ON_LIGHT: [Color32; 6] = [
@@ -31,7 +31,7 @@ const RIGHT: f32 = 16.0;
 const TOP: f32 = 24.0;
 const BOTTOM: f32 = 40.0;
 
-/// How near the pointer must come to a median to be told its numbers, points.
+/// The distance to a median within which the pointer shows its numbers, points.
 const NEAR: f32 = 14.0;
 
 fn color(ui: &Ui, index: usize) -> Color32 {
@@ -58,7 +58,7 @@ pub(super) fn plot_ui(ui: &mut Ui, plot: &Plot) {
     let ends = |from: f32, to: f32| [f64::from(from), f64::from(to)];
     let (x, y) = plot.scales_over(ends(area.left(), area.right()), ends(area.bottom(), area.top()));
     grid(&painter, plot, area, (&x, &y), palette);
-    let mut nearest: Option<(f32, usize, &Mark)> = None;
+    let mut nearest: Option<(f32, usize, &PlotMark)> = None;
     let pointer = response.hover_pos();
     for (index, curve) in plot.curves.iter().enumerate() {
         draw(&painter, curve, (&x, &y), index, color(ui, index), palette);
@@ -76,7 +76,7 @@ pub(super) fn plot_ui(ui: &mut Ui, plot: &Plot) {
 }
 
 /// The numbers of a median.
-fn told(plot: &Plot, index: usize, mark: &Mark) -> String {
+fn told(plot: &Plot, index: usize, mark: &PlotMark) -> String {
     let language = plot.language;
     let at = plot
         .x
@@ -104,7 +104,7 @@ fn place(x: &Scale, y: &Scale, at: f64, value: f64) -> Pos2 {
 }
 
 /// Lines, numbers and titles.
-fn grid(painter: &Painter, plot: &Plot, area: Rect, (x, y): (&Scale, &Scale), palette: &Palette) {
+fn grid(painter: &Painter, plot: &Plot, area: Rect, (x, y): (&Scale, &Scale), palette: &ThemeColors) {
     let font = FontId::proportional(11.5);
     let line = |is_labeled: bool| {
         Stroke::new(1.0, if is_labeled { palette.line } else { palette.line.gamma_multiply(0.45) })
@@ -150,11 +150,11 @@ fn grid(painter: &Painter, plot: &Plot, area: Rect, (x, y): (&Scale, &Scale), pa
 /// The law, the measurements, their intervals and medians, from back to front.
 fn draw(
     painter: &Painter,
-    curve: &Curve,
+    curve: &PlotCurve,
     (x, y): (&Scale, &Scale),
     index: usize,
     color: Color32,
-    palette: &Palette,
+    palette: &ThemeColors,
 ) {
     if let Some((_, law)) = &curve.law {
         let is_shown = |(at, value): &&(f64, f64)| x.shows(*at) && y.shows(*value);
@@ -184,8 +184,8 @@ fn draw(
     }
 }
 
-/// Curves can be told apart without colors, too.
-fn symbol(painter: &Painter, center: Pos2, index: usize, color: Color32, palette: &Palette) {
+/// Curves can be distinguished without colors, too.
+fn symbol(painter: &Painter, center: Pos2, index: usize, color: Color32, palette: &ThemeColors) {
     let edge = Stroke::new(1.0, palette.panel);
     let at = |x: f32, y: f32| center + vec2(x, y);
     match index % 4 {

@@ -1,36 +1,36 @@
-//! What was measured: the plot with its laws, the table, the machine.
+//! The results of a measurement: the plot with its laws, the table, the machine.
 
 use std::sync::Arc;
 
-use catoptric_lab::measure::{Measured, Series, series};
+use catoptric_lab::measure::{Measurement, Series, series};
 use catoptric_lab::report::{Language, Plot, law_lines, machine_rows, time_plot};
 use egui::{Align, Grid, Label, Layout, RichText, ScrollArea, TextStyle, Ui, vec2};
 
-use super::{Measuring, plot};
+use super::{MeasureState, plot};
 use crate::context::Cx;
 use crate::methods::report_language;
 use crate::theme;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 
-/// What the panel shows.
+/// The selected tab of the results.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Part {
+enum ResultsTab {
     #[default]
     Plot,
     Table,
     Machine,
 }
 
-/// What is drawn of a measurement.
+/// The state of the results panel.
 #[derive(Default)]
-pub(super) struct Shown {
-    part: Part,
-    of: Option<Drawn>,
+pub(super) struct ResultsView {
+    part: ResultsTab,
+    of: Option<ResultsText>,
 }
 
-/// A measurement as it is shown in a language.
-struct Drawn {
-    of: Arc<Measured>,
+/// The plot, laws and table of a measurement in one language.
+struct ResultsText {
+    of: Arc<Measurement>,
     language: Language,
     plot: Plot,
     laws: Vec<String>,
@@ -38,7 +38,7 @@ struct Drawn {
     rows: Vec<Vec<String>>,
 }
 
-pub(super) fn results_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &mut Measuring) {
+pub(super) fn results_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &mut MeasureState) {
     let Some(measured) = measuring.measured.clone() else {
         ui.add(Label::new(RichText::new(cx.t("measure-hint")).weak()).wrap());
         return;
@@ -51,26 +51,26 @@ pub(super) fn results_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &mut Measuring) {
         .as_ref()
         .is_some_and(|drawn| Arc::ptr_eq(&drawn.of, &measured) && drawn.language == language);
     if !is_current {
-        shown.of = Some(Drawn::new(measured, language, cx));
+        shown.of = Some(ResultsText::new(measured, language, cx));
     }
     let Some(drawn) = &shown.of else { return };
     match shown.part {
-        Part::Plot => plot_ui(ui, drawn),
-        Part::Table => table_ui(ui, "times", &drawn.heads, &drawn.rows),
-        Part::Machine => {
+        ResultsTab::Plot => plot_ui(ui, drawn),
+        ResultsTab::Table => table_ui(ui, "times", &drawn.heads, &drawn.rows),
+        ResultsTab::Machine => {
             let heads = [cx.t("measure-machine").to_owned(), String::new()];
             table_ui(ui, "machine", &heads, &machine_rows(&drawn.of.machine, language));
         }
     }
 }
 
-fn parts_ui(ui: &mut Ui, cx: &Cx<'_>, part: &mut Part) {
+fn parts_ui(ui: &mut Ui, cx: &Cx<'_>, part: &mut ResultsTab) {
     let choices = [
-        (Part::Plot, "measure-part-plot"),
-        (Part::Table, "measure-part-table"),
-        (Part::Machine, "measure-part-machine"),
+        (ResultsTab::Plot, "measure-part-plot"),
+        (ResultsTab::Table, "measure-part-table"),
+        (ResultsTab::Machine, "measure-part-machine"),
     ]
-    .map(|(value, key)| Choice {
+    .map(|(value, key)| ChoiceItem {
         value,
         text: cx.texts.get(key),
         tip: cx.texts.tip(key).unwrap_or_default(),
@@ -82,8 +82,8 @@ fn parts_ui(ui: &mut Ui, cx: &Cx<'_>, part: &mut Part) {
     }
 }
 
-impl Drawn {
-    fn new(measured: Arc<Measured>, language: Language, cx: &Cx<'_>) -> Self {
+impl ResultsText {
+    fn new(measured: Arc<Measurement>, language: Language, cx: &Cx<'_>) -> Self {
         let curves = series(&measured);
         // The font of the window has no raised minus, but a macron that looks like one.
         let laws = law_lines(&measured, language).into_iter().zip(&curves).map(|(line, curve)| {
@@ -130,7 +130,7 @@ fn rows(curves: &[Series<'_>], language: Language) -> Vec<Vec<String>> {
 }
 
 /// The plot, and the laws below it.
-fn plot_ui(ui: &mut Ui, drawn: &Drawn) {
+fn plot_ui(ui: &mut Ui, drawn: &ResultsText) {
     let line = ui.text_style_height(&TextStyle::Body) + 3.0;
     let below = line * drawn.laws.len().min(4) as f32 + 4.0;
     let room = vec2(ui.available_width(), (ui.available_height() - below).max(120.0));

@@ -2,14 +2,14 @@
 
 use egui::{Context, Event, Key, Modifiers};
 
-/// Tells presses of Alt alone from Alt as a modifier: with another key, in a drag, or when the system takes it to switch
-/// windows.
+/// Tells presses of Alt alone from Alt as a modifier: with another key, in a drag, or when the system takes it to
+/// switch windows.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct AltKey {
     is_down: bool,
-    /// It went down by itself, and nothing else has been used since.
+    /// The key went down by itself, and nothing else has been used since.
     is_alone: bool,
-    /// It came up alone. The loss of the focus that may come with it arrives up to a frame later.
+    /// The key came up alone. The loss of the focus that may come with it arrives up to a frame later.
     was_released: bool,
 }
 

@@ -5,13 +5,13 @@ use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui, vec2};
 use egui_material_icons::icons::{ICON_LAYERS, ICON_SAVE_AS};
 
 use super::fields::settings_ui;
-use super::{ALL_SHOWN, Methods, has, icon, method_key, short_key, shown_key};
+use super::{ALL_SHOWN, MethodSettings, has, icon, method_key, short_key, shown_key};
 use crate::command::Command;
 use crate::context::Cx;
 use crate::texts::Texts;
 use crate::{shortcuts, theme};
 
-/// Draws the button that tells the method and opens the choice.
+/// Draws the button that names the method and opens the choice.
 pub(crate) fn chooser_ui(ui: &mut Ui, cx: &mut Cx<'_>, height: f32) {
     let kind = cx.settings.methods.kind();
     let palette = theme::palette(ui.visuals());
@@ -43,7 +43,7 @@ fn method_popup(ui: &mut Ui, cx: &mut Cx<'_>) {
 }
 
 /// Draws the list of methods and the settings of the chosen one; `with_keys` shows the shortcuts.
-pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut Methods, with_keys: bool) -> bool {
+pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut MethodSettings, with_keys: bool) -> bool {
     let before = methods.clone();
     for kind in MethodKind::ALL {
         let key = method_key(kind);
@@ -74,7 +74,7 @@ pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut Methods, with
     *methods != before
 }
 
-/// The button that tells what of the drawing is seen, and opens that choice.
+/// The button that names the displayed layer and opens its choice.
 fn shown_button(ui: &mut Ui, cx: &mut Cx<'_>, height: f32) {
     let key = shown_key(cx.view.shows);
     let is_picture = cx.view.shows == ALL_SHOWN[0];

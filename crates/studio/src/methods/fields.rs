@@ -7,7 +7,7 @@ use catoptric_tracer::raster::{
 use egui::{Grid, Ui};
 
 use crate::texts::Texts;
-use crate::widgets::choice::{Choice, choice_ui};
+use crate::widgets::choice::{ChoiceItem, choice_ui};
 use crate::widgets::number::{NumberField, Unit};
 
 /// The width of a field for a number, points.
@@ -37,11 +37,12 @@ fn shading_ui(ui: &mut Ui, texts: &Texts, own: &mut ShadingSettings) {
 }
 
 fn ssr_ui(ui: &mut Ui, texts: &Texts, own: &mut SsrSettings) {
-    let step = Number { speed: 0.02, decimals: 2, unit: Unit::Pixels, range: SsrSettings::STEP_PIXELS };
+    let step = MethodNumber { speed: 0.02, decimals: 2, unit: Unit::Pixels, range: SsrSettings::STEP_PIXELS };
     number_row(ui, texts, "method-step", &step, &mut own.step_pixels);
-    let thickness = Number { speed: 0.005, decimals: 3, unit: Unit::Meters, range: SsrSettings::THICKNESS };
+    let thickness =
+        MethodNumber { speed: 0.005, decimals: 3, unit: Unit::Meters, range: SsrSettings::THICKNESS };
     number_row(ui, texts, "method-thickness", &thickness, &mut own.thickness);
-    let range = Number { speed: 0.5, decimals: 2, unit: Unit::Meters, range: SsrSettings::RANGE };
+    let range = MethodNumber { speed: 0.5, decimals: 2, unit: Unit::Meters, range: SsrSettings::RANGE };
     number_row(ui, texts, "method-range", &range, &mut own.range);
     whole_row(ui, texts, "method-refinements", &mut own.refinements, SsrSettings::REFINEMENTS);
     let maps = match own.fallback {
@@ -60,7 +61,7 @@ fn ssr_ui(ui: &mut Ui, texts: &Texts, own: &mut SsrSettings) {
 
 fn map_ui(ui: &mut Ui, texts: &Texts, own: &mut CubeMapSettings) {
     let (least, most) = (f64::from(*CubeMapSettings::SIZE.start()), f64::from(*CubeMapSettings::SIZE.end()));
-    let number = Number { speed: 0.5, decimals: 0, unit: Unit::Pixels, range: least..=most };
+    let number = MethodNumber { speed: 0.5, decimals: 0, unit: Unit::Pixels, range: least..=most };
     let mut size = f64::from(own.size);
     number_row(ui, texts, "method-map-size", &number, &mut size);
     own.size = size.round().clamp(least, most) as u32;
@@ -89,9 +90,9 @@ fn choice_row<V: Copy + PartialEq>(
     label(ui, texts, key);
     let choice = |&(value, key): &(V, &'static str)| {
         let tip = texts.tip(key).unwrap_or_default();
-        Choice { value, text: texts.get(key), tip, is_enabled: true }
+        ChoiceItem { value, text: texts.get(key), tip, is_enabled: true }
     };
-    let choices: Vec<Choice<'_, V>> = ways.iter().map(choice).collect();
+    let choices: Vec<ChoiceItem<'_, V>> = ways.iter().map(choice).collect();
     if let Some(other) =
         choice_ui(ui, ui.scope_id().with(key), texts.get(key), CHOICE, &choices, Some(*chosen))
     {
@@ -109,22 +110,22 @@ fn whole_row(
 ) {
     let (least, most) = (*range.start(), *range.end());
     let number =
-        Number { speed: 0.1, decimals: 0, unit: Unit::None, range: f64::from(least)..=f64::from(most) };
+        MethodNumber { speed: 0.1, decimals: 0, unit: Unit::None, range: f64::from(least)..=f64::from(most) };
     let mut entered = f64::from(*value);
     number_row(ui, texts, key, &number, &mut entered);
     // Dragging gives fractions.
     *value = (entered.round() as u32).clamp(least, most);
 }
 
-/// A field for a number.
-struct Number {
+/// A number field of a method's settings.
+struct MethodNumber {
     speed: f64,
     decimals: usize,
     unit: Unit,
     range: std::ops::RangeInclusive<f64>,
 }
 
-fn number_row(ui: &mut Ui, texts: &Texts, key: &'static str, number: &Number, value: &mut f64) {
+fn number_row(ui: &mut Ui, texts: &Texts, key: &'static str, number: &MethodNumber, value: &mut f64) {
     label(ui, texts, key);
     let (least, most) = (*number.range.start(), *number.range.end());
     let field = NumberField {

@@ -4,7 +4,7 @@ use catoptric_editor::{Action, Item, Selection};
 use catoptric_scene::MaterialChoice;
 use egui::{Align2, CursorIcon, Id, LayerId, Order, Rect, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2};
 
-use super::rows::{Row, Section};
+use super::rows::{OutlinerRow, OutlinerSection};
 use super::{Outliner, ROW, item_name};
 use crate::command::Command;
 use crate::context::Cx;
@@ -13,9 +13,9 @@ use crate::theme;
 /// How near to the edge of the list dragging scrolls it, points.
 const EDGE: f32 = 18.0;
 
-/// Where what is dragged would go.
+/// The target of dragged rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Drop {
+enum DropTarget {
     /// Before the element at this place of its list; the line is drawn above this row.
     Place { index: usize, row: usize },
     /// Onto this body.
@@ -61,38 +61,40 @@ pub(super) fn drag_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, top
     }
 }
 
-/// Where `item` would go if it were let go at `height`, counted in rows from the first.
-fn find(rows: &[Row], item: Item, height: f32) -> Option<Drop> {
-    let section = Section::of(item)?;
+/// Where `item` would go if it were dropped at `height`, counted in rows from the first.
+fn find(rows: &[OutlinerRow], item: Item, height: f32) -> Option<DropTarget> {
+    let section = OutlinerSection::of(item)?;
     let index_of = |item: Item| match item {
         Item::Light(index) | Item::Body(index) | Item::Material(index) => index,
         Item::Camera | Item::Environment | Item::Tracing => 0,
     };
     let row = height.max(0.0) as usize;
     match rows.get(row) {
-        Some(Row::Item(under)) if Section::of(*under) == Some(section) => {
+        Some(OutlinerRow::Item(under)) if OutlinerSection::of(*under) == Some(section) => {
             let below = usize::from(height.fract() >= 0.5);
-            Some(Drop::Place { index: index_of(*under) + below, row: row + below })
+            Some(DropTarget::Place { index: index_of(*under) + below, row: row + below })
         }
-        Some(Row::Item(Item::Body(index))) if section == Section::Materials => {
-            Some(Drop::Body { index: *index, row })
+        Some(OutlinerRow::Item(Item::Body(index))) if section == OutlinerSection::Materials => {
+            Some(DropTarget::Body { index: *index, row })
         }
-        Some(Row::Head(under, _)) if *under == section => Some(Drop::Place { index: 0, row: row + 1 }),
+        Some(OutlinerRow::Head(under, _)) if *under == section => {
+            Some(DropTarget::Place { index: 0, row: row + 1 })
+        }
         // The next head, or nothing more: the end of the list.
         other => {
-            let last = rows
-                .iter()
-                .rposition(|row| matches!(row, Row::Item(item) if Section::of(*item) == Some(section)))?;
+            let last = rows.iter().rposition(
+                |row| matches!(row, OutlinerRow::Item(item) if OutlinerSection::of(*item) == Some(section)),
+            )?;
             let is_end = other.is_none() || row == last + 1;
-            let Some(Row::Item(item)) = rows.get(last).filter(|_| is_end) else { return None };
-            Some(Drop::Place { index: index_of(*item) + 1, row: last + 1 })
+            let Some(OutlinerRow::Item(item)) = rows.get(last).filter(|_| is_end) else { return None };
+            Some(DropTarget::Place { index: index_of(*item) + 1, row: last + 1 })
         }
     }
 }
 
-fn let_go(cx: &mut Cx<'_>, item: Item, drop: Drop) {
+fn let_go(cx: &mut Cx<'_>, item: Item, drop: DropTarget) {
     match drop {
-        Drop::Place { index, .. } => {
+        DropTarget::Place { index, .. } => {
             // The primary thing decides which list is meant.
             let mut selection = cx.editor.selection().clone();
             if selection.contains(item) {
@@ -103,7 +105,7 @@ fn let_go(cx: &mut Cx<'_>, item: Item, drop: Drop) {
             cx.editor.select(selection);
             cx.run(Command::Edit(Action::MoveToIndex(index)));
         }
-        Drop::Body { index, .. } => {
+        DropTarget::Body { index, .. } => {
             let name = item.name(cx.editor.scene()).to_owned();
             if !cx.editor.selection().contains(Item::Body(index)) {
                 cx.editor.select(Item::Body(index));
@@ -122,17 +124,17 @@ fn scroll(ui: &Ui, y: f32, list: Rect) {
     }
 }
 
-fn paint(ui: &Ui, drop: Drop, top: f32) {
+fn paint(ui: &Ui, drop: DropTarget, top: f32) {
     let color = theme::palette(ui.visuals()).accent;
     let stroke = Stroke::new(2.0, color);
     let across = ui.max_rect().x_range();
     match drop {
-        Drop::Place { row, .. } => {
+        DropTarget::Place { row, .. } => {
             let y = top + row as f32 * ROW;
             ui.painter().hline(across.min + 12.0..=across.max, y, stroke);
             ui.painter().circle_filled(pos2(across.min + 10.0, y), 3.0, color);
         }
-        Drop::Body { row, .. } => {
+        DropTarget::Body { row, .. } => {
             let y = top + row as f32 * ROW;
             let rect = Rect::from_x_y_ranges(across, y..=y + ROW);
             ui.painter().rect_stroke(rect, 4.0, stroke, StrokeKind::Inside);
@@ -144,7 +146,8 @@ fn paint(ui: &Ui, drop: Drop, top: f32) {
 fn ghost(ui: &Ui, cx: &Cx<'_>, item: Item, at: egui::Pos2) {
     let name = item_name(cx.texts, cx.editor.scene(), item);
     let selection = cx.editor.selection();
-    let count = selection.iter().filter(|other| Section::of(*other) == Section::of(item)).count();
+    let count =
+        selection.iter().filter(|other| OutlinerSection::of(*other) == OutlinerSection::of(item)).count();
     let text =
         if selection.contains(item) && count > 1 { format!("{name}  +{}", count - 1) } else { name.into() };
     let palette = theme::palette(ui.visuals());
@@ -163,16 +166,16 @@ mod tests {
     #[test]
     fn things_go_between_their_like_and_materials_onto_bodies() {
         let rows = [
-            Row::Item(Item::Camera),
-            Row::Head(Section::Lights, 1),
-            Row::Item(Item::Light(0)),
-            Row::Head(Section::Bodies, 2),
-            Row::Item(Item::Body(0)),
-            Row::Item(Item::Body(1)),
-            Row::Head(Section::Materials, 1),
-            Row::Item(Item::Material(0)),
+            OutlinerRow::Item(Item::Camera),
+            OutlinerRow::Head(OutlinerSection::Lights, 1),
+            OutlinerRow::Item(Item::Light(0)),
+            OutlinerRow::Head(OutlinerSection::Bodies, 2),
+            OutlinerRow::Item(Item::Body(0)),
+            OutlinerRow::Item(Item::Body(1)),
+            OutlinerRow::Head(OutlinerSection::Materials, 1),
+            OutlinerRow::Item(Item::Material(0)),
         ];
-        let place = |index, row| Some(Drop::Place { index, row });
+        let place = |index, row| Some(DropTarget::Place { index, row });
         let body = Item::Body(0);
         assert_eq!(find(&rows, body, 4.2), place(0, 4));
         assert_eq!(find(&rows, body, 4.7), place(1, 5));
@@ -182,7 +185,7 @@ mod tests {
         assert_eq!(find(&rows, body, 2.5), None);
         assert_eq!(find(&rows, body, 20.0), place(2, 6));
         let material = Item::Material(0);
-        assert_eq!(find(&rows, material, 5.5), Some(Drop::Body { index: 1, row: 5 }));
+        assert_eq!(find(&rows, material, 5.5), Some(DropTarget::Body { index: 1, row: 5 }));
         assert_eq!(find(&rows, material, 2.5), None);
         assert_eq!(find(&rows, material, 7.9), place(1, 8));
     }

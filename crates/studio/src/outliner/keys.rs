@@ -4,7 +4,7 @@ use catoptric_editor::{Action, Item};
 use egui::{Key, Modifiers, Ui};
 
 use super::Outliner;
-use super::rows::Section;
+use super::rows::OutlinerSection;
 use crate::command::Command;
 use crate::context::Cx;
 
@@ -23,7 +23,7 @@ pub(super) fn keys(ui: &Ui, cx: &mut Cx<'_>, outliner: &mut Outliner) {
         }
     }
     let primary = cx.editor.selection().primary();
-    if let Some(section) = primary.and_then(Section::of) {
+    if let Some(section) = primary.and_then(OutlinerSection::of) {
         if pressed(Modifiers::NONE, Key::ArrowLeft) {
             outliner.rows.fold(section, true);
         }

@@ -4,7 +4,7 @@ use catoptric_editor::{Action, Item};
 use catoptric_scene::ShapeKind;
 use egui::{Popup, Response, Style, Ui};
 
-use super::rows::Section;
+use super::rows::OutlinerSection;
 use crate::command::Command;
 use crate::context::Cx;
 use crate::menu::{dress_menu, item};
@@ -51,12 +51,12 @@ fn groups(thing: Item) -> Vec<Vec<Command>> {
 }
 
 /// What the button at the head of a section adds: at once, or a shape to be chosen.
-pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: Section) {
+pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: OutlinerSection) {
     match section {
-        Section::Lights if button.clicked() => cx.run(Command::AddLight),
-        Section::Materials if button.clicked() => cx.run(Command::AddMaterial),
-        Section::Lights | Section::Materials => {}
-        Section::Bodies => {
+        OutlinerSection::Lights if button.clicked() => cx.run(Command::AddLight),
+        OutlinerSection::Materials if button.clicked() => cx.run(Command::AddMaterial),
+        OutlinerSection::Lights | OutlinerSection::Materials => {}
+        OutlinerSection::Bodies => {
             let mut commands = Vec::new();
             let popup = Popup::menu(button).style(dress_menu as fn(&mut Style));
             popup.show(|ui| add_ui(ui, cx, &mut commands, false));

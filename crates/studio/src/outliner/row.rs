@@ -1,4 +1,4 @@
-//! How a row of the tree looks and what can be done with it.
+//! Draws a row of the tree, with its buttons and drags.
 
 use catoptric_editor::{Action, Item, Selection};
 use egui::accesskit::Role;
@@ -6,7 +6,7 @@ use egui::{Color32, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, Ve
 use egui::{pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
-use super::rows::Section;
+use super::rows::OutlinerSection;
 use super::{
     Outliner, ROW, click, drag, item_color, item_icon, item_name, list_id, menu, rename_ui, shared_material,
 };
@@ -19,7 +19,13 @@ use crate::widgets::{icon_button, paint_icon, paint_line};
 const INDENT: f32 = 14.0;
 
 /// Draws the head of a section: a click folds it, the button adds something to it.
-pub(super) fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, section: Section, count: usize) {
+pub(super) fn head_ui(
+    ui: &mut Ui,
+    cx: &mut Cx<'_>,
+    outliner: &mut Outliner,
+    section: OutlinerSection,
+    count: usize,
+) {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let response = ui.interact(rect, list_id().with(("head", section)), Sense::CLICK);
     let is_folded = outliner.rows.is_folded(section) && outliner.filter.is_empty();
@@ -55,11 +61,11 @@ pub(super) fn head_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, sec
     menu::add_menu(&add, cx, section);
 }
 
-fn add_ui(ui: &mut Ui, cx: &Cx<'_>, section: Section) -> Response {
+fn add_ui(ui: &mut Ui, cx: &Cx<'_>, section: OutlinerSection) -> Response {
     let key = match section {
-        Section::Lights => "command-add-light",
-        Section::Bodies => "outliner-add-body",
-        Section::Materials => "command-add-material",
+        OutlinerSection::Lights => "command-add-light",
+        OutlinerSection::Bodies => "outliner-add-body",
+        OutlinerSection::Materials => "command-add-material",
     };
     icon_button(ui, icons::ICON_ADD, cx.texts.get(key), false)
 }
@@ -77,7 +83,7 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
     let is_hovered = response.contains_pointer() && outliner.dragged.is_none();
     paint_background(ui, cx, rect, item, is_selected, is_hovered);
 
-    let left = rect.left() + if Section::of(item).is_some() { INDENT } else { 0.0 };
+    let left = rect.left() + if OutlinerSection::of(item).is_some() { INDENT } else { 0.0 };
     let is_hidden = item.is_hidden(&scene);
     let palette = theme::palette(ui.visuals());
     let color = if is_hidden { palette.weak } else { palette.text };
@@ -118,7 +124,7 @@ fn info(ui: &Ui, response: &Response, name: &str, is_selected: bool, item: Item)
     response.widget_info(|| WidgetInfo::labeled(Role::TreeItem, true, name));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_selected(is_selected);
-        node.set_level(if Section::of(item).is_some() { 2 } else { 1 });
+        node.set_level(if OutlinerSection::of(item).is_some() { 2 } else { 1 });
     });
 }
 
@@ -227,7 +233,7 @@ fn act(ui: &Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, response: 
         outliner.shown = Some(item);
         cx.editor.select(Selection::one(item));
     }
-    if response.drag_started_by(egui::PointerButton::Primary) && Section::of(item).is_some() {
+    if response.drag_started_by(egui::PointerButton::Primary) && OutlinerSection::of(item).is_some() {
         drag::start(cx, outliner, item);
     }
 }

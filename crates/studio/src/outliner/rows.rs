@@ -8,13 +8,13 @@ use crate::texts::{Language, Texts};
 
 /// A part of the tree that can be folded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Section {
+pub(super) enum OutlinerSection {
     Lights,
     Bodies,
     Materials,
 }
 
-impl Section {
+impl OutlinerSection {
     const ALL: [Self; 3] = [Self::Lights, Self::Bodies, Self::Materials];
 
     /// The message that names it.
@@ -47,33 +47,33 @@ impl Section {
 
 /// A row of the tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Row {
+pub(super) enum OutlinerRow {
     /// The head of a section, with how many things are in it.
-    Head(Section, usize),
+    Head(OutlinerSection, usize),
     /// A thing.
     Item(Item),
 }
 
-/// The rows, found anew when something has changed.
+/// The rows, rebuilt when something has changed.
 #[derive(Default)]
-pub(super) struct Rows {
-    rows: Vec<Row>,
-    folded: Vec<Section>,
+pub(super) struct OutlinerRows {
+    rows: Vec<OutlinerRow>,
+    folded: Vec<OutlinerSection>,
     /// What the rows were found for.
-    made_for: Option<(*const Scene, u64, String, Language, Vec<Section>)>,
+    made_for: Option<(*const Scene, u64, String, Language, Vec<OutlinerSection>)>,
 }
 
-impl Rows {
-    pub(super) fn all(&self) -> &[Row] {
+impl OutlinerRows {
+    pub(super) fn all(&self) -> &[OutlinerRow] {
         &self.rows
     }
 
-    pub(super) fn is_folded(&self, section: Section) -> bool {
+    pub(super) fn is_folded(&self, section: OutlinerSection) -> bool {
         self.folded.contains(&section)
     }
 
     /// Folds a section, or unfolds it.
-    pub(super) fn fold(&mut self, section: Section, folded: bool) {
+    pub(super) fn fold(&mut self, section: OutlinerSection, folded: bool) {
         self.folded.retain(|other| *other != section);
         if folded {
             self.folded.push(section);
@@ -82,7 +82,7 @@ impl Rows {
 
     /// Unfolds the section of a thing.
     pub(super) fn unfold(&mut self, item: Item) {
-        if let Some(section) = Section::of(item) {
+        if let Some(section) = OutlinerSection::of(item) {
             self.fold(section, false);
         }
     }
@@ -106,14 +106,14 @@ impl Rows {
         };
         self.rows.clear();
         let fixed = [Item::Camera, Item::Environment, Item::Tracing];
-        self.rows.extend(fixed.into_iter().filter(fits).map(Row::Item));
-        for section in Section::ALL {
+        self.rows.extend(fixed.into_iter().filter(fits).map(OutlinerRow::Item));
+        for section in OutlinerSection::ALL {
             let head = self.rows.len();
-            self.rows.push(Row::Head(section, 0));
-            self.rows.extend(section.items(scene).filter(fits).map(Row::Item));
+            self.rows.push(OutlinerRow::Head(section, 0));
+            self.rows.extend(section.items(scene).filter(fits).map(OutlinerRow::Item));
             let count = self.rows.len() - head - 1;
             if let Some(row) = self.rows.get_mut(head) {
-                *row = Row::Head(section, count);
+                *row = OutlinerRow::Head(section, count);
             }
             if filter.is_empty() && self.folded.contains(&section) {
                 self.rows.truncate(head + 1);
@@ -124,12 +124,12 @@ impl Rows {
 
     /// The things in the order of their rows.
     pub(super) fn items(&self) -> impl DoubleEndedIterator<Item = Item> {
-        self.rows.iter().filter_map(|row| if let Row::Item(item) = row { Some(*item) } else { None })
+        self.rows.iter().filter_map(|row| if let OutlinerRow::Item(item) = row { Some(*item) } else { None })
     }
 
     /// The row of a thing.
     pub(super) fn place_of(&self, item: Item) -> Option<usize> {
-        self.rows.iter().position(|row| *row == Row::Item(item))
+        self.rows.iter().position(|row| *row == OutlinerRow::Item(item))
     }
 
     /// Everything from one row to another, the latter being the primary thing. What is there only once is not taken
@@ -144,8 +144,8 @@ impl Rows {
             .get(low..=high)
             .unwrap_or_default()
             .iter()
-            .filter_map(|row| if let Row::Item(item) = row { Some(*item) } else { None })
-            .filter(|item| *item == to || Section::of(*item).is_some())
+            .filter_map(|row| if let OutlinerRow::Item(item) = row { Some(*item) } else { None })
+            .filter(|item| *item == to || OutlinerSection::of(*item).is_some())
             .collect();
         if end < start {
             items.reverse();
@@ -173,16 +173,16 @@ mod tests {
     #[test]
     fn folding_hides_rows_and_a_filter_finds_them_again() {
         let (texts, editor) = (Texts::new(Language::English), editor());
-        let mut rows = Rows::default();
+        let mut rows = OutlinerRows::default();
         rows.update(&texts, &editor, "");
         assert_eq!(rows.all().len(), 3 + 3 + 1 + 3);
-        rows.fold(Section::Bodies, true);
+        rows.fold(OutlinerSection::Bodies, true);
         rows.update(&texts, &editor, "");
         assert_eq!(rows.place_of(Item::Body(1)), None);
-        assert!(rows.all().contains(&Row::Head(Section::Bodies, 3)));
+        assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 3)));
         rows.update(&texts, &editor, "BALL");
         assert_eq!(rows.items().collect::<Vec<_>>(), [Item::Body(0), Item::Body(1)]);
-        assert!(rows.all().contains(&Row::Head(Section::Bodies, 2)));
+        assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 2)));
         rows.unfold(Item::Body(2));
         rows.update(&texts, &editor, "");
         assert!(rows.place_of(Item::Body(2)).is_some());
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn a_range_ends_with_the_primary_and_leaves_out_what_is_there_once() {
         let (texts, editor) = (Texts::new(Language::English), editor());
-        let mut rows = Rows::default();
+        let mut rows = OutlinerRows::default();
         rows.update(&texts, &editor, "");
         let up = rows.range(Item::Body(2), Item::Body(0));
         assert_eq!(up.iter().collect::<Vec<_>>(), [Item::Body(2), Item::Body(1), Item::Body(0)]);

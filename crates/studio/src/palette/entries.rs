@@ -1,4 +1,4 @@
-//! Everything that can be found in the palette.
+//! The entries of the palette.
 
 use catoptric_editor::Item;
 use catoptric_scene::Example;
@@ -11,8 +11,8 @@ use crate::outliner::{item_icon, item_name};
 use crate::shortcuts;
 use crate::texts::{Language, Texts};
 
-/// Something that can be found.
-pub(super) struct Entry {
+/// An entry of the palette.
+pub(super) struct PaletteItem {
     /// What it is called in the present language.
     pub(super) name: String,
     /// What it can be found by: its names in all languages.
@@ -21,18 +21,18 @@ pub(super) struct Entry {
     pub(super) detail: String,
     pub(super) tip: Option<String>,
     pub(super) icon: MaterialIcon,
-    pub(super) what: What,
+    pub(super) what: PaletteAction,
 }
 
-/// What happens when an entry is chosen.
+/// The action of an entry.
 #[derive(Clone)]
-pub(super) enum What {
+pub(super) enum PaletteAction {
     Run(Command),
     Select(Item),
 }
 
 /// Commands first, then examples, recent files, and the things of the scene.
-pub(super) fn all(context: &Context, studio: &Studio) -> Vec<Entry> {
+pub(super) fn all(context: &Context, studio: &Studio) -> Vec<PaletteItem> {
     let mut entries = commands(context, studio);
     entries.extend(examples(studio));
     entries.extend(recent(studio));
@@ -40,7 +40,7 @@ pub(super) fn all(context: &Context, studio: &Studio) -> Vec<Entry> {
     entries
 }
 
-fn commands(context: &Context, studio: &Studio) -> Vec<Entry> {
+fn commands(context: &Context, studio: &Studio) -> Vec<PaletteItem> {
     let others: Vec<Texts> = Language::ALL
         .into_iter()
         .filter(|language| *language != studio.texts.language())
@@ -53,47 +53,47 @@ fn commands(context: &Context, studio: &Studio) -> Vec<Entry> {
         let mut names = vec![name.clone(), studio.texts.get(look.key).to_owned()];
         names.extend(others.iter().map(|texts| texts.get(look.key).to_owned()));
         let shortcut = look.shortcuts.first().map(|shortcut| shortcuts::text(context, shortcut));
-        Some(Entry {
+        Some(PaletteItem {
             name,
             names,
             detail: shortcut.unwrap_or_default(),
             tip: situation.tip(command).map(str::to_owned),
             icon: look.icon,
-            what: What::Run(command.clone()),
+            what: PaletteAction::Run(command.clone()),
         })
     });
     entries.collect()
 }
 
-fn examples(studio: &Studio) -> impl Iterator<Item = Entry> {
+fn examples(studio: &Studio) -> impl Iterator<Item = PaletteItem> {
     let detail = studio.texts.get("palette-example");
     let language = studio.texts.language();
-    Example::ALL.iter().map(move |example| Entry {
+    Example::ALL.iter().map(move |example| PaletteItem {
         name: crate::example_note::example_title(example, language).to_owned(),
         names: vec![example.title().to_owned(), example.russian_title().to_owned(), example.name.to_owned()],
         detail: detail.to_owned(),
         tip: None,
         icon: icons::ICON_PHOTO_LIBRARY,
-        what: What::Run(Command::OpenExample(example.name)),
+        what: PaletteAction::Run(Command::OpenExample(example.name)),
     })
 }
 
-fn recent(studio: &Studio) -> impl Iterator<Item = Entry> {
+fn recent(studio: &Studio) -> impl Iterator<Item = PaletteItem> {
     let detail = studio.texts.get("palette-recent");
     studio.settings.recent.iter().map(move |path| {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        Entry {
+        PaletteItem {
             names: vec![name.clone()],
             name,
             detail: detail.to_owned(),
             tip: Some(path.display().to_string()),
             icon: icons::ICON_DESCRIPTION,
-            what: What::Run(Command::OpenFile(path.clone())),
+            what: PaletteAction::Run(Command::OpenFile(path.clone())),
         }
     })
 }
 
-fn things(studio: &Studio) -> impl Iterator<Item = Entry> {
+fn things(studio: &Studio) -> impl Iterator<Item = PaletteItem> {
     let scene = studio.editor.scene();
     let fixed = [Item::Camera, Item::Environment, Item::Tracing];
     let items = fixed
@@ -104,13 +104,13 @@ fn things(studio: &Studio) -> impl Iterator<Item = Entry> {
     let detail = studio.texts.get("palette-thing");
     items.map(move |item| {
         let name = item_name(&studio.texts, scene, item).into_owned();
-        Entry {
+        PaletteItem {
             names: vec![name.clone()],
             name,
             detail: detail.to_owned(),
             tip: None,
             icon: item_icon(scene, item),
-            what: What::Select(item),
+            what: PaletteAction::Select(item),
         }
     })
 }

@@ -61,7 +61,8 @@ fn score(query: &[char], name: &[char]) -> Option<i32> {
     Some(best * 4 - name.len().min(60) as i32)
 }
 
-/// The same with the first letter at `start`, the others as early as they come, beginnings of words preferred.
+/// The score with the first letter at `start`. The others are matched as early as possible, at beginnings of words
+/// first.
 fn score_from(query: &[char], name: &[char], start: usize) -> Option<i32> {
     let is_beginning = |place: usize| {
         place

@@ -3,7 +3,7 @@
 use egui::{Align, Align2, Area, Frame, Id, Layout, Margin, Order, ProgressBar, RichText, Ui, vec2};
 use egui_material_icons::icons::ICON_CLOSE;
 
-use super::{Running, told};
+use super::{RenderTask, words};
 use crate::app::Studio;
 use crate::texts::Texts;
 use crate::theme;
@@ -39,12 +39,12 @@ pub(crate) fn card_ui(ui: &Ui, studio: &mut Studio) {
     }
 }
 
-fn title(texts: &Texts, running: &Running) -> String {
+fn title(texts: &Texts, running: &RenderTask) -> String {
     let choices = &running.order.choices;
-    texts.with("render-progress", &[("size", told::size(choices.width, choices.height).into())])
+    texts.with("render-progress", &[("size", words::size(choices.width, choices.height).into())])
 }
 
-fn progress_ui(ui: &mut Ui, texts: &Texts, running: &Running, title: &str) -> bool {
+fn progress_ui(ui: &mut Ui, texts: &Texts, running: &RenderTask, title: &str) -> bool {
     let palette = theme::palette(ui.visuals());
     let progress = running.job.progress();
     let mut is_cancelled = false;
@@ -66,10 +66,10 @@ fn progress_ui(ui: &mut Ui, texts: &Texts, running: &Running, title: &str) -> bo
     ui.add(bar).accessible_name(title);
     ui.add_space(2.0);
     ui.horizontal(|ui| {
-        let elapsed = told::clock(progress.elapsed).into();
+        let elapsed = words::clock(progress.elapsed).into();
         let text = match progress.remaining {
             Some(left) => {
-                let arguments = [("elapsed", elapsed), ("left", told::clock(left).into())];
+                let arguments = [("elapsed", elapsed), ("left", words::clock(left).into())];
                 texts.with("render-times", &arguments)
             }
             None => texts.with("render-preparing", &[("elapsed", elapsed)]),

@@ -1,4 +1,4 @@
-//! What to render, and how: what the dialog asks for and the settings remember.
+//! The choices of the render dialog, which the settings remember.
 
 use std::path::PathBuf;
 

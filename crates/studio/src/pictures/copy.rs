@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{Development, Picture};
 use egui::{ColorImage, Context};
 
-use super::result::{Finished, Kept};
-use super::told;
+use super::result::{FinishedPicture, SavedPlace};
+use super::words;
 use crate::app::Studio;
-use crate::documents::job::{Job, Progress};
+use crate::documents::job::{Job, JobStatus};
 use crate::host::PictureClipboard;
 
 /// The most pixels that are copied: a clipboard keeps several copies.
@@ -21,39 +21,39 @@ const LONG: Duration = Duration::from_secs(1);
 /// How long a viewport without any picture is waited for.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// What is being copied.
+/// The state of a copy to the clipboard.
 #[derive(Default)]
-pub(crate) struct Copying {
+pub(crate) struct ClipboardCopy {
     /// The viewport's picture is to be copied.
-    viewport: Option<Waiting>,
-    job: Option<(Source, Job<Result<Copied, Failure>>)>,
+    viewport: Option<PendingCopy>,
+    job: Option<(CopySource, Job<Result<CopyOutcome, CopyFailure>>)>,
 }
 
-/// Waiting for the viewport's picture.
+/// A copy that waits for the viewport's picture.
 #[derive(Clone, Copy)]
-struct Waiting {
+struct PendingCopy {
     since: Instant,
     /// Whether it is copied before it is refined.
     is_hurried: bool,
     is_told: bool,
 }
 
-/// Where the picture comes from.
+/// The source of a copied picture.
 #[derive(Clone, Copy)]
-enum Source {
+enum CopySource {
     Viewport([u32; 2]),
     Finished(u64, [u32; 2]),
 }
 
-/// What became of it.
-enum Copied {
-    /// It is in the clipboard.
+/// The result of a copy.
+enum CopyOutcome {
+    /// The picture is in the clipboard.
     Done,
-    /// The window puts it there.
+    /// The window has to put the picture into the clipboard.
     Image(ColorImage),
 }
 
-enum Failure {
+enum CopyFailure {
     TooLarge,
     Memory,
     Clipboard(String),
@@ -63,15 +63,17 @@ enum Failure {
 pub(crate) fn copy_viewport(context: &Context, studio: &mut Studio) {
     let is_hurried = studio.pictures.copying.viewport.is_some();
     studio.pictures.copying.viewport =
-        Some(Waiting { since: Instant::now(), is_hurried, is_told: is_hurried });
+        Some(PendingCopy { since: Instant::now(), is_hurried, is_told: is_hurried });
     context.request_repaint();
 }
 
 /// Copies a finished picture as it is shown.
-pub(super) fn copy_finished(context: &Context, studio: &mut Studio, finished: &Finished) {
+pub(super) fn copy_finished(context: &Context, studio: &mut Studio, finished: &FinishedPicture) {
     let (picture, development) = (Arc::clone(&finished.picture), finished.order.development);
     let size = super::size_of(&picture);
-    start(context, studio, Source::Finished(finished.number, size), move || codes_of(&picture, development));
+    start(context, studio, CopySource::Finished(finished.number, size), move || {
+        codes_of(&picture, development)
+    });
 }
 
 /// Whether any picture is being copied. Another must wait: the later one is to stay in the clipboard.
@@ -81,7 +83,7 @@ pub(super) fn is_any_copying(studio: &Studio) -> bool {
 
 /// Whether this picture is being copied.
 pub(super) fn is_copying(studio: &Studio, number: u64) -> bool {
-    matches!(studio.pictures.copying.job, Some((Source::Finished(other, _), _)) if other == number)
+    matches!(studio.pictures.copying.job, Some((CopySource::Finished(other, _), _)) if other == number)
 }
 
 /// Takes up what has been copied, and copies what has waited for that: once a frame.
@@ -97,14 +99,14 @@ fn take_copied(context: &Context, studio: &mut Studio) {
     let Some((source, job)) = &studio.pictures.copying.job else { return };
     let source = *source;
     let result = match job.poll() {
-        Progress::Waiting => return,
-        Progress::Done(result) => result,
-        Progress::Lost => Err(Failure::Clipboard(String::new())),
+        JobStatus::Waiting => return,
+        JobStatus::Done(result) => result,
+        JobStatus::Lost => Err(CopyFailure::Clipboard(String::new())),
     };
     studio.pictures.copying.job = None;
     let failure = match result {
         Ok(copied) => {
-            if let Copied::Image(image) = copied {
+            if let CopyOutcome::Image(image) = copied {
                 context.copy_image(image);
             }
             return copied_from(studio, source);
@@ -113,20 +115,22 @@ fn take_copied(context: &Context, studio: &mut Studio) {
     };
     let texts = &studio.texts;
     let told = match failure {
-        Failure::TooLarge => texts.get("picture-copy-too-large").to_owned(),
-        Failure::Memory => texts.get("picture-copy-memory").to_owned(),
-        Failure::Clipboard(reason) => texts.with("picture-copy-failed", &[("reason", reason.into())]),
+        CopyFailure::TooLarge => texts.get("picture-copy-too-large").to_owned(),
+        CopyFailure::Memory => texts.get("picture-copy-memory").to_owned(),
+        CopyFailure::Clipboard(reason) => texts.with("picture-copy-failed", &[("reason", reason.into())]),
     };
     studio.toasts.error(told);
 }
 
-fn copied_from(studio: &mut Studio, source: Source) {
-    let (Source::Viewport(size) | Source::Finished(_, size)) = source;
-    if let Source::Finished(number, _) = source {
+fn copied_from(studio: &mut Studio, source: CopySource) {
+    let (CopySource::Viewport(size) | CopySource::Finished(_, size)) = source;
+    if let CopySource::Finished(number, _) = source {
         // A file lasts longer.
-        Finished::with(studio, number, |_, finished| _ = finished.kept.get_or_insert(Kept::Clipboard));
+        FinishedPicture::with(studio, number, |_, finished| {
+            _ = finished.kept.get_or_insert(SavedPlace::Clipboard);
+        });
     }
-    let size = told::size(size[0], size[1]);
+    let size = words::size(size[0], size[1]);
     studio.toasts.success(studio.texts.with("picture-copied", &[("size", size.into())]));
 }
 
@@ -141,8 +145,8 @@ fn look_at_viewport(context: &Context, studio: &mut Studio) {
     match frame {
         Some(frame) if waiting.is_hurried || is_refined(frame.samples) => {
             let size = frame.picture_size;
-            return start(context, studio, Source::Viewport(size), move || {
-                let pixels = frame.codes().map_err(|error| Failure::Clipboard(error.to_string()))?;
+            return start(context, studio, CopySource::Viewport(size), move || {
+                let pixels = frame.codes().map_err(|error| CopyFailure::Clipboard(error.to_string()))?;
                 let mut own = reserved(pixels.len())?;
                 own.extend_from_slice(&pixels);
                 Ok((size, own))
@@ -166,8 +170,8 @@ fn look_at_viewport(context: &Context, studio: &mut Studio) {
 fn start(
     context: &Context,
     studio: &mut Studio,
-    source: Source,
-    codes: impl FnOnce() -> Result<([u32; 2], Vec<u8>), Failure> + Send + 'static,
+    source: CopySource,
+    codes: impl FnOnce() -> Result<([u32; 2], Vec<u8>), CopyFailure> + Send + 'static,
 ) {
     let clipboard = studio.host.clipboard();
     let work = move || {
@@ -177,23 +181,27 @@ fn start(
     match Job::start(context, "copy picture", work) {
         Ok(job) => studio.pictures.copying.job = Some((source, job)),
         Err(error) => {
-            studio.toasts.error(told::fault(&studio.texts, &error.to_string()));
+            studio.toasts.error(words::fault(&studio.texts, &error.to_string()));
         }
     }
 }
 
-fn put(clipboard: Option<PictureClipboard>, size: [usize; 2], codes: &[u8]) -> Result<Copied, Failure> {
+fn put(
+    clipboard: Option<PictureClipboard>,
+    size: [usize; 2],
+    codes: &[u8],
+) -> Result<CopyOutcome, CopyFailure> {
     match clipboard {
-        Some(clipboard) => clipboard(size, codes).map(|()| Copied::Done).map_err(Failure::Clipboard),
-        None => Ok(Copied::Image(ColorImage::from_rgba_unmultiplied(size, codes))),
+        Some(clipboard) => clipboard(size, codes).map(|()| CopyOutcome::Done).map_err(CopyFailure::Clipboard),
+        None => Ok(CopyOutcome::Image(ColorImage::from_rgba_unmultiplied(size, codes))),
     }
 }
 
 /// Develops a picture: red, green, blue and 255 of every pixel.
-fn codes_of(picture: &Picture, development: Development) -> Result<([u32; 2], Vec<u8>), Failure> {
+fn codes_of(picture: &Picture, development: Development) -> Result<([u32; 2], Vec<u8>), CopyFailure> {
     let count = picture.pixels().len();
     if count > MOST {
-        return Err(Failure::TooLarge);
+        return Err(CopyFailure::TooLarge);
     }
     let mut codes = reserved(4 * count)?;
     codes.resize(4 * count, 0);
@@ -202,8 +210,8 @@ fn codes_of(picture: &Picture, development: Development) -> Result<([u32; 2], Ve
     Ok((super::size_of(picture), codes))
 }
 
-fn reserved(bytes: usize) -> Result<Vec<u8>, Failure> {
+fn reserved(bytes: usize) -> Result<Vec<u8>, CopyFailure> {
     let mut room = Vec::new();
-    room.try_reserve_exact(bytes).map_err(|_| Failure::Memory)?;
+    room.try_reserve_exact(bytes).map_err(|_| CopyFailure::Memory)?;
     Ok(room)
 }

@@ -1,4 +1,4 @@
-//! How light becomes a file: the fields that the dialog and the window of a picture share.
+//! The fields of development and format that the dialog and the window of a picture share.
 
 use catoptric_picture::{Development, ToneCurve};
 use egui::{ComboBox, RichText, Ui};

@@ -5,9 +5,9 @@ use std::num::NonZero;
 use catoptric_picture::{Development, Picture, srgb};
 use egui::{Color32, ColorImage};
 
-/// What a proof shows.
+/// The settings of a proof: development and size.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Wanted {
+pub(crate) struct ProofKey {
     pub(crate) development: Development,
     /// Pixels across and down.
     pub(crate) size: [u32; 2],
@@ -22,7 +22,7 @@ pub(crate) fn fitting(size: [u32; 2], room: [u32; 2]) -> [u32; 2] {
 
 /// Develops `picture` and makes it as small as wanted, each pixel the mean light of those that it covers: what a
 /// person sees of the developed picture from farther away.
-pub(crate) fn proof(picture: &Picture, wanted: &Wanted) -> ColorImage {
+pub(crate) fn proof(picture: &Picture, wanted: &ProofKey) -> ColorImage {
     let [width, height] =
         [wanted.size[0].clamp(1, picture.width()), wanted.size[1].clamp(1, picture.height())];
     let size = [width as usize, height as usize];
@@ -30,7 +30,7 @@ pub(crate) fn proof(picture: &Picture, wanted: &Wanted) -> ColorImage {
     if [width, height] == [picture.width(), picture.height()] {
         wanted.development.develop_rgba8(picture.pixels(), &mut codes);
     } else {
-        let scaler = Scaler::new(picture, wanted.development, size);
+        let scaler = Downscaler::new(picture, wanted.development, size);
         let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
         let rows = size[1].div_ceil(threads);
         std::thread::scope(|scope| {
@@ -45,23 +45,23 @@ pub(crate) fn proof(picture: &Picture, wanted: &Wanted) -> ColorImage {
 }
 
 /// Makes a picture smaller.
-struct Scaler<'a> {
+struct Downscaler<'a> {
     picture: &'a Picture,
     development: Development,
-    columns: Vec<Span>,
-    rows: Vec<Span>,
+    columns: Vec<PixelCoverage>,
+    rows: Vec<PixelCoverage>,
     /// The light of each code.
     light: Vec<f32>,
 }
 
 /// The pixels along one side that one pixel of the smaller picture covers.
-struct Span {
+struct PixelCoverage {
     start: usize,
     /// How much of each is covered; 1 in all.
     shares: Vec<f32>,
 }
 
-impl<'a> Scaler<'a> {
+impl<'a> Downscaler<'a> {
     fn new(picture: &'a Picture, development: Development, size: [usize; 2]) -> Self {
         Self {
             picture,
@@ -103,13 +103,16 @@ impl<'a> Scaler<'a> {
 }
 
 /// Divides `from` pixels evenly among `to`.
-fn spans(from: usize, to: usize) -> Vec<Span> {
+fn spans(from: usize, to: usize) -> Vec<PixelCoverage> {
     let step = from as f64 / to as f64;
     let span = |index: usize| {
         let (start, end) = (index as f64 * step, (index + 1) as f64 * step);
         let pixels = start as usize..(end.ceil() as usize).min(from);
         let covered = |pixel: usize| (end.min((pixel + 1) as f64) - start.max(pixel as f64)).max(0.0);
-        Span { start: pixels.start, shares: pixels.map(|pixel| (covered(pixel) / step) as f32).collect() }
+        PixelCoverage {
+            start: pixels.start,
+            shares: pixels.map(|pixel| (covered(pixel) / step) as f32).collect(),
+        }
     };
     (0..to).map(span).collect()
 }
@@ -118,8 +121,8 @@ fn spans(from: usize, to: usize) -> Vec<Span> {
 mod tests {
     use super::*;
 
-    fn wanted(size: [u32; 2]) -> Wanted {
-        Wanted { development: Development::default(), size }
+    fn wanted(size: [u32; 2]) -> ProofKey {
+        ProofKey { development: Development::default(), size }
     }
 
     #[test]
@@ -133,7 +136,7 @@ mod tests {
     #[test]
     fn a_proof_of_the_same_size_is_the_developed_picture() {
         let picture = Picture::from_fn(7, 5, |x, y| [x as f32 / 6.0, y as f32 / 4.0, 2.0]).unwrap();
-        let wanted = Wanted {
+        let wanted = ProofKey {
             development: Development { exposure_stops: -1.0, ..Development::default() },
             size: [7, 5],
         };

@@ -14,12 +14,12 @@ use egui::{
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_CONTENT_COPY, ICON_SAVE};
 
-use super::proof::{Wanted, fitting, proof};
-use super::save::{self, Saving};
-use super::{Order, copy, fields, told};
+use super::proof::{ProofKey, fitting, proof};
+use super::save::{self, PictureSaveState};
+use super::{RenderRequest, copy, fields, words};
 use crate::app::Studio;
-use crate::dialogs::question::Question;
-use crate::documents::job::{Job, Progress, let_go};
+use crate::dialogs::question::QuestionDialog;
+use crate::documents::job::{Job, JobStatus, let_go};
 use crate::texts::Texts;
 use crate::theme;
 
@@ -27,52 +27,52 @@ use crate::theme;
 const LEAST: Vec2 = vec2(540.0, 340.0);
 
 /// A finished picture.
-pub(crate) struct Finished {
+pub(crate) struct FinishedPicture {
     pub(super) number: u64,
     /// The least place that no other open window has: the toolkit never forgets what it kept for one.
     place: usize,
     pub(super) picture: Arc<Picture>,
-    pub(super) order: Order,
+    pub(super) order: RenderRequest,
     /// Where it has been kept, if anywhere.
-    pub(super) kept: Option<Kept>,
-    pub(super) saving: Saving,
+    pub(super) kept: Option<SavedPlace>,
+    pub(super) saving: PictureSaveState,
     counts: RayCounts,
     elapsed: Duration,
-    shown: Shown,
+    shown: PictureProof,
 }
 
-/// Where a picture has been kept.
-pub(super) enum Kept {
+/// The place where a picture has been kept.
+pub(super) enum SavedPlace {
     /// In a file of this name.
     File(String),
     /// In the clipboard.
     Clipboard,
 }
 
-/// The picture in the window.
+/// The proof of the picture in the window.
 #[derive(Default)]
-struct Shown {
-    texture: Option<(Wanted, TextureHandle)>,
-    job: Option<(Wanted, Job<ColorImage>)>,
+struct PictureProof {
+    texture: Option<(ProofKey, TextureHandle)>,
+    job: Option<(ProofKey, Job<ColorImage>)>,
     /// What is not tried again.
-    failed: Option<Wanted>,
+    failed: Option<ProofKey>,
 }
 
-/// What was pressed.
+/// The pressed button of the window.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Press {
+enum ResultAction {
     Save,
     Copy,
     Close,
 }
 
-impl Finished {
+impl FinishedPicture {
     /// The window of a picture among the `others`.
     pub(super) fn new(
         number: u64,
         others: &[Self],
         rendering: RenderOutput,
-        order: Order,
+        order: RenderRequest,
         elapsed: Duration,
     ) -> Self {
         let place = (0..).find(|place| others.iter().all(|other| other.place != *place)).unwrap_or_default();
@@ -82,16 +82,16 @@ impl Finished {
             picture: Arc::new(rendering.picture),
             order,
             kept: None,
-            saving: Saving::No,
+            saving: PictureSaveState::No,
             counts: rendering.counts,
             elapsed,
-            shown: Shown::default(),
+            shown: PictureProof::default(),
         }
     }
 
     /// The device of the window is another: the picture is developed again.
     pub(super) fn forget_texture(&mut self) {
-        self.shown = Shown::default();
+        self.shown = PictureProof::default();
     }
 
     /// Does something with the picture of this number, if it is still there.
@@ -111,10 +111,10 @@ pub(super) fn results_ui(context: &Context, studio: &mut Studio) {
     for finished in &mut all {
         save::poll(context, studio, finished);
         match window_ui(context, studio, finished) {
-            Some(Press::Save) => save::ask(studio, finished),
-            Some(Press::Copy) => copy::copy_finished(context, studio, finished),
-            Some(Press::Close) if finished.kept.is_some() => closed = Some(finished.number),
-            Some(Press::Close) => ask_to_drop(studio, finished.number),
+            Some(ResultAction::Save) => save::ask(studio, finished),
+            Some(ResultAction::Copy) => copy::copy_finished(context, studio, finished),
+            Some(ResultAction::Close) if finished.kept.is_some() => closed = Some(finished.number),
+            Some(ResultAction::Close) => ask_to_drop(studio, finished.number),
             None => {}
         }
     }
@@ -133,18 +133,18 @@ fn close(studio: &mut Studio, number: u64) {
 
 fn ask_to_drop(studio: &mut Studio, number: u64) {
     let texts = &studio.texts;
-    let question = Question::new(texts.get("picture-drop-title"), texts.get("picture-drop-text"))
-        .choice(texts.get("picture-save"), move |_, studio| Finished::with(studio, number, save::ask))
+    let question = QuestionDialog::new(texts.get("picture-drop-title"), texts.get("picture-drop-text"))
+        .choice(texts.get("picture-save"), move |_, studio| FinishedPicture::with(studio, number, save::ask))
         .choice(texts.get("cancel"), |_, _| {})
         .choice(texts.get("picture-drop"), move |_, studio| close(studio, number));
     studio.dialogs.open(question);
 }
 
-fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) -> Option<Press> {
+fn window_ui(context: &Context, studio: &mut Studio, finished: &mut FinishedPicture) -> Option<ResultAction> {
     let whole = studio.visible_rect().unwrap_or_else(|| context.content_rect());
     let title = {
         let [width, height] = super::size_of(&finished.picture);
-        studio.texts.with("picture-title", &[("size", told::size(width, height).into())])
+        studio.texts.with("picture-title", &[("size", words::size(width, height).into())])
     };
     // At first it has the proportions of the picture, with room for what is below.
     let [width, height] = super::size_of(&finished.picture).map(|side| side as f32);
@@ -165,7 +165,7 @@ fn window_ui(context: &Context, studio: &mut Studio, finished: &mut Finished) ->
     window.show(context, |ui| contents_ui(ui, studio, finished)).and_then(|shown| shown.inner).flatten()
 }
 
-fn contents_ui(ui: &mut Ui, studio: &mut Studio, finished: &mut Finished) -> Option<Press> {
+fn contents_ui(ui: &mut Ui, studio: &mut Studio, finished: &mut FinishedPicture) -> Option<ResultAction> {
     let controls = Panel::bottom("controls").frame(Frame::NONE);
     let press = controls.resizable(false).show_separator_line(false).show(ui, |ui| {
         ui.add_space(8.0);
@@ -176,21 +176,21 @@ fn contents_ui(ui: &mut Ui, studio: &mut Studio, finished: &mut Finished) -> Opt
         buttons_ui(ui, studio, finished)
     });
     CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
-        let Finished { shown, picture, order, .. } = finished;
+        let FinishedPicture { shown, picture, order, .. } = finished;
         shown.ui(ui, &studio.texts, picture, order.development);
     });
     press.inner
 }
 
 /// How the picture was made.
-fn facts_ui(ui: &mut Ui, texts: &Texts, finished: &Finished) {
+fn facts_ui(ui: &mut Ui, texts: &Texts, finished: &FinishedPicture) {
     let millions = (finished.counts.total() as f64 / 1e6).ceil() as u64;
     let text = texts.with(
         "picture-facts",
         &[
             ("name", finished.order.name.as_str().into()),
             ("samples", finished.order.choices.samples.into()),
-            ("time", told::clock(finished.elapsed).into()),
+            ("time", words::clock(finished.elapsed).into()),
             ("rays", millions.into()),
         ],
     );
@@ -208,7 +208,7 @@ fn development_ui(ui: &mut Ui, texts: &Texts, development: &mut Development) {
 }
 
 /// The kind of file and the buttons; at the left, where there is room, what has become of the picture.
-fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<Press> {
+fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut FinishedPicture) -> Option<ResultAction> {
     let mut press = None;
     let is_narrow = ui.available_width() < LEAST.x - 60.0;
     let layout = if is_narrow {
@@ -220,16 +220,16 @@ fn buttons_ui(ui: &mut Ui, studio: &Studio, finished: &mut Finished) -> Option<P
     ui.allocate_ui_with_layout(row, layout, |ui| {
         let texts = &studio.texts;
         let is_copying = copy::is_copying(studio, finished.number);
-        let is_saving = !matches!(finished.saving, Saving::No);
+        let is_saving = !matches!(finished.saving, PictureSaveState::No);
         if button_ui(ui, texts, "picture-save", Some(ICON_SAVE), !is_saving) {
-            press = Some(Press::Save);
+            press = Some(ResultAction::Save);
         }
         fields::kind_ui(ui, texts, &mut finished.order.choices.kind);
         if button_ui(ui, texts, "picture-copy", Some(ICON_CONTENT_COPY), !copy::is_any_copying(studio)) {
-            press = Some(Press::Copy);
+            press = Some(ResultAction::Copy);
         }
         if button_ui(ui, texts, "picture-close", None, !is_saving && !is_copying) {
-            press = Some(Press::Close);
+            press = Some(ResultAction::Close);
         }
         if is_narrow {
             state_ui(ui, texts, finished, is_copying);
@@ -260,22 +260,22 @@ fn button_ui(ui: &mut Ui, texts: &Texts, key: &str, icon: Option<MaterialIcon>, 
 }
 
 /// What is being done with the picture, or has been.
-fn state_ui(ui: &mut Ui, texts: &Texts, finished: &Finished, is_copying: bool) {
+fn state_ui(ui: &mut Ui, texts: &Texts, finished: &FinishedPicture, is_copying: bool) {
     let text = match (&finished.kept, &finished.saving) {
-        (_, Saving::Writing(..)) => texts.get("picture-writing").to_owned(),
+        (_, PictureSaveState::Writing(..)) => texts.get("picture-writing").to_owned(),
         _ if is_copying => texts.get("picture-copying").to_owned(),
-        (Some(Kept::File(name)), _) => texts.with("picture-saved", &[("name", name.as_str().into())]),
-        (Some(Kept::Clipboard), _) => texts.get("picture-in-clipboard").to_owned(),
+        (Some(SavedPlace::File(name)), _) => texts.with("picture-saved", &[("name", name.as_str().into())]),
+        (Some(SavedPlace::Clipboard), _) => texts.get("picture-in-clipboard").to_owned(),
         (None, _) => return,
     };
-    if is_copying || matches!(finished.saving, Saving::Writing(..)) {
+    if is_copying || matches!(finished.saving, PictureSaveState::Writing(..)) {
         ui.spinner();
     }
     let palette = theme::palette(ui.visuals());
     ui.add(Label::new(RichText::new(text).color(palette.weak)).truncate());
 }
 
-impl Shown {
+impl PictureProof {
     /// Draws the picture as large as it fits, and has it developed again when something else is wanted.
     fn ui(&mut self, ui: &mut Ui, texts: &Texts, picture: &Arc<Picture>, development: Development) {
         let palette = theme::palette(ui.visuals());
@@ -285,7 +285,7 @@ impl Shown {
         let most = (room.size() * scale).max(Vec2::ZERO).min(Vec2::splat(side));
         let size = fitting(super::size_of(picture), [most.x as u32, most.y as u32]);
         self.poll(ui.ctx());
-        self.want(ui.ctx(), picture, Wanted { development, size });
+        self.want(ui.ctx(), picture, ProofKey { development, size });
         ui.painter().rect_filled(room, 4.0, palette.bar);
         let size = vec2(size[0] as f32, size[1] as f32) / scale;
         let place = Rect::from_center_size(room.center(), size.min(room.size())).round_to_pixels(scale);
@@ -308,9 +308,9 @@ impl Shown {
     fn poll(&mut self, context: &Context) {
         let Some((wanted, job)) = self.job.take() else { return };
         let image = match job.poll() {
-            Progress::Waiting => return self.job = Some((wanted, job)),
-            Progress::Lost => return self.failed = Some(wanted),
-            Progress::Done(image) => image,
+            JobStatus::Waiting => return self.job = Some((wanted, job)),
+            JobStatus::Lost => return self.failed = Some(wanted),
+            JobStatus::Done(image) => image,
         };
         match &mut self.texture {
             Some((made, texture)) => {
@@ -325,7 +325,7 @@ impl Shown {
     }
 
     /// Has the picture developed as wanted, when nothing else is being developed.
-    fn want(&mut self, context: &Context, picture: &Arc<Picture>, wanted: Wanted) {
+    fn want(&mut self, context: &Context, picture: &Arc<Picture>, wanted: ProofKey) {
         let is_shown = self.texture.as_ref().is_some_and(|(made, _)| *made == wanted);
         if is_shown || self.job.is_some() || self.failed == Some(wanted) {
             return;

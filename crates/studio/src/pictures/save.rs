@@ -8,41 +8,41 @@ use catoptric_picture::{
 };
 use egui::Context;
 
-use super::result::{Finished, Kept};
-use super::{PictureKind, file_name, told};
+use super::result::{FinishedPicture, SavedPlace};
+use super::{PictureKind, file_name, words};
 use crate::app::Studio;
-use crate::dialogs::question::Question;
-use crate::documents::ask::{Answer, Asking, Chosen, name_of};
+use crate::dialogs::question::QuestionDialog;
 use crate::documents::disk::write_failure_in_words;
-use crate::documents::job::{Job, Progress};
+use crate::documents::file_prompt::{ChosenFile, FilePrompt, FilePromptState, name_of};
+use crate::documents::job::{Job, JobStatus};
 use crate::host::{FileKind, FileQuestion};
 
-/// How far saving is.
+/// The state of saving a picture.
 #[derive(Default)]
-pub(super) enum Saving {
+pub(super) enum PictureSaveState {
     /// Nothing is being saved.
     #[default]
     No,
     /// The person is choosing a file.
-    Asking(Asking),
+    Asking(FilePrompt),
     /// The file is being written.
-    Writing(Order, Job<Result<(), Failure>>),
+    Writing(PictureSaveRequest, Job<Result<(), PictureSaveFailure>>),
 }
 
-/// What is to be written where.
+/// A request to save a picture.
 #[derive(Clone)]
-pub(super) struct Order {
+pub(super) struct PictureSaveRequest {
     path: PathBuf,
     may_replace: bool,
     kind: PictureKind,
     development: Development,
 }
 
-/// Why there is no file; an old one is untouched.
-pub(super) enum Failure {
+/// The reason why there is no file; an old one is untouched.
+pub(super) enum PictureSaveFailure {
     /// There is one already.
     Exists,
-    /// It cannot be written.
+    /// The file cannot be written.
     Write(WriteError),
     /// The picture cannot be developed.
     Size(SizeError),
@@ -51,7 +51,7 @@ pub(super) enum Failure {
 }
 
 /// Asks for a file.
-pub(super) fn ask(studio: &mut Studio, finished: &mut Finished) {
+pub(super) fn ask(studio: &mut Studio, finished: &mut FinishedPicture) {
     let choices = &studio.settings.render;
     let beside = studio.editor.path().and_then(Path::parent).map(Path::to_owned);
     let question = FileQuestion {
@@ -61,48 +61,57 @@ pub(super) fn ask(studio: &mut Studio, finished: &mut Finished) {
         folder: choices.folder.clone().or(beside),
         name: file_name(&finished.order, finished.order.choices.kind),
     };
-    finished.saving = Saving::Asking(Asking::start(studio, question));
+    finished.saving = PictureSaveState::Asking(FilePrompt::start(studio, question));
 }
 
 /// Takes up an answer, and what has been written.
-pub(super) fn poll(context: &Context, studio: &mut Studio, finished: &mut Finished) {
+pub(super) fn poll(context: &Context, studio: &mut Studio, finished: &mut FinishedPicture) {
     match std::mem::take(&mut finished.saving) {
-        Saving::No => {}
-        Saving::Asking(mut asking) => match asking.poll(context, studio) {
-            Answer::Waiting => finished.saving = Saving::Asking(asking),
-            Answer::Cancelled => {}
-            Answer::Chosen(Chosen { path, may_replace }) => {
+        PictureSaveState::No => {}
+        PictureSaveState::Asking(mut prompt) => match prompt.poll(context, studio) {
+            FilePromptState::Waiting => finished.saving = PictureSaveState::Asking(prompt),
+            FilePromptState::Cancelled => {}
+            FilePromptState::Chosen(ChosenFile { path, may_replace }) => {
                 let (kind, development) = (finished.order.choices.kind, finished.order.development);
-                write(context, studio, finished, Order { path, may_replace, kind, development });
+                write(context, studio, finished, PictureSaveRequest { path, may_replace, kind, development });
             }
         },
-        Saving::Writing(order, job) => match job.poll() {
-            Progress::Waiting => finished.saving = Saving::Writing(order, job),
-            Progress::Done(Ok(())) => saved(studio, finished, &order.path),
-            Progress::Done(Err(failure)) => failed(studio, finished, order, &failure),
-            Progress::Lost => tell(studio, told::fault(&studio.texts, order.kind.format().name())),
+        PictureSaveState::Writing(order, job) => match job.poll() {
+            JobStatus::Waiting => finished.saving = PictureSaveState::Writing(order, job),
+            JobStatus::Done(Ok(())) => saved(studio, finished, &order.path),
+            JobStatus::Done(Err(failure)) => failed(studio, finished, order, &failure),
+            JobStatus::Lost => tell(studio, words::fault(&studio.texts, order.kind.format().name())),
         },
     }
 }
 
 /// Writes the file on a thread.
-pub(super) fn write(context: &Context, studio: &mut Studio, finished: &mut Finished, order: Order) {
+pub(super) fn write(
+    context: &Context,
+    studio: &mut Studio,
+    finished: &mut FinishedPicture,
+    order: PictureSaveRequest,
+) {
     let (picture, own) = (Arc::clone(&finished.picture), order.clone());
     match Job::start(context, "save picture", move || own.write(&picture)) {
-        Ok(job) => finished.saving = Saving::Writing(order, job),
-        Err(error) => tell(studio, told::fault(&studio.texts, &error.to_string())),
+        Ok(job) => finished.saving = PictureSaveState::Writing(order, job),
+        Err(error) => tell(studio, words::fault(&studio.texts, &error.to_string())),
     }
 }
 
-impl Order {
-    fn write(&self, picture: &Picture) -> Result<(), Failure> {
+impl PictureSaveRequest {
+    fn write(&self, picture: &Picture) -> Result<(), PictureSaveFailure> {
         if !self.may_replace && self.path.exists() {
-            return Err(Failure::Exists);
+            return Err(PictureSaveFailure::Exists);
         }
-        let mut options = self.options().map_err(Failure::Format)?;
-        options.check_size(picture.width(), picture.height()).map_err(Failure::Format)?;
+        let mut options = self.options().map_err(PictureSaveFailure::Format)?;
+        options.check_size(picture.width(), picture.height()).map_err(PictureSaveFailure::Format)?;
         options.development = self.development;
-        options.prepare(picture).map_err(Failure::Size)?.write(&self.path).map_err(Failure::Write)
+        options
+            .prepare(picture)
+            .map_err(PictureSaveFailure::Size)?
+            .write(&self.path)
+            .map_err(PictureSaveFailure::Write)
     }
 
     /// The name decides on the format; it has the chosen depth if it is the chosen format, else its usual one.
@@ -112,43 +121,48 @@ impl Order {
     }
 }
 
-fn saved(studio: &mut Studio, finished: &mut Finished, path: &Path) {
+fn saved(studio: &mut Studio, finished: &mut FinishedPicture, path: &Path) {
     studio.settings.render.folder = path.parent().map(Path::to_owned);
     let name = name_of(path);
     studio.toasts.success(studio.texts.with("picture-saved", &[("name", name.as_str().into())]));
-    finished.kept = Some(Kept::File(name));
+    finished.kept = Some(SavedPlace::File(name));
 }
 
-fn failed(studio: &mut Studio, finished: &Finished, order: Order, failure: &Failure) {
+fn failed(
+    studio: &mut Studio,
+    finished: &FinishedPicture,
+    order: PictureSaveRequest,
+    failure: &PictureSaveFailure,
+) {
     let text = match failure {
-        Failure::Exists => return ask_to_replace(studio, finished.number, order),
-        Failure::Write(error) => write_failure_in_words(&studio.texts, error),
-        Failure::Size(error) => told::size_error(&studio.texts, error),
-        Failure::Format(error) => told::format_error(&studio.texts, error),
+        PictureSaveFailure::Exists => return ask_to_replace(studio, finished.number, order),
+        PictureSaveFailure::Write(error) => write_failure_in_words(&studio.texts, error),
+        PictureSaveFailure::Size(error) => words::size_error(&studio.texts, error),
+        PictureSaveFailure::Format(error) => words::format_error(&studio.texts, error),
     };
     tell(studio, text);
 }
 
-fn ask_to_replace(studio: &mut Studio, number: u64, order: Order) {
+fn ask_to_replace(studio: &mut Studio, number: u64, order: PictureSaveRequest) {
     let texts = &studio.texts;
     let name = name_of(&order.path);
     let folder = order.path.parent().unwrap_or(Path::new("")).display().to_string();
-    let question = Question::new(
+    let question = QuestionDialog::new(
         texts.with("picture-replace-title", &[("name", name.into())]),
         texts.with("picture-replace-text", &[("folder", folder.into())]),
     )
     .choice(texts.get("picture-other-name"), move |_, studio| {
-        Finished::with(studio, number, ask);
+        FinishedPicture::with(studio, number, ask);
     })
     .choice(texts.get("cancel"), |_, _| {})
     .choice(texts.get("picture-replace"), move |context, studio| {
-        let order = Order { may_replace: true, ..order };
-        Finished::with(studio, number, |studio, finished| write(context, studio, finished, order));
+        let order = PictureSaveRequest { may_replace: true, ..order };
+        FinishedPicture::with(studio, number, |studio, finished| write(context, studio, finished, order));
     });
     studio.dialogs.open(question);
 }
 
 fn tell(studio: &mut Studio, text: String) {
     let title = studio.texts.get("picture-save-failed").to_owned();
-    studio.dialogs.open(crate::dialogs::Message::new(title, text));
+    studio.dialogs.open(crate::dialogs::MessageDialog::new(title, text));
 }

@@ -5,19 +5,19 @@ use std::ops::Range;
 use egui::{Align, FontId, Label, RichText, ScrollArea, TextWrapMode, Ui};
 
 use super::excerpt::floor;
-use super::{Problems, marked};
+use super::{ProblemsPanel, marked};
 use crate::context::Cx;
 use crate::theme;
 
-/// So many lines are shown on either side of the selected finding.
+/// The most lines that are shown on either side of the selected finding.
 const AROUND: usize = 300;
-/// At most so many bytes are searched for them on either side.
+/// The most bytes that are searched for these lines on either side.
 const FARTHEST: usize = 1 << 16;
 /// Longer lines are cut.
 const LONGEST: usize = 400;
 
 /// Draws the text around the selected finding, its line marked.
-pub(super) fn source_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut Problems) {
+pub(super) fn source_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut ProblemsPanel) {
     ui.label(RichText::new(cx.t("problems-text")).strong());
     let finding = problems.selected.and_then(|selected| problems.findings.iter().nth(selected));
     let Some(finding) = finding else { return };

@@ -7,14 +7,14 @@ use super::*;
 
 /// A message or attribute: its text and the variables in it.
 #[derive(Debug)]
-struct Entry {
+struct TextItem {
     text: String,
     variables: BTreeSet<String>,
 }
 
 /// All messages of a language; attributes as `message.attribute`.
-fn entries(language: Language) -> BTreeMap<String, Entry> {
-    let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
+fn entries(language: Language) -> BTreeMap<String, TextItem> {
+    let mut entries: BTreeMap<String, TextItem> = BTreeMap::new();
     for (topic, text) in language.catalogues() {
         let (mut message, mut key) = (String::new(), String::new());
         for line in text.lines().filter(|line| !line.starts_with('#')) {
@@ -32,7 +32,7 @@ fn entries(language: Language) -> BTreeMap<String, Entry> {
                 line
             };
             if is_message || attribute.is_some() {
-                let empty = Entry { text: String::new(), variables: BTreeSet::new() };
+                let empty = TextItem { text: String::new(), variables: BTreeSet::new() };
                 assert!(entries.insert(key.clone(), empty).is_none(), "{topic}: {key} stands twice");
             }
             if let Some(entry) = entries.get_mut(&key) {
@@ -121,7 +121,7 @@ fn every_catalogue_can_be_read() {
 #[test]
 fn both_languages_say_the_same() {
     let (english, russian) = (entries(Language::English), entries(Language::Russian));
-    let missing = |there: &BTreeMap<String, Entry>, here: &BTreeMap<String, Entry>| {
+    let missing = |there: &BTreeMap<String, TextItem>, here: &BTreeMap<String, TextItem>| {
         there.keys().filter(|key| !here.contains_key(*key)).cloned().collect::<Vec<_>>()
     };
     assert_eq!(missing(&english, &russian), Vec::<String>::new(), "missing in Russian");

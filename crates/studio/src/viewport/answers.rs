@@ -1,8 +1,8 @@
-//! Exact answers over the picture: images in their true places, focal points and highlights, each beside what the tracer
-//! finds.
+//! Exact answers over the picture: images in their true places, focal points and highlights, each beside what the
+//! tracer finds.
 
 use catoptric_editor::Item;
-use catoptric_lab::exact::{Compared, ExactAnswer, Inapplicable, RingImage};
+use catoptric_lab::exact::{ExactAnswer, ExactDeviation, Inapplicable, RingImage};
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Visuals, WidgetInfo, pos2, vec2,
@@ -10,8 +10,8 @@ use egui::{
 use glam::DVec3;
 
 use super::dashes::dashed;
-use super::sight::Sight;
-use super::{labels, wire};
+use super::scene_view::SceneView;
+use super::{labels, wireframe};
 use crate::audit::short;
 use crate::context::Cx;
 use crate::exact;
@@ -21,16 +21,16 @@ use crate::theme;
 
 /// The color of what the laws say.
 const EXACT: Color32 = Color32::from_rgb(255, 142, 214);
-/// So many labels at most: those of the first answers.
+/// The most labels: those of the first answers.
 const MOST_LABELS: usize = 10;
 
 /// Draws the answers for the selected body.
-pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
-    exact::keep_up(ui.ctx(), cx, sight.camera);
+pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
+    exact::keep_up(ui.ctx(), cx, scene_view.camera);
     let Some(body) = exact::body_of(cx) else { return };
     let Some(answers) = cx.exact.answers(body) else { return };
-    let painter = ui.painter_at(sight.visible);
-    let mut pen = Pen { ui, cx, sight, painter: &painter, plates: Vec::new() };
+    let painter = ui.painter_at(scene_view.visible);
+    let mut pen = AnswerPainter { ui, cx, scene_view, painter: &painter, plates: Vec::new() };
     answers.answers.iter().for_each(|answer| pen.answer(answer));
     let mut remarks: Vec<String> =
         answers.inapplicable.iter().map(|reason| pen.inapplicable(*reason)).collect();
@@ -42,16 +42,16 @@ pub(crate) fn answers_ui(ui: &Ui, cx: &mut Cx<'_>, sight: &Sight) {
     }
 }
 
-struct Pen<'a> {
+struct AnswerPainter<'a> {
     ui: &'a Ui,
     cx: &'a Cx<'a>,
-    sight: &'a Sight,
+    scene_view: &'a SceneView,
     painter: &'a Painter,
     /// Where labels are.
     plates: Vec<Rect>,
 }
 
-impl Pen<'_> {
+impl AnswerPainter<'_> {
     fn answer(&mut self, answer: &ExactAnswer) {
         let texts = self.cx.texts;
         let scene = self.cx.editor.scene();
@@ -109,8 +109,9 @@ impl Pen<'_> {
     /// Words at the lower edge of the picture, about no point of it.
     fn remark(&mut self, text: &str) {
         let palette = theme::palette(&Visuals::dark());
-        let at = self.sight.visible.center_bottom() - vec2(0.0, 16.0);
-        let plate = labels::plate(self.painter, self.sight.visible, at, Align2::CENTER_BOTTOM, text, palette);
+        let at = self.scene_view.visible.center_bottom() - vec2(0.0, 16.0);
+        let plate =
+            labels::plate(self.painter, self.scene_view.visible, at, Align2::CENTER_BOTTOM, text, palette);
         self.listen(plate, text);
     }
 
@@ -118,7 +119,7 @@ impl Pen<'_> {
     fn ring(&mut self, angle: f64, images: &[RingImage]) {
         for image in images {
             self.point(image.position);
-            if let Some(at) = self.sight.point(image.position) {
+            if let Some(at) = self.scene_view.point(image.position) {
                 let font = egui::FontId::proportional(12.0);
                 let at = at + vec2(0.0, -7.0);
                 let number = image.reflections.to_string();
@@ -144,9 +145,9 @@ impl Pen<'_> {
         let middle = object.midpoint(image);
         let mirrored = |point: DVec3| point - 2.0 * (point - middle).dot(normal) * normal;
         // What is far outside would make a shape of every dash up to there.
-        let near = self.sight.rect.expand(self.sight.rect.size().max_elem());
-        let shown = |point: DVec3| self.sight.point(mirrored(point)).filter(|at| near.contains(*at));
-        for line in wire::outline(body, mirrored(self.sight.lens.position())) {
+        let near = self.scene_view.rect.expand(self.scene_view.rect.size().max_elem());
+        let shown = |point: DVec3| self.scene_view.point(mirrored(point)).filter(|at| near.contains(*at));
+        for line in wireframe::outline(body, mirrored(self.scene_view.projector.position())) {
             let points: Vec<Option<Pos2>> = line.into_iter().map(shown).collect();
             for piece in points.split(Option::is_none) {
                 let piece: Vec<Pos2> = piece.iter().copied().flatten().collect();
@@ -159,22 +160,22 @@ impl Pen<'_> {
     }
 
     fn dashed(&self, from: DVec3, to: DVec3) {
-        let Some(ends) = self.sight.lens.segment(from, to) else { return };
-        let ends = ends.map(|end| self.sight.pos(end));
+        let Some(ends) = self.scene_view.projector.segment(from, to) else { return };
+        let ends = ends.map(|end| self.scene_view.pos(end));
         let color = EXACT.gamma_multiply(0.7);
         dashed(self.painter, ends, Stroke::new(1.0, color), 3.0, 4.0);
     }
 
     /// Where the law puts a point.
     fn point(&self, point: DVec3) {
-        if let Some(at) = self.sight.point(point) {
+        if let Some(at) = self.scene_view.point(point) {
             self.painter.circle(at, 4.0, EXACT, Stroke::new(1.5, Color32::from_black_alpha(160)));
         }
     }
 
     /// Where the tracer finds it.
     fn found(&self, point: DVec3) {
-        let Some(at) = self.sight.point(point) else { return };
+        let Some(at) = self.scene_view.point(point) else { return };
         for stroke in [Stroke::new(3.0, Color32::from_black_alpha(150)), Stroke::new(1.2, Color32::WHITE)] {
             for arm in [vec2(7.0, 0.0), vec2(0.0, 7.0)] {
                 self.painter.line_segment([at - arm, at + arm], stroke);
@@ -182,7 +183,7 @@ impl Pen<'_> {
         }
     }
 
-    fn compared(&mut self, compared: &Compared, title: &str) {
+    fn compared(&mut self, compared: &ExactDeviation, title: &str) {
         if let Some(found) = compared.found {
             self.found(found);
         }
@@ -198,7 +199,7 @@ impl Pen<'_> {
             Some(off) => texts.with("exact-off", &[("difference", off.into())]),
             None => texts.get("exact-elsewhere").to_owned(),
         };
-        if let Some(at) = self.sight.point(point).filter(|at| self.sight.visible.contains(*at)) {
+        if let Some(at) = self.scene_view.point(point).filter(|at| self.scene_view.visible.contains(*at)) {
             self.label(at, &format!("{title}\n{off}"));
         }
     }
@@ -216,7 +217,7 @@ impl Pen<'_> {
         let place = steps.into_iter().find(is_free).unwrap_or(place);
         let palette = theme::palette(&Visuals::dark());
         let plate =
-            labels::plate(self.painter, self.sight.visible, place.min, Align2::LEFT_TOP, text, palette);
+            labels::plate(self.painter, self.scene_view.visible, place.min, Align2::LEFT_TOP, text, palette);
         let end = pos2(plate.left(), plate.center().y);
         if !plate.contains(point) && end.x > point.x {
             self.painter

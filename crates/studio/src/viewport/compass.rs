@@ -1,11 +1,11 @@
-//! Which way the axes point, in the upper right corner; a click looks along one of them.
+//! The compass of the axes, in the upper right corner; a click looks along one of them.
 
-use catoptric_editor::navigate::Axis;
+use catoptric_editor::navigate::ViewSide;
 use egui::accesskit::Role;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, Visuals, WidgetInfo, vec2};
 use glam::DVec3;
 
-use super::sight::Sight;
+use super::scene_view::SceneView;
 use crate::command::Command;
 use crate::context::Cx;
 use crate::theme;
@@ -24,8 +24,8 @@ pub(crate) fn fits(rect: Rect) -> bool {
 }
 
 /// An end of an axis.
-struct End {
-    side: Axis,
+struct AxisEnd {
+    side: ViewSide,
     direction: DVec3,
     /// Which color and letter.
     axis: usize,
@@ -33,36 +33,37 @@ struct End {
 }
 
 /// The six ends, in the order of the keyboard.
-const ENDS: [End; 6] = [
-    End { side: Axis::Right, direction: DVec3::X, axis: 0, key: "viewport-look-right" },
-    End { side: Axis::Left, direction: DVec3::NEG_X, axis: 0, key: "viewport-look-left" },
-    End { side: Axis::Top, direction: DVec3::Y, axis: 1, key: "viewport-look-top" },
-    End { side: Axis::Bottom, direction: DVec3::NEG_Y, axis: 1, key: "viewport-look-bottom" },
-    End { side: Axis::Front, direction: DVec3::Z, axis: 2, key: "viewport-look-front" },
-    End { side: Axis::Back, direction: DVec3::NEG_Z, axis: 2, key: "viewport-look-back" },
+const ENDS: [AxisEnd; 6] = [
+    AxisEnd { side: ViewSide::Right, direction: DVec3::X, axis: 0, key: "viewport-look-right" },
+    AxisEnd { side: ViewSide::Left, direction: DVec3::NEG_X, axis: 0, key: "viewport-look-left" },
+    AxisEnd { side: ViewSide::Top, direction: DVec3::Y, axis: 1, key: "viewport-look-top" },
+    AxisEnd { side: ViewSide::Bottom, direction: DVec3::NEG_Y, axis: 1, key: "viewport-look-bottom" },
+    AxisEnd { side: ViewSide::Front, direction: DVec3::Z, axis: 2, key: "viewport-look-front" },
+    AxisEnd { side: ViewSide::Back, direction: DVec3::NEG_Z, axis: 2, key: "viewport-look-back" },
 ];
 
-impl End {
+impl AxisEnd {
     fn is_positive(&self) -> bool {
         self.direction.max_element() > 0.5
     }
 }
 
 /// Draws the compass.
-pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
+pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
     let palette = theme::palette(&Visuals::dark());
-    let center = sight.visible.right_top() + vec2(-0.5 * WIDTH, 0.5 * WIDTH);
-    if !fits(sight.visible) {
+    let center = scene_view.visible.right_top() + vec2(-0.5 * WIDTH, 0.5 * WIDTH);
+    if !fits(scene_view.visible) {
         return;
     }
-    let [right, up, forward] = sight.lens.axes();
-    let place = |end: &End| -> (Pos2, f64) {
+    let [right, up, forward] = scene_view.projector.axes();
+    let place = |end: &AxisEnd| -> (Pos2, f64) {
         let aside = vec2(end.direction.dot(right) as f32, -end.direction.dot(up) as f32);
         (center + ARM * aside, end.direction.dot(forward))
     };
     let painter = ui.painter().clone();
     painter.circle_filled(center, ARM + DISC + 4.0, palette.panel.gamma_multiply(0.35));
-    let mut ends: Vec<(&End, Pos2, f64)> = ENDS.iter().map(|end| (end, place(end).0, place(end).1)).collect();
+    let mut ends: Vec<(&AxisEnd, Pos2, f64)> =
+        ENDS.iter().map(|end| (end, place(end).0, place(end).1)).collect();
     // The widgets first, in a steady order; egui gives the last of those that overlap to the pointer, and so the
     // nearest must be asked for by hand.
     let responses: Vec<_> = ENDS.iter().map(|end| end_response(ui, cx, end, place(end).0)).collect();
@@ -91,7 +92,7 @@ pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, sight: &Sight) {
     }
 }
 
-fn end_response(ui: &mut Ui, cx: &Cx<'_>, end: &End, pos: Pos2) -> egui::Response {
+fn end_response(ui: &mut Ui, cx: &Cx<'_>, end: &AxisEnd, pos: Pos2) -> egui::Response {
     let rect = Rect::from_center_size(pos, Vec2::splat(2.0 * (DISC + 2.0)));
     let response = ui.interact(rect, ui.scope_id().with(("compass", end.key)), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, cx.t(end.key)));
@@ -101,9 +102,9 @@ fn end_response(ui: &mut Ui, cx: &Cx<'_>, end: &End, pos: Pos2) -> egui::Respons
 fn end_ui(
     painter: &egui::Painter,
     center: Pos2,
-    (end, pos, depth): (&End, Pos2, f64),
+    (end, pos, depth): (&AxisEnd, Pos2, f64),
     is_bright: bool,
-    palette: &theme::Palette,
+    palette: &theme::ThemeColors,
 ) {
     let color = palette.axes.get(end.axis).copied().unwrap_or(palette.text);
     // What points away is fainter.
@@ -123,17 +124,17 @@ fn end_ui(
     }
 }
 
-fn is_already_there(side: Axis, forward: DVec3) -> bool {
+fn is_already_there(side: ViewSide, forward: DVec3) -> bool {
     ENDS.iter().any(|end| end.side == side && end.direction.dot(forward) < -0.9999)
 }
 
-fn opposite(side: Axis) -> Axis {
+fn opposite(side: ViewSide) -> ViewSide {
     match side {
-        Axis::Front => Axis::Back,
-        Axis::Back => Axis::Front,
-        Axis::Left => Axis::Right,
-        Axis::Right => Axis::Left,
-        Axis::Top => Axis::Bottom,
-        Axis::Bottom => Axis::Top,
+        ViewSide::Front => ViewSide::Back,
+        ViewSide::Back => ViewSide::Front,
+        ViewSide::Left => ViewSide::Right,
+        ViewSide::Right => ViewSide::Left,
+        ViewSide::Top => ViewSide::Bottom,
+        ViewSide::Bottom => ViewSide::Top,
     }
 }

@@ -9,8 +9,8 @@ pub(crate) fn dashed(painter: &Painter, ends: [Pos2; 2], stroke: Stroke, dash: f
     painter.extend(Shape::dashed_line(&ends, stroke, dash, gap));
 }
 
-/// The part of a line in a rectangle (Liang, Barsky 1984), from the last whole period before it, so that the dashes stay
-/// where they are when the rectangle moves.
+/// The part of a line in a rectangle (Liang, Barsky 1984), from the last whole period before it, so that the dashes
+/// stay where they are when the rectangle moves.
 fn seen([from, to]: [Pos2; 2], rect: Rect, period: f32) -> Option<[Pos2; 2]> {
     let way = to - from;
     let length = way.length();

@@ -3,15 +3,15 @@
 
 pub(crate) mod change;
 pub(crate) mod draw;
+pub(crate) mod handle_drag;
 pub(crate) mod lines;
-pub(crate) mod pull;
 pub(crate) mod steps;
 
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::lens::Lens;
+use super::projector::Projector;
 use crate::command::Tool;
 use lines::across;
 
@@ -26,14 +26,14 @@ const RING: f64 = 72.0;
 const OUTER_RING: f64 = 90.0;
 /// Radius of the center, points.
 const CENTER: f64 = 9.0;
-/// How near to a line the pointer takes hold of it, points.
+/// The distance within which the pointer grabs a line, points.
 const REACH: f64 = 8.0;
 /// Segments of a ring.
 const SEGMENTS: usize = 72;
 
-/// A part of the gizmo. Numbers are axes.
+/// A handle of the gizmo. Numbers are axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Handle {
+pub(crate) enum GizmoHandle {
     /// Moves along an axis.
     Move(usize),
     /// Moves in the plane across an axis.
@@ -54,9 +54,9 @@ pub(crate) enum Handle {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Gizmo {
     pub(crate) tool: Tool,
-    /// Its center.
+    /// The center of the gizmo.
     pub(crate) pivot: DVec3,
-    /// Its axes, a right-handed frame.
+    /// The axes of the gizmo, a right-handed frame.
     pub(crate) axes: [DVec3; 3],
     /// Whether the axes are a body's own ones.
     pub(crate) is_local: bool,
@@ -70,84 +70,95 @@ impl Gizmo {
     }
 
     /// Meters that a point of the picture spans at the center.
-    pub(crate) fn grain(&self, lens: &Lens) -> f64 {
-        lens.meters_per_point(self.pivot)
+    pub(crate) fn grain(&self, projector: &Projector) -> f64 {
+        projector.meters_per_point(self.pivot)
     }
 
     /// An axis in the picture, from near the center to its end.
-    pub(crate) fn shaft(&self, lens: &Lens, axis: usize) -> Option<[DVec2; 2]> {
-        let grain = self.grain(lens);
-        let end = |length: f64| lens.project(self.pivot + length * grain * self.axis(axis));
+    pub(crate) fn shaft(&self, projector: &Projector, axis: usize) -> Option<[DVec2; 2]> {
+        let grain = self.grain(projector);
+        let end = |length: f64| projector.project(self.pivot + length * grain * self.axis(axis));
         Some([end(GAP)?, end(LENGTH)?])
     }
 
     /// The corners of the square across an axis.
-    pub(crate) fn square(&self, lens: &Lens, axis: usize) -> Option<[DVec2; 4]> {
-        let grain = self.grain(lens);
+    pub(crate) fn square(&self, projector: &Projector, axis: usize) -> Option<[DVec2; 4]> {
+        let grain = self.grain(projector);
         let (first, second) = (self.axis((axis + 1) % 3), self.axis((axis + 2) % 3));
-        let corner = |a: f64, b: f64| lens.project(self.pivot + grain * (a * first + b * second));
+        let corner = |a: f64, b: f64| projector.project(self.pivot + grain * (a * first + b * second));
         let [near, far] = SQUARE;
         Some([corner(near, near)?, corner(far, near)?, corner(far, far)?, corner(near, far)?])
     }
 
     /// The points of the ring about an axis, each with whether it is on the near side.
-    pub(crate) fn ring(&self, lens: &Lens, axis: usize) -> Vec<(DVec2, bool)> {
-        let radius = RING * self.grain(lens);
-        let towards = lens.towards(self.pivot);
+    pub(crate) fn ring(&self, projector: &Projector, axis: usize) -> Vec<(DVec2, bool)> {
+        let radius = RING * self.grain(projector);
+        let towards = projector.towards(self.pivot);
         let frame = across(self.axis(axis));
         (0..=SEGMENTS)
             .filter_map(|step| {
                 let arm = arm(frame, TAU * step as f64 / SEGMENTS as f64);
                 let is_near = arm.dot(towards) < 0.05;
-                lens.project(self.pivot + radius * arm).map(|at| (at, is_near))
+                projector.project(self.pivot + radius * arm).map(|at| (at, is_near))
             })
             .collect()
     }
 
-    /// How well a handle can be held from here, 0…1: an axis seen end-on, or a plane seen edge-on, cannot.
-    pub(crate) fn clearness(&self, lens: &Lens, handle: Handle) -> f64 {
-        let towards = lens.towards(self.pivot);
+    /// How well a handle can be dragged from here, 0…1: an axis seen end-on, or a plane seen edge-on, cannot.
+    pub(crate) fn clearness(&self, projector: &Projector, handle: GizmoHandle) -> f64 {
+        let towards = projector.towards(self.pivot);
         let clear = |sine: f64| ((sine - 0.12) / 0.15).clamp(0.0, 1.0);
         match handle {
-            Handle::Move(axis) | Handle::Scale(axis) => clear(towards.cross(self.axis(axis)).length()),
-            Handle::MovePlane(axis) => clear(towards.dot(self.axis(axis)).abs()),
-            Handle::MoveScreen | Handle::Turn(_) | Handle::TurnView | Handle::ScaleAll => 1.0,
+            GizmoHandle::Move(axis) | GizmoHandle::Scale(axis) => {
+                clear(towards.cross(self.axis(axis)).length())
+            }
+            GizmoHandle::MovePlane(axis) => clear(towards.dot(self.axis(axis)).abs()),
+            GizmoHandle::MoveScreen
+            | GizmoHandle::Turn(_)
+            | GizmoHandle::TurnView
+            | GizmoHandle::ScaleAll => 1.0,
         }
     }
 
     /// The handle at a place in the picture.
-    pub(crate) fn handle_at(&self, lens: &Lens, at: DVec2) -> Option<Handle> {
-        let center = lens.project(self.pivot)?;
+    pub(crate) fn handle_at(&self, projector: &Projector, at: DVec2) -> Option<GizmoHandle> {
+        let center = projector.project(self.pivot)?;
         let from_center = center.distance(at);
         let middle = from_center <= CENTER + 1.0;
-        let holds = |handle: &Handle| self.clearness(lens, *handle) > 0.3;
+        let holds = |handle: &GizmoHandle| self.clearness(projector, *handle) > 0.3;
         match self.tool {
-            Tool::Move if middle => Some(Handle::MoveScreen),
+            Tool::Move if middle => Some(GizmoHandle::MoveScreen),
             Tool::Move => {
                 let is_in =
-                    |axis: &usize| self.square(lens, *axis).is_some_and(|square| is_inside(&square, at));
-                let square = (0..3).filter(is_in).map(Handle::MovePlane).find(|handle| holds(handle));
-                square.or_else(|| self.shaft_at(lens, at).map(Handle::Move).filter(|handle| holds(handle)))
+                    |axis: &usize| self.square(projector, *axis).is_some_and(|square| is_inside(&square, at));
+                let square = (0..3).filter(is_in).map(GizmoHandle::MovePlane).find(|handle| holds(handle));
+                square.or_else(|| {
+                    self.shaft_at(projector, at).map(GizmoHandle::Move).filter(|handle| holds(handle))
+                })
             }
             Tool::Rotate => {
                 let is_outer = (from_center - OUTER_RING).abs() <= REACH;
-                self.ring_at(lens, at).map(Handle::Turn).or(is_outer.then_some(Handle::TurnView))
+                self.ring_at(projector, at)
+                    .map(GizmoHandle::Turn)
+                    .or(is_outer.then_some(GizmoHandle::TurnView))
             }
-            Tool::Scale if middle => Some(Handle::ScaleAll),
-            Tool::Scale => self.shaft_at(lens, at).map(Handle::Scale).filter(|handle| holds(handle)),
+            Tool::Scale if middle => Some(GizmoHandle::ScaleAll),
+            Tool::Scale => {
+                self.shaft_at(projector, at).map(GizmoHandle::Scale).filter(|handle| holds(handle))
+            }
         }
     }
 
     /// The axis under a place.
-    fn shaft_at(&self, lens: &Lens, at: DVec2) -> Option<usize> {
-        let shafts = (0..3).filter_map(|axis| Some((axis, distance_to(self.shaft(lens, axis)?, at))));
+    fn shaft_at(&self, projector: &Projector, at: DVec2) -> Option<usize> {
+        let shafts = (0..3).filter_map(|axis| Some((axis, distance_to(self.shaft(projector, axis)?, at))));
         nearest(shafts, REACH)
     }
 
-    /// The ring under a place; its far side cannot be held.
-    fn ring_at(&self, lens: &Lens, at: DVec2) -> Option<usize> {
+    /// The ring under a place; its far side cannot be dragged.
+    fn ring_at(&self, projector: &Projector, at: DVec2) -> Option<usize> {
         let rings = (0..3).map(|axis| {
-            let points = self.ring(lens, axis);
+            let points = self.ring(projector, axis);
             let near = points.windows(2).filter_map(|pair| match pair {
                 [(from, true), (to, true)] => Some(distance_to([*from, *to], at)),
                 _ => None,

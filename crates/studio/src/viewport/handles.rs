@@ -1,4 +1,4 @@
-//! Lights, and in the free view the scene's camera, as things that can be seen and held.
+//! The handles of lights, and of the scene's camera in the free view.
 
 use catoptric_editor::Item;
 use catoptric_scene::{Camera, Light, Projection};
@@ -6,19 +6,26 @@ use egui::{Color32, Painter, Pos2, Stroke};
 use glam::DVec3;
 
 use super::dashes::dashed;
-use super::sight::{Sight, marks};
+use super::scene_view::{SceneView, marks};
 use crate::context::Cx;
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// Radius of a light's disc, points.
 const DISC: f32 = 6.0;
 
 /// Draws them; `hovered` is under the pointer.
-pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>, hovered: Option<Item>, palette: &Palette) {
+pub(crate) fn draw(
+    painter: &Painter,
+    scene_view: &SceneView,
+    cx: &Cx<'_>,
+    hovered: Option<Item>,
+    palette: &ThemeColors,
+) {
     let scene = cx.editor.scene();
     for item in marks(cx) {
         let is_selected = cx.editor.selection().contains(item);
-        let pen = Pen { painter, sight, palette, is_selected, is_hovered: hovered == Some(item) };
+        let pen =
+            HandlePainter { painter, scene_view, palette, is_selected, is_hovered: hovered == Some(item) };
         match item {
             Item::Light(index) => {
                 if let Some(light) = scene.lights.get(index) {
@@ -31,20 +38,21 @@ pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>, hovered: Optio
     }
 }
 
-struct Pen<'a> {
+struct HandlePainter<'a> {
     painter: &'a Painter,
-    sight: &'a Sight,
-    palette: &'a Palette,
+    scene_view: &'a SceneView,
+    palette: &'a ThemeColors,
     is_selected: bool,
     is_hovered: bool,
 }
 
-impl Pen<'_> {
+impl HandlePainter<'_> {
     fn light(&self, light: &Light) {
         if self.is_selected {
             self.drop_line(light.position);
         }
-        let Some(center) = self.sight.point(light.position).filter(|at| self.sight.visible.contains(*at))
+        let Some(center) =
+            self.scene_view.point(light.position).filter(|at| self.scene_view.visible.contains(*at))
         else {
             return;
         };
@@ -75,15 +83,16 @@ impl Pen<'_> {
     /// A line down to the ground y = 0, and a cross where it arrives.
     fn drop_line(&self, from: DVec3) {
         let foot = DVec3::new(from.x, 0.0, from.z);
-        let Some([top, bottom]) = self.sight.lens.segment(from, foot) else { return };
+        let Some([top, bottom]) = self.scene_view.projector.segment(from, foot) else { return };
         let color = self.palette.accent.gamma_multiply(0.8);
-        let points = [self.sight.pos(top), self.sight.pos(bottom)];
+        let points = [self.scene_view.pos(top), self.scene_view.pos(bottom)];
         dashed(self.painter, points, Stroke::new(1.2, color), 4.0, 4.0);
-        let arm = 8.0 * self.sight.lens.meters_per_point(foot);
+        let arm = 8.0 * self.scene_view.projector.meters_per_point(foot);
         for direction in [DVec3::X, DVec3::Z] {
-            if let Some([from, to]) = self.sight.lens.segment(foot - arm * direction, foot + arm * direction)
+            if let Some([from, to]) =
+                self.scene_view.projector.segment(foot - arm * direction, foot + arm * direction)
             {
-                let ends = [self.sight.pos(from), self.sight.pos(to)];
+                let ends = [self.scene_view.pos(from), self.scene_view.pos(to)];
                 self.painter.line_segment(ends, Stroke::new(1.4, color));
             }
         }
@@ -98,14 +107,14 @@ impl Pen<'_> {
             Color32::from_gray(214)
         };
         let width = if self.is_selected || self.is_hovered { 1.8 } else { 1.3 };
-        draw_camera(self.painter, self.sight, camera, Stroke::new(width, color));
+        draw_camera(self.painter, self.scene_view, camera, Stroke::new(width, color));
     }
 }
 
 /// Draws a camera: a pyramid from the eye to the edges of the picture, and a mark that shows where up is.
-pub(crate) fn draw_camera(painter: &Painter, sight: &Sight, camera: &Camera, stroke: Stroke) {
+pub(crate) fn draw_camera(painter: &Painter, scene_view: &SceneView, camera: &Camera, stroke: Stroke) {
     // Large enough to be seen from afar.
-    let least = 40.0 * sight.lens.meters_per_point(camera.position);
+    let least = 40.0 * scene_view.projector.meters_per_point(camera.position);
     let [eye, corners, top] = frustum(camera, least);
     let mut segments: Vec<[DVec3; 2]> = Vec::new();
     for index in 0..4 {
@@ -118,12 +127,12 @@ pub(crate) fn draw_camera(painter: &Painter, sight: &Sight, camera: &Camera, str
     }
     for stroke in [Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(90)), stroke] {
         for [from, to] in &segments {
-            if let Some([from, to]) = sight.lens.segment(*from, *to) {
-                painter.line_segment([sight.pos(from), sight.pos(to)], stroke);
+            if let Some([from, to]) = scene_view.projector.segment(*from, *to) {
+                painter.line_segment([scene_view.pos(from), scene_view.pos(to)], stroke);
             }
         }
     }
-    if let Some(center) = sight.point(camera.position) {
+    if let Some(center) = scene_view.point(camera.position) {
         painter.circle(center, 4.5, stroke.color, Stroke::new(1.2, Color32::from_black_alpha(150)));
     }
 }
@@ -132,7 +141,7 @@ pub(crate) fn draw_camera(painter: &Painter, sight: &Sight, camera: &Camera, str
 /// mark above them.
 fn frustum(camera: &Camera, least: f64) -> [Vec<DVec3>; 3] {
     const ASPECT: f64 = 1.5;
-    let [right, up, forward] = super::lens::Lens::new(camera, glam::DVec2::ONE).axes();
+    let [right, up, forward] = super::projector::Projector::new(camera, glam::DVec2::ONE).axes();
     let reach = (0.16 * camera.position.distance(camera.target)).max(least);
     let (half, is_perspective) = match camera.projection {
         Projection::Perspective { fov_degrees } => (reach * (0.5 * fov_degrees).to_radians().tan(), true),

@@ -3,12 +3,18 @@
 use egui::text::LayoutJob;
 use egui::{Align, Align2, FontId, Painter, Pos2, Rect, Stroke, StrokeKind, vec2};
 
-use super::gizmo::pull::Amount;
+use super::gizmo::handle_drag::DragAmount;
 use crate::texts::Texts;
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// Draws a text on a little plate beside the pointer, inside `rect`.
-pub(crate) fn beside_pointer(painter: &Painter, rect: Rect, pointer: Pos2, text: &str, palette: &Palette) {
+pub(crate) fn beside_pointer(
+    painter: &Painter,
+    rect: Rect,
+    pointer: Pos2,
+    text: &str,
+    palette: &ThemeColors,
+) {
     plate(painter, rect, pointer + vec2(16.0, 18.0), Align2::LEFT_TOP, text, palette);
 }
 
@@ -19,7 +25,7 @@ pub(crate) fn plate(
     pos: Pos2,
     align: Align2,
     text: &str,
-    palette: &Palette,
+    palette: &ThemeColors,
 ) -> Rect {
     let room = rect.shrink(6.0);
     let mut job = LayoutJob::simple(
@@ -43,9 +49,9 @@ pub(crate) fn plate(
 }
 
 /// How much was changed.
-pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
+pub(crate) fn amount_text(texts: &Texts, amount: DragAmount, grain: f64) -> String {
     match amount {
-        Amount::Meters(parts) => {
+        DragAmount::Meters(parts) => {
             let parts: Vec<String> = ["X", "Y", "Z"]
                 .iter()
                 .zip(parts)
@@ -56,11 +62,11 @@ pub(crate) fn amount_text(texts: &Texts, amount: Amount, grain: f64) -> String {
             // Figure spaces, so that the numbers stand apart.
             texts.with("viewport-amount-meters", &[("parts", parts.join("\u{2002}").into())])
         }
-        Amount::Degrees(degrees) => {
+        DragAmount::Degrees(degrees) => {
             let degrees = texts.localized(minus(&format!("{degrees:.1}")));
             texts.with("viewport-amount-degrees", &[("degrees", degrees.into())])
         }
-        Amount::Factor(factor) => texts
+        DragAmount::Factor(factor) => texts
             .with("viewport-amount-factor", &[("factor", texts.localized(format!("{factor:.2}")).into())]),
     }
 }
@@ -71,7 +77,7 @@ pub(crate) fn signed_stops(texts: &Texts, stops: f64) -> String {
     texts.localized(text.trim_end_matches('0').trim_end_matches('.').to_owned())
 }
 
-/// A number with its sign and such digits as a hand can mean.
+/// A number with its sign and the digits that suit the precision of the pointer.
 fn signed(value: f64, grain: f64) -> String {
     let digits = (-super::gizmo::steps::decimal_below(grain).log10()).clamp(1.0, 5.0) as usize;
     minus(&format!("{value:+.digits$}"))
@@ -92,11 +98,14 @@ mod tests {
     fn amounts_read_well() {
         let texts = Texts::new(Language::English);
         let text = |amount| amount_text(&texts, amount, 0.03);
-        assert_eq!(text(Amount::Meters([Some(0.35), None, Some(-1.2)])), "X +0.35\u{2002}Z \u{2212}1.20 m");
-        assert_eq!(text(Amount::Meters([None, Some(-0.001), None])), "Y +0.00 m");
-        assert_eq!(text(Amount::Degrees(-15.0)), "\u{2212}15.0°");
-        assert_eq!(text(Amount::Factor(1.2)), "×1.20");
+        assert_eq!(
+            text(DragAmount::Meters([Some(0.35), None, Some(-1.2)])),
+            "X +0.35\u{2002}Z \u{2212}1.20 m"
+        );
+        assert_eq!(text(DragAmount::Meters([None, Some(-0.001), None])), "Y +0.00 m");
+        assert_eq!(text(DragAmount::Degrees(-15.0)), "\u{2212}15.0°");
+        assert_eq!(text(DragAmount::Factor(1.2)), "×1.20");
         let texts = Texts::new(Language::Russian);
-        assert_eq!(amount_text(&texts, Amount::Degrees(-15.0), 0.03), "\u{2212}15,0°");
+        assert_eq!(amount_text(&texts, DragAmount::Degrees(-15.0), 0.03), "\u{2212}15,0°");
     }
 }

@@ -4,11 +4,11 @@ use catoptric_editor::Item;
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 use glam::DVec3;
 
+use super::drag_payload::place_of;
 use super::handles;
-use super::load::place_of;
-use super::sight::{Sight, marks};
+use super::scene_view::{SceneView, marks};
 use crate::context::Cx;
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// The distance from the edges of the picture, points.
 const MARGIN: f32 = 20.0;
@@ -16,51 +16,51 @@ const MARGIN: f32 = 20.0;
 const DISC: f32 = 7.0;
 const REACH: f32 = 14.0;
 
-/// An arrow.
+/// An arrow towards a thing that is out of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Arrow {
+pub(crate) struct OffscreenArrow {
     /// What it points to.
     pub(crate) item: Item,
-    /// Its middle in the window.
+    /// The middle of the arrow in the window.
     pub(crate) center: Pos2,
     /// Where it points in the picture; of length 1.
     direction: Vec2,
 }
 
 /// The arrows of all that is out of view. Those that would cover each other stand side by side.
-pub(crate) fn arrows(cx: &Cx<'_>, sight: &Sight) -> Vec<Arrow> {
-    let mut arrows: Vec<Arrow> = Vec::new();
-    let room = room(sight.clear);
+pub(crate) fn arrows(cx: &Cx<'_>, scene_view: &SceneView) -> Vec<OffscreenArrow> {
+    let mut arrows: Vec<OffscreenArrow> = Vec::new();
+    let room = room(scene_view.clear);
     for item in marks(cx) {
         let place = place_of(cx.editor.scene(), item);
-        let Some(direction) = place.and_then(|place| direction_to(sight, place)) else { continue };
+        let Some(direction) = place.and_then(|place| direction_to(scene_view, place)) else { continue };
         let along = vec2(-direction.y, direction.x);
-        let edge = edge_point(room, sight.rect.center(), direction);
+        let edge = edge_point(room, scene_view.rect.center(), direction);
         // To one side and the other, ever farther.
         let steps =
             (0..64).map(|step: i16| f32::from((step + 1) / 2) * if step % 2 == 0 { 1.0 } else { -1.0 });
         let is_free = |center: &Pos2| arrows.iter().all(|other| other.center.distance(*center) > 2.0 * REACH);
         let center = steps.map(|step| room.clamp(edge + step * REACH * along)).find(is_free);
-        arrows.push(Arrow { item, center: center.unwrap_or(edge), direction });
+        arrows.push(OffscreenArrow { item, center: center.unwrap_or(edge), direction });
     }
     arrows
 }
 
 /// The arrow under a place of the window.
-pub(crate) fn arrow_at(cx: &Cx<'_>, sight: &Sight, pos: Pos2) -> Option<Item> {
-    let near = |arrow: &Arrow| arrow.center.distance(pos);
-    let arrows = arrows(cx, sight).into_iter().filter(|arrow| near(arrow) <= REACH);
+pub(crate) fn arrow_at(cx: &Cx<'_>, scene_view: &SceneView, pos: Pos2) -> Option<Item> {
+    let near = |arrow: &OffscreenArrow| arrow.center.distance(pos);
+    let arrows = arrows(cx, scene_view).into_iter().filter(|arrow| near(arrow) <= REACH);
     arrows.min_by(|a, b| near(a).total_cmp(&near(b))).map(|arrow| arrow.item)
 }
 
 /// Where in the picture an arrow must point for something to come into view; `None` for what is in view.
-fn direction_to(sight: &Sight, place: DVec3) -> Option<Vec2> {
-    let at = sight.point(place);
-    if at.is_some_and(|at| sight.visible.contains(at)) {
+fn direction_to(scene_view: &SceneView, place: DVec3) -> Option<Vec2> {
+    let at = scene_view.point(place);
+    if at.is_some_and(|at| scene_view.visible.contains(at)) {
         return None;
     }
-    let [right, up, _] = sight.lens.axes();
-    let offset = place - sight.lens.position();
+    let [right, up, _] = scene_view.projector.axes();
+    let offset = place - scene_view.projector.position();
     let direction = vec2(offset.dot(right) as f32, -offset.dot(up) as f32);
     // What is right behind the eye can be reached by a turn to any side.
     Some(if direction.length() > 0.0 { direction.normalized() } else { Vec2::DOWN })
@@ -84,9 +84,15 @@ fn edge_point(room: Rect, middle: Pos2, direction: Vec2) -> Pos2 {
 }
 
 /// Draws the arrows; `hovered` is under the pointer.
-pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>, hovered: Option<Item>, palette: &Palette) {
+pub(crate) fn draw(
+    painter: &Painter,
+    scene_view: &SceneView,
+    cx: &Cx<'_>,
+    hovered: Option<Item>,
+    palette: &ThemeColors,
+) {
     let scene = cx.editor.scene();
-    for Arrow { item, center, direction } in arrows(cx, sight) {
+    for OffscreenArrow { item, center, direction } in arrows(cx, scene_view) {
         let fill = match item {
             Item::Light(index) => scene.lights.get(index).map_or(Color32::WHITE, handles::shown_color),
             _ => Color32::from_gray(214),

@@ -2,34 +2,34 @@
 
 use std::sync::Arc;
 
-use catoptric_live::{Frame, LiveError, Shows};
+use catoptric_live::{DisplayContent, Frame, LiveError};
 use catoptric_tracer::SceneBuildError;
 use egui::{Align2, Color32, ColorImage, FontId, Painter, Rect, TextureHandle, TextureOptions, pos2};
 
 use crate::context::Cx;
 use crate::picture_frame;
 use crate::texts::Texts;
-use crate::theme::Palette;
+use crate::theme::ThemeColors;
 
 /// What is left free around an unfolded cube: the bar over the picture, points.
 const CUBE_MARGIN: f32 = 52.0;
 
-/// The newest picture, in the memory of whatever draws the window.
+/// The newest picture as a texture.
 #[derive(Default)]
-pub(crate) struct Picture {
+pub(crate) struct ViewportPicture {
     texture: Option<TextureHandle>,
     /// The picture in the texture.
     shown: Option<u64>,
 }
 
-impl Picture {
+impl ViewportPicture {
     /// Draws the newest picture, or why there is none, and gives the frame that it belongs to.
     pub(crate) fn show(
         &mut self,
         painter: &Painter,
         rect: Rect,
         cx: &mut Cx<'_>,
-        palette: &Palette,
+        palette: &ThemeColors,
     ) -> Option<Arc<Frame>> {
         let frame = cx.live.latest();
         let texture = frame.as_ref().and_then(|frame| match &frame.card {
@@ -94,10 +94,10 @@ fn place_of(rect: Rect, frame: Option<&Frame>) -> Rect {
 
 /// Whether what is seen is no view of the scene: nothing can be drawn over it or picked in it.
 pub(crate) fn is_apart(frame: &Frame) -> bool {
-    matches!(frame.shows, Shows::UnfoldedCube(_))
+    matches!(frame.shows, DisplayContent::UnfoldedCube(_))
 }
 
-fn message_ui(painter: &Painter, rect: Rect, text: String, color: Color32, palette: &Palette) {
+fn message_ui(painter: &Painter, rect: Rect, text: String, color: Color32, palette: &ThemeColors) {
     let width = (rect.width() - 48.0).clamp(80.0, 460.0);
     let galley = painter.layout(text, FontId::proportional(14.0), color, width);
     let size = galley.size() + egui::vec2(28.0, 18.0);

@@ -1,4 +1,4 @@
-//! Where new things appear: in the picture, on what its middle shows, clear of other things, at a size that suits it.
+//! The placing of new things: on what the middle of the picture shows, clear of other things, at a size that suits it.
 
 mod body;
 mod light;
@@ -7,7 +7,7 @@ use catoptric_scene::{Camera, Scene};
 use egui::{Rect, vec2};
 use glam::{DVec2, DVec3};
 
-use super::sight::Sight;
+use super::scene_view::SceneView;
 use crate::app::Studio;
 
 pub(crate) use body::spot_for_body;
@@ -16,17 +16,17 @@ pub(crate) use light::place_for_light;
 /// Points that lie farther off than so many distances to the subject are no places for new things.
 const FARTHEST: f64 = 4.0;
 
-/// The view into which something is placed.
-struct Scenery<'a> {
+/// The view into which a new thing is placed.
+struct PlacementView<'a> {
     scene: &'a Scene,
-    sight: Sight,
+    scene_view: SceneView,
     /// The point that the middle of the picture shows, or the camera's target.
     subject: DVec3,
     /// The bodies around the eye, as places in [`Scene::bodies`].
     rooms: Vec<usize>,
 }
 
-impl<'a> Scenery<'a> {
+impl<'a> PlacementView<'a> {
     fn new(studio: &'a Studio) -> Self {
         let scene = studio.editor.scene();
         let camera = studio.view.camera(scene);
@@ -36,17 +36,17 @@ impl<'a> Scenery<'a> {
         // Before the first frame, any window will do.
         let any = Rect::from_min_size(egui::Pos2::ZERO, vec2(800.0, 600.0));
         let (rect, visible) = rects.unwrap_or((any, any));
-        let sight = Sight::new(&studio.live, rect, (visible, viewport.bar), camera);
-        let middle = sight.at(sight.clear.center());
+        let scene_view = SceneView::new(&studio.live, rect, (visible, viewport.bar), camera);
+        let middle = scene_view.at(scene_view.clear.center());
         let reach = camera.position.distance(camera.target);
-        let subject = sight.body_at(middle).map(|hit| hit.position);
+        let subject = scene_view.body_at(middle).map(|hit| hit.position);
         let subject = subject.filter(|point| point.distance(camera.position) < FARTHEST * reach);
-        let rooms = sight.rooms_at(middle);
-        Self { scene, subject: subject.unwrap_or(camera.target), sight, rooms }
+        let rooms = scene_view.rooms_at(middle);
+        Self { scene, subject: subject.unwrap_or(camera.target), scene_view, rooms }
     }
 
     fn camera(&self) -> &Camera {
-        &self.sight.camera
+        &self.scene_view.camera
     }
 
     /// How far off the subject is, meters.
@@ -56,7 +56,7 @@ impl<'a> Scenery<'a> {
 
     /// The corners of what nothing covers of the picture: the upper left and the lower right one.
     fn corners(&self) -> [DVec2; 2] {
-        [self.sight.at(self.sight.clear.min), self.sight.at(self.sight.clear.max)]
+        [self.scene_view.at(self.scene_view.clear.min), self.scene_view.at(self.scene_view.clear.max)]
     }
 
     /// A place of the picture by its shares of the width and height that nothing covers.
@@ -67,16 +67,16 @@ impl<'a> Scenery<'a> {
 
     /// The point at a place of the picture whose depth is that of the subject times `factor`.
     fn point_at(&self, at: DVec2, factor: f64) -> DVec3 {
-        let lens = &self.sight.lens;
-        let [_, _, forward] = lens.axes();
-        let ray = lens.ray(at);
-        ray.at(factor * lens.depth(self.subject) / ray.direction.dot(forward))
+        let projector = &self.scene_view.projector;
+        let [_, _, forward] = projector.axes();
+        let ray = projector.ray(at);
+        ray.at(factor * projector.depth(self.subject) / ray.direction.dot(forward))
     }
 
     /// Whether nothing stands between the eye and a point.
     fn is_seen(&self, point: DVec3) -> bool {
-        let Some(at) = self.sight.lens.project(point) else { return false };
-        let met = self.sight.body_at(at).map(|hit| self.sight.lens.depth(hit.position));
-        met.is_none_or(|depth| depth > self.sight.lens.depth(point))
+        let Some(at) = self.scene_view.projector.project(point) else { return false };
+        let met = self.scene_view.body_at(at).map(|hit| self.scene_view.projector.depth(hit.position));
+        met.is_none_or(|depth| depth > self.scene_view.projector.depth(point))
     }
 }

@@ -8,8 +8,10 @@ use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, Vec2, Visuals, vec2};
 use super::dashes::dashed;
 use super::handles::draw_camera;
 use super::labels;
-use super::sight::Sight;
-use crate::audit::{self, Auditing, Found, Part, SEEN, Way, WayKind, kind_color, pixel_at};
+use super::scene_view::SceneView;
+use crate::audit::{
+    self, AuditResult, AuditState, RaySegment, SEEN, SegmentKind, SegmentPart, kind_color, pixel_at,
+};
 use crate::context::Cx;
 use crate::theme;
 
@@ -20,35 +22,35 @@ const ARROW: f32 = 46.0;
 /// How far a pulse of slow light is seen, points.
 const PULSE: f32 = 4.2;
 
-/// A visible piece of a way in the window.
-struct Piece<'a> {
-    way: &'a Way,
+/// The visible part of a ray segment in the window.
+struct VisibleSegment<'a> {
+    way: &'a RaySegment,
     ends: [Pos2; 2],
     is_hidden: bool,
 }
 
 /// Draws the rays, the audited camera, and the pixel where it is.
-pub(crate) fn draw(painter: &Painter, sight: &Sight, cx: &Cx<'_>) {
+pub(crate) fn draw(painter: &Painter, scene_view: &SceneView, cx: &Cx<'_>) {
     let (Some(found), audit) = (cx.audit.found(), &*cx.audit) else { return };
-    let is_at_home = found.pin.camera == sight.camera;
+    let is_at_home = found.pin.camera == scene_view.camera;
     if !is_at_home {
-        draw_camera(painter, sight, &found.pin.camera, Stroke::new(1.5, kind_color(NodeKind::Primary)));
+        draw_camera(painter, scene_view, &found.pin.camera, Stroke::new(1.5, kind_color(NodeKind::Primary)));
     }
-    let pen = Pen { painter, sight, audit, found, line: line_of(found, audit.selected()) };
+    let pen = RayPainter { painter, scene_view, audit, found, line: line_of(found, audit.selected()) };
     pen.draw();
-    if is_at_home && let Some(at) = pixel_at(&found.pin, &sight.lens) {
-        cross(painter, sight.pos(at));
+    if is_at_home && let Some(at) = pixel_at(&found.pin, &scene_view.projector) {
+        cross(painter, scene_view.pos(at));
     }
     pen.tag(cx);
 }
 
 /// The ray at a place, if one is near: of rays rather than of shadow rays.
-pub(crate) fn node_at(sight: &Sight, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
+pub(crate) fn node_at(scene_view: &SceneView, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
     let (found, audit) = (cx.audit.found()?, &*cx.audit);
     let mut nearest: Option<(f32, usize)> = None;
     for way in found.ways.iter().filter(|way| audit.shows(way.generation)) {
-        let Some([from, to]) = sight.lens.segment(way.from, way.to) else { continue };
-        let (from, to) = (sight.pos(from), sight.pos(to));
+        let Some([from, to]) = scene_view.projector.segment(way.from, way.to) else { continue };
+        let (from, to) = (scene_view.pos(from), scene_view.pos(to));
         if from.distance(to) < 2.0 {
             continue;
         }
@@ -61,7 +63,7 @@ pub(crate) fn node_at(sight: &Sight, cx: &Cx<'_>, pos: Pos2) -> Option<usize> {
 }
 
 /// A ray with those before it, back to the eye.
-fn line_of(found: &Found, node: Option<usize>) -> BTreeSet<usize> {
+fn line_of(found: &AuditResult, node: Option<usize>) -> BTreeSet<usize> {
     let mut line = BTreeSet::new();
     let mut next = node;
     while let Some(place) = next {
@@ -77,18 +79,18 @@ fn distance_to(pos: Pos2, [from, to]: [Pos2; 2]) -> f32 {
     pos.distance(from + share * way)
 }
 
-struct Pen<'a> {
+struct RayPainter<'a> {
     painter: &'a Painter,
-    sight: &'a Sight,
-    audit: &'a Auditing,
-    found: &'a Found,
+    scene_view: &'a SceneView,
+    audit: &'a AuditState,
+    found: &'a AuditResult,
     /// The selected ray and those before it.
     line: BTreeSet<usize>,
 }
 
-impl Pen<'_> {
+impl RayPainter<'_> {
     fn draw(&self) {
-        let parts = self.audit.sight();
+        let parts = self.audit.hidden_parts();
         let mut pieces = Vec::new();
         for (index, way) in self.found.ways.iter().enumerate() {
             let known = parts.and_then(|parts| parts.get(index)).map_or(SEEN.as_slice(), Vec::as_slice);
@@ -106,24 +108,25 @@ impl Pen<'_> {
     }
 
     /// What is shown of a way: of its generation, and as far as slow light has come.
-    fn pieces<'w>(&self, pieces: &mut Vec<Piece<'w>>, way: &'w Way, parts: &[Part]) {
+    fn pieces<'w>(&self, pieces: &mut Vec<VisibleSegment<'w>>, way: &'w RaySegment, parts: &[SegmentPart]) {
         let share = self.share(way);
         if share <= 0.0 {
             return;
         }
         for part in parts.iter().filter(|part| part.from < share) {
             let point = |at: f64| way.from.lerp(way.to, at);
-            let Some([from, to]) = self.sight.lens.segment(point(part.from), point(part.to.min(share)))
+            let Some([from, to]) =
+                self.scene_view.projector.segment(point(part.from), point(part.to.min(share)))
             else {
                 continue;
             };
-            let ends = [self.sight.pos(from), self.sight.pos(to)];
-            pieces.push(Piece { way, ends, is_hidden: part.is_hidden });
+            let ends = [self.scene_view.pos(from), self.scene_view.pos(to)];
+            pieces.push(VisibleSegment { way, ends, is_hidden: part.is_hidden });
         }
     }
 
     /// How much of a way slow light has left behind it.
-    fn share(&self, way: &Way) -> f64 {
+    fn share(&self, way: &RaySegment) -> f64 {
         if !self.audit.shows(way.generation) {
             return 0.0;
         }
@@ -135,22 +138,22 @@ impl Pen<'_> {
         }
     }
 
-    fn is_selected(&self, way: &Way) -> bool {
+    fn is_selected(&self, way: &RaySegment) -> bool {
         self.audit.selected() == Some(way.node)
     }
 
-    /// As wide as the ray has weight; shadow rays are thin.
-    fn width(&self, way: &Way) -> f32 {
+    /// The width of a line grows with the ray's weight; shadow rays are thin.
+    fn width(&self, way: &RaySegment) -> f32 {
         let weight = way.weight.clamp(0.0, 1.0).sqrt();
         let width = if way.is_ray() { 1.1 + 2.3 * weight } else { 0.8 + 0.5 * weight };
         if self.is_selected(way) { width + 0.8 } else { width }
     }
 
-    fn color(&self, way: &Way) -> Color32 {
+    fn color(&self, way: &RaySegment) -> Color32 {
         let color = match way.kind {
-            WayKind::Ray(kind) => kind_color(kind),
-            WayKind::Lit => Color32::from_rgb(255, 240, 180),
-            WayKind::Blocked => Color32::from_rgb(242, 104, 92),
+            SegmentKind::Ray(kind) => kind_color(kind),
+            SegmentKind::Lit => Color32::from_rgb(255, 240, 180),
+            SegmentKind::Blocked => Color32::from_rgb(242, 104, 92),
         };
         // With one ray lit, the others stand back.
         let is_other = self.audit.selected().is_some_and(|node| node != 0) && !self.line.contains(&way.node);
@@ -164,7 +167,7 @@ impl Pen<'_> {
     }
 
     /// A dark edge keeps a ray legible over anything; the selected one glows.
-    fn casing(&self, piece: &Piece<'_>) {
+    fn casing(&self, piece: &VisibleSegment<'_>) {
         if piece.is_hidden {
             return;
         }
@@ -178,7 +181,7 @@ impl Pen<'_> {
         self.painter.line_segment(piece.ends, Stroke::new(width + 2.0, dark));
     }
 
-    fn stroke(&self, piece: &Piece<'_>) {
+    fn stroke(&self, piece: &VisibleSegment<'_>) {
         let (width, color) = (self.width(piece.way), self.color(piece.way));
         if piece.is_hidden {
             let stroke = Stroke::new((0.7 * width).max(0.9), color.gamma_multiply(0.5));
@@ -191,8 +194,8 @@ impl Pen<'_> {
     /// Arrows along the rays, and dots where they end.
     fn ends(&self) {
         for way in self.found.ways.iter().filter(|way| self.share(way) >= 1.0) {
-            let Some([from, to]) = self.sight.lens.segment(way.from, way.to) else { continue };
-            let ends = [self.sight.pos(from), self.sight.pos(to)];
+            let Some([from, to]) = self.scene_view.projector.segment(way.from, way.to) else { continue };
+            let ends = [self.scene_view.pos(from), self.scene_view.pos(to)];
             let color = self.color(way);
             if way.is_ray() {
                 self.arrow(way, ends, color);
@@ -200,16 +203,16 @@ impl Pen<'_> {
             let radius = 0.5 * self.width(way) + 1.2;
             let dark = Color32::from_black_alpha(150).gamma_multiply(f32::from(color.a()) / 255.0);
             match way.kind {
-                WayKind::Ray(_) if !way.is_open => {
+                SegmentKind::Ray(_) if !way.is_open => {
                     self.painter.circle(ends[1], radius, color, Stroke::new(1.0, dark));
                 }
-                WayKind::Blocked => self.stop(ends, color),
+                SegmentKind::Blocked => self.stop(ends, color),
                 _ => {}
             }
         }
     }
 
-    fn arrow(&self, way: &Way, [from, to]: [Pos2; 2], color: Color32) {
+    fn arrow(&self, way: &RaySegment, [from, to]: [Pos2; 2], color: Color32) {
         let along = to - from;
         if along.length() < ARROW {
             return;
@@ -244,7 +247,7 @@ impl Pen<'_> {
             if share <= 0.0 || share >= 1.0 {
                 continue;
             }
-            let Some(at) = self.sight.point(way.from.lerp(way.to, share)) else { continue };
+            let Some(at) = self.scene_view.point(way.from.lerp(way.to, share)) else { continue };
             let color = self.color(way);
             let radius = PULSE * (0.55 + 0.45 * way.weight.clamp(0.0, 1.0).sqrt());
             for (factor, alpha) in [(2.6, 0.12), (1.7, 0.3)] {
@@ -259,17 +262,18 @@ impl Pen<'_> {
         let Some(place) = self.audit.selected().filter(|place| *place != 0) else { return };
         let way = self.found.ways.iter().find(|way| way.node == place && way.is_ray());
         let (Some(way), Some(node)) = (way, self.found.node(place)) else { return };
-        let Some([from, to]) = self.sight.lens.segment(way.from, way.to).filter(|_| self.share(way) > 0.0)
+        let Some([from, to]) =
+            self.scene_view.projector.segment(way.from, way.to).filter(|_| self.share(way) > 0.0)
         else {
             return;
         };
-        let middle = self.sight.pos(from).lerp(self.sight.pos(to), 0.5);
-        if self.sight.visible.contains(middle) {
+        let middle = self.scene_view.pos(from).lerp(self.scene_view.pos(to), 0.5);
+        if self.scene_view.visible.contains(middle) {
             let text = audit::tag(cx.texts, place, node);
             let palette = theme::palette(&Visuals::dark());
             labels::plate(
                 self.painter,
-                self.sight.visible,
+                self.scene_view.visible,
                 middle + vec2(0.0, -14.0),
                 Align2::CENTER_BOTTOM,
                 &text,

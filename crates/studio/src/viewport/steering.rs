@@ -2,16 +2,16 @@
 
 use egui::{Event, Key, Modifiers, Ui};
 
-use crate::held_keys::{HeldKeys, Stroke};
+use crate::held_keys::{HeldKeys, KeyPress};
 
-/// A key that is let go within a frame counts as held for so long, seconds.
+/// A key that is released within a frame counts as held for so long, seconds.
 const TAP: f64 = 0.05;
 /// No frame counts as longer than this, seconds: a window that was not drawn for a while does not jump ahead.
 const LONGEST_FRAME: f64 = 0.1;
 
-/// Who listens to the keys of the picture.
+/// The listener of the keys that steer the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Listener {
+pub(crate) enum KeyListener {
     /// Nobody: a text is being typed, a dialog or a menu is open, another panel has the focus.
     #[default]
     Nobody,
@@ -36,27 +36,27 @@ pub(crate) enum Heading {
 
 impl Heading {
     /// What a key means to a listener.
-    fn of(listener: Listener, key: Key) -> Option<Self> {
+    fn of(listener: KeyListener, key: Key) -> Option<Self> {
         Some(match (listener, key) {
-            (Listener::Picture, Key::ArrowRight) | (Listener::Flight, Key::D) => Self::Right,
-            (Listener::Picture, Key::ArrowLeft) | (Listener::Flight, Key::A) => Self::Left,
-            (Listener::Picture, Key::ArrowUp) | (Listener::Flight, Key::E) => Self::Up,
-            (Listener::Picture, Key::ArrowDown) | (Listener::Flight, Key::Q) => Self::Down,
-            (Listener::Picture, Key::PageUp | Key::Plus | Key::Equals) | (Listener::Flight, Key::W) => {
+            (KeyListener::Picture, Key::ArrowRight) | (KeyListener::Flight, Key::D) => Self::Right,
+            (KeyListener::Picture, Key::ArrowLeft) | (KeyListener::Flight, Key::A) => Self::Left,
+            (KeyListener::Picture, Key::ArrowUp) | (KeyListener::Flight, Key::E) => Self::Up,
+            (KeyListener::Picture, Key::ArrowDown) | (KeyListener::Flight, Key::Q) => Self::Down,
+            (KeyListener::Picture, Key::PageUp | Key::Plus | Key::Equals) | (KeyListener::Flight, Key::W) => {
                 Self::Forward
             }
-            (Listener::Picture, Key::PageDown | Key::Minus) | (Listener::Flight, Key::S) => Self::Back,
+            (KeyListener::Picture, Key::PageDown | Key::Minus) | (KeyListener::Flight, Key::S) => Self::Back,
             _ => return None,
         })
     }
 }
 
-/// What held keys steer. A key counts only if it was pressed for the present listener, and keeps the heading of its
-/// press; whatever else takes over the keyboard ends all of them.
+/// The camera moves of held keys. A key counts only if it was pressed for the present listener, and keeps the heading
+/// of its press; whatever else takes over the keyboard ends all of them.
 #[derive(Debug, Default)]
 pub(crate) struct Steering {
-    listener: Listener,
-    held: Vec<(Stroke, Heading)>,
+    listener: KeyListener,
+    held: Vec<(KeyPress, Heading)>,
     /// Pressed in this frame.
     tapped: Vec<Heading>,
     /// The length of this frame, seconds.
@@ -67,7 +67,7 @@ pub(crate) struct Steering {
 
 impl Steering {
     /// Takes up the keys of this frame. In a frame without a call, nobody listens.
-    pub(crate) fn update(&mut self, ui: &Ui, keys: &HeldKeys, listener: Listener) {
+    pub(crate) fn update(&mut self, ui: &Ui, keys: &HeldKeys, listener: KeyListener) {
         let pass = ui.ctx().cumulative_pass_nr();
         if listener != self.listener || pass > self.pass + 1 {
             self.held.clear();

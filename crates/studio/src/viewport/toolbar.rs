@@ -10,7 +10,7 @@ use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
 
 use super::compass;
-use crate::command::{AuditAct, Command, Tool};
+use crate::command::{AuditCommand, Command, Tool};
 use crate::context::Cx;
 use crate::methods::chooser::chooser_ui;
 use crate::widgets::number::Unit;
@@ -74,7 +74,7 @@ fn tools(ui: &mut Ui, cx: &mut Cx<'_>) {
         command_button(ui, cx, Command::Tool(tool));
     }
     command_button(ui, cx, Command::AimLight);
-    command_button(ui, cx, Command::Audit(AuditAct::Tool));
+    command_button(ui, cx, Command::Audit(AuditCommand::Tool));
     gap(ui);
     command_button(ui, cx, Command::ToggleGizmoSpace);
 }

@@ -7,8 +7,8 @@ use crate::widgets::line_within;
 use crate::widgets::number::HEIGHT;
 use crate::widgets::tip::tip_beside;
 
-/// One of the things that can be chosen.
-pub(crate) struct Choice<'a, V> {
+/// One item of a choice.
+pub(crate) struct ChoiceItem<'a, V> {
     /// What it stands for.
     pub(crate) value: V,
     /// What is written on it.
@@ -22,14 +22,14 @@ pub(crate) struct Choice<'a, V> {
 /// What stands beside a text at least, points.
 const PADDING: f32 = 5.0;
 
-/// Draws the choices over `width`, in several lines where one is too short; `chosen` is lit, if it is one of them. Returns
-/// another one when it is clicked.
+/// Draws the choices over `width`, in several lines where one is too short; `chosen` is lit, if it is one of them.
+/// Returns another one when it is clicked.
 pub(crate) fn choice_ui<V: Copy + PartialEq>(
     ui: &mut Ui,
     id: Id,
     name: &str,
     width: f32,
-    choices: &[Choice<'_, V>],
+    choices: &[ChoiceItem<'_, V>],
     chosen: Option<V>,
 ) -> Option<V> {
     let font = FontId::proportional(12.5);
@@ -60,7 +60,7 @@ pub(crate) fn choice_ui<V: Copy + PartialEq>(
 }
 
 /// Draws one of the choices; returns whether it was clicked.
-fn cell_ui<V>(ui: &Ui, id: Id, rect: Rect, name: &str, choice: &Choice<'_, V>, is_chosen: bool) -> bool {
+fn cell_ui<V>(ui: &Ui, id: Id, rect: Rect, name: &str, choice: &ChoiceItem<'_, V>, is_chosen: bool) -> bool {
     let palette = theme::palette(ui.visuals());
     let is_enabled = ui.is_enabled() && (choice.is_enabled || is_chosen);
     let sense = if is_enabled { Sense::click() } else { Sense::hover() };

@@ -14,9 +14,9 @@ use crate::widgets::tip::tip_beside;
 
 const HEX: f32 = 76.0;
 
-/// What was done to a color in this frame.
+/// The changes of a color in a frame.
 #[derive(Default)]
-pub(crate) struct Picked {
+pub(crate) struct ColorResponse {
     /// The new color.
     pub(crate) color: Option<Color>,
     /// Whether it is being dragged.
@@ -61,8 +61,8 @@ pub(crate) fn color_field(
     color: Color,
     is_mixed: bool,
     width: f32,
-) -> Picked {
-    let mut picked = Picked::default();
+) -> ColorResponse {
+    let mut picked = ColorResponse::default();
     let gap = ui.spacing().item_spacing.x;
     let swatch = swatch_ui(ui, texts, name, color, (width - HEX - gap).max(16.0));
     Popup::menu(&swatch).close_behavior(PopupCloseBehavior::CloseOnClickOutside).width(236.0).show(|ui| {

@@ -6,7 +6,7 @@ mod expression;
 mod field;
 
 pub(crate) use expression::evaluate;
-pub(crate) use field::{Entered, NumberField, Refusal, limits_in_words};
+pub(crate) use field::{NumberField, NumberResponse, Refusal, limits_in_words};
 
 /// What stands for a number that several things do not share.
 pub(crate) const MIXED: &str = "—";
@@ -61,7 +61,7 @@ fn shown_plain(value: f64, decimals: usize) -> String {
     text.replace('-', "−")
 }
 
-/// As many decimals as fit into so many letters.
+/// The number with the most decimals that fit into a number of letters.
 fn fitting(texts: &Texts, value: f64, decimals: usize, letters: usize) -> String {
     let mut text = shown(texts, value, decimals);
     for fewer in (0..decimals).rev() {

@@ -8,13 +8,13 @@ use egui::{WidgetInfo, lerp, pos2, vec2};
 
 use crate::texts::Texts;
 use crate::theme;
-use crate::widgets::color::Picked;
+use crate::widgets::color::ColorResponse;
 use crate::widgets::number::{NumberField, Unit, tidy};
 
 /// Hue, saturation and value of the encoded color, and the color they stood for: grays keep their hue while the picker
 /// is open.
 #[derive(Clone, Copy)]
-struct Remembered {
+struct PickerColor {
     hsv: [f32; 3],
     /// By how much the color is brighter than what a screen can show.
     strength: f64,
@@ -22,15 +22,15 @@ struct Remembered {
 }
 
 /// Draws the picker. What is brighter than white keeps its brightness when the hue or the saturation changes.
-pub(crate) fn picker_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color) -> Picked {
+pub(crate) fn picker_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color) -> ColorResponse {
     ui.set_width(236.0);
-    let mut picked = Picked::default();
+    let mut picked = ColorResponse::default();
     let id = ui.scope_id().with("hsv");
-    let known = ui.data(|data| data.get_temp::<Remembered>(id)).filter(|known| known.color == color);
-    let Remembered { mut hsv, strength, .. } = known.unwrap_or_else(|| {
+    let known = ui.data(|data| data.get_temp::<PickerColor>(id)).filter(|known| known.color == color);
+    let PickerColor { mut hsv, strength, .. } = known.unwrap_or_else(|| {
         let strength = color.to_array().into_iter().fold(1.0, f64::max);
         let rgb = scaled(color, 1.0 / strength).to_srgb8().map(|code| f32::from(code) / 255.0);
-        Remembered { hsv: hsv_from_rgb(rgb).into(), strength, color }
+        PickerColor { hsv: hsv_from_rgb(rgb).into(), strength, color }
     });
     let square = square_ui(ui, texts, name, &mut hsv);
     let strip = strip_ui(ui, texts, name, &mut hsv);
@@ -39,7 +39,7 @@ pub(crate) fn picker_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color) ->
         let [h, s, v] = hsv;
         let codes = rgb_from_hsv((h, s, v)).map(|part| (part * 255.0).round() as u8);
         let new = scaled(Color::from_srgb8(codes), strength);
-        ui.data_mut(|data| data.insert_temp(id, Remembered { hsv, strength, color: new }));
+        ui.data_mut(|data| data.insert_temp(id, PickerColor { hsv, strength, color: new }));
         picked.color = Some(new);
     }
     components_ui(ui, texts, name, color, &mut picked);
@@ -109,7 +109,7 @@ fn strip_ui(ui: &mut Ui, texts: &Texts, name: &str, hsv: &mut [f32; 3]) -> bool 
 }
 
 /// The three linear components; these can be above 1.
-fn components_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color, picked: &mut Picked) {
+fn components_ui(ui: &mut Ui, texts: &Texts, name: &str, color: Color, picked: &mut ColorResponse) {
     let palette = theme::palette(ui.visuals());
     ui.colored_label(palette.weak, texts.get("color-linear"));
     let mut parts = color.to_array();

@@ -7,7 +7,7 @@ use egui::{FontId, Galley, Id, Rect, Response, Role, Sense, Shape, Ui, UiBuilder
 use egui_material_icons::icons::ICON_RESTART_ALT;
 
 use crate::theme;
-use crate::typeset::{self, Line};
+use crate::typeset::{self, TextLine};
 use crate::widgets::number::HEIGHT;
 use crate::widgets::paint_icon;
 use crate::widgets::tip::tip_beside;
@@ -39,8 +39,8 @@ pub(crate) struct RowLabel<'a> {
     pub(crate) is_highlighted: bool,
 }
 
-/// Draws a row; tells what its contents returned and whether the pointer is over it. In a narrow panel the label stands
-/// above the controls.
+/// Draws a row; returns what its contents returned and whether the pointer is over it. In a narrow panel the label
+/// stands above the controls.
 pub(crate) fn row<R>(
     ui: &mut Ui,
     label: &RowLabel<'_>,
@@ -49,7 +49,7 @@ pub(crate) fn row<R>(
     let width = ui.available_width();
     let is_stacked = width < STACKED;
     let background = ui.painter().add(Shape::Noop);
-    let set = SetLabel::new(ui, label, if is_stacked { width } else { LABEL });
+    let set = LabelLayout::new(ui, label, if is_stacked { width } else { LABEL });
     let inner = ui.scope_builder(UiBuilder::new().scope_id(label.id), |ui| {
         ui.spacing_mut().item_spacing = vec2(GAP, 0.0);
         let above = is_stacked.then(|| set.show(ui, label));
@@ -75,17 +75,17 @@ pub(crate) fn control_width(ui: &Ui) -> f32 {
 }
 
 /// A label that is laid out: the symbol, and the words beside it, in two lines where one is too short.
-struct SetLabel {
-    symbol: Line,
+struct LabelLayout {
+    symbol: TextLine,
     words: Arc<Galley>,
     width: f32,
 }
 
-impl SetLabel {
+impl LabelLayout {
     fn new(ui: &Ui, label: &RowLabel<'_>, width: f32) -> Self {
         let palette = theme::palette(ui.visuals());
         let color = if ui.is_enabled() { palette.text } else { palette.weak };
-        let mut symbol = Line::default();
+        let mut symbol = TextLine::default();
         if !label.symbol.is_empty() {
             symbol.push(ui, label.symbol, LETTERS, color);
             symbol.space(6.0);

@@ -11,7 +11,7 @@ use crate::widgets::number::{NumberField, Unit};
 /// A slider, and a field in which the number can be typed.
 pub(crate) struct SliderField<'a> {
     pub(crate) texts: &'a Texts,
-    /// Its accessible name.
+    /// The accessible name.
     pub(crate) name: &'a str,
     pub(crate) value: f64,
     /// From the left end of the slider to the right one; nothing beyond can be typed.

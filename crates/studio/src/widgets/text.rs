@@ -5,16 +5,16 @@ use egui::{Key, Response, TextEdit, Ui, vec2};
 use crate::theme;
 use crate::widgets::number::HEIGHT;
 
-/// What is being typed.
+/// The text that is being typed.
 #[derive(Clone, Default)]
-struct Draft {
+struct TextDraft {
     text: String,
     /// The last pass in which its field was drawn.
     pass: u64,
 }
 
 /// A field that shows `current` until something else is typed. What was typed comes once the field is left, but not
-/// when it is given up with Escape. The second value is what stands in the field meanwhile.
+/// when it is cancelled with Escape. The second value is what stands in the field meanwhile.
 pub(crate) fn text_field(
     ui: &mut Ui,
     name: &str,
@@ -27,7 +27,8 @@ pub(crate) fn text_field(
         let id = ui.next_auto_id();
         let pass = ui.ctx().cumulative_pass_nr();
         // A field that was not drawn since is another one by now, though it may have the same place.
-        let draft = ui.data_mut(|data| data.remove_temp::<Draft>(id)).filter(|draft| draft.pass + 1 >= pass);
+        let draft =
+            ui.data_mut(|data| data.remove_temp::<TextDraft>(id)).filter(|draft| draft.pass + 1 >= pass);
         let draft = draft.map(|draft| draft.text);
         let mut text = draft.clone().unwrap_or_else(|| current.to_owned());
         let edit = TextEdit::singleline(&mut text)
@@ -39,7 +40,7 @@ pub(crate) fn text_field(
             .desired_width(width - 8.0);
         let response = ui.add_sized(vec2(width, HEIGHT), edit).accessible_name(name);
         if response.has_focus() {
-            ui.data_mut(|data| data.insert_temp(id, Draft { text: text.clone(), pass }));
+            ui.data_mut(|data| data.insert_temp(id, TextDraft { text: text.clone(), pass }));
             return (response, None, Some(text));
         }
         if draft.is_none() {

@@ -6,8 +6,8 @@ use egui::{Rect, RectAlign, Response, Tooltip, Ui};
 const BESIDE: [RectAlign; 4] =
     [RectAlign::LEFT_START, RectAlign::RIGHT_START, RectAlign::BOTTOM_START, RectAlign::TOP_START];
 
-/// Explains a widget of a panel when the pointer rests on it: beside the panel, so that the widget and the rows below it
-/// stay in view.
+/// Explains a widget of a panel when the pointer rests on it: beside the panel, so that the widget and the rows below
+/// it stay in view.
 pub(crate) fn tip_beside(ui: &Ui, response: Response, text: &str) -> Response {
     let panel = ui.clip_rect().intersect(ui.ctx().content_rect());
     show(&response, Rect::from_x_y_ranges(panel.x_range(), response.rect.y_range()), &BESIDE, text);

@@ -1,4 +1,4 @@
-//! Why there is no window, and what to do about it.
+//! The reasons why there is no window, and what to do.
 
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};
@@ -86,22 +86,21 @@ fn one_line(words: &str) -> String {
     said.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Until the window is open, and when the device that draws it is lost, a panic of the libraries of windows is an error
-/// to be told like others.
+/// Turns panics of the window's libraries into errors, until the window is open and when its device is lost.
 #[derive(Clone, Default)]
-pub(super) struct Quiet {
-    state: Arc<State>,
+pub(super) struct PanicFilter {
+    state: Arc<PanicFilterState>,
 }
 
 #[derive(Default)]
-struct State {
+struct PanicFilterState {
     is_open: AtomicBool,
     is_lost: AtomicBool,
     /// Whether the studio itself is at work.
     is_ours: AtomicBool,
 }
 
-impl Quiet {
+impl PanicFilter {
     /// Does `work`; what panics in it is returned as an error, in words, if it is none of the studio.
     pub(super) fn during<T>(&self, work: impl FnOnce() -> T) -> Result<T, StudioError> {
         let usual = Arc::new(panic::take_hook());
@@ -140,7 +139,7 @@ impl Quiet {
     }
 
     fn is_quiet(&self) -> bool {
-        let State { is_open, is_lost, is_ours } = &*self.state;
+        let PanicFilterState { is_open, is_lost, is_ours } = &*self.state;
         let is = |flag: &AtomicBool| flag.load(Ordering::Relaxed);
         !is(is_open) || is(is_lost) && !is(is_ours)
     }

@@ -1,4 +1,4 @@
-//! How often the device that draws the window is lost.
+//! The count of lost devices.
 
 use std::time::{Duration, Instant};
 
@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 const MOST: usize = 3;
 const SPAN: Duration = Duration::from_secs(60);
 
-/// The losses so far.
+/// The recent losses of the device.
 #[derive(Debug, Default)]
-pub(super) struct Losses {
+pub(super) struct DeviceLosses {
     at: Vec<Instant>,
 }
 
-impl Losses {
+impl DeviceLosses {
     /// Whether there has been none.
     pub(super) fn is_empty(&self) -> bool {
         self.at.is_empty()
@@ -33,7 +33,7 @@ mod tests {
     fn the_third_loss_within_a_minute_is_the_last() {
         let start = Instant::now();
         let after = |seconds| start + Duration::from_secs(seconds);
-        let mut losses = Losses::default();
+        let mut losses = DeviceLosses::default();
         assert!(losses.is_empty());
         assert!(losses.add(after(0)) && losses.add(after(30)), "two");
         assert!(losses.add(after(60)), "the first one is a minute ago");

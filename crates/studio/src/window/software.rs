@@ -16,42 +16,48 @@ use eframe::egui_wgpu::{Callback, RenderState};
 use egui::epaint::{ClippedShape, ImageData};
 use egui::{Color32, Context, FullOutput, Plugin, Shape, TextureId};
 
-use canvas::{Canvas, Texture};
-use damage::{Piece, damage, pieces};
+use canvas::{SoftwareCanvas, SoftwareTexture};
+use damage::{DrawBatch, damage, pieces};
 
 /// Takes over the drawing of a new window, if a software driver draws it.
 pub(super) fn install(context: &Context, state: &RenderState) {
     let is_software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
     // Colors are gamma-encoded here, as in the formats that egui prefers.
     let is_drawing = is_software && !state.target_format.is_srgb();
-    context.plugin_or_default::<Software>().lock().drawing = is_drawing.then(|| Drawing::new(state));
+    context.plugin_or_default::<SoftwarePainter>().lock().drawing =
+        is_drawing.then(|| SoftwareRenderer::new(state));
 }
 
 /// Lets go of a window whose device is lost.
 pub(super) fn leave(context: &Context) {
-    context.with_plugin(|software: &mut Software| software.drawing = None);
+    context.with_plugin(|software: &mut SoftwarePainter| software.drawing = None);
 }
 
-/// Draws what egui puts out, and leaves to egui's renderer to bring it to the screen.
+/// Paints egui's output on a canvas, which egui's renderer brings to the screen.
 #[derive(Default)]
-struct Software {
+struct SoftwarePainter {
     /// In a window that a software driver draws.
-    drawing: Option<Drawing>,
+    drawing: Option<SoftwareRenderer>,
 }
 
-/// What the drawing of one window needs.
-struct Drawing {
+/// The renderer of one window that a software driver draws.
+struct SoftwareRenderer {
     state: RenderState,
-    canvas: Canvas,
+    canvas: SoftwareCanvas,
     /// What is on the canvas.
-    drawn: Vec<Piece>,
+    drawn: Vec<DrawBatch>,
     /// The textures that nothing is seen through.
     opaque: HashSet<TextureId>,
 }
 
-impl Drawing {
+impl SoftwareRenderer {
     fn new(state: &RenderState) -> Self {
-        Self { state: state.clone(), canvas: Canvas::new(state), drawn: Vec::new(), opaque: HashSet::new() }
+        Self {
+            state: state.clone(),
+            canvas: SoftwareCanvas::new(state),
+            drawn: Vec::new(),
+            opaque: HashSet::new(),
+        }
     }
 
     /// Brings the textures up to date, and tells which of them look otherwise where they were used before.
@@ -98,7 +104,7 @@ impl Drawing {
         let renderer = self.state.renderer.read();
         self.canvas.draw(&new, &damage, |id| {
             let bind_group = renderer.texture(&id)?.bind_group.clone();
-            Some(Texture { bind_group, is_opaque: self.opaque.contains(&id) })
+            Some(SoftwareTexture { bind_group, is_opaque: self.opaque.contains(&id) })
         });
         self.drawn = new;
         if let Some(copy) = self.canvas.copy() {
@@ -108,7 +114,7 @@ impl Drawing {
     }
 }
 
-impl Plugin for Software {
+impl Plugin for SoftwarePainter {
     fn debug_name(&self) -> &'static str {
         "software drawing"
     }

@@ -3,7 +3,7 @@
 use catoptric_editor::Label;
 use catoptric_scene::{Color, Environment};
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{AuditAct, Command, Language, Pane, Start, Studio};
+use catoptric_studio::{AuditCommand, Command, Language, Pane, StartDocument, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -19,11 +19,11 @@ struct Auditor {
 impl Auditor {
     fn new() -> Self {
         let host = TestHost::new();
-        let mut harness = studio_with(host.clone(), Start::Example("whitted".to_owned()));
+        let mut harness = studio_with(host.clone(), StartDocument::Example("whitted".to_owned()));
         harness.set_size(Vec2::new(1500.0, 1500.0));
         harness.run_steps(2);
         let mut auditor = Self { harness, host };
-        auditor.run(Command::Audit(AuditAct::Tool));
+        auditor.run(Command::Audit(AuditCommand::Tool));
         auditor.wait_for_picture();
         auditor
     }
@@ -184,8 +184,8 @@ fn a_pixel_is_pinned_and_its_rays_are_read() {
     assert!(audit.is_selected("2: ") && !audit.is_selected("1: "));
     // Pinning leaves the document as it was.
     assert_eq!(audit.harness.state().editor().steps_done(), steps);
-    audit.run(Command::Audit(AuditAct::Copy));
-    audit.run(Command::Audit(AuditAct::Release));
+    audit.run(Command::Audit(AuditCommand::Copy));
+    audit.run(Command::Audit(AuditCommand::Release));
     assert!(!audit.rows().iter().any(|row| row.starts_with("1: ")));
     assert_eq!(audit.missing(), Vec::<String>::new());
 }
@@ -221,7 +221,7 @@ fn the_panel_opens_with_the_first_pixel_which_stays_under_the_pointer() {
         assert_eq!(audit.harness.state().viewport_rect(), rect);
         assert_eq!(audit.harness.state().audited_pixel().unwrap()[0], audit.pixel_at(other));
         // At the end the picture is fitted to its panel again.
-        audit.run(Command::Audit(AuditAct::Release));
+        audit.run(Command::Audit(AuditCommand::Release));
         let rect = audit.harness.state().viewport_rect().unwrap();
         assert_eq!(audit.harness.state().visible_rect(), Some(rect));
         assert!(seen.contains_rect(rect), "{rect} in {seen}");
@@ -242,14 +242,14 @@ fn a_pixel_at_the_lower_edge_stays_in_view() {
     assert_eq!(rect.size(), whole.size());
     assert_eq!(studio.audited_pixel().unwrap()[0], pixel);
     // With the tool the panel goes, and comes again.
-    audit.run(Command::Audit(AuditAct::Tool));
+    audit.run(Command::Audit(AuditCommand::Tool));
     assert!(!audit.is_panel_seen());
     assert_eq!(audit.harness.state().visible_rect(), Some(whole));
-    audit.run(Command::Audit(AuditAct::Tool));
+    audit.run(Command::Audit(AuditCommand::Tool));
     assert!(audit.is_panel_seen());
     // A panel that was opened before the tool stays.
-    audit.run(Command::Audit(AuditAct::Release));
-    audit.run(Command::Audit(AuditAct::Tool));
+    audit.run(Command::Audit(AuditCommand::Release));
+    audit.run(Command::Audit(AuditCommand::Tool));
     audit.run(Command::TogglePane(Pane::Audit));
     audit.press("Choose the audit tool");
     assert!(audit.harness.query_by_label_contains("Click a pixel of the picture").is_some());
@@ -285,7 +285,7 @@ fn a_ray_is_chosen_in_space_while_the_camera_of_the_audit_stays() {
     assert!(audit.is_selected("3: "), "{:#?}", audit.rows());
     assert_eq!(audit.row("Pixel "), pixel, "a click on a ray pins no pixel");
     // Back to where it was pinned: the picture is the scene camera's again.
-    audit.run(Command::Audit(AuditAct::View));
+    audit.run(Command::Audit(AuditCommand::View));
     wait_until(&mut audit.harness, "the view back", |studio| {
         studio.live().latest().is_some_and(|frame| frame.camera.position == camera.position)
     });
@@ -348,7 +348,7 @@ fn the_tree_is_saved_as_a_drawing_in_russian() {
     assert!(audit.row("Поколения с 1 по ").contains(" из "));
     let path = audit.host.path("rays.svg");
     audit.host.answer(Some(path.clone()));
-    audit.run(Command::Audit(AuditAct::Save));
+    audit.run(Command::Audit(AuditCommand::Save));
     wait_until(&mut audit.harness, "the drawing", |_| path.exists());
     assert!(std::fs::read_to_string(&path).unwrap().starts_with("<svg "));
     assert!(audit.host.settings_path().is_some());
@@ -363,11 +363,11 @@ fn how_long_a_large_tree_takes() {
     let host = TestHost::new();
     let path = host.path("panes.toml");
     catoptric_scene::save(&path, &catoptric_scene::write(&panes(14))).unwrap();
-    let mut harness = studio_with(host.clone(), Start::File(path));
+    let mut harness = studio_with(host.clone(), StartDocument::File(path));
     harness.set_size(Vec2::new(1500.0, 900.0));
     harness.run_steps(2);
     let mut audit = Auditor { harness, host };
-    audit.run(Command::Audit(AuditAct::Tool));
+    audit.run(Command::Audit(AuditCommand::Tool));
     // Nobody has to wait until it is refined.
     wait_until(&mut audit.harness, "a picture", |studio| {
         let bodies = studio.editor().scene().bodies.len();

@@ -5,7 +5,7 @@ use std::panic::catch_unwind;
 
 use catoptric_editor::Label;
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Command, Start, Studio};
+use catoptric_studio::{Command, StartDocument, Studio};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
@@ -19,7 +19,7 @@ fn studio(state: RenderState, settings: &str) -> Harness<'static, Studio> {
 
 fn studio_on(host: TestHost, state: RenderState, settings: &str) -> Harness<'static, Studio> {
     std::fs::write(host.settings_path().unwrap(), settings).unwrap();
-    let start = Start::Example("whitted".to_owned());
+    let start = StartDocument::Example("whitted".to_owned());
     let builder: HarnessBuilder<Studio> = Harness::builder();
     let window = state.clone();
     builder.with_size([1000.0, 700.0]).renderer(WgpuTestRenderer::from_render_state(state)).build_eframe(

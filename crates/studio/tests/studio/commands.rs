@@ -1,7 +1,7 @@
 //! Commands: by menu, by key, by the palette; help and the status bar.
 
 use catoptric_editor::{Action, Item};
-use catoptric_studio::{Command, Language, Pane, Start, Studio, Theme, Tool};
+use catoptric_studio::{Command, Language, Pane, StartDocument, Studio, Theme, Tool};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
@@ -290,7 +290,7 @@ fn the_arrows_of_the_palette_choose() {
 /// Every command by its name, in this language; what it opens is closed again.
 fn every_command_runs(language: Language) {
     let host = TestHost::new();
-    let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     for command in Command::all() {
         if matches!(command, Command::Palette) {
             continue;
@@ -376,7 +376,7 @@ fn help_has_its_pages() {
 fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
     let host = TestHost::new();
     std::fs::write(host.path("settings.json"), r#"{"language": "english"}"#).unwrap();
-    let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     settle(&mut harness);
     assert!(harness.query_by_label("First steps").is_some());
     assert!(harness.query_all_by_label_contains("That is all.").next().is_none());
@@ -423,7 +423,7 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
 fn with_first_steps_done() -> Kit {
     let host = TestHost::new();
     std::fs::write(host.path("settings.json"), r#"{"language": "english"}"#).unwrap();
-    let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     settle(&mut harness);
     let change = |scene: &mut catoptric_scene::Scene| {
         scene.camera.position.x += 1.0;

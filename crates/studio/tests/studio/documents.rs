@@ -8,7 +8,7 @@ mod recovery;
 use std::path::{Path, PathBuf};
 
 use catoptric_editor::Label;
-use catoptric_studio::{Command, Start, Studio};
+use catoptric_studio::{Command, StartDocument, Studio};
 use egui::accesskit::Role;
 use egui::{ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
@@ -29,7 +29,7 @@ shape = \"sphere\"
 radius = 2.0
 ";
 
-/// The same with two errors: the cube cannot be read whole, the banana not at all.
+/// A scene file with two errors: the cube cannot be read whole, the banana not at all.
 const DAMAGED: &str = "\
 # mine
 format = \"catoptric/1\"
@@ -52,7 +52,7 @@ shape = \"banana\"
 fn with_file(host: &TestHost, text: &str) -> (Kit, PathBuf) {
     let path = host.path("a.toml");
     std::fs::write(&path, text).unwrap();
-    let mut harness = studio_with(host.clone(), Start::File(path.clone()));
+    let mut harness = studio_with(host.clone(), StartDocument::File(path.clone()));
     harness.run_steps(3);
     (harness, path)
 }
@@ -152,7 +152,7 @@ fn saving_keeps_comments_and_the_file_opens_again() {
     eframe::App::on_exit(harness.state_mut());
     drop(harness);
 
-    let mut harness = studio_with(host, Start::Last);
+    let mut harness = studio_with(host, StartDocument::Last);
     harness.step();
     assert_eq!((title(harness.state()).as_str(), first_body(&harness).as_str()), ("a.toml", "orb"));
 }
@@ -173,7 +173,7 @@ fn save_as_asks_for_a_name_and_adds_the_extension() {
 #[test]
 fn an_example_is_saved_under_a_name() {
     let host = TestHost::new();
-    let mut harness = studio_with(host.clone(), Start::Example("whitted".to_owned()));
+    let mut harness = studio_with(host.clone(), StartDocument::Example("whitted".to_owned()));
     harness.run_steps(2);
     host.answer(Some(host.path("mine.toml")));
     run(&mut harness, Command::Save);
@@ -254,7 +254,7 @@ fn a_new_scene_is_ready_to_work_in_and_replaces_changes_only_after_a_question() 
 #[test]
 fn looking_around_in_an_example_raises_no_alarm() {
     let host = TestHost::new();
-    let mut harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     harness.run_steps(3);
     let before = harness.state().editor().scene().camera;
     run(&mut harness, Command::FrameAll);
@@ -285,7 +285,7 @@ fn looking_around_in_an_example_raises_no_alarm() {
     run(&mut harness, Command::FrameAll);
     assert!(closes(&mut harness));
     // With work under it, it is another thing.
-    let mut harness = studio_with(TestHost::new(), Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(TestHost::new(), StartDocument::Example("four-bodies".to_owned()));
     harness.run_steps(3);
     rename(&mut harness, "orb");
     assert!(title(&mut harness).is_some_and(|title| title.starts_with(['*', '•', '●'])));
@@ -389,7 +389,7 @@ fn the_title_of_the_window_names_the_document_and_marks_changes() {
     let host = TestHost::new();
     let path = host.path("a.toml");
     std::fs::write(&path, SCENE).unwrap();
-    let mut harness = studio_with(host, Start::File(path));
+    let mut harness = studio_with(host, StartDocument::File(path));
     let titles = |harness: &Kit| {
         let commands = &harness.output().viewport_output[&ViewportId::ROOT].commands;
         commands
@@ -418,7 +418,7 @@ fn settings_survive_a_restart() {
     run(&mut harness, Command::ToggleGrid);
     eframe::App::on_exit(harness.state_mut());
     drop(harness);
-    let mut harness = studio_with(host, Start::Last);
+    let mut harness = studio_with(host, StartDocument::Last);
     harness.step();
     let settings = harness.state().settings();
     assert_eq!(settings.language, catoptric_studio::Language::Russian);
@@ -444,7 +444,7 @@ fn a_missing_last_scene_gives_way_to_an_example() {
     eframe::App::on_exit(harness.state_mut());
     drop(harness);
     std::fs::remove_file(path).unwrap();
-    let mut harness = studio_with(host, Start::Last);
+    let mut harness = studio_with(host, StartDocument::Last);
     harness.run_steps(3);
     assert_eq!(title(harness.state()), "four-bodies");
     assert!(tells(&harness, "There is no file"));

@@ -1,7 +1,7 @@
 //! The note below the picture: what to notice in an example.
 
 use catoptric_scene::Example;
-use catoptric_studio::{Command, Pane, Start, Studio};
+use catoptric_studio::{Command, Pane, StartDocument, Studio};
 use egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -95,7 +95,7 @@ fn the_note_lies_beside_the_picture_and_makes_way_in_a_small_window() {
 #[test]
 fn a_saved_example_keeps_its_note_and_a_file_has_none() {
     let host = TestHost::new();
-    let mut harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     harness.run_steps(3);
     host.answer(Some(host.path("mine.toml")));
     run(&mut harness, Command::SaveAs);
@@ -103,7 +103,7 @@ fn a_saved_example_keeps_its_note_and_a_file_has_none() {
     harness.run_steps(3);
     assert!(has(&harness, NOTE));
     drop(harness);
-    let mut harness = studio_with(host.clone(), Start::File(host.path("mine.toml")));
+    let mut harness = studio_with(host.clone(), StartDocument::File(host.path("mine.toml")));
     harness.run_steps(3);
     assert!(!has(&harness, "what to notice"));
 }

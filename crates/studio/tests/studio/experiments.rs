@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use catoptric_live::Shows;
-use catoptric_studio::{Command, CompareAct, MeasureAct, Pane, Start, Studio};
+use catoptric_live::DisplayContent;
+use catoptric_studio::{Command, CompareCommand, MeasureCommand, Pane, StartDocument, Studio};
 use catoptric_tracer::raster::{GBufferLayer, Method, MethodKind};
 use egui::{Key, Modifiers, accesskit};
 use egui_kittest::Harness;
@@ -19,7 +19,7 @@ fn open(language: &str) -> (TestHost, Harness<'static, Studio>) {
     let host = TestHost::new();
     let text = format!(r#"{{"language": "{language}", "is_hint_dismissed": true, "viewport_samples": 1}}"#);
     std::fs::write(host.path("settings.json"), text).unwrap();
-    let mut harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     harness.set_size(egui::vec2(1280.0, 800.0));
     wait_until(&mut harness, "a picture", |studio| studio.live().latest().is_some());
     (host, harness)
@@ -80,21 +80,26 @@ fn a_way_of_drawing_is_chosen_over_the_picture() {
 fn layers_and_cubes_are_seen_and_become_pictures() {
     let (_host, mut harness) = open("english");
     // A traced picture has no layers.
-    run(&mut harness, Command::Show(Shows::Layer(GBufferLayer::Depth)));
+    run(&mut harness, Command::Show(DisplayContent::Layer(GBufferLayer::Depth)));
     run(&mut harness, Command::Method(MethodKind::Ssr));
     let shown = |studio: &Studio| studio.live().latest().map(|frame| frame.shows);
     wait_until(&mut harness, "reflections", |studio| {
-        studio.live().status().method == Some(MethodKind::Ssr) && shown(studio) == Some(Shows::Picture)
+        studio.live().status().method == Some(MethodKind::Ssr)
+            && shown(studio) == Some(DisplayContent::Picture)
     });
-    run(&mut harness, Command::Show(Shows::Layer(GBufferLayer::Normal)));
-    wait_until(&mut harness, "normals", |studio| shown(studio) == Some(Shows::Layer(GBufferLayer::Normal)));
+    run(&mut harness, Command::Show(DisplayContent::Layer(GBufferLayer::Normal)));
+    wait_until(&mut harness, "normals", |studio| {
+        shown(studio) == Some(DisplayContent::Layer(GBufferLayer::Normal))
+    });
     run(&mut harness, Command::RenderShown);
     wait_until(&mut harness, "a picture of them", |studio| !studio.is_rendering());
     harness.run_steps(4);
     assert!(harness.query_by_label_contains("Picture ").is_some());
     run(&mut harness, Command::Method(MethodKind::CubeMap));
-    run(&mut harness, Command::Show(Shows::UnfoldedCube(None)));
-    wait_until(&mut harness, "a cube", |studio| matches!(shown(studio), Some(Shows::UnfoldedCube(Some(_)))));
+    run(&mut harness, Command::Show(DisplayContent::UnfoldedCube(None)));
+    wait_until(&mut harness, "a cube", |studio| {
+        matches!(shown(studio), Some(DisplayContent::UnfoldedCube(Some(_))))
+    });
     check_texts(&harness);
 }
 
@@ -133,7 +138,7 @@ fn pictures_are_compared_and_reported() {
             assert!(harness.query_by_label(&said(&harness, picture)).is_some(), "{mode}");
         }
         host.answer(Some(host.path("report.html")));
-        run(&mut harness, Command::Compare(CompareAct::Save));
+        run(&mut harness, Command::Compare(CompareCommand::Save));
         let path = host.path("report.html");
         wait_until(&mut harness, "a report", |_| path.exists());
         let html = std::fs::read_to_string(&path).unwrap();
@@ -179,7 +184,7 @@ fn a_comparison_follows_the_scene_and_reads_files() {
     let picture = catoptric_picture::Picture::from_fn(40, 30, |x, _| [x as f32 / 40.0; 3]).unwrap();
     let path = host.path("own.exr");
     catoptric_picture::write_exr(&path, &picture).unwrap();
-    for act in [CompareAct::FileA, CompareAct::FileB] {
+    for act in [CompareCommand::FileA, CompareCommand::FileB] {
         host.answer(Some(path.clone()));
         run(&mut harness, Command::Compare(act));
     }
@@ -190,7 +195,7 @@ fn a_comparison_follows_the_scene_and_reads_files() {
     // A file that is none is told.
     std::fs::write(host.path("broken.png"), "no picture").unwrap();
     host.answer(Some(host.path("broken.png")));
-    run(&mut harness, Command::Compare(CompareAct::FileB));
+    run(&mut harness, Command::Compare(CompareCommand::FileB));
     wait_for(&mut harness, "broken.png” cannot be read");
     check_texts(&harness);
 }
@@ -214,7 +219,7 @@ fn times_are_measured_while_the_picture_waits_and_saved() {
         let pixels = if russian { "Число пикселей C" } else { "Pixels C" };
         let values = harness.state().texts().with("measure-values", &[("parameter", pixels.into())]);
         retype(&mut harness, &values, "16x16, large");
-        run(&mut harness, Command::Measure(MeasureAct::Start));
+        run(&mut harness, Command::Measure(MeasureCommand::Start));
         assert!(!harness.state().is_measuring());
         assert!(harness.query_by_label_contains("large").is_some(), "what is wrong is named");
         retype(&mut harness, &values, "16x16, 24x24, 32x32, 48x48");
@@ -238,7 +243,7 @@ fn times_are_measured_while_the_picture_waits_and_saved() {
             click(&mut harness, &label);
         }
         host.answer(Some(host.path("times")));
-        run(&mut harness, Command::Measure(MeasureAct::Save));
+        run(&mut harness, Command::Measure(MeasureCommand::Save));
         let report = host.path("times/report.tex");
         wait_until(&mut harness, "the files", |_| report.exists());
         let report = std::fs::read_to_string(host.path("times/report.md")).unwrap();
@@ -253,9 +258,9 @@ fn times_are_measured_while_the_picture_waits_and_saved() {
 #[test]
 fn a_measurement_is_stopped() {
     let (_host, mut harness) = open("english");
-    run(&mut harness, Command::Measure(MeasureAct::Start));
+    run(&mut harness, Command::Measure(MeasureCommand::Start));
     assert!(harness.state().is_measuring());
-    run(&mut harness, Command::Measure(MeasureAct::Stop));
+    run(&mut harness, Command::Measure(MeasureCommand::Stop));
     wait_until(&mut harness, "the end", |studio| !studio.is_measuring());
     harness.run_steps(3);
     let said = said(&harness, "measure-nothing-measured");

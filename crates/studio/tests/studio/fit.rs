@@ -7,7 +7,7 @@ use catoptric_scene::{
     Body, Checker, Color, Conductor, Falloff, Material, MaterialChoice, Model, Shape, Sky, Surroundings,
 };
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Command, Pane, Start, Studio};
+use catoptric_studio::{Command, Pane, StartDocument, Studio};
 use egui::epaint::ClippedShape;
 use egui::{Rect, Role, vec2};
 use egui_kittest::Harness;
@@ -27,7 +27,7 @@ fn open(language: &str) -> Window {
     let host = TestHost::new();
     let text = format!(r#"{{"language": "{language}", "is_hint_dismissed": true, "viewport_samples": 1}}"#);
     std::fs::write(host.settings_path().unwrap(), text).unwrap();
-    studio_with(host, Start::Example("four-bodies".to_owned()))
+    studio_with(host, StartDocument::Example("four-bodies".to_owned()))
 }
 
 /// A change of the scene that shows other rows, and what is selected then.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_editor::{Action, Item, Selection};
 use catoptric_scene::{Anchor, Body, Color, Falloff, Material, MaterialChoice, Projection, Scene, Shape};
-use catoptric_studio::{Start, Studio};
+use catoptric_studio::{StartDocument, Studio};
 use egui::{Event, Key, Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -32,7 +32,7 @@ fn window_in(language: &str, example: &str, item: impl Into<Option<Item>>) -> Wi
     let host = TestHost::new();
     let text = format!(r#"{{"language": "{language}", "is_hint_dismissed": true}}"#);
     std::fs::write(host.settings_path().unwrap(), text).unwrap();
-    let mut window = studio_with(host, Start::Example(example.to_owned()));
+    let mut window = studio_with(host, StartDocument::Example(example.to_owned()));
     window.set_size(vec2(1280.0, 1700.0));
     window.run_steps(2);
     select(&mut window, item.into());

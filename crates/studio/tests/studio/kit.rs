@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host, PictureClipboard};
-use catoptric_studio::{Start, Studio};
+use catoptric_studio::{StartDocument, Studio};
 use egui_kittest::{Harness, HarnessBuilder};
 use tempfile::TempDir;
 
@@ -83,20 +83,20 @@ impl Host for TestHost {
 
 /// A studio of 1280 × 800 points that shows the example four-bodies, in English.
 pub(crate) fn studio() -> Harness<'static, Studio> {
-    studio_with(TestHost::new(), Start::Example("four-bodies".to_owned()))
+    studio_with(TestHost::new(), StartDocument::Example("four-bodies".to_owned()))
 }
 
 /// A studio on `host`. Its settings, if there are none yet, are English with the first hint dismissed.
-pub(crate) fn studio_with(host: TestHost, start: Start) -> Harness<'static, Studio> {
+pub(crate) fn studio_with(host: TestHost, start: StartDocument) -> Harness<'static, Studio> {
     build(Harness::builder(), host, start)
 }
 
 /// A studio that may be shown texts in any letters, as files can hold them.
-pub(crate) fn studio_with_any_letters(host: TestHost, start: Start) -> Harness<'static, Studio> {
+pub(crate) fn studio_with_any_letters(host: TestHost, start: StartDocument) -> Harness<'static, Studio> {
     build(Harness::builder().allow_missing_glyphs(), host, start)
 }
 
-fn build(builder: HarnessBuilder<Studio>, host: TestHost, start: Start) -> Harness<'static, Studio> {
+fn build(builder: HarnessBuilder<Studio>, host: TestHost, start: StartDocument) -> Harness<'static, Studio> {
     let settings = host.settings_path().unwrap();
     if !settings.exists() {
         let text = r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 1}"#;

@@ -1,7 +1,7 @@
 //! Experiments over the picture and in the inspector: maps, depth, energy, exact answers.
 
 use catoptric_lab::maps::MapKind;
-use catoptric_studio::{Command, Language, Start, Studio};
+use catoptric_studio::{Command, Language, StartDocument, Studio};
 use egui::Event;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -9,7 +9,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use crate::kit::{TestHost, studio_with, wait_until};
 
 fn example(name: &str) -> Harness<'static, Studio> {
-    let mut harness = studio_with(TestHost::new(), Start::Example(name.to_owned()));
+    let mut harness = studio_with(TestHost::new(), StartDocument::Example(name.to_owned()));
     harness.run_steps(3);
     harness
 }

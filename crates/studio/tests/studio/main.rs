@@ -21,6 +21,6 @@ mod software;
 mod viewport;
 mod window;
 
-/// As in the program, for the test that looks at memory.
+/// The program's allocator, for the test that measures memory.
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;

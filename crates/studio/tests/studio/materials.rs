@@ -170,7 +170,7 @@ fn pictures_are_traced_behind_the_window() {
 #[test]
 fn the_panel_speaks_both_languages_and_is_remembered() {
     let host = TestHost::new();
-    let start = catoptric_studio::Start::Example("four-bodies".to_owned());
+    let start = catoptric_studio::StartDocument::Example("four-bodies".to_owned());
     let mut harness = studio_with(host.clone(), start.clone());
     harness.run_steps(3);
     harness.state_mut().run(Command::TogglePane(Pane::Materials));

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use catoptric_editor::{Action, Item, Label, Spot};
+use catoptric_editor::{Action, Item, Label, NewBodyPlacement};
 use catoptric_scene::{Example, MaterialChoice, ShapeKind};
-use catoptric_studio::{Command, Start, Studio};
+use catoptric_studio::{Command, StartDocument, Studio};
 use egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, accesskit,
     pos2, vec2,
@@ -83,7 +83,7 @@ struct Monkey {
 impl Monkey {
     fn new(seed: u64) -> Self {
         let host = TestHost::new();
-        let harness = studio_with_any_letters(host.clone(), Start::Example("four-bodies".to_owned()));
+        let harness = studio_with_any_letters(host.clone(), StartDocument::Example("four-bodies".to_owned()));
         Self { dice: Dice(seed), host, harness, steered: 0, log: Vec::new() }
     }
 
@@ -324,7 +324,8 @@ impl Monkey {
         let name = (*self.dice.one(&["", "a", "шар", "a\"b\n", "sphere 2"])).to_owned();
         match self.dice.below(22) {
             0 => {
-                let spot = Spot { size: self.dice.number(), ..Spot::at(self.dice.vector()) };
+                let spot =
+                    NewBodyPlacement { size: self.dice.number(), ..NewBodyPlacement::at(self.dice.vector()) };
                 Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), spot, name }
             }
             1 => Action::AddLight { at: self.dice.vector(), name },

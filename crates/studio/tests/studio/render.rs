@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, encode_exr, encode_png, read};
 use catoptric_scene::Scene;
 use catoptric_studio::host::PictureClipboard;
-use catoptric_studio::{Command, Language, Start, Studio, Zoom};
+use catoptric_studio::{Command, Language, StartDocument, Studio, ZoomStep};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use egui::accesskit::Role;
 use egui::{OutputCommand, ViewportCommand};
@@ -19,7 +19,7 @@ use crate::kit::{TestHost, studio, studio_with, wait_until};
 type Hands = Harness<'static, Studio>;
 
 fn on(host: &TestHost) -> Hands {
-    studio_with(host.clone(), Start::Example("four-bodies".to_owned()))
+    studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()))
 }
 
 fn open_dialog(harness: &mut Hands) {
@@ -180,7 +180,7 @@ fn edits_and_the_free_view_do_not_disturb_a_render() {
     let host = TestHost::new();
     let mut harness = on(&host);
     harness.run();
-    harness.state_mut().run(Command::LookAlong(catoptric_editor::navigate::Axis::Left));
+    harness.state_mut().run(Command::LookAlong(catoptric_editor::navigate::ViewSide::Left));
     harness.run();
     open_dialog(&mut harness);
     assert!(is_seen(&harness, "through the scene’s camera"));
@@ -329,7 +329,7 @@ fn a_picture_can_be_closed_however_much_is_magnified() {
         wait_for(&mut harness, "Picture 96 × 54");
         harness.state_mut().run(Command::Language(language));
         for _ in 0..12 {
-            harness.state_mut().run(Command::Zoom(Zoom::In));
+            harness.state_mut().run(Command::Zoom(ZoomStep::In));
             harness.step();
         }
         settle(&mut harness);

@@ -5,7 +5,7 @@ use std::panic::catch_unwind;
 
 use catoptric_editor::Item;
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Command, Start, Studio, Theme};
+use catoptric_studio::{Command, StartDocument, Studio, Theme};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
 use egui::{Color32, FontId};
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
@@ -31,7 +31,7 @@ fn studio(by: By, state: RenderState) -> Harness<'static, Studio> {
     let host = TestHost::new();
     let text = r#"{"language": "russian", "is_hint_dismissed": true, "viewport_samples": 1}"#;
     std::fs::write(host.settings_path().unwrap(), text).unwrap();
-    let start = Start::Example("four-bodies".to_owned());
+    let start = StartDocument::Example("four-bodies".to_owned());
     let builder: HarnessBuilder<Studio> = Harness::builder();
     builder.with_size([1000.0, 700.0]).renderer(WgpuTestRenderer::from_render_state(state)).build_eframe(
         move |creation| {
@@ -43,8 +43,8 @@ fn studio(by: By, state: RenderState) -> Harness<'static, Studio> {
     )
 }
 
-/// Puts the digits of times and rates, and more, into the atlas of glyphs before any of them is shown. Slanted glyphs are
-/// sampled between its texels, so that they show traces of their neighbors there, which depend on who came first.
+/// Puts the digits of times and rates, and more, into the atlas of glyphs before any of them is shown. Slanted glyphs
+/// are sampled between its texels, so that they show traces of their neighbors there, which depend on who came first.
 fn fill_atlas(harness: &Harness<'static, Studio>) {
     let all: String = (' '..='~').chain('А'..='я').collect();
     let fonts: Vec<FontId> = harness.ctx.global_style().text_styles.values().cloned().collect();

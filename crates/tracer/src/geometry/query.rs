@@ -101,7 +101,13 @@ impl<W: Width> PacketHits<W> {
         // Number by number: masks that were just written are slow to read as parts of a whole.
         let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
         if contested.any() {
-            let first = resolve_coincident(w, geometry, rays, inside, Self { t, body, leaving, face, hit, contested });
+            let first = resolve_coincident(
+                w,
+                geometry,
+                rays,
+                inside,
+                Self { t, body, leaving, face, hit, contested },
+            );
             (t, body, leaving, face, hit) = (first.t, first.body, first.leaving, first.face, first.hit);
         }
         Self { t, body, leaving, face, hit, contested }

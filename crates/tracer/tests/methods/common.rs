@@ -112,5 +112,7 @@ pub(crate) fn bodies_seen(stage: &RenderScene, settings: RenderSettings) -> Vec<
     let size = glam::DVec2::new(f64::from(settings.width), f64::from(settings.height));
     let pixels = (0..settings.height).flat_map(|y| (0..settings.width).map(move |x| (x, y)));
     let center = |(x, y)| glam::DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-    pixels.map(|pixel| stage.closest_hit(&stage.camera().ray(center(pixel), size)).map(|hit| hit.body)).collect()
+    pixels
+        .map(|pixel| stage.closest_hit(&stage.camera().ray(center(pixel), size)).map(|hit| hit.body))
+        .collect()
 }

@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use catoptric_picture::{Development, HeatMap, heat_map};
 
-use super::{Page, PageError, data_uri};
+use super::{HtmlPage, PageError, data_uri};
 use crate::compare::{AGREED, Contender, Metrics, reason_color, reason_picture};
 use crate::report::html::escape;
 use crate::report::texts::fill;
 
-impl Page<'_> {
+impl HtmlPage<'_> {
     /// A section for each picture but the first.
     pub(super) fn pairs(&self, html: &mut String) -> Result<(), PageError> {
         let language = self.settings.language;

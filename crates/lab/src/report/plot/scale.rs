@@ -1,4 +1,4 @@
-//! From values to places on paper.
+//! The scale of a plot: from values to places on paper.
 
 use crate::report::language::{Language, superscript};
 

@@ -16,7 +16,7 @@ pub(super) fn feature_difference(
     density: f64,
 ) -> Result<Plane, SizeError> {
     let memory = || too_little_memory(reference);
-    let filters = Filters::new(density);
+    let filters = FeatureFilters::new(density);
     let lightness = |picture| Plane::of(picture, |[y, _, _]| (y + 16.0) / 116.0);
     let (reference, test) = (lightness(reference)?, lightness(test)?);
     let difference = |derivative: &[f32]| {
@@ -35,13 +35,13 @@ pub(super) fn radius(density: f64) -> usize {
 }
 
 /// A Gaussian and its derivatives along a line.
-struct Filters {
+struct FeatureFilters {
     gaussian: Vec<f32>,
     first: Vec<f32>,
     second: Vec<f32>,
 }
 
-impl Filters {
+impl FeatureFilters {
     fn new(density: f64) -> Self {
         let deviation = 0.5 * WIDTH * density;
         let radius = radius(density);

@@ -5,8 +5,8 @@ use crate::compare::plane::{Plane, kernel};
 use crate::compare::too_little_memory;
 use crate::picture::{Picture, SizeError};
 
-/// Contrast sensitivity as sums of Gaussians a·√(π/b)·exp(−π² x²/b), x in degrees (table 1 of the paper): for lightness,
-/// red–green, and blue–yellow, whose second Gaussian is the last.
+/// Contrast sensitivity as sums of Gaussians a·√(π/b)·exp(−π² x²/b), x in degrees (table 1 of the paper): for
+/// lightness, red–green, and blue–yellow, whose second Gaussian is the last.
 const LIGHTNESS: (f64, f64) = (1.0, 0.0047);
 const RED_GREEN: (f64, f64) = (1.0, 0.0053);
 const BLUE_YELLOW: [(f64, f64); 2] = [(34.1, 0.04), (13.5, 0.025)];

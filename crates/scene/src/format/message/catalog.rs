@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::format::message::phrase::{
-    Collection, Enumeration, FoundValue, Meaning, Phrase as _, Requirement, Subject,
+    Collection, Enumeration, FoundValue, KeyMeaning, Phrase as _, Requirement, Subject,
 };
 use crate::format::message::syntax::SyntaxFault;
 use crate::format::spec::{Kind, TableSpec};
@@ -160,7 +160,7 @@ messages! {
     OutOfRange { subject: Subject, value: FoundValue, requirement: Requirement }:
         "{subject} is {value}, but must be {requirement}",
         "{subject} равно {value}, а должно быть {requirement}";
-    KeyMeans { meaning: Meaning }:
+    KeyMeans { meaning: KeyMeaning }:
         "{meaning}",
         "{meaning}";
     DecimalCommas { key: &'static str, expected: Kind }:

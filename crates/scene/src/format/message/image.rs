@@ -7,8 +7,8 @@ use crate::image::{Image, ImageError, ImageFault, UnreadableKind};
 use crate::language::Language;
 
 impl ImageFault {
-    /// What is wrong and what to do; in English as `Display` writes it. What only a decoder or the system knows is in English
-    /// in any language.
+    /// What is wrong and what to do; in English as `Display` writes it. What only a decoder or the system knows is in
+    /// English in any language.
     pub fn text(&self, language: Language) -> String {
         match language {
             Language::English => self.to_string(),

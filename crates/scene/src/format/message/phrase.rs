@@ -209,14 +209,14 @@ impl Phrase for Subject {
     }
 }
 
-/// What stands before the last word of an enumeration.
+/// The conjunction before the last word of an enumeration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Link {
+pub(crate) enum Conjunction {
     /// All of them.
     And,
     /// One of them.
     Or,
-    /// Not all are told.
+    /// Not all are listed.
     Space,
 }
 
@@ -224,23 +224,23 @@ pub(crate) enum Link {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Enumeration {
     words: Vec<String>,
-    link: Link,
+    link: Conjunction,
 }
 
 impl Enumeration {
-    /// These words, as they are.
-    pub(crate) fn new(words: Vec<String>, link: Link) -> Self {
+    /// An enumeration of words.
+    pub(crate) fn new(words: Vec<String>, link: Conjunction) -> Self {
         Self { words, link }
     }
 
     /// One of these values in quotes.
     pub(crate) fn of_values(values: &[&str]) -> Self {
-        Self::new(values.iter().map(|value| format!("\"{value}\"")).collect(), Link::Or)
+        Self::new(values.iter().map(|value| format!("\"{value}\"")).collect(), Conjunction::Or)
     }
 
     /// All of these keys between backquotes.
     pub(crate) fn of_keys<'a>(keys: impl Iterator<Item = &'a KeySpec>) -> Self {
-        Self::new(keys.map(|key| format!("`{}`", key.name)).collect(), Link::And)
+        Self::new(keys.map(|key| format!("`{}`", key.name)).collect(), Conjunction::And)
     }
 
     /// Whether there are none.
@@ -252,9 +252,9 @@ impl Enumeration {
 impl Phrase for Enumeration {
     fn phrase(&self, language: Language) -> Cow<'_, str> {
         let link = match self.link {
-            Link::And => language.pick(" and ", " и "),
-            Link::Or => language.pick(" or ", " или "),
-            Link::Space => " ",
+            Conjunction::And => language.pick(" and ", " и "),
+            Conjunction::Or => language.pick(" or ", " или "),
+            Conjunction::Space => " ",
         };
         listed(&self.words, link).into()
     }
@@ -269,9 +269,9 @@ pub(crate) enum Requirement {
     Positive,
     /// 0 or more.
     NotNegative,
-    /// This or more.
+    /// At least this number.
     AtLeast(Number),
-    /// This or less.
+    /// At most this number.
     AtMost(Number),
 }
 
@@ -291,16 +291,16 @@ impl Phrase for Requirement {
     }
 }
 
-/// What a key means.
+/// The meaning of a key, for a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Meaning {
+pub(crate) struct KeyMeaning {
     /// The key.
     pub(crate) key: &'static KeySpec,
-    /// Whether the range of its numbers is told too.
+    /// Whether the range of its numbers is written too.
     pub(crate) has_range: bool,
 }
 
-impl Phrase for Meaning {
+impl Phrase for KeyMeaning {
     fn phrase(&self, language: Language) -> Cow<'_, str> {
         let name = self.key.name;
         let mut text = match language {

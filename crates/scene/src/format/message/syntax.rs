@@ -1,4 +1,4 @@
-//! What the TOML library says about syntax.
+//! Messages of the TOML library about syntax.
 
 use std::borrow::Cow;
 

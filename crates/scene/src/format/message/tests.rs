@@ -98,7 +98,7 @@ fn numbers_have_the_decimal_sign_of_the_language() {
     };
     assert_eq!(message.text(Language::English), "`fov` is `300.5`, but must be at most 179.9");
     assert_eq!(message.text(Language::Russian), "`fov` равно `300.5`, а должно быть не больше 179,9");
-    let help = Message::KeyMeans { meaning: Meaning { key: fov, has_range: true } };
+    let help = Message::KeyMeans { meaning: KeyMeaning { key: fov, has_range: true } };
     assert_eq!(help.text(Language::English), "`fov` is the vertical angle of view, degrees (0.001 to 179.9)");
     assert_eq!(help.text(Language::Russian), "`fov` — вертикальный угол обзора, градусы (от 0,001 до 179,9)");
 }

@@ -1,14 +1,14 @@
 //! The lists of lights and bodies, which are built element by element.
 
-use super::{Place, Reader, not_a_list};
-use crate::format::build::Build;
+use super::{AssignmentTarget, Reader, not_a_list};
+use crate::format::build::SceneBuilder;
 use crate::format::diagnostic::Diagnostic;
 use crate::format::keys;
 use crate::format::message::{Message, Subject};
 use crate::format::quote::quoted;
 use crate::format::spec::{Kind, TableSpec};
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
-use crate::format::tree::{Defined, Schema, Table};
+use crate::format::tree::{Schema, Table, TableOrigin};
 
 /// Which list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,9 +17,9 @@ pub(super) enum ListKind {
     Bodies,
 }
 
-/// A list that is being read.
+/// The list whose element is being read.
 #[derive(Default)]
-pub(super) struct List<'t> {
+pub(super) struct ListReader<'t> {
     /// Place of the value that gives the whole list.
     value: Option<Span>,
     /// Place of the first header.
@@ -54,7 +54,7 @@ impl ListKind {
 }
 
 impl<'t> Reader<'t> {
-    fn list(&mut self, kind: ListKind) -> &mut List<'t> {
+    fn list(&mut self, kind: ListKind) -> &mut ListReader<'t> {
         match kind {
             ListKind::Lights => &mut self.lights,
             ListKind::Bodies => &mut self.bodies,
@@ -62,7 +62,12 @@ impl<'t> Reader<'t> {
     }
 
     /// `[[bodies]]`, or `[bodies.material]` for the open body.
-    pub(super) fn list_header(&mut self, kind: ListKind, mut path: Vec<Key<'t>>, is_list: bool) -> Place<'t> {
+    pub(super) fn list_header(
+        &mut self,
+        kind: ListKind,
+        mut path: Vec<Key<'t>>,
+        is_list: bool,
+    ) -> AssignmentTarget<'t> {
         let name = kind.key();
         let first = path.remove(0);
         if path.is_empty() {
@@ -77,8 +82,8 @@ impl<'t> Reader<'t> {
             self.close(kind);
             let list = self.list(kind);
             list.header.get_or_insert(first.span);
-            list.open = Some(Table::new(Schema::Keys(kind.spec()), Defined::ByHeader));
-            return Place::Element(kind, path);
+            list.open = Some(Table::new(Schema::Keys(kind.spec()), TableOrigin::ByHeader));
+            return AssignmentTarget::Element(kind, path);
         }
         if is_list {
             let mut whole = vec![first.clone()];
@@ -88,13 +93,13 @@ impl<'t> Reader<'t> {
         let Some(table) = self.list(kind).open.as_mut() else {
             let finding = Diagnostic::error(first.span.range(), Message::NoElementYet { name });
             self.found.push(finding.with_help(Message::BeginElement { name }));
-            return Place::Nowhere;
+            return AssignmentTarget::Nowhere;
         };
         match table.open(&path) {
-            Ok(()) => Place::Element(kind, path),
+            Ok(()) => AssignmentTarget::Element(kind, path),
             Err(problem) => {
                 self.found.push(*problem);
-                Place::Nowhere
+                AssignmentTarget::Nowhere
             }
         }
     }
@@ -150,7 +155,7 @@ impl<'t> Reader<'t> {
     /// Builds the open element of a list.
     pub(super) fn close(&mut self, kind: ListKind) {
         let Some(table) = self.list(kind).open.take() else { return };
-        let mut build = Build { text: self.text, found: &mut self.found };
+        let mut build = SceneBuilder { text: self.text, found: &mut self.found };
         match kind {
             ListKind::Lights => {
                 let (light, name) = build.light(&table);

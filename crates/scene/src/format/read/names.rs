@@ -4,19 +4,19 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
-use crate::format::message::{Collection, Enumeration, Link, Message};
+use crate::format::message::{Collection, Conjunction, Enumeration, Message};
 use crate::format::nearest::nearest;
 use crate::format::quote::{key_to_copy, quoted, quoted_value};
 use crate::format::toml::Span;
 use crate::material::MaterialChoice;
 use crate::{Color, Light, Scene, Surroundings};
 
-/// So many defined materials are listed.
+/// The most defined materials that a message lists.
 const MOST_LISTED: usize = 8;
 
-/// Where the file says what is in the scene.
+/// The places of the scene's things in the file.
 #[derive(Default)]
-pub(super) struct Places {
+pub(super) struct SourcePositions {
     /// The name of each light.
     pub(super) lights: Vec<Span>,
     /// The name of each body.
@@ -27,11 +27,11 @@ pub(super) struct Places {
     pub(super) unknown: Vec<u32>,
 }
 
-/// Reports materials that are used but not defined, unless their definitions may have got lost. The answer tells of each
-/// material whether it is used.
+/// Reports materials that are used but not defined, unless their definitions may have got lost. The answer tells of
+/// each material whether it is used.
 pub(super) fn check_materials(
     scene: &mut Scene,
-    places: &Places,
+    places: &SourcePositions,
     has_lost_tables: bool,
     found: &mut Diagnostics,
 ) -> Vec<bool> {
@@ -64,9 +64,9 @@ fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: imp
         1 => Message::OnlyDefined { name: listing.concat() },
         count if count > MOST_LISTED => {
             listing.push("…".to_owned());
-            Message::Defined { names: Enumeration::new(listing, Link::Space) }
+            Message::Defined { names: Enumeration::new(listing, Conjunction::Space) }
         }
-        _ => Message::Defined { names: Enumeration::new(listing, Link::And) },
+        _ => Message::Defined { names: Enumeration::new(listing, Conjunction::And) },
     };
     let label = match nearest(name, names()) {
         Some(nearest) => Message::DidYouMean { word: quoted_value(nearest) },
@@ -78,7 +78,7 @@ fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: imp
 }
 
 /// Reports second uses of names, and takes these names away.
-pub(super) fn check_unique(scene: &mut Scene, places: &Places, found: &mut Diagnostics) {
+pub(super) fn check_unique(scene: &mut Scene, places: &SourcePositions, found: &mut Diagnostics) {
     let lights = scene.lights.iter().map(|light| light.name.as_str());
     let again = second_uses(lights, &places.lights, Collection::Lights, found);
     for index in again {
@@ -96,7 +96,7 @@ pub(super) fn check_unique(scene: &mut Scene, places: &Places, found: &mut Diagn
 }
 
 /// Takes the bodies of an unknown shape out of the scene. The places of the other bodies are off after that.
-pub(super) fn remove_unknown(scene: &mut Scene, places: &Places) {
+pub(super) fn remove_unknown(scene: &mut Scene, places: &SourcePositions) {
     let mut unknown = places.unknown.iter().copied().peekable();
     let mut index = 0;
     scene.bodies.retain(|_| {

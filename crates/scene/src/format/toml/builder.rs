@@ -1,4 +1,4 @@
-//! From the tokens of one logical line to a statement.
+//! Builds a statement from the tokens of one logical line.
 
 use std::borrow::Cow;
 
@@ -12,11 +12,11 @@ use crate::format::diagnostic::Diagnostic;
 
 /// Deepest nesting of brackets; a scene needs five.
 const DEEPEST: u32 = 16;
-/// So many errors of one logical line are kept.
+/// The most errors of one logical line that are kept.
 const MOST_ERRORS: usize = 16;
 
-/// What a logical line was read as.
-pub(crate) struct Parsed<'t> {
+/// The result of reading a logical line.
+pub(crate) struct ParsedLine<'t> {
     /// The statement; nothing for blank lines and lines that make no sense. Its value is invalid if anything in it is.
     pub(crate) statement: Option<Statement<'t>>,
     /// Syntax errors.
@@ -24,9 +24,9 @@ pub(crate) struct Parsed<'t> {
 }
 
 /// Reads the tokens of one logical line of `text`.
-pub(crate) fn parse<'t>(text: &'t str, tokens: &[Token]) -> Parsed<'t> {
+pub(crate) fn parse<'t>(text: &'t str, tokens: &[Token]) -> ParsedLine<'t> {
     let mut builder = Builder::new(text);
-    let mut errors = Errors::default();
+    let mut errors = ErrorList::default();
     {
         let mut guard = RecursionGuard::new(&mut builder, DEEPEST);
         let mut receiver = ValidateWhitespace::new(&mut guard, Source::new(text));
@@ -35,11 +35,11 @@ pub(crate) fn parse<'t>(text: &'t str, tokens: &[Token]) -> Parsed<'t> {
     builder.finish(&errors.0)
 }
 
-/// Keeps the first few errors.
+/// The first errors of a line.
 #[derive(Default)]
-struct Errors(Vec<ParseError>);
+struct ErrorList(Vec<ParseError>);
 
-impl ErrorSink for Errors {
+impl ErrorSink for ErrorList {
     fn report_error(&mut self, error: ParseError) {
         if self.0.len() < MOST_ERRORS {
             self.0.push(error);
@@ -48,7 +48,7 @@ impl ErrorSink for Errors {
 }
 
 /// A bracket of a value that is still open.
-enum Frame<'t> {
+enum OpenBracket<'t> {
     Array(Span, Vec<Value<'t>>),
     Inline(Span, Vec<Assignment<'t>>, Vec<Key<'t>>),
 }
@@ -59,7 +59,7 @@ struct Builder<'t> {
     /// Beginning of a header, and whether it is one of a list.
     header: Option<(Span, bool)>,
     path: Vec<Key<'t>>,
-    frames: Vec<Frame<'t>>,
+    frames: Vec<OpenBracket<'t>>,
     value: Option<Value<'t>>,
     /// Whether a key could not be read.
     has_bad_key: bool,
@@ -82,7 +82,7 @@ impl<'t> Builder<'t> {
         }
     }
 
-    fn finish(mut self, errors: &[ParseError]) -> Parsed<'t> {
+    fn finish(mut self, errors: &[ParseError]) -> ParsedLine<'t> {
         while !self.frames.is_empty() {
             self.close(Span::default());
         }
@@ -100,7 +100,7 @@ impl<'t> Builder<'t> {
             }
             (None, None) => None,
         };
-        Parsed { statement, problems }
+        ParsedLine { statement, problems }
     }
 
     fn raw(&self, span: RawSpan, encoding: Option<Encoding>) -> Raw<'t> {
@@ -117,8 +117,8 @@ impl<'t> Builder<'t> {
     /// A whole value: goes to the innermost bracket, or is the statement's.
     fn put(&mut self, value: Value<'t>) {
         match self.frames.last_mut() {
-            Some(Frame::Array(_, values)) => values.push(value),
-            Some(Frame::Inline(_, assignments, path)) => {
+            Some(OpenBracket::Array(_, values)) => values.push(value),
+            Some(OpenBracket::Inline(_, assignments, path)) => {
                 assignments.push(Assignment { path: std::mem::take(path), value });
             }
             None => self.value = Some(value),
@@ -127,8 +127,8 @@ impl<'t> Builder<'t> {
 
     fn close(&mut self, end: Span) {
         let (start, kind) = match self.frames.pop() {
-            Some(Frame::Array(span, values)) => (span, ValueKind::Array(values)),
-            Some(Frame::Inline(span, assignments, _)) => (span, ValueKind::Inline(assignments)),
+            Some(OpenBracket::Array(span, values)) => (span, ValueKind::Array(values)),
+            Some(OpenBracket::Inline(span, assignments, _)) => (span, ValueKind::Inline(assignments)),
             None => return,
         };
         self.put(Value { span: start.to(end), kind });
@@ -179,7 +179,7 @@ impl EventReceiver for Builder<'_> {
 
     fn inline_table_open(&mut self, span: RawSpan, _error: &mut dyn ErrorSink) -> bool {
         if !self.is_over {
-            self.frames.push(Frame::Inline(span.into(), Vec::new(), Vec::new()));
+            self.frames.push(OpenBracket::Inline(span.into(), Vec::new(), Vec::new()));
         }
         true
     }
@@ -190,7 +190,7 @@ impl EventReceiver for Builder<'_> {
 
     fn array_open(&mut self, span: RawSpan, _error: &mut dyn ErrorSink) -> bool {
         if !self.is_over {
-            self.frames.push(Frame::Array(span.into(), Vec::new()));
+            self.frames.push(OpenBracket::Array(span.into(), Vec::new()));
         }
         true
     }
@@ -213,7 +213,7 @@ impl EventReceiver for Builder<'_> {
         }
         let key = Key { text, span: span.into() };
         match self.frames.last_mut() {
-            Some(Frame::Inline(_, _, path)) => path.push(key),
+            Some(OpenBracket::Inline(_, _, path)) => path.push(key),
             _ => self.path.push(key),
         }
     }

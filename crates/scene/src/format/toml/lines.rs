@@ -10,8 +10,8 @@ use super::Span;
 const MOST_TOKENS: usize = 2_000_000;
 
 /// A logical line.
-pub(crate) enum Line<'a> {
-    /// Its tokens, up to and with the newline.
+pub(crate) enum LogicalLine<'a> {
+    /// The tokens of the line, with the newline.
     Tokens(&'a [Token]),
     /// Longer than can be read; the place of its first token.
     TooLong(Span),
@@ -21,18 +21,18 @@ pub(crate) enum Line<'a> {
 ///
 /// A bracket that is never closed would swallow the rest of the file. So a line that looks like a header, or like an
 /// assignment where none can stand, begins a new logical line even within brackets.
-pub(crate) struct Lines<'t> {
+pub(crate) struct LogicalLines<'t> {
     text: &'t str,
     lexer: Lexer<'t>,
     tokens: Vec<Token>,
-    /// So many of `tokens` were handed out by the last call.
+    /// The number of `tokens` that the last call handed out.
     taken: usize,
     has_ended: bool,
 }
 
-/// What is known about the logical line at hand.
+/// The state of the scan of a logical line.
 #[derive(Default)]
-struct Scan {
+struct LineScan {
     /// Open brackets: their kind and the physical line (counted within the logical one) where they were opened.
     open: Vec<(TokenKind, u32)>,
     /// Physical line within the logical one.
@@ -47,19 +47,19 @@ struct Scan {
     is_decided: bool,
 }
 
-/// Where a logical line ends: before this token.
-type End = Option<usize>;
+/// The token after the end of a logical line.
+type LineEnd = Option<usize>;
 
-impl<'t> Lines<'t> {
+impl<'t> LogicalLines<'t> {
     pub(crate) fn new(text: &'t str) -> Self {
         Self { text, lexer: Source::new(text).lex(), tokens: Vec::new(), taken: 0, has_ended: false }
     }
 
     /// The next logical line.
-    pub(crate) fn next(&mut self) -> Option<Line<'_>> {
+    pub(crate) fn next(&mut self) -> Option<LogicalLine<'_>> {
         self.tokens.drain(..self.taken);
         self.taken = 0;
-        let mut scan = Scan::default();
+        let mut scan = LineScan::default();
         let mut index = 0;
         loop {
             if index == self.tokens.len() && !self.pull() {
@@ -67,7 +67,7 @@ impl<'t> Lines<'t> {
             }
             if let Some(end) = scan.step(self.text, &self.tokens, index) {
                 self.taken = end;
-                return self.tokens.get(..end).map(Line::Tokens);
+                return self.tokens.get(..end).map(LogicalLine::Tokens);
             }
             index += 1;
             if index >= MOST_TOKENS {
@@ -75,7 +75,7 @@ impl<'t> Lines<'t> {
             }
         }
         self.taken = self.tokens.len();
-        if self.tokens.is_empty() { None } else { Some(Line::Tokens(&self.tokens)) }
+        if self.tokens.is_empty() { None } else { Some(LogicalLine::Tokens(&self.tokens)) }
     }
 
     /// Lexes one more token; false at the end.
@@ -91,7 +91,7 @@ impl<'t> Lines<'t> {
     }
 
     /// Skips the rest of a logical line with `depth` open brackets.
-    fn skip_long(&mut self, mut depth: usize) -> Line<'t> {
+    fn skip_long(&mut self, mut depth: usize) -> LogicalLine<'t> {
         let first = self.tokens.first().map(|token| Span::from(token.span())).unwrap_or_default();
         self.tokens.clear();
         for token in self.lexer.by_ref() {
@@ -105,13 +105,13 @@ impl<'t> Lines<'t> {
                 _ => {}
             }
         }
-        Line::TooLong(first)
+        LogicalLine::TooLong(first)
     }
 }
 
-impl Scan {
+impl LineScan {
     /// Takes the token at `index` into account; the answer is not `None` when the logical line ends.
-    fn step(&mut self, text: &str, tokens: &[Token], index: usize) -> End {
+    fn step(&mut self, text: &str, tokens: &[Token], index: usize) -> LineEnd {
         let kind = tokens.get(index)?.kind();
         if !is_blank(kind) {
             self.first.get_or_insert(kind);
@@ -145,7 +145,7 @@ impl Scan {
     }
 
     /// At a newline: what has no open bracket ends here, and so does what is no assignment.
-    fn end_line(&mut self, index: usize) -> End {
+    fn end_line(&mut self, index: usize) -> LineEnd {
         let is_assignment = self.first.is_some_and(|kind| is_key_part(kind) || kind == TokenKind::Equals);
         if self.open.is_empty() || !is_assignment {
             return Some(index + 1);
@@ -207,10 +207,10 @@ mod tests {
     use super::*;
 
     fn cut(text: &str) -> Vec<&str> {
-        let mut lines = Lines::new(text);
+        let mut lines = LogicalLines::new(text);
         let mut found = Vec::new();
         while let Some(line) = lines.next() {
-            let Line::Tokens(tokens) = line else { panic!("too long") };
+            let LogicalLine::Tokens(tokens) = line else { panic!("too long") };
             let (first, last) = (tokens.first().unwrap(), tokens.last().unwrap());
             found.push(text[first.span().start()..last.span().end()].trim_end());
         }

@@ -199,7 +199,8 @@ fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
     )
 }
 
-/// Where the word before `at` begins: in an inline table, the digits after a decimal comma are a key whose value is missed.
+/// Where the word before `at` begins: in an inline table, the digits after a decimal comma are a key whose value is
+/// missed.
 fn word_before(text: &str, at: usize) -> usize {
     let before = text.get(..at).unwrap_or_default().trim_end();
     before.trim_end_matches(|letter: char| letter.is_ascii_alphanumeric()).len()

@@ -15,7 +15,7 @@ pub(super) fn apply(item: &mut Item, old: &Record<'_>, new: &Record<'_>) -> Opti
     }
 }
 
-/// The same for an inline table.
+/// Changes in an inline table what differs between `old` and `new`.
 pub(super) fn apply_inline(table: &mut InlineTable, old: &Record<'_>, new: &Record<'_>) -> Option<()> {
     let before = table.len();
     apply_keys(table, old, new)?;
@@ -26,7 +26,7 @@ pub(super) fn apply_inline(table: &mut InlineTable, old: &Record<'_>, new: &Reco
     Some(())
 }
 
-/// The same for the keys of any table.
+/// Changes the keys of a table whose values differ between `old` and `new`.
 pub(super) fn apply_keys(table: &mut dyn TableLike, old: &Record<'_>, new: &Record<'_>) -> Option<()> {
     for key in new.table.0.keys {
         let is_written = table.contains_key(key.name);

@@ -1,18 +1,18 @@
-//! Which element of an edited list was which before.
+//! Matches the elements of an edited list with those before the edit.
 
 use std::collections::{HashMap, VecDeque};
 
 use crate::format::record::{Datum, Record};
 use crate::format::write::push_datum;
 
-/// An element.
-pub(super) struct Entry<'a> {
-    /// Its name; empty when it has none.
+/// An element of a list with its name and keys.
+pub(super) struct MatchedElement<'a> {
+    /// The element's name; empty if it has none.
     pub(super) name: &'a str,
     pub(super) record: &'a Record<'a>,
 }
 
-impl<'a> Entry<'a> {
+impl<'a> MatchedElement<'a> {
     /// An element whose name is one of its keys.
     pub(super) fn named(record: &'a Record<'a>) -> Self {
         let name = match record.get("name") {
@@ -37,7 +37,7 @@ impl<'a> Entry<'a> {
 
 /// For each new element the old one that it was: by name, then by equal content, then by place among those that are
 /// left. Elements of two different names are the same only by content.
-pub(super) fn matches(old: &[Entry<'_>], new: &[Entry<'_>]) -> Vec<Option<usize>> {
+pub(super) fn matches(old: &[MatchedElement<'_>], new: &[MatchedElement<'_>]) -> Vec<Option<usize>> {
     let mut matched: Vec<Option<usize>> = vec![None; new.len()];
     let mut is_taken = vec![false; old.len()];
     by_name(old, new, &mut matched, &mut is_taken);
@@ -46,7 +46,12 @@ pub(super) fn matches(old: &[Entry<'_>], new: &[Entry<'_>]) -> Vec<Option<usize>
     matched
 }
 
-fn by_name(old: &[Entry<'_>], new: &[Entry<'_>], matched: &mut [Option<usize>], is_taken: &mut [bool]) {
+fn by_name(
+    old: &[MatchedElement<'_>],
+    new: &[MatchedElement<'_>],
+    matched: &mut [Option<usize>],
+    is_taken: &mut [bool],
+) {
     let by_name: HashMap<&str, usize> = old
         .iter()
         .enumerate()
@@ -62,7 +67,12 @@ fn by_name(old: &[Entry<'_>], new: &[Entry<'_>], matched: &mut [Option<usize>], 
     }
 }
 
-fn by_content(old: &[Entry<'_>], new: &[Entry<'_>], matched: &mut [Option<usize>], is_taken: &mut [bool]) {
+fn by_content(
+    old: &[MatchedElement<'_>],
+    new: &[MatchedElement<'_>],
+    matched: &mut [Option<usize>],
+    is_taken: &mut [bool],
+) {
     let mut by_content: HashMap<String, VecDeque<usize>> = HashMap::new();
     for (index, entry) in old.iter().enumerate() {
         if is_taken.get(index) == Some(&false) {
@@ -80,7 +90,12 @@ fn by_content(old: &[Entry<'_>], new: &[Entry<'_>], matched: &mut [Option<usize>
     }
 }
 
-fn by_place(old: &[Entry<'_>], new: &[Entry<'_>], matched: &mut [Option<usize>], is_taken: &mut [bool]) {
+fn by_place(
+    old: &[MatchedElement<'_>],
+    new: &[MatchedElement<'_>],
+    matched: &mut [Option<usize>],
+    is_taken: &mut [bool],
+) {
     let mut after_last = 0;
     for index in 0..new.len() {
         if let Some(Some(from)) = matched.get(index) {

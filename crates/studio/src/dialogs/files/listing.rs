@@ -1,4 +1,4 @@
-//! What is in a folder: read by a thread, since a disk may be far away.
+//! The content of a folder, read by a thread, since a disk may be far away.
 
 use std::cmp::Ordering;
 use std::fs;
@@ -6,15 +6,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use crate::documents::ask::fits;
+use crate::documents::file_prompt::fits;
 use crate::host::FileKind;
 
 /// At most so many entries of a folder are listed.
 const MOST: usize = 10_000;
 
-/// Something in a folder.
+/// A file or folder in a listing.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Entry {
+pub(super) struct FolderItem {
     pub(super) name: String,
     /// The name in lower case, to be sorted and searched by.
     pub(super) lowercase: String,
@@ -25,33 +25,33 @@ pub(super) struct Entry {
     pub(super) fits: bool,
 }
 
-/// A folder that has been read.
+/// The content of a folder.
 #[derive(Debug)]
-pub(super) struct Listing {
+pub(super) struct FolderListing {
     pub(super) folder: PathBuf,
     /// Folders first, by name.
-    pub(super) entries: Result<Vec<Entry>, io::ErrorKind>,
+    pub(super) entries: Result<Vec<FolderItem>, io::ErrorKind>,
 }
 
 /// Reads a folder. Hidden entries are left out.
-pub(super) fn list(folder: PathBuf, kind: FileKind) -> Listing {
+pub(super) fn list(folder: PathBuf, kind: FileKind) -> FolderListing {
     let entries = fs::read_dir(&folder).map_err(|error| error.kind()).map(|entries| {
-        let mut entries: Vec<Entry> =
+        let mut entries: Vec<FolderItem> =
             entries.filter_map(|entry| look(&entry.ok()?.path(), kind)).take(MOST).collect();
         entries.sort_by(compare);
         entries
     });
-    Listing { folder, entries }
+    FolderListing { folder, entries }
 }
 
-fn look(path: &Path, kind: FileKind) -> Option<Entry> {
+fn look(path: &Path, kind: FileKind) -> Option<FolderItem> {
     let name = path.file_name()?.to_str()?.to_owned();
     if name.starts_with('.') {
         return None;
     }
     let metadata = fs::metadata(path).ok()?;
     let is_folder = metadata.is_dir();
-    Some(Entry {
+    Some(FolderItem {
         is_folder,
         bytes: metadata.len(),
         modified: metadata.modified().ok(),
@@ -61,7 +61,7 @@ fn look(path: &Path, kind: FileKind) -> Option<Entry> {
     })
 }
 
-fn compare(one: &Entry, other: &Entry) -> Ordering {
+fn compare(one: &FolderItem, other: &FolderItem) -> Ordering {
     let by_name = || one.lowercase.cmp(&other.lowercase);
     other.is_folder.cmp(&one.is_folder).then_with(by_name).then_with(|| one.name.cmp(&other.name))
 }

@@ -8,29 +8,29 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, RichText, TextEdit, Ui, WidgetInfo, vec2};
 
 use crate::dialogs::withhold_enter;
-use crate::documents::job::{Job, Progress};
+use crate::documents::job::{Job, JobStatus};
 use crate::texts::Texts;
 use crate::theme;
 
-/// A folder whose name is being typed, or that is being made.
-pub(super) struct NewFolder {
+/// The name field of a new folder, or the thread that makes it.
+pub(super) struct NewFolderField {
     name: String,
     is_new: bool,
     making: Option<Job<io::Result<PathBuf>>>,
     error: Option<io::ErrorKind>,
 }
 
-/// What becomes of it after a frame.
-pub(super) enum Outcome {
+/// The result of a frame of [`NewFolderField`].
+pub(super) enum NewFolderOutcome {
     /// The name is still being typed.
     Stay,
-    /// It was given up.
+    /// The folder was given up.
     Close,
-    /// It has been made.
+    /// The folder has been made.
     Made(PathBuf),
 }
 
-impl NewFolder {
+impl NewFolderField {
     /// Asks for a name; `name` is proposed.
     pub(super) fn new(name: &str) -> Self {
         Self { name: name.to_owned(), is_new: true, making: None, error: None }
@@ -38,9 +38,9 @@ impl NewFolder {
 
     /// Draws the field and its buttons, and below them why the folder could not be made in `parent`. Enter and Esc are
     /// for this row while it is there.
-    pub(super) fn ui(&mut self, ui: &mut Ui, parent: &Path, texts: &Texts) -> Outcome {
+    pub(super) fn ui(&mut self, ui: &mut Ui, parent: &Path, texts: &Texts) -> NewFolderOutcome {
         if let Some(made) = self.poll() {
-            return Outcome::Made(made);
+            return NewFolderOutcome::Made(made);
         }
         let is_given_up = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
         let is_entered = withhold_enter(ui);
@@ -68,12 +68,12 @@ impl NewFolder {
             response.widget_info(|| WidgetInfo::labeled(Role::Alert, true, words));
         }
         if closes {
-            return Outcome::Close;
+            return NewFolderOutcome::Close;
         }
         if makes && self.making.is_none() {
             self.make(ui, parent);
         }
-        Outcome::Stay
+        NewFolderOutcome::Stay
     }
 
     fn make(&mut self, ui: &Ui, parent: &Path) {
@@ -94,10 +94,10 @@ impl NewFolder {
     fn poll(&mut self) -> Option<PathBuf> {
         let making = self.making.take()?;
         match making.poll() {
-            Progress::Waiting => self.making = Some(making),
-            Progress::Done(Ok(folder)) => return Some(folder),
-            Progress::Done(Err(error)) => self.fail(error.kind()),
-            Progress::Lost => self.fail(io::ErrorKind::Other),
+            JobStatus::Waiting => self.making = Some(making),
+            JobStatus::Done(Ok(folder)) => return Some(folder),
+            JobStatus::Done(Err(error)) => self.fail(error.kind()),
+            JobStatus::Lost => self.fail(io::ErrorKind::Other),
         }
         None
     }

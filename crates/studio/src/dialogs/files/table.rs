@@ -7,10 +7,10 @@ use egui::{Align2, FontId, Frame, Margin, Rect, ScrollArea, Sense, Ui, WidgetInf
 use egui_material_icons::icons;
 
 use super::FileDialog;
-use super::listing::{Entry, Listing};
-use crate::pictures::told;
+use super::listing::{FolderItem, FolderListing};
+use crate::pictures::words;
 use crate::texts::Texts;
-use crate::theme::{self, Palette};
+use crate::theme::{self, ThemeColors};
 use crate::widgets::paint_line_in;
 
 const HEIGHT: f32 = 300.0;
@@ -29,7 +29,7 @@ pub(super) fn table_ui(ui: &mut Ui, dialog: &mut FileDialog, texts: &Texts) -> b
             let entries = dialog.entries();
             let message = match &dialog.listing {
                 None => Some("files-reading"),
-                Some(Listing { entries: Err(kind), .. }) => Some(match kind {
+                Some(FolderListing { entries: Err(kind), .. }) => Some(match kind {
                     io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => "files-no-folder",
                     io::ErrorKind::PermissionDenied => "files-denied",
                     _ => "files-failed",
@@ -49,13 +49,13 @@ pub(super) fn table_ui(ui: &mut Ui, dialog: &mut FileDialog, texts: &Texts) -> b
             }
         })
         .inner;
-    let Some(Chosen { name, is_folder, opens }) = chosen else { return false };
+    let Some(ClickedRow { name, is_folder, opens }) = chosen else { return false };
     dialog.select(&name, is_folder);
     opens
 }
 
-/// An entry that was clicked, perhaps twice.
-struct Chosen {
+/// The row that was clicked, once or twice.
+struct ClickedRow {
     name: String,
     is_folder: bool,
     opens: bool,
@@ -63,11 +63,11 @@ struct Chosen {
 
 fn rows_ui(
     ui: &mut Ui,
-    entries: &[&Entry],
+    entries: &[&FolderItem],
     selected: Option<usize>,
     scrolls: bool,
     texts: &Texts,
-) -> Option<Chosen> {
+) -> Option<ClickedRow> {
     let palette = theme::palette(ui.visuals());
     let mut chosen = None;
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -90,14 +90,14 @@ fn rows_ui(
             row_ui(ui, rect, entry, texts, palette);
             if response.clicked() {
                 let (name, is_folder) = (entry.name.clone(), entry.is_folder);
-                chosen = Some(Chosen { name, is_folder, opens: response.double_clicked() });
+                chosen = Some(ClickedRow { name, is_folder, opens: response.double_clicked() });
             }
         }
     });
     chosen
 }
 
-fn row_ui(ui: &Ui, rect: Rect, entry: &Entry, texts: &Texts, palette: &Palette) {
+fn row_ui(ui: &Ui, rect: Rect, entry: &FolderItem, texts: &Texts, palette: &ThemeColors) {
     let font = FontId::proportional(13.5);
     let small = FontId::proportional(12.0);
     let middle = rect.center().y;
@@ -111,7 +111,7 @@ fn row_ui(ui: &Ui, rect: Rect, entry: &Entry, texts: &Texts, palette: &Palette) 
     let name_rect = rect.with_min_x(rect.min.x + 32.0).with_max_x(size_start - 8.0);
     paint_line_in(ui, name_rect, &entry.name, font, palette.text);
     if !entry.is_folder {
-        let size = told::bytes(texts, entry.bytes);
+        let size = words::bytes(texts, entry.bytes);
         let end = pos2(date_start - 12.0, middle);
         painter.text(end, Align2::RIGHT_CENTER, size, small.clone(), palette.weak);
     }

@@ -1,4 +1,4 @@
-//! How long a render would take.
+//! The estimated time of a render.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -14,35 +14,35 @@ use crate::pictures::RenderChoices;
 /// Pixels of the longer side of the tiny picture that is traced to count rays.
 const SIDE: f64 = 96.0;
 
-/// How long it would take.
+/// The estimated time of a render.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Time {
+pub(super) enum RenderTime {
     /// Not known, perhaps not yet.
     Unknown,
-    /// So many seconds.
+    /// The estimate in seconds.
     Seconds(f64),
 }
 
 /// Counts the rays of a pixel, in a tiny picture of the same view, as the speed depends on what is seen. The rest is
 /// known from the viewport: rays a second.
 #[derive(Default)]
-pub(super) struct Estimate {
-    running: Option<(Asked, RenderJob)>,
-    counted: Option<(Asked, f64)>,
+pub(super) struct RenderEstimate {
+    running: Option<(EstimateKey, RenderJob)>,
+    counted: Option<(EstimateKey, f64)>,
 }
 
-/// What the number of rays depends on. The scene does not change while the dialog is open.
+/// The choices that the number of rays depends on. The scene does not change while the dialog is open.
 #[derive(Clone, Copy, PartialEq)]
-struct Asked {
+struct EstimateKey {
     size: [u32; 2],
     generations: Option<u32>,
 }
 
-impl Estimate {
+impl RenderEstimate {
     /// The time as far as it is known.
-    pub(super) fn time(&mut self, context: &Context, studio: &Studio, choices: &RenderChoices) -> Time {
+    pub(super) fn time(&mut self, context: &Context, studio: &Studio, choices: &RenderChoices) -> RenderTime {
         self.poll(context);
-        let asked = Asked { size: tiny(choices), generations: choices.generations };
+        let asked = EstimateKey { size: tiny(choices), generations: choices.generations };
         let is_known = self.counted.is_some_and(|(known, _)| known == asked);
         if !is_known && self.running.is_none() {
             self.count(context, studio, asked);
@@ -51,9 +51,9 @@ impl Estimate {
         match self.counted {
             Some((_, rays)) if speed > 0.0 && rays.is_finite() => {
                 let samples = choices.pixels() as f64 * f64::from(choices.samples);
-                Time::Seconds(samples * rays / speed)
+                RenderTime::Seconds(samples * rays / speed)
             }
-            _ => Time::Unknown,
+            _ => RenderTime::Unknown,
         }
     }
 
@@ -75,7 +75,7 @@ impl Estimate {
         }
     }
 
-    fn count(&mut self, context: &Context, studio: &Studio, asked: Asked) {
+    fn count(&mut self, context: &Context, studio: &Studio, asked: EstimateKey) {
         let scene = Arc::clone(studio.editor.scene());
         let settings = RenderSettings { width: asked.size[0], height: asked.size[1], samples: 1 };
         self.running = RenderJob::start(scene, settings, asked.generations, 1).ok().map(|job| (asked, job));
@@ -83,7 +83,7 @@ impl Estimate {
     }
 }
 
-impl Drop for Estimate {
+impl Drop for RenderEstimate {
     fn drop(&mut self) {
         if let Some((_, job)) = self.running.take() {
             job.cancel();

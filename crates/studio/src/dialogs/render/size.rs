@@ -4,8 +4,8 @@ use catoptric_picture::Picture;
 use egui::{ComboBox, RichText, Ui};
 use egui_material_icons::icons::{ICON_LINK, ICON_LINK_OFF};
 
-use super::{Whole, label, whole_ui};
-use crate::pictures::{RenderChoices, told};
+use super::{IntegerField, label, whole_ui};
+use crate::pictures::{RenderChoices, words};
 use crate::texts::Texts;
 use crate::theme;
 use crate::widgets::explained_icon_button;
@@ -20,15 +20,15 @@ const USUAL: [(&str, [u32; 2]); 5] = [
     ("render-size-square", [1080, 1080]),
 ];
 
-/// What the fields of the size keep while the dialog is open.
-pub(super) struct Size {
+/// The state of the size fields while the dialog is open.
+pub(super) struct SizeFields {
     /// Width over height, while it is kept.
     proportions: f64,
     /// The size of the viewport, pixels.
     viewport: Option<[u32; 2]>,
 }
 
-impl Size {
+impl SizeFields {
     pub(super) fn new(choices: &RenderChoices, viewport: Option<[u32; 2]>) -> Self {
         let viewport = viewport.filter(|size| !size.contains(&0));
         let mut size = Self { proportions: 1.0, viewport };
@@ -81,7 +81,7 @@ impl Size {
         let named = |key: &'static str, [width, height]: [u32; 2]| {
             texts.with(
                 "render-size-entry",
-                &[("name", texts.get(key).into()), ("size", told::size(width, height).into())],
+                &[("name", texts.get(key).into()), ("size", words::size(width, height).into())],
             )
         };
         let key: &'static str = key;
@@ -110,5 +110,11 @@ fn side(pixels: f64) -> u32 {
 }
 
 fn side_ui(ui: &mut Ui, texts: &Texts, name: &str, pixels: &mut u32, refused: &mut Option<Refusal>) -> bool {
-    whole_ui(ui, texts, &Whole { name, tip: name, most: Picture::MAX_SIDE, speed: 2.0 }, pixels, refused)
+    whole_ui(
+        ui,
+        texts,
+        &IntegerField { name, tip: name, most: Picture::MAX_SIDE, speed: 2.0 },
+        pixels,
+        refused,
+    )
 }

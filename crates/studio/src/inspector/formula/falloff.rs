@@ -1,55 +1,64 @@
-//! How a light weakens with distance.
+//! The formula of a light's falloff with distance.
 
 use catoptric_scene::{Falloff, Light};
 use egui::{Id, Ui};
 
-use super::{Factor, Row, rows_ui};
-use crate::inspector::Memory;
+use super::{FormulaFactor, FormulaRow, rows_ui};
+use crate::inspector::InspectorState;
 use crate::inspector::header::hint;
 use crate::inspector::symbol::Symbol;
 use crate::texts::Texts;
 use crate::widgets::number::shown;
 
-/// The distances for which the falloff is told, meters.
+/// The distances for which the falloff is written, meters.
 const DISTANCES: [f64; 3] = [1.0, 5.0, 10.0];
 
 /// Draws what a light sends to a point at the distance d, in symbols and in numbers.
-pub(in crate::inspector) fn falloff_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, light: &Light) {
+pub(in crate::inspector) fn falloff_ui(
+    ui: &mut Ui,
+    texts: &Texts,
+    memory: &mut InspectorState,
+    light: &Light,
+) {
     let name = texts.get("in-formula-sent");
     let law = match light.falloff {
-        Falloff::None => vec![Factor::text(Symbol::Falloff, "1")],
+        Falloff::None => vec![FormulaFactor::text(Symbol::Falloff, "1")],
         Falloff::Linear { .. } => {
-            vec![Factor::sign("1 / (d + "), Factor::text(Symbol::FalloffConstant, "K"), Factor::sign(")")]
+            vec![
+                FormulaFactor::sign("1 / (d + "),
+                FormulaFactor::text(Symbol::FalloffConstant, "K"),
+                FormulaFactor::sign(")"),
+            ]
         }
-        Falloff::InverseSquare => vec![Factor::text(Symbol::Falloff, "1 / d^2")],
+        Falloff::InverseSquare => vec![FormulaFactor::text(Symbol::Falloff, "1 / d^2")],
     };
     let mut symbols = vec![
-        Factor::text(Symbol::Falloff, "A(d)"),
-        Factor::sign(" · "),
-        Factor::text(Symbol::Intensity, texts.get("in-formula-intensity")),
-        Factor::sign(" · "),
-        Factor::text(Symbol::LightColor, texts.get("in-formula-color")),
-        Factor::sign(",   A(d) = "),
+        FormulaFactor::text(Symbol::Falloff, "A(d)"),
+        FormulaFactor::sign(" · "),
+        FormulaFactor::text(Symbol::Intensity, texts.get("in-formula-intensity")),
+        FormulaFactor::sign(" · "),
+        FormulaFactor::text(Symbol::LightColor, texts.get("in-formula-color")),
+        FormulaFactor::sign(",   A(d) = "),
     ];
     symbols.extend(law);
     let mut numbers = match light.falloff {
-        Falloff::None => vec![Factor::text(Symbol::Falloff, "1")],
+        Falloff::None => vec![FormulaFactor::text(Symbol::Falloff, "1")],
         Falloff::Linear { constant } => vec![
-            Factor::sign("1 / (d + "),
-            Factor::number(texts, Symbol::FalloffConstant, constant),
-            Factor::sign(")"),
+            FormulaFactor::sign("1 / (d + "),
+            FormulaFactor::number(texts, Symbol::FalloffConstant, constant),
+            FormulaFactor::sign(")"),
         ],
-        Falloff::InverseSquare => vec![Factor::text(Symbol::Falloff, "1 / d^2")],
+        Falloff::InverseSquare => vec![FormulaFactor::text(Symbol::Falloff, "1 / d^2")],
     };
     numbers.extend([
-        Factor::sign(" · "),
-        Factor::number(texts, Symbol::Intensity, light.intensity),
-        Factor::sign(" · "),
-        Factor::color(texts, Symbol::LightColor, light.color),
+        FormulaFactor::sign(" · "),
+        FormulaFactor::number(texts, Symbol::Intensity, light.intensity),
+        FormulaFactor::sign(" · "),
+        FormulaFactor::color(texts, Symbol::LightColor, light.color),
     ]);
     let rows = [
-        Row { name, factors: symbols, is_numeric: false, is_idle: false, indent: 0.0 },
-        Row { name, factors: numbers, is_numeric: true, is_idle: light.hidden, indent: 0.0 },
+        FormulaRow { name, factors: symbols, is_numeric: false, is_idle: false, indent: 0.0 },
+        FormulaRow { name, factors: numbers, is_numeric: true, is_idle: light.hidden, indent: 0.0 },
     ];
     rows_ui(ui, texts, memory, Id::unique("formula-falloff"), &rows);
     if light.falloff != Falloff::None {

@@ -4,16 +4,21 @@ use catoptric_optics::{Metal, fresnel, observer};
 use catoptric_scene::{Conductor, Material, Model};
 use egui::{Id, Ui};
 
-use super::{Factor, Row, color_text, rows_ui};
-use crate::inspector::Memory;
+use super::{FormulaFactor, FormulaRow, color_text, rows_ui};
+use crate::inspector::InspectorState;
 use crate::inspector::header::hint;
 use crate::inspector::symbol::Symbol;
 use crate::texts::Texts;
 use crate::widgets::number::{list, shown};
 
 /// Draws the law of a material's model.
-pub(in crate::inspector) fn law_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Material) {
-    let mut lines = Lines { rows: Vec::new(), texts };
+pub(in crate::inspector) fn law_ui(
+    ui: &mut Ui,
+    texts: &Texts,
+    memory: &mut InspectorState,
+    material: &Material,
+) {
+    let mut lines = LawLines { rows: Vec::new(), texts };
     match material.model {
         Model::Phong => {}
         Model::Dielectric => lines.dielectric(material),
@@ -65,50 +70,58 @@ fn luminance([red, green, blue]: [f64; 3]) -> f64 {
     0.2126 * red + 0.7152 * green + 0.0722 * blue
 }
 
-struct Lines<'t> {
-    rows: Vec<Row<'t>>,
+struct LawLines<'t> {
+    rows: Vec<FormulaRow<'t>>,
     texts: &'t Texts,
 }
 
-impl Lines<'_> {
-    fn symbols(&mut self, key: &'static str, factors: Vec<Factor>) {
+impl LawLines<'_> {
+    fn symbols(&mut self, key: &'static str, factors: Vec<FormulaFactor>) {
         let name = self.texts.get(key);
-        self.rows.push(Row { name, factors, is_numeric: false, is_idle: false, indent: 0.0 });
+        self.rows.push(FormulaRow { name, factors, is_numeric: false, is_idle: false, indent: 0.0 });
     }
 
-    fn numbers(&mut self, key: &'static str, factors: Vec<Factor>) {
+    fn numbers(&mut self, key: &'static str, factors: Vec<FormulaFactor>) {
         let name = self.texts.get(key);
-        self.rows.push(Row { name, factors, is_numeric: true, is_idle: false, indent: 18.0 });
+        self.rows.push(FormulaRow { name, factors, is_numeric: true, is_idle: false, indent: 18.0 });
     }
 
-    fn reflected(&self) -> Factor {
-        Factor::text(Symbol::Reflected, self.texts.get("in-formula-reflected"))
+    fn reflected(&self) -> FormulaFactor {
+        FormulaFactor::text(Symbol::Reflected, self.texts.get("in-formula-reflected"))
     }
 
     fn dielectric(&mut self, material: &Material) {
-        let refracted = Factor::text(Symbol::Refracted, self.texts.get("in-formula-refracted"));
-        let sum =
-            vec![Factor::sign("I = R(θ) "), self.reflected(), Factor::sign(" + (1 − R(θ)) "), refracted];
+        let refracted = FormulaFactor::text(Symbol::Refracted, self.texts.get("in-formula-refracted"));
+        let sum = vec![
+            FormulaFactor::sign("I = R(θ) "),
+            self.reflected(),
+            FormulaFactor::sign(" + (1 − R(θ)) "),
+            refracted,
+        ];
         self.symbols("in-formula-sum", sum);
         self.straight(material);
         self.symbols(
             "in-formula-snell",
-            vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")],
+            vec![
+                FormulaFactor::sign("sin α = "),
+                FormulaFactor::symbol(Symbol::Ior),
+                FormulaFactor::sign(" sin β"),
+            ],
         );
         self.numbers(
             "in-formula-snell",
             vec![
-                Factor::sign("sin α = "),
-                Factor::number(self.texts, Symbol::Ior, material.ior()),
-                Factor::sign(" · sin β"),
+                FormulaFactor::sign("sin α = "),
+                FormulaFactor::number(self.texts, Symbol::Ior, material.ior()),
+                FormulaFactor::sign(" · sin β"),
             ],
         );
         if material.attenuation_color != catoptric_scene::Color::WHITE {
-            self.symbols("in-formula-loss", vec![Factor::sign("T(d) = c^{d/D}")]);
+            self.symbols("in-formula-loss", vec![FormulaFactor::sign("T(d) = c^{d/D}")]);
             let (color, distance) =
                 (color_text(self.texts, material.attenuation_color), material.attenuation_distance);
             let markup = format!("T(d) = {color}^{{d/{}}}", shown(self.texts, distance, 3));
-            self.numbers("in-formula-loss", vec![Factor::sign(&markup)]);
+            self.numbers("in-formula-loss", vec![FormulaFactor::sign(&markup)]);
         }
     }
 
@@ -116,20 +129,26 @@ impl Lines<'_> {
     fn straight(&mut self, material: &Material) {
         let ior = material.ior();
         let root = (ior - 1.0) / (ior + 1.0);
-        self.symbols("in-formula-straight", vec![Factor::sign("R(0) = ((η − 1)/(η + 1))^2")]);
+        self.symbols("in-formula-straight", vec![FormulaFactor::sign("R(0) = ((η − 1)/(η + 1))^2")]);
         let index = shown(self.texts, ior, 3);
         let markup = format!("(({index} − 1)/({index} + 1))^2 = {}", shown(self.texts, root * root, 4));
-        self.numbers("in-formula-straight", vec![Factor::sign(&markup)]);
+        self.numbers("in-formula-straight", vec![FormulaFactor::sign(&markup)]);
     }
 
     fn conductor(&mut self, material: &Material) {
-        let sum = vec![Factor::sign("I = R(θ) "), self.reflected()];
+        let sum = vec![FormulaFactor::sign("I = R(θ) "), self.reflected()];
         self.symbols("in-formula-sum", sum);
-        self.symbols("in-formula-straight", vec![Factor::sign("R(0) = ((n − 1)^2 + k^2)/((n + 1)^2 + k^2)")]);
+        self.symbols(
+            "in-formula-straight",
+            vec![FormulaFactor::sign("R(0) = ((n − 1)^2 + k^2)/((n + 1)^2 + k^2)")],
+        );
         let [r, g, b] = match material.conductor {
             Conductor::Metal(metal) => {
                 let [least, most] = spectral_range(metal).map(|(_, share)| shown(self.texts, share, 3));
-                self.numbers("in-formula-straight", vec![Factor::sign(&format!("R(0) = {least} … {most}"))]);
+                self.numbers(
+                    "in-formula-straight",
+                    vec![FormulaFactor::sign(&format!("R(0) = {least} … {most}"))],
+                );
                 metal.reflectance(1.0, 1.0)
             }
             Conductor::Index { n, k } => {
@@ -138,27 +157,27 @@ impl Lines<'_> {
             }
         };
         let numbers = list(self.texts, [r, g, b].map(|part| shown(self.texts, part, 3)));
-        self.numbers("in-formula-straight", vec![Factor::sign(&format!("RGB = ({numbers})"))]);
+        self.numbers("in-formula-straight", vec![FormulaFactor::sign(&format!("RGB = ({numbers})"))]);
     }
 
     fn mirror(&mut self, material: &Material) {
         self.symbols(
             "in-formula-sum",
             vec![
-                Factor::sign("I = "),
-                Factor::symbol(Symbol::Reflection),
-                Factor::symbol(Symbol::Color),
+                FormulaFactor::sign("I = "),
+                FormulaFactor::symbol(Symbol::Reflection),
+                FormulaFactor::symbol(Symbol::Color),
                 self.reflected(),
             ],
         );
         self.numbers(
             "in-formula-sum",
             vec![
-                Factor::sign("I = "),
-                Factor::number(self.texts, Symbol::Reflection, material.reflection()),
-                Factor::sign("·"),
-                Factor::color(self.texts, Symbol::Color, material.emblem()),
-                Factor::sign("·"),
+                FormulaFactor::sign("I = "),
+                FormulaFactor::number(self.texts, Symbol::Reflection, material.reflection()),
+                FormulaFactor::sign("·"),
+                FormulaFactor::color(self.texts, Symbol::Color, material.emblem()),
+                FormulaFactor::sign("·"),
                 self.reflected(),
             ],
         );
@@ -168,21 +187,21 @@ impl Lines<'_> {
         self.symbols(
             "in-formula-ambient",
             vec![
-                Factor::sign("I = "),
-                Factor::symbol(Symbol::Ambient),
-                Factor::symbol(Symbol::Color),
-                Factor::symbol(Symbol::AmbientLight),
+                FormulaFactor::sign("I = "),
+                FormulaFactor::symbol(Symbol::Ambient),
+                FormulaFactor::symbol(Symbol::Color),
+                FormulaFactor::symbol(Symbol::AmbientLight),
             ],
         );
         self.symbols(
             "in-formula-diffuse",
             vec![
-                Factor::sign("+ Σ_j "),
-                Factor::symbol(Symbol::Visibility),
-                Factor::symbol(Symbol::Falloff),
-                Factor::symbol(Symbol::Light),
-                Factor::symbol(Symbol::Color),
-                Factor::symbol(Symbol::Lambert),
+                FormulaFactor::sign("+ Σ_j "),
+                FormulaFactor::symbol(Symbol::Visibility),
+                FormulaFactor::symbol(Symbol::Falloff),
+                FormulaFactor::symbol(Symbol::Light),
+                FormulaFactor::symbol(Symbol::Color),
+                FormulaFactor::symbol(Symbol::Lambert),
             ],
         );
     }
@@ -193,8 +212,11 @@ impl Lines<'_> {
 
     fn coated(&mut self, material: &Material) {
         self.ground();
-        self.symbols("in-formula-coat", vec![Factor::sign("· (1 − R(θ)) (1 − R(θ_j))/(η^2 (1 − C R_i))")]);
-        self.symbols("in-formula-reflection", vec![Factor::sign("+ R(θ) "), self.reflected()]);
+        self.symbols(
+            "in-formula-coat",
+            vec![FormulaFactor::sign("· (1 − R(θ)) (1 − R(θ_j))/(η^2 (1 − C R_i))")],
+        );
+        self.symbols("in-formula-reflection", vec![FormulaFactor::sign("+ R(θ) "), self.reflected()]);
         self.straight(material);
     }
 }

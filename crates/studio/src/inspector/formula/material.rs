@@ -3,13 +3,13 @@
 use catoptric_scene::{Falloff, Light, Material, Scene};
 use egui::{Id, Role, Sense, Ui, WidgetInfo, vec2};
 
-use super::{Factor, Row, color_text, rows_ui};
-use crate::inspector::Memory;
+use super::{FormulaFactor, FormulaRow, color_text, rows_ui};
+use crate::inspector::InspectorState;
 use crate::inspector::header::hint;
 use crate::inspector::symbol::Symbol;
 use crate::texts::Texts;
 use crate::theme;
-use crate::typeset::{self, Line};
+use crate::typeset::{self, TextLine};
 use crate::widgets::color::screen_color;
 use crate::widgets::number::shown;
 
@@ -20,7 +20,7 @@ const LISTED: usize = 4;
 pub(in crate::inspector) fn material_ui(
     ui: &mut Ui,
     texts: &Texts,
-    memory: &mut Memory,
+    memory: &mut InspectorState,
     material: &Material,
     scene: &Scene,
 ) {
@@ -36,126 +36,133 @@ pub(in crate::inspector) fn material_ui(
 }
 
 fn pair<'t>(
-    rows: &mut Vec<Row<'t>>,
+    rows: &mut Vec<FormulaRow<'t>>,
     name: &'t str,
     indent: f32,
     is_idle: bool,
-    symbols: Vec<Factor>,
-    numbers: Vec<Factor>,
+    symbols: Vec<FormulaFactor>,
+    numbers: Vec<FormulaFactor>,
 ) {
-    rows.push(Row { name, factors: symbols, is_numeric: false, is_idle, indent });
+    rows.push(FormulaRow { name, factors: symbols, is_numeric: false, is_idle, indent });
     let indent = indent + 18.0;
-    rows.push(Row { name, factors: numbers, is_numeric: true, is_idle, indent });
+    rows.push(FormulaRow { name, factors: numbers, is_numeric: true, is_idle, indent });
 }
 
 /// I = k_a C I_a
-fn ambient<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material, scene: &Scene) {
+fn ambient<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material, scene: &Scene) {
     let symbols = vec![
-        Factor::sign("I = "),
-        Factor::symbol(Symbol::Ambient),
-        Factor::symbol(Symbol::Color),
-        Factor::symbol(Symbol::AmbientLight),
+        FormulaFactor::sign("I = "),
+        FormulaFactor::symbol(Symbol::Ambient),
+        FormulaFactor::symbol(Symbol::Color),
+        FormulaFactor::symbol(Symbol::AmbientLight),
     ];
     let numbers = vec![
-        Factor::number(texts, Symbol::Ambient, material.ambient),
-        Factor::sign("·"),
-        Factor::color(texts, Symbol::Color, material.emblem()),
-        Factor::sign("·"),
-        Factor::color(texts, Symbol::AmbientLight, scene.environment.ambient),
+        FormulaFactor::number(texts, Symbol::Ambient, material.ambient),
+        FormulaFactor::sign("·"),
+        FormulaFactor::color(texts, Symbol::Color, material.emblem()),
+        FormulaFactor::sign("·"),
+        FormulaFactor::color(texts, Symbol::AmbientLight, scene.environment.ambient),
     ];
     pair(rows, texts.get("in-formula-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
 }
 
 /// Σ_j V_j A(d_j) I_j [ k_d C (N·L_j)
-fn diffuse<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+fn diffuse<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
     let sum = vec![
-        Factor::sign("+ Σ_j "),
-        Factor::symbol(Symbol::Visibility),
-        Factor::symbol(Symbol::Falloff),
-        Factor::symbol(Symbol::Light),
-        Factor::sign(" ["),
+        FormulaFactor::sign("+ Σ_j "),
+        FormulaFactor::symbol(Symbol::Visibility),
+        FormulaFactor::symbol(Symbol::Falloff),
+        FormulaFactor::symbol(Symbol::Light),
+        FormulaFactor::sign(" ["),
     ];
     let is_idle = material.diffuse == 0.0 && material.specular == 0.0;
     let name = texts.get("in-formula-sum");
-    rows.push(Row { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
-    let symbols =
-        vec![Factor::symbol(Symbol::Diffuse), Factor::symbol(Symbol::Color), Factor::symbol(Symbol::Lambert)];
+    rows.push(FormulaRow { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
+    let symbols = vec![
+        FormulaFactor::symbol(Symbol::Diffuse),
+        FormulaFactor::symbol(Symbol::Color),
+        FormulaFactor::symbol(Symbol::Lambert),
+    ];
     let numbers = vec![
-        Factor::number(texts, Symbol::Diffuse, material.diffuse),
-        Factor::sign("·"),
-        Factor::color(texts, Symbol::Color, material.emblem()),
-        Factor::sign("·"),
-        Factor::symbol(Symbol::Lambert),
+        FormulaFactor::number(texts, Symbol::Diffuse, material.diffuse),
+        FormulaFactor::sign("·"),
+        FormulaFactor::color(texts, Symbol::Color, material.emblem()),
+        FormulaFactor::sign("·"),
+        FormulaFactor::symbol(Symbol::Lambert),
     ];
     pair(rows, texts.get("in-formula-diffuse"), 44.0, material.diffuse == 0.0, symbols, numbers);
 }
 
 /// + k_s ((S·R)⁺)ⁿ ]
-fn highlight<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+fn highlight<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
     let symbols = vec![
-        Factor::sign("+ "),
-        Factor::symbol(Symbol::Specular),
-        Factor::symbol(Symbol::Mirrored),
-        Factor::text(Symbol::Shininess, "^n"),
-        Factor::sign(" ]"),
+        FormulaFactor::sign("+ "),
+        FormulaFactor::symbol(Symbol::Specular),
+        FormulaFactor::symbol(Symbol::Mirrored),
+        FormulaFactor::text(Symbol::Shininess, "^n"),
+        FormulaFactor::sign(" ]"),
     ];
     let exponent = format!("^{{{}}}", shown(texts, material.shininess, 1));
     let numbers = vec![
-        Factor::number(texts, Symbol::Specular, material.specular),
-        Factor::sign("·"),
-        Factor::symbol(Symbol::Mirrored),
-        Factor::text(Symbol::Shininess, exponent),
+        FormulaFactor::number(texts, Symbol::Specular, material.specular),
+        FormulaFactor::sign("·"),
+        FormulaFactor::symbol(Symbol::Mirrored),
+        FormulaFactor::text(Symbol::Shininess, exponent),
     ];
     pair(rows, texts.get("in-formula-highlight"), 32.0, material.specular == 0.0, symbols, numbers);
 }
 
 /// + k_r I_reflected
-fn reflection<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+fn reflection<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
     let reflected = texts.get("in-formula-reflected");
     let symbols = vec![
-        Factor::sign("+ "),
-        Factor::symbol(Symbol::Reflection),
-        Factor::text(Symbol::Reflected, reflected),
+        FormulaFactor::sign("+ "),
+        FormulaFactor::symbol(Symbol::Reflection),
+        FormulaFactor::text(Symbol::Reflected, reflected),
     ];
     let value = material.reflection();
     let numbers = vec![
-        Factor::number(texts, Symbol::Reflection, value),
-        Factor::sign("·"),
-        Factor::text(Symbol::Reflected, reflected),
+        FormulaFactor::number(texts, Symbol::Reflection, value),
+        FormulaFactor::sign("·"),
+        FormulaFactor::text(Symbol::Reflected, reflected),
     ];
     pair(rows, texts.get("in-formula-reflection"), 14.0, value == 0.0, symbols, numbers);
 }
 
 /// + k_t τ I_refracted
-fn transmission<'t>(rows: &mut Vec<Row<'t>>, texts: &'t Texts, material: &Material) {
+fn transmission<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
     let refracted = texts.get("in-formula-refracted");
     let symbols = vec![
-        Factor::sign("+ "),
-        Factor::symbol(Symbol::Transmission),
-        Factor::symbol(Symbol::Tint),
-        Factor::text(Symbol::Refracted, refracted),
+        FormulaFactor::sign("+ "),
+        FormulaFactor::symbol(Symbol::Transmission),
+        FormulaFactor::symbol(Symbol::Tint),
+        FormulaFactor::text(Symbol::Refracted, refracted),
     ];
     let numbers = vec![
-        Factor::number(texts, Symbol::Transmission, material.transmission),
-        Factor::sign("·"),
-        Factor::color(texts, Symbol::Tint, material.tint),
-        Factor::sign("·"),
-        Factor::text(Symbol::Refracted, refracted),
+        FormulaFactor::number(texts, Symbol::Transmission, material.transmission),
+        FormulaFactor::sign("·"),
+        FormulaFactor::color(texts, Symbol::Tint, material.tint),
+        FormulaFactor::sign("·"),
+        FormulaFactor::text(Symbol::Refracted, refracted),
     ];
     pair(rows, texts.get("in-formula-transmission"), 14.0, material.transmission == 0.0, symbols, numbers);
 }
 
 /// Snell's law and the critical angle, for what lets light through.
-fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut Memory, material: &Material) {
+fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut InspectorState, material: &Material) {
     if material.transmission == 0.0 {
         return;
     }
     let name = texts.get("in-formula-snell");
-    let symbols = vec![Factor::sign("sin α = "), Factor::symbol(Symbol::Ior), Factor::sign(" sin β")];
+    let symbols = vec![
+        FormulaFactor::sign("sin α = "),
+        FormulaFactor::symbol(Symbol::Ior),
+        FormulaFactor::sign(" sin β"),
+    ];
     let numbers = vec![
-        Factor::sign("sin α = "),
-        Factor::number(texts, Symbol::Ior, material.ior),
-        Factor::sign(" · sin β"),
+        FormulaFactor::sign("sin α = "),
+        FormulaFactor::number(texts, Symbol::Ior, material.ior),
+        FormulaFactor::sign(" · sin β"),
     ];
     let mut rows = Vec::new();
     pair(&mut rows, name, 0.0, false, symbols, numbers);
@@ -178,7 +185,7 @@ fn light_ui(ui: &mut Ui, texts: &Texts, light: &Light, number: usize, name: &str
         Falloff::InverseSquare => ",  A = 1/d^2".to_owned(),
     };
     let markup = format!("I_{{{number}}} = {} · ", shown(texts, light.intensity, 3));
-    let mut line = Line::default();
+    let mut line = TextLine::default();
     line.push(ui, &markup, 12.0, palette.weak);
     line.push_chip(8.0, screen_color(light.color));
     line.push(ui, &format!("{}{law}", color_text(texts, light.color)), 12.0, palette.weak);

@@ -5,12 +5,12 @@ use crate::widgets::color::{color_field, hex};
 
 /// A row with a color.
 pub(crate) struct ColorRow<T> {
-    pub(crate) what: Quantity,
+    pub(crate) what: RowQuantity,
     pub(crate) get: fn(&T) -> Option<Color>,
     pub(crate) set: fn(&mut T, Color),
 }
 
-impl<T> Sheet<'_, '_, T> {
+impl<T> PropertySheet<'_, '_, T> {
     /// Draws a row with a color.
     pub(crate) fn color(&mut self, ui: &mut Ui, row: &ColorRow<T>) {
         let default = row.what.spec().and_then(KeySpec::default_vector).map(Color::from);
@@ -25,7 +25,7 @@ impl<T> Sheet<'_, '_, T> {
             sheet.cx.view.is_moving |= picked.is_dragged;
             if picked.is_refused {
                 let text = texts.get("refused-no-color").to_owned();
-                sheet.memory.note = Some(Note { id: sheet.id, key: row.what.key, text });
+                sheet.memory.note = Some(RefusalNote { id: sheet.id, key: row.what.key, text });
             }
             let is_default = default.is_none_or(|default| !is_mixed && value == default);
             let default_text = default.map(hex).unwrap_or_default();

@@ -4,9 +4,9 @@ use egui::{Slider, SliderClamping};
 
 use super::*;
 
-/// The rail of a slider, where a range is natural.
+/// The range and scale of a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Rail {
+pub(crate) enum SliderRail {
     /// None: only a field.
     None,
     /// From one number to another.
@@ -16,9 +16,9 @@ pub(crate) enum Rail {
 }
 
 /// A row with one number.
-pub(crate) struct Number<T> {
-    pub(crate) what: Quantity,
-    pub(crate) rail: Rail,
+pub(crate) struct NumberRow<T> {
+    pub(crate) what: RowQuantity,
+    pub(crate) rail: SliderRail,
     /// How much a point of dragging changes it; in proportion to the number when it is a length.
     pub(crate) speed: f64,
     pub(crate) decimals: usize,
@@ -30,18 +30,18 @@ pub(crate) struct Number<T> {
 /// The width of the field beside a slider.
 const FIELD: f32 = 72.0;
 
-impl<T> Number<T> {
+impl<T> NumberRow<T> {
     /// A row with a field and a slider.
     pub(crate) const fn new(
-        what: Quantity,
-        rail: Rail,
+        what: RowQuantity,
+        rail: SliderRail,
         get: fn(&T) -> Option<f64>,
         set: fn(&mut T, f64),
     ) -> Self {
         Self { what, rail, speed: 0.005, decimals: 3, get, set }
     }
 
-    /// The same, with another speed of dragging and number of decimals.
+    /// Sets the speed of dragging and the number of decimals.
     pub(crate) const fn tuned(mut self, speed: f64, decimals: usize) -> Self {
         self.speed = speed;
         self.decimals = decimals;
@@ -49,19 +49,19 @@ impl<T> Number<T> {
     }
 }
 
-impl<T> Sheet<'_, '_, T> {
+impl<T> PropertySheet<'_, '_, T> {
     /// Draws a row with one number. `chosen` is the word on which its default depends.
-    pub(crate) fn number(&mut self, ui: &mut Ui, number: &Number<T>, chosen: Option<&str>) {
+    pub(crate) fn number(&mut self, ui: &mut Ui, number: &NumberRow<T>, chosen: Option<&str>) {
         let default = number.what.spec().and_then(|spec| spec.default_number(chosen));
         self.number_or(ui, number, default);
     }
 
     /// Draws a row with one number that has this default.
-    pub(crate) fn number_or(&mut self, ui: &mut Ui, number: &Number<T>, default: Option<f64>) {
+    pub(crate) fn number_or(&mut self, ui: &mut Ui, number: &NumberRow<T>, default: Option<f64>) {
         let Some(value) = (number.get)(self.primary) else { return };
         let tip = self.tip(&number.what, default.map(|value| exact(self.texts(), value)));
         let field_tip = tip.clone();
-        let unit = if number.rail == Rail::None { Unit::None } else { number.what.unit };
+        let unit = if number.rail == SliderRail::None { Unit::None } else { number.what.unit };
         self.row(ui, &number.what, unit, tip, |sheet, ui| {
             sheet.number_contents(ui, number, value, default, &field_tip);
         });
@@ -70,7 +70,7 @@ impl<T> Sheet<'_, '_, T> {
     fn number_contents(
         &mut self,
         ui: &mut Ui,
-        number: &Number<T>,
+        number: &NumberRow<T>,
         value: f64,
         default: Option<f64>,
         tip: &str,
@@ -81,7 +81,7 @@ impl<T> Sheet<'_, '_, T> {
         let width = control_width(ui);
         let is_mixed = self.is_mixed(number.get);
         let mut new = None;
-        let has_rail = number.rail != Rail::None;
+        let has_rail = number.rail != SliderRail::None;
         if has_rail {
             new = self.rail(ui, number, &name, value, width - FIELD - GAP, tip);
         }
@@ -119,16 +119,16 @@ impl<T> Sheet<'_, '_, T> {
     fn rail(
         &mut self,
         ui: &mut Ui,
-        number: &Number<T>,
+        number: &NumberRow<T>,
         name: &str,
         value: f64,
         width: f32,
         tip: &str,
     ) -> Option<f64> {
         let (from, to, is_logarithmic) = match number.rail {
-            Rail::None => return None,
-            Rail::Even(from, to) => (from, to, false),
-            Rail::Logarithmic(from, to) => (from, to, true),
+            SliderRail::None => return None,
+            SliderRail::Even(from, to) => (from, to, false),
+            SliderRail::Logarithmic(from, to) => (from, to, true),
         };
         let mut slid = value;
         let slider = Slider::new(&mut slid, from..=to)

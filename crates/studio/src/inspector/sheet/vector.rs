@@ -5,9 +5,9 @@ use crate::widgets::explained_icon_button;
 use crate::widgets::number::list;
 use egui_material_icons::icons::{ICON_LINK, ICON_LINK_OFF};
 
-/// How a change of the primary thing's vector is carried to the others.
+/// The way that a change of the primary thing's vector applies to the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Spread {
+pub(crate) enum VectorSpread {
     /// The changed component becomes the same for all.
     Same,
     /// All change by the same difference.
@@ -15,55 +15,55 @@ pub(crate) enum Spread {
 }
 
 /// A row with three numbers.
-pub(crate) struct Vector<T> {
-    pub(crate) what: Quantity,
-    pub(crate) spread: Spread,
+pub(crate) struct VectorRow<T> {
+    pub(crate) what: RowQuantity,
+    pub(crate) spread: VectorSpread,
     /// How much a point of dragging changes a component.
     pub(crate) speed: f64,
     pub(crate) decimals: usize,
     /// Where the memory has whether the components keep their ratios; `None` when they never do.
-    pub(crate) link: Option<fn(&mut Memory) -> &mut bool>,
+    pub(crate) link: Option<fn(&mut InspectorState) -> &mut bool>,
     pub(crate) get: fn(&T) -> Option<DVec3>,
     pub(crate) set: fn(&mut T, DVec3),
 }
 
-/// The vectors of all things when a gesture began, so that no rounding gathers while it lasts.
+/// The vectors at the start of a gesture, so that rounding does not accumulate.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Starts {
+pub(crate) struct StartVectors {
     label: Option<Label>,
     vectors: Vec<Option<DVec3>>,
 }
 
 const LINK: f32 = 22.0;
 
-impl<T> Vector<T> {
+impl<T> VectorRow<T> {
     /// A row with three numbers that spread like this over several things.
     pub(crate) const fn new(
-        what: Quantity,
-        spread: Spread,
+        what: RowQuantity,
+        spread: VectorSpread,
         get: fn(&T) -> Option<DVec3>,
         set: fn(&mut T, DVec3),
     ) -> Self {
         Self { what, spread, speed: 0.01, decimals: 3, link: None, get, set }
     }
 
-    /// The same, with another speed of dragging and number of decimals.
+    /// Sets the speed of dragging and the number of decimals.
     pub(crate) const fn tuned(mut self, speed: f64, decimals: usize) -> Self {
         self.speed = speed;
         self.decimals = decimals;
         self
     }
 
-    /// The same, with a button that keeps the ratios of the components.
-    pub(crate) const fn linked(mut self, link: fn(&mut Memory) -> &mut bool) -> Self {
+    /// Adds a button that keeps the ratios of the components.
+    pub(crate) const fn linked(mut self, link: fn(&mut InspectorState) -> &mut bool) -> Self {
         self.link = Some(link);
         self
     }
 }
 
-impl<T> Sheet<'_, '_, T> {
+impl<T> PropertySheet<'_, '_, T> {
     /// Draws a row with three numbers.
-    pub(crate) fn vector(&mut self, ui: &mut Ui, vector: &Vector<T>) {
+    pub(crate) fn vector(&mut self, ui: &mut Ui, vector: &VectorRow<T>) {
         let default = vector.what.spec().and_then(KeySpec::default_vector).map(DVec3::from_array);
         let Some(value) = (vector.get)(self.primary) else { return };
         let tip = self.tip(&vector.what, default.map(|value| vector_text(self.texts(), value)));
@@ -72,7 +72,7 @@ impl<T> Sheet<'_, '_, T> {
         });
     }
 
-    fn vector_contents(&mut self, ui: &mut Ui, vector: &Vector<T>, value: DVec3, default: Option<DVec3>) {
+    fn vector_contents(&mut self, ui: &mut Ui, vector: &VectorRow<T>, value: DVec3, default: Option<DVec3>) {
         let what = &vector.what;
         let name = what.label(self.texts());
         let room = control_width(ui) - if vector.link.is_some() { LINK + GAP } else { 0.0 };
@@ -86,7 +86,7 @@ impl<T> Sheet<'_, '_, T> {
         if let Some(link) = vector.link {
             self.link_button(ui, link, &name);
         }
-        let is_mixed = vector.spread == Spread::Same && self.is_mixed(vector.get);
+        let is_mixed = vector.spread == VectorSpread::Same && self.is_mixed(vector.get);
         let is_default = default.is_none_or(|default| !is_mixed && value == default);
         let default_text = default.map(|value| vector_text(self.texts(), value)).unwrap_or_default();
         if self.reset(ui, is_default, &name, &default_text)
@@ -106,7 +106,7 @@ impl<T> Sheet<'_, '_, T> {
     fn component(
         &mut self,
         ui: &mut Ui,
-        vector: &Vector<T>,
+        vector: &VectorRow<T>,
         name: &str,
         value: DVec3,
         axis: usize,
@@ -114,7 +114,7 @@ impl<T> Sheet<'_, '_, T> {
     ) -> Option<f64> {
         let texts = self.texts();
         let number = component_of(value, axis);
-        let is_mixed = vector.spread == Spread::Same
+        let is_mixed = vector.spread == VectorSpread::Same
             && self.is_mixed(|thing| (vector.get)(thing).map(|value| component_of(value, axis)));
         let letter = ["X", "Y", "Z"].get(axis).copied().unwrap_or_default();
         let palette = theme::palette(ui.visuals());
@@ -141,7 +141,7 @@ impl<T> Sheet<'_, '_, T> {
         typed
     }
 
-    fn link_button(&mut self, ui: &mut Ui, link: fn(&mut Memory) -> &mut bool, name: &str) {
+    fn link_button(&mut self, ui: &mut Ui, link: fn(&mut InspectorState) -> &mut bool, name: &str) {
         let texts = self.texts();
         let is_linked = link(self.memory);
         let icon = if *is_linked { ICON_LINK } else { ICON_LINK_OFF };
@@ -153,7 +153,7 @@ impl<T> Sheet<'_, '_, T> {
     }
 
     /// Carries the change of the primary thing's vector to all.
-    fn spread(&mut self, vector: &Vector<T>, old: DVec3, axis: usize, component: f64) {
+    fn spread(&mut self, vector: &VectorRow<T>, old: DVec3, axis: usize, component: f64) {
         let what = &vector.what;
         let is_linked = vector.link.is_some_and(|link| *link(self.memory));
         let starts = self.starts(vector);
@@ -166,22 +166,22 @@ impl<T> Sheet<'_, '_, T> {
             let result = match spread {
                 // The primary one becomes exactly what was entered.
                 _ if index == 0 => new,
-                Spread::Offset => tidy_vector(start + (new - origin)),
-                Spread::Same if is_linked => tidy_vector(start * (new / origin)),
-                Spread::Same => moved(current, axis, component, false),
+                VectorSpread::Offset => tidy_vector(start + (new - origin)),
+                VectorSpread::Same if is_linked => tidy_vector(start * (new / origin)),
+                VectorSpread::Same => moved(current, axis, component, false),
             };
             set(thing, result);
         });
     }
 
     /// The vectors of all things when the gesture on this row began.
-    fn starts(&mut self, vector: &Vector<T>) -> Vec<Option<DVec3>> {
+    fn starts(&mut self, vector: &VectorRow<T>) -> Vec<Option<DVec3>> {
         let label = Label::new(vector.what.edit, self.subject.clone());
         let is_going_on = self.cx.editor.gesture_label() == Some(&label);
         let starts = &mut self.memory.starts;
         if !is_going_on || starts.label.as_ref() != Some(&label) || starts.vectors.len() != self.things.len()
         {
-            *starts = Starts {
+            *starts = StartVectors {
                 label: Some(label),
                 vectors: self.things.iter().map(|thing| (vector.get)(thing)).collect(),
             };

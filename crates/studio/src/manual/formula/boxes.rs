@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Color32, FontId, Galley, Pos2, Stroke, Ui, Vec2, vec2};
 
-use super::Node;
+use super::FormulaNode;
 
 /// How much smaller indices, exponents and notes are.
 const SCRIPT: f32 = 0.72;
@@ -24,19 +24,19 @@ pub(in crate::manual) struct FormulaBox {
     /// From the baseline up and down, points.
     pub(in crate::manual) ascent: f32,
     pub(in crate::manual) descent: f32,
-    pieces: Vec<Piece>,
+    pieces: Vec<FormulaShape>,
 }
 
-/// What is drawn, relative to the left end of the baseline; y goes down.
+/// A text or line of a formula, relative to the left end of the baseline; y goes down.
 #[derive(Clone)]
-enum Piece {
+enum FormulaShape {
     Text { galley: Arc<Galley>, corner: Vec2 },
     Stroke { points: Vec<Vec2> },
 }
 
-/// How formulas are set.
+/// Sets formulas in a color, with stacked fractions or in one line.
 #[derive(Clone, Copy)]
-struct Setter<'a> {
+struct Typesetter<'a> {
     ui: &'a Ui,
     color: Color32,
     /// Fractions stand one over the other, and not in one line.
@@ -46,14 +46,14 @@ struct Setter<'a> {
 /// Sets a formula in lines of at most `width` points: on its own (`is_high`), or within a line of text.
 pub(in crate::manual) fn lines(
     ui: &Ui,
-    node: &Node,
+    node: &FormulaNode,
     (size, color): (f32, Color32),
     is_high: bool,
     width: f32,
 ) -> Vec<FormulaBox> {
-    let setter = Setter { ui, color, is_high };
+    let setter = Typesetter { ui, color, is_high };
     let whole = setter.set(node, size);
-    let Node::Row(nodes) = node else { return vec![whole] };
+    let FormulaNode::Row(nodes) = node else { return vec![whole] };
     if whole.width <= width {
         return vec![whole];
     }
@@ -69,12 +69,12 @@ pub(in crate::manual) fn lines(
 }
 
 /// A row in parts between which a line can end: before signs of operation, and after wide gaps.
-fn parts(nodes: &[Node]) -> Vec<&[Node]> {
+fn parts(nodes: &[FormulaNode]) -> Vec<&[FormulaNode]> {
     let mut parts = Vec::new();
     let mut start = 0;
     for (place, node) in nodes.iter().enumerate().skip(1) {
-        let is_gap = matches!(nodes.get(place - 1), Some(Node::Space(width)) if *width >= 1.0);
-        if is_gap || matches!(node, Node::Operator('=' | '+' | '−' | '≤' | '≥')) {
+        let is_gap = matches!(nodes.get(place - 1), Some(FormulaNode::Space(width)) if *width >= 1.0);
+        if is_gap || matches!(node, FormulaNode::Operator('=' | '+' | '−' | '≤' | '≥')) {
             parts.extend(nodes.get(start..place));
             start = place;
         }
@@ -88,10 +88,10 @@ impl FormulaBox {
     pub(in crate::manual) fn paint(&self, ui: &Ui, start: Pos2, color: Color32) {
         for piece in &self.pieces {
             match piece {
-                Piece::Text { galley, corner } => {
+                FormulaShape::Text { galley, corner } => {
                     ui.painter().galley(start + *corner, Arc::clone(galley), color);
                 }
-                Piece::Stroke { points } => {
+                FormulaShape::Stroke { points } => {
                     let points = points.iter().map(|point| start + *point).collect();
                     ui.painter().line(points, Stroke::new(1.0, color));
                 }
@@ -111,55 +111,57 @@ impl FormulaBox {
         self.ascent = self.ascent.max(other.ascent - at.y);
         self.descent = self.descent.max(other.descent + at.y);
         self.pieces.extend(other.pieces.into_iter().map(|piece| match piece {
-            Piece::Text { galley, corner } => Piece::Text { galley, corner: corner + at },
-            Piece::Stroke { points } => {
-                Piece::Stroke { points: points.into_iter().map(|point| point + at).collect() }
+            FormulaShape::Text { galley, corner } => FormulaShape::Text { galley, corner: corner + at },
+            FormulaShape::Stroke { points } => {
+                FormulaShape::Stroke { points: points.into_iter().map(|point| point + at).collect() }
             }
         }));
     }
 
     fn stroke<const N: usize>(&mut self, points: [Vec2; N]) {
-        self.pieces.push(Piece::Stroke { points: points.to_vec() });
+        self.pieces.push(FormulaShape::Stroke { points: points.to_vec() });
     }
 }
 
-impl Setter<'_> {
-    fn set(&self, node: &Node, size: f32) -> FormulaBox {
+impl Typesetter<'_> {
+    fn set(&self, node: &FormulaNode, size: f32) -> FormulaBox {
         match node {
-            Node::Row(nodes) => self.row(nodes, size),
-            Node::Letter(letter) => {
+            FormulaNode::Row(nodes) => self.row(nodes, size),
+            FormulaNode::Letter(letter) => {
                 let mut leaning = self.text(&letter.to_string(), size, letter.is_alphabetic());
                 // Room for the slant.
                 leaning.width += 0.06 * size;
                 leaning
             }
-            Node::Sign(sign) | Node::Function(sign) => self.text(sign, size, false),
-            Node::Operator(sign) => self.operator(*sign, size),
-            Node::Space(width) => FormulaBox { width: width * size, ..FormulaBox::default() },
-            Node::Hat(base) => self.hat(base, size),
-            Node::Root(inner) => self.root(inner, size),
-            Node::Fraction(over, under) if self.is_high => self.fraction(over, under, size),
-            Node::Fraction(over, under) => self.flat_fraction(over, under, size),
-            Node::Script { base, below, above } => {
+            FormulaNode::Sign(sign) | FormulaNode::Function(sign) => self.text(sign, size, false),
+            FormulaNode::Operator(sign) => self.operator(*sign, size),
+            FormulaNode::Space(width) => FormulaBox { width: width * size, ..FormulaBox::default() },
+            FormulaNode::Hat(base) => self.hat(base, size),
+            FormulaNode::Root(inner) => self.root(inner, size),
+            FormulaNode::Fraction(over, under) if self.is_high => self.fraction(over, under, size),
+            FormulaNode::Fraction(over, under) => self.flat_fraction(over, under, size),
+            FormulaNode::Script { base, below, above } => {
                 self.script(base, below.as_deref(), above.as_deref(), size)
             }
-            Node::Fence { open, inner, close } => self.fence(*open, inner, *close, size),
-            Node::Braced { base, note } => self.braced(base, note, size),
+            FormulaNode::Fence { open, inner, close } => self.fence(*open, inner, *close, size),
+            FormulaNode::Braced { base, note } => self.braced(base, note, size),
         }
     }
 
-    fn row(&self, nodes: &[Node], size: f32) -> FormulaBox {
+    fn row(&self, nodes: &[FormulaNode], size: f32) -> FormulaBox {
         let mut row = FormulaBox::default();
         for (place, node) in nodes.iter().enumerate() {
             row.append(self.set(node, size));
             let is_function = match node {
-                Node::Function(_) => true,
-                Node::Script { base, .. } => matches!(**base, Node::Function(_)),
+                FormulaNode::Function(_) => true,
+                FormulaNode::Script { base, .. } => matches!(**base, FormulaNode::Function(_)),
                 _ => false,
             };
             let is_closed = match nodes.get(place + 1) {
-                Some(Node::Sign(sign)) => sign.starts_with(['(', '/', ')']),
-                None | Some(Node::Fence { .. } | Node::Operator(_) | Node::Space(_)) => true,
+                Some(FormulaNode::Sign(sign)) => sign.starts_with(['(', '/', ')']),
+                None | Some(FormulaNode::Fence { .. } | FormulaNode::Operator(_) | FormulaNode::Space(_)) => {
+                    true
+                }
                 Some(_) => false,
             };
             if is_function && !is_closed {
@@ -182,7 +184,7 @@ impl Setter<'_> {
             width: galley.size().x,
             ascent: CAPITAL * size,
             descent: if has_tail { TAIL * size } else { 0.0 },
-            pieces: vec![Piece::Text { galley, corner: vec2(0.0, -baseline) }],
+            pieces: vec![FormulaShape::Text { galley, corner: vec2(0.0, -baseline) }],
         }
     }
 
@@ -198,10 +200,9 @@ impl Setter<'_> {
         operator
     }
 
-    fn hat(&self, base: &Node, size: f32) -> FormulaBox {
+    fn hat(&self, base: &FormulaNode, size: f32) -> FormulaBox {
         let mut hat = self.set(base, size);
-        let is_small =
-            matches!(base, Node::Letter(letter) if letter.is_lowercase() && !"bdfhklt".contains(*letter));
+        let is_small = matches!(base, FormulaNode::Letter(letter) if letter.is_lowercase() && !"bdfhklt".contains(*letter));
         let foot = if is_small { 0.56 * size } else { hat.ascent + 0.04 * size };
         let wide = (0.5 * size).min(hat.width);
         // A leaning letter has its top a little to the right.
@@ -212,7 +213,7 @@ impl Setter<'_> {
         hat
     }
 
-    fn root(&self, inner: &Node, size: f32) -> FormulaBox {
+    fn root(&self, inner: &FormulaNode, size: f32) -> FormulaBox {
         let inner = self.set(inner, size);
         let (top, foot, hook) = (inner.ascent + 0.14 * size, inner.descent, 0.5 * size);
         let width = inner.width;
@@ -230,9 +231,9 @@ impl Setter<'_> {
         root
     }
 
-    fn fraction(&self, over: &Node, under: &Node, size: f32) -> FormulaBox {
+    fn fraction(&self, over: &FormulaNode, under: &FormulaNode, size: f32) -> FormulaBox {
         let nested = Self { ui: self.ui, color: self.color, is_high: true };
-        let is_plain = |node: &Node| matches!(node, Node::Sign(_));
+        let is_plain = |node: &FormulaNode| matches!(node, FormulaNode::Sign(_));
         // Figures such as one half are small.
         let part = if is_plain(over) && is_plain(under) { SCRIPT } else { NESTED } * size;
         let (over, under) = (nested.set(over, part), nested.set(under, part));
@@ -250,7 +251,7 @@ impl Setter<'_> {
     }
 
     /// A fraction in one line; its parts are in brackets where they would be read otherwise.
-    fn flat_fraction(&self, over: &Node, under: &Node, size: f32) -> FormulaBox {
+    fn flat_fraction(&self, over: &FormulaNode, under: &FormulaNode, size: f32) -> FormulaBox {
         let mut flat = FormulaBox::default();
         for (node, sign) in [(over, "/"), (under, "")] {
             let inner = self.set(node, size);
@@ -266,13 +267,19 @@ impl Setter<'_> {
         flat
     }
 
-    fn script(&self, base: &Node, below: Option<&Node>, above: Option<&Node>, size: f32) -> FormulaBox {
+    fn script(
+        &self,
+        base: &FormulaNode,
+        below: Option<&FormulaNode>,
+        above: Option<&FormulaNode>,
+        size: f32,
+    ) -> FormulaBox {
         let mut whole = self.set(base, size);
         let small = SCRIPT * size;
         let start = whole.width + 0.02 * size;
         let (rise, fall) = (
             (0.36 * size).max(whole.ascent - 0.38 * size),
-            (0.2 * size).max(if matches!(base, Node::Fence { .. } | Node::Braced { .. }) {
+            (0.2 * size).max(if matches!(base, FormulaNode::Fence { .. } | FormulaNode::Braced { .. }) {
                 whole.descent
             } else {
                 0.0
@@ -280,7 +287,7 @@ impl Setter<'_> {
         );
         if let Some(above) = above {
             // A prime is high by itself.
-            let lift = if *above == Node::Sign("′".to_owned()) { 0.14 * size } else { rise };
+            let lift = if *above == FormulaNode::Sign("′".to_owned()) { 0.14 * size } else { rise };
             whole.put(self.set(above, small), vec2(start, -lift));
         }
         if let Some(below) = below {
@@ -290,7 +297,7 @@ impl Setter<'_> {
         whole
     }
 
-    fn fence(&self, open: char, inner: &Node, close: char, size: f32) -> FormulaBox {
+    fn fence(&self, open: char, inner: &FormulaNode, close: char, size: f32) -> FormulaBox {
         let inner = self.set(inner, size);
         let axis = AXIS * size;
         let reach = (inner.ascent - axis).max(inner.descent + axis);
@@ -309,7 +316,7 @@ impl Setter<'_> {
         fence
     }
 
-    fn braced(&self, base: &Node, note: &Node, size: f32) -> FormulaBox {
+    fn braced(&self, base: &FormulaNode, note: &FormulaNode, size: f32) -> FormulaBox {
         let base = self.set(base, size);
         let note = self.set(note, SCRIPT * size);
         let width = base.width.max(note.width);

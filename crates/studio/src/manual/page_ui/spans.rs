@@ -5,7 +5,7 @@ use egui::{Color32, FontId, Label, Response, RichText, Sense, Ui, Vec2, WidgetIn
 use egui_material_icons::icons;
 
 use crate::manual::formula::{Formula, lines};
-use crate::manual::markdown::{Link, Span, SpanKind};
+use crate::manual::markdown::{ManualLink, TextSpan, TextSpanKind};
 use crate::texts::Texts;
 use crate::theme;
 
@@ -21,25 +21,25 @@ fn row_height(size: f32) -> f32 {
 }
 
 /// How wide running text is in one line, points.
-pub(super) fn width(ui: &Ui, spans: &[Span]) -> f32 {
+pub(super) fn width(ui: &Ui, spans: &[TextSpan]) -> f32 {
     let color = ui.visuals().text_color();
     let text = |text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, color).size().x;
     let widths = spans.iter().map(|span| match &span.kind {
-        SpanKind::Text(words) => text(words, FontId::proportional(BODY)),
-        SpanKind::Code(code) => text(code, FontId::monospace(CODE * BODY)),
-        SpanKind::Formula(formula) => {
+        TextSpanKind::Text(words) => text(words, FontId::proportional(BODY)),
+        TextSpanKind::Code(code) => text(code, FontId::monospace(CODE * BODY)),
+        TextSpanKind::Formula(formula) => {
             let lines = lines(ui, formula.node(), (BODY, color), false, f32::INFINITY);
             lines.first().map_or(0.0, |line| line.width)
         }
         // The words before it are long in every language.
-        SpanKind::Picture(alt) => text(alt, FontId::proportional(BODY)) + 90.0,
-        SpanKind::Break => 0.0,
+        TextSpanKind::Picture(alt) => text(alt, FontId::proportional(BODY)) + 90.0,
+        TextSpanKind::Break => 0.0,
     });
     widths.sum()
 }
 
 /// Draws running text in the width there is; returns the link that was followed.
-pub(super) fn spans_ui(ui: &mut Ui, spans: &[Span], size: f32, texts: &Texts) -> Option<Link> {
+pub(super) fn spans_ui(ui: &mut Ui, spans: &[TextSpan], size: f32, texts: &Texts) -> Option<ManualLink> {
     let mut followed = None;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = Vec2::ZERO;
@@ -56,7 +56,7 @@ pub(super) fn spans_ui(ui: &mut Ui, spans: &[Span], size: f32, texts: &Texts) ->
 }
 
 /// Draws a piece; returns whether it is a link that was followed.
-fn span_ui(ui: &mut Ui, span: &Span, size: f32, texts: &Texts) -> bool {
+fn span_ui(ui: &mut Ui, span: &TextSpan, size: f32, texts: &Texts) -> bool {
     let palette = theme::palette(ui.visuals());
     let (is_heading, is_link) = (size > BODY, span.link.is_some());
     let color = match span.link {
@@ -66,24 +66,24 @@ fn span_ui(ui: &mut Ui, span: &Span, size: f32, texts: &Texts) -> bool {
         None => palette.text,
     };
     let text = match &span.kind {
-        SpanKind::Text(text) => {
+        TextSpanKind::Text(text) => {
             RichText::new(text).size(size).color(color).line_height(Some(row_height(size)))
         }
-        SpanKind::Code(code) => {
+        TextSpanKind::Code(code) => {
             let code = RichText::new(code).monospace().size(CODE * size).color(color);
             if is_heading { code } else { code.background_color(palette.field) }
         }
-        SpanKind::Formula(formula) => {
+        TextSpanKind::Formula(formula) => {
             formula_ui(ui, formula, size, color);
             return false;
         }
-        SpanKind::Picture(alt) => {
+        TextSpanKind::Picture(alt) => {
             let words = texts.with("manual-picture", &[("name", alt.as_str().into())]);
             ui.label(icons::ICON_IMAGE.rich_text().size(15.0).color(palette.weak));
             ui.add(Label::new(RichText::new(words).size(size).italics().color(palette.weak)).wrap());
             return false;
         }
-        SpanKind::Break => {
+        TextSpanKind::Break => {
             ui.end_row();
             return false;
         }
@@ -94,7 +94,7 @@ fn span_ui(ui: &mut Ui, span: &Span, size: f32, texts: &Texts) -> bool {
         return false;
     }
     let response = ui.link(text);
-    if let Some(Link::Web(url)) = span.link.as_deref() {
+    if let Some(ManualLink::Web(url)) = span.link.as_deref() {
         return response.on_hover_text(url).clicked();
     }
     response.clicked()

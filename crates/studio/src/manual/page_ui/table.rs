@@ -3,7 +3,7 @@
 use egui::{Align, Layout, Rect, Ui, pos2, vec2};
 
 use super::spans;
-use crate::manual::markdown::{Link, Span};
+use crate::manual::markdown::{ManualLink, TextSpan};
 use crate::texts::Texts;
 use crate::theme;
 
@@ -14,7 +14,7 @@ const ABOVE: f32 = 3.0;
 const LEAST: f32 = 46.0;
 
 /// Draws a table; returns the link that was followed.
-pub(super) fn table_ui(ui: &mut Ui, rows: &[Vec<Vec<Span>>], texts: &Texts) -> Option<Link> {
+pub(super) fn table_ui(ui: &mut Ui, rows: &[Vec<Vec<TextSpan>>], texts: &Texts) -> Option<ManualLink> {
     let palette = theme::palette(ui.visuals());
     let natural = natural_widths(ui, rows);
     let widths = fitted(&natural, ui.available_width());
@@ -49,7 +49,7 @@ pub(super) fn table_ui(ui: &mut Ui, rows: &[Vec<Vec<Span>>], texts: &Texts) -> O
 }
 
 /// How wide each column would like to be.
-fn natural_widths(ui: &Ui, rows: &[Vec<Vec<Span>>]) -> Vec<f32> {
+fn natural_widths(ui: &Ui, rows: &[Vec<Vec<TextSpan>>]) -> Vec<f32> {
     let mut widths: Vec<f32> = Vec::new();
     for row in rows {
         for (column, cell) in row.iter().enumerate() {

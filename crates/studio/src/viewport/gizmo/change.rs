@@ -3,9 +3,9 @@
 use catoptric_scene::{Anchor, Camera, Placement};
 use glam::{DMat3, DQuat, DVec3};
 
-/// What a hand does to what it holds.
+/// A change of the dragged things by the gizmo.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Change {
+pub(crate) enum GizmoChange {
     /// Moves it, meters.
     Move(DVec3),
     /// Turns it about an axis through a point.
@@ -28,7 +28,7 @@ pub(crate) enum Change {
     },
 }
 
-impl Change {
+impl GizmoChange {
     /// Where a point goes.
     pub(crate) fn point(&self, point: DVec3) -> DVec3 {
         match *self {
@@ -37,7 +37,8 @@ impl Change {
         }
     }
 
-    /// What a placement becomes. Turns are told by the numbers nearest to `near`, degrees, so that they do not jump.
+    /// Applies the change to a placement. Turns are written by the numbers nearest to `near`, degrees, so that they do
+    /// not jump.
     ///
     /// A scale that does not go along a body's own axes would shear it; the body's axes then stay at right angles and
     /// get the lengths that they would have had.

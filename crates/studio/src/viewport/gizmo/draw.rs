@@ -1,59 +1,61 @@
-//! How the gizmo looks.
+//! Draws the gizmo.
 
 use egui::{Color32, Painter, Pos2, Shape, Stroke};
 use glam::DVec2;
 
-use super::pull::Pull;
-use super::{CENTER, Gizmo, Handle, OUTER_RING};
+use super::handle_drag::HandleDrag;
+use super::{CENTER, Gizmo, GizmoHandle, OUTER_RING};
 use crate::command::Tool;
-use crate::theme::Palette;
-use crate::viewport::sight::Sight;
+use crate::theme::ThemeColors;
+use crate::viewport::scene_view::SceneView;
 
 /// Half the angle of an arrow's head and half the side of a cube, points.
 const HEAD: f64 = 5.5;
 
-/// Draws the gizmo; `active` is under the pointer or in the hand.
+/// Draws the gizmo; `active` is under the pointer or dragged.
 pub(crate) fn draw(
     painter: &Painter,
-    sight: &Sight,
+    scene_view: &SceneView,
     gizmo: &Gizmo,
-    active: Option<Handle>,
-    palette: &Palette,
+    active: Option<GizmoHandle>,
+    palette: &ThemeColors,
 ) {
-    let Some(center) = sight.point(gizmo.pivot) else { return };
-    let pen = Pen { painter, sight, gizmo, active, palette };
+    let Some(center) = scene_view.point(gizmo.pivot) else { return };
+    let pen = GizmoPainter { painter, scene_view, gizmo, active, palette };
     match gizmo.tool {
         Tool::Move => {
             (0..3).for_each(|axis| pen.square(axis));
-            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, Handle::Move(axis)));
-            pen.center(center, Handle::MoveScreen);
+            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, GizmoHandle::Move(axis)));
+            pen.center(center, GizmoHandle::MoveScreen);
         }
         Tool::Rotate => {
-            let color = pen.color(palette.text.gamma_multiply(0.75), Handle::TurnView);
+            let color = pen.color(palette.text.gamma_multiply(0.75), GizmoHandle::TurnView);
             pen.circle(center, OUTER_RING as f32, color);
             (0..3).for_each(|axis| pen.ring(axis));
         }
         Tool::Scale => {
-            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, Handle::Scale(axis)));
-            pen.center(center, Handle::ScaleAll);
+            pen.far_first().into_iter().for_each(|axis| pen.arrow(axis, GizmoHandle::Scale(axis)));
+            pen.center(center, GizmoHandle::ScaleAll);
         }
     }
 }
 
 /// Draws what a handle that is being pulled leaves behind: the line of its axis, the sector of a turn.
-pub(crate) fn ghost(painter: &Painter, sight: &Sight, pull: &Pull, palette: &Palette) {
-    let gizmo = &pull.gizmo;
+pub(crate) fn ghost(painter: &Painter, scene_view: &SceneView, drag: &HandleDrag, palette: &ThemeColors) {
+    let gizmo = &drag.gizmo;
     let faint = |axis: usize| axis_color(palette, axis).gamma_multiply(0.6);
-    match pull.handle {
-        Handle::Move(axis) | Handle::Scale(axis) => line(painter, sight, gizmo, axis, faint(axis)),
-        Handle::MovePlane(axis) => {
+    match drag.handle {
+        GizmoHandle::Move(axis) | GizmoHandle::Scale(axis) => {
+            line(painter, scene_view, gizmo, axis, faint(axis));
+        }
+        GizmoHandle::MovePlane(axis) => {
             for other in [(axis + 1) % 3, (axis + 2) % 3] {
-                line(painter, sight, gizmo, other, faint(other));
+                line(painter, scene_view, gizmo, other, faint(other));
             }
         }
-        Handle::Turn(_) | Handle::TurnView => {
-            let Some(swept) = pull.swept(&sight.lens) else { return };
-            let points: Vec<Pos2> = swept.into_iter().map(|at| sight.pos(at)).collect();
+        GizmoHandle::Turn(_) | GizmoHandle::TurnView => {
+            let Some(swept) = drag.swept(&scene_view.projector) else { return };
+            let points: Vec<Pos2> = swept.into_iter().map(|at| scene_view.pos(at)).collect();
             let Some(middle) = points.first() else { return };
             let fill = palette.accent.gamma_multiply(0.22);
             for pair in points.get(1..).unwrap_or_default().windows(2) {
@@ -65,45 +67,45 @@ pub(crate) fn ghost(painter: &Painter, sight: &Sight, pull: &Pull, palette: &Pal
                 painter.line_segment([*middle, *end], Stroke::new(1.2, palette.accent));
             }
         }
-        Handle::MoveScreen | Handle::ScaleAll => {}
+        GizmoHandle::MoveScreen | GizmoHandle::ScaleAll => {}
     }
 }
 
 /// The whole line of an axis.
-fn line(painter: &Painter, sight: &Sight, gizmo: &Gizmo, axis: usize, color: Color32) {
-    let reach = 40.0 * sight.lens.depth(gizmo.pivot);
+fn line(painter: &Painter, scene_view: &SceneView, gizmo: &Gizmo, axis: usize, color: Color32) {
+    let reach = 40.0 * scene_view.projector.depth(gizmo.pivot);
     let step = reach * gizmo.axis(axis);
-    if let Some([from, to]) = sight.lens.segment(gizmo.pivot - step, gizmo.pivot + step) {
-        painter.line_segment([sight.pos(from), sight.pos(to)], Stroke::new(1.0, color));
+    if let Some([from, to]) = scene_view.projector.segment(gizmo.pivot - step, gizmo.pivot + step) {
+        painter.line_segment([scene_view.pos(from), scene_view.pos(to)], Stroke::new(1.0, color));
     }
 }
 
-fn axis_color(palette: &Palette, axis: usize) -> Color32 {
+fn axis_color(palette: &ThemeColors, axis: usize) -> Color32 {
     palette.axes.get(axis).copied().unwrap_or(palette.text)
 }
 
-struct Pen<'a> {
+struct GizmoPainter<'a> {
     painter: &'a Painter,
-    sight: &'a Sight,
+    scene_view: &'a SceneView,
     gizmo: &'a Gizmo,
-    active: Option<Handle>,
-    palette: &'a Palette,
+    active: Option<GizmoHandle>,
+    palette: &'a ThemeColors,
 }
 
-impl Pen<'_> {
-    /// The color of a handle: bright when it is active, faint when it cannot be held from here.
-    fn color(&self, color: Color32, handle: Handle) -> Color32 {
+impl GizmoPainter<'_> {
+    /// The color of a handle: bright when it is active, faint when it cannot be dragged from here.
+    fn color(&self, color: Color32, handle: GizmoHandle) -> Color32 {
         if self.active == Some(handle) {
             return Color32::from_rgb(255, 214, 92);
         }
         let others = if self.active.is_some() { 0.7 } else { 1.0 };
-        color.gamma_multiply(others * self.gizmo.clearness(&self.sight.lens, handle) as f32)
+        color.gamma_multiply(others * self.gizmo.clearness(&self.scene_view.projector, handle) as f32)
     }
 
     /// The axes, the farthest end first.
     fn far_first(&self) -> [usize; 3] {
         let mut axes = [0, 1, 2];
-        let [.., forward] = self.sight.lens.axes();
+        let [.., forward] = self.scene_view.projector.axes();
         axes.sort_by(|a, b| {
             let depth = |axis: usize| self.gizmo.axis(axis).dot(forward);
             depth(*b).total_cmp(&depth(*a))
@@ -119,18 +121,18 @@ impl Pen<'_> {
     }
 
     /// A shaft with an arrow's head for moving, or a cube for scaling.
-    fn arrow(&self, axis: usize, handle: Handle) {
-        let Some([from, to]) = self.gizmo.shaft(&self.sight.lens, axis) else { return };
+    fn arrow(&self, axis: usize, handle: GizmoHandle) {
+        let Some([from, to]) = self.gizmo.shaft(&self.scene_view.projector, axis) else { return };
         let color = self.color(axis_color(self.palette, axis), handle);
         if color.a() < 8 {
             return;
         }
         let width = if self.active == Some(handle) { 3.4 } else { 2.6 };
-        self.line([from, to].map(|at| self.sight.pos(at)).to_vec(), color, width);
+        self.line([from, to].map(|at| self.scene_view.pos(at)).to_vec(), color, width);
         let along = (to - from).normalize_or(DVec2::X);
         let aside = along.perp();
         let corners = match handle {
-            Handle::Scale(_) => [
+            GizmoHandle::Scale(_) => [
                 to + HEAD * (along + aside),
                 to + HEAD * (along - aside),
                 to - HEAD * (along + aside),
@@ -139,32 +141,32 @@ impl Pen<'_> {
             .to_vec(),
             _ => [to + 2.4 * HEAD * along, to + HEAD * aside, to - HEAD * aside].to_vec(),
         };
-        let points = corners.into_iter().map(|at| self.sight.pos(at)).collect();
+        let points = corners.into_iter().map(|at| self.scene_view.pos(at)).collect();
         let edge = Stroke::new(1.0, Color32::from_black_alpha(color.a() / 3));
         self.painter.add(Shape::convex_polygon(points, color, edge));
     }
 
     fn square(&self, axis: usize) {
-        let handle = Handle::MovePlane(axis);
-        let Some(corners) = self.gizmo.square(&self.sight.lens, axis) else { return };
+        let handle = GizmoHandle::MovePlane(axis);
+        let Some(corners) = self.gizmo.square(&self.scene_view.projector, axis) else { return };
         let color = self.color(axis_color(self.palette, axis), handle);
         if color.a() < 8 {
             return;
         }
-        let points = corners.into_iter().map(|at| self.sight.pos(at)).collect();
+        let points = corners.into_iter().map(|at| self.scene_view.pos(at)).collect();
         let fill = color.gamma_multiply(if self.active == Some(handle) { 0.7 } else { 0.4 });
         self.painter.add(Shape::convex_polygon(points, fill, Stroke::new(1.2, color)));
     }
 
     /// The near half of a ring, strong, and the far half, faint.
     fn ring(&self, axis: usize) {
-        let handle = Handle::Turn(axis);
+        let handle = GizmoHandle::Turn(axis);
         let color = self.color(axis_color(self.palette, axis), handle);
-        let ring = self.gizmo.ring(&self.sight.lens, axis);
+        let ring = self.gizmo.ring(&self.scene_view.projector, axis);
         let mut near = Vec::new();
         for pair in ring.windows(2) {
             let [(from, is_near), (to, _)] = pair else { continue };
-            let (from, to) = (self.sight.pos(*from), self.sight.pos(*to));
+            let (from, to) = (self.scene_view.pos(*from), self.scene_view.pos(*to));
             if *is_near {
                 if near.is_empty() {
                     near.push(from);
@@ -178,13 +180,13 @@ impl Pen<'_> {
         self.near_arc(near, color, handle);
     }
 
-    fn near_arc(&self, points: Vec<Pos2>, color: Color32, handle: Handle) {
+    fn near_arc(&self, points: Vec<Pos2>, color: Color32, handle: GizmoHandle) {
         if points.len() > 1 {
             self.line(points, color, if self.active == Some(handle) { 3.2 } else { 2.2 });
         }
     }
 
-    fn center(&self, center: Pos2, handle: Handle) {
+    fn center(&self, center: Pos2, handle: GizmoHandle) {
         let color = self.color(Color32::from_gray(236), handle);
         self.painter.circle(
             center,

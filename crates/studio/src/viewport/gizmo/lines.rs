@@ -1,16 +1,16 @@
-//! Where pointer rays meet planes and axes.
+//! Intersections of pointer rays with planes and axes.
 
 use glam::{DVec2, DVec3};
 
-use crate::viewport::lens::{Lens, Line};
+use crate::viewport::projector::{HalfLine, Projector};
 
 /// The sine of the least angle between a ray and a plane, or a ray and an axis, at which their meeting is still
-/// steady under a moving hand: 2°.
+/// steady under a moving pointer: 2°.
 const LEAST_SINE: f64 = 0.035;
 
 /// Where a ray meets the plane through `point` with the unit normal `normal`, before its start excluded. `None` when
 /// it runs nearly along the plane or away from it.
-pub(crate) fn on_plane(ray: &Line, point: DVec3, normal: DVec3) -> Option<DVec3> {
+pub(crate) fn on_plane(ray: &HalfLine, point: DVec3, normal: DVec3) -> Option<DVec3> {
     let slope = ray.direction.dot(normal);
     if slope.abs() < LEAST_SINE {
         return None;
@@ -24,7 +24,7 @@ pub(crate) fn on_plane(ray: &Line, point: DVec3, normal: DVec3) -> Option<DVec3>
 ///
 /// With a = o − p, the ray's direction d and s = d·axis the nearest points have the parameters
 /// t = (a·axis − s a·d) / (1 − s²) on the axis and s t − a·d on the ray.
-pub(crate) fn along_axis(ray: &Line, point: DVec3, axis: DVec3) -> Option<f64> {
+pub(crate) fn along_axis(ray: &HalfLine, point: DVec3, axis: DVec3) -> Option<f64> {
     let between = ray.origin - point;
     let slope = ray.direction.dot(axis);
     let sine_squared = 1.0 - slope * slope;
@@ -39,7 +39,7 @@ pub(crate) fn along_axis(ray: &Line, point: DVec3, axis: DVec3) -> Option<f64> {
 
 /// Where the ray of the pointer at `at` meets the level plane through `point`, no farther off than `limit` meters
 /// from the ray's start in level measure: at the horizon the point stays at that distance, in the ray's direction.
-pub(crate) fn on_level(ray: &Line, point: DVec3, limit: f64) -> Option<DVec3> {
+pub(crate) fn on_level(ray: &HalfLine, point: DVec3, limit: f64) -> Option<DVec3> {
     let level = DVec3::new(ray.direction.x, 0.0, ray.direction.z);
     let run = level.length();
     let distance = (point.y - ray.origin.y) / ray.direction.y;
@@ -77,17 +77,17 @@ pub(crate) fn across(axis: DVec3) -> [DVec3; 2] {
 }
 
 /// The direction, in the picture, in which a step along `axis` from `point` leads, and the points a meter spans there.
-pub(crate) fn in_picture(lens: &Lens, point: DVec3, axis: DVec3) -> Option<DVec2> {
-    let step = lens.meters_per_point(point);
-    Some((lens.project(point + step * axis)? - lens.project(point - step * axis)?) / (2.0 * step))
+pub(crate) fn in_picture(projector: &Projector, point: DVec3, axis: DVec3) -> Option<DVec2> {
+    let step = projector.meters_per_point(point);
+    Some((projector.project(point + step * axis)? - projector.project(point - step * axis)?) / (2.0 * step))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn ray(origin: [f64; 3], direction: [f64; 3]) -> Line {
-        Line { origin: origin.into(), direction: DVec3::from(direction).normalize() }
+    fn ray(origin: [f64; 3], direction: [f64; 3]) -> HalfLine {
+        HalfLine { origin: origin.into(), direction: DVec3::from(direction).normalize() }
     }
 
     #[test]

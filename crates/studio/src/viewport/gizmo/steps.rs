@@ -1,4 +1,4 @@
-//! Round numbers: snapping, and no more digits than the hand can mean.
+//! Steps of snapping, and digits that suit the precision of the pointer.
 
 use glam::DVec3;
 

@@ -1,19 +1,19 @@
 use catoptric_scene::{Camera, Projection};
 
-use super::change::Change;
-use super::pull::{Amount, Care, Pull};
+use super::change::GizmoChange;
+use super::handle_drag::{DragAmount, DragPrecision, HandleDrag};
 use super::*;
 
 const SIZE: DVec2 = DVec2::new(800.0, 600.0);
-const SNAPS: Care = Care { snaps: true, is_fine: false };
-const FREE: Care = Care { snaps: false, is_fine: false };
+const SNAPS: DragPrecision = DragPrecision { snaps: true, is_fine: false };
+const FREE: DragPrecision = DragPrecision { snaps: false, is_fine: false };
 
 fn camera(position: [f64; 3]) -> Camera {
     Camera { position: position.into(), target: DVec3::ZERO, ..Camera::default() }
 }
 
-fn slanted() -> Lens {
-    Lens::new(&camera([4.0, 3.0, 6.0]), SIZE)
+fn slanted() -> Projector {
+    Projector::new(&camera([4.0, 3.0, 6.0]), SIZE)
 }
 
 fn gizmo(tool: Tool) -> Gizmo {
@@ -21,74 +21,80 @@ fn gizmo(tool: Tool) -> Gizmo {
 }
 
 /// All handles of all tools.
-fn handles() -> impl Iterator<Item = (Tool, Handle)> {
+fn handles() -> impl Iterator<Item = (Tool, GizmoHandle)> {
     let of_axis = |axis| {
         [
-            (Tool::Move, Handle::Move(axis)),
-            (Tool::Move, Handle::MovePlane(axis)),
-            (Tool::Rotate, Handle::Turn(axis)),
-            (Tool::Scale, Handle::Scale(axis)),
+            (Tool::Move, GizmoHandle::Move(axis)),
+            (Tool::Move, GizmoHandle::MovePlane(axis)),
+            (Tool::Rotate, GizmoHandle::Turn(axis)),
+            (Tool::Scale, GizmoHandle::Scale(axis)),
         ]
     };
-    let whole =
-        [(Tool::Move, Handle::MoveScreen), (Tool::Rotate, Handle::TurnView), (Tool::Scale, Handle::ScaleAll)];
+    let whole = [
+        (Tool::Move, GizmoHandle::MoveScreen),
+        (Tool::Rotate, GizmoHandle::TurnView),
+        (Tool::Scale, GizmoHandle::ScaleAll),
+    ];
     (0..3).flat_map(of_axis).chain(whole)
 }
 
 /// A place where a handle is.
-fn place_of(gizmo: &Gizmo, lens: &Lens, handle: Handle) -> DVec2 {
-    let center = lens.project(gizmo.pivot).unwrap();
+fn place_of(gizmo: &Gizmo, projector: &Projector, handle: GizmoHandle) -> DVec2 {
+    let center = projector.project(gizmo.pivot).unwrap();
     match handle {
-        Handle::Move(axis) | Handle::Scale(axis) => gizmo.shaft(lens, axis).unwrap()[1],
-        Handle::MovePlane(axis) => gizmo.square(lens, axis).unwrap().iter().sum::<DVec2>() / 4.0,
-        Handle::MoveScreen | Handle::ScaleAll => center,
-        Handle::Turn(axis) => {
+        GizmoHandle::Move(axis) | GizmoHandle::Scale(axis) => gizmo.shaft(projector, axis).unwrap()[1],
+        GizmoHandle::MovePlane(axis) => gizmo.square(projector, axis).unwrap().iter().sum::<DVec2>() / 4.0,
+        GizmoHandle::MoveScreen | GizmoHandle::ScaleAll => center,
+        GizmoHandle::Turn(axis) => {
             // Where no other ring is near.
-            let ring = gizmo.ring(lens, axis);
+            let ring = gizmo.ring(projector, axis);
             let is_free = |at: DVec2| {
                 (0..3)
                     .filter(|other| *other != axis)
-                    .all(|other| gizmo.ring(lens, other).iter().all(|point| point.0.distance(at) > 12.0))
+                    .all(|other| gizmo.ring(projector, other).iter().all(|point| point.0.distance(at) > 12.0))
             };
             ring.iter().find(|(at, is_near)| *is_near && is_free(*at)).unwrap().0
         }
-        Handle::TurnView => center + DVec2::from_angle(0.3) * OUTER_RING,
+        GizmoHandle::TurnView => center + DVec2::from_angle(0.3) * OUTER_RING,
     }
 }
 
 #[test]
 fn every_handle_is_found_where_it_is() {
-    let lens = slanted();
+    let projector = slanted();
     for (tool, handle) in handles() {
         let gizmo = gizmo(tool);
-        assert_eq!(gizmo.handle_at(&lens, place_of(&gizmo, &lens, handle)), Some(handle));
-        assert_eq!(gizmo.handle_at(&lens, DVec2::new(30.0, 30.0)), None);
+        assert_eq!(gizmo.handle_at(&projector, place_of(&gizmo, &projector, handle)), Some(handle));
+        assert_eq!(gizmo.handle_at(&projector, DVec2::new(30.0, 30.0)), None);
     }
 }
 
 #[test]
 fn it_has_one_size_at_every_distance() {
     for distance in [1.0, 10.0, 1e4] {
-        let lens = Lens::new(&camera([distance, 0.0, 0.0]), SIZE);
-        let [_, end] = gizmo(Tool::Move).shaft(&lens, 1).unwrap();
+        let projector = Projector::new(&camera([distance, 0.0, 0.0]), SIZE);
+        let [_, end] = gizmo(Tool::Move).shaft(&projector, 1).unwrap();
         assert!((end - DVec2::new(400.0, 300.0 - LENGTH)).length() < 1e-6);
     }
 }
 
 #[test]
 fn pulling_an_axis_moves_along_it_alone() {
-    let lens = slanted();
+    let projector = slanted();
     for axis in 0..3 {
         let gizmo = gizmo(Tool::Move);
-        let at = place_of(&gizmo, &lens, Handle::Move(axis));
-        let mut pull = Pull::begin(gizmo, Handle::Move(axis), &lens, at).unwrap();
+        let at = place_of(&gizmo, &projector, GizmoHandle::Move(axis));
+        let mut drag = HandleDrag::begin(gizmo, GizmoHandle::Move(axis), &projector, at).unwrap();
         // From the axis' end to the place of a point 1.5 m farther along it.
-        let end = LENGTH * gizmo.grain(&lens);
-        let to = lens.project((end + 1.5) * DVec3::AXES[axis]).unwrap();
-        let Some((Change::Move(step), Amount::Meters(shown))) = pull.to(&lens, to, FREE) else { panic!() };
+        let end = LENGTH * gizmo.grain(&projector);
+        let to = projector.project((end + 1.5) * DVec3::AXES[axis]).unwrap();
+        let Some((GizmoChange::Move(step), DragAmount::Meters(shown))) = drag.to(&projector, to, FREE) else {
+            panic!()
+        };
         assert!(step.distance(1.5 * DVec3::AXES[axis]) < 1e-9, "{step}");
         assert_eq!(shown.iter().flatten().count(), 1);
-        let Some((Change::Move(step), _)) = pull.to(&lens, at + DVec2::new(23.0, 17.0), FREE) else {
+        let Some((GizmoChange::Move(step), _)) = drag.to(&projector, at + DVec2::new(23.0, 17.0), FREE)
+        else {
             panic!()
         };
         for other in (0..3).filter(|other| *other != axis) {
@@ -99,34 +105,37 @@ fn pulling_an_axis_moves_along_it_alone() {
 
 #[test]
 fn snapping_goes_to_round_places_of_the_world_and_round_steps_of_local_axes() {
-    let lens = slanted();
+    let projector = slanted();
     let world = Gizmo { lead: DVec3::new(0.234, 0.0, 0.0), ..gizmo(Tool::Move) };
     let local = Gizmo { is_local: true, ..world };
     for (gizmo, expected) in [(world, 0.566), (local, 0.6)] {
-        let at = place_of(&gizmo, &lens, Handle::Move(0));
-        let to = lens.project((LENGTH * gizmo.grain(&lens) + 0.58) * DVec3::X).unwrap();
-        let mut pull = Pull::begin(gizmo, Handle::Move(0), &lens, at).unwrap();
-        let Some((Change::Move(step), _)) = pull.to(&lens, to, SNAPS) else { panic!() };
+        let at = place_of(&gizmo, &projector, GizmoHandle::Move(0));
+        let to = projector.project((LENGTH * gizmo.grain(&projector) + 0.58) * DVec3::X).unwrap();
+        let mut drag = HandleDrag::begin(gizmo, GizmoHandle::Move(0), &projector, at).unwrap();
+        let Some((GizmoChange::Move(step), _)) = drag.to(&projector, to, SNAPS) else { panic!() };
         assert!(step.distance(expected * DVec3::X) < 1e-12, "{step}");
     }
 }
 
 #[test]
 fn a_square_moves_in_its_plane_and_the_center_along_the_picture() {
-    let lens = slanted();
+    let projector = slanted();
     let gizmo = gizmo(Tool::Move);
-    let at = place_of(&gizmo, &lens, Handle::MovePlane(1));
-    let mut pull = Pull::begin(gizmo, Handle::MovePlane(1), &lens, at).unwrap();
-    let Some((Change::Move(step), _)) = pull.to(&lens, at + DVec2::new(40.0, -20.0), FREE) else { panic!() };
-    assert!(step.y == 0.0 && step.x != 0.0 && step.z != 0.0);
-    let center = lens.project(DVec3::ZERO).unwrap();
-    let mut pull = Pull::begin(gizmo, Handle::MoveScreen, &lens, center).unwrap();
-    let Some((Change::Move(step), _)) = pull.to(&lens, center + DVec2::new(40.0, -20.0), FREE) else {
+    let at = place_of(&gizmo, &projector, GizmoHandle::MovePlane(1));
+    let mut drag = HandleDrag::begin(gizmo, GizmoHandle::MovePlane(1), &projector, at).unwrap();
+    let Some((GizmoChange::Move(step), _)) = drag.to(&projector, at + DVec2::new(40.0, -20.0), FREE) else {
         panic!()
     };
-    let [_, _, forward] = lens.axes();
+    assert!(step.y == 0.0 && step.x != 0.0 && step.z != 0.0);
+    let center = projector.project(DVec3::ZERO).unwrap();
+    let mut drag = HandleDrag::begin(gizmo, GizmoHandle::MoveScreen, &projector, center).unwrap();
+    let Some((GizmoChange::Move(step), _)) = drag.to(&projector, center + DVec2::new(40.0, -20.0), FREE)
+    else {
+        panic!()
+    };
+    let [_, _, forward] = projector.axes();
     assert!(step.dot(forward).abs() < 0.01 * step.length());
-    let arrived = lens.project(step).unwrap();
+    let arrived = projector.project(step).unwrap();
     assert!((arrived - center - DVec2::new(40.0, -20.0)).length() < 0.5);
 }
 
@@ -134,16 +143,16 @@ fn a_square_moves_in_its_plane_and_the_center_along_the_picture() {
 fn a_ring_turns_by_the_angle_that_the_pointer_goes_about_it() {
     // From above, the ring about Y is a circle.
     let above = Camera { up: DVec3::NEG_Z, ..camera([0.0, 8.0, 0.0]) };
-    let lens = Lens::new(&above, SIZE);
+    let projector = Projector::new(&above, SIZE);
     let gizmo = gizmo(Tool::Rotate);
-    let center = lens.project(DVec3::ZERO).unwrap();
+    let center = projector.project(DVec3::ZERO).unwrap();
     // Counterclockwise in the picture: the pointer's y goes down.
     let at = |degrees: f64| center + RING * DVec2::from_angle(-degrees.to_radians());
-    let mut pull = Pull::begin(gizmo, Handle::Turn(1), &lens, at(10.0)).unwrap();
+    let mut drag = HandleDrag::begin(gizmo, GizmoHandle::Turn(1), &projector, at(10.0)).unwrap();
     let mut last = 0.0;
     for degrees in (10..=800).step_by(5) {
-        let Some((Change::Turn { axis, .. }, Amount::Degrees(turned))) =
-            pull.to(&lens, at(f64::from(degrees)), FREE)
+        let Some((GizmoChange::Turn { axis, .. }, DragAmount::Degrees(turned))) =
+            drag.to(&projector, at(f64::from(degrees)), FREE)
         else {
             panic!()
         };
@@ -151,22 +160,25 @@ fn a_ring_turns_by_the_angle_that_the_pointer_goes_about_it() {
         last = turned;
     }
     assert!((last - 790.0).abs() < 0.1, "{last}");
-    let Some((_, Amount::Degrees(turned))) = pull.to(&lens, at(803.0), SNAPS) else { panic!() };
+    let Some((_, DragAmount::Degrees(turned))) = drag.to(&projector, at(803.0), SNAPS) else { panic!() };
     assert_eq!(turned, 795.0);
     // The outer ring turns about the direction towards the viewer, the same way from here.
-    let mut pull = Pull::begin(gizmo, Handle::TurnView, &lens, at(0.0)).unwrap();
-    let Some((Change::Turn { axis, radians, .. }, _)) = pull.to(&lens, at(90.0), FREE) else { panic!() };
+    let mut drag = HandleDrag::begin(gizmo, GizmoHandle::TurnView, &projector, at(0.0)).unwrap();
+    let Some((GizmoChange::Turn { axis, radians, .. }, _)) = drag.to(&projector, at(90.0), FREE) else {
+        panic!()
+    };
     assert!(axis.distance(DVec3::Y) < 1e-12 && (radians.to_degrees() - 90.0).abs() < 1e-9);
 }
 
 #[test]
 fn a_ring_seen_edge_on_turns_with_the_pointer() {
     // The ring about Y is a level line; its near point goes to the right in a turn about +Y.
-    let lens = Lens::new(&camera([0.0, 0.0, 8.0]), SIZE);
+    let projector = Projector::new(&camera([0.0, 0.0, 8.0]), SIZE);
     let gizmo = gizmo(Tool::Rotate);
-    let center = lens.project(DVec3::ZERO).unwrap();
-    let mut pull = Pull::begin(gizmo, Handle::Turn(1), &lens, center).unwrap();
-    let Some((_, Amount::Degrees(turned))) = pull.to(&lens, center + DVec2::new(36.0, 5.0), FREE) else {
+    let center = projector.project(DVec3::ZERO).unwrap();
+    let mut drag = HandleDrag::begin(gizmo, GizmoHandle::Turn(1), &projector, center).unwrap();
+    let Some((_, DragAmount::Degrees(turned))) = drag.to(&projector, center + DVec2::new(36.0, 5.0), FREE)
+    else {
         panic!()
     };
     // Half the radius is half a radian, but for the perspective.
@@ -175,19 +187,20 @@ fn a_ring_seen_edge_on_turns_with_the_pointer() {
 
 #[test]
 fn scaling_follows_the_cube_and_never_reaches_zero() {
-    let lens = slanted();
+    let projector = slanted();
     let gizmo = gizmo(Tool::Scale);
-    let at = place_of(&gizmo, &lens, Handle::Scale(2));
-    let twice = lens.project(2.0 * LENGTH * gizmo.grain(&lens) * DVec3::Z).unwrap();
-    let mut pull = Pull::begin(gizmo, Handle::Scale(2), &lens, at).unwrap();
-    let Some((Change::Scale { factors, .. }, _)) = pull.to(&lens, twice, FREE) else { panic!() };
+    let at = place_of(&gizmo, &projector, GizmoHandle::Scale(2));
+    let twice = projector.project(2.0 * LENGTH * gizmo.grain(&projector) * DVec3::Z).unwrap();
+    let mut drag = HandleDrag::begin(gizmo, GizmoHandle::Scale(2), &projector, at).unwrap();
+    let Some((GizmoChange::Scale { factors, .. }, _)) = drag.to(&projector, twice, FREE) else { panic!() };
     assert_eq!(factors, DVec3::new(1.0, 1.0, 2.0));
-    let behind = lens.project(-LENGTH * gizmo.grain(&lens) * DVec3::Z).unwrap();
-    let Some((_, Amount::Factor(factor))) = pull.to(&lens, behind, FREE) else { panic!() };
+    let behind = projector.project(-LENGTH * gizmo.grain(&projector) * DVec3::Z).unwrap();
+    let Some((_, DragAmount::Factor(factor))) = drag.to(&projector, behind, FREE) else { panic!() };
     assert_eq!(factor, 0.01);
-    let center = place_of(&gizmo, &lens, Handle::ScaleAll);
-    let mut pull = Pull::begin(gizmo, Handle::ScaleAll, &lens, center).unwrap();
-    let Some((Change::Scale { factors, .. }, _)) = pull.to(&lens, center + DVec2::new(120.0, 0.0), FREE)
+    let center = place_of(&gizmo, &projector, GizmoHandle::ScaleAll);
+    let mut drag = HandleDrag::begin(gizmo, GizmoHandle::ScaleAll, &projector, center).unwrap();
+    let Some((GizmoChange::Scale { factors, .. }, _)) =
+        drag.to(&projector, center + DVec2::new(120.0, 0.0), FREE)
     else {
         panic!()
     };
@@ -210,17 +223,17 @@ fn no_view_and_no_place_gives_a_number_that_is_none() {
     for (position, projection) in
         straight.into_iter().flat_map(|at| projections.map(|projection| (at, projection)))
     {
-        let lens = Lens::new(&Camera { projection, ..camera(position) }, SIZE);
+        let projector = Projector::new(&Camera { projection, ..camera(position) }, SIZE);
         for (tool, handle) in handles() {
             for start in places {
                 let gizmo = gizmo(tool);
-                let _ = gizmo.handle_at(&lens, start);
-                let Some(mut pull) = Pull::begin(gizmo, handle, &lens, start) else { continue };
+                let _ = gizmo.handle_at(&projector, start);
+                let Some(mut drag) = HandleDrag::begin(gizmo, handle, &projector, start) else { continue };
                 for at in places {
-                    let Some((change, _)) = pull.to(&lens, at, FREE) else { continue };
+                    let Some((change, _)) = drag.to(&projector, at, FREE) else { continue };
                     let moved = change.point(DVec3::new(1.0, 2.0, 3.0));
                     assert!(moved.is_finite(), "{handle:?} from {position:?}: {change:?}");
-                    let _ = pull.swept(&lens);
+                    let _ = drag.swept(&projector);
                 }
             }
         }
@@ -229,11 +242,14 @@ fn no_view_and_no_place_gives_a_number_that_is_none() {
 
 #[test]
 fn an_axis_seen_end_on_is_not_taken() {
-    let lens = Lens::new(&camera([8.0, 0.0, 0.0]), SIZE);
+    let projector = Projector::new(&camera([8.0, 0.0, 0.0]), SIZE);
     let gizmo = gizmo(Tool::Move);
-    assert!(gizmo.clearness(&lens, Handle::Move(0)) == 0.0 && gizmo.clearness(&lens, Handle::Move(1)) == 1.0);
     assert!(
-        gizmo.clearness(&lens, Handle::MovePlane(1)) == 0.0
-            && gizmo.clearness(&lens, Handle::MovePlane(0)) == 1.0
+        gizmo.clearness(&projector, GizmoHandle::Move(0)) == 0.0
+            && gizmo.clearness(&projector, GizmoHandle::Move(1)) == 1.0
+    );
+    assert!(
+        gizmo.clearness(&projector, GizmoHandle::MovePlane(1)) == 0.0
+            && gizmo.clearness(&projector, GizmoHandle::MovePlane(0)) == 1.0
     );
 }

@@ -1,12 +1,12 @@
-//! Where a new body stands.
+//! The place of a new body.
 
 use std::f64::consts::TAU;
 
-use catoptric_editor::{Spot, bounds};
+use catoptric_editor::{NewBodyPlacement, bounds};
 use catoptric_scene::{Body, Scene, Shape, ShapeKind};
 use glam::{DVec2, DVec3};
 
-use super::{FARTHEST, Scenery};
+use super::{FARTHEST, PlacementView};
 use crate::app::Studio;
 use crate::viewport::gizmo::steps::{decimal_below, rounded};
 
@@ -32,9 +32,9 @@ const DEPTHS: [f64; 5] = [1.0, 0.7, 0.5, 0.3, 0.15];
 /// The cosine of the steepest surface to stand on: 1°.
 const LEVEL: f64 = 0.9998;
 
-/// What a body is put on.
+/// The surface that a new body stands on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Ground {
+enum SupportSurface {
     /// Without an end: a plane, or the ground y = 0.
     Endless,
     /// The level top of a body.
@@ -44,8 +44,8 @@ enum Ground {
 }
 
 /// The best place for a new body of this shape.
-pub(crate) fn spot_for_body(studio: &Studio, shape: ShapeKind) -> Spot {
-    let scenery = Scenery::new(studio);
+pub(crate) fn spot_for_body(studio: &Studio, shape: ShapeKind) -> NewBodyPlacement {
+    let scenery = PlacementView::new(studio);
     if shape == ShapeKind::Plane {
         return scenery.spot_for_plane();
     }
@@ -55,9 +55,9 @@ pub(crate) fn spot_for_body(studio: &Studio, shape: ShapeKind) -> Spot {
     spot.unwrap_or_else(|| scenery.floating(shape, scenery.subject, 1.0))
 }
 
-impl Scenery<'_> {
+impl PlacementView<'_> {
     /// The free place to stand nearest to the middle of the picture, for a body of `share` of the fitting size.
-    fn free_spot(&self, shape: ShapeKind, share: f64) -> Option<Spot> {
+    fn free_spot(&self, shape: ShapeKind, share: f64) -> Option<NewBodyPlacement> {
         self.places().find_map(|at| {
             let (spot, ground) = self.spot_at(at, shape, share)?;
             (self.holds(ground, &spot.body(shape)) && self.is_good(&spot, shape)).then_some(spot)
@@ -65,7 +65,7 @@ impl Scenery<'_> {
     }
 
     /// The free place in the air nearest to the middle of the picture, for a body of `share` of the fitting size.
-    fn free_air(&self, shape: ShapeKind, share: f64) -> Option<Spot> {
+    fn free_air(&self, shape: ShapeKind, share: f64) -> Option<NewBodyPlacement> {
         DEPTHS.into_iter().find_map(|depth| {
             let mut spots = self.places().map(|at| self.floating(shape, self.point_at(at, depth), share));
             spots.find(|spot| self.is_good(spot, shape))
@@ -84,22 +84,22 @@ impl Scenery<'_> {
     }
 
     /// Whether a body there is seen and apart from others.
-    fn is_good(&self, spot: &Spot, shape: ShapeKind) -> bool {
+    fn is_good(&self, spot: &NewBodyPlacement, shape: ShapeKind) -> bool {
         self.is_in_picture(&spot.body(shape)) && spot.is_free(shape, self.scene, &self.rooms)
     }
 
     /// The place for a body on what is seen at a place of the picture, if that is level.
-    fn spot_at(&self, at: DVec2, shape: ShapeKind, share: f64) -> Option<(Spot, Ground)> {
+    fn spot_at(&self, at: DVec2, shape: ShapeKind, share: f64) -> Option<(NewBodyPlacement, SupportSurface)> {
         let limit = FARTHEST * self.reach();
-        let Some(hit) = self.sight.body_at(at) else {
-            let ray = self.sight.lens.ray(at);
+        let Some(hit) = self.scene_view.body_at(at) else {
+            let ray = self.scene_view.projector.ray(at);
             let distance = -ray.origin.y / ray.direction.y;
             let foot = ray.at(distance).with_y(0.0);
             // Without any body to stand on, the ground is as good as a floor.
             if distance > 0.0 && distance < limit && foot.is_finite() {
-                return Some((self.standing(shape, foot, share), Ground::Endless));
+                return Some((self.standing(shape, foot, share), SupportSurface::Endless));
             }
-            return Some((self.floating(shape, self.point_at(at, 1.0), share), Ground::Nothing));
+            return Some((self.floating(shape, self.point_at(at, 1.0), share), SupportSurface::Nothing));
         };
         let is_near = hit.position.distance(self.camera().position) < limit;
         if !is_near || f64::from(hit.normal.y) < LEVEL {
@@ -107,9 +107,9 @@ impl Scenery<'_> {
         }
         let body = self.scene.bodies.get(hit.body)?;
         let (height, ground) = match (body.shape, bounds::of_body(body)) {
-            (Shape::Plane, _) => (plane_height(body), Ground::Endless),
-            (_, Some(bounds)) if hit.hit.leaving => (bounds.min.y, Ground::Top(hit.body)),
-            (_, Some(bounds)) => (bounds.max.y, Ground::Top(hit.body)),
+            (Shape::Plane, _) => (plane_height(body), SupportSurface::Endless),
+            (_, Some(bounds)) if hit.hit.leaving => (bounds.min.y, SupportSurface::Top(hit.body)),
+            (_, Some(bounds)) => (bounds.max.y, SupportSurface::Top(hit.body)),
             (_, None) => return None,
         };
         // The top of a ball is level in one point only.
@@ -118,25 +118,25 @@ impl Scenery<'_> {
     }
 
     /// A body of fitting size on a point of the ground.
-    fn standing(&self, shape: ShapeKind, foot: DVec3, share: f64) -> Spot {
+    fn standing(&self, shape: ShapeKind, foot: DVec3, share: f64) -> NewBodyPlacement {
         let size = self.fitting_size(shape, foot, share);
         let grid = decimal_below(0.6 * size);
         let foot = DVec3::new(rounded(foot.x, grid), foot.y, rounded(foot.z, grid));
-        Spot { size, ..Spot::at(foot) }
+        NewBodyPlacement { size, ..NewBodyPlacement::at(foot) }
     }
 
     /// A body of fitting size about a point.
-    fn floating(&self, shape: ShapeKind, center: DVec3, share: f64) -> Spot {
+    fn floating(&self, shape: ShapeKind, center: DVec3, share: f64) -> NewBodyPlacement {
         let size = self.fitting_size(shape, center, share);
         let grid = decimal_below(0.6 * size);
         let foot = center - 0.5 * extent(shape, size) * DVec3::Y;
-        Spot { size, ..Spot::at(foot.map(|part| rounded(part, grid))) }
+        NewBodyPlacement { size, ..NewBodyPlacement::at(foot.map(|part| rounded(part, grid))) }
     }
 
     /// The size of a body at a point: the default where that suits the picture, otherwise 1, 2 or 5 times a power of
     /// ten.
     fn fitting_size(&self, shape: ShapeKind, point: DVec3, share: f64) -> f64 {
-        let height = self.sight.lens.size().y * self.sight.lens.meters_per_point(point);
+        let height = self.scene_view.projector.size().y * self.scene_view.projector.meters_per_point(point);
         let part = share * extent(shape, 1.0) / height;
         if (FITTING[0]..=FITTING[1]).contains(&part) {
             return share;
@@ -148,8 +148,8 @@ impl Scenery<'_> {
     }
 
     /// Whether a body stands with its whole base on the ground.
-    fn holds(&self, ground: Ground, body: &Body) -> bool {
-        let Ground::Top(index) = ground else { return true };
+    fn holds(&self, ground: SupportSurface, body: &Body) -> bool {
+        let SupportSurface::Top(index) = ground else { return true };
         let below = self.scene.bodies.get(index).and_then(bounds::of_body);
         below.zip(bounds::of_body(body)).is_some_and(|(below, own)| {
             own.min.x >= below.min.x
@@ -168,21 +168,21 @@ impl Scenery<'_> {
             DVec3::select(is_far, bounds.max, bounds.min)
         });
         corners.all(|corner| {
-            self.sight.lens.project(corner).is_some_and(|at| {
+            self.scene_view.projector.project(corner).is_some_and(|at| {
                 at.x > least.x + 4.0 && at.x < most.x - 4.0 && at.y > least.y && at.y < most.y - 4.0
             })
         }) && self.is_seen(bounds.center())
     }
 
     /// A floor; where there is one already, a wall behind what is seen.
-    fn spot_for_plane(&self) -> Spot {
-        let [_, _, forward] = self.sight.lens.axes();
+    fn spot_for_plane(&self) -> NewBodyPlacement {
+        let [_, _, forward] = self.scene_view.projector.axes();
         let floors = self.scene.bodies.iter().filter(|body| !body.hidden && is_floor(body));
         let below = floors.map(plane_height).filter(|height| *height < self.camera().position.y);
         if below.reduce(f64::max).is_none() {
             let lowest = self.scene.bodies.iter().filter(|body| !body.hidden).filter_map(bounds::of_body);
             let height = lowest.map(|bounds| bounds.min.y).reduce(f64::min).unwrap_or(0.0).min(0.0);
-            return Spot::at(DVec3::new(0.0, height, 0.0));
+            return NewBodyPlacement::at(DVec3::new(0.0, height, 0.0));
         }
         // The normal looks back along the axis that the view follows most.
         let (back, rotation_degrees) = if forward.x.abs() > forward.z.abs() {
@@ -194,13 +194,13 @@ impl Scenery<'_> {
         };
         let behind = farthest(self.scene, -back).max(self.subject.dot(-back)) + 0.25 * self.reach();
         let foot = -back * rounded(behind, decimal_below(0.3 * self.reach()));
-        Spot { rotation_degrees, ..Spot::at(foot) }
+        NewBodyPlacement { rotation_degrees, ..NewBodyPlacement::at(foot) }
     }
 }
 
 /// The largest of the three extents of a body of this size, meters.
 fn extent(shape: ShapeKind, size: f64) -> f64 {
-    let spot = Spot { size, ..Spot::at(DVec3::ZERO) };
+    let spot = NewBodyPlacement { size, ..NewBodyPlacement::at(DVec3::ZERO) };
     bounds::of_body(&spot.body(shape)).map_or(size, |bounds| bounds.size().max_element())
 }
 

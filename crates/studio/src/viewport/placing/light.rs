@@ -1,8 +1,8 @@
-//! Where a new light hangs.
+//! The place of a new light.
 
 use glam::{DVec2, DVec3};
 
-use super::Scenery;
+use super::PlacementView;
 use crate::app::Studio;
 use crate::viewport::gizmo::steps::{decimal_below, rounded};
 
@@ -19,7 +19,7 @@ const LEAST_COSINE: f64 = 0.3;
 
 /// The best place for a new light: in the picture, with free sight of what the picture's middle shows.
 pub(crate) fn place_for_light(studio: &Studio) -> DVec3 {
-    let scenery = Scenery::new(studio);
+    let scenery = PlacementView::new(studio);
     let grid = decimal_below(0.15 * scenery.reach());
     let mut places =
         DEPTHS.into_iter().flat_map(|depth| PLACES.map(|[x, y]| (scenery.place(DVec2::new(x, y)), depth)));
@@ -32,7 +32,7 @@ pub(crate) fn place_for_light(studio: &Studio) -> DVec3 {
     })
 }
 
-impl Scenery<'_> {
+impl PlacementView<'_> {
     /// Whether a light at a place is seen, apart from the others, and lights the subject.
     fn lights_well(&self, place: DVec3) -> bool {
         let apart = 0.05 * self.reach();
@@ -41,12 +41,12 @@ impl Scenery<'_> {
     }
 
     fn lights_subject(&self, place: DVec3) -> bool {
-        let Some(hit) = self.sight.body_at(self.place(DVec2::splat(0.5))) else {
+        let Some(hit) = self.scene_view.body_at(self.place(DVec2::splat(0.5))) else {
             // There is no surface: light from above is as good as any.
             return place.y > self.subject.y;
         };
         let way = place - hit.position;
         let cosine = way.normalize_or_zero().dot(hit.normal.as_dvec3());
-        cosine > LEAST_COSINE && self.sight.is_clear(place, hit.position)
+        cosine > LEAST_COSINE && self.scene_view.is_clear(place, hit.position)
     }
 }

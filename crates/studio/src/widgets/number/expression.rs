@@ -8,8 +8,8 @@
 //! primary = ( number | constant | function "(" sum ")" | "(" sum ")" ) { unit }
 //! ```
 //!
-//! A sign binds weaker than a power (−2² is −4), powers are chained from the right, and the unit after a quotient of plain
-//! numbers is that of the quotient (1/2 m is half a meter).
+//! A sign binds weaker than a power (−2² is −4), powers are chained from the right, and the unit after a quotient of
+//! plain numbers is that of the quotient (1/2 m is half a meter).
 
 use std::ops::Range;
 
@@ -25,16 +25,16 @@ const MOST_LETTERS: usize = 200;
 /// How deep parentheses, signs and powers may be nested.
 const MOST_DEPTH: usize = 40;
 
-/// Why a text is not a number, and where in it, counted in letters.
+/// The reason why a text is not a number, and its place, counted in letters.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Fault {
-    pub(crate) kind: FaultKind,
+pub(crate) struct ExpressionError {
+    pub(crate) kind: ExpressionErrorKind,
     pub(crate) place: Range<usize>,
 }
 
-/// What is wrong with a text.
+/// The kind of error in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum FaultKind {
+pub(crate) enum ExpressionErrorKind {
     /// A word or sign that means nothing here.
     Unknown,
     /// A number is missing.
@@ -63,25 +63,29 @@ pub(crate) enum FaultKind {
 ///
 /// # Errors
 /// What is wrong, and where.
-pub(crate) fn evaluate(text: &str, unit: Unit, sign: DecimalSign) -> Result<f64, Fault> {
+pub(crate) fn evaluate(text: &str, unit: Unit, sign: DecimalSign) -> Result<f64, ExpressionError> {
     let letters = text.chars().count();
     if letters > MOST_LETTERS {
-        return Err(Fault { kind: FaultKind::TooLong, place: MOST_LETTERS..letters });
+        return Err(ExpressionError { kind: ExpressionErrorKind::TooLong, place: MOST_LETTERS..letters });
     }
     let tokens = Lexer::new(text, sign).tokens()?;
     let is_computed = tokens.len() > 1;
-    let mut parser = Parser { tokens, next: 0, end: letters, depth: 0 };
+    let mut parser = ExpressionParser { tokens, next: 0, end: letters, depth: 0 };
     let value = parser.sum()?;
     if let Some((token, place)) = parser.peek() {
-        let kind = if token == Token::Close { FaultKind::Parenthesis } else { FaultKind::OperatorMissing };
-        return Err(Fault { kind, place });
+        let kind = if token == Token::Close {
+            ExpressionErrorKind::Parenthesis
+        } else {
+            ExpressionErrorKind::OperatorMissing
+        };
+        return Err(ExpressionError { kind, place });
     }
     let whole = 0..letters;
     if !value.number.is_finite() {
-        return Err(Fault { kind: FaultKind::NotFinite, place: whole });
+        return Err(ExpressionError { kind: ExpressionErrorKind::NotFinite, place: whole });
     }
     if value.dimension != Dimension::PLAIN && value.dimension != Dimension::of(unit) {
-        return Err(Fault { kind: FaultKind::Unit, place: whole });
+        return Err(ExpressionError { kind: ExpressionErrorKind::Unit, place: whole });
     }
     Ok(if is_computed { free_of_noise(value.number) } else { value.number })
 }
@@ -125,12 +129,12 @@ impl Dimension {
 
 /// A number in meters, degrees, their powers, or by itself.
 #[derive(Clone, Copy, Debug)]
-struct Value {
+struct TypedValue {
     number: f64,
     dimension: Dimension,
 }
 
-impl Value {
+impl TypedValue {
     const fn plain(number: f64) -> Self {
         Self { number, dimension: Dimension::PLAIN }
     }
@@ -148,12 +152,12 @@ impl Value {
     }
 }
 
-/// What a word stands for.
+/// The meaning of a word.
 #[derive(Clone, Copy, Debug)]
-enum Word {
+enum TypedWord {
     Constant(f64),
     Function(Function),
-    Unit(Value),
+    Unit(TypedValue),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -170,9 +174,9 @@ enum Function {
     Atan,
 }
 
-fn word(text: &str) -> Option<Word> {
-    let length = |meters| Some(Word::Unit(Value { number: meters, dimension: Dimension::LENGTH }));
-    let angle = |degrees| Some(Word::Unit(Value { number: degrees, dimension: Dimension::ANGLE }));
+fn word(text: &str) -> Option<TypedWord> {
+    let length = |meters| Some(TypedWord::Unit(TypedValue { number: meters, dimension: Dimension::LENGTH }));
+    let angle = |degrees| Some(TypedWord::Unit(TypedValue { number: degrees, dimension: Dimension::ANGLE }));
     match text {
         "m" | "м" => return length(1.0),
         "cm" | "см" => return length(0.01),
@@ -180,50 +184,50 @@ fn word(text: &str) -> Option<Word> {
         "km" | "км" => return length(1000.0),
         "°" | "deg" | "град" => return angle(1.0),
         "rad" | "рад" => return angle(1.0_f64.to_degrees()),
-        "π" => return Some(Word::Constant(std::f64::consts::PI)),
-        "√" => return Some(Word::Function(Function::Sqrt)),
+        "π" => return Some(TypedWord::Constant(std::f64::consts::PI)),
+        "√" => return Some(TypedWord::Function(Function::Sqrt)),
         _ => {}
     }
     Some(match text.to_lowercase().as_str() {
-        "pi" | "пи" => Word::Constant(std::f64::consts::PI),
-        "sqrt" => Word::Function(Function::Sqrt),
-        "abs" => Word::Function(Function::Abs),
-        "exp" => Word::Function(Function::Exp),
-        "ln" => Word::Function(Function::Ln),
-        "sin" => Word::Function(Function::Sin),
-        "cos" => Word::Function(Function::Cos),
-        "tan" | "tg" => Word::Function(Function::Tan),
-        "asin" | "arcsin" => Word::Function(Function::Asin),
-        "acos" | "arccos" => Word::Function(Function::Acos),
-        "atan" | "arctan" | "arctg" => Word::Function(Function::Atan),
+        "pi" | "пи" => TypedWord::Constant(std::f64::consts::PI),
+        "sqrt" => TypedWord::Function(Function::Sqrt),
+        "abs" => TypedWord::Function(Function::Abs),
+        "exp" => TypedWord::Function(Function::Exp),
+        "ln" => TypedWord::Function(Function::Ln),
+        "sin" => TypedWord::Function(Function::Sin),
+        "cos" => TypedWord::Function(Function::Cos),
+        "tan" | "tg" => TypedWord::Function(Function::Tan),
+        "asin" | "arcsin" => TypedWord::Function(Function::Asin),
+        "acos" | "arccos" => TypedWord::Function(Function::Acos),
+        "atan" | "arctan" | "arctg" => TypedWord::Function(Function::Atan),
         _ => return None,
     })
 }
 
 impl Function {
     /// The function of `value`. Angles of plain numbers are radians, as in mathematics.
-    fn apply(self, value: Value) -> Option<Value> {
-        let Value { number, dimension } = value;
-        let plain = |function: fn(f64) -> f64| value.is_plain().then(|| Value::plain(function(number)));
+    fn apply(self, value: TypedValue) -> Option<TypedValue> {
+        let TypedValue { number, dimension } = value;
+        let plain = |function: fn(f64) -> f64| value.is_plain().then(|| TypedValue::plain(function(number)));
         let of_angle = |function: fn(f64) -> f64| {
             let radians = match dimension {
                 Dimension::PLAIN => number,
                 Dimension::ANGLE => number.to_radians(),
                 _ => return None,
             };
-            Some(Value::plain(function(radians)))
+            Some(TypedValue::plain(function(radians)))
         };
         let to_angle = |function: fn(f64) -> f64| {
             let angle = plain(function)?.number.to_degrees();
-            Some(Value { number: angle, dimension: Dimension::ANGLE })
+            Some(TypedValue { number: angle, dimension: Dimension::ANGLE })
         };
         match self {
             Self::Sqrt => {
                 let is_square = dimension.length % 2 == 0 && dimension.angle % 2 == 0;
                 let dimension = Dimension { length: dimension.length / 2, angle: dimension.angle / 2 };
-                is_square.then(|| Value { number: number.sqrt(), dimension })
+                is_square.then(|| TypedValue { number: number.sqrt(), dimension })
             }
-            Self::Abs => Some(Value { number: number.abs(), dimension }),
+            Self::Abs => Some(TypedValue { number: number.abs(), dimension }),
             Self::Exp => plain(f64::exp),
             Self::Ln => plain(f64::ln),
             Self::Sin => of_angle(f64::sin),
@@ -237,7 +241,7 @@ impl Function {
 }
 
 /// Reads the tokens by recursive descent.
-struct Parser<'t> {
+struct ExpressionParser<'t> {
     tokens: Vec<(Token<'t>, Range<usize>)>,
     next: usize,
     /// The end of the text, letters.
@@ -245,7 +249,7 @@ struct Parser<'t> {
     depth: usize,
 }
 
-impl<'t> Parser<'t> {
+impl<'t> ExpressionParser<'t> {
     fn peek(&self) -> Option<(Token<'t>, Range<usize>)> {
         self.tokens.get(self.next).cloned()
     }
@@ -268,11 +272,11 @@ impl<'t> Parser<'t> {
         start..end.max(start)
     }
 
-    fn fault<T>(&self, kind: FaultKind, first: usize) -> Result<T, Fault> {
-        Err(Fault { kind, place: self.place_from(first) })
+    fn fault<T>(&self, kind: ExpressionErrorKind, first: usize) -> Result<T, ExpressionError> {
+        Err(ExpressionError { kind, place: self.place_from(first) })
     }
 
-    fn sum(&mut self) -> Result<Value, Fault> {
+    fn sum(&mut self) -> Result<TypedValue, ExpressionError> {
         let first = self.next;
         let mut sum = self.product()?;
         while let Some(sign) = self.take_sign(&['+', '-']) {
@@ -282,15 +286,15 @@ impl<'t> Parser<'t> {
                 (true, _) => other.dimension,
                 (_, true) => sum.dimension,
                 _ if sum.dimension == other.dimension => sum.dimension,
-                _ => return self.fault(FaultKind::Unit, first),
+                _ => return self.fault(ExpressionErrorKind::Unit, first),
             };
             let number = if sign == '+' { sum.number + other.number } else { sum.number - other.number };
-            sum = Value { number, dimension };
+            sum = TypedValue { number, dimension };
         }
         Ok(sum)
     }
 
-    fn product(&mut self) -> Result<Value, Fault> {
+    fn product(&mut self) -> Result<TypedValue, ExpressionError> {
         let mut product = self.signed()?;
         product = self.units(product)?;
         while let Some(sign) = self.take_sign(&['*', '/']) {
@@ -311,32 +315,34 @@ impl<'t> Parser<'t> {
     }
 
     /// Units after a value.
-    fn units(&mut self, mut value: Value) -> Result<Value, Fault> {
+    fn units(&mut self, mut value: TypedValue) -> Result<TypedValue, ExpressionError> {
         let first = self.next;
         while let Some((Token::Word(text), place)) = self.peek() {
-            let Some(Word::Unit(unit)) = word(text) else { break };
+            let Some(TypedWord::Unit(unit)) = word(text) else { break };
             self.next += 1;
             if !value.is_plain() {
-                return Err(Fault { kind: FaultKind::Unit, place });
+                return Err(ExpressionError { kind: ExpressionErrorKind::Unit, place });
             }
             value = value.times(unit);
         }
         match self.peek() {
-            Some((Token::Sign('^'), _)) if self.next > first => self.fault(FaultKind::PowerOfUnit, first),
+            Some((Token::Sign('^'), _)) if self.next > first => {
+                self.fault(ExpressionErrorKind::PowerOfUnit, first)
+            }
             _ => Ok(value),
         }
     }
 
-    fn signed(&mut self) -> Result<Value, Fault> {
+    fn signed(&mut self) -> Result<TypedValue, ExpressionError> {
         let mut is_negative = false;
         while let Some(sign) = self.take_sign(&['+', '-']) {
             is_negative ^= sign == '-';
         }
         let value = self.power()?;
-        Ok(if is_negative { Value { number: -value.number, ..value } } else { value })
+        Ok(if is_negative { TypedValue { number: -value.number, ..value } } else { value })
     }
 
-    fn power(&mut self) -> Result<Value, Fault> {
+    fn power(&mut self) -> Result<TypedValue, ExpressionError> {
         let first = self.next;
         let base = self.primary()?;
         if self.take_sign(&['^']).is_none() {
@@ -344,70 +350,78 @@ impl<'t> Parser<'t> {
         }
         let exponent = self.deeper(Self::signed)?;
         if !exponent.is_plain() {
-            return self.fault(FaultKind::Unit, first);
+            return self.fault(ExpressionErrorKind::Unit, first);
         }
         let number = base.number.powf(exponent.number);
         if base.is_plain() {
-            return Ok(Value::plain(number));
+            return Ok(TypedValue::plain(number));
         }
         let is_whole = exponent.number.fract() == 0.0 && exponent.number.abs() <= 64.0;
         match base.dimension.to_power(exponent.number as i32).filter(|_| is_whole) {
-            Some(dimension) => Ok(Value { number, dimension }),
-            None => self.fault(FaultKind::Unit, first),
+            Some(dimension) => Ok(TypedValue { number, dimension }),
+            None => self.fault(ExpressionErrorKind::Unit, first),
         }
     }
 
-    fn primary(&mut self) -> Result<Value, Fault> {
+    fn primary(&mut self) -> Result<TypedValue, ExpressionError> {
         let first = self.next;
         let Some((token, place)) = self.peek() else {
-            return Err(Fault { kind: FaultKind::NumberMissing, place: self.end..self.end });
+            return Err(ExpressionError {
+                kind: ExpressionErrorKind::NumberMissing,
+                place: self.end..self.end,
+            });
         };
         self.next += 1;
         match token {
-            Token::Number(number) => Ok(Value::plain(number)),
+            Token::Number(number) => Ok(TypedValue::plain(number)),
             Token::Open => self.rest_of_parenthesis(first),
             Token::Word(text) => match word(text) {
-                Some(Word::Constant(number)) => Ok(Value::plain(number)),
-                Some(Word::Function(function)) => {
+                Some(TypedWord::Constant(number)) => Ok(TypedValue::plain(number)),
+                Some(TypedWord::Function(function)) => {
                     if !matches!(self.peek(), Some((Token::Open, _))) {
-                        return Err(Fault { kind: FaultKind::ArgumentMissing, place });
+                        return Err(ExpressionError { kind: ExpressionErrorKind::ArgumentMissing, place });
                     }
                     let open = self.next;
                     self.next += 1;
                     let argument = self.rest_of_parenthesis(open)?;
                     match function.apply(argument) {
                         Some(value) if value.number.is_finite() => Ok(value),
-                        Some(_) => self.fault(FaultKind::NotFinite, first),
-                        None => self.fault(FaultKind::Unit, first),
+                        Some(_) => self.fault(ExpressionErrorKind::NotFinite, first),
+                        None => self.fault(ExpressionErrorKind::Unit, first),
                     }
                 }
-                Some(Word::Unit(_)) => Err(Fault { kind: FaultKind::NumberMissing, place }),
-                None => Err(Fault { kind: FaultKind::Unknown, place }),
+                Some(TypedWord::Unit(_)) => {
+                    Err(ExpressionError { kind: ExpressionErrorKind::NumberMissing, place })
+                }
+                None => Err(ExpressionError { kind: ExpressionErrorKind::Unknown, place }),
             },
-            Token::Sign(_) => Err(Fault { kind: FaultKind::NumberMissing, place }),
-            Token::Close => Err(Fault { kind: FaultKind::Parenthesis, place }),
+            Token::Sign(_) => Err(ExpressionError { kind: ExpressionErrorKind::NumberMissing, place }),
+            Token::Close => Err(ExpressionError { kind: ExpressionErrorKind::Parenthesis, place }),
         }
     }
 
     /// What stands after an opening parenthesis, the token `open`, with the closing one.
-    fn rest_of_parenthesis(&mut self, open: usize) -> Result<Value, Fault> {
+    fn rest_of_parenthesis(&mut self, open: usize) -> Result<TypedValue, ExpressionError> {
         let value = self.deeper(Self::sum)?;
         match self.peek() {
             Some((Token::Close, _)) => {
                 self.next += 1;
                 Ok(value)
             }
-            Some((_, place)) => Err(Fault { kind: FaultKind::OperatorMissing, place }),
+            Some((_, place)) => Err(ExpressionError { kind: ExpressionErrorKind::OperatorMissing, place }),
             None => {
                 let place = self.tokens.get(open).map_or(self.end..self.end, |(_, place)| place.clone());
-                Err(Fault { kind: FaultKind::Parenthesis, place })
+                Err(ExpressionError { kind: ExpressionErrorKind::Parenthesis, place })
             }
         }
     }
 
-    fn deeper(&mut self, read: fn(&mut Self) -> Result<Value, Fault>) -> Result<Value, Fault> {
+    fn deeper(
+        &mut self,
+        read: fn(&mut Self) -> Result<TypedValue, ExpressionError>,
+    ) -> Result<TypedValue, ExpressionError> {
         if self.depth >= MOST_DEPTH {
-            return self.fault(FaultKind::TooLong, self.next);
+            return self.fault(ExpressionErrorKind::TooLong, self.next);
         }
         self.depth += 1;
         let value = read(self);

@@ -13,17 +13,17 @@ use crate::theme;
 
 mod refusal;
 
-use refusal::Reason;
+use refusal::RefusalReason;
 pub(crate) use refusal::{Refusal, limits_in_words};
 
 /// A field that is no wider, points, does not show its unit.
 const NARROW: f32 = 72.0;
 
-/// A field for one number. It is dragged, or typed as a number or an arithmetic expression. What cannot be read is refused
-/// as a whole: the number becomes again what it was, and the text stays to be corrected.
+/// A field for one number. It is dragged, or typed as a number or an arithmetic expression. What cannot be read is
+/// refused as a whole: the number becomes again what it was, and the text stays to be corrected.
 pub(crate) struct NumberField<'a> {
     pub(crate) texts: &'a Texts,
-    /// Its accessible name.
+    /// The accessible name.
     pub(crate) name: &'a str,
     /// The number now.
     pub(crate) value: f64,
@@ -44,8 +44,8 @@ pub(crate) struct NumberField<'a> {
     pub(crate) explains: bool,
 }
 
-/// What was done to a field in this frame.
-pub(crate) struct Entered {
+/// The changes of a number field in a frame.
+pub(crate) struct NumberResponse {
     pub(crate) response: Response,
     /// The new number, if it was changed.
     pub(crate) value: Option<f64>,
@@ -59,24 +59,24 @@ pub(crate) struct Entered {
     pub(crate) waiting: Option<Refusal>,
 }
 
-/// What is being typed.
+/// The text that is being typed.
 #[derive(Clone)]
-struct Typing {
+struct TypingState {
     text: String,
     /// The number when it began, as text and by itself.
     before: String,
     start: f64,
     /// Whether it began with a text that was refused.
     is_correction: bool,
-    /// The number that was told last.
+    /// The number that was reported last.
     told: f64,
     /// The last pass in which the field was drawn.
     pass: u64,
 }
 
-/// A text that was refused and waits to be corrected.
+/// A refused text that waits to be corrected.
 #[derive(Clone)]
-struct Draft {
+struct RefusedText {
     text: String,
     refusal: Refusal,
     /// The number that stands meanwhile.
@@ -84,16 +84,16 @@ struct Draft {
     pass: u64,
 }
 
-/// What a text comes to.
-enum Judged {
+/// The result of reading a text.
+enum TextVerdict {
     Taken(f64),
     Unchanged,
-    Refused(Reason),
+    Refused(RefusalReason),
 }
 
-/// What becomes of a text when its field is left.
+/// The result of a text whose field was left.
 #[derive(Default)]
-struct Left {
+struct TypingResult {
     value: Option<f64>,
     is_taken_back: bool,
     refusal: Option<Refusal>,
@@ -101,12 +101,12 @@ struct Left {
 
 impl NumberField<'_> {
     /// Draws the field.
-    pub(crate) fn show(&self, ui: &mut Ui) -> Entered {
+    pub(crate) fn show(&self, ui: &mut Ui) -> NumberResponse {
         let inner = ui.scope(|ui| self.show_scoped(ui));
         inner.inner
     }
 
-    fn show_scoped(&self, ui: &mut Ui) -> Entered {
+    fn show_scoped(&self, ui: &mut Ui) -> NumberResponse {
         let palette = theme::palette(ui.visuals());
         let widgets = &mut ui.visuals_mut().widgets;
         widgets.inactive.weak_bg_fill = palette.field;
@@ -125,7 +125,7 @@ impl NumberField<'_> {
     }
 
     /// Draws the field while nothing is typed: it can be dragged.
-    fn rest_ui(&self, ui: &mut Ui, id: Id) -> Entered {
+    fn rest_ui(&self, ui: &mut Ui, id: Id) -> NumberResponse {
         let left = self.leave(ui, id);
         let draft = self.draft(ui, id);
         let palette = theme::palette(ui.visuals());
@@ -167,7 +167,7 @@ impl NumberField<'_> {
         }
         // Assistive technology can ask for values of disabled fields.
         let is_changed = ui.is_enabled() && value.to_bits() != self.value.to_bits();
-        Entered {
+        NumberResponse {
             response,
             value: is_changed.then_some(value).or(left.value),
             has_begun: false,
@@ -178,14 +178,14 @@ impl NumberField<'_> {
     }
 
     /// Draws the field while it is typed in.
-    fn type_ui(&self, ui: &mut Ui, id: Id) -> Entered {
+    fn type_ui(&self, ui: &mut Ui, id: Id) -> NumberResponse {
         let pass = ui.ctx().cumulative_pass_nr();
-        let kept = take::<Typing>(ui, typing_id(id));
+        let kept = take::<TypingState>(ui, typing_id(id));
         let kept = kept.filter(|typing| typing.pass + 1 >= pass);
         let has_begun = kept.is_none();
         // A number that was changed by something else has another text; one that the scene refused has not changed.
         let is_known =
-            |typing: &Typing| [typing.told, typing.start].iter().any(|own| is_near(*own, self.value));
+            |typing: &TypingState| [typing.told, typing.start].iter().any(|own| is_near(*own, self.value));
         let mut typing = kept.filter(is_known).unwrap_or_else(|| self.begin(ui, id));
         if !is_near(typing.told, self.value) {
             typing.told = self.value;
@@ -201,7 +201,7 @@ impl NumberField<'_> {
         let mut is_taken_back = false;
         if response.changed() {
             match self.judge(&typing) {
-                Judged::Taken(number) => value = Some(number),
+                TextVerdict::Taken(number) => value = Some(number),
                 _ if typing.told.to_bits() != typing.start.to_bits() => {
                     (value, is_taken_back) = (Some(typing.start), true);
                 }
@@ -210,15 +210,15 @@ impl NumberField<'_> {
             typing.told = value.unwrap_or(typing.told);
         }
         self.tell_assistive_technology(ui, &response);
-        ui.data_mut(|data| data.insert_temp(typing_id(id), Typing { pass, ..typing }));
+        ui.data_mut(|data| data.insert_temp(typing_id(id), TypingState { pass, ..typing }));
         let value = value.filter(|value| value.to_bits() != self.value.to_bits() || self.is_mixed);
-        Entered { response, value, has_begun, is_taken_back, refusal: None, waiting: None }
+        NumberResponse { response, value, has_begun, is_taken_back, refusal: None, waiting: None }
     }
 
     /// Begins to type, with the text that was refused, if there is one, or with the number in full.
-    fn begin(&self, ui: &Ui, id: Id) -> Typing {
+    fn begin(&self, ui: &Ui, id: Id) -> TypingState {
         let before = if self.is_mixed { MIXED.to_owned() } else { exact(self.texts, self.value) };
-        let draft = take::<Draft>(ui, draft_id(id));
+        let draft = take::<RefusedText>(ui, draft_id(id));
         let draft = draft.filter(|draft| is_near(draft.value, self.value));
         let is_correction = draft.is_some();
         let text = draft.map_or_else(|| before.clone(), |draft| draft.text);
@@ -226,7 +226,7 @@ impl NumberField<'_> {
         let whole = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
         state.cursor.set_char_range(Some(whole));
         state.store(ui.ctx(), id);
-        Typing { text, before, is_correction, start: self.value, told: self.value, pass: 0 }
+        TypingState { text, before, is_correction, start: self.value, told: self.value, pass: 0 }
     }
 
     /// The number after the arrow keys, or assistive technology, stepped it.
@@ -249,64 +249,71 @@ impl NumberField<'_> {
     }
 
     /// What was typed, once the field is left.
-    fn leave(&self, ui: &Ui, id: Id) -> Left {
+    fn leave(&self, ui: &Ui, id: Id) -> TypingResult {
         let pass = ui.ctx().cumulative_pass_nr();
-        let typing = take::<Typing>(ui, typing_id(id));
-        let Some(typing) = typing.filter(|typing| typing.pass + 1 >= pass) else { return Left::default() };
+        let typing = take::<TypingState>(ui, typing_id(id));
+        let Some(typing) = typing.filter(|typing| typing.pass + 1 >= pass) else {
+            return TypingResult::default();
+        };
         let is_told = |value: f64| value.to_bits() == typing.told.to_bits();
         let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
         let back = Some(typing.start).filter(|start| !is_told(*start));
         match self.judge(&typing) {
-            Judged::Taken(value) if !is_given_up => Left {
+            TextVerdict::Taken(value) if !is_given_up => TypingResult {
                 value: Some(value).filter(|value| !is_told(*value) || self.is_mixed),
-                ..Left::default()
+                ..TypingResult::default()
             },
-            Judged::Refused(reason) if !is_given_up => {
+            TextVerdict::Refused(reason) if !is_given_up => {
                 let refusal = Refusal { text: typing.text.clone(), unit: self.unit, reason };
-                let draft = Draft { text: typing.text, refusal: refusal.clone(), value: typing.start, pass };
+                let draft =
+                    RefusedText { text: typing.text, refusal: refusal.clone(), value: typing.start, pass };
                 ui.data_mut(|data| data.insert_temp(draft_id(id), draft));
-                Left { value: back, is_taken_back: true, refusal: Some(refusal) }
+                TypingResult { value: back, is_taken_back: true, refusal: Some(refusal) }
             }
             _ => {
                 let is_taken_back = is_given_up || typing.is_correction || back.is_some();
-                Left { value: back, is_taken_back, refusal: None }
+                TypingResult { value: back, is_taken_back, refusal: None }
             }
         }
     }
 
     /// The text that waits to be corrected. It is dropped once the number is another, or the field was not seen.
-    fn draft(&self, ui: &Ui, id: Id) -> Option<Draft> {
+    fn draft(&self, ui: &Ui, id: Id) -> Option<RefusedText> {
         let pass = ui.ctx().cumulative_pass_nr();
-        let draft = take::<Draft>(ui, draft_id(id))?;
+        let draft = take::<RefusedText>(ui, draft_id(id))?;
         // The number is that from before only in the next pass.
         let is_fresh = draft.pass == pass;
         let stands = draft.pass + 1 >= pass && (is_fresh || is_near(draft.value, self.value));
-        let kept = stands.then_some(Draft { pass, ..draft });
+        let kept = stands.then_some(RefusedText { pass, ..draft });
         if let Some(draft) = &kept {
             ui.data_mut(|data| data.insert_temp(draft_id(id), draft.clone()));
         }
         kept
     }
 
-    fn judge(&self, typing: &Typing) -> Judged {
+    fn judge(&self, typing: &TypingState) -> TextVerdict {
         let typed = typing.text.trim();
         if typed.is_empty() || typed == typing.before || typed == MIXED {
-            return Judged::Unchanged;
+            return TextVerdict::Unchanged;
         }
         let own = self.unit.suffix(self.texts).trim();
         let is_bare = matches!(self.unit, Unit::Pixels | Unit::Stops);
         let plain = if is_bare { typed.strip_suffix(own).unwrap_or(typed) } else { typed };
         let sign = self.texts.language().decimal_sign();
         match evaluate(plain, self.unit, sign) {
-            Err(fault) => Judged::Refused(Reason::Fault(fault)),
-            Ok(number) if !self.limits.contains(number) => Judged::Refused(Reason::OutOfLimits(self.limits)),
-            Ok(number) if self.decimals == 0 && number.fract() != 0.0 => Judged::Refused(Reason::NotWhole),
-            Ok(number) => Judged::Taken(number),
+            Err(fault) => TextVerdict::Refused(RefusalReason::Fault(fault)),
+            Ok(number) if !self.limits.contains(number) => {
+                TextVerdict::Refused(RefusalReason::OutOfLimits(self.limits))
+            }
+            Ok(number) if self.decimals == 0 && number.fract() != 0.0 => {
+                TextVerdict::Refused(RefusalReason::NotWhole)
+            }
+            Ok(number) => TextVerdict::Taken(number),
         }
     }
 
     /// Says why a text was refused, beside it.
-    fn explain(&self, response: &Response, draft: &Draft) {
+    fn explain(&self, response: &Response, draft: &RefusedText) {
         if !self.explains {
             return;
         }

@@ -6,25 +6,25 @@ use eframe::egui_wgpu::{CallbackResources, CallbackTrait, RenderState};
 use egui::epaint::{Vertex, WHITE_UV};
 use egui::{Color32, PaintCallbackInfo, Pos2, Rect, TextureId, Vec2, vec2};
 
-use super::damage::{Piece, Triangle, around};
-use super::pipelines::{Corner, FORMAT, Kind, Pipelines};
+use super::damage::{DrawBatch, Triangle, around};
+use super::pipelines::{CanvasPipelines, CanvasVertex, FORMAT, FillKind};
 
-/// A texture as it is drawn with.
-pub(super) struct Texture {
+/// A texture of the software renderer.
+pub(super) struct SoftwareTexture {
     /// With egui's layout.
     pub(super) bind_group: wgpu::BindGroup,
     pub(super) is_opaque: bool,
 }
 
-pub(super) struct Canvas {
+pub(super) struct SoftwareCanvas {
     device: wgpu::Device,
     queue: wgpu::Queue,
-    pipelines: Arc<Pipelines>,
-    sheet: Option<Sheet>,
+    pipelines: Arc<CanvasPipelines>,
+    sheet: Option<CanvasPixels>,
 }
 
-/// The picture itself.
-struct Sheet {
+/// The pixels of the canvas as a texture.
+struct CanvasPixels {
     view: wgpu::TextureView,
     bind_group: wgpu::BindGroup,
     /// Width and height, pixels.
@@ -33,12 +33,12 @@ struct Sheet {
     pixels_per_point: f32,
 }
 
-impl Canvas {
+impl SoftwareCanvas {
     pub(super) fn new(state: &RenderState) -> Self {
         Self {
             device: state.device.clone(),
             queue: state.queue.clone(),
-            pipelines: Arc::new(Pipelines::new(&state.device, state.target_format)),
+            pipelines: Arc::new(CanvasPipelines::new(&state.device, state.target_format)),
             sheet: None,
         }
     }
@@ -50,7 +50,8 @@ impl Canvas {
 
     /// Makes the canvas as large as the window. Returns whether what was drawn is still there.
     pub(super) fn fit(&mut self, screen: Rect, pixels_per_point: f32) -> bool {
-        let is_fitting = |sheet: &Sheet| sheet.screen == screen && sheet.pixels_per_point == pixels_per_point;
+        let is_fitting =
+            |sheet: &CanvasPixels| sheet.screen == screen && sheet.pixels_per_point == pixels_per_point;
         if self.sheet.as_ref().is_some_and(is_fitting) {
             return true;
         }
@@ -77,7 +78,7 @@ impl Canvas {
                     resource: wgpu::BindingResource::TextureView(&view),
                 }],
             });
-            Sheet { view, bind_group, size, screen, pixels_per_point }
+            CanvasPixels { view, bind_group, size, screen, pixels_per_point }
         });
         false
     }
@@ -85,21 +86,21 @@ impl Canvas {
     /// Draws `pieces` anew in the parts `damage`.
     pub(super) fn draw(
         &self,
-        pieces: &[Piece],
+        pieces: &[DrawBatch],
         damage: &[Rect],
-        texture: impl Fn(TextureId) -> Option<Texture>,
+        texture: impl Fn(TextureId) -> Option<SoftwareTexture>,
     ) {
         let Some(sheet) = &self.sheet else { return };
         let textures: Vec<_> = pieces.iter().map(|piece| texture(piece.texture)).collect();
-        let mut batch = Batch::default();
+        let mut batch = FrameTriangles::default();
         for part in damage {
             // Rounding may have left out a pixel at the edge.
             let part = part.expand(1.0);
-            batch.add(sheet, part, None, Kind::Opaque, &blank(part));
+            batch.add(sheet, part, None, FillKind::Opaque, &blank(part));
             for (piece, texture) in pieces.iter().zip(&textures) {
                 let Some(texture) = texture else { continue };
                 let is_own = piece.texture == TextureId::default();
-                let kind = |triangle: &Triangle| Kind::of(triangle, is_own, texture.is_opaque);
+                let kind = |triangle: &Triangle| FillKind::of(triangle, is_own, texture.is_opaque);
                 for run in piece.triangles.chunk_by(|one, next| kind(one) == kind(next)) {
                     let Some(first) = run.first() else { continue };
                     batch.add(sheet, part.intersect(piece.clip), Some(texture), kind(first), run);
@@ -111,7 +112,7 @@ impl Canvas {
         }
     }
 
-    fn submit(&self, sheet: &Sheet, batch: &Batch<'_>) {
+    fn submit(&self, sheet: &CanvasPixels, batch: &FrameTriangles<'_>) {
         let bytes: &[u8] = bytemuck::cast_slice(&batch.corners);
         // Not written while it is mapped: that panics when the device is lost.
         let corners = self.device.create_buffer(&wgpu::BufferDescriptor {
@@ -137,7 +138,7 @@ impl Canvas {
             let [x, y, width, height] = run.scissor;
             pass.set_scissor_rect(x, y, width, height);
             pass.set_pipeline(self.pipelines.of(run.kind));
-            if let (Kind::Textured | Kind::Picture, Some(texture)) = (run.kind, run.texture) {
+            if let (FillKind::Textured | FillKind::Picture, Some(texture)) = (run.kind, run.texture) {
                 pass.set_bind_group(0, &texture.bind_group, &[]);
             }
             pass.draw(run.corners.clone(), 0..1);
@@ -147,9 +148,9 @@ impl Canvas {
     }
 
     /// What brings the canvas to the screen.
-    pub(super) fn copy(&self) -> Option<Copy> {
+    pub(super) fn copy(&self) -> Option<CanvasCopy> {
         let bind_group = self.sheet.as_ref()?.bind_group.clone();
-        Some(Copy { pipelines: Arc::clone(&self.pipelines), bind_group })
+        Some(CanvasCopy { pipelines: Arc::clone(&self.pipelines), bind_group })
     }
 }
 
@@ -161,13 +162,13 @@ fn blank(part: Rect) -> [Triangle; 2] {
     [[one, two, three], [one, three, four]]
 }
 
-/// Brings a canvas to the screen.
-pub(super) struct Copy {
-    pipelines: Arc<Pipelines>,
+/// Copies a canvas to the screen.
+pub(super) struct CanvasCopy {
+    pipelines: Arc<CanvasPipelines>,
     bind_group: wgpu::BindGroup,
 }
 
-impl CallbackTrait for Copy {
+impl CallbackTrait for CanvasCopy {
     fn paint(
         &self,
         info: PaintCallbackInfo,
@@ -183,24 +184,31 @@ impl CallbackTrait for Copy {
     }
 }
 
-/// What is drawn in a frame.
+/// The triangles of a frame.
 #[derive(Default)]
-struct Batch<'a> {
-    corners: Vec<Corner>,
-    runs: Vec<Run<'a>>,
+struct FrameTriangles<'a> {
+    corners: Vec<CanvasVertex>,
+    runs: Vec<TriangleRun<'a>>,
 }
 
-/// Triangles of one kind, next to each other.
-struct Run<'a> {
-    kind: Kind,
-    texture: Option<&'a Texture>,
+/// Neighboring triangles of one kind, drawn by one call.
+struct TriangleRun<'a> {
+    kind: FillKind,
+    texture: Option<&'a SoftwareTexture>,
     scissor: [u32; 4],
     corners: std::ops::Range<u32>,
 }
 
-impl<'a> Batch<'a> {
+impl<'a> FrameTriangles<'a> {
     /// Adds the triangles that reach into the part `clip`.
-    fn add(&mut self, sheet: &Sheet, clip: Rect, texture: Option<&'a Texture>, kind: Kind, run: &[Triangle]) {
+    fn add(
+        &mut self,
+        sheet: &CanvasPixels,
+        clip: Rect,
+        texture: Option<&'a SoftwareTexture>,
+        kind: FillKind,
+        run: &[Triangle],
+    ) {
         let Some(scissor) = sheet.pixels(clip) else { return };
         let start = self.corners.len() as u32;
         let reaching = run.iter().filter(|triangle| around(triangle).intersects(clip));
@@ -216,16 +224,16 @@ impl<'a> Batch<'a> {
             {
                 last.corners.end = end;
             }
-            _ => self.runs.push(Run { kind, texture, scissor, corners: start..end }),
+            _ => self.runs.push(TriangleRun { kind, texture, scissor, corners: start..end }),
         }
     }
 }
 
-impl Sheet {
-    fn corner(&self, vertex: &Vertex) -> Corner {
+impl CanvasPixels {
+    fn corner(&self, vertex: &Vertex) -> CanvasVertex {
         let points = vec2(self.size[0] as f32, self.size[1] as f32) / self.pixels_per_point;
         let Vec2 { x, y } = (vertex.pos - self.screen.min) / points;
-        Corner {
+        CanvasVertex {
             position: [2.0 * x - 1.0, 1.0 - 2.0 * y],
             uv: vertex.uv.into(),
             color: vertex.color.to_array(),

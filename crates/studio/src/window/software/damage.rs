@@ -1,4 +1,4 @@
-//! What has changed in the window.
+//! The changed parts of the window.
 
 use std::collections::HashSet;
 
@@ -10,17 +10,17 @@ const MOST: usize = 6;
 
 pub(super) type Triangle = [Vertex; 3];
 
-/// Triangles that are drawn with one texture in one part of the window.
-pub(super) struct Piece {
+/// Triangles with one texture and one clip rectangle.
+pub(super) struct DrawBatch {
     pub(super) clip: Rect,
     pub(super) texture: TextureId,
     pub(super) triangles: Vec<Triangle>,
 }
 
-pub(super) fn pieces(primitives: Vec<ClippedPrimitive>) -> Vec<Piece> {
+pub(super) fn pieces(primitives: Vec<ClippedPrimitive>) -> Vec<DrawBatch> {
     let piece = |ClippedPrimitive { clip_rect, primitive }| match primitive {
         Primitive::Mesh(mesh) => {
-            Some(Piece { clip: clip_rect, texture: mesh.texture_id, triangles: triangles(&mesh) })
+            Some(DrawBatch { clip: clip_rect, texture: mesh.texture_id, triangles: triangles(&mesh) })
         }
         Primitive::Callback(_) => None,
     };
@@ -34,7 +34,7 @@ fn triangles(mesh: &Mesh) -> Vec<Triangle> {
 }
 
 /// The parts of the window where `new` looks otherwise than `old`, points. Textures `renewed` do so wherever they are.
-pub(super) fn damage(old: &[Piece], new: &[Piece], renewed: &HashSet<TextureId>) -> Vec<Rect> {
+pub(super) fn damage(old: &[DrawBatch], new: &[DrawBatch], renewed: &HashSet<TextureId>) -> Vec<Rect> {
     let mut damage = Vec::new();
     for at in 0..old.len().max(new.len()) {
         match (old.get(at), new.get(at)) {
@@ -51,7 +51,7 @@ pub(super) fn damage(old: &[Piece], new: &[Piece], renewed: &HashSet<TextureId>)
     damage
 }
 
-fn is_alike(old: &Piece, new: &Piece) -> bool {
+fn is_alike(old: &DrawBatch, new: &DrawBatch) -> bool {
     old.clip == new.clip && old.texture == new.texture
 }
 
@@ -108,13 +108,13 @@ mod tests {
         mesh
     }
 
-    fn piece(squares: &[Mesh]) -> Piece {
+    fn piece(squares: &[Mesh]) -> DrawBatch {
         let clip = Rect::from_min_size(pos2(0.0, 0.0), vec2(1000.0, 100.0));
         let triangles = squares.iter().flat_map(triangles).collect();
-        Piece { clip, texture: TextureId::default(), triangles }
+        DrawBatch { clip, texture: TextureId::default(), triangles }
     }
 
-    fn damage_of(old: &[Piece], new: &[Piece]) -> Vec<[f32; 2]> {
+    fn damage_of(old: &[DrawBatch], new: &[DrawBatch]) -> Vec<[f32; 2]> {
         let mut parts: Vec<_> =
             damage(old, new, &HashSet::new()).iter().map(|part| [part.left(), part.right()]).collect();
         parts.sort_by(|one, other| one[0].total_cmp(&other[0]));
@@ -147,8 +147,9 @@ mod tests {
         let old = [piece(&[square(0.0, red)])];
         let renewed = HashSet::from([TextureId::default()]);
         assert_eq!(damage(&old, &old, &renewed).len(), 1);
-        let many =
-            |color| -> Vec<Piece> { (0..9).map(|at| piece(&[square(20.0 * at as f32, color)])).collect() };
+        let many = |color| -> Vec<DrawBatch> {
+            (0..9).map(|at| piece(&[square(20.0 * at as f32, color)])).collect()
+        };
         let parts = damage_of(&many(red), &many(Color32::BLUE));
         assert!(parts.len() <= MOST, "{parts:?}");
         for left in (0..9).map(|at| 20.0 * at as f32) {

@@ -1,4 +1,4 @@
-//! How triangles are drawn.
+//! The pipelines that draw triangles.
 
 use std::num::NonZeroU64;
 
@@ -16,15 +16,15 @@ const LARGE: f32 = 2000.0;
 /// A corner of a triangle: its place on the canvas from -1 to 1, in a texture from 0 to 1, and its color.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-pub(super) struct Corner {
+pub(super) struct CanvasVertex {
     pub(super) position: [f32; 2],
     pub(super) uv: [f32; 2],
     pub(super) color: [u8; 4],
 }
 
-/// How a triangle is colored.
+/// The way that a triangle is colored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum FillKind {
     /// By its corners, hiding what is behind.
     Opaque,
     /// By its corners, over what is behind.
@@ -35,7 +35,7 @@ pub(super) enum Kind {
     Picture,
 }
 
-impl Kind {
+impl FillKind {
     /// Of a triangle with a texture, which is egui's own (of the fonts) or another.
     pub(super) fn of(triangle: &Triangle, is_own: bool, is_opaque: bool) -> Self {
         let hides = triangle.iter().all(|corner| corner.color.is_opaque());
@@ -57,8 +57,8 @@ fn area([one, two, three]: &Triangle) -> f32 {
     0.5 * (along.x * aside.y - along.y * aside.x).abs()
 }
 
-/// One for each kind, and one that brings the canvas to the screen.
-pub(super) struct Pipelines {
+/// A pipeline for each kind of triangle, and one that copies the canvas to the screen.
+pub(super) struct CanvasPipelines {
     opaque: wgpu::RenderPipeline,
     plain: wgpu::RenderPipeline,
     textured: wgpu::RenderPipeline,
@@ -68,13 +68,13 @@ pub(super) struct Pipelines {
     pub(super) window: wgpu::BindGroupLayout,
 }
 
-impl Pipelines {
+impl CanvasPipelines {
     pub(super) fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
         let module = device.create_shader_module(wgpu::include_wgsl!("shader.wgsl"));
         let (texture, window) = (texture_layout(device), window_layout(device));
         let attributes = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Unorm8x4];
         let corners = [Some(wgpu::VertexBufferLayout {
-            array_stride: size_of::<Corner>() as u64,
+            array_stride: size_of::<CanvasVertex>() as u64,
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &attributes,
         })];
@@ -121,17 +121,17 @@ impl Pipelines {
         }
     }
 
-    pub(super) fn of(&self, kind: Kind) -> &wgpu::RenderPipeline {
+    pub(super) fn of(&self, kind: FillKind) -> &wgpu::RenderPipeline {
         match kind {
-            Kind::Opaque => &self.opaque,
-            Kind::Plain => &self.plain,
-            Kind::Textured => &self.textured,
-            Kind::Picture => &self.picture,
+            FillKind::Opaque => &self.opaque,
+            FillKind::Plain => &self.plain,
+            FillKind::Textured => &self.textured,
+            FillKind::Picture => &self.picture,
         }
     }
 }
 
-/// The same entries as in egui's layout, so that its bind groups fit.
+/// The layout of a texture's bind group, equal to egui's so that its bind groups fit.
 fn texture_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let flags = wgpu::BindingType::Buffer {
         has_dynamic_offset: false,

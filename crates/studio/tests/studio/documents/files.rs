@@ -92,7 +92,7 @@ fn folders_lead_up_and_back_and_esc_closes() {
     let host = TestHost::new();
     std::fs::create_dir(host.path("scenes")).unwrap();
     std::fs::write(host.path("scenes/deep.toml"), SCENE).unwrap();
-    let mut harness = studio_with(host.clone(), Start::File(host.path("scenes/deep.toml")));
+    let mut harness = studio_with(host.clone(), StartDocument::File(host.path("scenes/deep.toml")));
     harness.run_steps(3);
     open(&mut harness, Command::Open, "deep.toml");
     press(&mut harness, "Parent folder");

@@ -44,7 +44,7 @@ fn changes_are_kept_until_they_are_saved_or_taken_back() {
 #[test]
 fn a_document_without_a_file_is_kept_with_whole_paths_of_pictures() {
     let host = TestHost::new();
-    let mut harness = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     let text = "format = 'catoptric/1'\n[[bodies]]\nmaterial = { texture = 'wood.png' }\n";
     harness.state_mut().editor_mut().apply(Action::Paste(text.to_owned())).unwrap();
     let whole = std::env::current_dir().unwrap().join("wood.png");
@@ -61,7 +61,7 @@ fn a_crash_leaves_the_changes_and_the_next_studio_offers_them() {
     // Gone without a word.
     drop(harness);
 
-    let mut harness = studio_with(host.clone(), Start::File(path.clone()));
+    let mut harness = studio_with(host.clone(), StartDocument::File(path.clone()));
     wait_for_offer(&mut harness);
     assert!(has(&harness, "a.toml") && tells(&harness, "just now"));
     assert!(tells(&harness, &path.display().to_string()));
@@ -69,7 +69,7 @@ fn a_crash_leaves_the_changes_and_the_next_studio_offers_them() {
     assert_eq!(first_body(&harness), "ball");
     drop(harness);
 
-    let mut harness = studio_with(host.clone(), Start::File(path.clone()));
+    let mut harness = studio_with(host.clone(), StartDocument::File(path.clone()));
     wait_for_offer(&mut harness);
     press(&mut harness, "Restore: a.toml");
     wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());
@@ -97,13 +97,13 @@ fn a_restored_scene_survives_another_crash_at_once() {
     rename(&mut harness, "orb");
     wait_until_kept(&mut harness, &host, "orb");
     drop(harness);
-    let mut harness = studio_with(host.clone(), Start::File(path.clone()));
+    let mut harness = studio_with(host.clone(), StartDocument::File(path.clone()));
     wait_for_offer(&mut harness);
     press(&mut harness, "Restore: a.toml");
     wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());
     drop(harness);
     assert!(!kept(&host).is_empty());
-    let mut harness = studio_with(host, Start::File(path));
+    let mut harness = studio_with(host, StartDocument::File(path));
     wait_for_offer(&mut harness);
 }
 
@@ -117,7 +117,7 @@ fn a_restored_scene_does_not_replace_a_newer_file_unasked() {
     // Clocks of file systems are coarse.
     std::thread::sleep(std::time::Duration::from_millis(50));
     std::fs::write(&path, format!("{SCENE}# newer\n")).unwrap();
-    let mut harness = studio_with(host, Start::File(path.clone()));
+    let mut harness = studio_with(host, StartDocument::File(path.clone()));
     wait_for_offer(&mut harness);
     press(&mut harness, "Restore: a.toml");
     wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());
@@ -134,7 +134,7 @@ fn a_restored_part_does_not_replace_the_whole_file_unasked() {
     rename(&mut harness, "orb");
     wait_until_kept(&mut harness, &host, "orb");
     drop(harness);
-    let mut harness = studio_with(host, Start::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     wait_for_offer(&mut harness);
     press(&mut harness, "Restore: a.toml");
     wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());
@@ -162,7 +162,7 @@ fn what_is_not_wanted_is_discarded_after_a_question() {
     rename(&mut harness, "orb");
     wait_until_kept(&mut harness, &host, "orb");
     drop(harness);
-    let mut harness = studio_with(host.clone(), Start::File(path.clone()));
+    let mut harness = studio_with(host.clone(), StartDocument::File(path.clone()));
     wait_for_offer(&mut harness);
     press(&mut harness, "Discard: a.toml");
     press(&mut harness, "Cancel");
@@ -225,7 +225,7 @@ fn a_killed_studio_loses_at_most_the_last_seconds() {
     child.wait().unwrap();
 
     assert_eq!(read(&host.path("a.toml")), SCENE, "the file itself is whole");
-    let mut harness = studio_with(host.clone(), Start::Last);
+    let mut harness = studio_with(host.clone(), StartDocument::Last);
     wait_for_offer(&mut harness);
     press(&mut harness, "Restore: a.toml");
     wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());

@@ -112,7 +112,7 @@ fn a_picture_that_is_picked_is_the_one_that_is_there_now() {
     for answer in [host.path("a.toml"), here.clone(), here.clone(), away.join("b.toml"), away.join("a.exr")] {
         host.answer(Some(answer));
     }
-    let mut window = studio_with(host, Start::Example("four-bodies".to_owned()));
+    let mut window = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     window.set_size(vec2(1280.0, 1700.0));
     select(&mut window, [Item::Environment]);
     save_as(&mut window, "a.toml");
@@ -133,7 +133,7 @@ fn after_saving_elsewhere_every_step_finds_its_pictures() {
     for answer in [host.path("a.toml"), here.clone(), away.join("none/b.toml"), away.join("b.toml")] {
         host.answer(Some(answer));
     }
-    let mut window = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let mut window = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     window.set_size(vec2(1280.0, 1700.0));
     select(&mut window, [Item::Environment]);
     save_as(&mut window, "a.toml");
@@ -166,7 +166,7 @@ fn a_picture_is_not_given_to_another_document_than_it_was_asked_for() {
     let host = TestHost::new();
     write_gray(&host.path("a.exr"), 0.25, 2);
     host.answer(Some(host.path("a.exr")));
-    let mut window = studio_with(host.clone(), Start::Example("four-bodies".to_owned()));
+    let mut window = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     let usage = catoptric_studio::ImageUse::Surroundings;
     window.state_mut().run(catoptric_studio::Command::ChooseImage(usage));
     window.state_mut().run(catoptric_studio::Command::New);
@@ -185,7 +185,7 @@ fn pictures_of_files_are_named_from_the_folder_of_the_scene_and_move_with_it() {
     host.answer(Some(host.path("a.toml")));
     host.answer(Some(away.join("b.toml")));
     host.answer(Some(host.path("none.png")));
-    let mut window = studio_with(host, Start::Example("four-bodies".to_owned()));
+    let mut window = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     window.set_size(vec2(1280.0, 1700.0));
     select(&mut window, [Item::Environment]);
     choose(&mut window, "Surroundings", "From a file…");

@@ -62,7 +62,7 @@ fn a_ring_turns_about_its_axis() {
     hand.select(&[Item::Body(CONE)]);
     hand.run(Command::Tool(Tool::Rotate));
     // From above, the ring about Y is a circle.
-    hand.run(Command::LookAlong(catoptric_editor::navigate::Axis::Top));
+    hand.run(Command::LookAlong(catoptric_editor::navigate::ViewSide::Top));
     let before = hand.scene().clone();
     let pivot = position(&before, CONE);
     let radius = RING * hand.meters_per_point(pivot);
@@ -87,7 +87,7 @@ fn several_bodies_turn_about_their_middle() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(SPHERE), Item::Body(CYLINDER)]);
     hand.run(Command::Tool(Tool::Rotate));
-    hand.run(Command::LookAlong(catoptric_editor::navigate::Axis::Top));
+    hand.run(Command::LookAlong(catoptric_editor::navigate::ViewSide::Top));
     let before = hand.scene().clone();
     let places = [SPHERE, CYLINDER].map(|body| position(&before, body));
     let pivot = 0.5 * (places[0] + places[1]);

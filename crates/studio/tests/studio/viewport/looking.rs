@@ -1,6 +1,6 @@
 //! Moving the camera.
 
-use catoptric_editor::navigate::Axis;
+use catoptric_editor::navigate::ViewSide;
 use catoptric_scene::{Camera, Projection};
 
 use super::*;
@@ -214,7 +214,7 @@ fn framing_and_looking_along_an_axis_arrive() {
     hand.undo();
     hand.undo();
     assert_same(hand.scene(), &before);
-    hand.run(Command::LookAlong(Axis::Top));
+    hand.run(Command::LookAlong(ViewSide::Top));
     assert_same(hand.scene(), &before);
     let seen = hand.harness.state().live().latest().unwrap().camera;
     assert_eq!((seen.position.x, seen.position.z), (seen.target.x, seen.target.z));

@@ -2,7 +2,7 @@
 
 use catoptric_editor::bounds;
 use catoptric_scene::{Body, Placement, Shape, ShapeKind};
-use catoptric_studio::Start;
+use catoptric_studio::StartDocument;
 
 use super::*;
 use crate::kit::{TestHost, studio_with};
@@ -10,7 +10,7 @@ use crate::kit::{TestHost, studio_with};
 const SHAPES: [ShapeKind; 4] = [ShapeKind::Sphere, ShapeKind::Cube, ShapeKind::Cylinder, ShapeKind::Cone];
 
 impl Hand {
-    fn on(start: Start) -> Self {
+    fn on(start: StartDocument) -> Self {
         let mut harness = studio_with(TestHost::new(), start);
         harness.run_steps(2);
         let mut hand = Self { harness, pos: Pos2::ZERO, modifiers: Modifiers::NONE };
@@ -19,7 +19,7 @@ impl Hand {
     }
 
     fn example(name: &str) -> Self {
-        Self::on(Start::Example(name.to_owned()))
+        Self::on(StartDocument::Example(name.to_owned()))
     }
 
     /// Where a point is in the window, if it is in the picture.
@@ -65,7 +65,11 @@ impl Hand {
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
         let camera = stage.camera_for(&studio.live().latest().unwrap().camera);
         let (at, _) = camera.project(own.center(), size).unwrap();
-        assert_eq!(stage.closest_hit(&camera.ray(at, size)).map(|hit| hit.body), Some(index), "{of} is hidden");
+        assert_eq!(
+            stage.closest_hit(&camera.ray(at, size)).map(|hit| hit.body),
+            Some(index),
+            "{of} is hidden"
+        );
     }
 }
 

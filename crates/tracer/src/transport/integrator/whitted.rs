@@ -319,7 +319,8 @@ impl<'a> WhittedIntegrator<'a> {
             #[inline(always)]
             move || {
                 let along = if are_from_eye { self.candidates.through_tile() } else { Candidates::All };
-                let query = RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, membership, along);
+                let query =
+                    RayQuery::new(w, &self.scene.geometry, &paths.rays, paths.lanes, membership, along);
                 query.closest_hit_unresolved(&mut self.stack)
             },
         )

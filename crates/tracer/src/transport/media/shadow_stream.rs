@@ -158,14 +158,7 @@ impl ShadowStream {
             if !passed.lanes.any() {
                 break;
             }
-            query.filter(
-                scene,
-                index,
-                query.geometry.body(index),
-                t_max,
-                passed.lanes,
-                (&mut passed, None),
-            );
+            query.filter(scene, index, query.geometry.body(index), t_max, passed.lanes, (&mut passed, None));
         }
         let mut share = passed.share.unwrap_or_else(|| all_of(w));
         if scene.absorbs {

@@ -65,7 +65,10 @@ impl RenderScene {
             doubles: Arc::clone(&self.geometry.doubles),
             space: self.geometry.space,
             largest_extent: self.geometry.largest_extent,
-            largest_error_bound: order.iter().map(|&index| self.geometry.body(index).error_bound).fold(0.0, f32::max),
+            largest_error_bound: order
+                .iter()
+                .map(|&index| self.geometry.body(index).error_bound)
+                .fold(0.0, f32::max),
         };
         Self {
             geometry,

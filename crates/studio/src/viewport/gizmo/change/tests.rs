@@ -58,8 +58,11 @@ fn a_whole_turn_about_any_axis_has_no_jump() {
             };
             let mut near = start;
             for step in 1..=1440 {
-                let change =
-                    Change::Turn { pivot: DVec3::ZERO, axis, radians: (0.25 * f64::from(step)).to_radians() };
+                let change = GizmoChange::Turn {
+                    pivot: DVec3::ZERO,
+                    axis,
+                    radians: (0.25 * f64::from(step)).to_radians(),
+                };
                 let placement = change.placement(&placement, near);
                 let Anchor::Frame { rotation_degrees, .. } = placement.anchor else { unreachable!() };
                 let world = placement.world_from_body().matrix3;
@@ -82,7 +85,7 @@ fn exact_angles_have_exact_numbers() {
         anchor: Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::new(0.0, 32.0, 0.0) },
         scale: DVec3::ONE,
     };
-    let change = Change::Turn { pivot: DVec3::ZERO, axis: DVec3::Y, radians: 15_f64.to_radians() };
+    let change = GizmoChange::Turn { pivot: DVec3::ZERO, axis: DVec3::Y, radians: 15_f64.to_radians() };
     let Anchor::Frame { rotation_degrees, .. } = change.placement(&placement, DVec3::Y * 32.0).anchor else {
         unreachable!()
     };
@@ -91,7 +94,7 @@ fn exact_angles_have_exact_numbers() {
 
 #[test]
 fn a_turn_carries_places_about_the_pivot() {
-    let change = Change::Turn { pivot: DVec3::X, axis: DVec3::Y, radians: FRAC_PI_2 };
+    let change = GizmoChange::Turn { pivot: DVec3::X, axis: DVec3::Y, radians: FRAC_PI_2 };
     let placement = change.placement(&Placement::at(DVec3::new(2.0, 5.0, 0.0)), DVec3::ZERO);
     assert!(placement.world_from_body().translation.distance(DVec3::new(1.0, 5.0, -1.0)) < 1e-12);
     let ends = Placement {
@@ -110,7 +113,7 @@ fn scaling_along_a_bodys_own_axes_is_exact() {
         scale: DVec3::new(1.0, 2.0, 0.5),
     };
     let own = rotation(degrees);
-    let change = Change::Scale {
+    let change = GizmoChange::Scale {
         pivot: start.world_from_body().translation,
         axes: [own.x_axis, own.y_axis, own.z_axis],
         factors: DVec3::new(1.5, 1.0, 2.0),
@@ -127,7 +130,7 @@ fn scaling_along_the_world_reaches_as_far() {
         anchor: Anchor::Frame { position: DVec3::X, rotation_degrees: DVec3::Z * 90.0 },
         scale: DVec3::ONE,
     };
-    let change = Change::Scale {
+    let change = GizmoChange::Scale {
         pivot: DVec3::ZERO,
         axes: [DVec3::X, DVec3::Y, DVec3::Z],
         factors: DVec3::new(3.0, 1.0, 1.0),
@@ -142,7 +145,7 @@ fn scaling_all_over_scales_an_axis_too() {
     let (base, top) = (DVec3::new(1.0, 0.0, 0.0), DVec3::new(1.0, 2.0, 1.0));
     let start = Placement { anchor: Anchor::Axis { base, top }, scale: DVec3::ONE };
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    let change = Change::Scale { pivot: base, axes, factors: DVec3::splat(2.0) };
+    let change = GizmoChange::Scale { pivot: base, axes, factors: DVec3::splat(2.0) };
     let scaled = change.placement(&start, DVec3::ZERO);
     assert_eq!(scaled.anchor, Anchor::Axis { base, top: DVec3::new(1.0, 4.0, 2.0) });
     assert_eq!(scaled.scale, DVec3::new(2.0, 1.0, 2.0));
@@ -157,7 +160,7 @@ fn moving_moves_and_nothing_else() {
         },
         scale: DVec3::new(1.0, 2.0, 3.0),
     };
-    let moved = Change::Move(DVec3::new(1.0, 0.0, 0.0)).placement(&start, DVec3::ZERO);
+    let moved = GizmoChange::Move(DVec3::new(1.0, 0.0, 0.0)).placement(&start, DVec3::ZERO);
     let Anchor::Frame { position, rotation_degrees } = moved.anchor else { unreachable!() };
     assert_eq!(position, DVec3::new(1.1, 0.2, 0.3));
     assert_eq!(rotation_degrees, DVec3::new(5.0, 400.0, 1.0));

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Fault, FaultKind, Word, word};
+use super::{ExpressionError, ExpressionErrorKind, TypedWord, word};
 use crate::texts::DecimalSign;
 
 /// A part of a text.
@@ -31,7 +31,7 @@ impl<'t> Lexer<'t> {
     }
 
     /// All tokens with their places, counted in letters.
-    pub(super) fn tokens(mut self) -> Result<Vec<(Token<'t>, Range<usize>)>, Fault> {
+    pub(super) fn tokens(mut self) -> Result<Vec<(Token<'t>, Range<usize>)>, ExpressionError> {
         let mut tokens = Vec::new();
         while let Some(letter) = self.letter(0) {
             let start = self.next;
@@ -53,7 +53,7 @@ impl<'t> Lexer<'t> {
         self.letter(ahead).is_some_and(|letter| letter.is_ascii_digit())
     }
 
-    fn token(&mut self, letter: char) -> Result<Token<'t>, Fault> {
+    fn token(&mut self, letter: char) -> Result<Token<'t>, ExpressionError> {
         if letter.is_ascii_digit() || (matches!(letter, '.' | ',') && self.is_figure(1)) {
             return self.number();
         }
@@ -78,7 +78,7 @@ impl<'t> Lexer<'t> {
             '(' => Token::Open,
             ')' => Token::Close,
             '°' | '√' => Token::Word(self.part(start)),
-            _ => return Err(Fault { kind: FaultKind::Unknown, place: start..self.next }),
+            _ => return Err(ExpressionError { kind: ExpressionErrorKind::Unknown, place: start..self.next }),
         })
     }
 
@@ -89,7 +89,7 @@ impl<'t> Lexer<'t> {
     }
 
     /// Figures, a decimal sign and an exponent. Spaces may stand before groups of three figures.
-    fn number(&mut self) -> Result<Token<'t>, Fault> {
+    fn number(&mut self) -> Result<Token<'t>, ExpressionError> {
         let start = self.next;
         let mut plain = String::new();
         self.figures(&mut plain);
@@ -100,23 +100,26 @@ impl<'t> Lexer<'t> {
             self.figures(&mut plain);
             let is_thousands = plain.len() == 3 && (1..=3).contains(&whole.len()) && !whole.starts_with('0');
             if sign == ',' && self.sign == DecimalSign::Point && is_thousands && !is_grouped {
-                return Err(Fault { kind: FaultKind::AmbiguousComma, place: start..self.next });
+                return Err(ExpressionError {
+                    kind: ExpressionErrorKind::AmbiguousComma,
+                    place: start..self.next,
+                });
             }
             plain = format!("{whole}.{plain}");
         }
         self.exponent(&mut plain);
         let follows = self.letter(0).is_some_and(|letter| letter == '.' || letter == ',');
-        let fault = |kind, end| Err(Fault { kind, place: start..end });
+        let fault = |kind, end| Err(ExpressionError { kind, place: start..end });
         if follows {
-            return fault(FaultKind::Number, self.next + 1);
+            return fault(ExpressionErrorKind::Number, self.next + 1);
         }
         if let Some(end) = self.end_of_bare_word() {
-            return Err(Fault { kind: FaultKind::Unknown, place: self.next..end });
+            return Err(ExpressionError { kind: ExpressionErrorKind::Unknown, place: self.next..end });
         }
         match plain.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(Token::Number(number)),
-            Ok(_) => fault(FaultKind::NotFinite, self.next),
-            Err(_) => fault(FaultKind::Number, self.next),
+            Ok(_) => fault(ExpressionErrorKind::NotFinite, self.next),
+            Err(_) => fault(ExpressionErrorKind::Number, self.next),
         }
     }
 
@@ -127,7 +130,7 @@ impl<'t> Lexer<'t> {
         }
     }
 
-    /// Groups of three figures, each after a space; tells whether there are any.
+    /// Groups of three figures, each after a space; returns whether there are any.
     fn groups(&mut self, plain: &mut String) -> bool {
         let mut is_grouped = false;
         while self.letter(0).is_some_and(char::is_whitespace)
@@ -162,7 +165,8 @@ impl<'t> Lexer<'t> {
         let end = self.next + ahead;
         let bytes = |at: usize| self.letters.get(at).map_or(self.text.len(), |&(byte, _)| byte);
         let text = self.text.get(bytes(self.next)..bytes(end)).unwrap_or_default();
-        let is_ours = matches!(word(text), Some(Word::Unit(_) | Word::Constant(_) | Word::Function(_)));
+        let is_ours =
+            matches!(word(text), Some(TypedWord::Unit(_) | TypedWord::Constant(_) | TypedWord::Function(_)));
         (ahead > 0 && !is_ours).then_some(end)
     }
 }

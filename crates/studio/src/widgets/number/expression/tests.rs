@@ -1,10 +1,10 @@
 use super::*;
 
-fn read(text: &str, unit: Unit) -> Result<f64, FaultKind> {
+fn read(text: &str, unit: Unit) -> Result<f64, ExpressionErrorKind> {
     evaluate(text, unit, DecimalSign::Point).map_err(|fault| fault.kind)
 }
 
-fn plain(text: &str) -> Result<f64, FaultKind> {
+fn plain(text: &str) -> Result<f64, ExpressionErrorKind> {
     read(text, Unit::None)
 }
 
@@ -67,7 +67,7 @@ fn numbers_are_read_as_people_write_them() {
 
 #[test]
 fn a_comma_is_a_decimal_sign_where_it_cannot_be_another() {
-    assert_eq!(plain("1,500"), Err(FaultKind::AmbiguousComma));
+    assert_eq!(plain("1,500"), Err(ExpressionErrorKind::AmbiguousComma));
     assert_eq!(evaluate("1,500", Unit::None, DecimalSign::Comma), Ok(1.5));
     assert_eq!(evaluate("1.500", Unit::None, DecimalSign::Comma), Ok(1.5));
     for text in ["1,000,000", "1.5.2", "1,5.2", "1..2", "1,,2"] {
@@ -121,42 +121,46 @@ fn units_are_those_of_the_quantity() {
         ("atan(1)", Unit::Meters),
         ("1/(2 m)", Unit::Meters),
     ] {
-        assert_eq!(read(text, unit), Err(FaultKind::Unit), "{text}");
+        assert_eq!(read(text, unit), Err(ExpressionErrorKind::Unit), "{text}");
     }
-    assert_eq!(read("2 cm^2", Unit::Meters), Err(FaultKind::PowerOfUnit));
+    assert_eq!(read("2 cm^2", Unit::Meters), Err(ExpressionErrorKind::PowerOfUnit));
 }
 
 #[test]
 fn what_is_no_number_is_refused_whole_and_told_where() {
     for (text, kind, place) in [
-        ("0.5abc", FaultKind::Unknown, 3..6),
-        ("abc", FaultKind::Unknown, 0..3),
-        ("1 + foo", FaultKind::Unknown, 4..7),
-        ("5 €", FaultKind::Unknown, 2..3),
-        ("nan", FaultKind::Unknown, 0..3),
-        ("inf", FaultKind::Unknown, 0..3),
-        ("1_000", FaultKind::Unknown, 1..2),
-        ("0x10", FaultKind::Unknown, 1..2),
-        ("", FaultKind::NumberMissing, 0..0),
-        ("1 +", FaultKind::NumberMissing, 3..3),
-        ("1 + * 2", FaultKind::NumberMissing, 4..5),
-        ("m", FaultKind::NumberMissing, 0..1),
-        ("1 2", FaultKind::OperatorMissing, 2..3),
-        ("2(3)", FaultKind::OperatorMissing, 1..2),
-        ("2 pi", FaultKind::OperatorMissing, 2..4),
-        ("(1 2)", FaultKind::OperatorMissing, 3..4),
-        ("(1 + 2", FaultKind::Parenthesis, 0..1),
-        ("1 + 2)", FaultKind::Parenthesis, 5..6),
-        ("()", FaultKind::Parenthesis, 1..2),
-        ("sqrt 2", FaultKind::ArgumentMissing, 0..4),
-        ("1..2", FaultKind::Number, 0..3),
-        ("1/0", FaultKind::NotFinite, 0..3),
-        ("1e999", FaultKind::NotFinite, 0..5),
-        ("10^999", FaultKind::NotFinite, 0..6),
-        ("1 + sqrt(-1)", FaultKind::NotFinite, 4..12),
-        ("2*ln(0)", FaultKind::NotFinite, 2..7),
+        ("0.5abc", ExpressionErrorKind::Unknown, 3..6),
+        ("abc", ExpressionErrorKind::Unknown, 0..3),
+        ("1 + foo", ExpressionErrorKind::Unknown, 4..7),
+        ("5 €", ExpressionErrorKind::Unknown, 2..3),
+        ("nan", ExpressionErrorKind::Unknown, 0..3),
+        ("inf", ExpressionErrorKind::Unknown, 0..3),
+        ("1_000", ExpressionErrorKind::Unknown, 1..2),
+        ("0x10", ExpressionErrorKind::Unknown, 1..2),
+        ("", ExpressionErrorKind::NumberMissing, 0..0),
+        ("1 +", ExpressionErrorKind::NumberMissing, 3..3),
+        ("1 + * 2", ExpressionErrorKind::NumberMissing, 4..5),
+        ("m", ExpressionErrorKind::NumberMissing, 0..1),
+        ("1 2", ExpressionErrorKind::OperatorMissing, 2..3),
+        ("2(3)", ExpressionErrorKind::OperatorMissing, 1..2),
+        ("2 pi", ExpressionErrorKind::OperatorMissing, 2..4),
+        ("(1 2)", ExpressionErrorKind::OperatorMissing, 3..4),
+        ("(1 + 2", ExpressionErrorKind::Parenthesis, 0..1),
+        ("1 + 2)", ExpressionErrorKind::Parenthesis, 5..6),
+        ("()", ExpressionErrorKind::Parenthesis, 1..2),
+        ("sqrt 2", ExpressionErrorKind::ArgumentMissing, 0..4),
+        ("1..2", ExpressionErrorKind::Number, 0..3),
+        ("1/0", ExpressionErrorKind::NotFinite, 0..3),
+        ("1e999", ExpressionErrorKind::NotFinite, 0..5),
+        ("10^999", ExpressionErrorKind::NotFinite, 0..6),
+        ("1 + sqrt(-1)", ExpressionErrorKind::NotFinite, 4..12),
+        ("2*ln(0)", ExpressionErrorKind::NotFinite, 2..7),
     ] {
-        assert_eq!(evaluate(text, Unit::None, DecimalSign::Point), Err(Fault { kind, place }), "{text}");
+        assert_eq!(
+            evaluate(text, Unit::None, DecimalSign::Point),
+            Err(ExpressionError { kind, place }),
+            "{text}"
+        );
     }
 }
 
@@ -165,8 +169,8 @@ fn long_and_deep_texts_are_refused_without_harm() {
     for text in ["(".repeat(150), "1+".repeat(5000), "2^".repeat(90), format!("{}1", "-".repeat(190))] {
         let _ = plain(&text).is_err();
     }
-    assert_eq!(plain(&"(".repeat(150)), Err(FaultKind::TooLong));
-    assert_eq!(plain(&"9".repeat(201)), Err(FaultKind::TooLong));
+    assert_eq!(plain(&"(".repeat(150)), Err(ExpressionErrorKind::TooLong));
+    assert_eq!(plain(&"9".repeat(201)), Err(ExpressionErrorKind::TooLong));
     assert_eq!(plain(&"9".repeat(200)), Ok("9".repeat(200).parse().unwrap()));
 }
 

@@ -1,8 +1,8 @@
-//! Why a typed text is not taken, in words.
+//! The reason of a refused text, in words.
 
 use catoptric_scene::format::spec::Limits;
 
-use super::super::expression::{Fault, FaultKind};
+use super::super::expression::{ExpressionError, ExpressionErrorKind};
 use super::super::{Unit, exact};
 use crate::texts::Texts;
 
@@ -15,17 +15,17 @@ const REFUSED_LIMITS: [&str; 2] = ["refused-limits", "refused-limits-positive"];
 pub(crate) struct Refusal {
     pub(crate) text: String,
     pub(crate) unit: Unit,
-    pub(crate) reason: Reason,
+    pub(crate) reason: RefusalReason,
 }
 
-/// Why a text is not taken.
+/// The reason why a text is refused.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Reason {
-    /// It is no number.
-    Fault(Fault),
+pub(crate) enum RefusalReason {
+    /// The text is no number.
+    Fault(ExpressionError),
     /// A number of things is whole.
     NotWhole,
-    /// It lies outside of the limits.
+    /// The number lies outside of the limits.
     OutOfLimits(Limits),
 }
 
@@ -33,9 +33,9 @@ impl Refusal {
     /// What is wrong, where, and what is allowed.
     pub(crate) fn explained(&self, texts: &Texts) -> String {
         let fault = match &self.reason {
-            Reason::OutOfLimits(limits) => return between(texts, REFUSED_LIMITS, *limits, ""),
-            Reason::NotWhole => return texts.get("refused-not-whole").to_owned(),
-            Reason::Fault(fault) => fault,
+            RefusalReason::OutOfLimits(limits) => return between(texts, REFUSED_LIMITS, *limits, ""),
+            RefusalReason::NotWhole => return texts.get("refused-not-whole").to_owned(),
+            RefusalReason::Fault(fault) => fault,
         };
         let allowed = match self.unit {
             Unit::Meters => "allowed-length",
@@ -50,19 +50,19 @@ impl Refusal {
     }
 }
 
-const fn key_of(kind: FaultKind) -> &'static str {
+const fn key_of(kind: ExpressionErrorKind) -> &'static str {
     match kind {
-        FaultKind::Unknown => "fault-unknown",
-        FaultKind::NumberMissing => "fault-number-missing",
-        FaultKind::OperatorMissing => "fault-operator-missing",
-        FaultKind::Parenthesis => "fault-parenthesis",
-        FaultKind::ArgumentMissing => "fault-argument-missing",
-        FaultKind::AmbiguousComma => "fault-ambiguous-comma",
-        FaultKind::Number => "fault-number",
-        FaultKind::Unit => "fault-unit",
-        FaultKind::PowerOfUnit => "fault-power-of-unit",
-        FaultKind::NotFinite => "fault-not-finite",
-        FaultKind::TooLong => "fault-too-long",
+        ExpressionErrorKind::Unknown => "fault-unknown",
+        ExpressionErrorKind::NumberMissing => "fault-number-missing",
+        ExpressionErrorKind::OperatorMissing => "fault-operator-missing",
+        ExpressionErrorKind::Parenthesis => "fault-parenthesis",
+        ExpressionErrorKind::ArgumentMissing => "fault-argument-missing",
+        ExpressionErrorKind::AmbiguousComma => "fault-ambiguous-comma",
+        ExpressionErrorKind::Number => "fault-number",
+        ExpressionErrorKind::Unit => "fault-unit",
+        ExpressionErrorKind::PowerOfUnit => "fault-power-of-unit",
+        ExpressionErrorKind::NotFinite => "fault-not-finite",
+        ExpressionErrorKind::TooLong => "fault-too-long",
     }
 }
 
@@ -94,23 +94,24 @@ mod tests {
                 for unit in [Unit::None, Unit::Meters, Unit::Degrees] {
                     let fault = evaluate(text, unit, language.decimal_sign()).unwrap_err();
                     let at = (fault.place.start + 1).to_string();
-                    let refusal = Refusal { text: text.to_owned(), unit, reason: Reason::Fault(fault) };
+                    let refusal =
+                        Refusal { text: text.to_owned(), unit, reason: RefusalReason::Fault(fault) };
                     let told = refusal.explained(&texts);
                     assert!(told.contains(named) && told.contains(&at) && told.contains("sqrt"), "{told}");
                 }
             }
             let kinds = [
-                FaultKind::ArgumentMissing,
-                FaultKind::AmbiguousComma,
-                FaultKind::Number,
-                FaultKind::NumberMissing,
-                FaultKind::Unit,
-                FaultKind::PowerOfUnit,
-                FaultKind::NotFinite,
-                FaultKind::TooLong,
+                ExpressionErrorKind::ArgumentMissing,
+                ExpressionErrorKind::AmbiguousComma,
+                ExpressionErrorKind::Number,
+                ExpressionErrorKind::NumberMissing,
+                ExpressionErrorKind::Unit,
+                ExpressionErrorKind::PowerOfUnit,
+                ExpressionErrorKind::NotFinite,
+                ExpressionErrorKind::TooLong,
             ];
             for kind in kinds {
-                let reason = Reason::Fault(Fault { kind, place: 0..1 });
+                let reason = RefusalReason::Fault(ExpressionError { kind, place: 0..1 });
                 let _ = Refusal { text: "1,500".to_owned(), unit: Unit::None, reason }.explained(&texts);
             }
             assert_eq!(texts.missing(), Vec::<String>::new());

@@ -1,0 +1,109 @@
+//! A stage in the memory of a card.
+
+use catoptric_tracer::shaders::{SceneArrays, SceneContents, ShaderSpecialization};
+use catoptric_tracer::{RenderCamera, RenderScene};
+
+use crate::card::Gpu;
+use crate::error::GpuError;
+use crate::scene_images::GpuSceneImages;
+use crate::upload::GpuArray;
+
+/// A stage in the memory of a card. It follows edits and sends only what they changed.
+pub struct GpuScene {
+    bodies: GpuArray,
+    scene_order: GpuArray,
+    boxes: GpuArray,
+    materials: GpuArray,
+    checkers: GpuArray,
+    lights: GpuArray,
+    pub(crate) pictures: GpuSceneImages,
+    /// What bodies and boxes are up to date with, and whether the order of volumes is known.
+    state: Option<(u64, bool)>,
+    contents: SceneContents,
+}
+
+impl GpuScene {
+    /// Makes room for a stage.
+    ///
+    /// # Errors
+    /// When the card is lost or has no memory at all.
+    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+        Ok(Self {
+            bodies: GpuArray::empty(gpu, "bodies")?,
+            scene_order: GpuArray::empty(gpu, "places of bodies")?,
+            boxes: GpuArray::empty(gpu, "boxes")?,
+            materials: GpuArray::compared(gpu, "materials")?,
+            checkers: GpuArray::compared(gpu, "checkers")?,
+            lights: GpuArray::compared(gpu, "lights")?,
+            pictures: GpuSceneImages::empty(gpu)?,
+            state: None,
+            contents: SceneContents::default(),
+        })
+    }
+
+    /// Sends what is different from the last time, and returns how many bytes that were.
+    ///
+    /// # Errors
+    /// When the stage is too large for the card, or the card is lost; the next call sends everything.
+    pub fn follow(&mut self, gpu: &Gpu, stage: &RenderScene, camera: &RenderCamera) -> Result<u64, GpuError> {
+        let last = self.state.take();
+        let arrays = SceneArrays(stage);
+        let changes = last.and_then(|(state, ranked)| Some((stage.changes_since(state)?, ranked)));
+        let mut sum = 0;
+        let mut is_ranked = false;
+        match changes {
+            Some((changes, was_ranked)) => {
+                self.contents.follow(stage, &changes);
+                let [bodies, boxes, order] = arrays.parts(&changes);
+                sum += self.bodies.write_parts(gpu, arrays.bodies(), &bodies)?;
+                sum += self.boxes.write_parts(gpu, arrays.boxes(), &boxes)?;
+                let ranked = self.wants_ranks(stage, camera);
+                let is_same = changes.bodies.is_empty() && (was_ranked || !ranked);
+                if !is_same {
+                    let all = arrays.scene_order(ranked);
+                    sum += if ranked {
+                        self.scene_order.write(gpu, &all)?
+                    } else {
+                        self.scene_order.write_parts(gpu, &all, &order)?
+                    };
+                }
+                is_ranked = ranked || (was_ranked && is_same);
+            }
+            None => {
+                self.contents = SceneContents::of(stage);
+                is_ranked = self.wants_ranks(stage, camera) || is_ranked;
+                sum += self.bodies.write(gpu, arrays.bodies())?;
+                sum += self.boxes.write(gpu, arrays.boxes())?;
+                sum += self.scene_order.write(gpu, &arrays.scene_order(is_ranked))?;
+            }
+        }
+        sum += self.materials.write(gpu, &arrays.materials())?;
+        sum += self.checkers.write(gpu, &arrays.checkers())?;
+        sum += self.lights.write(gpu, &arrays.lights())?;
+        sum += self.pictures.follow(gpu, arrays.pictures())?;
+        self.state = Some((stage.state(), is_ranked));
+        Ok(sum)
+    }
+
+    fn wants_ranks(&self, stage: &RenderScene, camera: &RenderCamera) -> bool {
+        ShaderSpecialization::of(&self.contents, stage, camera).is_ok_and(|special| special.asks_each_start)
+    }
+
+    /// The shader that it needs.
+    ///
+    /// # Errors
+    /// What in the stage the shaders cannot draw.
+    pub fn specialization(
+        &self,
+        stage: &RenderScene,
+        camera: &RenderCamera,
+    ) -> Result<ShaderSpecialization, GpuError> {
+        Ok(ShaderSpecialization::of(&self.contents, stage, camera)?)
+    }
+
+    /// The arrays but the pictures, in the order of the shader's bindings.
+    pub(crate) fn bindings(&self) -> [wgpu::BindingResource<'_>; 6] {
+        [&self.bodies, &self.scene_order, &self.boxes, &self.materials, &self.checkers, &self.lights]
+            .map(GpuArray::binding)
+    }
+}
