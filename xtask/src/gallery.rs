@@ -48,9 +48,9 @@ pub(crate) fn run(arguments: &GalleryArguments) -> Result<()> {
 }
 
 fn picture(example: &Example, samples: u32) -> Result<Picture> {
-    let stage = RenderScene::build(&example.load()?.scene)?;
+    let render_scene = RenderScene::build(&example.load()?.scene)?;
     let settings = RenderSettings { width: SIZE.0, height: SIZE.1, samples };
-    Ok(render(&stage, settings, &RenderControl::default())?.picture)
+    Ok(render(&render_scene, settings, &RenderControl::default())?.picture)
 }
 
 /// Pictures in documents are JPEG: a repository should stay small.

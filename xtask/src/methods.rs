@@ -22,14 +22,14 @@ pub(crate) fn run() -> Result<()> {
     let folder = root().join("docs/methods");
     std::fs::create_dir_all(&folder).context("docs/methods")?;
     let example = Example::find("four-bodies").context("the example four-bodies")?;
-    let stage = RenderScene::build(&example.load()?.scene)?;
-    let truth = drawn(&stage, &Method::Whitted)?.picture;
+    let render_scene = RenderScene::build(&example.load()?.scene)?;
+    let truth = drawn(&render_scene, &Method::Whitted)?.picture;
     for kind in MethodKind::ALL.into_iter().filter(|kind| *kind != MethodKind::Whitted) {
         println!("{kind}");
-        let mut drawings = vec![drawn(&stage, &shown(kind))?];
+        let mut drawings = vec![drawn(&render_scene, &shown(kind))?];
         if kind == MethodKind::CubeMap {
             let corrected = CubeMapSettings { parallax: true, ..CubeMapSettings::default() };
-            drawings.push(drawn(&stage, &Method::CubeMap(corrected))?);
+            drawings.push(drawn(&render_scene, &Method::CubeMap(corrected))?);
         }
         let mut sheet = Sheet::new(SIZE, REDUCED, 3);
         for drawing in &drawings {
@@ -49,11 +49,11 @@ pub(crate) fn run() -> Result<()> {
                 GBufferLayer::Lit,
                 GBufferLayer::Reflected,
             ] {
-                drawing.layer(&stage, layer)?.iter().for_each(|picture| sheet.add(picture));
+                drawing.layer(&render_scene, layer)?.iter().for_each(|picture| sheet.add(picture));
             }
             write_jpeg(&folder.join("layers.jpg"), &sheet.picture()?)?;
         }
-        if let Some((_, map)) = drawing.maps(&stage).first() {
+        if let Some((_, map)) = drawing.maps(&render_scene).first() {
             write_jpeg(&folder.join("unfolded.jpg"), &halved(&map.unfolded()?)?)?;
         }
     }
@@ -73,9 +73,9 @@ fn shown(kind: MethodKind) -> Method {
     }
 }
 
-fn drawn(stage: &RenderScene, method: &Method) -> Result<MethodOutput> {
+fn drawn(render_scene: &RenderScene, method: &Method) -> Result<MethodOutput> {
     let settings = RenderSettings { width: SIZE.0, height: SIZE.1, samples: 1 };
-    Ok(draw(stage, method, settings, &RenderControl::default())?)
+    Ok(draw(render_scene, method, settings, &RenderControl::default())?)
 }
 
 /// The picture half as large.

@@ -68,18 +68,20 @@ impl Renderer {
     /// Draws a scene.
     pub(crate) fn draw(
         &self,
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         method: &Method,
         settings: RenderSettings,
         pool: &ThreadPool,
         control: &RenderControl,
     ) -> Result<RenderedPicture> {
-        let on_cpu = || pool.install(|| draw(stage, method, settings, control));
+        let on_cpu = || pool.install(|| draw(render_scene, method, settings, control));
         let Some(gpu) = &self.gpu else {
             return Ok(RenderedPicture { drawing: on_cpu()?, on_card: None, fallen_back: None });
         };
         let start = Instant::now();
-        match pool.install(|| catoptric_gpu::render(gpu, stage, stage.camera(), settings, control)) {
+        match pool
+            .install(|| catoptric_gpu::render(gpu, render_scene, render_scene.camera(), settings, control))
+        {
             Ok(rendering) => {
                 let pass = rendering.pass;
                 let drawing = MethodOutput::traced(rendering.picture, pass.counts, start.elapsed());

@@ -13,11 +13,11 @@ const MOST: usize = 10;
 /// trees that have very many rays.
 pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     let mut notes: Vec<String> = excesses(scene).iter().map(of_excess).collect();
-    if let Ok(stage) = RenderScene::build(scene) {
-        notes.extend(of_bound(scene, &DepthBound::of(scene, &stage)));
-        let work = RayForecast::of(&stage, RenderSettings { width: 1280, height: 720, samples: 1 });
+    if let Ok(render_scene) = RenderScene::build(scene) {
+        notes.extend(of_bound(scene, &DepthBound::of(scene, &render_scene)));
+        let work = RayForecast::of(&render_scene, RenderSettings { width: 1280, height: 720, samples: 1 });
         notes.extend(work.and_then(|work| work.warning));
-        notes.extend(stage.target_beside(scene).map(of_target));
+        notes.extend(render_scene.target_beside(scene).map(of_target));
     }
     let more = notes.len().saturating_sub(MOST);
     notes.truncate(MOST);
@@ -38,36 +38,39 @@ pub(crate) struct RayForecast {
 impl RayForecast {
     /// Estimates the rays on the threads of the current rayon pool; `None` where no tree forks: then it has no more rays
     /// than generations, but for those to lights.
-    pub(crate) fn of(stage: &RenderScene, settings: RenderSettings) -> Option<Self> {
-        if !stage.forks() {
+    pub(crate) fn of(render_scene: &RenderScene, settings: RenderSettings) -> Option<Self> {
+        if !render_scene.forks() {
             return None;
         }
         let size = UVec2::new(settings.width, settings.height);
-        let estimate = RayEstimate::of(stage, stage.camera(), size, &RenderControl::default()).ok()?;
+        let estimate =
+            RayEstimate::of(render_scene, render_scene.camera(), size, &RenderControl::default()).ok()?;
         let pixels = u64::from(size.x) * u64::from(size.y);
         let rays = estimate.of_picture(pixels, settings.samples);
-        let warning = if estimate.is_worth_a_warning() { warning(stage, settings, &estimate) } else { None };
+        let warning =
+            if estimate.is_worth_a_warning() { warning(render_scene, settings, &estimate) } else { None };
         Some(Self { rays, warning })
     }
 }
 
 /// What to say of very many rays.
-fn warning(stage: &RenderScene, settings: RenderSettings, estimate: &RayEstimate) -> Option<String> {
+fn warning(render_scene: &RenderScene, settings: RenderSettings, estimate: &RayEstimate) -> Option<String> {
     let RenderSettings { width, height, samples } = settings;
     let pixels = u64::from(width) * u64::from(height);
     let mut warning = format!(
         "with {} generations and the threshold {} a picture of {width}x{height} takes about {} rays, {} for each pixel",
-        stage.generations(),
-        stage.threshold(),
+        render_scene.generations(),
+        render_scene.threshold(),
         magnitude(estimate.of_picture(pixels, samples)),
         magnitude(estimate.of_picture(1, samples))
     );
     let threshold = RayEstimate::ADVISED_THRESHOLD;
-    if f64::from(stage.threshold()) < threshold {
-        let limits = (stage.generations(), threshold as f32);
+    if f64::from(render_scene.threshold()) < threshold {
+        let limits = (render_scene.generations(), threshold as f32);
         let size = UVec2::new(width, height);
         let with =
-            RayEstimate::within(stage, stage.camera(), size, limits, &RenderControl::default()).ok()?;
+            RayEstimate::within(render_scene, render_scene.camera(), size, limits, &RenderControl::default())
+                .ok()?;
         warning += &format!(
             "; `threshold = {threshold}` would take {}",
             magnitude(with.of_picture(pixels, samples))

@@ -97,8 +97,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     for case in &arguments.cases {
         let case = Case::parse(case)?;
-        let stage = RenderScene::build(&case.scene)?;
-        let (frame, alike) = measure(&gpu, &stage, case.size, arguments.frames.max(1))?;
+        let render_scene = RenderScene::build(&case.scene)?;
+        let (frame, alike) = measure(&gpu, &render_scene, case.size, arguments.frames.max(1))?;
         println!("{}", row(&case, &frame, alike, peak));
     }
     Ok(())
@@ -107,13 +107,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The middle frame, and the share of pixels within 1/255 of the CPU's.
 fn measure(
     gpu: &Gpu,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     [width, height]: [u32; 2],
     frames: usize,
 ) -> Result<(Frame, f64), Box<dyn Error>> {
-    let camera = stage.camera();
+    let camera = render_scene.camera();
     let mut on_card = GpuScene::new(gpu)?;
-    on_card.follow(gpu, stage, camera)?;
+    on_card.follow(gpu, render_scene, camera)?;
     let mut film = GpuFilm::new(gpu, width, height)?;
     let control = RenderControl::default();
     let mut times = Vec::new();
@@ -122,14 +122,14 @@ fn measure(
     for frame in 0..frames + first {
         film.clear();
         let start = Instant::now();
-        let pass = film.add_samples(gpu, (stage, &on_card), camera, 1, &control)?;
+        let pass = film.add_samples(gpu, (render_scene, &on_card), camera, 1, &control)?;
         if frame >= first {
             times.push(Frame { pass, time: pass.on_card.unwrap_or_else(|| start.elapsed()) });
         }
     }
     times.sort_by_key(|frame| frame.time);
     let middle = times.swap_remove(times.len() / 2);
-    let cpu = render(stage, RenderSettings { width, height, samples: 1 }, &control)?;
+    let cpu = render(render_scene, RenderSettings { width, height, samples: 1 }, &control)?;
     let difference = Difference::between(&film.picture(gpu)?, &cpu.picture)?;
     Ok((middle, 1.0 - difference.share_above))
 }

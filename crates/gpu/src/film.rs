@@ -89,25 +89,25 @@ impl GpuFilm {
         (self.samples, self.begun) = (0, None);
     }
 
-    /// Adds samples to every pixel. Stage and camera must be those of the earlier samples, and `on_card` has to have
-    /// [followed](GpuScene::follow) the stage.
+    /// Adds samples to every pixel. Scene and camera must be those of the earlier samples, and `on_card` has to have
+    /// [followed](GpuScene::follow) the scene.
     ///
     /// # Errors
-    /// When the stage cannot be drawn, the card is lost, or `control` is cancelled. After the last the film is valid,
+    /// When the scene cannot be drawn, the card is lost, or `control` is cancelled. After the last the film is valid,
     /// some tiles being ahead, and the next call does what is missing.
     pub fn add_samples(
         &mut self,
         gpu: &Gpu,
-        (stage, on_card): (&RenderScene, &GpuScene),
+        (render_scene, on_card): (&RenderScene, &GpuScene),
         camera: &RenderCamera,
         samples: u32,
         control: &RenderControl,
     ) -> Result<GpuPass, GpuError> {
-        let special = on_card.specialization(stage, camera)?;
+        let special = on_card.specialization(render_scene, camera)?;
         let pipeline = gpu.pipeline(special)?;
         self.aim(gpu, camera)?;
         let bindings = self.bind(gpu, on_card)?;
-        let frame = FrameUniforms::new(stage, camera, self.size);
+        let frame = FrameUniforms::new(render_scene, camera, self.size);
         let tiles = self.tile_count();
         let mut pass =
             GpuPass { on_card: self.report.clock.as_ref().map(|_| Duration::ZERO), ..GpuPass::default() };
@@ -229,7 +229,7 @@ impl GpuFilm {
         Ok(picture)
     }
 
-    /// The body that the last sample met in each pixel, by its place in the stage; [`NO_BODY`](catoptric_tracer::NO_BODY)
+    /// The body that the last sample met in each pixel, by its place in the scene; [`NO_BODY`](catoptric_tracer::NO_BODY)
     /// where it met none.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Compiled shaders, one for each kind of stage.
+//! Compiled shaders, one for each kind of scene.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -15,7 +15,7 @@ const PICTURES: u32 = 10;
 /// The bindings of storage buffers: the arrays, the film last.
 pub(crate) const STORED: std::ops::RangeInclusive<u32> = 1..=8;
 
-/// The shaders compiled so far. A program meets few kinds of stages, and a shader is small: none is dropped.
+/// The shaders compiled so far. A program meets few kinds of scenes, and a shader is small: none is dropped.
 pub(crate) struct Pipelines {
     pub(crate) layout: wgpu::BindGroupLayout,
     pipeline_layout: wgpu::PipelineLayout,
@@ -95,12 +95,12 @@ impl Gpu {
         }
     }
 
-    /// Whether the shader for such stages is compiled, so that drawing begins at once.
+    /// Whether the shader for such scenes is compiled, so that drawing begins at once.
     pub fn is_ready_for(&self, special: ShaderSpecialization) -> bool {
         matches!(self.pipelines.known().get(&special), Some(PipelineState::Done(_)))
     }
 
-    /// Compiles the shader for such stages on a thread of its own, unless that is done or under way; `ready` is called
+    /// Compiles the shader for such scenes on a thread of its own, unless that is done or under way; `ready` is called
     /// from there.
     pub fn compile_in_background(
         self: &Arc<Self>,

@@ -17,20 +17,20 @@ pub struct GpuRendering {
     pub pass: GpuPass,
 }
 
-/// Traces `stage` into a picture on a card; the twin of [`render`](catoptric_tracer::render).
+/// Traces `render_scene` into a picture on a card; the twin of [`render`](catoptric_tracer::render).
 ///
 /// # Errors
-/// When the size is 0 or too large, the stage cannot be drawn, the card is lost, or the render is cancelled.
+/// When the size is 0 or too large, the scene cannot be drawn, the card is lost, or the render is cancelled.
 pub fn render(
     gpu: &Gpu,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     camera: &RenderCamera,
     settings: RenderSettings,
     control: &RenderControl,
 ) -> Result<GpuRendering, GpuError> {
     let mut film = GpuFilm::new(gpu, settings.width, settings.height)?;
     let mut on_card = GpuScene::new(gpu)?;
-    on_card.follow(gpu, stage, camera)?;
-    let pass = film.add_samples(gpu, (stage, &on_card), camera, settings.samples.max(1), control)?;
+    on_card.follow(gpu, render_scene, camera)?;
+    let pass = film.add_samples(gpu, (render_scene, &on_card), camera, settings.samples.max(1), control)?;
     Ok(GpuRendering { picture: film.picture(gpu)?, pass })
 }

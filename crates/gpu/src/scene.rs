@@ -1,4 +1,4 @@
-//! A stage in the memory of a card.
+//! A scene in the memory of a card.
 
 use catoptric_tracer::shaders::{SceneArrays, SceneContents, ShaderSpecialization};
 use catoptric_tracer::{RenderCamera, RenderScene};
@@ -8,7 +8,7 @@ use crate::error::GpuError;
 use crate::scene_images::GpuSceneImages;
 use crate::upload::GpuArray;
 
-/// A stage in the memory of a card. It follows edits and sends only what they changed.
+/// A scene in the memory of a card. It follows edits and sends only what they changed.
 pub struct GpuScene {
     bodies: GpuArray,
     scene_order: GpuArray,
@@ -23,7 +23,7 @@ pub struct GpuScene {
 }
 
 impl GpuScene {
-    /// Makes room for a stage.
+    /// Makes room for a scene.
     ///
     /// # Errors
     /// When the card is lost or has no memory at all.
@@ -44,20 +44,25 @@ impl GpuScene {
     /// Sends what is different from the last time, and returns how many bytes that were.
     ///
     /// # Errors
-    /// When the stage is too large for the card, or the card is lost; the next call sends everything.
-    pub fn follow(&mut self, gpu: &Gpu, stage: &RenderScene, camera: &RenderCamera) -> Result<u64, GpuError> {
+    /// When the scene is too large for the card, or the card is lost; the next call sends everything.
+    pub fn follow(
+        &mut self,
+        gpu: &Gpu,
+        render_scene: &RenderScene,
+        camera: &RenderCamera,
+    ) -> Result<u64, GpuError> {
         let last = self.state.take();
-        let arrays = SceneArrays(stage);
-        let changes = last.and_then(|(state, ranked)| Some((stage.changes_since(state)?, ranked)));
+        let arrays = SceneArrays(render_scene);
+        let changes = last.and_then(|(state, ranked)| Some((render_scene.changes_since(state)?, ranked)));
         let mut sum = 0;
         let mut is_ranked = false;
         match changes {
             Some((changes, was_ranked)) => {
-                self.contents.follow(stage, &changes);
+                self.contents.follow(render_scene, &changes);
                 let [bodies, boxes, order] = arrays.parts(&changes);
                 sum += self.bodies.write_parts(gpu, arrays.bodies(), &bodies)?;
                 sum += self.boxes.write_parts(gpu, arrays.boxes(), &boxes)?;
-                let ranked = self.wants_ranks(stage, camera);
+                let ranked = self.wants_ranks(render_scene, camera);
                 let is_same = changes.bodies.is_empty() && (was_ranked || !ranked);
                 if !is_same {
                     let all = arrays.scene_order(ranked);
@@ -70,8 +75,8 @@ impl GpuScene {
                 is_ranked = ranked || (was_ranked && is_same);
             }
             None => {
-                self.contents = SceneContents::of(stage);
-                is_ranked = self.wants_ranks(stage, camera) || is_ranked;
+                self.contents = SceneContents::of(render_scene);
+                is_ranked = self.wants_ranks(render_scene, camera) || is_ranked;
                 sum += self.bodies.write(gpu, arrays.bodies())?;
                 sum += self.boxes.write(gpu, arrays.boxes())?;
                 sum += self.scene_order.write(gpu, &arrays.scene_order(is_ranked))?;
@@ -81,24 +86,25 @@ impl GpuScene {
         sum += self.checkers.write(gpu, &arrays.checkers())?;
         sum += self.lights.write(gpu, &arrays.lights())?;
         sum += self.pictures.follow(gpu, arrays.pictures())?;
-        self.state = Some((stage.state(), is_ranked));
+        self.state = Some((render_scene.state(), is_ranked));
         Ok(sum)
     }
 
-    fn wants_ranks(&self, stage: &RenderScene, camera: &RenderCamera) -> bool {
-        ShaderSpecialization::of(&self.contents, stage, camera).is_ok_and(|special| special.asks_each_start)
+    fn wants_ranks(&self, render_scene: &RenderScene, camera: &RenderCamera) -> bool {
+        ShaderSpecialization::of(&self.contents, render_scene, camera)
+            .is_ok_and(|special| special.asks_each_start)
     }
 
     /// The shader that it needs.
     ///
     /// # Errors
-    /// What in the stage the shaders cannot draw.
+    /// What in the scene the shaders cannot draw.
     pub fn specialization(
         &self,
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         camera: &RenderCamera,
     ) -> Result<ShaderSpecialization, GpuError> {
-        Ok(ShaderSpecialization::of(&self.contents, stage, camera)?)
+        Ok(ShaderSpecialization::of(&self.contents, render_scene, camera)?)
     }
 
     /// The arrays but the pictures, in the order of the shader's bindings.

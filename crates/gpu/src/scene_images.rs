@@ -1,11 +1,11 @@
-//! The pictures of a stage in the memory of a card.
+//! The pictures of a scene in the memory of a card.
 
 use catoptric_tracer::shaders::{AtlasTexel, PICTURES_ACROSS, PictureAtlas};
 
 use crate::card::Gpu;
 use crate::error::GpuError;
 
-/// The pictures of a stage in the memory of a card: rows of one texture, so that no storage array is needed.
+/// The pictures of a scene in the memory of a card: rows of one texture, so that no storage array is needed.
 pub(crate) struct GpuSceneImages {
     texture: wgpu::Texture,
     /// What it holds; `None` after an error.

@@ -3,14 +3,14 @@
 //! ```
 //! use catoptric_lab::audit::{AuditSettings, audit};
 //! use catoptric_scene::Example;
-//! use catoptric_tracer::{Control, RenderSettings, Stage, render};
+//! use catoptric_tracer::{Control, RenderSettings, Scene, render};
 //!
 //! let scene = Example::find("whitted").unwrap().load()?.scene;
-//! let stage = Stage::prepare(&scene)?;
+//! let scene = Scene::prepare(&scene)?;
 //! let picture = RenderSettings { width: 32, height: 18, samples: 1 };
 //! let settings = AuditSettings { picture, ..AuditSettings::default() };
-//! let audit = audit(&scene, &stage, stage.camera(), glam::UVec2::new(9, 8), &settings, &Control::default())?;
-//! let rendering = render(&stage, picture, &Control::default())?;
+//! let audit = audit(&scene, &scene, scene.camera(), glam::UVec2::new(9, 8), &settings, &Control::default())?;
+//! let rendering = render(&scene, picture, &Control::default())?;
 //! assert_eq!(audit.light, rendering.picture.pixels()[8 * 32 + 9]);
 //! println!("{}", audit.to_text(None));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -133,15 +133,15 @@ impl From<RenderError> for AuditError {
     }
 }
 
-/// Writes down every ray behind a pixel (column, row from the upper left) of the picture of `stage` through `camera`.
+/// Writes down every ray behind a pixel (column, row from the upper left) of the picture of `render_scene` through `camera`.
 ///
-/// `stage` must be prepared from `scene`, which gives the names.
+/// `render_scene` must be prepared from `scene`, which gives the names.
 ///
 /// # Errors
 /// When the picture or the pixel cannot be, or `control` is cancelled.
 pub fn audit(
     scene: &Scene,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     camera: &RenderCamera,
     pixel: UVec2,
     settings: &AuditSettings,
@@ -154,7 +154,7 @@ pub fn audit(
         return Err(AuditError::NoSuchPixel { pixel, size });
     }
     let samples = picture.samples.max(1);
-    let mut whitted = WhittedIntegrator::watched(stage, camera, control);
+    let mut whitted = WhittedIntegrator::watched(render_scene, camera, control);
     let mut left = settings.most_rays.max(1);
     let mut trees = Vec::new();
     let mut certain = true;
@@ -189,7 +189,7 @@ pub fn audit(
     let light = match known {
         Some(light) => light,
         None => {
-            let light = render_pixel(stage, camera, picture, pixel, control)?;
+            let light = render_pixel(render_scene, camera, picture, pixel, control)?;
             light.ok_or(AuditError::NoSuchPixel { pixel, size })?
         }
     };
@@ -205,8 +205,8 @@ pub fn audit(
     Ok(Audit {
         pixel,
         picture: RenderSettings { samples, ..picture },
-        generations: stage.generations(),
-        threshold: stage.threshold(),
+        generations: render_scene.generations(),
+        threshold: render_scene.threshold(),
         trees,
         sum,
         light,

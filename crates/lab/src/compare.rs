@@ -132,9 +132,9 @@ pub fn draw_all(
 ) -> Result<Vec<Contender>, CompareError> {
     let runs = job.runs.max(1);
     let total = job.variants.len() * (runs as usize + 1);
-    let stage = RenderScene::build(job.scene)?;
+    let render_scene = RenderScene::build(job.scene)?;
     let mut works: Vec<ContenderRun<'_>> =
-        job.variants.iter().map(|variant| ContenderRun::new(job, variant, &stage)).collect();
+        job.variants.iter().map(|variant| ContenderRun::new(job, variant, &render_scene)).collect();
     for round in 0..=runs {
         for (index, work) in works.iter_mut().enumerate() {
             work.draw(control, round > 0)?;
@@ -161,20 +161,20 @@ pub fn draw_all(
 /// A contender while it is drawn.
 struct ContenderRun<'a> {
     variant: &'a Variant,
-    stage: RenderScene,
+    render_scene: RenderScene,
     settings: RenderSettings,
     drawing: Option<MethodOutput>,
     times: Vec<Vec<(PassName, Duration)>>,
 }
 
 impl<'a> ContenderRun<'a> {
-    fn new(job: &CompareJob<'_>, variant: &'a Variant, stage: &RenderScene) -> Self {
-        let stage = stage.clone();
+    fn new(job: &CompareJob<'_>, variant: &'a Variant, render_scene: &RenderScene) -> Self {
+        let render_scene = render_scene.clone();
         Self {
             variant,
-            stage: match variant.generations {
-                Some(generations) => stage.with_generations(generations),
-                None => stage,
+            render_scene: match variant.generations {
+                Some(generations) => render_scene.with_generations(generations),
+                None => render_scene,
             },
             settings: RenderSettings {
                 samples: variant.samples.unwrap_or(job.settings.samples),
@@ -186,7 +186,7 @@ impl<'a> ContenderRun<'a> {
     }
 
     fn draw(&mut self, control: &RenderControl, counts: bool) -> Result<(), CompareError> {
-        let drawing = draw(&self.stage, &self.variant.method, self.settings, control)
+        let drawing = draw(&self.render_scene, &self.variant.method, self.settings, control)
             .map_err(|error| CompareError::method(&self.variant.name, error))?;
         if counts {
             self.times.push(drawing.passes.clone());
@@ -210,7 +210,7 @@ impl<'a> ContenderRun<'a> {
         if !alike || !traced || self.variant.method.kind() == MethodKind::Whitted {
             return Ok(None);
         }
-        reasons(&self.stage, &self.variant.method, self.settings, picture, drawing, bound, control)
+        reasons(&self.render_scene, &self.variant.method, self.settings, picture, drawing, bound, control)
             .map(Some)
             .map_err(|error| CompareError::method(&self.variant.name, error))
     }

@@ -26,14 +26,14 @@ pub struct DepthBound {
 }
 
 impl DepthBound {
-    /// The bound for a scene and its stage.
+    /// The bound for a scene and its scene.
     ///
     /// The weights of a generation sum to at most k times those of the one before, and the rest of the series
     /// kᴳ + kᴳ⁺¹ + … = kᴳ/(1 − k) is what G generations leave out (Whitted's tree; the series of two mirrors).
     /// Bodies are convex: seen from outside, no ray meets the same one twice in a row, so that two opaque mirrors bring
     /// k₁·k₂ in two generations. Within a body (the eye in a hollow mirror) it is k₁ each time. A surface of a
     /// transparent body brings k_r + k_t·τ, or 1 at total internal reflection.
-    pub fn of(scene: &Scene, stage: &RenderScene) -> Self {
+    pub fn of(scene: &Scene, render_scene: &RenderScene) -> Self {
         let mut opaque: Vec<(f64, usize)> = Vec::new();
         let mut clear: Option<(f64, usize)> = None;
         for (place, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
@@ -55,7 +55,7 @@ impl DepthBound {
                 opaque.truncate(2);
             }
         }
-        let is_within = starts_within(scene, stage);
+        let is_within = starts_within(scene, render_scene);
         let (first, second) = (opaque.first().copied(), opaque.get(1).copied());
         let (mirrors, pair) = match (first, second) {
             (Some((k, body)), _) if is_within || clear.is_some() => ([k, k], vec![body]),
@@ -90,7 +90,7 @@ impl DepthBound {
 }
 
 /// Whether rays may start within a body: always assumed where they start all over a window.
-fn starts_within(scene: &Scene, stage: &RenderScene) -> bool {
+fn starts_within(scene: &Scene, render_scene: &RenderScene) -> bool {
     let Camera { position, target, projection, .. } = scene.camera;
     if matches!(projection, Projection::Parallel { .. }) {
         return true;
@@ -98,7 +98,7 @@ fn starts_within(scene: &Scene, stage: &RenderScene) -> bool {
     let view = (target - position).normalize_or(DVec3::NEG_Z).as_vec3();
     // Who stands in a body sees its inside before or behind.
     [view, -view].iter().any(|&direction| {
-        let hits = stage.hits_along(&stage.ray_from_point(position, direction));
+        let hits = render_scene.hits_along(&render_scene.ray_from_point(position, direction));
         hits.iter().any(|hit| hit.hit.leaving)
     })
 }
@@ -128,17 +128,17 @@ impl DepthMeasure {
     /// # Errors
     /// When `control` is cancelled.
     pub fn of(
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         camera: &RenderCamera,
         size: UVec2,
         control: &RenderControl,
     ) -> Result<Self, RenderError> {
-        let threshold = stage.threshold().max(LIGHTEST);
+        let threshold = render_scene.threshold().max(LIGHTEST);
         let count = f64::from(size.x) * f64::from(size.y);
         let step = (count / f64::from(Self::PIXELS)).sqrt().ceil().max(1.0) as usize;
         let rows: Vec<u32> = (0..size.y).skip(step / 2).step_by(step).collect();
         let measured = rows.par_iter().map_init(
-            || WhittedIntegrator::watched(stage, camera, control).with_limits(DEEPEST, threshold),
+            || WhittedIntegrator::watched(render_scene, camera, control).with_limits(DEEPEST, threshold),
             |tracer, &y| {
                 let mut row = Self::nothing();
                 for x in (0..size.x).skip(step / 2).step_by(step) {

@@ -97,13 +97,13 @@ pub struct Map {
     pub incomplete: usize,
 }
 
-/// Makes a map of the picture of `stage` through `camera`, on the threads of the current rayon pool. `control` counts
+/// Makes a map of the picture of `render_scene` through `camera`, on the threads of the current rayon pool. `control` counts
 /// each pixel once.
 ///
 /// # Errors
 /// When the size cannot be, or `control` is cancelled.
 pub fn map(
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     camera: &RenderCamera,
     settings: &MapSettings,
     control: &RenderControl,
@@ -112,12 +112,12 @@ pub fn map(
     let RenderSettings { width, height, samples } = picture;
     Picture::check_size(width, height)?;
     if kind == MapKind::Clipped {
-        let rendering = render_through(stage, camera, picture, control)?;
+        let rendering = render_through(render_scene, camera, picture, control)?;
         let exposure = exposure_stops.exp2();
         let values = rendering.picture.pixels().iter().map(|light| clipped(*light, exposure)).collect();
         return Ok(Map { kind, width, height, values, incomplete: 0 });
     }
-    let (limit, threshold) = (stage.generations(), stage.threshold());
+    let (limit, threshold) = (render_scene.generations(), render_scene.threshold());
     let reference = match kind {
         MapKind::LimitLoss => Some((DEEPEST, threshold.max(LIGHTEST))),
         MapKind::ThresholdLoss => Some((limit, (threshold * LIGHTEST).min(LIGHTEST))),
@@ -130,7 +130,10 @@ pub fn map(
             || {
                 [Some((limit, threshold)), reference].map(|limits| {
                     let (limit, threshold) = limits?;
-                    Some(WhittedIntegrator::watched(stage, camera, control).with_limits(limit, threshold))
+                    Some(
+                        WhittedIntegrator::watched(render_scene, camera, control)
+                            .with_limits(limit, threshold),
+                    )
                 })
             },
             |tracers, (y, row)| {

@@ -29,21 +29,27 @@ impl RayEstimate {
     /// # Errors
     /// When `control` is cancelled.
     pub fn of(
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         camera: &RenderCamera,
         size: UVec2,
         control: &RenderControl,
     ) -> Result<Self, RenderError> {
-        Self::within(stage, camera, size, (stage.generations(), stage.threshold()), control)
+        Self::within(
+            render_scene,
+            camera,
+            size,
+            (render_scene.generations(), render_scene.threshold()),
+            control,
+        )
     }
 
-    /// Estimates the rays under other limits than the stage's: of generations, and the weight below which rays are not
+    /// Estimates the rays under other limits than the scene's: of generations, and the weight below which rays are not
     /// traced.
     ///
     /// # Errors
     /// When `control` is cancelled.
     pub fn within(
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         camera: &RenderCamera,
         size: UVec2,
         (generations, threshold): (u32, f32),
@@ -61,7 +67,10 @@ impl RayEstimate {
         let rays: Vec<f64> = (0..rows)
             .into_par_iter()
             .map_init(
-                || WhittedIntegrator::watched(stage, camera, control).with_limits(generations, threshold),
+                || {
+                    WhittedIntegrator::watched(render_scene, camera, control)
+                        .with_limits(generations, threshold)
+                },
                 |tracer, row| {
                     let mut random = Random::new(u64::from(row));
                     let walks = (0..columns).map(|column| {

@@ -118,8 +118,8 @@ fn the_picture_does_not_depend_on_the_search() {
     let scene = grown(&Example::find("four-bodies").unwrap().load().unwrap().scene, 150);
     let settings = RenderSettings { width: 48, height: 27, samples: 1 };
     let picture = |search| {
-        let stage = RenderScene::build_with(&scene, search).unwrap();
-        render(&stage, settings, &RenderControl::default()).unwrap().picture
+        let render_scene = RenderScene::build_with(&scene, search).unwrap();
+        render(&render_scene, settings, &RenderControl::default()).unwrap().picture
     };
     assert!(picture(AcceleratorChoice::Quickest) == picture(AcceleratorChoice::OneByOne));
 }

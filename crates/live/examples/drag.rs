@@ -1,5 +1,5 @@
 //! Drags one body of a scene with very many as the studio does, without a window, and says what each step costs: the
-//! edit, and the way to a prepared stage. At the end the picture is held against that of the scene prepared anew.
+//! edit, and the way to a prepared scene. At the end the picture is held against that of the scene prepared anew.
 //!
 //! `cargo xtask cloud` writes such a scene.
 //! `cargo run --release -p catoptric-live --example drag -- [FILE] [STEPS]`
@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     editor.select(Item::Body(body));
     let live = Live::start(|| ())?;
     println!("opened: {:.1} ms to the stage", ask(&live, &editor));
-    let (mut edits, mut stages) = (Vec::new(), Vec::new());
+    let (mut edits, mut render_scenes) = (Vec::new(), Vec::new());
     for step in 0..steps {
         let start = Instant::now();
         let offset = DVec3::new(0.02, 0.01 * step as f64, 0.0);
@@ -38,12 +38,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             body.placement = body.placement.moved_by(offset);
         })?;
         edits.push(1e3 * start.elapsed().as_secs_f64());
-        stages.push(ask(&live, &editor));
+        render_scenes.push(ask(&live, &editor));
         // The worker traces meanwhile, as between two moves of a mouse.
         std::thread::sleep(Duration::from_millis(16));
     }
     print_spread("the edit, ms", &mut edits);
-    print_spread("from the request to the stage, ms", &mut stages);
+    print_spread("from the request to the stage, ms", &mut render_scenes);
     let start = Instant::now();
     editor.settle();
     println!("the end of the gesture: {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
@@ -57,11 +57,11 @@ fn request(editor: &Editor) -> Request {
     request
 }
 
-/// Asks for a picture of the document and waits for its stage; milliseconds.
+/// Asks for a picture of the document and waits for its scene; milliseconds.
 fn ask(live: &Live, editor: &Editor) -> f64 {
     let start = Instant::now();
     live.request(Request { moving: true, ..request(editor) });
-    while live.stage().is_none_or(|(revision, _)| revision != editor.revision()) {
+    while live.render_scene().is_none_or(|(revision, _)| revision != editor.revision()) {
         std::thread::sleep(Duration::from_micros(200));
     }
     1e3 * start.elapsed().as_secs_f64()
@@ -73,9 +73,9 @@ fn check(live: &Live, editor: &Editor) -> Result<(), Box<dyn Error>> {
     while !live.status().is_idle {
         std::thread::sleep(Duration::from_millis(1));
     }
-    let stage = RenderScene::build(editor.scene())?;
+    let render_scene = RenderScene::build(editor.scene())?;
     let settings = RenderSettings { width: SIZE[0], height: SIZE[1], samples: 1 };
-    let picture = render(&stage, settings, &RenderControl::default())?.picture;
+    let picture = render(&render_scene, settings, &RenderControl::default())?.picture;
     let mut codes = vec![[0; 4]; picture.pixels().len()];
     Development::default().develop_rgba8(picture.pixels(), &mut codes);
     let frame = live.latest().ok_or("no frame")?;

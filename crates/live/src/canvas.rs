@@ -16,7 +16,7 @@ pub(crate) enum Canvas {
 /// A graphics card that draws, with its copy of the scene.
 pub(crate) struct CardRenderer {
     pub(crate) gpu: Arc<Gpu>,
-    pub(crate) stage: GpuScene,
+    pub(crate) render_scene: GpuScene,
     pub(crate) screen: GpuScreen,
     /// What in the present scene it cannot draw.
     pub(crate) refused: Option<GpuError>,
@@ -31,8 +31,8 @@ pub(crate) enum PassError {
 
 impl CardRenderer {
     pub(crate) fn new(gpu: Arc<Gpu>) -> Result<Self, GpuError> {
-        let (stage, screen) = (GpuScene::new(&gpu)?, GpuScreen::new(&gpu)?);
-        Ok(Self { gpu, stage, screen, refused: None })
+        let (render_scene, screen) = (GpuScene::new(&gpu)?, GpuScreen::new(&gpu)?);
+        Ok(Self { gpu, render_scene, screen, refused: None })
     }
 
     /// Forgets what it could not draw, if it may be able to now: another scene, or from elsewhere.
@@ -43,15 +43,15 @@ impl CardRenderer {
         }
     }
 
-    /// Sends what is new of a stage. False while its shader is compiled; then `ready` is called later.
+    /// Sends what is new of a scene. False while its shader is compiled; then `ready` is called later.
     pub(crate) fn prepare(
         &mut self,
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         camera: &RenderCamera,
         ready: impl FnOnce() + Send + 'static,
     ) -> Result<bool, GpuError> {
-        self.stage.follow(&self.gpu, stage, camera)?;
-        let special = self.stage.specialization(stage, camera)?;
+        self.render_scene.follow(&self.gpu, render_scene, camera)?;
+        let special = self.render_scene.specialization(render_scene, camera)?;
         if self.gpu.is_ready_for(special) {
             return Ok(true);
         }
@@ -101,15 +101,15 @@ impl Canvas {
     pub(crate) fn add_sample(
         &mut self,
         card: Option<&CardRenderer>,
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         camera: &RenderCamera,
         control: &RenderControl,
     ) -> Result<RayCounts, PassError> {
         match (self, card) {
-            (Self::Processor(film), _) => Ok(film.add_sample(stage, camera, control)?),
-            (Self::Card(film), Some(card)) => {
-                Ok(film.add_samples(&card.gpu, (stage, &card.stage), camera, 1, control)?.counts)
-            }
+            (Self::Processor(film), _) => Ok(film.add_sample(render_scene, camera, control)?),
+            (Self::Card(film), Some(card)) => Ok(film
+                .add_samples(&card.gpu, (render_scene, &card.render_scene), camera, 1, control)?
+                .counts),
             // The card was taken away: what was drawn on it is of no use.
             (Self::Card(_), None) => Err(PassError::Cancelled),
         }

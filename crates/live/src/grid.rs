@@ -117,12 +117,13 @@ pub(crate) fn trace(
     spec: GridSpec,
     camera: &Camera,
     view: &RenderCamera,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     size: DVec2,
 ) -> Vec<GridLine> {
     let Some(measures) = GridMeasures::new(camera) else { return Vec::new() };
     let near = 1e-3 * measures.step;
-    let cutter = LineClipper { eye: camera.position, near, middle: measures.middle, view, stage, size };
+    let cutter =
+        LineClipper { eye: camera.position, near, middle: measures.middle, view, render_scene, size };
     lines(spec, &measures).par_iter().flat_map_iter(|line| cutter.pieces(line)).collect()
 }
 
@@ -133,7 +134,7 @@ struct LineClipper<'a> {
     near: f64,
     middle: DVec2,
     view: &'a RenderCamera,
-    stage: &'a RenderScene,
+    render_scene: &'a RenderScene,
     size: DVec2,
 }
 
@@ -226,7 +227,7 @@ impl LineClipper<'_> {
         let ray = self.view.ray(line.pixel(place), self.size);
         let origin = self.view.world_from_render(ray.origin);
         let way = (line.point(place) - origin).dot(ray.direction.as_dvec3());
-        self.stage.closest_hit(&ray).is_none_or(|hit| f64::from(hit.hit.t) >= way * (1.0 - CONTACT))
+        self.render_scene.closest_hit(&ray).is_none_or(|hit| f64::from(hit.hit.t) >= way * (1.0 - CONTACT))
     }
 
     /// Where between a visible place and a hidden one the line vanishes.

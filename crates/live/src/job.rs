@@ -185,29 +185,29 @@ impl JobState {
         let go_on = || if self.control.is_cancelled() { Err(JobError::Cancelled) } else { Ok(()) };
         pool.install(|| {
             go_on()?;
-            let mut stage = RenderScene::build(&self.scene)?;
+            let mut render_scene = RenderScene::build(&self.scene)?;
             if let Some(generations) = self.generations {
-                stage = stage.with_generations(generations);
+                render_scene = render_scene.with_generations(generations);
             }
             go_on()?;
             self.done().tracing_since = Some(Instant::now());
             if self.method != Method::Whitted {
-                return self.draw(&stage);
+                return self.draw(&render_scene);
             }
-            render(&stage, self.settings, &self.control).map_err(|error| match error {
+            render(&render_scene, self.settings, &self.control).map_err(|error| match error {
                 RenderError::Size(error) => error.into(),
                 RenderError::Cancelled => JobError::Cancelled,
             })
         })
     }
 
-    fn draw(&self, stage: &RenderScene) -> Result<RenderOutput, JobError> {
-        let drawing = draw(stage, &self.method, self.settings, &self.control)?;
+    fn draw(&self, render_scene: &RenderScene) -> Result<RenderOutput, JobError> {
+        let drawing = draw(render_scene, &self.method, self.settings, &self.control)?;
         let shown = match self.shows {
             DisplayContent::Picture => None,
-            DisplayContent::Layer(layer) => drawing.layer(stage, layer)?,
+            DisplayContent::Layer(layer) => drawing.layer(render_scene, layer)?,
             DisplayContent::UnfoldedCube(body) => {
-                unfolded(&drawing, stage, body)?.map(|(picture, _)| picture)
+                unfolded(&drawing, render_scene, body)?.map(|(picture, _)| picture)
             }
         };
         Ok(RenderOutput { picture: shown.unwrap_or(drawing.picture), counts: drawing.counts })

@@ -88,10 +88,10 @@ impl Live {
         self.shared.status()
     }
 
-    /// The stage of the newest prepared scene with its revision: for picking, one ray being cheap. It should not be kept:
-    /// a stage that was dropped is edited when bodies change, one that is kept has to be copied.
-    pub fn stage(&self) -> Option<(u64, Arc<RenderScene>)> {
-        self.shared.stage()
+    /// The scene of the newest prepared scene with its revision: for picking, one ray being cheap. It should not be kept:
+    /// a scene that was dropped is edited when bodies change, one that is kept has to be copied.
+    pub fn render_scene(&self) -> Option<(u64, Arc<RenderScene>)> {
+        self.shared.render_scene()
     }
 }
 

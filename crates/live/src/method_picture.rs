@@ -53,15 +53,15 @@ impl MethodPicture {
     /// What is to be seen of it, and what that is.
     pub(crate) fn seen(
         &self,
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         wanted: DisplayContent,
     ) -> Result<(Cow<'_, Picture>, DisplayContent), SizeError> {
         let found = match wanted {
             DisplayContent::Picture => None,
             DisplayContent::Layer(layer) => {
-                self.drawing.layer(stage, layer)?.map(|picture| (picture, wanted))
+                self.drawing.layer(render_scene, layer)?.map(|picture| (picture, wanted))
             }
-            DisplayContent::UnfoldedCube(body) => unfolded(&self.drawing, stage, body)?,
+            DisplayContent::UnfoldedCube(body) => unfolded(&self.drawing, render_scene, body)?,
         };
         Ok(match found {
             Some((picture, shows)) => (Cow::Owned(picture), shows),
@@ -78,10 +78,10 @@ impl MethodPicture {
 /// The unfolded cube map of a body, or else the first there is.
 pub(crate) fn unfolded(
     drawing: &MethodOutput,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     wanted: Option<usize>,
 ) -> Result<Option<(Picture, DisplayContent)>, SizeError> {
-    let maps = drawing.maps(stage);
+    let maps = drawing.maps(render_scene);
     let of_body = maps.iter().find(|(body, _)| Some(*body) == wanted);
     let Some((body, map)) = of_body.or(maps.first()) else { return Ok(None) };
     Ok(Some((map.unfolded()?, DisplayContent::UnfoldedCube(Some(*body)))))
@@ -209,7 +209,7 @@ impl Worker {
             let share = done as f32 / control.pixels_expected().max(1) as f32;
             (before + share.min(1.0) * (step.samples as f32 - before)) / view.samples_wanted() as f32
         };
-        let work = || draw_through(&view.stage, &view.camera, &method, settings, control, maps);
+        let work = || draw_through(&view.render_scene, &view.camera, &method, settings, control, maps);
         self.watched(view, control, step.until, &progress, work)
     }
 }

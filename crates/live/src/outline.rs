@@ -17,7 +17,7 @@ use contour::{BorderPoint, Contour};
 /// Up to this many bodies have an outline each; more have one around all of them.
 const MOST_OUTLINES: usize = 32;
 
-/// The stages of the bodies to outline.
+/// The scenes of the bodies to outline.
 pub(crate) struct OutlineTracer {
     groups: Vec<OutlineGroup>,
 }
@@ -25,54 +25,62 @@ pub(crate) struct OutlineTracer {
 /// Bodies that share one outline.
 struct OutlineGroup {
     bodies: Vec<usize>,
-    stage: RenderScene,
+    render_scene: RenderScene,
 }
 
 impl OutlineTracer {
-    /// Takes these bodies out of the stage; places beyond the scene's bodies are passed over.
-    pub(crate) fn new(scene: &Scene, stage: &RenderScene, bodies: &[usize]) -> Self {
+    /// Takes these bodies out of the scene; places beyond the scene's bodies are passed over.
+    pub(crate) fn new(scene: &Scene, render_scene: &RenderScene, bodies: &[usize]) -> Self {
         let groups: Vec<Vec<usize>> = if bodies.len() <= MOST_OUTLINES {
             bodies.iter().map(|&body| vec![body]).collect()
         } else {
             vec![bodies.to_vec()]
         };
-        let groups =
-            groups.into_iter().map(|bodies| OutlineGroup { stage: stage.only(scene, &bodies), bodies });
-        Self { groups: groups.filter(|group| group.stage.body_count() > 0).collect() }
+        let groups = groups
+            .into_iter()
+            .map(|bodies| OutlineGroup { render_scene: render_scene.only(scene, &bodies), bodies });
+        Self { groups: groups.filter(|group| group.render_scene.body_count() > 0).collect() }
     }
 
     /// Traces the outlines, on the current rayon pool.
     pub(crate) fn trace(
         &self,
         scene: &Scene,
-        stage: &RenderScene,
+        render_scene: &RenderScene,
         camera: &RenderCamera,
         size: DVec2,
     ) -> Vec<Polyline> {
-        self.groups.par_iter().flat_map_iter(|group| group.trace(scene, stage, camera, size)).collect()
+        self.groups.par_iter().flat_map_iter(|group| group.trace(scene, render_scene, camera, size)).collect()
     }
 }
 
 impl OutlineGroup {
-    fn trace(&self, scene: &Scene, stage: &RenderScene, camera: &RenderCamera, size: DVec2) -> Vec<Polyline> {
+    fn trace(
+        &self,
+        scene: &Scene,
+        render_scene: &RenderScene,
+        camera: &RenderCamera,
+        size: DVec2,
+    ) -> Vec<Polyline> {
         let bodies = self.bodies.iter().filter_map(|&body| scene.bodies.get(body));
         let Some(area) = Area::of_bodies(bodies, camera, size) else { return Vec::new() };
-        let is_inside = |at: DVec2| self.stage.closest_hit(&camera.ray(at, size)).is_some();
+        let is_inside = |at: DVec2| self.render_scene.closest_hit(&camera.ray(at, size)).is_some();
         let contours = contour::contours(&area, &is_inside);
         let body = match self.bodies[..] {
             [body] => Some(body),
             _ => None,
         };
-        let is_hidden = |point: &BorderPoint| self.is_hidden(stage, camera, point.inside, size);
+        let is_hidden = |point: &BorderPoint| self.is_hidden(render_scene, camera, point.inside, size);
         contours.iter().flat_map(|contour| by_visibility(contour, body, is_hidden)).collect()
     }
 
     /// Whether something stands before the bodies here.
-    fn is_hidden(&self, stage: &RenderScene, camera: &RenderCamera, at: DVec2, size: DVec2) -> bool {
+    fn is_hidden(&self, render_scene: &RenderScene, camera: &RenderCamera, at: DVec2, size: DVec2) -> bool {
         /// What lies this much closer, as a share of the way, hides; less is a contact.
         const CONTACT: f32 = 1e-4;
         let ray = camera.ray(at, size);
-        let (Some(own), Some(first)) = (self.stage.closest_hit(&ray), stage.closest_hit(&ray)) else {
+        let (Some(own), Some(first)) = (self.render_scene.closest_hit(&ray), render_scene.closest_hit(&ray))
+        else {
             return false;
         };
         first.body != own.body && first.hit.t < own.hit.t * (1.0 - CONTACT)

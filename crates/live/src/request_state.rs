@@ -26,7 +26,7 @@ const STILL: Duration = Duration::from_millis(150);
 /// A request with its results so far, and what is still to be done.
 pub(crate) struct RequestState {
     pub(crate) request: Request,
-    pub(crate) stage: Arc<RenderScene>,
+    pub(crate) render_scene: Arc<RenderScene>,
     pub(crate) camera: RenderCamera,
     /// The light of the picture that is shown.
     pub(crate) film: Option<Canvas>,
@@ -36,7 +36,7 @@ pub(crate) struct RequestState {
     spare: Option<Canvas>,
     /// What a method other than Whitted's has drawn.
     pub(crate) drawn: Option<MethodPicture>,
-    /// Whether the stage has changed since cube maps of the full size were made.
+    /// Whether the scene has changed since cube maps of the full size were made.
     pub(crate) has_old_maps: bool,
     pub(crate) shown: LastFrame,
     outlines: Option<OutlineTracer>,
@@ -83,14 +83,14 @@ impl StaleParts {
 }
 
 impl RequestState {
-    /// A view of a request in a prepared stage.
-    pub(crate) fn new(request: Request, stage: Arc<RenderScene>) -> Self {
-        let camera = stage.camera_for(&request.camera);
+    /// A view of a request in a prepared scene.
+    pub(crate) fn new(request: Request, render_scene: Arc<RenderScene>) -> Self {
+        let camera = render_scene.camera_for(&request.camera);
         Self {
-            outlines: outlines(&request, &stage, &request.outline),
-            hover: outlines(&request, &stage, hovered(&request)),
+            outlines: outlines(&request, &render_scene, &request.outline),
+            hover: outlines(&request, &render_scene, hovered(&request)),
             request,
-            stage,
+            render_scene,
             camera,
             film: None,
             sharper: None,
@@ -104,16 +104,16 @@ impl RequestState {
         }
     }
 
-    /// A view of another request, which takes over from this one what still holds. `stage` makes the stage from that of
+    /// A view of another request, which takes over from this one what still holds. `render_scene` makes the scene from that of
     /// this view, which is let go of before; it may be the same.
     pub(crate) fn succeed(
         self,
         request: Request,
         is_same_stage: bool,
-        stage: impl FnOnce(Arc<RenderScene>) -> Arc<RenderScene>,
+        render_scene: impl FnOnce(Arc<RenderScene>) -> Arc<RenderScene>,
     ) -> Self {
-        let stage = stage(self.stage);
-        let camera = stage.camera_for(&request.camera);
+        let render_scene = render_scene(self.render_scene);
+        let camera = render_scene.camera_for(&request.camera);
         let before = &self.request;
         let picture = !is_same_stage || request.camera != before.camera || request.size != before.size;
         let picture = picture || request.method != before.method;
@@ -133,8 +133,8 @@ impl RequestState {
         let same = is_same_stage && request.outline == before.outline;
         let same_hover = same && request.hover == before.hover;
         Self {
-            outlines: if same { self.outlines } else { outlines(&request, &stage, &request.outline) },
-            hover: if same_hover { self.hover } else { outlines(&request, &stage, hovered(&request)) },
+            outlines: if same { self.outlines } else { outlines(&request, &render_scene, &request.outline) },
+            hover: if same_hover { self.hover } else { outlines(&request, &render_scene, hovered(&request)) },
             changed: if picture { Instant::now() } else { self.changed },
             // Films of another picture are of use too: their memory is.
             film: self.film,
@@ -144,7 +144,7 @@ impl RequestState {
             has_old_maps: self.has_old_maps || !is_same_stage,
             shown: self.shown,
             request,
-            stage,
+            render_scene,
             camera,
             due,
             is_at_rest: false,
@@ -201,7 +201,7 @@ impl RequestState {
 
     pub(crate) fn samples_wanted(&self) -> u32 {
         let samples = self.request.samples.max(1);
-        if self.stage.is_noisy() { samples.saturating_mul(Request::NOISY) } else { samples }
+        if self.render_scene.is_noisy() { samples.saturating_mul(Request::NOISY) } else { samples }
     }
 
     /// The samples of the picture, if it is of the full size.
@@ -228,13 +228,14 @@ impl RequestState {
         let Request { scene, camera, grid, .. } = &self.request;
         let size = DVec2::from(self.request.size.map(f64::from));
         let trace = |outlines: &Option<OutlineTracer>| {
-            let lines =
-                outlines.as_ref().map(|outlines| outlines.trace(scene, &self.stage, &self.camera, size));
+            let lines = outlines
+                .as_ref()
+                .map(|outlines| outlines.trace(scene, &self.render_scene, &self.camera, size));
             Arc::new(lines.unwrap_or_default())
         };
         self.shown.outline = trace(&self.outlines);
         self.shown.hover = trace(&self.hover);
-        let lines = grid.map(|grid| crate::grid::trace(grid, camera, &self.camera, &self.stage, size));
+        let lines = grid.map(|grid| crate::grid::trace(grid, camera, &self.camera, &self.render_scene, size));
         self.shown.grid = Arc::new(lines.unwrap_or_default());
         self.due.overlays = false;
     }
@@ -248,8 +249,8 @@ fn hovered(request: &Request) -> &[usize] {
     }
 }
 
-fn outlines(request: &Request, stage: &RenderScene, bodies: &[usize]) -> Option<OutlineTracer> {
-    (!bodies.is_empty()).then(|| OutlineTracer::new(&request.scene, stage, bodies))
+fn outlines(request: &Request, render_scene: &RenderScene, bodies: &[usize]) -> Option<OutlineTracer> {
+    (!bodies.is_empty()).then(|| OutlineTracer::new(&request.scene, render_scene, bodies))
 }
 
 /// Whether a request, seen while another is worked on, asks for something that should not wait.
@@ -267,7 +268,7 @@ pub(crate) fn is_new(new: &Request, current: &Request) -> bool {
         || (new.paused && !current.paused)
 }
 
-/// The update that turns the stage of one request into that of the next.
+/// The update that turns the scene of one request into that of the next.
 pub(crate) enum SceneUpdate {
     /// Nothing that is traced is different, apart from the camera.
     Same,
@@ -278,11 +279,11 @@ pub(crate) enum SceneUpdate {
 }
 
 impl RequestState {
-    /// What has to be done to the stage for another request; on the current rayon pool.
+    /// What has to be done to the scene for another request; on the current rayon pool.
     pub(crate) fn step_to(&self, new: &Request) -> SceneUpdate {
         let (before, after) = (&*self.request.scene, &*new.scene);
         let Some(changed) = changed_bodies(&self.request, new) else { return SceneUpdate::Anew };
-        if !self.stage.suits(after, &new.camera) {
+        if !self.render_scene.suits(after, &new.camera) {
             return SceneUpdate::Anew;
         }
         let lights = |scene: &Scene| scene.lights.iter().map(traced_light).collect::<Vec<_>>();
@@ -294,7 +295,7 @@ impl RequestState {
         if is_same {
             return SceneUpdate::Same;
         }
-        self.stage.edit(before, after, &changed).map_or(SceneUpdate::Anew, SceneUpdate::Edit)
+        self.render_scene.edit(before, after, &changed).map_or(SceneUpdate::Anew, SceneUpdate::Edit)
     }
 }
 

@@ -16,8 +16,8 @@ pub(crate) struct SharedState {
     /// Rings when mail comes or a pass ends.
     bell: Condvar,
     shown: Mutex<WorkerOutput>,
-    /// The newest stage, and what it is of.
-    stage: Mutex<Option<(u64, Arc<RenderScene>)>>,
+    /// The newest scene, and what it is of.
+    render_scene: Mutex<Option<(u64, Arc<RenderScene>)>>,
     wake: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -86,7 +86,7 @@ impl SharedState {
             mail: Mutex::default(),
             bell: Condvar::new(),
             shown: Mutex::new(WorkerOutput { status, ..WorkerOutput::default() }),
-            stage: Mutex::default(),
+            render_scene: Mutex::default(),
             wake: Box::new(wake),
         }
     }
@@ -134,8 +134,8 @@ impl SharedState {
         lock(&self.shown).status.clone()
     }
 
-    pub(crate) fn stage(&self) -> Option<(u64, Arc<RenderScene>)> {
-        lock(&self.stage).clone()
+    pub(crate) fn render_scene(&self) -> Option<(u64, Arc<RenderScene>)> {
+        lock(&self.render_scene).clone()
     }
 
     // ---- the worker's side ----
@@ -149,37 +149,37 @@ impl SharedState {
         self.wake();
     }
 
-    pub(crate) fn publish_stage(&self, revision: u64, stage: Arc<RenderScene>) {
-        let replaced = lock(&self.stage).replace((revision, stage));
+    pub(crate) fn publish_stage(&self, revision: u64, render_scene: Arc<RenderScene>) {
+        let replaced = lock(&self.render_scene).replace((revision, render_scene));
         drop(replaced);
     }
 
-    /// Edits the worker's stage, which is the newest, and publishes it. It is edited in place as soon as nobody else
+    /// Edits the worker's scene, which is the newest, and publishes it. It is edited in place as soon as nobody else
     /// looks at it, and the window looks for moments; if it does not stop, a copy is edited.
     pub(crate) fn edit_stage(
         &self,
         revision: u64,
-        mut stage: Arc<RenderScene>,
+        mut render_scene: Arc<RenderScene>,
         edit: impl FnOnce(&mut RenderScene),
     ) -> Arc<RenderScene> {
         /// How often to look whether nobody else does.
         const TRIES: u32 = 16;
         for _ in 0..TRIES {
-            let mut published = lock(&self.stage);
+            let mut published = lock(&self.render_scene);
             let before = published.take().map(|(revision, _)| revision);
-            if let Some(own) = Arc::get_mut(&mut stage) {
+            if let Some(own) = Arc::get_mut(&mut render_scene) {
                 edit(own);
-                *published = Some((revision, Arc::clone(&stage)));
+                *published = Some((revision, Arc::clone(&render_scene)));
                 drop(published);
-                return stage;
+                return render_scene;
             }
-            *published = before.map(|revision| (revision, Arc::clone(&stage)));
+            *published = before.map(|revision| (revision, Arc::clone(&render_scene)));
             drop(published);
             std::thread::sleep(Duration::from_millis(1));
         }
-        edit(Arc::make_mut(&mut stage));
-        self.publish_stage(revision, Arc::clone(&stage));
-        stage
+        edit(Arc::make_mut(&mut render_scene));
+        self.publish_stage(revision, Arc::clone(&render_scene));
+        render_scene
     }
 
     /// Says that there is no picture, if that is news.

@@ -130,46 +130,48 @@ impl Worker {
             self.pace = Pace::new(1e3 * self.budget.as_secs_f64());
             self.maps.change_to(&request.method);
         }
-        let state = old.as_ref().map(|old| old.stage.state());
+        let state = old.as_ref().map(|old| old.render_scene.state());
         let view = self.pool.install(|| self.view_of(request, old))?;
         if let Some(card) = &mut self.card {
-            card.look_again(state != Some(view.stage.state()));
+            card.look_again(state != Some(view.render_scene.state()));
         }
         self.view = Some(view);
         self.shared.change_status(|status| status.error = None);
         Ok(())
     }
 
-    /// A view of a request, its stage prepared or made from that of the view before; on the current rayon pool.
+    /// A view of a request, its scene prepared or made from that of the view before; on the current rayon pool.
     fn view_of(&self, request: Request, old: Option<RequestState>) -> Result<RequestState, LiveError> {
         let revision = request.revision;
-        let publish = |stage: &Arc<RenderScene>| self.shared.publish_stage(revision, Arc::clone(stage));
+        let publish =
+            |render_scene: &Arc<RenderScene>| self.shared.publish_stage(revision, Arc::clone(render_scene));
         let Some(old) = old else {
-            let stage = Arc::new(RenderScene::build_for_camera(
+            let render_scene = Arc::new(RenderScene::build_for_camera(
                 &request.scene,
                 &request.camera,
                 AcceleratorChoice::Quickest,
             )?);
-            publish(&stage);
-            return Ok(RequestState::new(request, stage));
+            publish(&render_scene);
+            return Ok(RequestState::new(request, render_scene));
         };
         let scene = Arc::clone(&request.scene);
         Ok(match old.step_to(&request) {
             SceneUpdate::Same => {
-                publish(&old.stage);
-                old.succeed(request, true, |stage| stage)
+                publish(&old.render_scene);
+                old.succeed(request, true, |render_scene| render_scene)
             }
-            SceneUpdate::Edit(edit) => old.succeed(request, false, |stage| {
-                self.shared.edit_stage(revision, stage, |stage| stage.apply(edit, &scene))
+            SceneUpdate::Edit(edit) => old.succeed(request, false, |render_scene| {
+                self.shared
+                    .edit_stage(revision, render_scene, |render_scene| render_scene.apply(edit, &scene))
             }),
             SceneUpdate::Anew => {
-                let stage = Arc::new(RenderScene::build_for_camera(
+                let render_scene = Arc::new(RenderScene::build_for_camera(
                     &scene,
                     &request.camera,
                     AcceleratorChoice::Quickest,
                 )?);
-                publish(&stage);
-                old.succeed(request, false, |_| stage)
+                publish(&render_scene);
+                old.succeed(request, false, |_| render_scene)
             }
         })
     }
@@ -252,13 +254,13 @@ impl Worker {
         let pixels = u64::from(width) * u64::from(height);
         let is_full = film.size() == view.request.size;
         let before = if is_full { film.samples() } else { 0 };
-        let (stage, camera): (&RenderScene, &RenderCamera) = (&view.stage, &view.camera);
+        let (render_scene, camera): (&RenderScene, &RenderCamera) = (&view.render_scene, &view.camera);
         let progress = |done: u64| {
             let share = if is_full { done as f32 / pixels as f32 } else { 0.0 };
             (before as f32 + share.min(1.0)) / view.samples_wanted() as f32
         };
         let card = self.card.as_ref();
-        let work = || film.add_sample(card, stage, camera, &control);
+        let work = || film.add_sample(card, render_scene, camera, &control);
         let result = self.watched(view, &control, until, &progress, work);
         let result = result.unwrap_or(Err(PassError::Cancelled));
         let milliseconds = milliseconds_since(start);
@@ -391,7 +393,7 @@ fn develop_shown(view: &mut RequestState, card: Option<&mut CardRenderer>) -> Re
     }
     let (codes, size, shows) = match (&view.drawn, &view.film) {
         (Some(drawn), _) => {
-            let (picture, shows) = drawn.seen(&view.stage, view.request.shows)?;
+            let (picture, shows) = drawn.seen(&view.render_scene, view.request.shows)?;
             let development = if has_light(shows) { development } else { Development::default() };
             (develop(&picture, &development), [picture.width(), picture.height()], shows)
         }

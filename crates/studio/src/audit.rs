@@ -222,11 +222,14 @@ pub(crate) fn keep_up(context: &Context, cx: &mut Cx<'_>) {
         cx.audit.seen = Some(now);
         return;
     }
-    // The stage of this state is on its way; the window wakes up when it is there.
-    let Some((_, stage)) = cx.live.stage().filter(|(revision, _)| *revision == now.revision) else { return };
+    // The scene of this state is on its way; the window wakes up when it is there.
+    let Some((_, render_scene)) = cx.live.render_scene().filter(|(revision, _)| *revision == now.revision)
+    else {
+        return;
+    };
     let before = cx.audit.before(now);
     cx.audit.serial += 1;
-    let order = AuditRequest { serial: cx.audit.serial, pin, scene: Arc::clone(scene), stage, before };
+    let order = AuditRequest { serial: cx.audit.serial, pin, scene: Arc::clone(scene), render_scene, before };
     cx.audit.audits.want(context, &(now, pin), move |control| order.carry_out(control));
 }
 
@@ -242,22 +245,22 @@ pub(crate) fn update_hidden_parts(context: &Context, cx: &mut Cx<'_>, camera: Ca
     if cx.audit.hidden_parts.as_ref().is_some_and(|(known, _)| *known == key) {
         return;
     }
-    let Some((_, stage)) = cx.live.stage() else { return };
+    let Some((_, render_scene)) = cx.live.render_scene() else { return };
     let found = Arc::clone(found);
     cx.audit.hidden_parts_job.want(context, &key, move |control| {
-        hidden::parts(&found.ways, &found.scene, &stage, &camera, control)
+        hidden::parts(&found.ways, &found.scene, &render_scene, &camera, control)
     });
 }
 
 /// Finds out the light of a pixel under the pointer.
 pub(crate) fn probe(context: &Context, cx: &mut Cx<'_>, pixel: UVec2, size: UVec2, camera: Camera) {
-    let Some((revision, stage)) = cx.live.stage() else { return };
+    let Some((revision, render_scene)) = cx.live.render_scene() else { return };
     let probe = PixelProbe { revision, pixel, size, camera };
     if cx.view.is_measuring || cx.audit.probed.as_ref().is_some_and(|(known, _)| *known == probe) {
         return;
     }
     cx.audit.probes.want(context, &probe, move |control| {
         let picture = RenderSettings { width: size.x, height: size.y, samples: 1 };
-        render_pixel(&stage, &stage.camera_for(&camera), picture, pixel, control).ok().flatten()
+        render_pixel(&render_scene, &render_scene.camera_for(&camera), picture, pixel, control).ok().flatten()
     });
 }

@@ -54,14 +54,14 @@ struct MapImage {
 }
 
 impl MapKey {
-    fn carry_out(self, stage: &RenderScene, control: &RenderControl) -> Option<MapImage> {
+    fn carry_out(self, render_scene: &RenderScene, control: &RenderControl) -> Option<MapImage> {
         let [width, height] = self.size.map(|side| side.div_ceil(self.step).max(1));
         let settings = MapSettings {
             kind: self.kind,
             picture: RenderSettings { width, height, samples: 1 },
             exposure_stops: self.exposure_stops,
         };
-        let map = map(stage, &stage.camera_for(&self.camera), &settings, control).ok()?;
+        let map = map(render_scene, &render_scene.camera_for(&self.camera), &settings, control).ok()?;
         // A scale of so many colors looks even.
         let scale: Vec<Color32> =
             (0..SHADES).map(|shade| scale(shade as f32 / (SHADES - 1) as f32)).collect();
@@ -93,7 +93,7 @@ pub(crate) fn draw(painter: &Painter, cx: &mut Cx<'_>, rect: Rect, camera: Camer
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         painter.image(texture.id(), rect, whole, Color32::WHITE);
     }
-    let Some((revision, stage)) = cx.live.stage() else { return };
+    let Some((revision, render_scene)) = cx.live.render_scene() else { return };
     let size = (rect.size() * painter.ctx().pixels_per_point()).round();
     let wanted = MapKey {
         kind,
@@ -112,7 +112,7 @@ pub(crate) fn draw(painter: &Painter, cx: &mut Cx<'_>, rect: Rect, camera: Camer
     if cx.view.is_measuring {
         return;
     }
-    cx.maps.work.want(painter.ctx(), &key, move |control| key.carry_out(&stage, control));
+    cx.maps.work.want(painter.ctx(), &key, move |control| key.carry_out(&render_scene, control));
 }
 
 /// Takes up a map that is ready.

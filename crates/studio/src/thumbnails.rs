@@ -76,8 +76,8 @@ impl<K: Clone + PartialEq + Send + 'static> Thumbnails<K> {
 }
 
 fn trace(scene: &Scene, settings: RenderSettings, control: &RenderControl) -> Option<ColorImage> {
-    let stage = RenderScene::build(scene).ok()?;
-    let picture = render(&stage, settings, control).ok()?.picture;
+    let render_scene = RenderScene::build(scene).ok()?;
+    let picture = render(&render_scene, settings, control).ok()?.picture;
     let mut pixels = vec![[0; 4]; picture.pixels().len()];
     Development::default().develop_rgba8(picture.pixels(), &mut pixels);
     let size = [settings.width, settings.height].map(|side| side as usize);

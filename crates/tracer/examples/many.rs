@@ -21,21 +21,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?;
     let scene = load(&path)?.scene;
     let bodies = scene.bodies.len();
-    let mut stage = None;
-    let prepare = best_of(runs, || stage = Some(RenderScene::build(&scene)));
-    let stage = stage.ok_or("no run")??;
+    let mut render_scene = None;
+    let prepare = best_of(runs, || render_scene = Some(RenderScene::build(&scene)));
+    let render_scene = render_scene.ok_or("no run")??;
     println!(
         "{bodies} bodies: prepared in {prepare:.1} ms, {:.1} bytes a body",
-        stage.bytes() as f64 / bodies as f64
+        render_scene.bytes() as f64 / bodies as f64
     );
     let settings = RenderSettings { width: 1280, height: 720, samples: 1 };
-    let trace = best_of(runs, || drop(render(&stage, settings, &RenderControl::default())));
+    let trace = best_of(runs, || drop(render(&render_scene, settings, &RenderControl::default())));
     println!("traced in {trace:.1} ms");
-    follow(scene, stage, runs)
+    follow(scene, render_scene, runs)
 }
 
-/// Moves a body back and forth as a hand does, then holds the stage that followed against a new one.
-fn follow(mut scene: Scene, mut stage: RenderScene, runs: usize) -> Result<(), Box<dyn Error>> {
+/// Moves a body back and forth as a hand does, then holds the scene that followed against a new one.
+fn follow(mut scene: Scene, mut render_scene: RenderScene, runs: usize) -> Result<(), Box<dyn Error>> {
     let middle = scene.bodies.len() / 2;
     for (what, step) in [("a bit", 1e-3), ("far", 1.0)] {
         let (mut took, mut anew) = (Vec::new(), 0);
@@ -46,10 +46,10 @@ fn follow(mut scene: Scene, mut stage: RenderScene, runs: usize) -> Result<(), B
             let placement = &mut scene.bodies[middle].placement;
             *placement = placement.moved_by(offset);
             let start = Instant::now();
-            match stage.edit(&before, &scene, &[middle]) {
-                Some(edit) => stage.apply(edit, &scene),
+            match render_scene.edit(&before, &scene, &[middle]) {
+                Some(edit) => render_scene.apply(edit, &scene),
                 None => {
-                    stage = RenderScene::build(&scene)?;
+                    render_scene = RenderScene::build(&scene)?;
                     anew += 1;
                 }
             }
@@ -61,12 +61,12 @@ fn follow(mut scene: Scene, mut stage: RenderScene, runs: usize) -> Result<(), B
     }
     let fresh = RenderScene::build(&scene)?;
     let settings = RenderSettings { width: 640, height: 360, samples: 1 };
-    let traced = |stage: &RenderScene| {
+    let traced = |render_scene: &RenderScene| {
         let mut picture = None;
-        let time = best_of(runs, || picture = render(stage, settings, &RenderControl::default()).ok());
+        let time = best_of(runs, || picture = render(render_scene, settings, &RenderControl::default()).ok());
         (time, picture.map(|rendering| rendering.picture))
     };
-    let ((time, one), (fresh_time, other)) = (traced(&stage), traced(&fresh));
+    let ((time, one), (fresh_time, other)) = (traced(&render_scene), traced(&fresh));
     let is_same = one.is_some() && one == other;
     println!("then traced in {time:.1} ms, a new stage in {fresh_time:.1} ms");
     println!("the picture is {} a new stage's", if is_same { "that of" } else { "NOT that of" });

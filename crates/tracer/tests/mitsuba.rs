@@ -31,9 +31,10 @@ fn scene_of(path: &Path) -> Result<Scene, String> {
 
 /// Renders a scene in the size of its reference picture.
 fn trace(scene: &Scene, reference: &Picture) -> Result<Picture, String> {
-    let stage = RenderScene::build(scene).map_err(|error| error.to_string())?;
+    let render_scene = RenderScene::build(scene).map_err(|error| error.to_string())?;
     let settings = RenderSettings { width: reference.width(), height: reference.height(), samples: SAMPLES };
-    let rendering = render(&stage, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
+    let rendering =
+        render(&render_scene, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
     Ok(rendering.picture)
 }
 

@@ -30,9 +30,10 @@ fn trace(scene: &Path, reference: &Picture) -> Result<Picture, String> {
     if !loaded.warnings.is_empty() {
         return Err(format!("the reader warns: {}", loaded.warnings));
     }
-    let stage = RenderScene::build(&loaded.scene).map_err(|error| error.to_string())?;
+    let render_scene = RenderScene::build(&loaded.scene).map_err(|error| error.to_string())?;
     let settings = RenderSettings { width: reference.width(), height: reference.height(), samples: 1 };
-    let rendering = render(&stage, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
+    let rendering =
+        render(&render_scene, settings, &RenderControl::default()).map_err(|error| error.to_string())?;
     Ok(rendering.picture)
 }
 

@@ -19,10 +19,10 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<CommandOutcome> {
     let input = input::scene(&arguments.scene, &mut files)?;
     input.warn();
     let scene = &input.loaded.scene;
-    let stage = RenderScene::build(scene).with_context(|| input.name.clone())?;
-    let stage = match arguments.generations {
-        Some(generations) => stage.with_generations(generations),
-        None => stage,
+    let render_scene = RenderScene::build(scene).with_context(|| input.name.clone())?;
+    let render_scene = match arguments.generations {
+        Some(generations) => render_scene.with_generations(generations),
+        None => render_scene,
     };
     if arguments.exact {
         let answers = exact::answers(scene);
@@ -38,7 +38,8 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<CommandOutcome> {
         };
         let settings = AuditSettings { picture, ..AuditSettings::default() };
         let pixel = glam::UVec2::new(pixel.x, pixel.y);
-        let audit = audit(scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default())?;
+        let audit =
+            audit(scene, &render_scene, render_scene.camera(), pixel, &settings, &RenderControl::default())?;
         write(&audit, arguments, &files)?;
     }
     Ok(CommandOutcome::Done)

@@ -42,24 +42,24 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
     }
 
     let start = Instant::now();
-    let stage = pool.install(|| RenderScene::build(&input.loaded.scene));
-    let mut stage = stage.with_context(|| input.name.clone())?;
+    let render_scene = pool.install(|| RenderScene::build(&input.loaded.scene));
+    let mut render_scene = render_scene.with_context(|| input.name.clone())?;
     drop(input.loaded);
     if let Some(generations) = arguments.generations {
-        stage = stage.with_generations(generations);
+        render_scene = render_scene.with_generations(generations);
     }
     times.prepare = milliseconds(start);
 
     if let Some(map) = arguments.map {
-        return show_map(arguments, (&files, options), map, &stage, settings, &pool, progress);
+        return show_map(arguments, (&files, options), map, &render_scene, settings, &pool, progress);
     }
     let control = RenderControl::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
     let estimates = !arguments.quiet && method == Method::Whitted;
-    let rays = if estimates { warn_of_work(&stage, settings, &pool) } else { None };
+    let rays = if estimates { warn_of_work(&render_scene, settings, &pool) } else { None };
     let start = Instant::now();
     let drawn = progress.of_tracing(&control, WorkEstimate { pixels, rays }, || {
-        drawer.draw(&stage, &method, settings, &pool, &control)
+        drawer.draw(&render_scene, &method, settings, &pool, &control)
     })?;
     times.trace = milliseconds(start);
     let RenderedPicture { drawing, on_card, fallen_back } = drawn;
@@ -69,20 +69,22 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
         pool.install(|| files.write_picture(&arguments.output, &options, &drawing.picture))
     })?;
     if let Some(folder) = &arguments.method.layers {
-        progress.of_writing(&folder.to_string_lossy(), || write_layers(&files, folder, &stage, &drawing))?;
+        progress.of_writing(&folder.to_string_lossy(), || {
+            write_layers(&files, folder, &render_scene, &drawing)
+        })?;
     }
     let stats = Stats {
         scene: &input.name,
         width: settings.width,
         height: settings.height,
         samples: settings.samples,
-        generations: stage.generations(),
+        generations: render_scene.generations(),
         threads: pool.current_num_threads(),
         card: drawer.card().filter(|_| fallen_back.is_none()),
         on_card,
-        bodies: stage.body_count(),
-        lights: stage.light_count(),
-        stage_bytes: stage.bytes(),
+        bodies: render_scene.body_count(),
+        lights: render_scene.light_count(),
+        stage_bytes: render_scene.bytes(),
         method: method.name(),
         passes: &drawing.passes,
         cube_maps: drawing.cube_maps,
@@ -92,7 +94,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
     };
     finish(arguments, &files, &stats, progress)?;
     if progress.is_shown() {
-        advise(&stage, settings, &pool);
+        advise(&render_scene, settings, &pool);
     }
     Ok(CommandOutcome::Done)
 }
@@ -102,7 +104,7 @@ fn show_map(
     arguments: &RenderArguments,
     (files, mut options): (&CommandFiles, SaveOptions),
     map_kind: MapKind,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     picture: RenderSettings,
     pool: &rayon::ThreadPool,
     progress: Progress,
@@ -111,7 +113,7 @@ fn show_map(
     let control = RenderControl::default();
     let pixels = u64::from(picture.width) * u64::from(picture.height);
     let map = progress.of_tracing(&control, WorkEstimate { pixels, rays: None }, || {
-        pool.install(|| map(stage, stage.camera(), &settings, &control))
+        pool.install(|| map(render_scene, render_scene.camera(), &settings, &control))
     })?;
     let shown = match options.depth() {
         SampleDepth::Coded(_) => map.to_picture()?,
@@ -141,8 +143,12 @@ fn show_map(
 }
 
 /// Says it before very many rays are traced. The rays of the picture, if trees can fork.
-fn warn_of_work(stage: &RenderScene, settings: RenderSettings, pool: &rayon::ThreadPool) -> Option<f64> {
-    let work = pool.install(|| notes::RayForecast::of(stage, settings))?;
+fn warn_of_work(
+    render_scene: &RenderScene,
+    settings: RenderSettings,
+    pool: &rayon::ThreadPool,
+) -> Option<f64> {
+    let work = pool.install(|| notes::RayForecast::of(render_scene, settings))?;
     if let Some(warning) = &work.warning {
         say(&format!("warning: {warning}"));
     }
@@ -150,11 +156,12 @@ fn warn_of_work(stage: &RenderScene, settings: RenderSettings, pool: &rayon::Thr
 }
 
 /// Says how many generations the scene needs.
-fn advise(stage: &RenderScene, settings: RenderSettings, pool: &rayon::ThreadPool) {
+fn advise(render_scene: &RenderScene, settings: RenderSettings, pool: &rayon::ThreadPool) {
     let size = glam::UVec2::new(settings.width, settings.height);
-    let measure = pool.install(|| DepthMeasure::of(stage, stage.camera(), size, &RenderControl::default()));
+    let measure = pool
+        .install(|| DepthMeasure::of(render_scene, render_scene.camera(), size, &RenderControl::default()));
     if let Ok(measure) = measure {
-        say(&notes::on_depth(&measure, stage.generations()));
+        say(&notes::on_depth(&measure, render_scene.generations()));
     }
 }
 
@@ -183,7 +190,7 @@ fn layer_file(layer: GBufferLayer) -> String {
 fn write_layers(
     files: &CommandFiles,
     folder: &Path,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     drawing: &MethodOutput,
 ) -> Result<()> {
     let options = SaveOptions::new(PictureFormat::Png, None)?;
@@ -191,11 +198,11 @@ fn write_layers(
         files.write_picture(&folder.join(name), &options, picture).map(|_| ())
     };
     for layer in GBufferLayer::ALL {
-        if let Some(picture) = drawing.layer(stage, layer)? {
+        if let Some(picture) = drawing.layer(render_scene, layer)? {
             write(layer_file(layer), &picture)?;
         }
     }
-    for (body, map) in drawing.maps(stage) {
+    for (body, map) in drawing.maps(render_scene) {
         write(format!("cube-map-{}.png", body + 1), &map.unfolded()?)?;
     }
     Ok(())

@@ -46,8 +46,8 @@ fn invisible_bodies_are_passed_at_every_limit_and_hollow_ones_shade_as_on_the_cp
         material={model=\"dielectric\",ior=1.5,attenuation_color=[0.3,0.6,0.4]}\n\
         [[bodies]]\nshape=\"cube\"\nposition=[-1.5,0,0]\nsize=0.8\nmaterial={model=\"dielectric\",ior=1.0}";
     for generations in [1, 2, 4] {
-        let stage = stage_of(&scene(bodies)).with_generations(generations);
-        let compared = compare(&card, &stage, 1);
+        let render_scene = stage_of(&scene(bodies)).with_generations(generations);
+        let compared = compare(&card, &render_scene, 1);
         assert_eq!(fault(&format!("{generations} generations"), &compared), None);
     }
     // Phong's glass of index 1, by the shaders of plain materials.
@@ -55,7 +55,10 @@ fn invisible_bodies_are_passed_at_every_limit_and_hollow_ones_shade_as_on_the_cp
         [[bodies]]\nmaterial={transmission=0.9,specular=0.1,ior=1.0}\n\
         [[bodies]]\nposition=[1,0,0]\nmaterial={transmission=0.8,reflection=0.2,ior=1.0}";
     for generations in [1, 2] {
-        let stage = stage_of(&scene(plain)).with_generations(generations);
-        assert_eq!(fault(&format!("plain, {generations} generations"), &compare(&card, &stage, 1)), None);
+        let render_scene = stage_of(&scene(plain)).with_generations(generations);
+        assert_eq!(
+            fault(&format!("plain, {generations} generations"), &compare(&card, &render_scene, 1)),
+            None
+        );
     }
 }

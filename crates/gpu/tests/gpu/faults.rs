@@ -17,7 +17,7 @@ const LONG: RenderSettings = RenderSettings { width: 512, height: 288, samples: 
 
 /// Runs a long render and does `act` once it has begun.
 fn disturbed(gpu: &Arc<Gpu>, act: impl FnOnce(&Gpu, &RenderControl) + Send + 'static) -> GpuError {
-    let stage = stage_of(&reference("whitted"));
+    let render_scene = stage_of(&reference("whitted"));
     let control = Arc::new(RenderControl::default());
     let (other, watched) = (Arc::clone(gpu), Arc::clone(&control));
     let disturber = std::thread::spawn(move || {
@@ -26,7 +26,7 @@ fn disturbed(gpu: &Arc<Gpu>, act: impl FnOnce(&Gpu, &RenderControl) + Send + 'st
         }
         act(&other, &watched);
     });
-    let error = render(gpu, &stage, stage.camera(), LONG, &control).unwrap_err();
+    let error = render(gpu, &render_scene, render_scene.camera(), LONG, &control).unwrap_err();
     disturber.join().unwrap();
     error
 }
@@ -37,8 +37,8 @@ fn a_card_that_is_lost_in_the_middle_is_an_error() {
     let error = disturbed(&gpu, |gpu, _| gpu.destroy());
     assert!(matches!(error, GpuError::Lost(_)), "{error}");
     // Whatever is asked of it from now on fails in the same way.
-    let stage = stage_of(&reference("whitted"));
-    let again = render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default());
+    let render_scene = stage_of(&reference("whitted"));
+    let again = render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default());
     assert!(matches!(again, Err(GpuError::Lost(_))), "{again:?}");
     assert!(GpuFilm::new(&gpu, 8, 8).is_err() && GpuScene::new(&gpu).is_err());
 }
@@ -50,8 +50,8 @@ fn a_device_that_a_window_loses_is_an_error() {
     drop(gpu);
     let (device, queue) = device;
     let gpu = Arc::new(Gpu::on(device.clone(), queue).unwrap());
-    let stage = stage_of(&reference("whitted"));
-    assert!(render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default()).is_ok());
+    let render_scene = stage_of(&reference("whitted"));
+    assert!(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default()).is_ok());
     let error = disturbed(&gpu, move |_, _| device.destroy());
     assert!(matches!(error, GpuError::Lost(_)), "{error}");
 }
@@ -60,19 +60,19 @@ fn a_device_that_a_window_loses_is_an_error() {
 fn a_render_can_be_cancelled_and_gone_on_with() {
     let Some(gpu) = card("a_render_can_be_cancelled_and_gone_on_with") else { return };
     assert_eq!(disturbed(&gpu, |_, control| control.cancel()), GpuError::Cancelled);
-    let stage = stage_of(&reference("mirrors"));
-    let camera = stage.camera();
+    let render_scene = stage_of(&reference("mirrors"));
+    let camera = render_scene.camera();
     let mut on_card = GpuScene::new(&gpu).unwrap();
-    on_card.follow(&gpu, &stage, camera).unwrap();
+    on_card.follow(&gpu, &render_scene, camera).unwrap();
     let mut film = GpuFilm::new(&gpu, 200, 100).unwrap();
     let cancelled = RenderControl::default();
     cancelled.cancel();
-    let stopped = film.add_samples(&gpu, (&stage, &on_card), camera, 3, &cancelled);
+    let stopped = film.add_samples(&gpu, (&render_scene, &on_card), camera, 3, &cancelled);
     assert_eq!(stopped, Err(GpuError::Cancelled));
-    film.add_samples(&gpu, (&stage, &on_card), camera, 3, &RenderControl::default()).unwrap();
+    film.add_samples(&gpu, (&render_scene, &on_card), camera, 3, &RenderControl::default()).unwrap();
     assert_eq!(film.samples(), 3);
     let settings = RenderSettings { width: 200, height: 100, samples: 3 };
-    let whole = render(&gpu, &stage, camera, settings, &RenderControl::default()).unwrap();
+    let whole = render(&gpu, &render_scene, camera, settings, &RenderControl::default()).unwrap();
     assert_eq!(film.picture(&gpu).unwrap(), whole.picture);
 }
 
@@ -84,8 +84,8 @@ fn absurd_sizes_are_errors() {
     let error = GpuFilm::new(&gpu, 1 << 14, 1 << 14).err().unwrap();
     assert!(matches!(error, GpuError::TooLarge { .. } | GpuError::OutOfMemory(_)), "{error}");
     // The card is none the worse for it.
-    let stage = stage_of(&reference("whitted"));
-    assert!(render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default()).is_ok());
+    let render_scene = stage_of(&reference("whitted"));
+    assert!(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default()).is_ok());
 }
 
 #[test]
@@ -122,8 +122,8 @@ fn trees_without_end_are_refused() {
     let Some(gpu) = card("trees_without_end_are_refused") else { return };
     let settings = RenderSettings { width: 2, height: 2, samples: 1 };
     let draw = |generations| {
-        let stage = stage_of(&panes(generations));
-        render(&gpu, &stage, stage.camera(), settings, &RenderControl::default()).map(|_| ())
+        let render_scene = stage_of(&panes(generations));
+        render(&gpu, &render_scene, render_scene.camera(), settings, &RenderControl::default()).map(|_| ())
     };
     assert_eq!(draw(10), Ok(()));
     assert_eq!(draw(64), Err(GpuError::Unsupported(UnsupportedOnGpu::LongTree)));
@@ -153,8 +153,8 @@ fn more_media_than_there_is_room_for_are_refused() {
     let draw = |scene: &Scene| {
         let mut scene = scene.clone();
         scene.tracing.generations = 64;
-        let stage = stage_of(&scene);
-        render(&gpu, &stage, stage.camera(), SMALL, &RenderControl::default()).map(|_| ())
+        let render_scene = stage_of(&scene);
+        render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default()).map(|_| ())
     };
     let mut scene = onion(20);
     scene.camera.position = glam::DVec3::new(0.0, 0.0, 9.0);

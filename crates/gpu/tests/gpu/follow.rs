@@ -1,4 +1,4 @@
-//! A stage on the card follows edits, and sends only what they change.
+//! A scene on the card follows edits, and sends only what they change.
 
 use std::sync::Arc;
 
@@ -39,35 +39,43 @@ fn lattice(count: usize) -> Scene {
 struct Follower {
     gpu: Arc<Gpu>,
     scene: Scene,
-    stage: RenderScene,
+    render_scene: RenderScene,
     on_card: GpuScene,
 }
 
 impl Follower {
     fn new(gpu: Arc<Gpu>, scene: Scene) -> (Self, u64) {
-        let stage = stage_of(&scene);
+        let render_scene = stage_of(&scene);
         let mut on_card = GpuScene::new(&gpu).unwrap();
-        let sent = on_card.follow(&gpu, &stage, stage.camera()).unwrap();
-        (Self { gpu, scene, stage, on_card }, sent)
+        let sent = on_card.follow(&gpu, &render_scene, render_scene.camera()).unwrap();
+        (Self { gpu, scene, render_scene, on_card }, sent)
     }
 
     /// Edits a body and returns the bytes that were sent.
     fn edit(&mut self, index: usize, edit: impl FnOnce(&mut Body)) -> u64 {
         let mut after = self.scene.clone();
         edit(&mut after.bodies[index]);
-        let planned = self.stage.edit(&self.scene, &after, &[index]).unwrap();
-        self.stage.apply(planned, &after);
+        let planned = self.render_scene.edit(&self.scene, &after, &[index]).unwrap();
+        self.render_scene.apply(planned, &after);
         self.scene = after;
-        self.on_card.follow(&self.gpu, &self.stage, self.stage.camera()).unwrap()
+        self.on_card.follow(&self.gpu, &self.render_scene, self.render_scene.camera()).unwrap()
     }
 
-    /// Whether the picture is that of a stage sent anew.
+    /// Whether the picture is that of a scene sent anew.
     fn check(&self) {
         let settings = RenderSettings { width: 96, height: 64, samples: 1 };
         let mut film = GpuFilm::new(&self.gpu, settings.width, settings.height).unwrap();
         let control = RenderControl::default();
-        film.add_samples(&self.gpu, (&self.stage, &self.on_card), self.stage.camera(), 1, &control).unwrap();
-        let anew = render(&self.gpu, &self.stage, self.stage.camera(), settings, &control).unwrap();
+        film.add_samples(
+            &self.gpu,
+            (&self.render_scene, &self.on_card),
+            self.render_scene.camera(),
+            1,
+            &control,
+        )
+        .unwrap();
+        let anew =
+            render(&self.gpu, &self.render_scene, self.render_scene.camera(), settings, &control).unwrap();
         assert_eq!(film.picture(&self.gpu).unwrap(), anew.picture);
     }
 }
@@ -77,7 +85,10 @@ fn an_edit_sends_only_what_it_changed() {
     let Some(gpu) = card("an_edit_sends_only_what_it_changed") else { return };
     let (mut follower, all) = Follower::new(gpu, lattice(1000));
     assert!(all > 1000 * 100, "{all}");
-    let again = follower.on_card.follow(&follower.gpu, &follower.stage, follower.stage.camera()).unwrap();
+    let again = follower
+        .on_card
+        .follow(&follower.gpu, &follower.render_scene, follower.render_scene.camera())
+        .unwrap();
     assert_eq!(again, 0);
     // The body, its leaf of up to four, the nodes on the way to it.
     let moved = follower.edit(17, |body| body.placement = body.placement.moved_by(DVec3::splat(0.05)));
@@ -114,9 +125,12 @@ fn a_light_that_moves_sends_a_light() {
     let (mut follower, _) = Follower::new(gpu, lattice(100));
     let mut after = follower.scene.clone();
     after.lights[0].position.x += 1.0;
-    let planned = follower.stage.edit(&follower.scene, &after, &[]).unwrap();
-    follower.stage.apply(planned, &after);
-    let sent = follower.on_card.follow(&follower.gpu, &follower.stage, follower.stage.camera()).unwrap();
+    let planned = follower.render_scene.edit(&follower.scene, &after, &[]).unwrap();
+    follower.render_scene.apply(planned, &after);
+    let sent = follower
+        .on_card
+        .follow(&follower.gpu, &follower.render_scene, follower.render_scene.camera())
+        .unwrap();
     assert_eq!(sent, 32);
     follower.check();
 }
@@ -133,10 +147,11 @@ fn bodies_around_parallel_rays_are_put_in_order() {
         let mut big = scene.bodies[0].clone();
         big.shape = Shape::Sphere { radius: 1.1 };
         scene.bodies.push(big);
-        let stage = stage_of(&scene);
+        let render_scene = stage_of(&scene);
         let settings = RenderSettings { width: 96, height: 64, samples: 2 };
-        let on_gpu = render(&gpu, &stage, stage.camera(), settings, &RenderControl::default()).unwrap();
-        let on_cpu = catoptric_tracer::render(&stage, settings, &RenderControl::default()).unwrap();
+        let on_gpu =
+            render(&gpu, &render_scene, render_scene.camera(), settings, &RenderControl::default()).unwrap();
+        let on_cpu = catoptric_tracer::render(&render_scene, settings, &RenderControl::default()).unwrap();
         let difference = catoptric_picture::Difference::between(&on_gpu.picture, &on_cpu.picture).unwrap();
         assert!(difference.share_above < 0.001, "{count}: {difference:?}");
         assert!(on_cpu.counts.refracted > 1000, "{:?}", on_cpu.counts);

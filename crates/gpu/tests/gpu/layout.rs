@@ -95,13 +95,13 @@ fn physical_records_are_read_where_they_are_written() {
     let physical = parsed(&shader(&special)).unwrap();
     let mut scene = scene(2);
     scene.lights[0].radius = 0.7;
-    let stage = RenderScene::build(&scene).unwrap();
-    let lights = SceneArrays(&stage).lights();
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let lights = SceneArrays(&render_scene).lights();
     assert_eq!(layout(&physical, "Light").1 as usize, lights.len());
     let of_light = |member| number(&lights, offset(&physical, "Light", member));
     assert_eq!(["position", "power", "radius"].map(of_light), [21.0, 0.5, 0.7]);
     // Rows of four words; the order of the first three is that of plain materials.
-    let materials = SceneArrays(&stage).materials();
+    let materials = SceneArrays(&render_scene).materials();
     assert_eq!(materials.len(), 6 * 16);
     let places = [0, 12, 16, 28, 32, 36, 40, 44];
     let numbers = places.map(|place| number(&materials, place));
@@ -119,10 +119,10 @@ fn physical_records_are_read_where_they_are_written() {
 fn bodies_and_materials_are_read_where_they_are_written() {
     let few = module(0);
     let scene = scene(2);
-    let stage = RenderScene::build(&scene).unwrap();
-    let arrays = SceneArrays(&stage);
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let arrays = SceneArrays(&render_scene);
     let at = |member| offset(&few, "Body", member);
-    let first = stage.scene_index(0).unwrap();
+    let first = render_scene.scene_index(0).unwrap();
     assert_eq!(number(arrays.bodies(), at("origin")), 3.0 * first as f32);
     assert_eq!(number(arrays.bodies(), at("origin") + 4), 2.0);
     assert_eq!(number(arrays.bodies(), at("parameter")), 1.0);
@@ -146,8 +146,8 @@ fn frames_and_rays_are_read_where_they_are_written() {
     let few = module(0);
     let mut scene = scene(2);
     scene.camera = Camera { projection: Projection::Parallel { height: 4.0 }, ..scene.camera };
-    let stage = RenderScene::build(&scene).unwrap();
-    let frame = FrameUniforms::new(&stage, stage.camera(), [140, 80]).dispatch(5, 1, 2);
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let frame = FrameUniforms::new(&render_scene, render_scene.camera(), [140, 80]).dispatch(5, 1, 2);
     let bytes = bytemuck::bytes_of(&frame);
     let word_of = |member| word(bytes, offset(&few, "Frame", member));
     let members = ["tiles_across", "first_tile", "bounded", "bodies", "lights", "samples_done", "samples"];
@@ -156,7 +156,7 @@ fn frames_and_rays_are_read_where_they_are_written() {
         number(bytes, offset(&few, "Frame", "places")),
         (0.5_f64 + 0.754_877_666_246_692_8).fract() as f32
     );
-    let rays = tile_rays(stage.camera(), [140, 80]);
+    let rays = tile_rays(render_scene.camera(), [140, 80]);
     assert_eq!(rays.len(), 6);
     let bytes = bytemuck::bytes_of(&rays[0]);
     assert_eq!(word(bytes, offset(&few, "RaysNear", "is_parallel")), 1);
@@ -173,8 +173,8 @@ fn skies_are_read_where_they_are_written() {
     let at = |frame: &FrameUniforms, member| number(bytemuck::bytes_of(frame), offset(&few, "Frame", member));
     let members = ["background", "horizon", "nadir", "turn"];
     let frame_of = |scene: &Scene| {
-        let stage = RenderScene::build(scene).unwrap();
-        FrameUniforms::new(&stage, stage.camera(), [70, 40])
+        let render_scene = RenderScene::build(scene).unwrap();
+        FrameUniforms::new(&render_scene, render_scene.camera(), [70, 40])
     };
     scene.environment.background = Color::gray(0.31);
     assert_eq!(members.map(|member| at(&frame_of(&scene), member)), [0.31, 0.0, 0.0, 0.0]);
@@ -206,8 +206,8 @@ fn pictures_lie_where_their_records_point() {
         ..Body::default()
     };
     scene.bodies = textures.map(of).into();
-    let stage = RenderScene::build(&scene).unwrap();
-    let pictures = SceneArrays(&stage).pictures();
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let pictures = SceneArrays(&render_scene).pictures();
     assert_eq!(pictures.rows(), 2, "3 records and 9011 pixels");
     let texels: Vec<AtlasTexel> =
         pictures.pieces(1).inspect(|piece| assert_eq!(piece.len(), 8192)).flatten().collect();
@@ -222,7 +222,7 @@ fn pictures_lie_where_their_records_point() {
     }
     // In the place of the colors stand the numbers of the records.
     let few = module(0);
-    let materials = SceneArrays(&stage).materials();
+    let materials = SceneArrays(&render_scene).materials();
     let size = layout(&few, "Material").1 as usize;
     let place = |material: &[u8]| number(material, offset(&few, "Material", "color"));
     let found: Vec<f32> = materials.chunks(size).map(place).collect();
@@ -234,8 +234,8 @@ fn pictures_lie_where_their_records_point() {
 
 #[test]
 fn changes_are_ranges_of_bytes() {
-    let stage = RenderScene::build(&scene(100)).unwrap();
-    let arrays = SceneArrays(&stage);
+    let render_scene = RenderScene::build(&scene(100)).unwrap();
+    let arrays = SceneArrays(&render_scene);
     let changes = SceneChanges { bodies: [2..4, 7..8].into(), nodes: vec![1, 2] };
     let [bodies, boxes, order] = arrays.parts(&changes);
     let body = arrays.bodies().len() / 100;

@@ -21,28 +21,29 @@ pub(crate) struct Compared {
     pub(crate) gpu: (Picture, RayCounts),
 }
 
-pub(crate) fn compare(card: &Gpu, stage: &RenderScene, samples: u32) -> Compared {
+pub(crate) fn compare(card: &Gpu, render_scene: &RenderScene, samples: u32) -> Compared {
     let [width, height] = SIZE;
     let settings = RenderSettings { width, height, samples };
-    let cpu = render(stage, settings, &RenderControl::default()).unwrap();
+    let cpu = render(render_scene, settings, &RenderControl::default()).unwrap();
     let mut film = GpuFilm::new(card, width, height).unwrap();
     let mut on_card = GpuScene::new(card).unwrap();
-    on_card.follow(card, stage, stage.camera()).unwrap();
+    on_card.follow(card, render_scene, render_scene.camera()).unwrap();
     let control = RenderControl::default();
-    let pass = film.add_samples(card, (stage, &on_card), stage.camera(), samples, &control).unwrap();
+    let pass =
+        film.add_samples(card, (render_scene, &on_card), render_scene.camera(), samples, &control).unwrap();
     let picture = film.picture(card).unwrap();
     let bodies = film.bodies(card).unwrap();
-    let other_bodies = if samples == 1 { count_other_bodies(stage, &bodies) } else { 0 };
+    let other_bodies = if samples == 1 { count_other_bodies(render_scene, &bodies) } else { 0 };
     let difference = Difference::between(&picture, &cpu.picture).unwrap();
     Compared { other_bodies, difference, cpu: (cpu.picture, cpu.counts), gpu: (picture, pass.counts) }
 }
 
-fn count_other_bodies(stage: &RenderScene, bodies: &[u32]) -> usize {
+fn count_other_bodies(render_scene: &RenderScene, bodies: &[u32]) -> usize {
     let size = DVec2::new(f64::from(SIZE[0]), f64::from(SIZE[1]));
     let places = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
     let is_other = |&((x, y), &found): &((u32, u32), &u32)| {
-        let ray = stage.camera().ray(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5), size);
-        stage.closest_hit(&ray).map_or(NO_BODY, |met| met.hit.body) != found
+        let ray = render_scene.camera().ray(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5), size);
+        render_scene.closest_hit(&ray).map_or(NO_BODY, |met| met.hit.body) != found
     };
     places.zip(bodies).filter(is_other).count()
 }
@@ -90,8 +91,8 @@ fn pictures_are_those_of_the_cpu() {
     let Some(card) = card("pictures_are_those_of_the_cpu") else { return };
     let mut faults = Vec::new();
     for (name, scene) in all_scenes() {
-        let stage = stage_of(&scene);
-        let compared = compare(&card, &stage, 1);
+        let render_scene = stage_of(&scene);
+        let compared = compare(&card, &render_scene, 1);
         faults.extend(fault(&name, &compared));
         let (cpu, gpu) = (compared.cpu.1, compared.gpu.1);
         assert_eq!(cpu.primary, gpu.primary);

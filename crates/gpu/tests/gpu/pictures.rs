@@ -117,7 +117,7 @@ fn surroundings_are_those_of_the_cpu_in_all_directions() {
     let targets =
         [DVec3::NEG_Z, DVec3::Z, DVec3::X, DVec3::new(0.0, 1.0, -0.001), DVec3::new(0.01, -1.0, 0.0)];
     for (number, target) in targets.into_iter().enumerate() {
-        let stages = [
+        let render_scenes = [
             surrounded(Surroundings::Sky(sky), Model::Phong, 1.2, 0.0, target),
             surrounded(Surroundings::Picture(patches("around", 61, 33, 1.0)), Model::Phong, 0.8, 0.0, target),
             // As bright as pictures may be.
@@ -137,8 +137,8 @@ fn surroundings_are_those_of_the_cpu_in_all_directions() {
                 target,
             ),
         ];
-        let pictures = stages.map(|stage| {
-            let compared = compare(&card, &stage, 1);
+        let pictures = render_scenes.map(|render_scene| {
+            let compared = compare(&card, &render_scene, 1);
             assert_eq!(fault(&format!("surroundings {number}"), &compared), None);
             compared.gpu.0
         });
@@ -159,19 +159,19 @@ fn an_edit_sends_pictures_that_are_new() {
     let mut scene = shapes(&textured(&first), &Material::default());
     scene.environment.surroundings = Surroundings::Picture(patches("around", 200, 100, 1.0));
     let mut on_card = GpuScene::new(&card).unwrap();
-    let stage = stage_of(&scene);
-    let all = on_card.follow(&card, &stage, stage.camera()).unwrap();
+    let render_scene = stage_of(&scene);
+    let all = on_card.follow(&card, &render_scene, render_scene.camera()).unwrap();
     // 20,000 pixels and 2048.
     assert!((3 * ROW..4 * ROW).contains(&all), "{all}");
     let mut edit = |change: &dyn Fn(&mut Scene)| {
         change(&mut scene);
-        let stage = stage_of(&scene);
-        let sent = on_card.follow(&card, &stage, stage.camera()).unwrap();
+        let render_scene = stage_of(&scene);
+        let sent = on_card.follow(&card, &render_scene, render_scene.camera()).unwrap();
         let settings = RenderSettings { width: 96, height: 64, samples: 1 };
         let mut film = GpuFilm::new(&card, settings.width, settings.height).unwrap();
         let control = RenderControl::default();
-        film.add_samples(&card, (&stage, &on_card), stage.camera(), 1, &control).unwrap();
-        let anew = render(&card, &stage, stage.camera(), settings, &control).unwrap();
+        film.add_samples(&card, (&render_scene, &on_card), render_scene.camera(), 1, &control).unwrap();
+        let anew = render(&card, &render_scene, render_scene.camera(), settings, &control).unwrap();
         assert_eq!(film.picture(&card).unwrap(), anew.picture);
         sent
     };

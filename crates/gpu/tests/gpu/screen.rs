@@ -11,11 +11,12 @@ use crate::common::{card, reference, stage_of};
 #[test]
 fn a_developed_film_has_the_codes_of_the_processor() {
     let Some(gpu) = card("a_developed_film_has_the_codes_of_the_processor") else { return };
-    let stage = stage_of(&reference("whitted"));
+    let render_scene = stage_of(&reference("whitted"));
     let mut on_card = GpuScene::new(&gpu).unwrap();
-    on_card.follow(&gpu, &stage, stage.camera()).unwrap();
+    on_card.follow(&gpu, &render_scene, render_scene.camera()).unwrap();
     let mut film = GpuFilm::new(&gpu, 150, 70).unwrap();
-    film.add_samples(&gpu, (&stage, &on_card), stage.camera(), 1, &RenderControl::default()).unwrap();
+    film.add_samples(&gpu, (&render_scene, &on_card), render_scene.camera(), 1, &RenderControl::default())
+        .unwrap();
     let light = film.picture(&gpu).unwrap();
     let mut screen = GpuScreen::new(&gpu).unwrap();
     for tone_curve in ToneCurve::ALL {

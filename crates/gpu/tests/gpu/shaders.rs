@@ -1,4 +1,4 @@
-//! Every shader that a stage may need is sound, which naga tells without a card.
+//! Every shader that a scene may need is sound, which naga tells without a card.
 
 use catoptric_tracer::shaders::{
     ENTRY_POINT, EnvironmentKind, PhysicalFeatures, ShaderSpecialization, shader,
@@ -14,7 +14,7 @@ pub(crate) fn parsed(source: &str) -> Result<naga::Module, String> {
     Ok(module)
 }
 
-/// What stages may have of physical materials.
+/// What scenes may have of physical materials.
 const PHYSICAL: [PhysicalFeatures; 7] = [
     PhysicalFeatures::LAWS,
     PhysicalFeatures::METALS,
@@ -59,7 +59,7 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
     kinds
 }
 
-/// A kind of stage with each sky and with textures.
+/// A kind of scene with each sky and with textures.
 fn with_pictures(kind: ShaderSpecialization) -> [ShaderSpecialization; 4] {
     let all = [
         (EnvironmentKind::Gradient, false),

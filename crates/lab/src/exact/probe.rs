@@ -6,10 +6,10 @@ use catoptric_scene::{Body, Camera, Light, List, Material, MaterialChoice, Scene
 use catoptric_tracer::{RayKind, RayRecord, RenderScene, WhittedIntegrator};
 use glam::{DVec3, Vec3};
 
-/// A stage of a few bodies, for a few rays.
+/// A scene of a few bodies, for a few rays.
 pub(super) struct Probe {
-    stage: RenderScene,
-    /// Where the stage's origin stands in the scene: near the bodies, since rays are traced in single precision.
+    render_scene: RenderScene,
+    /// Where the scene's origin stands in the scene: near the bodies, since rays are traced in single precision.
     origin: DVec3,
 }
 
@@ -62,14 +62,14 @@ impl Probe {
         let camera = Camera { position: seen.position - origin, target: seen.target - origin, ..seen };
         let lights = light.map(point).into_iter().collect();
         let alone = Scene { bodies, lights, tracing, camera, ..Scene::default() };
-        Some(Self { stage: RenderScene::build(&alone).ok()?, origin })
+        Some(Self { render_scene: RenderScene::build(&alone).ok()?, origin })
     }
 
-    /// The first rays of the tree from a point in a direction; their places are those of the stage.
+    /// The first rays of the tree from a point in a direction; their places are those of the scene.
     pub(super) fn tree(&self, from: DVec3, direction: DVec3, most: usize) -> Vec<RayRecord> {
         let direction = direction.normalize_or_zero().as_vec3();
-        let ray = self.stage.ray_from_point(from - self.origin, direction);
-        WhittedIntegrator::new(&self.stage, &AtomicBool::new(false)).tree(ray, most)
+        let ray = self.render_scene.ray_from_point(from - self.origin, direction);
+        WhittedIntegrator::new(&self.render_scene, &AtomicBool::new(false)).tree(ray, most)
     }
 
     /// The ray after so many reflections.

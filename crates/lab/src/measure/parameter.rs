@@ -117,7 +117,7 @@ impl Parameter {
     /// The most that a count may be.
     fn most(self) -> u32 {
         match self {
-            // A body takes some hundred bytes in the scene and the stage.
+            // A body takes some hundred bytes in the scene and the scene.
             Self::Bodies => (RenderScene::MAX_BODIES as u32).min(10_000_000),
             Self::Generations => Tracing::MAX_GENERATIONS,
             Self::Samples => RenderSettings::MAX_SAMPLES,

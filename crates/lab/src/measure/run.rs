@@ -380,21 +380,22 @@ impl Sweep<'_> {
         let control = self.control;
         let pool = self.pool(work.threads)?;
         let start = Instant::now();
-        let stage = pool.install(|| RenderScene::build_with(scene, work.search))?;
+        let render_scene = pool.install(|| RenderScene::build_with(scene, work.search))?;
         let prepare = start.elapsed().as_secs_f64() * 1e3;
-        let stage = match work.variant.generations {
-            Some(generations) => stage.with_generations(generations),
-            None => stage,
+        let render_scene = match work.variant.generations {
+            Some(generations) => render_scene.with_generations(generations),
+            None => render_scene,
         };
         let mut drawn = PointResult {
             run: PointTimes { round: 0, prepare, draw: 0.0, passes: Vec::new() },
             rays: RayCounts::default(),
-            bodies: stage.body_count(),
-            generations: stage.generations(),
+            bodies: render_scene.body_count(),
+            generations: render_scene.generations(),
             threads: pool.current_num_threads(),
         };
         for _ in 0..repeats.max(1) {
-            let drawing = pool.install(|| draw(&stage, &work.variant.method, work.settings, control))?;
+            let drawing =
+                pool.install(|| draw(&render_scene, &work.variant.method, work.settings, control))?;
             drawn.rays = drawing.counts;
             drawn.run.add(&drawing.passes, f64::from(repeats.max(1)));
         }

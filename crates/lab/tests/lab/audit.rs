@@ -14,9 +14,9 @@ use proptest::test_runner::TestRunner;
 use crate::scenes::{any_physical_scene, any_scene, ball, cases};
 
 fn look(scene: &Scene, picture: RenderSettings, pixel: UVec2) -> Audit {
-    let stage = RenderScene::build(scene).unwrap();
+    let render_scene = RenderScene::build(scene).unwrap();
     let settings = AuditSettings { picture, ..AuditSettings::default() };
-    audit(scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default()).unwrap()
+    audit(scene, &render_scene, render_scene.camera(), pixel, &settings, &RenderControl::default()).unwrap()
 }
 
 fn rendered(scene: &Scene, picture: RenderSettings) -> Picture {
@@ -173,11 +173,13 @@ fn glass_heap() -> Scene {
 fn a_tree_that_is_too_large_says_what_it_leaves_out() {
     let mut scene = glass_heap();
     scene.tracing.generations = 14;
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let picture = RenderSettings { width: 33, height: 33, samples: 1 };
     let settings = AuditSettings { picture, most_rays: 100 };
     let pixel = UVec2::new(16, 16);
-    let audit = audit(&scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default()).unwrap();
+    let audit =
+        audit(&scene, &render_scene, render_scene.camera(), pixel, &settings, &RenderControl::default())
+            .unwrap();
     assert_eq!((audit.trees[0].nodes.len(), audit.proof), (100, Proof::Incomplete));
     assert!(audit.trees[0].left_out > 0);
     assert_eq!(bits(audit.light), bits(rendered(&scene, picture).pixels()[16 * 33 + 16]));
@@ -240,11 +242,11 @@ fn ends_of_branches_have_reasons() {
 #[test]
 fn pixels_beyond_the_picture_are_refused() {
     let scene = Scene::default();
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let try_at = |pixel: UVec2, width: u32| {
         let picture = RenderSettings { width, height: 4, samples: 1 };
         let settings = AuditSettings { picture, ..AuditSettings::default() };
-        audit(&scene, &stage, stage.camera(), pixel, &settings, &RenderControl::default())
+        audit(&scene, &render_scene, render_scene.camera(), pixel, &settings, &RenderControl::default())
     };
     for pixel in [UVec2::new(4, 0), UVec2::new(0, 4), UVec2::MAX] {
         let error = try_at(pixel, 4).unwrap_err();
@@ -260,12 +262,12 @@ fn pixels_beyond_the_picture_are_refused() {
 #[test]
 fn a_cancelled_audit_has_no_result() {
     let scene = glass_heap();
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let picture = RenderSettings { width: 9, height: 9, samples: 1 };
     let settings = AuditSettings { picture, most_rays: usize::MAX };
     let control = RenderControl::default();
     control.cancel();
-    let outcome = audit(&scene, &stage, stage.camera(), UVec2::new(4, 4), &settings, &control);
+    let outcome = audit(&scene, &render_scene, render_scene.camera(), UVec2::new(4, 4), &settings, &control);
     assert!(matches!(outcome, Err(AuditError::Cancelled)));
 }
 

@@ -34,8 +34,9 @@ fn bound(scene: &Scene) -> DepthBound {
 }
 
 fn measure(scene: &Scene) -> DepthMeasure {
-    let stage = RenderScene::build(scene).unwrap();
-    DepthMeasure::of(&stage, stage.camera(), UVec2::new(40, 30), &RenderControl::default()).unwrap()
+    let render_scene = RenderScene::build(scene).unwrap();
+    DepthMeasure::of(&render_scene, render_scene.camera(), UVec2::new(40, 30), &RenderControl::default())
+        .unwrap()
 }
 
 #[test]
@@ -88,11 +89,11 @@ fn the_advice_is_enough() {
     for name in ["ring-of-images", "concave-mirror", "whitted"] {
         let scene = Example::find(name).unwrap().load().unwrap().scene;
         let found = measure(&scene);
-        let stage = RenderScene::build(&scene).unwrap();
+        let render_scene = RenderScene::build(&scene).unwrap();
         let picture = |generations: u32| {
             let settings = RenderSettings { width: 40, height: 30, samples: 1 };
-            let stage = stage.clone().with_generations(generations);
-            render(&stage, settings, &RenderControl::default()).unwrap().picture
+            let render_scene = render_scene.clone().with_generations(generations);
+            render(&render_scene, settings, &RenderControl::default()).unwrap().picture
         };
         let loss = |generations: u32| {
             let (less, all) = (picture(generations), picture(40));
@@ -109,10 +110,10 @@ fn the_advice_is_enough() {
 #[test]
 fn a_measurement_can_be_cancelled() {
     let scene = between_mirrors(0.5, 0.5);
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let control = RenderControl::default();
     control.cancel();
-    let outcome = DepthMeasure::of(&stage, stage.camera(), UVec2::new(9, 9), &control);
+    let outcome = DepthMeasure::of(&render_scene, render_scene.camera(), UVec2::new(9, 9), &control);
     assert!(matches!(outcome, Err(RenderError::Cancelled)));
 }
 

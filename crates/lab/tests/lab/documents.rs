@@ -20,11 +20,17 @@ fn the_pixel_explained_is_the_pixel() {
         return;
     }
     let scene = Example::find("whitted").unwrap().load().unwrap().scene;
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let pixel = UVec2::new(800, 440);
-    let audit =
-        audit(&scene, &stage, stage.camera(), pixel, &AuditSettings::default(), &RenderControl::default())
-            .unwrap();
+    let audit = audit(
+        &scene,
+        &render_scene,
+        render_scene.camera(),
+        pixel,
+        &AuditSettings::default(),
+        &RenderControl::default(),
+    )
+    .unwrap();
     let listing = audit.to_text(None);
     for language in ["en", "ru"] {
         let path = format!("{}/../../docs/{language}/audit.md", env!("CARGO_MANIFEST_DIR"));

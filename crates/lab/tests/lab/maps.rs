@@ -10,10 +10,10 @@ use crate::scenes::{ball, body};
 const PICTURE: RenderSettings = RenderSettings { width: 37, height: 35, samples: 1 };
 
 fn made(scene: &Scene, kind: MapKind, picture: RenderSettings) -> Map {
-    let stage = RenderScene::build(scene).unwrap();
+    let render_scene = RenderScene::build(scene).unwrap();
     let settings = MapSettings { kind, picture, exposure_stops: 0.0 };
     let control = RenderControl::default();
-    let map = map(&stage, stage.camera(), &settings, &control).unwrap();
+    let map = map(&render_scene, render_scene.camera(), &settings, &control).unwrap();
     assert_eq!(control.pixels_done(), u64::from(picture.width * picture.height));
     map
 }
@@ -38,15 +38,15 @@ fn corridor(rho: f64, generations: u32) -> Scene {
 #[test]
 fn rays_and_generations_are_those_of_the_trees() {
     let scene = Example::find("whitted").unwrap().load().unwrap().scene;
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let (rays, generations) =
         (made(&scene, MapKind::Rays, PICTURE), made(&scene, MapKind::Generations, PICTURE));
     let control = RenderControl::default();
     let size = UVec2::new(PICTURE.width, PICTURE.height);
     let total: f64 = rays.values.iter().map(|rays| f64::from(*rays)).sum();
-    let counts = render(&stage, PICTURE, &control).unwrap().counts;
+    let counts = render(&render_scene, PICTURE, &control).unwrap().counts;
     assert_eq!(total, counts.total() as f64);
-    let mut whitted = WhittedIntegrator::watched(&stage, stage.camera(), &control);
+    let mut whitted = WhittedIntegrator::watched(&render_scene, render_scene.camera(), &control);
     for number in (0..size.x * size.y).step_by(11) {
         let pixel = UVec2::new(number % size.x, number / size.x);
         let tree = whitted.pixel_tree(pixel, size, 0, usize::MAX);
@@ -89,9 +89,9 @@ fn light_beyond_white_is_counted_after_exposure() {
     scene.environment.background = Color::new(3.0, 0.5, 0.5);
     let clipped = made(&scene, MapKind::Clipped, PICTURE);
     assert!(clipped.values.iter().all(|share| *share == 0.5));
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let settings = MapSettings { kind: MapKind::Clipped, picture: PICTURE, exposure_stops: -2.0 };
-    let darker = map(&stage, stage.camera(), &settings, &RenderControl::default()).unwrap();
+    let darker = map(&render_scene, render_scene.camera(), &settings, &RenderControl::default()).unwrap();
     assert_eq!(darker.greatest(), 0.0);
 }
 
@@ -103,12 +103,12 @@ fn a_map_is_the_same_for_any_number_of_threads_and_can_be_cancelled() {
         pool.install(|| made(&scene, MapKind::LimitLoss, PICTURE))
     };
     assert_eq!(with(1), with(5));
-    let stage = RenderScene::build(&scene).unwrap();
+    let render_scene = RenderScene::build(&scene).unwrap();
     let control = RenderControl::default();
     control.cancel();
     for kind in MapKind::ALL {
         let settings = MapSettings { kind, picture: PICTURE, exposure_stops: 0.0 };
-        let outcome = map(&stage, stage.camera(), &settings, &control);
+        let outcome = map(&render_scene, render_scene.camera(), &settings, &control);
         assert!(matches!(outcome, Err(RenderError::Cancelled)), "{kind:?}");
     }
 }

@@ -22,8 +22,8 @@ fn hollow(generations: u32) -> Scene {
 }
 
 fn estimated(scene: &Scene, size: UVec2) -> RayEstimate {
-    let stage = RenderScene::build(scene).unwrap();
-    RayEstimate::of(&stage, stage.camera(), size, &RenderControl::default()).unwrap()
+    let render_scene = RenderScene::build(scene).unwrap();
+    RayEstimate::of(&render_scene, render_scene.camera(), size, &RenderControl::default()).unwrap()
 }
 
 #[test]
@@ -34,8 +34,9 @@ fn estimates_are_near_what_is_counted() {
     for (number, scene) in scenes.iter().enumerate() {
         let size = UVec2::new(120, 80);
         let settings = RenderSettings { width: size.x, height: size.y, samples: 1 };
-        let stage = RenderScene::build(scene).unwrap();
-        let counted = render(&stage, settings, &RenderControl::default()).unwrap().counts.total() as f64;
+        let render_scene = RenderScene::build(scene).unwrap();
+        let counted =
+            render(&render_scene, settings, &RenderControl::default()).unwrap().counts.total() as f64;
         let estimated = estimated(scene, size).of_picture(u64::from(size.x * size.y), 1);
         // A walk takes one of many ways; thousands of them leave some percent.
         assert!((estimated / counted - 1.0).abs() < 0.15, "{number}: {estimated}, counted {counted}");
@@ -49,19 +50,24 @@ fn trees_without_end_are_estimated_too() {
     // Of each ray at a wall two come, of which some leave: the number grows, but by less than twice a generation.
     let growth = (many.per_sample / few.per_sample).powf(1.0 / 18.0);
     assert!((1.2..2.0).contains(&growth), "{growth}");
-    let stage = RenderScene::build(&hollow(30)).unwrap();
+    let render_scene = RenderScene::build(&hollow(30)).unwrap();
     let limits = (30, RayEstimate::ADVISED_THRESHOLD as f32);
-    let bounded =
-        RayEstimate::within(&stage, stage.camera(), UVec2::new(160, 120), limits, &RenderControl::default())
-            .unwrap();
+    let bounded = RayEstimate::within(
+        &render_scene,
+        render_scene.camera(),
+        UVec2::new(160, 120),
+        limits,
+        &RenderControl::default(),
+    )
+    .unwrap();
     assert!(bounded.per_sample < 100.0, "{bounded:?}");
 }
 
 #[test]
 fn estimating_can_be_cancelled() {
-    let stage = RenderScene::build(&hollow(64)).unwrap();
+    let render_scene = RenderScene::build(&hollow(64)).unwrap();
     let control = RenderControl::default();
     control.cancel();
-    let ended = RayEstimate::of(&stage, stage.camera(), UVec2::new(100, 100), &control);
+    let ended = RayEstimate::of(&render_scene, render_scene.camera(), UVec2::new(100, 100), &control);
     assert!(matches!(ended, Err(RenderError::Cancelled)), "{ended:?}");
 }

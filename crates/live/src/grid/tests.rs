@@ -15,15 +15,15 @@ fn body(shape: Shape, position: DVec3) -> Body {
 }
 
 fn grid(scene: &Scene) -> Vec<GridLine> {
-    let stage = RenderScene::build(scene).unwrap();
-    trace(GridSpec::default(), &scene.camera, stage.camera(), &stage, SIZE)
+    let render_scene = RenderScene::build(scene).unwrap();
+    trace(GridSpec::default(), &scene.camera, render_scene.camera(), &render_scene, SIZE)
 }
 
 /// The place on the ground that a pixel shows.
 fn ground(camera: &Camera, at: DVec2) -> DVec3 {
-    let stage = RenderScene::build(&Scene { camera: *camera, ..Scene::default() }).unwrap();
-    let ray = stage.camera().ray(at, SIZE);
-    let (origin, direction) = (stage.world_from_render(ray.origin), ray.direction.as_dvec3());
+    let render_scene = RenderScene::build(&Scene { camera: *camera, ..Scene::default() }).unwrap();
+    let ray = render_scene.camera().ray(at, SIZE);
+    let (origin, direction) = (render_scene.world_from_render(ray.origin), ray.direction.as_dvec3());
     origin - origin.y / direction.y * direction
 }
 
@@ -69,18 +69,18 @@ fn bodies_hide_what_is_behind_them_and_a_floor_hides_nothing() {
     let ball = Scene { bodies: [body(Shape::SPHERE, DVec3::new(0.0, 1.0, 0.0))].into(), ..Scene::default() };
     let cut = grid(&ball);
     assert!(length(&cut) < 0.97 * length(&grid(&open)));
-    let stage = RenderScene::build(&ball).unwrap();
+    let render_scene = RenderScene::build(&ball).unwrap();
     for line in &cut {
         for share in [0.02, 0.5, 0.98] {
             let at = line.from.lerp(line.to, share).as_dvec2();
-            let ray = stage.camera().ray(at, SIZE);
-            if let Some(hit) = stage.closest_hit(&ray) {
-                let ground = ground(&ball.camera, at).distance(stage.world_from_render(ray.origin));
+            let ray = render_scene.camera().ray(at, SIZE);
+            if let Some(hit) = render_scene.closest_hit(&ray) {
+                let ground = ground(&ball.camera, at).distance(render_scene.world_from_render(ray.origin));
                 // A pixel at the ball's rim may be off.
                 let rim = (0..8).any(|k| {
                     let turn = f64::from(k) * std::f64::consts::FRAC_PI_4;
                     let beside = at + 2.0 * DVec2::from_angle(turn);
-                    stage.closest_hit(&stage.camera().ray(beside, SIZE)).is_none()
+                    render_scene.closest_hit(&render_scene.camera().ray(beside, SIZE)).is_none()
                 });
                 assert!(rim || f64::from(hit.hit.t) > 0.99 * ground, "{at} is behind the ball");
             }
@@ -112,20 +112,20 @@ fn the_step_follows_the_distance_without_jumps() {
 
 #[test]
 fn what_is_not_wanted_is_not_there_and_odd_cameras_have_no_grid() {
-    let stage = RenderScene::build(&Scene::default()).unwrap();
-    let of = |spec| trace(spec, &Camera::default(), stage.camera(), &stage, SIZE);
+    let render_scene = RenderScene::build(&Scene::default()).unwrap();
+    let of = |spec| trace(spec, &Camera::default(), render_scene.camera(), &render_scene, SIZE);
     assert_eq!(of(GridSpec { lines: false, axes: false }), []);
     let is_axis = |line: &GridLine| matches!(line.kind, GridKind::AxisX | GridKind::AxisZ);
     assert!(of(GridSpec { lines: false, axes: true }).iter().all(is_axis));
     assert!(!of(GridSpec { lines: true, axes: false }).iter().any(is_axis));
     for position in [DVec3::ZERO, DVec3::NAN, DVec3::splat(1e300), DVec3::new(0.0, 0.0, 1e-300)] {
         let camera = Camera { position, target: DVec3::ZERO, ..Camera::default() };
-        let view = stage.camera_for(&camera);
-        assert_eq!(trace(GridSpec::default(), &camera, &view, &stage, SIZE), []);
+        let view = render_scene.camera_for(&camera);
+        assert_eq!(trace(GridSpec::default(), &camera, &view, &render_scene, SIZE), []);
     }
     // On the ground itself, and looking straight down.
     for position in [DVec3::X, DVec3::new(0.0, 5.0, 0.0)] {
         let camera = Camera { position, target: DVec3::ZERO, ..Camera::default() };
-        trace(GridSpec::default(), &camera, &stage.camera_for(&camera), &stage, SIZE);
+        trace(GridSpec::default(), &camera, &render_scene.camera_for(&camera), &render_scene, SIZE);
     }
 }

@@ -230,8 +230,9 @@ mod tests {
             (Shape::Cylinder { radius: 0.4, height: 1.5 }, DVec3::new(70.0, 0.0, 40.0)),
             (Shape::CONE, DVec3::new(0.0, 0.0, 120.0)),
         ] {
-            let (stage, area) = one_body(shape, DVec3::new(0.2, 1.0, 0.0), turns, size);
-            let is_inside = |at: DVec2| stage.closest_hit(&stage.camera().ray(at, size)).is_some();
+            let (render_scene, area) = one_body(shape, DVec3::new(0.2, 1.0, 0.0), turns, size);
+            let is_inside =
+                |at: DVec2| render_scene.closest_hit(&render_scene.camera().ray(at, size)).is_some();
             let whole = Area { hull: Vec::new(), ..area.clone() };
             let found = contours(&area, &is_inside);
             assert!(!found.is_empty(), "{shape:?}");

@@ -270,8 +270,9 @@ mod tests {
         let size = DVec2::new(3840.0, 2160.0);
         for degrees in [0.0, 3.0, 29.0, 60.0, 88.0] {
             let shape = Shape::Cube { size: DVec3::new(6.0, 5e-4, 5e-4) };
-            let (stage, area) = one_body(shape, DVec3::Y, DVec3::new(0.0, 0.0, degrees), size);
-            let is_inside = |at: DVec2| stage.closest_hit(&stage.camera().ray(at, size)).is_some();
+            let (render_scene, area) = one_body(shape, DVec3::Y, DVec3::new(0.0, 0.0, degrees), size);
+            let is_inside =
+                |at: DVec2| render_scene.closest_hit(&render_scene.camera().ray(at, size)).is_some();
             let lattice = Lattice::sample(&area, &is_inside);
             let kept: usize = lattice.rows.iter().map(|row| row.inside.len()).sum();
             let whole = area.columns() * area.rows();

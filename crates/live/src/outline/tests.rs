@@ -26,17 +26,17 @@ fn scene(bodies: Vec<Body>) -> Scene {
     Scene { bodies: bodies.into(), ..Scene::default() }
 }
 
-/// The stage of one body, and where it can be in a view of this size.
+/// The scene of one body, and where it can be in a view of this size.
 pub(super) fn one_body(shape: Shape, position: DVec3, degrees: DVec3, size: DVec2) -> (RenderScene, Area) {
     let scene = scene(vec![turned(shape, position, degrees)]);
-    let stage = RenderScene::build(&scene).unwrap();
-    let area = Area::of_bodies(scene.bodies.iter(), stage.camera(), size).unwrap();
-    (stage, area)
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let area = Area::of_bodies(scene.bodies.iter(), render_scene.camera(), size).unwrap();
+    (render_scene, area)
 }
 
 fn outlines(scene: &Scene, bodies: &[usize]) -> Vec<Polyline> {
-    let stage = RenderScene::build(scene).unwrap();
-    OutlineTracer::new(scene, &stage, bodies).trace(scene, &stage, stage.camera(), SIZE)
+    let render_scene = RenderScene::build(scene).unwrap();
+    OutlineTracer::new(scene, &render_scene, bodies).trace(scene, &render_scene, render_scene.camera(), SIZE)
 }
 
 /// The distance of a point from a line.
@@ -72,7 +72,7 @@ fn assert_same(found: &[Polyline], expected: &[DVec2]) {
 
 /// The outline of a sphere: where a cone around it meets the window.
 fn sphere_outline(scene: &Scene, center: DVec3, radius: f64) -> Vec<DVec2> {
-    let stage = RenderScene::build(scene).unwrap();
+    let render_scene = RenderScene::build(scene).unwrap();
     let position = scene.camera.position;
     let offset = center - position;
     let axis = offset.normalize();
@@ -86,11 +86,11 @@ fn sphere_outline(scene: &Scene, center: DVec3, radius: f64) -> Vec<DVec2> {
                 position + 100.0 * ((1.0 - sin * sin).sqrt() * axis + sin * across)
             }
             Projection::Parallel { .. } => {
-                let [right, up, _] = stage.camera().axes();
+                let [right, up, _] = render_scene.camera().axes();
                 center + radius * (turn.cos() * right + turn.sin() * up)
             }
         };
-        stage.camera().project(point, SIZE).unwrap().0
+        render_scene.camera().project(point, SIZE).unwrap().0
     });
     points.collect()
 }
@@ -137,13 +137,13 @@ fn the_outline_of_a_box_is_the_hull_of_its_corners() {
     ] {
         let center = DVec3::new(0.3, 1.1, 0.0);
         let scene = scene(vec![turned(Shape::Cube { size }, center, rotation)]);
-        let stage = RenderScene::build(&scene).unwrap();
+        let render_scene = RenderScene::build(&scene).unwrap();
         let frame = scene.bodies[0].placement.world_from_body();
         let corners: Vec<DVec2> = (0..8)
             .map(|k| {
                 let sign = |axis: usize| if k >> axis & 1 == 0 { -0.5 } else { 0.5 };
                 let corner = frame.transform_point3(size * DVec3::new(sign(0), sign(1), sign(2)));
-                stage.camera().project(corner, SIZE).unwrap().0
+                render_scene.camera().project(corner, SIZE).unwrap().0
             })
             .collect();
         assert_same(&outlines(&scene, &[0]), &hull(&corners));
@@ -163,8 +163,8 @@ fn a_body_three_pixels_wide_has_an_outline() {
 #[test]
 fn the_apex_of_a_cone_is_reached() {
     let scene = scene(vec![body(Shape::Cone { radius: 0.3, top_radius: 0.0, height: 2.0 }, DVec3::ZERO)]);
-    let stage = RenderScene::build(&scene).unwrap();
-    let apex = stage.camera().project(DVec3::new(0.0, 2.0, 0.0), SIZE).unwrap().0;
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let apex = render_scene.camera().project(DVec3::new(0.0, 2.0, 0.0), SIZE).unwrap().0;
     let found = outlines(&scene, &[0]);
     assert_eq!(found.len(), 1);
     let off = distance(apex, &points(&found[0]), true);
@@ -179,8 +179,8 @@ fn a_plane_has_its_horizon_and_is_cut_by_the_view() {
     let found = outlines(&scene, &[0]);
     assert_eq!(found.len(), 1);
     assert!(!found[0].closed);
-    let stage = RenderScene::build(&scene).unwrap();
-    let horizon = stage.camera().project(DVec3::new(0.0, 2.2, -1e6), SIZE).unwrap().0.y;
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let horizon = render_scene.camera().project(DVec3::new(0.0, 2.2, -1e6), SIZE).unwrap().0.y;
     for point in points(&found[0]) {
         assert!((point.y - horizon).abs() < TOLERANCE, "{point}, not {horizon}");
     }
@@ -223,8 +223,8 @@ fn parts_behind_other_bodies_are_hidden() {
     assert_eq!(center.len(), 1);
     assert_eq!(found.iter().filter(|line| line.hidden).count(), 1);
     assert_eq!(found.iter().filter(|line| !line.hidden).count(), 1);
-    let stage = RenderScene::build(&scene).unwrap();
-    let edge = stage.camera().project(DVec3::new(0.0, 1.0, 1.0), SIZE).unwrap().0.x;
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let edge = render_scene.camera().project(DVec3::new(0.0, 1.0, 1.0), SIZE).unwrap().0.x;
     for line in &found {
         assert_eq!(line.body, Some(0));
         for point in points(line) {
@@ -266,9 +266,14 @@ fn no_camera_and_no_body_is_too_odd() {
             odd.placement.scale = DVec3::splat(scale);
             let mut scene = scene(vec![odd, body(Shape::Plane, DVec3::ZERO)]);
             scene.camera = Camera { position, ..Camera::default() };
-            let stage = RenderScene::build(&scene).unwrap();
+            let render_scene = RenderScene::build(&scene).unwrap();
             for size in [DVec2::ONE, DVec2::new(1.0, 500.0), DVec2::new(3000.0, 2.0)] {
-                OutlineTracer::new(&scene, &stage, &[0, 1]).trace(&scene, &stage, stage.camera(), size);
+                OutlineTracer::new(&scene, &render_scene, &[0, 1]).trace(
+                    &scene,
+                    &render_scene,
+                    render_scene.camera(),
+                    size,
+                );
             }
         }
     }

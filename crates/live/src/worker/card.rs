@@ -41,7 +41,7 @@ impl Worker {
         }
         let shared = Arc::clone(&self.shared);
         let prepared =
-            self.pool.install(|| card.prepare(&view.stage, &view.camera, move || shared.tell_ready()));
+            self.pool.install(|| card.prepare(&view.render_scene, &view.camera, move || shared.tell_ready()));
         match prepared {
             Ok(is_ready) => {
                 self.shared.change_status(|status| status.card_refuses = None);

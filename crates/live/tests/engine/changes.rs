@@ -15,7 +15,7 @@ use crate::{Window, expected, four_bodies, from_side, request};
 fn another_camera_does_not_prepare_the_scene_again() {
     let window = Window::open();
     window.shown(request(1));
-    let (revision, stage) = window.live.stage().unwrap();
+    let (revision, render_scene) = window.live.render_scene().unwrap();
     assert_eq!(revision, 1);
     let mut asked = request(2);
     asked.camera = from_side(&asked.camera, 90.0);
@@ -25,35 +25,35 @@ fn another_camera_does_not_prepare_the_scene_again() {
     // The scene's own camera is not looked at.
     let scene = Scene { camera: asked.camera, ..(*four_bodies()).clone() };
     window.shown(Request { scene: Arc::new(scene), revision: 3, ..asked });
-    let (revision, same) = window.live.stage().unwrap();
-    assert!(revision == 3 && Arc::ptr_eq(&stage, &same));
+    let (revision, same) = window.live.render_scene().unwrap();
+    assert!(revision == 3 && Arc::ptr_eq(&render_scene, &same));
 }
 
 #[test]
 fn another_scene_is_prepared_and_shown() {
     let window = Window::open();
     window.shown(request(1));
-    let (_, stage) = window.live.stage().unwrap();
+    let (_, render_scene) = window.live.render_scene().unwrap();
     let mut scene = (*four_bodies()).clone();
     scene.environment.background = Color::new(1.0, 0.0, 0.0);
     scene.bodies.truncate(2);
     let asked = Request { scene: Arc::new(scene), ..request(2) };
     let frame = window.shown(asked.clone());
     assert!(*frame.pixels == expected(&asked, 3));
-    let (revision, other) = window.live.stage().unwrap();
-    assert!(revision == 2 && !Arc::ptr_eq(&stage, &other) && other.body_count() == 2);
+    let (revision, other) = window.live.render_scene().unwrap();
+    assert!(revision == 2 && !Arc::ptr_eq(&render_scene, &other) && other.body_count() == 2);
 }
 
 #[test]
 fn names_and_locks_leave_the_stage_alone() {
     let window = Window::open();
     let before = window.shown(request(1));
-    let (_, stage) = window.live.stage().unwrap();
+    let (_, render_scene) = window.live.render_scene().unwrap();
     let shown = |revision: u64, edit: &dyn Fn(&mut Scene)| {
         let mut scene = (*four_bodies()).clone();
         edit(&mut scene);
         let frame = window.shown(Request { scene: Arc::new(scene), ..request(revision) });
-        (frame, window.live.stage().unwrap().1)
+        (frame, window.live.render_scene().unwrap().1)
     };
     let renamed = |scene: &mut Scene| {
         scene.bodies[0].name = "another".to_owned();
@@ -62,7 +62,7 @@ fn names_and_locks_leave_the_stage_alone() {
         scene.lights[0].locked = true;
     };
     let (frame, same) = shown(2, &renamed);
-    assert!(Arc::ptr_eq(&stage, &same) && Arc::ptr_eq(&frame.pixels, &before.pixels));
+    assert!(Arc::ptr_eq(&render_scene, &same) && Arc::ptr_eq(&frame.pixels, &before.pixels));
     let edits: [&dyn Fn(&mut Scene); 9] = [
         &|scene| scene.bodies[1].hidden = true,
         &|scene| scene.bodies[1].placement = scene.bodies[1].placement.moved_by(DVec3::X),
@@ -78,7 +78,7 @@ fn names_and_locks_leave_the_stage_alone() {
         let (frame, other) = shown(revision, edit);
         let mut scene = (*four_bodies()).clone();
         edit(&mut scene);
-        assert!(!Arc::ptr_eq(&stage, &other), "edit {revision}");
+        assert!(!Arc::ptr_eq(&render_scene, &other), "edit {revision}");
         assert!(*frame.pixels == expected(&Request { scene: Arc::new(scene), ..request(revision) }, 3));
     }
 }
@@ -100,7 +100,7 @@ fn moved_bodies_are_followed_in_the_stage() {
     let window = Window::open();
     let mut scene = crowd();
     window.shown(Request { scene: Arc::new(scene.clone()), ..request(1) });
-    let address = || Arc::as_ptr(&window.live.stage().unwrap().1);
+    let address = || Arc::as_ptr(&window.live.render_scene().unwrap().1);
     let before = address();
     for revision in 2..6 {
         let body = &mut scene.bodies[20 + revision as usize];
@@ -110,7 +110,7 @@ fn moved_bodies_are_followed_in_the_stage() {
         let frame = window.shown(asked.clone());
         assert!(*frame.pixels == expected(&asked, 3), "edit {revision}");
         assert!(!frame.outline.is_empty());
-        assert_eq!(window.live.stage().unwrap().0, revision);
+        assert_eq!(window.live.render_scene().unwrap().0, revision);
     }
     assert_eq!(address(), before, "the stage is edited, not prepared anew");
 }
@@ -120,7 +120,7 @@ fn a_stage_that_somebody_holds_stays_as_it_is() {
     let window = Window::open();
     let mut scene = crowd();
     window.shown(Request { scene: Arc::new(scene.clone()), ..request(1) });
-    let (_, held) = window.live.stage().unwrap();
+    let (_, held) = window.live.render_scene().unwrap();
     let ball = 4 + 55;
     let from = scene.bodies[ball].placement.origin() + 0.2 * DVec3::Z;
     let ray = Ray::from_point(from.as_vec3(), DVec3::NEG_Z.as_vec3());
@@ -128,7 +128,7 @@ fn a_stage_that_somebody_holds_stays_as_it_is() {
     scene.bodies[ball].placement = Placement::at(DVec3::new(0.0, 4.0, 0.0));
     let asked = Request { scene: Arc::new(scene), ..request(2) };
     assert!(*window.shown(asked.clone()).pixels == expected(&asked, 3));
-    let (revision, edited) = window.live.stage().unwrap();
+    let (revision, edited) = window.live.render_scene().unwrap();
     assert_eq!(revision, 2);
     assert_eq!(held.closest_hit(&ray).map(|hit| hit.body), Some(ball));
     assert_ne!(edited.closest_hit(&ray).map(|hit| hit.body), Some(ball));

@@ -113,11 +113,11 @@ fn a_drag_that_never_rests_is_not_starved() {
 fn a_newer_request_ends_an_endless_picture_and_so_does_dropping() {
     let window = Window::open();
     window.live.request(Request::new(endless(), 1, [64, 64]));
-    window.until(|live| live.stage().is_some_and(|(revision, _)| revision == 1));
+    window.until(|live| live.render_scene().is_some_and(|(revision, _)| revision == 1));
     let frame = window.shown(request(2));
     assert!(frame.is_full());
     window.live.request(Request::new(endless(), 3, [64, 64]));
-    window.until(|live| live.stage().is_some_and(|(revision, _)| revision == 3));
+    window.until(|live| live.render_scene().is_some_and(|(revision, _)| revision == 3));
     drop(window);
 }
 

@@ -30,9 +30,10 @@ fn a_job_makes_the_picture_of_a_render() {
         let progress = job.progress();
         assert_eq!((progress.fraction, progress.remaining), (1.0, Some(Duration::ZERO)));
         assert_eq!(job.progress().elapsed, progress.elapsed);
-        let stage = RenderScene::build(&four_bodies()).unwrap();
-        let stage = if let Some(limit) = generations { stage.with_generations(limit) } else { stage };
-        let expected = render(&stage, SETTINGS, &RenderControl::default()).unwrap();
+        let render_scene = RenderScene::build(&four_bodies()).unwrap();
+        let render_scene =
+            if let Some(limit) = generations { render_scene.with_generations(limit) } else { render_scene };
+        let expected = render(&render_scene, SETTINGS, &RenderControl::default()).unwrap();
         assert!(found.picture == expected.picture);
         assert_eq!(found.counts, expected.counts);
     }

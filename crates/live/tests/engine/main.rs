@@ -106,11 +106,12 @@ fn from_side(camera: &Camera, degrees: f64) -> Camera {
 
 /// What `render` and `develop` make of a request.
 fn expected(request: &Request, samples: u32) -> Vec<u8> {
-    let stage = RenderScene::build(&request.scene).unwrap();
+    let render_scene = RenderScene::build(&request.scene).unwrap();
     let [width, height] = request.size;
     let settings = RenderSettings { width, height, samples };
-    let camera = stage.camera_for(&request.camera);
-    let picture = render_through(&stage, &camera, settings, &RenderControl::default()).unwrap().picture;
+    let camera = render_scene.camera_for(&request.camera);
+    let picture =
+        render_through(&render_scene, &camera, settings, &RenderControl::default()).unwrap().picture;
     developed(&picture, &request.development)
 }
 

@@ -12,17 +12,18 @@ use crate::{Window, developed, four_bodies, from_side, request};
 
 /// A drawing of the request and what is to be seen of it.
 fn drawn(request: &Request, samples: u32) -> Picture {
-    let stage = RenderScene::build(&request.scene).unwrap();
+    let render_scene = RenderScene::build(&request.scene).unwrap();
     let [width, height] = request.size;
     let settings = RenderSettings { width, height, samples };
-    let camera = stage.camera_for(&request.camera);
+    let camera = render_scene.camera_for(&request.camera);
     let (control, mut maps) = (RenderControl::default(), Default::default());
-    let drawing = draw_through(&stage, &camera, &request.method, settings, &control, &mut maps).unwrap();
+    let drawing =
+        draw_through(&render_scene, &camera, &request.method, settings, &control, &mut maps).unwrap();
     match request.shows {
         DisplayContent::Picture => drawing.picture,
-        DisplayContent::Layer(layer) => drawing.layer(&stage, layer).unwrap().unwrap(),
+        DisplayContent::Layer(layer) => drawing.layer(&render_scene, layer).unwrap().unwrap(),
         DisplayContent::UnfoldedCube(body) => {
-            let maps = drawing.maps(&stage);
+            let maps = drawing.maps(&render_scene);
             let found = maps.iter().find(|(other, _)| Some(*other) == body).unwrap();
             found.1.unfolded().unwrap()
         }

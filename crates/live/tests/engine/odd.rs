@@ -56,7 +56,7 @@ fn what_is_prepared_outlives_requests_of_nothing() {
     let window = Window::open();
     let asked = request(1);
     let last = window.shown(asked.clone());
-    let (_, stage) = window.live.stage().unwrap();
+    let (_, render_scene) = window.live.render_scene().unwrap();
     let nowhere = Camera { position: DVec3::NAN, ..Camera::default() };
     for nothing in [Request { size: [0, 90], ..request(2) }, Request { camera: nowhere, ..request(2) }] {
         let serial = window.live.latest().unwrap().serial;
@@ -66,8 +66,8 @@ fn what_is_prepared_outlives_requests_of_nothing() {
         // The picture is the same one, and the window is told of it.
         let frame = window.shown(asked.clone());
         assert!(Arc::ptr_eq(&frame.pixels, &last.pixels) && frame.serial == serial + 1);
-        let (_, same) = window.live.stage().unwrap();
-        assert!(Arc::ptr_eq(&stage, &same));
+        let (_, same) = window.live.render_scene().unwrap();
+        assert!(Arc::ptr_eq(&render_scene, &same));
     }
     // What was still to be done then is done later.
     let mut asked = Request { samples: 1, ..request(3) };

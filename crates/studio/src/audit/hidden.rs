@@ -30,17 +30,17 @@ pub(crate) const SEEN: [SegmentPart; 1] = [SegmentPart { from: 0.0, to: 1.0, is_
 pub(super) fn parts(
     ways: &[RaySegment],
     scene: &Scene,
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     camera: &Camera,
     control: &RenderControl,
 ) -> Vec<Vec<SegmentPart>> {
-    let look = VisibilityTest { scene, stage, projector: Projector::new(camera, DVec2::ONE) };
+    let look = VisibilityTest { scene, render_scene, projector: Projector::new(camera, DVec2::ONE) };
     ways.iter().map(|way| if control.is_cancelled() { SEEN.to_vec() } else { look.parts(way) }).collect()
 }
 
 struct VisibilityTest<'a> {
     scene: &'a Scene,
-    stage: &'a RenderScene,
+    render_scene: &'a RenderScene,
     projector: Projector,
 }
 
@@ -88,7 +88,7 @@ impl VisibilityTest<'_> {
         };
         let origin = point - distance * direction;
         let ray = Ray::from_point(origin.as_vec3(), direction.as_vec3());
-        let hits = self.stage.hits_along(&ray);
+        let hits = self.render_scene.hits_along(&ray);
         let before = distance * (1.0 - NEAR);
         hits.iter().take_while(|hit| f64::from(hit.hit.t) < before).any(|hit| !self.is_clear(hit.body))
     }

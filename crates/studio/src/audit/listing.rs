@@ -100,10 +100,10 @@ mod tests {
         };
         let mut scene = Scene { bodies: (0..panes).map(pane).collect(), ..Scene::default() };
         (scene.tracing.generations, scene.tracing.threshold) = (6, 0.0);
-        let stage = Arc::new(RenderScene::build(&scene).unwrap());
+        let render_scene = Arc::new(RenderScene::build(&scene).unwrap());
         let camera = scene.camera;
         let pin = PinnedPixel { pixel: UVec2::new(80, 70), size: UVec2::new(160, 90), camera, home: camera };
-        let order = AuditRequest { serial: 1, pin, scene: Arc::new(scene), stage, before: None };
+        let order = AuditRequest { serial: 1, pin, scene: Arc::new(scene), render_scene, before: None };
         order.carry_out(&RenderControl::default()).unwrap()
     }
 

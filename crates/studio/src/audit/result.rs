@@ -49,18 +49,18 @@ pub(super) struct AuditRequest {
     pub(super) serial: u64,
     pub(super) pin: PinnedPixel,
     pub(super) scene: Arc<Scene>,
-    pub(super) stage: Arc<RenderScene>,
+    pub(super) render_scene: Arc<RenderScene>,
     pub(super) before: Option<(Arc<Audit>, Arc<Scene>)>,
 }
 
 impl AuditRequest {
     /// Traces the pixel, one ray through its middle.
     pub(super) fn carry_out(self, control: &RenderControl) -> Result<AuditResult, AuditError> {
-        let Self { serial, pin, scene, stage, before } = self;
+        let Self { serial, pin, scene, render_scene, before } = self;
         let picture = RenderSettings { width: pin.size.x, height: pin.size.y, samples: 1 };
         let settings = AuditSettings { picture, ..AuditSettings::default() };
-        let camera = stage.camera_for(&pin.camera);
-        let audit = audit(&scene, &stage, &camera, pin.pixel, &settings, control)?;
+        let camera = render_scene.camera_for(&pin.camera);
+        let audit = audit(&scene, &render_scene, &camera, pin.pixel, &settings, control)?;
         let tree = audit.trees.first();
         let (ways, ways_left_out) =
             tree.map(|tree| segments::of_tree(tree, &scene, &pin)).unwrap_or_default();

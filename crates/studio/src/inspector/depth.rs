@@ -45,11 +45,11 @@ struct DepthAdvice {
 }
 
 impl DepthKey {
-    fn carry_out(self, scene: &Scene, stage: &RenderScene, control: &RenderControl) -> DepthAdvice {
-        let bound = DepthBound::of(scene, stage);
-        let work = work_of(stage, self.picture, control);
+    fn carry_out(self, scene: &Scene, render_scene: &RenderScene, control: &RenderControl) -> DepthAdvice {
+        let bound = DepthBound::of(scene, render_scene);
+        let work = work_of(render_scene, self.picture, control);
         let measure = self.picture.and_then(|(camera, size)| {
-            DepthMeasure::of(stage, &stage.camera_for(&camera), UVec2::from(size), control).ok()
+            DepthMeasure::of(render_scene, &render_scene.camera_for(&camera), UVec2::from(size), control).ok()
         });
         DepthAdvice { bound, work, measure }
     }
@@ -57,21 +57,21 @@ impl DepthKey {
 
 /// The rays of a picture, if they are very many, and those that the advised threshold would leave.
 fn work_of(
-    stage: &RenderScene,
+    render_scene: &RenderScene,
     picture: Option<(Camera, [u32; 2])>,
     control: &RenderControl,
 ) -> Option<[RayEstimate; 2]> {
-    if !stage.forks() {
+    if !render_scene.forks() {
         return None;
     }
-    let camera = picture.map(|(camera, _)| stage.camera_for(&camera));
-    let camera = camera.as_ref().unwrap_or_else(|| stage.camera());
+    let camera = picture.map(|(camera, _)| render_scene.camera_for(&camera));
+    let camera = camera.as_ref().unwrap_or_else(|| render_scene.camera());
     let size = UVec2::from(picture.map_or([1280, 720], |(_, size)| size));
-    let now = RayEstimate::of(stage, camera, size, control).ok()?;
-    let threshold = stage.threshold().max(RayEstimate::ADVISED_THRESHOLD as f32);
-    let limits = (stage.generations(), threshold);
+    let now = RayEstimate::of(render_scene, camera, size, control).ok()?;
+    let threshold = render_scene.threshold().max(RayEstimate::ADVISED_THRESHOLD as f32);
+    let limits = (render_scene.generations(), threshold);
     let bounded = if now.is_worth_a_warning() {
-        RayEstimate::within(stage, camera, size, limits, control).ok()?
+        RayEstimate::within(render_scene, camera, size, limits, control).ok()?
     } else {
         now
     };
@@ -102,7 +102,7 @@ fn keep_up(ui: &Ui, sheet: &mut PropertySheet<'_, '_, Tracing>) {
     if let Some((key, Some(advice))) = adviser.work.poll() {
         adviser.known = Some((key, advice));
     }
-    let Some((revision, stage)) = sheet.cx.live.stage() else { return };
+    let Some((revision, render_scene)) = sheet.cx.live.render_scene() else { return };
     let scene = Arc::clone(sheet.cx.editor.scene());
     if sheet.cx.view.is_measuring || revision != sheet.cx.editor.revision() {
         return;
@@ -117,7 +117,7 @@ fn keep_up(ui: &Ui, sheet: &mut PropertySheet<'_, '_, Tracing>) {
         }
         _ => DepthKey { revision, picture: None },
     };
-    adviser.work.want(ui.ctx(), &key, move |control| key.carry_out(&scene, &stage, control));
+    adviser.work.want(ui.ctx(), &key, move |control| key.carry_out(&scene, &render_scene, control));
 }
 
 /// The series of the strongest cycle of mirrors.

@@ -29,9 +29,9 @@ impl MaterialPreview {
     /// What is traced.
     pub(super) fn scene(&self) -> Option<Scene> {
         static STAGE: OnceLock<Option<Scene>> = OnceLock::new();
-        let stage = STAGE
+        let render_scene = STAGE
             .get_or_init(|| read(include_str!("preview.toml")).into_result().ok().map(|read| read.value));
-        let mut scene = stage.clone()?;
+        let mut scene = render_scene.clone()?;
         let ball = scene.bodies.iter_mut().find(|body| body.name == "ball")?;
         ball.material = MaterialChoice::Inline(self.material.clone());
         Some(scene)

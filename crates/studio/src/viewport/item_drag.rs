@@ -22,10 +22,10 @@ pub(crate) struct ItemDrag {
     lead: DVec3,
     /// The move until the present leg.
     before: DVec3,
-    stage: DragStage,
+    render_scene: DragStage,
 }
 
-/// A stage of a drag with one plane of motion.
+/// A scene of a drag with one plane of motion.
 #[derive(Clone, Debug, PartialEq)]
 struct DragStage {
     plane: DragPlane,
@@ -53,8 +53,8 @@ impl ItemDrag {
         at: DVec2,
         is_upright: bool,
     ) -> Self {
-        let stage = DragStage { plane: plane(projector, at, is_upright), from: at };
-        Self { grabbed, lead, before: DVec3::ZERO, stage }
+        let render_scene = DragStage { plane: plane(projector, at, is_upright), from: at };
+        Self { grabbed, lead, before: DVec3::ZERO, render_scene }
     }
 
     /// The move from the beginning to the pointer at `at`; `None` when that place says nothing.
@@ -65,10 +65,10 @@ impl ItemDrag {
         is_upright: bool,
         precision: DragPrecision,
     ) -> Option<DVec3> {
-        if is_upright != (self.stage.plane == DragPlane::Upright) {
+        if is_upright != (self.render_scene.plane == DragPlane::Upright) {
             self.before =
                 self.way(projector, at).map_or(self.before, |way| self.rounded(way, projector, precision));
-            self.stage = DragStage { plane: plane(projector, at, is_upright), from: at };
+            self.render_scene = DragStage { plane: plane(projector, at, is_upright), from: at };
         }
         Some(self.rounded(self.way(projector, at)?, projector, precision))
     }
@@ -78,7 +78,7 @@ impl ItemDrag {
         let fine = if precision.is_fine { 0.1 } else { 1.0 };
         let grain = fine * projector.meters_per_point(self.grabbed);
         let grid = if precision.snaps { steps::MOVE } else { steps::decimal_below(grain) };
-        let moves = match self.stage.plane {
+        let moves = match self.render_scene.plane {
             DragPlane::Level => [true, false, true],
             DragPlane::Upright => [false, true, false],
             DragPlane::Facing => [true; 3],
@@ -89,9 +89,10 @@ impl ItemDrag {
     /// The whole move, without rounding.
     fn way(&self, projector: &Projector, at: DVec2) -> Option<DVec3> {
         let start = self.grabbed + self.before;
-        let [from, to] = [self.stage.from, at].map(|at| met(projector, at, start, self.stage.plane));
+        let [from, to] =
+            [self.render_scene.from, at].map(|at| met(projector, at, start, self.render_scene.plane));
         let mut step = to? - from?;
-        match self.stage.plane {
+        match self.render_scene.plane {
             DragPlane::Level => step.y = 0.0,
             DragPlane::Upright => step = DVec3::new(0.0, step.y, 0.0),
             DragPlane::Facing => {}
@@ -173,7 +174,7 @@ mod tests {
         let projector = projector([0.0, 1.05, 8.0]);
         let at = projector.project(DVec3::Y).unwrap();
         let mut drag = ItemDrag::begin(DVec3::Y, DVec3::Y, &projector, at, false);
-        assert_eq!(drag.stage.plane, DragPlane::Facing);
+        assert_eq!(drag.render_scene.plane, DragPlane::Facing);
         let step = drag.to(&projector, at + DVec2::new(30.0, -40.0), false, FREE).unwrap();
         assert!(step.x > 0.0 && step.y > 0.0 && step.z.abs() < 0.02);
     }

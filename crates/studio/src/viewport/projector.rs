@@ -161,9 +161,9 @@ mod tests {
     #[test]
     fn it_sees_what_the_tracer_sees() {
         let size = DVec2::new(640.0, 360.0);
-        let stage = RenderScene::build(&Scene::default()).unwrap();
+        let render_scene = RenderScene::build(&Scene::default()).unwrap();
         for camera in cameras() {
-            let (projector, tracer) = (Projector::new(&camera, size), stage.camera_for(&camera));
+            let (projector, tracer) = (Projector::new(&camera, size), render_scene.camera_for(&camera));
             for point in [DVec3::ZERO, DVec3::new(0.4, 1.5, -0.8), camera.target] {
                 let (expected, _) = tracer.project(point, size).unwrap();
                 assert!((projector.project(point).unwrap() - expected).length() < 1e-9);

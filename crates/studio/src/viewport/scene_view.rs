@@ -31,7 +31,7 @@ pub(crate) struct SceneView {
     pub(crate) camera: Camera,
     pub(crate) projector: Projector,
     /// The scene prepared for rays, with the same camera.
-    stage: Option<(Arc<RenderScene>, RenderCamera)>,
+    render_scene: Option<(Arc<RenderScene>, RenderCamera)>,
 }
 
 /// The thing under the pointer.
@@ -57,14 +57,14 @@ impl SceneView {
         /// In small windows the bar may take a part of the picture that cannot be done without.
         const MOST: f32 = 0.4;
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
-        let stage = live.stage().map(|(_, stage)| {
-            let seen = stage.camera_for(&camera);
-            (stage, seen)
+        let render_scene = live.render_scene().map(|(_, render_scene)| {
+            let seen = render_scene.camera_for(&camera);
+            (render_scene, seen)
         });
         let visible = tile.intersect(rect);
         let top = (tile.top() + bar).clamp(visible.top(), visible.top() + MOST * visible.height().max(0.0));
         let clear = visible.with_min_y(top);
-        Self { rect, visible, clear, camera, projector: Projector::new(&camera, size), stage }
+        Self { rect, visible, clear, camera, projector: Projector::new(&camera, size), render_scene }
     }
 
     /// A place of the window in the picture.
@@ -85,15 +85,15 @@ impl SceneView {
 
     /// The nearest body under a place.
     pub(crate) fn body_at(&self, at: DVec2) -> Option<RayIntersection> {
-        let (stage, camera) = self.stage.as_ref()?;
-        stage.closest_hit(&camera.ray(at, self.projector.size()))
+        let (render_scene, camera) = self.render_scene.as_ref()?;
+        render_scene.closest_hit(&camera.ray(at, self.projector.size()))
     }
 
     /// Under which angle the nearest body is seen at a place.
     pub(crate) fn seen_at(&self, at: DVec2) -> Option<ProjectedPoint> {
-        let (stage, camera) = self.stage.as_ref()?;
+        let (render_scene, camera) = self.render_scene.as_ref()?;
         let ray = camera.ray(at, self.projector.size());
-        let hit = stage.closest_hit(&ray)?;
+        let hit = render_scene.closest_hit(&ray)?;
         let (direction, normal) = (ray.direction.as_dvec3(), hit.normal.as_dvec3());
         let degrees = direction.cross(normal).length().atan2(-direction.dot(normal)).to_degrees();
         Some(ProjectedPoint {
@@ -105,15 +105,15 @@ impl SceneView {
 
     /// All bodies under a place, the nearest first.
     pub(crate) fn bodies_at(&self, at: DVec2) -> Vec<usize> {
-        let Some((stage, camera)) = &self.stage else { return Vec::new() };
-        let hits = stage.hits_along(&camera.ray(at, self.projector.size()));
+        let Some((render_scene, camera)) = &self.render_scene else { return Vec::new() };
+        let hits = render_scene.hits_along(&camera.ray(at, self.projector.size()));
         hits.into_iter().map(|hit| hit.body).collect()
     }
 
     /// The bodies around the eye, found along the ray at a place: each is left on its way.
     pub(crate) fn rooms_at(&self, at: DVec2) -> Vec<usize> {
-        let Some((stage, camera)) = &self.stage else { return Vec::new() };
-        let hits = stage.hits_along(&camera.ray(at, self.projector.size()));
+        let Some((render_scene, camera)) = &self.render_scene else { return Vec::new() };
+        let hits = render_scene.hits_along(&camera.ray(at, self.projector.size()));
         hits.into_iter().filter(|hit| hit.hit.leaving).map(|hit| hit.body).collect()
     }
 
@@ -121,20 +121,20 @@ impl SceneView {
     pub(crate) fn between(&self, from: DVec3, surface: DVec3) -> Option<RayIntersection> {
         /// Nearer to the surface than this part of the way, it is the surface itself.
         const ARRIVED: f64 = 1e-3;
-        let (stage, _) = self.stage.as_ref()?;
+        let (render_scene, _) = self.render_scene.as_ref()?;
         let direction = (surface - from).normalize_or_zero();
-        let hit = stage.closest_hit(&stage.ray_from_point(from, direction.as_vec3()))?;
+        let hit = render_scene.closest_hit(&render_scene.ray_from_point(from, direction.as_vec3()))?;
         let way = surface.distance(from);
         (hit.position.distance(from) < way * (1.0 - ARRIVED)).then_some(hit)
     }
 
     /// How far a ray gets from a surface before it meets another body, meters; `None` when it meets none.
     pub(crate) fn free_way(&self, from: &RayIntersection, direction: DVec3) -> Option<f64> {
-        let (stage, _) = self.stage.as_ref()?;
-        let mut ray = stage.ray_from_point(from.position, direction.as_vec3());
+        let (render_scene, _) = self.render_scene.as_ref()?;
+        let mut ray = render_scene.ray_from_point(from.position, direction.as_vec3());
         // Bodies are convex: seen from outside, the surface itself is in nobody's way.
         ray.start = RayOrigin { body: from.hit.body, inwards: from.hit.leaving };
-        stage.closest_hit(&ray).map(|hit| hit.position.distance(from.position))
+        render_scene.closest_hit(&ray).map(|hit| hit.position.distance(from.position))
     }
 
     /// Whether nothing stands between a point and a surface point.

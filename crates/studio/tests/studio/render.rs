@@ -87,11 +87,13 @@ fn start_small(harness: &mut Hands) {
 
 /// What the tracer makes of it.
 fn truth(scene: &Scene, [width, height]: [u32; 2], samples: u32, generations: Option<u32>) -> Picture {
-    let mut stage = RenderScene::build(scene).unwrap();
+    let mut render_scene = RenderScene::build(scene).unwrap();
     if let Some(generations) = generations {
-        stage = stage.with_generations(generations);
+        render_scene = render_scene.with_generations(generations);
     }
-    render(&stage, RenderSettings { width, height, samples }, &RenderControl::default()).unwrap().picture
+    render(&render_scene, RenderSettings { width, height, samples }, &RenderControl::default())
+        .unwrap()
+        .picture
 }
 
 fn save_to(harness: &mut Hands, host: &TestHost, path: &Path) {

@@ -50,7 +50,7 @@ impl Hand {
             self.harness.step();
             let studio = self.harness.state();
             let revision = studio.editor().revision();
-            let is_prepared = studio.live().stage().is_some_and(|(of, _)| of == revision);
+            let is_prepared = studio.live().render_scene().is_some_and(|(of, _)| of == revision);
             let frame = studio.live().latest().filter(|frame| is_prepared && frame.revision == revision);
             let now = frame.map(|frame| (frame.camera, frame.view_size));
             still = if now.is_some() && now == last { still + 1 } else { 0 };
@@ -96,19 +96,19 @@ impl Hand {
     /// Where a point of the world is in the window.
     fn place(&self, point: DVec3) -> Pos2 {
         let studio = self.harness.state();
-        let (_, stage) = studio.live().stage().unwrap();
+        let (_, render_scene) = studio.live().render_scene().unwrap();
         let frame = studio.live().latest().unwrap();
         let rect = studio.viewport_rect().unwrap();
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
-        let (at, _) = stage.camera_for(&frame.camera).project(point, size).unwrap();
+        let (at, _) = render_scene.camera_for(&frame.camera).project(point, size).unwrap();
         rect.min + Vec2::new(at.x as f32, at.y as f32)
     }
 
     /// Meters that a point of the window spans at a point of the world.
     fn meters_per_point(&self, point: DVec3) -> f64 {
         let studio = self.harness.state();
-        let (_, stage) = studio.live().stage().unwrap();
-        let [right, ..] = stage.camera_for(&studio.live().latest().unwrap().camera).axes();
+        let (_, render_scene) = studio.live().render_scene().unwrap();
+        let [right, ..] = render_scene.camera_for(&studio.live().latest().unwrap().camera).axes();
         let step = 1e-3;
         step / f64::from(self.place(point + step * right).distance(self.place(point)))
     }

@@ -94,6 +94,9 @@ impl RenderScene {
     /// The largest number of bodies.
     pub const MAX_BODIES: usize = 1 << 30;
 
+    /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
+    pub const FEW: usize = Geometry::FEW;
+
     /// Prepares `scene`, whose values are taken to be valid. Hidden bodies and lights are left out.
     ///
     /// # Errors

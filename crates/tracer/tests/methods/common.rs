@@ -81,7 +81,7 @@ pub(crate) fn scene(bodies: Vec<Body>, camera: Camera, lights: Vec<Light>) -> Sc
     }
 }
 
-pub(crate) fn stage(scene: &Scene) -> RenderScene {
+pub(crate) fn render_scene(scene: &Scene) -> RenderScene {
     RenderScene::build(scene).unwrap()
 }
 
@@ -89,12 +89,12 @@ pub(crate) fn size(width: u32, height: u32) -> RenderSettings {
     RenderSettings { width, height, samples: 1 }
 }
 
-pub(crate) fn traced(stage: &RenderScene, settings: RenderSettings) -> Picture {
-    render(stage, settings, &RenderControl::default()).unwrap().picture
+pub(crate) fn traced(render_scene: &RenderScene, settings: RenderSettings) -> Picture {
+    render(render_scene, settings, &RenderControl::default()).unwrap().picture
 }
 
-pub(crate) fn drawn(stage: &RenderScene, method: Method, settings: RenderSettings) -> MethodOutput {
-    draw(stage, &method, settings, &RenderControl::default()).unwrap()
+pub(crate) fn drawn(render_scene: &RenderScene, method: Method, settings: RenderSettings) -> MethodOutput {
+    draw(render_scene, &method, settings, &RenderControl::default()).unwrap()
 }
 
 /// The root of the mean squared difference.
@@ -108,11 +108,13 @@ pub(crate) fn differs(a: &[f32; 3], b: &[f32; 3], bound: f32) -> bool {
 }
 
 /// For each pixel, the place in the scene of the body it shows.
-pub(crate) fn bodies_seen(stage: &RenderScene, settings: RenderSettings) -> Vec<Option<usize>> {
+pub(crate) fn bodies_seen(render_scene: &RenderScene, settings: RenderSettings) -> Vec<Option<usize>> {
     let size = glam::DVec2::new(f64::from(settings.width), f64::from(settings.height));
     let pixels = (0..settings.height).flat_map(|y| (0..settings.width).map(move |x| (x, y)));
     let center = |(x, y)| glam::DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
     pixels
-        .map(|pixel| stage.closest_hit(&stage.camera().ray(center(pixel), size)).map(|hit| hit.body))
+        .map(|pixel| {
+            render_scene.closest_hit(&render_scene.camera().ray(center(pixel), size)).map(|hit| hit.body)
+        })
         .collect()
 }

@@ -10,8 +10,8 @@ use glam::DVec3;
 use crate::common::*;
 
 fn refusal(method: &Method) -> String {
-    let stage = stage(&Scene::default());
-    match draw(&stage, method, size(4, 4), &RenderControl::default()) {
+    let render_scene = render_scene(&Scene::default());
+    match draw(&render_scene, method, size(4, 4), &RenderControl::default()) {
         Err(MethodError::Setting(error)) => error.to_string(),
         other => panic!("{other:?}"),
     }
@@ -39,18 +39,18 @@ fn settings_out_of_range_are_refused_with_the_range() {
 fn maps_beyond_all_memory_are_refused_before_they_are_made() {
     let scene = Example::find("sphereflake").unwrap().load().unwrap().scene;
     let method = Method::CubeMap(CubeMapSettings { size: 4096, parallax: false });
-    let error = draw(&stage(&scene), &method, size(200, 150), &RenderControl::default()).unwrap_err();
+    let error = draw(&render_scene(&scene), &method, size(200, 150), &RenderControl::default()).unwrap_err();
     assert!(matches!(error, MethodError::TooManyCubeMaps { size: 4096, .. }), "{error}");
 }
 
 #[test]
 fn a_cancelled_drawing_ends() {
     let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
-    let stage = stage(&scene);
+    let render_scene = render_scene(&scene);
     for kind in MethodKind::ALL {
         let control = RenderControl::default();
         control.cancel();
-        let ended = draw(&stage, &kind.method(), size(50, 50), &control);
+        let ended = draw(&render_scene, &kind.method(), size(50, 50), &control);
         assert!(matches!(ended, Err(MethodError::Cancelled)), "{kind}: {ended:?}");
     }
 }
@@ -58,11 +58,11 @@ fn a_cancelled_drawing_ends() {
 #[test]
 fn progress_reaches_what_was_announced() {
     let scene = Example::find("four-bodies").unwrap().load().unwrap().scene;
-    let stage = stage(&scene);
+    let render_scene = render_scene(&scene);
     for kind in MethodKind::ALL {
         let control = RenderControl::default();
         let settings = RenderSettings { samples: 2, ..size(40, 30) };
-        draw(&stage, &kind.method(), settings, &control).unwrap();
+        draw(&render_scene, &kind.method(), settings, &control).unwrap();
         assert_eq!(control.pixels_done(), control.pixels_expected(), "{kind}");
         assert!(control.pixels_done() >= 40 * 30, "{kind}");
     }
@@ -95,7 +95,7 @@ fn odd_scenes_make_finite_pictures() {
             let mut scene = scene.clone();
             scene.camera.projection = projection;
             for kind in MethodKind::ALL {
-                let picture = drawn(&stage(&scene), kind.method(), size(24, 16)).picture;
+                let picture = drawn(&render_scene(&scene), kind.method(), size(24, 16)).picture;
                 let is_finite = picture.pixels().iter().flatten().all(|light| light.is_finite());
                 assert!(is_finite, "{kind} of odd scene {number}");
             }

@@ -183,7 +183,7 @@ fn watched(work: impl FnOnce(&Sender<Word>) + Send + 'static) {
 
 /// Draws a scene by all methods.
 fn draw_all(text: &str, scene: &Scene, (width, height): (u32, u32), sender: &Sender<Word>) {
-    let stage = RenderScene::build(scene).unwrap();
+    let render_scene = RenderScene::build(scene).unwrap();
     for kind in MethodKind::ALL {
         sender.send(Word::Next(format!("{kind}\n{text}"))).unwrap();
         let mut method = kind.method();
@@ -191,7 +191,7 @@ fn draw_all(text: &str, scene: &Scene, (width, height): (u32, u32), sender: &Sen
             settings.size = 4;
         }
         let settings = RenderSettings { width, height, samples: 2 };
-        let drawing = draw(&stage, &method, settings, &RenderControl::default()).unwrap();
+        let drawing = draw(&render_scene, &method, settings, &RenderControl::default()).unwrap();
         let mut parts = drawing.picture.pixels().iter().flatten();
         if let Some(part) = parts.find(|part| !part.is_finite()) {
             sender.send(Word::Wrong(format!("{part} by {kind}\n{text}"))).unwrap();

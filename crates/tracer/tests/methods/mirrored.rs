@@ -38,8 +38,8 @@ fn mirror_floor(projection: Projection) -> Scene {
 }
 
 /// The share of the pixels that show the scene's first body and differ by more than `bound`.
-fn share_off(stage: &RenderScene, drawn: &Picture, truth: &Picture, bound: f32) -> f64 {
-    let seen = bodies_seen(stage, size(truth.width(), truth.height()));
+fn share_off(render_scene: &RenderScene, drawn: &Picture, truth: &Picture, bound: f32) -> f64 {
+    let seen = bodies_seen(render_scene, size(truth.width(), truth.height()));
     let pixels = drawn.pixels().iter().zip(truth.pixels()).zip(seen);
     let of_first: Vec<bool> =
         pixels.filter(|(_, seen)| *seen == Some(0)).map(|((a, b), _)| differs(a, b, bound)).collect();
@@ -51,13 +51,13 @@ fn share_off(stage: &RenderScene, drawn: &Picture, truth: &Picture, bound: f32) 
 fn a_plane_mirror_of_what_is_on_the_screen_is_the_traced_one() {
     let perspective = Projection::Perspective { fov_degrees: 45.0 };
     for projection in [perspective, Projection::Parallel { height: 4.0 }] {
-        let stage = stage(&mirror_floor(projection));
-        let truth = traced(&stage, size(480, 300));
-        let drawing = drawn(&stage, Method::Ssr(ssr()), size(480, 300));
-        let off = share_off(&stage, &drawing.picture, &truth, 2.0 / 255.0);
+        let render_scene = render_scene(&mirror_floor(projection));
+        let truth = traced(&render_scene, size(480, 300));
+        let drawing = drawn(&render_scene, Method::Ssr(ssr()), size(480, 300));
+        let off = share_off(&render_scene, &drawing.picture, &truth, 2.0 / 255.0);
         assert!(off <= 0.01, "{projection:?}: {:.2} % are off", 100.0 * off);
         // What does not reflect is traced.
-        let seen = bodies_seen(&stage, size(480, 300));
+        let seen = bodies_seen(&render_scene, size(480, 300));
         let others = drawing.picture.pixels().iter().zip(truth.pixels()).zip(seen);
         assert!(others.filter(|(_, seen)| *seen != Some(0)).all(|((a, b), _)| !differs(a, b, 1e-4)));
     }
@@ -65,11 +65,11 @@ fn a_plane_mirror_of_what_is_on_the_screen_is_the_traced_one() {
 
 #[test]
 fn coarse_steps_and_no_refinement_cost_accuracy() {
-    let stage = stage(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 }));
-    let truth = traced(&stage, size(160, 100));
+    let render_scene = render_scene(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 }));
+    let truth = traced(&render_scene, size(160, 100));
     let off = |settings| {
-        let picture = drawn(&stage, Method::Ssr(settings), size(160, 100)).picture;
-        share_off(&stage, &picture, &truth, 2.0 / 255.0)
+        let picture = drawn(&render_scene, Method::Ssr(settings), size(160, 100)).picture;
+        share_off(&render_scene, &picture, &truth, 2.0 / 255.0)
     };
     let fine = off(ssr());
     let unrefined = off(SsrSettings { step_pixels: 8.0, refinements: 0, ..ssr() });
@@ -80,10 +80,15 @@ fn coarse_steps_and_no_refinement_cost_accuracy() {
 
 #[test]
 fn one_generation_reflects_nothing() {
-    let stage = stage(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 })).with_generations(1);
-    let truth = traced(&stage, size(90, 60));
+    let render_scene =
+        render_scene(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 })).with_generations(1);
+    let truth = traced(&render_scene, size(90, 60));
     for method in [Method::Ssr(ssr()), cube_map(8, false)] {
-        assert!(rmse(&drawn(&stage, method, size(90, 60)).picture, &truth) < 1e-5, "{}", method.name());
+        assert!(
+            rmse(&drawn(&render_scene, method, size(90, 60)).picture, &truth) < 1e-5,
+            "{}",
+            method.name()
+        );
     }
 }
 
@@ -92,7 +97,7 @@ fn a_cube_map_of_a_far_background_is_the_traced_one() {
     let far = 1e5;
     let sun = |direction: DVec3, r, g, b| ball(0.4 * far, far * direction.normalize(), glow(r, g, b));
     let eye = camera(v(0.0, 0.5, 5.0), DVec3::ZERO, 30.0);
-    let alone = stage(&scene(vec![ball(1.0, DVec3::ZERO, mirror())], eye, vec![]));
+    let alone = render_scene(&scene(vec![ball(1.0, DVec3::ZERO, mirror())], eye, vec![]));
     let picture = drawn(&alone, cube_map(16, false), size(120, 90)).picture;
     assert!(rmse(&picture, &traced(&alone, size(120, 90))) < 1e-6);
     let bodies = vec![
@@ -102,10 +107,10 @@ fn a_cube_map_of_a_far_background_is_the_traced_one() {
         sun(v(0.1, -0.7, 1.0), 0.7, 0.2, 0.9),
         sun(v(0.0, 1.0, -0.3), 0.9, 0.9, 0.3),
     ];
-    let stage = stage(&scene(bodies, eye, vec![]));
-    let truth = traced(&stage, size(240, 180));
-    let picture = drawn(&stage, cube_map(1024, false), size(240, 180)).picture;
-    let off = share_off(&stage, &picture, &truth, 2.0 / 255.0);
+    let render_scene = render_scene(&scene(bodies, eye, vec![]));
+    let truth = traced(&render_scene, size(240, 180));
+    let picture = drawn(&render_scene, cube_map(1024, false), size(240, 180)).picture;
+    let off = share_off(&render_scene, &picture, &truth, 2.0 / 255.0);
     // The outlines of the far bodies only.
     assert!(off < 0.02, "{off}");
 }
@@ -139,11 +144,11 @@ fn room_of_one_cube() -> Scene {
 #[test]
 fn a_corrected_cube_map_of_a_box_room_is_exact_for_the_room() {
     for room in [room_of_planes(), room_of_one_cube()] {
-        let stage = stage(&room);
-        let truth = traced(&stage, size(240, 180));
+        let render_scene = render_scene(&room);
+        let truth = traced(&render_scene, size(240, 180));
         let off = |parallax| {
-            let picture = drawn(&stage, cube_map(1024, parallax), size(240, 180)).picture;
-            share_off(&stage, &picture, &truth, 2.0 / 255.0)
+            let picture = drawn(&render_scene, cube_map(1024, parallax), size(240, 180)).picture;
+            share_off(&render_scene, &picture, &truth, 2.0 / 255.0)
         };
         let (corrected, plain) = (off(true), off(false));
         // Where two colors meet, a pixel of the map has part of both.
@@ -153,12 +158,13 @@ fn a_corrected_cube_map_of_a_box_room_is_exact_for_the_room() {
 
 #[test]
 fn the_fallback_fills_what_the_screen_lacks() {
-    let stage = stage(&room_of_planes());
-    let truth = traced(&stage, size(160, 120));
+    let render_scene = render_scene(&room_of_planes());
+    let truth = traced(&render_scene, size(160, 120));
     let maps = CubeMapSettings { size: 256, parallax: true };
     let off = |fallback| {
-        let picture = drawn(&stage, Method::Ssr(SsrSettings { fallback, ..ssr() }), size(160, 120)).picture;
-        share_off(&stage, &picture, &truth, 3.0 / 255.0)
+        let picture =
+            drawn(&render_scene, Method::Ssr(SsrSettings { fallback, ..ssr() }), size(160, 120)).picture;
+        share_off(&render_scene, &picture, &truth, 3.0 / 255.0)
     };
     let (background, mapped) = (off(SsrFallback::Background), off(SsrFallback::CubeMap(maps)));
     assert!(background > 0.3 && mapped < 0.05, "{background} and {mapped}");
@@ -169,12 +175,18 @@ fn cube_maps_are_kept_while_nothing_they_show_changes() {
     let base = room_of_planes();
     let mut maps = CubeMaps::new();
     let mut draw = |scene: &Scene| {
-        let stage = stage(scene);
+        let render_scene = render_scene(scene);
         let method = cube_map(32, false);
-        let drawing =
-            draw_through(&stage, stage.camera(), &method, size(60, 40), &RenderControl::default(), &mut maps)
-                .unwrap();
-        let fresh = drawn(&stage, method, size(60, 40));
+        let drawing = draw_through(
+            &render_scene,
+            render_scene.camera(),
+            &method,
+            size(60, 40),
+            &RenderControl::default(),
+            &mut maps,
+        )
+        .unwrap();
+        let fresh = drawn(&render_scene, method, size(60, 40));
         assert!(drawing.picture == fresh.picture);
         let used = drawing.cube_maps.unwrap();
         assert_eq!(used.bytes, CubeMap::bytes_of(32) as u64);
@@ -201,9 +213,9 @@ fn cube_maps_are_kept_while_nothing_they_show_changes() {
 
 #[test]
 fn a_map_shows_what_surrounds_its_body_and_not_the_body() {
-    let stage = stage(&room_of_planes());
-    let drawing = drawn(&stage, cube_map(16, false), size(60, 40));
-    let maps = drawing.maps(&stage);
+    let render_scene = render_scene(&room_of_planes());
+    let drawing = drawn(&render_scene, cube_map(16, false), size(60, 40));
+    let maps = drawing.maps(&render_scene);
     let [(0, map)] = maps[..] else { panic!("{} maps", maps.len()) };
     assert_eq!(map.center().as_vec3(), Vec3::new(0.6, -0.4, -0.5));
     assert!((map.light(Vec3::NEG_Y) - Vec3::new(0.8, 0.1, 0.1)).length() < 1e-6);
@@ -216,9 +228,9 @@ fn a_map_shows_what_surrounds_its_body_and_not_the_body() {
 
 #[test]
 fn layers_show_what_the_buffers_hold() {
-    let stage = stage(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 }));
-    let drawing = drawn(&stage, Method::Ssr(ssr()), size(80, 50));
-    let layer = |layer| drawing.layer(&stage, layer).unwrap().unwrap();
+    let render_scene = render_scene(&mirror_floor(Projection::Perspective { fov_degrees: 45.0 }));
+    let drawing = drawn(&render_scene, Method::Ssr(ssr()), size(80, 50));
+    let layer = |layer| drawing.layer(&render_scene, layer).unwrap().unwrap();
     // The floor in the middle of the lowest row.
     let at = |which, x, y| layer(which).pixel(x, y).unwrap();
     assert_eq!(at(GBufferLayer::Normal, 40, 49), [0.5, 1.0, 0.5]);
@@ -228,19 +240,24 @@ fn layers_show_what_the_buffers_hold() {
     assert!(at(GBufferLayer::Depth, 40, 49)[0] > 0.9 && at(GBufferLayer::Depth, 40, 2)[0] < 0.4);
     assert_ne!(at(GBufferLayer::Body, 40, 49), at(GBufferLayer::Body, 40, 2));
     assert_eq!(at(GBufferLayer::Color, 40, 2).map(|part| (part * 10.0).round()), [9.0, 7.0, 4.0]);
-    assert!(drawn(&stage, Method::Whitted, size(8, 5)).layer(&stage, GBufferLayer::Lit).unwrap().is_none());
+    assert!(
+        drawn(&render_scene, Method::Whitted, size(8, 5))
+            .layer(&render_scene, GBufferLayer::Lit)
+            .unwrap()
+            .is_none()
+    );
 }
 
 #[test]
 fn the_bytes_do_not_depend_on_the_threads() {
     let fallback = SsrFallback::CubeMap(CubeMapSettings { size: 16, parallax: true });
     for example in ["four-bodies", "still-life"] {
-        let stage = stage(&Example::find(example).unwrap().load().unwrap().scene);
+        let render_scene = render_scene(&Example::find(example).unwrap().load().unwrap().scene);
         for method in [Method::Ssr(SsrSettings { fallback, ..ssr() }), cube_map(16, true)] {
             let on = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
                 let settings = catoptric_tracer::RenderSettings { samples: 2, ..size(97, 61) };
-                pool.install(|| drawn(&stage, method, settings).picture)
+                pool.install(|| drawn(&render_scene, method, settings).picture)
             };
             assert!(on(1) == on(3), "{}", method.name());
         }

@@ -16,22 +16,23 @@ const HEIGHT: u32 = 150;
 const BOUND: f64 = 2.0 / 255.0;
 
 struct Explained {
-    stage: RenderScene,
+    render_scene: RenderScene,
     truth: Picture,
     map: ReasonMap,
 }
 
 fn explained(scene: &Scene, method: Method) -> Explained {
-    let (stage, settings) = (stage(scene), size(WIDTH, HEIGHT));
-    let truth = traced(&stage, settings);
-    let drawing = drawn(&stage, method, settings);
-    let map = reasons(&stage, &method, settings, &truth, &drawing, BOUND, &RenderControl::default()).unwrap();
+    let (render_scene, settings) = (render_scene(scene), size(WIDTH, HEIGHT));
+    let truth = traced(&render_scene, settings);
+    let drawing = drawn(&render_scene, method, settings);
+    let map = reasons(&render_scene, &method, settings, &truth, &drawing, BOUND, &RenderControl::default())
+        .unwrap();
     // Every pixel that differs has a reason, and no other.
     let pairs = truth.pixels().iter().zip(drawing.picture.pixels());
     for ((a, b), reason) in pairs.zip(map.reasons()) {
         assert_eq!(differs(a, b, BOUND as f32), reason.is_some());
     }
-    Explained { stage, truth, map }
+    Explained { render_scene, truth, map }
 }
 
 impl Explained {
@@ -68,7 +69,7 @@ fn hidden_ball(thickness_of_screen: f64) -> Scene {
 fn what_is_hidden_from_the_eye_is_missing_on_the_screen_and_called_hidden() {
     let scene = hidden_ball(0.2);
     let explained = explained(&scene, Method::Ssr(SsrSettings::default()));
-    let seen = bodies_seen(&explained.stage, size(WIDTH, HEIGHT));
+    let seen = bodies_seen(&explained.render_scene, size(WIDTH, HEIGHT));
     assert!(!seen.contains(&Some(1)), "the ball is not hidden");
     // All of the ball is missing: each of its pixels differs.
     let pixels = explained.truth.pixels().iter().zip(explained.map.reasons());
@@ -124,7 +125,7 @@ fn mirrors_in_mirrors_lack_the_second_reflection() {
     let scene = scene(bodies, camera(v(0.0, 1.5, 6.0), v(0.0, 1.5, -6.0), 30.0), vec![]);
     // The floor sees the wall and nothing in it.
     let explained = explained(&scene, Method::Ssr(SsrSettings::default()));
-    let seen = bodies_seen(&explained.stage, size(WIDTH, HEIGHT));
+    let seen = bodies_seen(&explained.render_scene, size(WIDTH, HEIGHT));
     let of_floor = explained.map.reasons().iter().zip(seen).filter(|(_, seen)| *seen == Some(0));
     let found: Vec<Reason> = of_floor.filter_map(|(reason, _)| *reason).collect();
     let second = found.iter().filter(|reason| **reason == Reason::SecondReflectionMissing).count();
@@ -211,12 +212,20 @@ fn shading_differs_by_faces_interpolation_shadows_and_highlights() {
 
 #[test]
 fn pictures_of_other_sizes_are_refused_and_equal_ones_have_no_reasons() {
-    let stage = stage(&shading_scene());
-    let drawing = drawn(&stage, Method::Whitted, size(20, 10));
+    let render_scene = render_scene(&shading_scene());
+    let drawing = drawn(&render_scene, Method::Whitted, size(20, 10));
     let of = |truth: &Picture| {
-        reasons(&stage, &Method::Whitted, size(20, 10), truth, &drawing, 0.0, &RenderControl::default())
+        reasons(
+            &render_scene,
+            &Method::Whitted,
+            size(20, 10),
+            truth,
+            &drawing,
+            0.0,
+            &RenderControl::default(),
+        )
     };
     assert!(of(&drawing.picture).unwrap().counts().is_empty());
-    let other = traced(&stage, size(10, 20));
+    let other = traced(&render_scene, size(10, 20));
     assert!(matches!(of(&other), Err(MethodError::SizeMismatch { of_picture: [10, 20], .. })));
 }

@@ -21,7 +21,7 @@ fn close_ball() -> RenderScene {
         camera(v(0.0, 0.3, 4.0), v(0.1, 0.0, 0.0), 14.0),
         vec![light(v(3.0, 4.0, 5.0), 0.8)],
     );
-    stage(&scene).with_generations(1)
+    render_scene(&scene).with_generations(1)
 }
 
 /// All shapes, glossy, apart from each other, with nothing in each other's light.
@@ -45,9 +45,14 @@ fn five_shapes(projection: Projection) -> Scene {
     scene(bodies, camera, vec![light(v(-2.0, 9.0, 9.0), 0.8)])
 }
 
-fn errors(stage: &RenderScene, method: fn(ShadingSettings) -> Method, finenesses: [u32; 3]) -> [f64; 3] {
-    let truth = traced(stage, size(160, 120));
-    finenesses.map(|fineness| rmse(&drawn(stage, method(fine(fineness)), size(160, 120)).picture, &truth))
+fn errors(
+    render_scene: &RenderScene,
+    method: fn(ShadingSettings) -> Method,
+    finenesses: [u32; 3],
+) -> [f64; 3] {
+    let truth = traced(render_scene, size(160, 120));
+    finenesses
+        .map(|fineness| rmse(&drawn(render_scene, method(fine(fineness)), size(160, 120)).picture, &truth))
 }
 
 /// Twice the fineness divides the error by `least` to `most`.
@@ -61,21 +66,23 @@ fn assert_rate(errors: [f64; 3], least: f64, most: f64) {
 
 #[test]
 fn phong_and_gouraud_converge_quadratically_and_flat_linearly() {
-    let stage = close_ball();
+    let render_scene = close_ball();
     // Interpolation along a chord of angle h is off by h²/8; a constant by h/2.
-    assert_rate(errors(&stage, Method::Phong, [16, 32, 64]), 3.4, 4.6);
-    assert_rate(errors(&stage, Method::Gouraud, [32, 64, 128]), 3.2, 4.8);
-    assert_rate(errors(&stage, Method::Flat, [32, 64, 128]), 1.7, 2.3);
+    assert_rate(errors(&render_scene, Method::Phong, [16, 32, 64]), 3.4, 4.6);
+    assert_rate(errors(&render_scene, Method::Gouraud, [32, 64, 128]), 3.2, 4.8);
+    assert_rate(errors(&render_scene, Method::Flat, [32, 64, 128]), 1.7, 2.3);
 }
 
 #[test]
 fn fine_phong_is_the_traced_local_picture() {
     let parallel = Projection::Parallel { height: 5.0 };
     for projection in [Projection::Perspective { fov_degrees: 30.0 }, parallel] {
-        let stage = stage(&five_shapes(projection)).with_generations(1);
+        let render_scene = render_scene(&five_shapes(projection)).with_generations(1);
         let settings = ShadingSettings { fineness: 128, shadows: true, ..ShadingSettings::default() };
-        let (truth, phong) =
-            (traced(&stage, size(240, 160)), drawn(&stage, Method::Phong(settings), size(240, 160)));
+        let (truth, phong) = (
+            traced(&render_scene, size(240, 160)),
+            drawn(&render_scene, Method::Phong(settings), size(240, 160)),
+        );
         let pairs = truth.pixels().iter().zip(phong.picture.pixels());
         let off = pairs.filter(|(a, b)| differs(a, b, 2.0 / 255.0)).count();
         // Outlines and edges of shadows may fall on the other side of a pixel's center.
@@ -100,12 +107,12 @@ fn where_faces_are_the_bodies_phong_is_the_traced_picture_however_coarse() {
     // The floor reaches the horizon and goes under the eye.
     let scene =
         scene(bodies, camera(v(0.0, 1.5, 6.0), v(0.0, 1.2, 0.0), 60.0), vec![light(v(-2.0, 6.0, 5.0), 0.8)]);
-    let stage = stage(&scene).with_generations(1);
+    let render_scene = render_scene(&scene).with_generations(1);
     let settings = ShadingSettings { fineness: 1, shadows: true, ..ShadingSettings::default() };
     for samples in [1, 3] {
         let settings_of_both = catoptric_tracer::RenderSettings { samples, ..size(200, 150) };
-        let truth = traced(&stage, settings_of_both);
-        let phong = drawn(&stage, Method::Phong(settings), settings_of_both).picture;
+        let truth = traced(&render_scene, settings_of_both);
+        let phong = drawn(&render_scene, Method::Phong(settings), settings_of_both).picture;
         let off = truth.pixels().iter().zip(phong.pixels()).filter(|(a, b)| differs(a, b, 1e-4)).count();
         assert!(off <= 200 * 150 / 500, "{off} pixels are off with {samples} samples");
     }
@@ -113,8 +120,8 @@ fn where_faces_are_the_bodies_phong_is_the_traced_picture_however_coarse() {
 
 #[test]
 fn flat_faces_have_one_value_each() {
-    let stage = close_ball();
-    let picture = drawn(&stage, Method::Flat(fine(4)), size(200, 150)).picture;
+    let render_scene = close_ball();
+    let picture = drawn(&render_scene, Method::Flat(fine(4)), size(200, 150)).picture;
     let values: BTreeSet<[u32; 3]> = picture.pixels().iter().map(|pixel| pixel.map(f32::to_bits)).collect();
     // No more values than faces on the near side, and not one alone.
     assert!((10..=8 * 16 / 2).contains(&values.len()), "{} values", values.len());
@@ -139,7 +146,7 @@ fn a_checkered_flat_face_has_one_intensity_on_two_colors() {
     let cube = block(v(2.0, 2.0, 2.0), DVec3::ZERO, checkered);
     let scene =
         scene(vec![cube], camera(v(0.0, 0.0, 6.0), DVec3::ZERO, 10.0), vec![light(v(1.0, 2.0, 9.0), 1.0)]);
-    let picture = drawn(&stage(&scene), Method::Flat(fine(1)), size(100, 100)).picture;
+    let picture = drawn(&render_scene(&scene), Method::Flat(fine(1)), size(100, 100)).picture;
     let values: BTreeSet<u32> = picture.pixels().iter().map(|pixel| pixel[0].to_bits()).collect();
     let values: Vec<f32> = values.into_iter().map(f32::from_bits).collect();
     let [dark, bright] = values[..] else { panic!("{values:?}") };
@@ -153,9 +160,9 @@ fn gouraud_loses_a_highlight_between_vertices() {
     let cube = block(v(2.0, 2.0, 2.0), DVec3::ZERO, shiny);
     let scene =
         scene(vec![cube], camera(v(0.0, 0.0, 6.0), DVec3::ZERO, 10.0), vec![light(v(0.0, 0.0, 9.0), 1.0)]);
-    let stage = stage(&scene);
+    let render_scene = render_scene(&scene);
     let brightest = |method| {
-        let picture = drawn(&stage, method, size(50, 50)).picture;
+        let picture = drawn(&render_scene, method, size(50, 50)).picture;
         picture.pixels().iter().map(|pixel| pixel[2]).fold(0.0, f32::max)
     };
     let (phong, gouraud) = (brightest(Method::Phong(fine(1))), brightest(Method::Gouraud(fine(1))));
@@ -166,7 +173,7 @@ fn gouraud_loses_a_highlight_between_vertices() {
 
 #[test]
 fn shadows_are_left_out_unless_asked_for() {
-    let stage = stage(&scene(
+    let render_scene = render_scene(&scene(
         vec![
             block(v(1.0, 0.1, 1.0), v(0.0, 2.0, 0.0), glossy()),
             body(Shape::Plane, DVec3::ZERO, chalk(1.0, 1.0, 1.0)),
@@ -176,7 +183,7 @@ fn shadows_are_left_out_unless_asked_for() {
     ));
     let at_origin = |shadows| {
         let settings = ShadingSettings { shadows, ..fine(8) };
-        let drawing = drawn(&stage, Method::Phong(settings), size(101, 101));
+        let drawing = drawn(&render_scene, Method::Phong(settings), size(101, 101));
         assert_eq!(drawing.counts.shadow > 0, shadows);
         drawing.picture.pixel(50, 50).unwrap()[0]
     };
@@ -192,21 +199,25 @@ fn seen_from_within_the_inner_side_is_lit() {
         camera(v(0.5, 0.2, 1.0), v(0.0, 0.0, -4.0), 80.0),
         vec![light(v(0.0, 1.0, 0.0), 1.0)],
     );
-    let stage = stage(&scene).with_generations(1);
-    let truth = traced(&stage, size(120, 90));
+    let render_scene = render_scene(&scene).with_generations(1);
+    let truth = traced(&render_scene, size(120, 90));
     for shading in [Method::Phong(fine(16)), Method::Gouraud(fine(64))] {
-        assert!(rmse(&drawn(&stage, shading, size(120, 90)).picture, &truth) < 2e-3, "{}", shading.name());
+        assert!(
+            rmse(&drawn(&render_scene, shading, size(120, 90)).picture, &truth) < 2e-3,
+            "{}",
+            shading.name()
+        );
     }
 }
 
 #[test]
 fn the_bytes_do_not_depend_on_the_threads() {
     for example in ["four-bodies", "sphereflake"] {
-        let stage = stage(&Example::find(example).unwrap().load().unwrap().scene);
+        let render_scene = render_scene(&Example::find(example).unwrap().load().unwrap().scene);
         for method in [Method::Flat(fine(3)), Method::Gouraud(fine(3)), Method::Phong(fine(3))] {
             let on = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-                pool.install(|| drawn(&stage, method, size(97, 61)).picture)
+                pool.install(|| drawn(&render_scene, method, size(97, 61)).picture)
             };
             assert!(on(1) == on(3), "{}", method.name());
         }

@@ -8,7 +8,7 @@ use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 
 use crate::common::{
-    assert_close, ball, block, camera, cases, chain, chalk, light, plane, ray, scene, stage, turned, v,
+    assert_close, ball, block, camera, cases, chain, chalk, light, plane, ray, render_scene, scene, turned, v,
 };
 
 /// A clear body that is seen by what it absorbs alone.
@@ -79,7 +79,7 @@ proptest! {
         let mut scene = scene(bodies);
         scene.bodies = scene.bodies.iter().cloned().chain([plane(DVec3::ZERO, 0.0, shining_floor())]).collect();
         scene.lights = vec![light(there + distance * mirrored, 1.0, Falloff::None)];
-        let rays = chain(&stage(&scene), ray(from, direction));
+        let rays = chain(&render_scene(&scene), ray(from, direction));
         let floor = scene.bodies.iter().count() - 1;
         let place = rays.iter().position(|ray| ray.hit.is_some_and(|hit| hit.body == floor)).unwrap();
         let answer = rays[place].answer.as_ref().unwrap();
@@ -108,8 +108,8 @@ fn only_the_wall_of_a_hollow_ball_shades() {
         ]);
         scene.environment.ambient = Color::BLACK;
         scene.lights = vec![light(v(0.0, 5.0, 0.0), 1.0, Falloff::None)];
-        let stage = stage(&scene);
-        let found = chain(&stage, ray(v(3.0, 0.3, 0.0), v(-3.0, -0.3, 0.0)));
+        let render_scene = render_scene(&scene);
+        let found = chain(&render_scene, ray(v(3.0, 0.3, 0.0), v(-3.0, -0.3, 0.0)));
         let light = found[0].local.x;
         let exact = 0.96 * 0.96 * f64::powf(left, 2.0 * (1.0 - inner));
         assert_close(light.into(), exact, 1e-4);
@@ -130,7 +130,7 @@ fn fog_that_holds_point_and_light_absorbs() {
         let mut scene = scene(vec![room, plane(DVec3::ZERO, 0.0, chalk())]);
         scene.environment.ambient = Color::BLACK;
         scene.lights = vec![light(v(0.0, 2.0, 0.0), 1.0, Falloff::None)];
-        let lit = chain(&stage(&scene), ray(v(0.0, 1.0, 0.0), -DVec3::Y))[0].local;
+        let lit = chain(&render_scene(&scene), ray(v(0.0, 1.0, 0.0), -DVec3::Y))[0].local;
         for (lit, left) in lit.to_array().into_iter().zip([0.5_f64, 0.8, 0.1]) {
             assert_close(lit.into(), left.powi(2), 1e-4);
         }
@@ -165,11 +165,11 @@ fn crowd(count: usize) -> Scene {
 fn packets_streams_and_single_rays_absorb_alike() {
     let size = UVec2::new(96, 64);
     for count in [3, 20, 200] {
-        let stage: RenderScene = stage(&crowd(count));
+        let render_scene: RenderScene = render_scene(&crowd(count));
         let settings = RenderSettings { width: size.x, height: size.y, samples: 1 };
-        let picture = render(&stage, settings, &RenderControl::default()).unwrap().picture;
+        let picture = render(&render_scene, settings, &RenderControl::default()).unwrap().picture;
         let cancel = AtomicBool::new(false);
-        let mut tracer = WhittedIntegrator::new(&stage, &cancel);
+        let mut tracer = WhittedIntegrator::new(&render_scene, &cancel);
         for (place, pixel) in (0..).zip(picture.pixels()).step_by(7) {
             let at = UVec2::new(place % size.x, place / size.x);
             let alone = tracer.pixel_tally(at, size, 0, 1 << 16);

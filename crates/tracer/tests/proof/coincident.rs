@@ -111,14 +111,14 @@ fn check(pair: &Pair, motion: &Motion, swapped: bool, more: &[Body]) -> usize {
     }
     bodies.extend(more.iter().cloned());
     let scene = scene_of(bodies, motion);
-    let stage = stage(&scene);
+    let render_scene = render_scene(&scene);
     let picture = picture(&scene, SIZE.0, SIZE.1);
     let size = DVec2::new(f64::from(SIZE.0), f64::from(SIZE.1));
     let expected = colors[usize::from(swapped)].to_array().map(|part| part as f32);
     let mut count = 0;
     for (x, y) in (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y))) {
         let at = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let Some(hit) = stage.closest_hit(&stage.camera().ray(at, size)) else { continue };
+        let Some(hit) = render_scene.closest_hit(&render_scene.camera().ray(at, size)) else { continue };
         if hit.body < 2 && (pair.coincide)(motion.inverse(hit.position)) {
             assert_eq!(picture.pixel(x, y), Some(expected), "at ({x}, {y})");
             assert_eq!(hit.body, 0, "at ({x}, {y})");

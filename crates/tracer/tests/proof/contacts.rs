@@ -5,8 +5,8 @@ use catoptric_tracer::{RenderControl, RenderSettings, render};
 use glam::DVec3;
 
 use crate::common::{
-    assert_same_picture, ball, block, body, camera, chalk, glass, glow, light, picture, plane, scene, stage,
-    v,
+    assert_same_picture, ball, block, body, camera, chalk, glass, glow, light, picture, plane, render_scene,
+    scene, v,
 };
 
 /// A pane that lies behind another one does not shade it, though both are thinner than the rounding of their place.
@@ -110,6 +110,6 @@ fn the_mean_of_many_equal_samples_is_their_value() {
     let mut empty = scene(Vec::new());
     empty.environment.background = Color::new(0.1, 0.3, 0.7);
     let settings = RenderSettings { width: 1, height: 1, samples: 65536 };
-    let rendering = render(&stage(&empty), settings, &RenderControl::default()).unwrap();
+    let rendering = render(&render_scene(&empty), settings, &RenderControl::default()).unwrap();
     assert_eq!(rendering.picture.pixels(), [[0.1, 0.3, 0.7]]);
 }

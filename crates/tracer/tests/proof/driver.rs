@@ -8,14 +8,14 @@ use catoptric_tracer::{
 use glam::{DVec2, DVec3, UVec2, Vec3A};
 use rayon::ThreadPoolBuilder;
 
-use crate::common::{ball, endless, glass, placed, scene, stage, v};
+use crate::common::{ball, endless, glass, placed, render_scene, scene, v};
 use crate::samples::{LARGE, crowd, gallery};
 
 const SETTINGS: RenderSettings = RenderSettings { width: 101, height: 67, samples: 1 };
 
-fn on_threads(threads: usize, stage: &RenderScene, settings: RenderSettings) -> RenderOutput {
+fn on_threads(threads: usize, render_scene: &RenderScene, settings: RenderSettings) -> RenderOutput {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| render(stage, settings, &RenderControl::default())).unwrap()
+    pool.install(|| render(render_scene, settings, &RenderControl::default())).unwrap()
 }
 
 #[test]
@@ -27,12 +27,12 @@ fn the_picture_and_the_counts_do_not_depend_on_the_threads() {
         (crowd(), few),
         (crowd(), LARGE),
     ] {
-        let stage = stage(&scene);
-        let one = on_threads(1, &stage, settings);
+        let render_scene = render_scene(&scene);
+        let one = on_threads(1, &render_scene, settings);
         assert!(one.counts.reflected > 0 && one.counts.refracted > 0 && one.counts.shadow > 0);
         assert_eq!(one.counts.primary, u64::from(settings.width * settings.height * settings.samples));
         for threads in [2, 3, 7] {
-            let more = on_threads(threads, &stage, settings);
+            let more = on_threads(threads, &render_scene, settings);
             let bits = |rendering: &RenderOutput| -> Vec<u32> {
                 rendering.picture.pixels().iter().flatten().map(|channel| channel.to_bits()).collect()
             };
@@ -56,8 +56,8 @@ fn a_stage_prepared_on_any_number_of_threads_is_the_same() {
     crowd.lights = gallery().lights;
     let pictures = [1, 2, 7].map(|threads| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let stage = pool.install(|| stage(&crowd));
-        on_threads(2, &stage, SETTINGS).picture
+        let render_scene = pool.install(|| render_scene(&crowd));
+        on_threads(2, &render_scene, SETTINGS).picture
     });
     assert!(pictures[0] == pictures[1] && pictures[1] == pictures[2]);
 }
@@ -67,7 +67,7 @@ fn progress_counts_every_pixel_once() {
     for (width, height) in [(1, 1), (16, 16), (17, 33), (101, 67)] {
         let control = RenderControl::default();
         let settings = RenderSettings { width, height, samples: 1 };
-        render(&stage(&gallery()), settings, &control).unwrap();
+        render(&render_scene(&gallery()), settings, &control).unwrap();
         assert_eq!(control.pixels_done(), u64::from(width) * u64::from(height));
         assert!(!control.is_cancelled());
     }
@@ -77,7 +77,7 @@ fn progress_counts_every_pixel_once() {
 fn a_render_cancelled_before_it_begins_gives_no_picture() {
     let control = RenderControl::default();
     control.cancel();
-    assert!(matches!(render(&stage(&gallery()), SETTINGS, &control), Err(RenderError::Cancelled)));
+    assert!(matches!(render(&render_scene(&gallery()), SETTINGS, &control), Err(RenderError::Cancelled)));
     assert!(control.pixels_done() < u64::from(SETTINGS.width * SETTINGS.height));
 }
 
@@ -85,7 +85,8 @@ fn a_render_cancelled_before_it_begins_gives_no_picture() {
 fn progress_counts_every_ray_once() {
     for (scene, samples) in [(gallery(), 1), (gallery(), 3), (crowd(), 1)] {
         let control = RenderControl::default();
-        let rendering = render(&stage(&scene), RenderSettings { samples, ..SETTINGS }, &control).unwrap();
+        let rendering =
+            render(&render_scene(&scene), RenderSettings { samples, ..SETTINGS }, &control).unwrap();
         assert_eq!(control.rays_done(), rendering.counts.total());
     }
 }
@@ -99,18 +100,18 @@ fn nested() -> RenderScene {
     nested.lights = gallery().lights;
     nested.camera.position = DVec3::new(0.0, 1.0, 6.0);
     nested.tracing.generations = 30;
-    stage(&nested)
+    render_scene(&nested)
 }
 
 #[test]
 fn a_render_stops_within_a_pixel_when_it_is_cancelled() {
     const THREADS: u64 = 2;
     let pool = ThreadPoolBuilder::new().num_threads(THREADS as usize).build().unwrap();
-    for stage in [endless(), nested()] {
+    for render_scene in [endless(), nested()] {
         let control = RenderControl::default();
         let settings = RenderSettings { width: 160, height: 120, samples: 1 };
         let (result, before) = std::thread::scope(|scope| {
-            let running = scope.spawn(|| pool.install(|| render(&stage, settings, &control)));
+            let running = scope.spawn(|| pool.install(|| render(&render_scene, settings, &control)));
             // Rays are counted while the first trees are traced, which have no end.
             while control.rays_done() < 1_000_000 {
                 assert!(!running.is_finished());
@@ -132,7 +133,7 @@ fn sizes_that_cannot_be_are_errors() {
     for (width, height) in [(0, 5), (5, 0), (u32::MAX, u32::MAX)] {
         let settings = RenderSettings { width, height, samples: 1 };
         assert!(matches!(
-            render(&stage(&gallery()), settings, &RenderControl::default()),
+            render(&render_scene(&gallery()), settings, &RenderControl::default()),
             Err(RenderError::Size(_))
         ));
     }
@@ -140,11 +141,11 @@ fn sizes_that_cannot_be_are_errors() {
 
 #[test]
 fn samples_are_averaged_over_the_pixel() {
-    let stage = stage(&gallery());
+    let render_scene = render_scene(&gallery());
     let settings = RenderSettings { width: 20, height: 12, samples: 5 };
-    let averaged = on_threads(2, &stage, settings).picture;
+    let averaged = on_threads(2, &render_scene, settings).picture;
     let cancel = std::sync::atomic::AtomicBool::new(false);
-    let mut tracer = catoptric_tracer::WhittedIntegrator::new(&stage, &cancel);
+    let mut tracer = catoptric_tracer::WhittedIntegrator::new(&render_scene, &cancel);
     for (x, y) in [(0, 0), (7, 5), (19, 11)] {
         let corner = DVec2::new(f64::from(x), f64::from(y));
         let light: Vec3A =
@@ -153,8 +154,8 @@ fn samples_are_averaged_over_the_pixel() {
         assert!((pixel - light / 5.0).length() < 1e-6);
     }
     // No samples are taken for one.
-    let none = on_threads(1, &stage, RenderSettings { samples: 0, ..settings }).picture;
-    let one = on_threads(1, &stage, RenderSettings { samples: 1, ..settings }).picture;
+    let none = on_threads(1, &render_scene, RenderSettings { samples: 0, ..settings }).picture;
+    let one = on_threads(1, &render_scene, RenderSettings { samples: 1, ..settings }).picture;
     assert!(none == one);
 }
 
@@ -162,24 +163,29 @@ fn samples_are_averaged_over_the_pixel() {
 fn every_pixel_by_itself_is_that_of_the_picture() {
     // The last tiles are narrower and lower than others.
     let settings = RenderSettings { width: 45, height: 41, samples: 2 };
-    let stage = stage(&gallery());
+    let render_scene = render_scene(&gallery());
     let control = RenderControl::default();
-    let whole = render(&stage, settings, &control).unwrap().picture;
+    let whole = render(&render_scene, settings, &control).unwrap().picture;
     for (y, row) in whole.pixels().chunks(45).enumerate() {
         for (x, light) in row.iter().enumerate() {
             let pixel = UVec2::new(x as u32, y as u32);
-            let alone = render_pixel(&stage, stage.camera(), settings, pixel, &control).unwrap();
+            let alone =
+                render_pixel(&render_scene, render_scene.camera(), settings, pixel, &control).unwrap();
             assert_eq!(alone, Some(*light), "{pixel}");
         }
     }
     for pixel in [UVec2::new(45, 0), UVec2::new(0, 41)] {
-        assert_eq!(render_pixel(&stage, stage.camera(), settings, pixel, &control).unwrap(), None);
+        assert_eq!(
+            render_pixel(&render_scene, render_scene.camera(), settings, pixel, &control).unwrap(),
+            None
+        );
     }
     // In the first, the last and a middle group of tiles, in several tiles of them.
-    let stage = crate::common::stage(&crowd());
-    let whole = render(&stage, LARGE, &control).unwrap().picture;
+    let render_scene = crate::common::render_scene(&crowd());
+    let whole = render(&render_scene, LARGE, &control).unwrap().picture;
     for (x, y) in [(0, 0), (70, 3), (1099, 600), (515, 391), (600, 400), (590, 450), (530, 510)] {
-        let alone = render_pixel(&stage, stage.camera(), LARGE, UVec2::new(x, y), &control).unwrap();
+        let alone =
+            render_pixel(&render_scene, render_scene.camera(), LARGE, UVec2::new(x, y), &control).unwrap();
         assert_eq!(alone, whole.pixel(x, y), "{x} {y}");
     }
 }
@@ -213,7 +219,8 @@ fn extreme_bodies_are_prepared_without_panics() {
     }
     let mut scene = scene(bodies);
     scene.tracing.generations = 4;
-    let picture = on_threads(2, &stage(&scene), RenderSettings { width: 32, height: 32, samples: 1 }).picture;
+    let picture =
+        on_threads(2, &render_scene(&scene), RenderSettings { width: 32, height: 32, samples: 1 }).picture;
     assert!(picture.pixels().iter().flatten().all(|channel| channel.is_finite()));
     // The same with the very same place many times over, which no split can part.
     let same = crate::common::stage_of(vec![ball(1.0, DVec3::ZERO, Material::default()); 1000]);

@@ -1,4 +1,4 @@
-//! A stage that follows edits is that of the edited scene.
+//! A scene that follows edits is that of the edited scene.
 
 use std::cell::Cell;
 
@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
-use crate::common::{ball, camera, cases, chalk, glass, glow, light, plane, ray, scene, stage, v};
+use crate::common::{ball, camera, cases, chalk, glass, glow, light, plane, ray, render_scene, scene, v};
 use crate::random::{body, material};
 
 /// Something a person does to a scene.
@@ -108,21 +108,21 @@ fn crowd() -> impl Strategy<Value = Scene> {
     })
 }
 
-/// Follows an edit in a stage; whether it could, or the scene was prepared anew.
-fn follow(stage: &mut RenderScene, before: &Scene, after: &Scene, changed: &[usize]) -> bool {
-    match stage.edit(before, after, changed) {
+/// Follows an edit in a scene; whether it could, or the scene was prepared anew.
+fn follow(render_scene: &mut RenderScene, before: &Scene, after: &Scene, changed: &[usize]) -> bool {
+    match render_scene.edit(before, after, changed) {
         Some(edit) => {
-            stage.apply(edit, after);
+            render_scene.apply(edit, after);
             true
         }
         None => {
-            *stage = RenderScene::build(after).unwrap();
+            *render_scene = RenderScene::build(after).unwrap();
             false
         }
     }
 }
 
-/// All of a hit but the body's place in the stage.
+/// All of a hit but the body's place in the scene.
 fn told(hit: RayIntersection) -> impl PartialEq + std::fmt::Debug {
     (hit.body, hit.hit.t.to_bits(), hit.hit.leaving, hit.position, hit.normal)
 }
@@ -132,7 +132,7 @@ fn assert_same_hits(followed: &RenderScene, fresh: &RenderScene) {
     let size = DVec2::new(16.0, 12.0);
     let eye = (0..16 * 12).map(|at| {
         let at = DVec2::new(f64::from(at % 16) + 0.5, f64::from(at / 16) + 0.5);
-        let rays = [followed, fresh].map(|stage| stage.camera().ray(at, size));
+        let rays = [followed, fresh].map(|render_scene| render_scene.camera().ray(at, size));
         assert_eq!(rays[0], rays[1]);
         rays[0]
     });
@@ -140,7 +140,9 @@ fn assert_same_hits(followed: &RenderScene, fresh: &RenderScene) {
         [v(1.0, 0.2, 0.3), v(-0.5, 0.4, -0.6), v(0.1, -1.0, 0.2)].map(|to| ray(v(0.1, 1.1, 0.2), to));
     for ray in eye.chain(within) {
         assert_eq!(followed.closest_hit(&ray).map(told), fresh.closest_hit(&ray).map(told), "{ray:?}");
-        let all = |stage: &RenderScene| stage.hits_along(&ray).into_iter().map(told).collect::<Vec<_>>();
+        let all = |render_scene: &RenderScene| {
+            render_scene.hits_along(&ray).into_iter().map(told).collect::<Vec<_>>()
+        };
         assert_eq!(all(followed), all(fresh), "{ray:?}");
     }
 }
@@ -149,8 +151,8 @@ fn assert_same_hits(followed: &RenderScene, fresh: &RenderScene) {
 #[track_caller]
 fn assert_same_pictures(followed: &RenderScene, fresh: &RenderScene) {
     let settings = RenderSettings { width: 48, height: 36, samples: 1 };
-    let [one, other] =
-        [followed, fresh].map(|stage| render(stage, settings, &RenderControl::default()).unwrap());
+    let [one, other] = [followed, fresh]
+        .map(|render_scene| render(render_scene, settings, &RenderControl::default()).unwrap());
     assert_eq!(one.counts, other.counts);
     for (one, other) in one.picture.pixels().iter().zip(other.picture.pixels()) {
         let is_close = |(a, b): (&f32, &f32)| (a - b).abs() <= 1e-5 * b.abs();
@@ -163,15 +165,15 @@ fn a_stage_that_followed_edits_is_the_edited_scenes() {
     let (followed, edits) = (Cell::new(0), Cell::new(0));
     let chains = (crowd(), prop::collection::vec(edit(), 1..16));
     let result = TestRunner::new(cases(40)).run(&chains, |(mut scene, chain)| {
-        let mut stage = stage(&scene);
+        let mut render_scene = render_scene(&scene);
         for edit in chain {
             let before = scene.clone();
             let changed = edit.make(&mut scene);
             edits.set(edits.get() + 1);
-            followed.set(followed.get() + u32::from(follow(&mut stage, &before, &scene, &changed)));
-            assert_same_hits(&stage, &RenderScene::build(&scene).unwrap());
+            followed.set(followed.get() + u32::from(follow(&mut render_scene, &before, &scene, &changed)));
+            assert_same_hits(&render_scene, &RenderScene::build(&scene).unwrap());
         }
-        assert_same_pictures(&stage, &RenderScene::build(&scene).unwrap());
+        assert_same_pictures(&render_scene, &RenderScene::build(&scene).unwrap());
         Ok(())
     });
     result.unwrap();
@@ -189,11 +191,11 @@ fn rows() -> Scene {
 #[test]
 fn what_cannot_be_followed_is_refused() {
     let before = rows();
-    let stage = stage(&before);
+    let render_scene = render_scene(&before);
     let is_followed = |edit: &dyn Fn(&mut Scene), changed: &[usize]| {
         let mut after = before.clone();
         edit(&mut after);
-        stage.edit(&before, &after, changed).is_some()
+        render_scene.edit(&before, &after, changed).is_some()
     };
     assert!(is_followed(&|_| (), &[]));
     assert!(is_followed(&|scene| scene.bodies[7].placement.scale *= 2.0, &[7]));
@@ -215,25 +217,25 @@ fn what_cannot_be_followed_is_refused() {
 #[test]
 fn a_hierarchy_that_would_get_poor_is_built_anew() {
     let (mut scene, mut times) = (rows(), 0);
-    let mut stage = stage(&scene);
+    let mut render_scene = render_scene(&scene);
     for at in 0..100 {
         let before = scene.clone();
         // Everyone goes to the other end of the room.
         let place = 199 - at;
         scene.bodies[at].placement =
             ball(1.0, v((place % 20) as f64, 2.5, (place / 20) as f64), chalk()).placement;
-        times += u32::from(!follow(&mut stage, &before, &scene, &[at]));
+        times += u32::from(!follow(&mut render_scene, &before, &scene, &[at]));
     }
     assert!((1..100).contains(&times), "built anew {times} times");
-    assert_same_hits(&stage, &RenderScene::build(&scene).unwrap());
+    assert_same_hits(&render_scene, &RenderScene::build(&scene).unwrap());
 }
 
 #[test]
 fn a_new_glass_is_seen_through_and_tints_alike() {
     let before = rows();
-    let mut stage = stage(&before);
+    let mut render_scene = render_scene(&before);
     let mut after = before.clone();
     after.bodies[7] = ball(0.4, v(7.0, 0.6, 0.0), glass(1.4));
-    assert!(follow(&mut stage, &before, &after, &[7]));
-    assert_same_pictures(&stage, &RenderScene::build(&after).unwrap());
+    assert!(follow(&mut render_scene, &before, &after, &[7]));
+    assert_same_pictures(&render_scene, &RenderScene::build(&after).unwrap());
 }

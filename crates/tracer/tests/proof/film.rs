@@ -1,4 +1,4 @@
-//! Pictures refined sample by sample, cameras over a prepared stage, stages of some bodies.
+//! Pictures refined sample by sample, cameras over a prepared scene, scenes of some bodies.
 
 use catoptric_scene::{Camera, Projection, Scene};
 use catoptric_tracer::{
@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use rayon::ThreadPoolBuilder;
 
-use crate::common::{ball, camera, cases, chalk, endless, glass, plane, scene, stage, stage_of, v};
+use crate::common::{ball, camera, cases, chalk, endless, glass, plane, render_scene, scene, stage_of, v};
 use crate::samples::{LARGE, crowd, gallery};
 
 const WIDTH: u32 = 53;
@@ -21,7 +21,7 @@ fn settings(samples: u32) -> RenderSettings {
 
 #[test]
 fn after_n_samples_the_film_equals_a_render_of_n_samples() {
-    let stage = stage(&gallery());
+    let render_scene = render_scene(&gallery());
     for threads in [1, 3] {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
@@ -29,9 +29,9 @@ fn after_n_samples_the_film_equals_a_render_of_n_samples() {
             let mut counts = RayCounts::default();
             for samples in 1..=5 {
                 let control = RenderControl::default();
-                counts += film.add_sample(&stage, stage.camera(), &control).unwrap();
+                counts += film.add_sample(&render_scene, render_scene.camera(), &control).unwrap();
                 assert_eq!(control.pixels_done(), u64::from(WIDTH * HEIGHT));
-                let whole = render(&stage, settings(samples), &RenderControl::default()).unwrap();
+                let whole = render(&render_scene, settings(samples), &RenderControl::default()).unwrap();
                 assert_eq!(film.samples(), samples);
                 assert!(film.picture().unwrap() == whole.picture, "{samples} samples, {threads} threads");
                 assert_eq!(counts, whole.counts);
@@ -42,13 +42,16 @@ fn after_n_samples_the_film_equals_a_render_of_n_samples() {
 
 #[test]
 fn a_cancelled_pass_spoils_nothing() {
-    let stage = stage(&gallery());
+    let render_scene = render_scene(&gallery());
     let mut film = Film::new(WIDTH, HEIGHT).unwrap();
-    film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
+    film.add_sample(&render_scene, render_scene.camera(), &RenderControl::default()).unwrap();
     let before = film.picture().unwrap();
     let control = RenderControl::default();
     control.cancel();
-    assert!(matches!(film.add_sample(&stage, stage.camera(), &control), Err(RenderError::Cancelled)));
+    assert!(matches!(
+        film.add_sample(&render_scene, render_scene.camera(), &control),
+        Err(RenderError::Cancelled)
+    ));
     assert!(film.samples() == 1 && film.picture().unwrap() == before);
     // Cancelled midway: some tiles are a sample ahead, and the next pass brings the others there.
     for _ in 0..20 {
@@ -60,23 +63,23 @@ fn a_cancelled_pass_spoils_nothing() {
                 }
                 control.cancel();
             });
-            let _ = film.add_sample(&stage, stage.camera(), &control);
+            let _ = film.add_sample(&render_scene, render_scene.camera(), &control);
             control.cancel();
         });
         film.picture().unwrap();
     }
-    film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
-    let whole = render(&stage, settings(film.samples()), &RenderControl::default()).unwrap();
+    film.add_sample(&render_scene, render_scene.camera(), &RenderControl::default()).unwrap();
+    let whole = render(&render_scene, settings(film.samples()), &RenderControl::default()).unwrap();
     assert!(film.picture().unwrap() == whole.picture);
 }
 
 #[test]
 fn a_pass_is_cancelled_within_a_pixel() {
-    let stage = endless();
+    let render_scene = endless();
     let mut film = Film::new(64, 64).unwrap();
     let control = RenderControl::default();
     std::thread::scope(|scope| {
-        let running = scope.spawn(|| film.add_sample(&stage, stage.camera(), &control));
+        let running = scope.spawn(|| film.add_sample(&render_scene, render_scene.camera(), &control));
         std::thread::sleep(std::time::Duration::from_millis(50));
         control.cancel();
         assert!(matches!(running.join().unwrap(), Err(RenderError::Cancelled)));
@@ -86,14 +89,14 @@ fn a_pass_is_cancelled_within_a_pixel() {
 
 #[test]
 fn a_cleared_film_is_as_new() {
-    let stage = stage(&gallery());
-    let other = stage.camera_for(&camera(v(3.0, 4.0, 5.0), DVec3::ZERO, 50.0));
+    let render_scene = render_scene(&gallery());
+    let other = render_scene.camera_for(&camera(v(3.0, 4.0, 5.0), DVec3::ZERO, 50.0));
     let mut film = Film::new(WIDTH, HEIGHT).unwrap();
-    film.add_sample(&stage, &other, &RenderControl::default()).unwrap();
+    film.add_sample(&render_scene, &other, &RenderControl::default()).unwrap();
     film.clear();
     assert!(film.picture().unwrap().pixels().iter().flatten().all(|&channel| channel == 0.0));
-    let counts = film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
-    let whole = render(&stage, settings(1), &RenderControl::default()).unwrap();
+    let counts = film.add_sample(&render_scene, render_scene.camera(), &RenderControl::default()).unwrap();
+    let whole = render(&render_scene, settings(1), &RenderControl::default()).unwrap();
     assert!(film.picture().unwrap() == whole.picture && counts == whole.counts);
 }
 
@@ -102,10 +105,11 @@ fn a_cleared_film_is_as_new() {
 fn a_film_shows_few_bodies_and_many_by_turns() {
     let mut film = Film::new(LARGE.width, LARGE.height).unwrap();
     for scene in [gallery(), crowd(), gallery()] {
-        let stage = stage(&scene);
+        let render_scene = render_scene(&scene);
         film.clear();
-        let counts = film.add_sample(&stage, stage.camera(), &RenderControl::default()).unwrap();
-        let whole = render(&stage, LARGE, &RenderControl::default()).unwrap();
+        let counts =
+            film.add_sample(&render_scene, render_scene.camera(), &RenderControl::default()).unwrap();
+        let whole = render(&render_scene, LARGE, &RenderControl::default()).unwrap();
         assert!(film.picture().unwrap() == whole.picture && counts == whole.counts);
     }
 }
@@ -121,10 +125,10 @@ fn films_of_impossible_sizes_are_errors() {
 fn another_camera_gives_what_a_scene_with_that_camera_gives() {
     for projection in [Projection::Perspective { fov_degrees: 40.0 }, Projection::Parallel { height: 7.0 }] {
         let mut scene = gallery();
-        let prepared = stage(&scene);
+        let prepared = render_scene(&scene);
         scene.camera = Camera { position: v(-4.0, 3.0, 6.0), projection, ..Camera::default() };
         let through = prepared.camera_for(&scene.camera);
-        let again = stage(&scene);
+        let again = render_scene(&scene);
         assert_eq!(&through, again.camera());
         let one = render_through(&prepared, &through, settings(2), &RenderControl::default()).unwrap();
         let other = render(&again, settings(2), &RenderControl::default()).unwrap();
@@ -134,7 +138,7 @@ fn another_camera_gives_what_a_scene_with_that_camera_gives() {
 
 /// A camera in empty space, where rays start at the eye itself.
 fn free_camera(camera: Camera) -> RenderCamera {
-    stage(&Scene { camera, ..scene(Vec::new()) }).camera().clone()
+    render_scene(&Scene { camera, ..scene(Vec::new()) }).camera().clone()
 }
 
 #[test]
@@ -184,7 +188,7 @@ proptest! {
 
 #[test]
 fn a_click_can_go_to_the_bodies_behind_in_order() {
-    let stage = stage_of(vec![
+    let render_scene = stage_of(vec![
         ball(1.0, v(0.0, 0.0, -20.0), chalk()),
         plane(v(0.0, -5.0, 0.0), 0.0, chalk()),
         ball(1.0, v(0.0, 0.0, 0.0), glass(1.5)),
@@ -193,8 +197,8 @@ fn a_click_can_go_to_the_bodies_behind_in_order() {
     ]);
     let along = |from: DVec3, direction: DVec3| -> Vec<usize> {
         let ray = crate::common::ray(from, direction);
-        let hits = stage.hits_along(&ray);
-        assert_eq!(hits.first().copied(), stage.closest_hit(&ray));
+        let hits = render_scene.hits_along(&ray);
+        assert_eq!(hits.first().copied(), render_scene.closest_hit(&ray));
         assert!(hits.windows(2).all(|pair| pair[0].hit.t <= pair[1].hit.t));
         hits.iter().map(|hit| hit.body).collect()
     };
@@ -204,7 +208,7 @@ fn a_click_can_go_to_the_bodies_behind_in_order() {
     // From within the glass it is met from within, after what it holds.
     assert_eq!(along(v(0.0, 0.0, 0.75), DVec3::NEG_Z), [4, 2, 0]);
     assert_eq!(along(v(0.0, 9.0, 0.0), DVec3::Y), [0; 0]);
-    assert!(stage.hits_along(&Ray::from_point(glam::Vec3::NAN, glam::Vec3::X)).is_empty());
+    assert!(render_scene.hits_along(&Ray::from_point(glam::Vec3::NAN, glam::Vec3::X)).is_empty());
 }
 
 #[test]
@@ -213,9 +217,9 @@ fn hits_along_a_ray_through_a_hierarchy_are_all_there() {
     let hits = stage_of(row).hits_along(&crate::common::ray(v(0.0, 0.0, 9.0), DVec3::NEG_Z));
     assert!(hits.iter().map(|hit| hit.body).eq(0..80));
     // Bodies that touch keep to the order of the search.
-    let stage = stage_of((0..60).map(|k| ball(0.5, v(0.0, 0.0, -f64::from(k)), glass(1.2))).collect());
+    let render_scene = stage_of((0..60).map(|k| ball(0.5, v(0.0, 0.0, -f64::from(k)), glass(1.2))).collect());
     let ray = crate::common::ray(v(0.1, 0.0, 9.0), DVec3::NEG_Z);
-    assert_eq!(stage.hits_along(&ray).first().copied(), stage.closest_hit(&ray));
+    assert_eq!(render_scene.hits_along(&ray).first().copied(), render_scene.closest_hit(&ray));
 }
 
 #[test]
@@ -225,18 +229,18 @@ fn a_stage_of_some_bodies_meets_them_alone_at_the_same_points() {
         .collect();
     let mut all = scene(crowd);
     all.bodies.push(plane(v(0.0, -1.0, 0.0), 0.0, chalk()));
-    let stage = stage(&all);
+    let render_scene = render_scene(&all);
     for chosen in [vec![], vec![7], vec![60], vec![3, 60, 3, 11, 999], (0..61).rev().step_by(2).collect()] {
-        let some = stage.only(&all, &chosen);
+        let some = render_scene.only(&all, &chosen);
         let known: std::collections::BTreeSet<usize> = chosen.iter().copied().filter(|&k| k <= 60).collect();
         assert_eq!(some.body_count(), known.len());
         let mut met = 0;
         for k in 0..400 {
             let at = DVec2::new(f64::from(k % 20), f64::from(k / 20)) + 0.5;
-            let camera = stage.camera_for(&camera(v(3.0, 3.0, 20.0), v(3.0, 3.0, 0.0), 30.0));
+            let camera = render_scene.camera_for(&camera(v(3.0, 3.0, 20.0), v(3.0, 3.0, 0.0), 30.0));
             let ray = camera.ray(at, DVec2::splat(20.0));
             let expected: Vec<_> =
-                stage.hits_along(&ray).into_iter().filter(|hit| known.contains(&hit.body)).collect();
+                render_scene.hits_along(&ray).into_iter().filter(|hit| known.contains(&hit.body)).collect();
             let found = some.hits_along(&ray);
             assert_eq!(found.len(), expected.len());
             for (one, other) in found.iter().zip(&expected) {
@@ -254,9 +258,10 @@ fn a_stage_of_some_bodies_looks_as_their_scene_does() {
     let chosen: Vec<usize> = (0..whole.bodies.len()).step_by(2).collect();
     let mut part = whole.clone();
     part.bodies = chosen.iter().map(|&index| whole.bodies[index].clone()).collect();
-    let one = render(&stage(&whole).only(&whole, &chosen), settings(1), &RenderControl::default()).unwrap();
+    let one =
+        render(&render_scene(&whole).only(&whole, &chosen), settings(1), &RenderControl::default()).unwrap();
     let part = RenderScene::build(&part).unwrap();
-    let camera = stage(&whole).camera().clone();
+    let camera = render_scene(&whole).camera().clone();
     let other = render_through(&part, &camera, settings(1), &RenderControl::default()).unwrap();
     assert!(one.picture == other.picture);
 }

@@ -6,7 +6,7 @@ use glam::{DMat3, DQuat, DVec3, EulerRot};
 
 use crate::common::{
     assert_same_picture, assert_vec_close, ball, camera, chain, chalk, direction, glass, light, mirror,
-    picture, ray, scene, stage, stage_of, turned, v,
+    picture, ray, render_scene, scene, stage_of, turned, v,
 };
 use crate::samples::gallery;
 
@@ -209,7 +209,7 @@ fn sizes_and_scales_are_the_same_thing() {
     )]);
     let mut body = turned(Shape::CUBE, DVec3::X, v(10.0, 20.0, 30.0), glass(1.5));
     body.placement.scale = v(1.0, 2.0, 3.0);
-    let stage_b = stage(&scene(vec![body]));
+    let stage_b = render_scene(&scene(vec![body]));
     let start = ray(v(4.0, 3.0, 5.0), v(-3.2, -2.8, -5.1));
     let (a, b) = (chain(&stage_a, start), chain(&stage_b, start));
     assert!(a.len() > 2);
@@ -257,7 +257,7 @@ fn what_is_hidden_takes_no_part() {
     let mut lamp = light(middle, 50.0, Falloff::None);
     lamp.hidden = true;
     scene.lights.insert(0, lamp);
-    let (with, without) = (stage(&scene), stage(&shown));
+    let (with, without) = (render_scene(&scene), render_scene(&shown));
     assert_eq!((with.body_count(), with.light_count()), (without.body_count(), without.light_count()));
     for index in 0..with.body_count() as u32 {
         let (at, expected) = (with.scene_index(index).unwrap(), without.scene_index(index).unwrap());

@@ -7,7 +7,8 @@ use catoptric_tracer::{BranchOutcome, RenderControl, RenderSettings, WhittedInte
 use glam::{DVec3, UVec2, Vec3};
 
 use crate::common::{
-    assert_same_picture, ball, block, camera, glass, glow, mirror, picture, plane, scene, stage, turned, v,
+    assert_same_picture, ball, block, camera, glass, glow, mirror, picture, plane, render_scene, scene,
+    turned, v,
 };
 use catoptric_scene::Shape;
 
@@ -80,9 +81,13 @@ fn equal_indices_within_glass_are_passed_at_the_limit() {
 #[test]
 fn what_is_visible_ends_at_the_limit() {
     let scene = look(vec![ball(1.0, DVec3::ZERO, clear(1.5))], 1);
-    let (stage, cancel) = (stage(&scene), AtomicBool::new(false));
-    let rays =
-        WhittedIntegrator::new(&stage, &cancel).pixel_tree(UVec2::new(30, 20), UVec2::new(60, 40), 0, 100);
+    let (render_scene, cancel) = (render_scene(&scene), AtomicBool::new(false));
+    let rays = WhittedIntegrator::new(&render_scene, &cancel).pixel_tree(
+        UVec2::new(30, 20),
+        UVec2::new(60, 40),
+        0,
+        100,
+    );
     assert_eq!(rays.len(), 1);
     assert_eq!(rays[0].answer.as_ref().unwrap().refracted.fate, BranchOutcome::GenerationLimit);
     assert_eq!(rays[0].light, Vec3::ZERO);
@@ -93,10 +98,10 @@ fn what_is_visible_ends_at_the_limit() {
 fn the_tree_goes_straight_on_at_the_limit() {
     let size = UVec2::new(60, 40);
     let scene = look(invisible().into_iter().chain(things()).collect(), 1);
-    let (stage, cancel) = (stage(&scene), AtomicBool::new(false));
+    let (render_scene, cancel) = (render_scene(&scene), AtomicBool::new(false));
     let settings = RenderSettings { width: size.x, height: size.y, samples: 1 };
-    let picture = render(&stage, settings, &RenderControl::default()).unwrap().picture;
-    let mut tracer = WhittedIntegrator::new(&stage, &cancel);
+    let picture = render(&render_scene, settings, &RenderControl::default()).unwrap().picture;
+    let mut tracer = WhittedIntegrator::new(&render_scene, &cancel);
     let mut passed = 0;
     for (place, pixel) in (0..).zip(picture.pixels()) {
         let rays = tracer.pixel_tree(UVec2::new(place % size.x, place / size.x), size, 0, 1000);
@@ -123,9 +128,10 @@ fn distances_count_from_the_eye() {
         scene.camera = camera(v(0.5, 0.0, far), v(0.5, 0.0, 0.0), 50.0 / far);
         for projection in [scene.camera.projection, catoptric_scene::Projection::Parallel { height: 0.5 }] {
             scene.camera.projection = projection;
-            let (stage, cancel) = (stage(&scene), AtomicBool::new(false));
+            let (render_scene, cancel) = (render_scene(&scene), AtomicBool::new(false));
             let size = UVec2::new(9, 9);
-            let rays = WhittedIntegrator::new(&stage, &cancel).pixel_tree(UVec2::new(4, 4), size, 0, 10);
+            let rays =
+                WhittedIntegrator::new(&render_scene, &cancel).pixel_tree(UVec2::new(4, 4), size, 0, 10);
             let distance = rays[0].distance().unwrap();
             assert!((distance - (far - 1.0)).abs() < 1e-6 * far, "{distance} from {far}");
         }

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 
 use crate::common::{
     assert_close, assert_same_picture, ball, block, body, camera, cases, center, glow, light_along, picture,
-    plane, ray, scene, stage, stage_of, tree, turned, v,
+    plane, ray, render_scene, scene, stage_of, tree, turned, v,
 };
 
 fn clear(ior: f64) -> Material {
@@ -98,9 +98,9 @@ fn metals_reflect_their_color() {
 #[test]
 fn metals_of_one_scene_are_told_apart() {
     let of = |x, name| ball(0.4, v(x, 0.0, 0.0), metal(name));
-    let stage = stage_of(vec![of(-1.0, "gold"), of(0.0, "silver"), of(1.0, "copper")]);
+    let render_scene = stage_of(vec![of(-1.0, "gold"), of(0.0, "silver"), of(1.0, "copper")]);
     let straight = |x| {
-        let rays = tree(&stage, ray(v(x, 0.0, 5.0), -DVec3::Z));
+        let rays = tree(&render_scene, ray(v(x, 0.0, 5.0), -DVec3::Z));
         rays[0].answer.as_ref().unwrap().reflected.coefficient.as_dvec3().to_array()
     };
     for (x, name) in [(-1.0, "gold"), (0.0, "silver"), (1.0, "copper")] {
@@ -224,8 +224,8 @@ fn white_coats_are_invisible_in_a_furnace_at_every_index() {
 
 /// The weight of the rays behind a pixel that are not followed any more.
 fn cut_off(scene: &Scene, pixel: UVec2, size: UVec2) -> Vec3 {
-    let (stage, cancel) = (stage(scene), AtomicBool::new(false));
-    let rays = WhittedIntegrator::new(&stage, &cancel).pixel_tree(pixel, size, 0, 100_000);
+    let (render_scene, cancel) = (render_scene(scene), AtomicBool::new(false));
+    let rays = WhittedIntegrator::new(&render_scene, &cancel).pixel_tree(pixel, size, 0, 100_000);
     let branches = rays.iter().filter_map(|ray| ray.answer.as_ref());
     let branches = branches.flat_map(|answer| [answer.reflected, answer.refracted]);
     branches.filter(|branch| branch.fate == BranchOutcome::GenerationLimit).map(|branch| branch.weight).sum()

@@ -5,14 +5,14 @@ use catoptric_tracer::{RayKind, RenderScene};
 use glam::DVec3;
 
 use crate::common::{
-    assert_close, assert_vec_close, ball, block, center, chain, direction, glass, glow, plane, ray, scene,
-    stage, stage_of, v,
+    assert_close, assert_vec_close, ball, block, center, chain, direction, glass, glow, plane, ray,
+    render_scene, scene, stage_of, v,
 };
 
 /// Sines of the angles between the vertical and each ray of a path through horizontal layers.
-fn sines(stage: &RenderScene, start: DVec3, incidence: f64) -> Vec<f64> {
+fn sines(render_scene: &RenderScene, start: DVec3, incidence: f64) -> Vec<f64> {
     let (sin, cos) = f64::to_radians(incidence).sin_cos();
-    chain(stage, ray(start, v(sin, -cos, 0.0))).iter().map(|ray| direction(ray).x).collect()
+    chain(render_scene, ray(start, v(sin, -cos, 0.0))).iter().map(|ray| direction(ray).x).collect()
 }
 
 /// A wide layer of glass between two heights.
@@ -27,9 +27,9 @@ const FROM_GLASS: [f64; 3] = [0.0, 10.0, 25.0];
 
 /// Asserts that the rays of every path run in media of these indices, one after another.
 #[track_caller]
-fn assert_indices(stage: &RenderScene, start: DVec3, incidences: &[f64], indices: &[f64]) {
+fn assert_indices(render_scene: &RenderScene, start: DVec3, incidences: &[f64], indices: &[f64]) {
     for &incidence in incidences {
-        let sines = sines(stage, start, incidence);
+        let sines = sines(render_scene, start, incidence);
         assert_eq!(sines.len(), indices.len(), "at {incidence}: {sines:?}");
         for (sine, index) in sines.iter().zip(indices) {
             // n sin θ is the same in all parallel layers.
@@ -40,33 +40,33 @@ fn assert_indices(stage: &RenderScene, start: DVec3, incidences: &[f64], indices
 
 #[test]
 fn nested_glass_bends_by_the_ratio_to_the_next_one_out() {
-    let stage = stage_of(vec![layer(-3.0, 3.0, 1.5), layer(-2.0, 2.0, 1.8), layer(-1.0, 1.0, 1.33)]);
-    assert_indices(&stage, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.5, 1.8, 1.33, 1.8, 1.5, 1.0]);
+    let render_scene = stage_of(vec![layer(-3.0, 3.0, 1.5), layer(-2.0, 2.0, 1.8), layer(-1.0, 1.0, 1.33)]);
+    assert_indices(&render_scene, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.5, 1.8, 1.33, 1.8, 1.5, 1.0]);
 }
 
 #[test]
 fn a_bubble_in_glass_is_a_body_of_index_1() {
-    let stage = stage_of(vec![layer(-3.0, 3.0, 1.5), layer(-1.0, 1.0, 1.0)]);
+    let render_scene = stage_of(vec![layer(-3.0, 3.0, 1.5), layer(-1.0, 1.0, 1.0)]);
     for incidence in [0.0, 20.0, 60.0] {
-        let sines = sines(&stage, v(0.0, 5.0, 0.0), incidence);
+        let sines = sines(&render_scene, v(0.0, 5.0, 0.0), incidence);
         let sin = f64::to_radians(incidence).sin();
         for (sine, expected) in sines.iter().zip([sin, sin / 1.5, sin, sin / 1.5, sin]) {
             assert_close(*sine, expected, 1e-6);
         }
     }
     // From inside the glass, the bubble reflects totally beyond the critical angle.
-    let path = chain(&stage, ray(v(0.0, 2.0, 0.0), v(1.0, -1.0, 0.0)));
+    let path = chain(&render_scene, ray(v(0.0, 2.0, 0.0), v(1.0, -1.0, 0.0)));
     assert_eq!(path[1].kind, RayKind::Reflected);
 }
 
 #[test]
 fn leaving_a_body_that_is_not_innermost_does_not_bend() {
     // Entered in the order A, B and left in the same order: A's far side lies within B.
-    let stage = stage_of(vec![layer(-1.0, 2.0, 1.5), layer(-2.0, 1.0, 1.8)]);
-    assert_indices(&stage, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.5, 1.8, 1.8, 1.0]);
+    let render_scene = stage_of(vec![layer(-1.0, 2.0, 1.5), layer(-2.0, 1.0, 1.8)]);
+    assert_indices(&render_scene, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.5, 1.8, 1.8, 1.0]);
     // From below the roles are exchanged.
     let (sin, cos) = 40.0_f64.to_radians().sin_cos();
-    let path = chain(&stage, ray(v(0.0, -5.0, 0.0), v(sin, cos, 0.0)));
+    let path = chain(&render_scene, ray(v(0.0, -5.0, 0.0), v(sin, cos, 0.0)));
     let expected = [sin, sin / 1.8, sin / 1.5, sin / 1.5, sin];
     for (ray, expected) in path.iter().zip(expected) {
         assert_close(direction(ray).x, expected, 1e-6);
@@ -76,9 +76,9 @@ fn leaving_a_body_that_is_not_innermost_does_not_bend() {
 
 #[test]
 fn three_overlapping_layers_keep_their_order() {
-    let stage = stage_of(vec![layer(-1.0, 3.0, 1.2), layer(-2.0, 2.0, 1.4), layer(-3.0, 1.0, 1.6)]);
+    let render_scene = stage_of(vec![layer(-1.0, 3.0, 1.2), layer(-2.0, 2.0, 1.4), layer(-3.0, 1.0, 1.6)]);
     // Entered 1.2, 1.4, 1.6; then 1.2 and 1.4 are left while 1.6 stays innermost.
-    assert_indices(&stage, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.2, 1.4, 1.6, 1.6, 1.6, 1.0]);
+    assert_indices(&render_scene, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.2, 1.4, 1.6, 1.6, 1.6, 1.0]);
 }
 
 #[test]
@@ -93,9 +93,9 @@ fn faces_in_contact_pass_the_light_on() {
             *position *= scale;
             body.placement.scale = DVec3::splat(scale);
         }
-        let stage = stage_of(pane.to_vec());
+        let render_scene = stage_of(pane.to_vec());
         for incidence in [1.0, 30.0, 70.0] {
-            let sines = sines(&stage, scale * v(0.1, 3.0, 0.2), incidence);
+            let sines = sines(&render_scene, scale * v(0.1, 3.0, 0.2), incidence);
             let sin = f64::to_radians(incidence).sin();
             assert_eq!(sines.len(), 5, "{sines:?}");
             assert_close(sines[1], sin / 1.5, 1e-6);
@@ -108,16 +108,16 @@ fn faces_in_contact_pass_the_light_on() {
 #[test]
 fn glass_on_a_floor_shows_the_floor_through_a_film_of_air() {
     let floor = plane(DVec3::ZERO, 0.0, glow(Color::new(0.3, 0.6, 0.9)));
-    let stage = stage_of(vec![floor, layer(0.0, 1.0, 1.5)]);
+    let render_scene = stage_of(vec![floor, layer(0.0, 1.0, 1.5)]);
     let kinds = [RayKind::Primary, RayKind::Refracted, RayKind::Refracted];
     for step in 0..2000 {
         let x = 0.037 * f64::from(step) - 37.0;
-        let path = chain(&stage, ray(v(x, 4.0, 1.3), v(0.3, -1.0, 0.2)));
+        let path = chain(&render_scene, ray(v(x, 4.0, 1.3), v(0.3, -1.0, 0.2)));
         assert_eq!(path.iter().map(|ray| ray.kind).collect::<Vec<_>>(), kinds, "at {x}");
         assert_eq!(path[2].hit.unwrap().body, 0, "at {x}");
         assert_eq!(path[2].light, glam::Vec3::new(0.3, 0.6, 0.9));
         // From within and aslant, the film reflects totally.
-        let path = chain(&stage, ray(v(x, 0.5, 1.3), v(1.0, -1.0, 0.0)));
+        let path = chain(&render_scene, ray(v(x, 0.5, 1.3), v(1.0, -1.0, 0.0)));
         assert_eq!(path[1].kind, RayKind::Reflected, "at {x}");
     }
 }
@@ -125,17 +125,17 @@ fn glass_on_a_floor_shows_the_floor_through_a_film_of_air() {
 #[test]
 fn a_ray_that_goes_straight_on_is_of_the_same_generation() {
     // Entered in the order A, B and left in the same order: leaving A does not bend the ray and costs no generation.
-    let stage = stage_of(vec![layer(-1.0, 2.0, 1.5), layer(-2.0, 1.0, 1.8), layer(-9.0, -8.0, 1.0)]);
-    let path = chain(&stage, ray(v(0.0, 5.0, 0.0), v(0.6, -0.8, 0.0)));
+    let render_scene = stage_of(vec![layer(-1.0, 2.0, 1.5), layer(-2.0, 1.0, 1.8), layer(-9.0, -8.0, 1.0)]);
+    let path = chain(&render_scene, ray(v(0.0, 5.0, 0.0), v(0.6, -0.8, 0.0)));
     let generations: Vec<u32> = path.iter().map(|ray| ray.generation).collect();
     assert_eq!(generations, [1, 2, 3, 3, 4, 4, 4]);
 }
 
 #[test]
 fn an_eye_in_glass_is_in_glass() {
-    let stage = stage_of(vec![layer(-2.0, 2.0, 1.5)]);
+    let render_scene = stage_of(vec![layer(-2.0, 2.0, 1.5)]);
     let sin = 20.0_f64.to_radians().sin();
-    let sines = sines(&stage, DVec3::ZERO, 20.0);
+    let sines = sines(&render_scene, DVec3::ZERO, 20.0);
     assert_eq!(sines.len(), 2);
     assert_close(sines[1], 1.5 * sin, 1e-6);
 }
@@ -144,8 +144,8 @@ fn an_eye_in_glass_is_in_glass() {
 fn an_eye_in_nested_glass_takes_the_larger_for_the_outer() {
     for order in [[0, 1, 2], [2, 0, 1], [1, 2, 0]] {
         let layers = [layer(-3.0, 3.0, 1.5), layer(-2.0, 2.0, 1.7), layer(-1.0, 1.0, 1.9)];
-        let stage = stage_of(order.map(|place| layers[place].clone()).to_vec());
-        assert_indices(&stage, DVec3::ZERO, &FROM_GLASS, &[1.9, 1.7, 1.5, 1.0]);
+        let render_scene = stage_of(order.map(|place| layers[place].clone()).to_vec());
+        assert_indices(&render_scene, DVec3::ZERO, &FROM_GLASS, &[1.9, 1.7, 1.5, 1.0]);
     }
 }
 
@@ -156,7 +156,7 @@ fn a_picture_from_within_glass_agrees_with_its_rays() {
         scene(vec![ball(2.0, DVec3::ZERO, glass(1.5)), ball(0.5, v(0.9, 0.0, -5.0), glow(Color::WHITE))]);
     scene.camera = crate::common::camera(v(0.8, 0.0, 0.0), v(0.8, 0.0, -1.0), 30.0);
     let light = center(&scene);
-    let path = chain(&stage(&scene), ray(v(0.8, 0.0, 0.0), DVec3::NEG_Z));
+    let path = chain(&render_scene(&scene), ray(v(0.8, 0.0, 0.0), DVec3::NEG_Z));
     assert_eq!(path.len(), 2);
     assert_eq!(path[1].kind, RayKind::Refracted);
     // Leaving a ball of radius 2 at height 0.8: bent towards the axis by asin(1.5·0.4) - asin(0.4).
@@ -167,9 +167,9 @@ fn a_picture_from_within_glass_agrees_with_its_rays() {
 
 #[test]
 fn an_eye_under_water_looks_out_of_an_endless_body() {
-    let stage = stage_of(vec![plane(DVec3::ZERO, 0.0, glass(1.333))]);
-    assert_indices(&stage, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.333]);
-    let path = chain(&stage, ray(v(0.0, -5.0, 0.0), v(0.3, 1.0, 0.0)));
+    let render_scene = stage_of(vec![plane(DVec3::ZERO, 0.0, glass(1.333))]);
+    assert_indices(&render_scene, v(0.0, 5.0, 0.0), &FROM_AIR, &[1.0, 1.333]);
+    let path = chain(&render_scene, ray(v(0.0, -5.0, 0.0), v(0.3, 1.0, 0.0)));
     assert_close(direction(&path[1]).x, 1.333 * 0.3 / 1.09_f64.sqrt(), 1e-6);
 }
 
@@ -179,8 +179,8 @@ fn nesting_is_not_limited() {
     let shells: Vec<Body> = (0..SHELLS)
         .map(|shell| layer(-1.0 - 0.1 * shell as f64, 1.0 + 0.1 * shell as f64, 1.2 + 0.02 * shell as f64))
         .collect();
-    let stage = stage_of(shells);
-    let path = chain(&stage, ray(v(0.0, 9.0, 0.0), v(0.5, -1.0, 0.0)));
+    let render_scene = stage_of(shells);
+    let path = chain(&render_scene, ray(v(0.0, 9.0, 0.0), v(0.5, -1.0, 0.0)));
     assert_eq!(path.len(), 2 * SHELLS + 1);
     assert_vec_close(direction(path.last().unwrap()), direction(&path[0]), 2e-6);
     let sin = direction(&path[0]).x;
@@ -198,9 +198,9 @@ fn a_branching_tree_keeps_the_media_of_each_branch() {
         let catoptric_scene::MaterialChoice::Inline(material) = &mut body.material else { unreachable!() };
         (material.reflection, material.transmission) = (Some(0.4), 0.6);
     }
-    let stage = stage_of(bodies.to_vec()).with_generations(9);
+    let render_scene = stage_of(bodies.to_vec()).with_generations(9);
     let d = v(0.6, -0.8, 0.0);
-    let rays = crate::common::tree(&stage, ray(v(0.0, 3.0, 0.0), d));
+    let rays = crate::common::tree(&render_scene, ray(v(0.0, 3.0, 0.0), d));
     assert!(rays.len() > 100);
     for ray in &rays {
         let middle = ray.ray.origin.y + 0.01 * ray.ray.direction.y;

@@ -70,10 +70,10 @@ proptest! {
     #[test]
     fn two_mirrors_at_b_turn_by_2b_whatever_the_incidence(b in 50.0..130.0_f64, aim in 0.0..1.0_f64) {
         // A floor and a wall that meet in the origin at the angle b.
-        let stage = stage_of(vec![plane(DVec3::ZERO, 0.0, mirror()), plane(DVec3::ZERO, b - 180.0, mirror())]);
+        let render_scene = stage_of(vec![plane(DVec3::ZERO, 0.0, mirror()), plane(DVec3::ZERO, b - 180.0, mirror())]);
         let from = 2.0 * at_angle(0.5 * b);
         let start = ray(from, v(-0.3 + 1.3 * aim, 0.0, 0.0) - from);
-        let path = chain(&stage, start);
+        let path = chain(&render_scene, start);
         prop_assume!(path.len() == 3);
         let (first, last) = (direction(&path[0]), direction(&path[2]));
         let turn = first.cross(last).z.atan2(first.dot(last)).to_degrees().abs();
@@ -104,14 +104,14 @@ proptest! {
 
 #[test]
 fn a_corner_of_solid_boxes_returns_rays() {
-    let stage = stage_of(vec![
+    let render_scene = stage_of(vec![
         block(v(0.1, 10.0, 10.0), v(-0.05, 5.0, 5.0), mirror()),
         block(v(10.0, 0.1, 10.0), v(5.0, -0.05, 5.0), mirror()),
         block(v(10.0, 10.0, 0.1), v(5.0, 5.0, -0.05), mirror()),
     ]);
     let d = v(-0.5, -0.7, -0.9);
     for target in [v(1.0, 0.0, 1.3), v(0.0, 0.4, 0.4), v(1.0, 2.0, 0.0)] {
-        let path = chain(&stage, ray(target - 3.0 * d, d));
+        let path = chain(&render_scene, ray(target - 3.0 * d, d));
         assert_eq!(path.len(), 4);
         assert_vec_close(direction(&path[3]), -direction(&path[0]), 1e-6);
     }
@@ -126,8 +126,8 @@ fn corridor(gap: f64, rho: f64, glow: f64) -> Vec<Body> {
 
 /// The light of the corridor's walls, each of emission 1, cut after `generations`.
 fn corridor_light(rho: f64, generations: u32, d: DVec3) -> f64 {
-    let stage = stage_of(corridor(2.0, rho, 1.0)).with_generations(generations);
-    f64::from(light_along(&stage, ray(v(0.7, 0.3, -0.4), d)).x)
+    let render_scene = stage_of(corridor(2.0, rho, 1.0)).with_generations(generations);
+    f64::from(light_along(&render_scene, ray(v(0.7, 0.3, -0.4), d)).x)
 }
 
 #[test]
@@ -162,13 +162,13 @@ fn a_lamp_in_a_corridor_is_seen_in_images_of_falling_brightness() {
     let (gap, rho, lamp, radius) = (2.0, 0.8, v(0.5, 0.0, 0.0), 0.05);
     let mut bodies = corridor(gap, rho, 0.0);
     bodies.push(ball(radius, lamp, glow(Color::WHITE)));
-    let stage = stage_of(bodies);
+    let render_scene = stage_of(bodies);
     let eye = v(1.2, 0.0, 3.0);
     for k in 0..=30 {
         // Unfolding carries the lamp to x = k·gap + its place, mirrored for odd k.
         let within = if k % 2 == 0 { lamp.x } else { gap - lamp.x };
         let image = v(f64::from(k) * gap + within, 0.0, 0.0);
-        let path = chain(&stage, ray(eye, image - eye));
+        let path = chain(&render_scene, ray(eye, image - eye));
         assert_eq!(path.len(), k as usize + 1);
         assert_eq!(path.last().unwrap().hit.unwrap().body, 2);
         let length: f64 = path.iter().map(|ray| f64::from(ray.hit.unwrap().hit.t)).sum();
@@ -183,7 +183,8 @@ fn a_lamp_in_a_corridor_is_seen_in_images_of_falling_brightness() {
 fn a_plane_mirror_shows_the_mirrored_point_in_its_own_size() {
     let lamp = v(0.6, 1.5, -2.0);
     let radius = 0.25;
-    let stage = stage_of(vec![plane(DVec3::ZERO, 0.0, mirror()), ball(radius, lamp, glow(Color::WHITE))]);
+    let render_scene =
+        stage_of(vec![plane(DVec3::ZERO, 0.0, mirror()), ball(radius, lamp, glow(Color::WHITE))]);
     let image = v(lamp.x, -lamp.y, lamp.z);
     for eye in [v(0.0, 1.0, 4.0), v(-3.0, 0.2, 1.0), v(9.0, 5.0, -7.0)] {
         let towards = (image - eye).normalize();
@@ -193,7 +194,7 @@ fn a_plane_mirror_shows_the_mirrored_point_in_its_own_size() {
         for (share, seen) in [(0.0, true), (0.999, true), (1.001, false)] {
             let angle = share * half_angle;
             let d = angle.cos() * towards + angle.sin() * aside;
-            let path = chain(&stage, ray(eye, d));
+            let path = chain(&render_scene, ray(eye, d));
             assert_eq!(path.last().unwrap().hit.is_some_and(|hit| hit.body == 1), seen, "{eye} {share}");
             assert_eq!(path[1].kind, RayKind::Reflected);
         }
@@ -202,13 +203,13 @@ fn a_plane_mirror_shows_the_mirrored_point_in_its_own_size() {
 
 /// The number of separate images of a lamp in the angle between two mirrors, by a ring of rays from the eye.
 fn images_between_mirrors(angle: f64, lamp: DVec3, eye: DVec3) -> usize {
-    let stage = stage_of(vec![
+    let render_scene = stage_of(vec![
         plane(DVec3::ZERO, 0.0, mirror()),
         plane(DVec3::ZERO, angle - 180.0, mirror()),
         ball(0.01, lamp, glow(Color::WHITE)),
     ]);
     let seen = |step: i32| {
-        let path = chain(&stage, ray(eye, at_angle(f64::from(step) * 0.05)));
+        let path = chain(&render_scene, ray(eye, at_angle(f64::from(step) * 0.05)));
         let reflections = path.len() - 1;
         (path.last().unwrap().hit.is_some_and(|hit| hit.body == 2) && reflections > 0).then_some(reflections)
     };
@@ -242,10 +243,10 @@ fn paraxial_rays_obey_the_mirror_equation() {
     let image = radius - crossing_of_axis(path[1].ray.origin.as_dvec3(), direction(&path[1]));
     assert_close(image, 1.5, 1e-3);
     // Convex: vertex at (-2, 0, 0); the image lies 0.75 behind it, a quarter as high.
-    let stage = mirror_ball(radius);
+    let render_scene = mirror_ball(radius);
     let tip = v(-radius - object, 0.02, 0.0);
     let lines = [0.004, -0.003].map(|slope| {
-        let path = chain(&stage, ray(tip, v(1.0, slope, 0.0)));
+        let path = chain(&render_scene, ray(tip, v(1.0, slope, 0.0)));
         (path[1].ray.origin.as_dvec3(), direction(&path[1]))
     });
     let [(p, d), (q, e)] = lines;
@@ -258,15 +259,15 @@ fn paraxial_rays_obey_the_mirror_equation() {
 #[test]
 fn axial_rays_cross_the_axis_of_a_concave_mirror_at_half_the_radius_over_the_cosine() {
     for radius in [0.01, 1.0, 300.0] {
-        let stage = mirror_ball(radius);
+        let render_scene = mirror_ball(radius);
         for t in [1.0_f64, 5.0, 20.0, 30.0, 45.0, 59.0] {
             let (sin, cos) = t.to_radians().sin_cos();
-            let path = tree(&stage, ray(v(0.0, radius * sin, 0.0), DVec3::X));
+            let path = tree(&render_scene, ray(v(0.0, radius * sin, 0.0), DVec3::X));
             let crossing = crossing_of_axis(path[1].ray.origin.as_dvec3(), direction(&path[1]));
             // The crossing is known no better than the direction allows.
             assert_close(crossing, radius / (2.0 * cos), 3e-6 * radius / sin);
         }
-        let path = tree(&stage, ray(v(0.0, 0.5 * radius, 0.0), DVec3::X));
+        let path = tree(&render_scene, ray(v(0.0, 0.5 * radius, 0.0), DVec3::X));
         let crossing = crossing_of_axis(path[1].ray.origin.as_dvec3(), direction(&path[1]));
         assert_close(crossing / radius, 0.577_350_27, 1e-5);
     }
@@ -276,9 +277,9 @@ fn axial_rays_cross_the_axis_of_a_concave_mirror_at_half_the_radius_over_the_cos
 #[test]
 fn alhazens_point_is_found_by_tracing() {
     let (eye, lamp) = (v(0.0, 3.0, 0.0), v(2.0, 0.0, 0.0));
-    let stage = mirror_ball(1.0);
+    let render_scene = mirror_ball(1.0);
     let aim = |degrees: f64| {
-        let path = chain(&stage, ray(eye, at_angle(degrees) - eye));
+        let path = chain(&render_scene, ray(eye, at_angle(degrees) - eye));
         let at = path[0].hit.unwrap().position;
         (at, direction(&path[1]).cross(lamp - at).z)
     };
@@ -300,9 +301,9 @@ fn a_mirror_box_glows_like_its_series() {
     // A closed room of six walls: every ray meets exactly one wall per generation.
     let mut wall = mirror();
     (wall.color, wall.ambient, wall.reflection) = (Color::new(1.0, 0.5, 0.25), 0.3, Some(0.7));
-    let stage = stage_of(vec![block(v(3.0, 2.0, 5.0), v(0.1, 0.2, 0.3), wall)]).with_generations(12);
+    let render_scene = stage_of(vec![block(v(3.0, 2.0, 5.0), v(0.1, 0.2, 0.3), wall)]).with_generations(12);
     let sum = 0.3 * (1.0 - 0.7_f64.powi(12)) / 0.3;
     for d in [v(1.0, 2.0, 3.0), v(-3.0, 0.1, 0.2), DVec3::Y] {
-        assert_light(light_along(&stage, ray(v(0.3, -0.2, 1.0), d)), [sum, 0.5 * sum, 0.25 * sum]);
+        assert_light(light_along(&render_scene, ray(v(0.3, -0.2, 1.0), d)), [sum, 0.5 * sum, 0.25 * sum]);
     }
 }

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use crate::common::{
     assert_close, assert_vec_close, ball, block, cases, center, chain, direction, glass, glow, picture,
-    plane, ray, ray_from_hit, scene, stage, stage_of, tree, turned, v,
+    plane, ray, ray_from_hit, render_scene, scene, stage_of, tree, turned, v,
 };
 
 /// The direction that falls on a floor at this angle of incidence, in degrees.
@@ -94,10 +94,10 @@ fn equal_indices_change_nothing() {
 #[test]
 fn a_slab_shifts_and_never_turns() {
     for (ior, thickness) in [(1.5, 0.5), (1.333, 3.0), (2.4, 0.01)] {
-        let stage = stage_of(vec![block(v(200.0, thickness, 200.0), DVec3::ZERO, glass(ior))]);
+        let render_scene = stage_of(vec![block(v(200.0, thickness, 200.0), DVec3::ZERO, glass(ior))]);
         for incidence in [0.0, 1.0, 15.0, 30.0, 56.0, 75.0, 85.0] {
             let d = falling(incidence);
-            let path = chain(&stage, ray((thickness + 1.0) / d.y * d, d));
+            let path = chain(&render_scene, ray((thickness + 1.0) / d.y * d, d));
             assert_eq!(path.len(), 3);
             assert_vec_close(direction(&path[2]), direction(&path[0]), 8e-7 / d.y.abs());
             let offset = path[2].ray.origin.as_dvec3() - path[0].ray.origin.as_dvec3();
@@ -117,11 +117,11 @@ fn prism(apex: f64, ior: f64) -> Vec<Body> {
 
 #[test]
 fn the_least_deviation_of_a_60_degree_prism_is_37_180756_degrees() {
-    let stage = stage_of(prism(60.0, 1.5));
+    let render_scene = stage_of(prism(60.0, 1.5));
     let deviation = |incidence: f64| {
         // The apex is at (1, 0, 0) and the glass on its left.
         let d = falling(incidence);
-        let path = chain(&stage, ray(v(0.8, 0.0, 0.0) - 0.3 * d, d));
+        let path = chain(&render_scene, ray(v(0.8, 0.0, 0.0) - 0.3 * d, d));
         assert!(path.len() >= 3, "{incidence}");
         assert!(path[1..3].iter().all(|ray| ray.kind == RayKind::Refracted), "{incidence}");
         direction(&path[0]).angle_between(direction(&path[2])).to_degrees()
@@ -153,9 +153,9 @@ fn a_right_angle_prism_turns_light_by_total_reflection() {
 #[test]
 fn a_ball_lens_focuses_at_its_known_length() {
     for scale in [1e-2, 1.0, 100.0] {
-        let stage = stage_of(vec![ball(scale, DVec3::ZERO, glass(1.5))]);
+        let render_scene = stage_of(vec![ball(scale, DVec3::ZERO, glass(1.5))]);
         let crossing = |h: f64| {
-            let path = chain(&stage, ray(v(-3.0 * scale, h * scale, 0.0), DVec3::X));
+            let path = chain(&render_scene, ray(v(-3.0 * scale, h * scale, 0.0), DVec3::X));
             let (from, d) = (path[2].ray.origin.as_dvec3(), direction(&path[2]));
             (from.x - from.y * d.x / d.y) / scale
         };
@@ -171,10 +171,10 @@ fn a_ball_lens_focuses_at_its_known_length() {
 
 #[test]
 fn a_ball_never_reflects_light_from_outside_totally() {
-    let stage = stage_of(vec![ball(1.0, DVec3::ZERO, glass(1.333))]);
+    let render_scene = stage_of(vec![ball(1.0, DVec3::ZERO, glass(1.333))]);
     for step in 0..1000 {
         let h = f64::from(step) / 1000.0;
-        let path = chain(&stage, ray(v(-3.0, h, 0.0), DVec3::X));
+        let path = chain(&render_scene, ray(v(-3.0, h, 0.0), DVec3::X));
         assert_eq!(path.len(), 3, "at height {h}");
         assert!(path[1..].iter().all(|ray| ray.kind == RayKind::Refracted));
     }
@@ -196,9 +196,9 @@ fn rainbows_stand_at_their_angles() {
     // One and two inner reflections in a drop that also reflects.
     let mut water = glass(1.333);
     water.reflection = Some(0.5);
-    let stage = stage_of(vec![ball(1.0, DVec3::ZERO, water)]).with_generations(6);
+    let render_scene = stage_of(vec![ball(1.0, DVec3::ZERO, water)]).with_generations(6);
     let out_after = |bounces: usize, h: f64| {
-        let rays = tree(&stage, ray(v(-3.0, h, 0.0), DVec3::X));
+        let rays = tree(&render_scene, ray(v(-3.0, h, 0.0), DVec3::X));
         let mut wanted = vec![RayKind::Reflected; bounces + 2];
         (wanted[0], wanted[bounces + 1]) = (RayKind::Refracted, RayKind::Refracted);
         let found = rays.iter().find(|ray| kinds_down_to(&rays, ray) == wanted).unwrap();
@@ -216,15 +216,15 @@ fn total_reflection_carries_everything_and_replaces_both_terms() {
     let mut material = glass(1.5);
     (material.transmission, material.tint) = (0.5, Color::new(1.0, 0.5, 0.2));
     (material.reflection, material.ambient) = (Some(0.3), 0.0);
-    let stage = stage_of(vec![plane(DVec3::ZERO, 0.0, material)]);
+    let render_scene = stage_of(vec![plane(DVec3::ZERO, 0.0, material)]);
     let up = |incidence: f64| falling(incidence) * v(1.0, -1.0, 1.0);
     // Beyond the critical angle one child, undiminished.
-    let rays = tree(&stage, ray(-up(50.0), up(50.0)));
+    let rays = tree(&render_scene, ray(-up(50.0), up(50.0)));
     assert_eq!(rays.len(), 2);
     assert_eq!((rays[1].kind, rays[1].weight), (RayKind::Reflected, glam::Vec3::ONE));
     assert_vec_close(direction(&rays[1]), falling(50.0), 1e-6);
     // Below it both, each with its coefficient.
-    let rays = tree(&stage, ray(-up(30.0), up(30.0)));
+    let rays = tree(&render_scene, ray(-up(30.0), up(30.0)));
     assert_eq!(rays.len(), 3);
     assert_eq!((rays[1].kind, rays[1].weight), (RayKind::Reflected, glam::Vec3::splat(0.3)));
     assert_eq!((rays[2].kind, rays[2].weight), (RayKind::Refracted, glam::Vec3::new(0.5, 0.25, 0.1)));
@@ -257,9 +257,9 @@ proptest! {
         turn in prop::array::uniform3(-180.0..180.0_f64), ior in 1.05..2.5_f64,
         from in prop::array::uniform3(-1.0..1.0_f64), at in prop::array::uniform3(-0.4..0.4_f64),
     ) {
-        let stage = stage_of(vec![turned(shape, DVec3::ZERO, DVec3::from(turn), glass(ior))]);
+        let render_scene = stage_of(vec![turned(shape, DVec3::ZERO, DVec3::from(turn), glass(ior))]);
         let from = 3.0 * DVec3::from(from).try_normalize().unwrap_or(DVec3::X);
-        let there = chain(&stage, ray(from, DVec3::from(at) - from));
+        let there = chain(&render_scene, ray(from, DVec3::from(at) - from));
         // Curved mirrors in a row make it so too.
         prop_assume!((2..6).contains(&there.len()) && there.last().unwrap().hit.is_none());
         // Grazing on either side makes the way back arbitrarily sensitive.
@@ -269,7 +269,7 @@ proptest! {
         prop_assume!(grazing.fold(1.0, f32::min) > 0.05);
         let last = there.last().unwrap();
         let start = last.ray.origin.as_dvec3() + direction(last);
-        let back = chain(&stage, ray(start, -direction(last)));
+        let back = chain(&render_scene, ray(start, -direction(last)));
         prop_assert_eq!(back.len(), there.len());
         for (a, b) in there.iter().rev().zip(&back) {
             let error = (direction(a) + direction(b)).length();
@@ -282,12 +282,12 @@ proptest! {
 
 #[test]
 fn a_ray_from_a_hit_starts_on_its_side() {
-    let stage = stage(&scene(vec![ball(1.0, DVec3::ZERO, glass(1.5))]));
-    let hit = stage.closest_hit(&ray(v(0.0, 0.0, 5.0), DVec3::NEG_Z)).unwrap();
-    assert!(!hit.hit.leaving && stage.closest_hit(&ray_from_hit(&hit, hit.normal)).is_none());
-    let inner = stage.closest_hit(&ray(DVec3::ZERO, DVec3::Z)).unwrap();
+    let render_scene = render_scene(&scene(vec![ball(1.0, DVec3::ZERO, glass(1.5))]));
+    let hit = render_scene.closest_hit(&ray(v(0.0, 0.0, 5.0), DVec3::NEG_Z)).unwrap();
+    assert!(!hit.hit.leaving && render_scene.closest_hit(&ray_from_hit(&hit, hit.normal)).is_none());
+    let inner = render_scene.closest_hit(&ray(DVec3::ZERO, DVec3::Z)).unwrap();
     assert!(inner.hit.leaving);
-    let across = stage.closest_hit(&ray_from_hit(&inner, inner.normal)).unwrap();
+    let across = render_scene.closest_hit(&ray_from_hit(&inner, inner.normal)).unwrap();
     assert_close(f64::from(across.hit.t), 2.0, 1e-6);
     assert!(across.hit.leaving);
 }

@@ -57,19 +57,19 @@ proptest! {
     fn a_ray_that_leaves_never_returns(
         shape in shape(), placement in placement(), from in unit(), at in unit(), out in unit(),
     ) {
-        let stage = stage_of(vec![placed(shape, placement, mirror())]);
-        let hit = stage.closest_hit(&ray_at(&placement, 4.0 * from, 0.3 * at));
+        let render_scene = stage_of(vec![placed(shape, placement, mirror())]);
+        let hit = render_scene.closest_hit(&ray_at(&placement, 4.0 * from, 0.3 * at));
         prop_assume!(hit.is_some());
         let hit = hit.unwrap();
         let out = out.as_vec3().normalize();
         let out = if out.dot(hit.normal) < 0.0 { -out } else { out };
         prop_assert!(!hit.hit.leaving);
-        prop_assert_eq!(stage.closest_hit(&ray_from_hit(&hit, out)), None);
+        prop_assert_eq!(render_scene.closest_hit(&ray_from_hit(&hit, out)), None);
         // Nor does one that grazes the surface.
         let grazing = out.reject_from(hit.normal).normalize_or(Vec3::X);
-        prop_assert_eq!(stage.closest_hit(&ray_from_hit(&hit, grazing)), None);
+        prop_assert_eq!(render_scene.closest_hit(&ray_from_hit(&hit, grazing)), None);
         // The mirrored one in particular: one reflection and off.
-        prop_assert_eq!(chain(&stage, ray_at(&placement, 4.0 * from, 0.3 * at)).len(), 2);
+        prop_assert_eq!(chain(&render_scene, ray_at(&placement, 4.0 * from, 0.3 * at)).len(), 2);
     }
 
     /// A ray that heads into a body always meets its far side, exactly once.
@@ -79,8 +79,8 @@ proptest! {
     ) {
         let mut clear = glass(ior);
         clear.reflection = Some(0.0);
-        let stage = stage_of(vec![placed(shape, placement, clear)]);
-        let path = chain(&stage, ray_at(&placement, 4.0 * from, 0.3 * at));
+        let render_scene = stage_of(vec![placed(shape, placement, clear)]);
+        let path = chain(&render_scene, ray_at(&placement, 4.0 * from, 0.3 * at));
         prop_assume!(path.len() > 1);
         // Total reflections keep it inside; all rays but the first and last run inside.
         prop_assume!(path.last().unwrap().hit.is_none());
@@ -99,9 +99,9 @@ proptest! {
         let far = placement.world_from_body().transform_point3(DVec3::ZERO)
             + 1e3 * placement.scale.max_element() * towards;
         scene.lights = vec![light(far, 1.0, Falloff::None)];
-        let stage = crate::common::stage(&scene);
+        let render_scene = crate::common::render_scene(&scene);
         let start = ray_at(&placement, 4.0 * from, 0.3 * at);
-        let hit = stage.closest_hit(&start);
+        let hit = render_scene.closest_hit(&start);
         prop_assume!(hit.is_some());
         let hit = hit.unwrap();
         let to_light = (far - hit.position).normalize();
@@ -109,17 +109,17 @@ proptest! {
         let expected = cos.max(0.0);
         // The light's own place is rounded: to 1e-7 of its distance from the world's origin.
         let rounding = 4e-7 * (1.0 + far.length() / far.distance(hit.position));
-        let light = f64::from(light_along(&stage, start).x);
+        let light = f64::from(light_along(&render_scene, start).x);
         prop_assert!((light - expected).abs() < 1e-5 + rounding, "{light} instead of {expected}");
     }
 
     /// Points that the tracer calls hits lie on the surface as the textbook has it.
     #[test]
     fn hits_lie_on_the_surface(shape in shape(), placement in placement(), from in unit(), at in unit()) {
-        let stage = stage_of(vec![placed(shape, placement, mirror())]);
+        let render_scene = stage_of(vec![placed(shape, placement, mirror())]);
         let start = ray_at(&placement, 4.0 * from, 0.3 * at);
         let Anchor::Frame { position, .. } = placement.anchor else { unreachable!() };
-        if let Some(hit) = stage.closest_hit(&start) {
+        if let Some(hit) = render_scene.closest_hit(&start) {
             let body_from_world = placement.world_from_body().inverse();
             let own = body_from_world.transform_point3(hit.position);
             let off = textbook::implicit(&shape, own).abs() * placement.scale.min_element();
@@ -135,7 +135,7 @@ fn rays_that_are_not_finite_meet_nothing() {
     let few: Vec<Body> =
         shapes.map(|shape| turned(shape, DVec3::ZERO, v(10.0, 20.0, 30.0), glass(1.5))).to_vec();
     let many: Vec<Body> = (0..20).flat_map(|_| few.clone()).collect();
-    for stage in [stage_of(few), stage_of(many)] {
+    for render_scene in [stage_of(few), stage_of(many)] {
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
             for place in 0..6 {
                 for (origin, direction) in
@@ -145,7 +145,7 @@ fn rays_that_are_not_finite_meet_nothing() {
                     numbers[place] = bad;
                     let bad =
                         Ray::from_point(Vec3::from_slice(&numbers[..3]), Vec3::from_slice(&numbers[3..]));
-                    assert_eq!(stage.closest_hit(&bad), None, "{bad:?}");
+                    assert_eq!(render_scene.closest_hit(&bad), None, "{bad:?}");
                 }
             }
         }
@@ -204,14 +204,14 @@ fn a_body_seen_from_10_000_sizes_away_is_whole() {
 
 #[test]
 fn a_plane_is_seen_up_to_its_horizon() {
-    let stage = stage_of(vec![plane(DVec3::ZERO, 0.0, glow(Color::WHITE))]);
+    let render_scene = stage_of(vec![plane(DVec3::ZERO, 0.0, glow(Color::WHITE))]);
     for slope in [1.0, 1e-3, 1e-6, 1e-12, 1e-20, 1e-30] {
-        let hit = stage.closest_hit(&ray(v(0.0, 1.0, 0.0), v(0.3, -slope, -1.0)));
+        let hit = render_scene.closest_hit(&ray(v(0.0, 1.0, 0.0), v(0.3, -slope, -1.0)));
         assert_eq!(hit.map(|hit| hit.body), Some(0), "slope {slope}");
-        assert!(stage.closest_hit(&ray(v(0.0, 1.0, 0.0), v(0.3, slope, -1.0))).is_none());
+        assert!(render_scene.closest_hit(&ray(v(0.0, 1.0, 0.0), v(0.3, slope, -1.0))).is_none());
     }
-    assert!(stage.closest_hit(&ray(v(0.0, 1.0, 0.0), DVec3::NEG_Z)).is_none());
-    let light = light_along(&stage, ray(v(0.0, 1.0, 0.0), v(0.3, -1e-20, -1.0)));
+    assert!(render_scene.closest_hit(&ray(v(0.0, 1.0, 0.0), DVec3::NEG_Z)).is_none());
+    let light = light_along(&render_scene, ray(v(0.0, 1.0, 0.0), v(0.3, -1e-20, -1.0)));
     assert_eq!(light, Vec3::ONE);
 }
 
@@ -255,14 +255,14 @@ fn a_closed_mirror_room_does_not_leak() {
         for mut room in rooms.clone() {
             let Anchor::Frame { position, .. } = &mut room.placement.anchor else { unreachable!() };
             *position += offset;
-            let stage = stage_of(vec![room.clone()]);
+            let render_scene = stage_of(vec![room.clone()]);
             for step in 0..2000 {
                 // Directions spread evenly, aimed exactly along axes and diagonals now and then.
                 let turn = f64::from(step) * 2.399_963;
                 let y = 1.0 - f64::from(step) / 1000.0;
                 let r = (1.0 - y * y).max(0.0).sqrt();
                 let d = if step % 100 == 0 { v(1.0, 1.0, 1.0) } else { v(r * turn.cos(), y, r * turn.sin()) };
-                let rays = tree(&stage, ray(offset + v(0.1, 0.2, 0.1) * f64::from(step % 2), d));
+                let rays = tree(&render_scene, ray(offset + v(0.1, 0.2, 0.1) * f64::from(step % 2), d));
                 assert_eq!(rays.len(), 64, "{:?}, ray {step} escaped", room.shape);
                 assert!(rays.iter().all(|ray| ray.hit.is_some_and(|hit| hit.hit.t >= 0.0)));
             }
@@ -273,7 +273,7 @@ fn a_closed_mirror_room_does_not_leak() {
 #[test]
 fn a_room_of_six_blocks_does_not_leak() {
     let wall = glow(Color::WHITE);
-    let stage = stage_of(vec![
+    let render_scene = stage_of(vec![
         block(v(6.0, 1.0, 6.0), v(0.0, -1.5, 0.0), wall.clone()),
         block(v(6.0, 1.0, 6.0), v(0.0, 1.5, 0.0), wall.clone()),
         block(v(1.0, 2.0, 6.0), v(-2.5, 0.0, 0.0), wall.clone()),
@@ -285,7 +285,7 @@ fn a_room_of_six_blocks_does_not_leak() {
         // Straight at the seams.
         let along = 4.0 * (f64::from(step) / 20_000.0 - 0.5);
         for seam in [v(along, -1.0, -2.0), v(2.0, 1.0, along), v(-2.0, 0.5 * along, 2.0)] {
-            let hit = stage.closest_hit(&ray(v(0.1, 0.2, 0.3), seam - v(0.1, 0.2, 0.3)));
+            let hit = render_scene.closest_hit(&ray(v(0.1, 0.2, 0.3), seam - v(0.1, 0.2, 0.3)));
             let t = f64::from(hit.expect("the seam is closed").hit.t);
             assert!(t < seam.distance(v(0.1, 0.2, 0.3)) + 1e-4, "through the seam at {seam}");
         }
@@ -301,13 +301,13 @@ fn touching_bodies_shade_the_floor_up_to_the_contact() {
             block(scale * DVec3::ONE, scale * v(0.0, 0.5, 0.0) + offset, chalk()),
         ]);
         scene.lights = vec![light(scale * v(-30.0, 30.0, 0.0) + offset, 1.0, Falloff::None)];
-        let stage = crate::common::stage(&scene);
+        let render_scene = crate::common::render_scene(&scene);
         for step in 1..1000 {
             let z = scale * 0.9 * (f64::from(step) / 1000.0 - 0.5);
             let floor_at = |x: f64| {
                 let at = v(scale * x, 0.0, z) + offset;
                 let from = at + scale * v(if x > 0.0 { 3.0 } else { -3.0 }, 3.0, 0.0);
-                light_along(&stage, ray(from, at - from)).x
+                light_along(&render_scene, ray(from, at - from)).x
             };
             assert_eq!(floor_at(0.501), 0.0, "a strip of light");
             assert!(floor_at(-0.501) > 0.6, "a strip of shadow");
@@ -318,12 +318,12 @@ fn touching_bodies_shade_the_floor_up_to_the_contact() {
 #[test]
 fn starts_within_a_mirror_image_are_told_apart_from_hits() {
     // The same point and direction, with and without knowledge of the surface.
-    let stage = stage_of(vec![ball(1.0, DVec3::ZERO, glass(1.5))]);
+    let render_scene = stage_of(vec![ball(1.0, DVec3::ZERO, glass(1.5))]);
     let inwards =
         Ray { start: RayOrigin { body: 0, inwards: true }, ..Ray::from_point(Vec3::Z, Vec3::NEG_Z) };
-    assert_close(f64::from(stage.closest_hit(&inwards).unwrap().hit.t), 2.0, 1e-6);
+    assert_close(f64::from(render_scene.closest_hit(&inwards).unwrap().hit.t), 2.0, 1e-6);
     let outwards = Ray { start: RayOrigin { body: 0, inwards: false }, ..inwards };
-    assert_eq!(stage.closest_hit(&outwards), None);
+    assert_eq!(render_scene.closest_hit(&outwards), None);
 }
 
 #[test]

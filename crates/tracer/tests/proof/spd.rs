@@ -11,7 +11,7 @@ use catoptric_tracer::{RayCounts, WhittedIntegrator};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
-use crate::common::{assert_close, ball, block, light, scene, stage, v};
+use crate::common::{assert_close, ball, block, light, render_scene, scene, v};
 
 /// Places of the nine balls around a ball of radius 1/2 whose own parent lies in direction -Z: three rings of three.
 fn around() -> [DVec3; 9] {
@@ -96,12 +96,12 @@ fn the_sphereflake_is_the_published_one() {
 
 #[test]
 fn balls_take_the_published_number_of_rays() {
-    let stage = stage(&balls());
+    let render_scene = render_scene(&balls());
     let cancel = AtomicBool::new(false);
     let counts = (0..513)
         .into_par_iter()
         .map(|row| {
-            let mut tracer = WhittedIntegrator::new(&stage, &cancel);
+            let mut tracer = WhittedIntegrator::new(&render_scene, &cancel);
             for column in 0..513 {
                 let at = DVec2::new(f64::from(column), f64::from(row)) - 0.5;
                 tracer.trace(at, DVec2::splat(511.0));
@@ -114,7 +114,7 @@ fn balls_take_the_published_number_of_rays() {
     // Every one of the eye's rays meets something.
     let meets = |row: u32, column: u32| {
         let at = DVec2::new(f64::from(column), f64::from(row)) - 0.5;
-        stage.closest_hit(&stage.camera().ray(at, DVec2::splat(511.0))).is_some()
+        render_scene.closest_hit(&render_scene.camera().ray(at, DVec2::splat(511.0))).is_some()
     };
     assert!((0..513).into_par_iter().all(|row| (0..513).all(|column| meets(row, column))));
     for (counted, published) in [(counts.reflected, 175_095), (counts.shadow, 954_368)] {

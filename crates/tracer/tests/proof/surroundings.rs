@@ -11,7 +11,7 @@ use glam::{DQuat, DVec3};
 
 use crate::common::{
     assert_close, assert_same_picture, ball, block, camera, chalk, glow, light_along, picture, plane, ray,
-    scene, stage, turned, v,
+    render_scene, scene, turned, v,
 };
 
 fn image(width: u32, height: u32, color: impl FnMut(u32, u32) -> [f32; 3]) -> Image {
@@ -44,12 +44,12 @@ fn a_mirror_shows_the_sky_where_it_points() {
         horizon: Color::new(0.0, 1.0, 0.4),
         nadir: Color::new(0.0, 0.0, 3.0),
     };
-    let stage = stage(&under(Surroundings::Sky(sky), vec![ball(1.0, DVec3::ZERO, mirror())]));
+    let render_scene = render_scene(&under(Surroundings::Sky(sky), vec![ball(1.0, DVec3::ZERO, mirror())]));
     for step in 0..40 {
         let at = DVec3::new(0.02 * f64::from(step) - 0.4, 0.9 - 0.045 * f64::from(step), 0.0);
         let normal = at + DVec3::Z * (1.0 - at.length_squared()).max(0.0).sqrt();
         let direction = DVec3::NEG_Z - 2.0 * normal * DVec3::NEG_Z.dot(normal);
-        let found = light_along(&stage, ray(at + DVec3::Z * 4.0, DVec3::NEG_Z)).as_dvec3();
+        let found = light_along(&render_scene, ray(at + DVec3::Z * 4.0, DVec3::NEG_Z)).as_dvec3();
         let (end, y) = if direction.y < 0.0 { (sky.nadir, -direction.y) } else { (sky.zenith, direction.y) };
         for ((found, horizon), end) in
             found.to_array().into_iter().zip(sky.horizon.to_array()).zip(end.to_array())
@@ -132,11 +132,11 @@ fn a_texture_of_one_color_is_that_color() {
 fn the_pixels_of_a_texture_lie_on_a_cube_as_on_a_wall() {
     let numbered = image(4, 2, |x, y| [(1 + x + 4 * y) as f32, 0.0, 0.0]);
     let material = Material { texture: Some(numbered), ..glow(Color::WHITE) };
-    let stage = stage(&scene(vec![block(DVec3::splat(2.0), DVec3::ZERO, material)]));
+    let render_scene = render_scene(&scene(vec![block(DVec3::splat(2.0), DVec3::ZERO, material)]));
     for y in 0..2 {
         for x in 0..4 {
             let at = v(-0.75 + 0.5 * f64::from(x), 0.5 - f64::from(y), 5.0);
-            let found = light_along(&stage, ray(at, DVec3::NEG_Z));
+            let found = light_along(&render_scene, ray(at, DVec3::NEG_Z));
             assert_close(f64::from(found.x), f64::from(1 + x + 4 * y), 1e-5);
         }
     }

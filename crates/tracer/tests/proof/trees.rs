@@ -8,20 +8,20 @@ use catoptric_tracer::{RayCounts, RayKind, WhittedIntegrator};
 use glam::{DVec2, DVec3, Vec3};
 
 use crate::common::{
-    assert_close, assert_same_picture, ball, glass, mirror, picture, plane, ray, stage, tree, v,
+    assert_close, assert_same_picture, ball, glass, mirror, picture, plane, ray, render_scene, tree, v,
 };
 use crate::samples::gallery;
 
 #[test]
 fn the_contributions_of_all_rays_sum_to_the_pixel() {
-    let stage = stage(&gallery());
+    let render_scene = render_scene(&gallery());
     let cancel = AtomicBool::new(false);
-    let mut tracer = WhittedIntegrator::new(&stage, &cancel);
+    let mut tracer = WhittedIntegrator::new(&render_scene, &cancel);
     let size = DVec2::new(48.0, 27.0);
     for pixel in 0..48 * 27 {
         let at = DVec2::new(f64::from(pixel % 48) + 0.5, f64::from(pixel / 48) + 0.5);
         let light = tracer.trace(at, size);
-        let rays = tracer.tree(stage.camera().ray(at, size), usize::MAX);
+        let rays = tracer.tree(render_scene.camera().ray(at, size), usize::MAX);
         assert_eq!(rays.iter().map(|ray| ray.light).sum::<Vec3>(), light.into(), "at {at}");
     }
 }
@@ -29,11 +29,11 @@ fn the_contributions_of_all_rays_sum_to_the_pixel() {
 #[test]
 fn weights_are_products_of_coefficients_and_generations_count_from_the_eye() {
     let scene = gallery();
-    let stage = stage(&scene);
+    let render_scene = render_scene(&scene);
     let mut seen = 0;
     for pixel in 0..200 {
         let at = DVec2::new(f64::from(pixel % 20) + 0.5, f64::from(pixel / 20) + 0.5);
-        let rays = tree(&stage, stage.camera().ray(at, DVec2::new(20.0, 10.0)));
+        let rays = tree(&render_scene, render_scene.camera().ray(at, DVec2::new(20.0, 10.0)));
         assert_eq!((rays[0].kind, rays[0].generation, rays[0].weight), (RayKind::Primary, 1, Vec3::ONE));
         for ray in &rays[1..] {
             let parent = &rays[ray.parent.unwrap()];
@@ -60,11 +60,11 @@ fn weights_are_products_of_coefficients_and_generations_count_from_the_eye() {
 #[test]
 fn no_ray_is_older_than_the_limit_and_the_last_shades_itself() {
     for limit in [1, 2, 3, 7] {
-        let stage = stage(&gallery()).with_generations(limit);
+        let render_scene = render_scene(&gallery()).with_generations(limit);
         let rays: Vec<_> = (0..400)
             .flat_map(|pixel| {
                 let at = DVec2::new(f64::from(pixel % 25) + 0.5, f64::from(pixel / 25) + 0.5);
-                tree(&stage, stage.camera().ray(at, DVec2::new(25.0, 16.0)))
+                tree(&render_scene, render_scene.camera().ray(at, DVec2::new(25.0, 16.0)))
             })
             .collect();
         assert_eq!(rays.iter().map(|ray| ray.generation).max(), Some(limit));
@@ -118,7 +118,7 @@ fn rays_below_the_threshold_are_not_traced() {
     let start = ray(v(0.5, 0.0, 0.0), DVec3::X);
     for (threshold, rays) in [(0.6, 1), (0.5, 2), (0.3, 2), (0.25, 3), (0.2, 3), (1e-3, 10), (0.0, 64)] {
         scene.tracing.threshold = threshold;
-        assert_eq!(tree(&stage(&scene), start).len(), rays, "threshold {threshold}");
+        assert_eq!(tree(&render_scene(&scene), start).len(), rays, "threshold {threshold}");
     }
 }
 
@@ -130,7 +130,7 @@ fn the_strongest_channel_decides_at_the_threshold() {
     let start = ray(v(0.0, 0.0, 5.0), DVec3::NEG_Z);
     for (threshold, rays) in [(0.2, 3), (0.3, 2), (0.6, 1)] {
         scene.tracing.threshold = threshold;
-        assert_eq!(tree(&stage(&scene), start).len(), rays, "threshold {threshold}");
+        assert_eq!(tree(&render_scene(&scene), start).len(), rays, "threshold {threshold}");
     }
 }
 
@@ -150,7 +150,8 @@ fn coefficients_above_one_and_bright_lights_are_not_clamped_on_the_way() {
         crate::common::scene(vec![plane(DVec3::ZERO, -90.0, wall.clone()), plane(DVec3::X, 90.0, wall)]);
     scene.tracing.generations = 10;
     let sum: f64 = (0..10).map(|k| 2.0 * 1.5_f64.powi(k)).sum();
-    let light: Vec3 = tree(&stage(&scene), ray(v(0.5, 0.0, 0.0), DVec3::X)).iter().map(|ray| ray.light).sum();
+    let light: Vec3 =
+        tree(&render_scene(&scene), ray(v(0.5, 0.0, 0.0), DVec3::X)).iter().map(|ray| ray.light).sum();
     assert_close(f64::from(light.y), sum, 1e-5 * sum);
 }
 
@@ -164,9 +165,9 @@ fn rays_are_counted_by_kind() {
     scene.lights = [1.0, -1.0]
         .map(|x| crate::common::light(v(x, 2.0, 0.0), 1.0, catoptric_scene::Falloff::None))
         .to_vec();
-    let stage = stage(&scene);
+    let render_scene = render_scene(&scene);
     let cancel = AtomicBool::new(false);
-    let mut tracer = WhittedIntegrator::new(&stage, &cancel);
+    let mut tracer = WhittedIntegrator::new(&render_scene, &cancel);
     let start = ray(v(0.0, 5.0, 0.0), v(0.1, -1.0, 0.0));
     let rays = tracer.tree(start, 1000);
     // Into the pane, out of it, to the floor, up, into the pane, out into the sky.
@@ -181,14 +182,14 @@ fn rays_are_counted_by_kind() {
 fn a_checker_of_two_colors_is_reflected_as_it_is() {
     let checker = Some(Checker { color: Color::BLACK, size: 1.0, ..Checker::default() });
     let floor = Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
-    let stage = crate::common::stage_of(vec![
+    let render_scene = crate::common::stage_of(vec![
         plane(DVec3::ZERO, 0.0, floor),
         plane(v(0.0, 4.0, 0.0), 180.0, mirror()),
     ]);
     for cell in -20..20 {
         let at = v(f64::from(cell) + 0.5, 4.0, 0.0);
         let from = v(0.0, 1.0, 0.3);
-        let rays = tree(&stage, ray(from, at - from));
+        let rays = tree(&render_scene, ray(from, at - from));
         // Unfolded: the floor's image is at y = 8.
         let x = from.x + (at.x - from.x) * 7.0 / 3.0;
         let z = from.z * (1.0 - 7.0 / 3.0);

@@ -9,12 +9,12 @@ impl Hand {
     /// The point of the body that is seen at a place of the window, its normal, and the way of the eye's ray there.
     fn surface(&self, pos: Pos2) -> (usize, DVec3, DVec3, DVec3) {
         let studio = self.harness.state();
-        let (_, stage) = studio.live().stage().unwrap();
+        let (_, render_scene) = studio.live().render_scene().unwrap();
         let rect = studio.viewport_rect().unwrap();
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
         let at = DVec2::new(f64::from(pos.x - rect.min.x), f64::from(pos.y - rect.min.y));
-        let ray = stage.camera_for(&studio.live().latest().unwrap().camera).ray(at, size);
-        let hit = stage.closest_hit(&ray).unwrap();
+        let ray = render_scene.camera_for(&studio.live().latest().unwrap().camera).ray(at, size);
+        let hit = render_scene.closest_hit(&ray).unwrap();
         (hit.body, hit.position, hit.normal.as_dvec3(), ray.direction.as_dvec3())
     }
 
@@ -71,9 +71,9 @@ fn a_shadow_is_dragged_by_the_point_that_casts_it() {
         .find_map(|point| {
             let shadow = ground(point);
             let studio = hand.harness.state();
-            let (_, stage) = studio.live().stage().unwrap();
-            let ray = stage.ray_from_point(light, (shadow - light).normalize().as_vec3());
-            let hit = stage.closest_hit(&ray).filter(|hit| hit.body != FLOOR)?;
+            let (_, render_scene) = studio.live().render_scene().unwrap();
+            let ray = render_scene.ray_from_point(light, (shadow - light).normalize().as_vec3());
+            let hit = render_scene.closest_hit(&ray).filter(|hit| hit.body != FLOOR)?;
             let is_seen = |at: DVec3| hand.surface(hand.place(at)).0 == FLOOR;
             (is_seen(shadow) && is_seen(shadow + STEP)).then_some((hit.position, shadow))
         })

@@ -25,10 +25,11 @@ impl Hand {
     /// Where a point is in the window, if it is in the picture.
     fn seen(&self, point: DVec3) -> Option<Pos2> {
         let studio = self.harness.state();
-        let (_, stage) = studio.live().stage().unwrap();
+        let (_, render_scene) = studio.live().render_scene().unwrap();
         let rect = studio.viewport_rect().unwrap();
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
-        let (at, _) = stage.camera_for(&studio.live().latest().unwrap().camera).project(point, size)?;
+        let (at, _) =
+            render_scene.camera_for(&studio.live().latest().unwrap().camera).project(point, size)?;
         let pos = rect.min + Vec2::new(at.x as f32, at.y as f32);
         rect.contains(pos).then_some(pos)
     }
@@ -60,13 +61,13 @@ impl Hand {
             assert!(is_room || bounds::are_apart(body, other), "{of}: inside {}", other.name);
         }
         let studio = self.harness.state();
-        let (_, stage) = studio.live().stage().unwrap();
+        let (_, render_scene) = studio.live().render_scene().unwrap();
         let rect = studio.viewport_rect().unwrap();
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
-        let camera = stage.camera_for(&studio.live().latest().unwrap().camera);
+        let camera = render_scene.camera_for(&studio.live().latest().unwrap().camera);
         let (at, _) = camera.project(own.center(), size).unwrap();
         assert_eq!(
-            stage.closest_hit(&camera.ray(at, size)).map(|hit| hit.body),
+            render_scene.closest_hit(&camera.ray(at, size)).map(|hit| hit.body),
             Some(index),
             "{of} is hidden"
         );
@@ -148,11 +149,11 @@ fn a_second_plane_is_a_wall_in_view() {
     }
     let index = scene.bodies.len() - 1;
     let studio = hand.harness.state();
-    let (_, stage) = studio.live().stage().unwrap();
-    let camera = stage.camera_for(&scene.camera);
+    let (_, render_scene) = studio.live().render_scene().unwrap();
+    let camera = render_scene.camera_for(&scene.camera);
     let size = DVec2::new(100.0, 100.0);
     let is_seen = (0..100).any(|row| {
-        let hit = stage.closest_hit(&camera.ray(DVec2::new(50.0, f64::from(row)), size));
+        let hit = render_scene.closest_hit(&camera.ray(DVec2::new(50.0, f64::from(row)), size));
         hit.is_some_and(|hit| hit.body == index)
     });
     assert!(is_seen);
@@ -164,10 +165,10 @@ fn an_arrow_at_the_edge_leads_to_a_light_out_of_view() {
     let studio = hand.harness.state();
     let light = studio.editor().scene().lights[0].position;
     assert_eq!(hand.seen(light), None);
-    let (_, stage) = studio.live().stage().unwrap();
+    let (_, render_scene) = studio.live().render_scene().unwrap();
     let rect = studio.viewport_rect().unwrap();
     let camera = studio.live().latest().unwrap().camera;
-    let [right, up, _] = stage.camera_for(&camera).axes();
+    let [right, up, _] = render_scene.camera_for(&camera).axes();
     let offset = light - camera.position;
     let direction = Vec2::new(offset.dot(right) as f32, -offset.dot(up) as f32).normalized();
     // Somewhere on the line from the middle to the edge.

@@ -120,12 +120,12 @@ pub(crate) fn light(position: DVec3, intensity: f64, falloff: Falloff) -> Light 
     Light { position, intensity, falloff, ..Light::default() }
 }
 
-pub(crate) fn stage(scene: &Scene) -> RenderScene {
+pub(crate) fn render_scene(scene: &Scene) -> RenderScene {
     RenderScene::build(scene).unwrap()
 }
 
 pub(crate) fn stage_of(bodies: Vec<Body>) -> RenderScene {
-    stage(&scene(bodies))
+    render_scene(&scene(bodies))
 }
 
 /// A scene of which a single pixel takes longer than the universe is old: 2⁶³ rays between reflecting panes of glass.
@@ -134,7 +134,7 @@ pub(crate) fn endless() -> RenderScene {
     (pane.reflection, pane.transmission) = (Some(0.5), 0.5);
     let panes: Vec<Body> =
         (0..4).map(|k| block(v(1e4, 1e4, 0.1), v(0.0, 0.0, -f64::from(k)), pane.clone())).collect();
-    stage(&scene(panes))
+    render_scene(&scene(panes))
 }
 
 // ---- rays ----
@@ -150,14 +150,14 @@ pub(crate) fn ray_from_hit(hit: &RayIntersection, direction: Vec3) -> Ray {
 }
 
 /// All rays of the tree, however many.
-pub(crate) fn tree(stage: &RenderScene, primary: Ray) -> Vec<RayRecord> {
+pub(crate) fn tree(render_scene: &RenderScene, primary: Ray) -> Vec<RayRecord> {
     let cancel = AtomicBool::new(false);
-    WhittedIntegrator::new(stage, &cancel).tree(primary, 100_000)
+    WhittedIntegrator::new(render_scene, &cancel).tree(primary, 100_000)
 }
 
 /// The rays of a tree that does not branch.
-pub(crate) fn chain(stage: &RenderScene, primary: Ray) -> Vec<RayRecord> {
-    let rays = tree(stage, primary);
+pub(crate) fn chain(render_scene: &RenderScene, primary: Ray) -> Vec<RayRecord> {
+    let rays = tree(render_scene, primary);
     for (index, ray) in rays.iter().enumerate().skip(1) {
         assert_eq!(ray.parent, Some(index - 1), "the path branches");
     }
@@ -165,14 +165,14 @@ pub(crate) fn chain(stage: &RenderScene, primary: Ray) -> Vec<RayRecord> {
 }
 
 /// The light that comes along a ray.
-pub(crate) fn light_along(stage: &RenderScene, primary: Ray) -> Vec3 {
-    tree(stage, primary).iter().map(|ray| ray.light).sum()
+pub(crate) fn light_along(render_scene: &RenderScene, primary: Ray) -> Vec3 {
+    tree(render_scene, primary).iter().map(|ray| ray.light).sum()
 }
 
 /// The light in the middle of the picture.
 pub(crate) fn center(scene: &Scene) -> Vec3 {
     let cancel = AtomicBool::new(false);
-    WhittedIntegrator::new(&stage(scene), &cancel).trace(DVec2::splat(0.5), DVec2::ONE).into()
+    WhittedIntegrator::new(&render_scene(scene), &cancel).trace(DVec2::splat(0.5), DVec2::ONE).into()
 }
 
 pub(crate) fn direction(ray: &RayRecord) -> DVec3 {
@@ -183,7 +183,7 @@ pub(crate) fn direction(ray: &RayRecord) -> DVec3 {
 
 pub(crate) fn picture(scene: &Scene, width: u32, height: u32) -> Picture {
     let settings = RenderSettings { width, height, samples: 1 };
-    render(&stage(scene), settings, &RenderControl::default()).unwrap().picture
+    render(&render_scene(scene), settings, &RenderControl::default()).unwrap().picture
 }
 
 /// Asserts that at most `share` of the pixels differ by more than 1/255 in linear light, without clamping.
