@@ -21,9 +21,6 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("catoptric", &["studio", "lab", "gpu", "tracer", "scene", "picture", "files"]),
 ];
 
-/// Crates whose types may still share a name.
-const MAY_SHARE_TYPE_NAMES: &[&str] = &["tracer"];
-
 const LONGEST_FILE: usize = 600;
 const LONGEST_FUNCTION: usize = 80;
 
@@ -156,9 +153,6 @@ fn a_type_name_occurs_once_in_a_crate() {
     let mut faults = Vec::new();
     for path in crates().into_iter().chain([root().join("xtask")]) {
         let crate_name = name(&path);
-        if MAY_SHARE_TYPE_NAMES.contains(&crate_name.as_str()) {
-            continue;
-        }
         let mut files = Vec::new();
         rust_files(&path.join("src"), &mut files);
         let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();

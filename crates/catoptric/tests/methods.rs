@@ -87,8 +87,8 @@ fn statistics_tell_the_time_of_each_pass() {
     let folder = Folder::new();
     let passes = [
         ("whitted", &["trace"][..]),
-        ("ssr", &["geometry", "light", "reflect"]),
-        ("cube-map", &["geometry", "light", "cube-maps", "reflect"]),
+        ("ssr", &["first-hits", "reflect"]),
+        ("cube-map", &["first-hits", "cube-maps", "reflect"]),
         ("phong", &["tessellate", "light", "rasterize"]),
     ];
     for (method, passes) in passes {

@@ -170,13 +170,14 @@ impl ReadOptions {
     /// Color profiles, primaries and chromaticities are not converted.
     ///
     /// - PNG: any color type, depth and interlacing. Codes are decoded as the chunk `cICP` says (sRGB, linear, power,
-    /// Rec. 709; PQ and HLG are refused by name), or else by `gAMA` without `sRGB` and `iCCP`, unless it is the 0.45455
-    /// that stands in for sRGB, or else as sRGB. Of an animation, the default image. - EXR: the channels R, G, B (half,
-    /// float or unsigned, as numbers) of the chosen layer, otherwise Y as gray. The data window becomes the picture.
-    /// Not read: deep, subsampled and luminance-chroma pictures. - JPEG (also progressive, gray, and CMYK without a
-    /// profile), WebP (also lossy), BMP: 8-bit codes as sRGB. The orientation in the Exif data of JPEG and WebP, and in
-    /// the tags of TIFF, is followed. - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light. - Radiance HDR:
-    /// linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
+    ///   Rec. 709; PQ and HLG are refused by name), or else by `gAMA` without `sRGB` and `iCCP`, unless it is the 0.45455
+    ///   that stands in for sRGB, or else as sRGB. Of an animation, the default image.
+    /// - EXR: the channels R, G, B (half, float or unsigned, as numbers) of the chosen layer, otherwise Y as gray.
+    ///   The data window becomes the picture. Not read: deep, subsampled and luminance-chroma pictures.
+    /// - JPEG (also progressive, gray, and CMYK without a profile), WebP (also lossy), BMP: 8-bit codes as sRGB.
+    ///   The orientation in the Exif data of JPEG and WebP, and in the tags of TIFF, is followed.
+    /// - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light.
+    /// - Radiance HDR: linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
     ///
     /// Pipes and devices are read to their end first; `-` is standard input.
     ///

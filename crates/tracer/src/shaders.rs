@@ -80,7 +80,7 @@ const PHYSICAL: &[&str] = &[
     include_str!("transport/surface/microfacet.wgsl"),
     include_str!("transport/sampler.wgsl"),
     include_str!("transport/interaction.wgsl"),
-    include_str!("transport/integrator/whitted/rough.wgsl"),
+    include_str!("transport/shading/rough.wgsl"),
     include_str!("transport/spectrum.wgsl"),
     include_str!("transport/integrator/whitted/scatter.wgsl"),
     include_str!("transport/integrator/whitted/physical.wgsl"),

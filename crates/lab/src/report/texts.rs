@@ -198,7 +198,7 @@ impl Language {
             PassName::Tessellate => self.choose("tessellation", "разбиение на грани"),
             PassName::Light => self.choose("lighting", "освещение"),
             PassName::Rasterize => self.choose("rasterization", "растеризация"),
-            PassName::Geometry => self.choose("geometry", "геометрия"),
+            PassName::FirstHits => self.choose("first hits", "первые пересечения"),
             PassName::CubeMaps => self.choose("cube maps", "кубические карты"),
             PassName::Reflect => self.choose("reflections", "отражения"),
         }

@@ -224,7 +224,7 @@ impl RenderBody {
     }
 
     #[inline(always)]
-    fn point_in_body<R: Float>(&self, point: Vector<R>) -> Vector<R> {
+    pub(crate) fn point_in_body<R: Float>(&self, point: Vector<R>) -> Vector<R> {
         self.vector_in_body(self.relative(point))
     }
 

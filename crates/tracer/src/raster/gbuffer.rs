@@ -1,16 +1,18 @@
 //! The geometry buffer: for each pixel the point that it shows, and how it is lit (Saito, Takahashi 1990).
 
+pub(crate) mod first_hits;
 pub(crate) mod min_depth;
 
 use catoptric_picture::{Picture, SizeError};
 use glam::DVec2;
 
+use crate::geometry::body::SurfacePoint;
 use crate::geometry::ray::{NO_BODY, Ray, RayOrigin};
 use crate::raster::error::MethodError;
+use crate::raster::gbuffer::first_hits::find_first_hits;
 use crate::raster::gbuffer::min_depth::MinDepthGrid;
-use crate::raster::point_shader::{PointShader, ShadingPoint, color_at, exact, vector};
+use crate::raster::point_shader::{PointShader, color_at, exact, vector};
 use crate::raster::sample_sums::FrameSize;
-use crate::raster::settings::LightModel;
 use crate::simd::vector::Vector;
 use crate::transport::camera::RenderCamera;
 use crate::transport::control::RenderControl;
@@ -30,23 +32,22 @@ pub(crate) struct GBufferTexel {
     pub(crate) position: Vector<f32>,
     /// Unit normal facing the viewer; of background, the direction of view.
     pub(crate) normal: Vector<f32>,
-    /// Color C.
-    pub(crate) color: Vector<f32>,
 }
 
 const NOTHING: Vector<f32> = Vector { x: 0.0, y: 0.0, z: 0.0 };
 
 impl GBufferTexel {
-    pub(crate) const EMPTY: Self = Self {
-        start: RayOrigin::FREE,
-        depth: f32::INFINITY,
-        position: NOTHING,
-        normal: NOTHING,
-        color: NOTHING,
-    };
+    pub(crate) const EMPTY: Self =
+        Self { start: RayOrigin::FREE, depth: f32::INFINITY, position: NOTHING, normal: NOTHING };
 
     pub(crate) fn is_empty(&self) -> bool {
         self.start.body == NO_BODY
+    }
+
+    /// The point of the body.
+    fn point(&self, scene: &RenderScene) -> SurfacePoint<f32> {
+        let in_body = scene.geometry.body(self.start.body).point_in_body(self.position);
+        SurfacePoint { in_body, in_world: self.position, normal: self.normal }
     }
 
     /// The direction of the ray that is reflected to the viewer.
@@ -62,7 +63,7 @@ impl GBufferTexel {
     }
 }
 
-/// What can be looked at of the buffers behind a picture, for [`MethodOutput::layer`](crate::raster::MethodOutput::layer).
+/// What can be looked at of the buffers behind a picture, for [`MethodOutput::layer`](crate::raster::output::MethodOutput::layer).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GBufferLayer {
     /// The least depth of the picture divided by the depth: white is near, black the background.
@@ -126,8 +127,8 @@ impl GBuffer {
         })
     }
 
-    /// The geometry pass: finds the points of a sample.
-    pub(crate) fn look(
+    /// Finds the points of a sample and their local light.
+    pub(crate) fn find_first_hits(
         &mut self,
         scene: &RenderScene,
         camera: &RenderCamera,
@@ -135,36 +136,8 @@ impl GBuffer {
         control: &RenderControl,
     ) -> Result<RayCounts, MethodError> {
         self.offset = sample_offset(sample);
-        let (offset, frame) = (self.offset, self.frame);
-        let make = || PointShader::new(scene, camera);
-        let counts = frame.each_row(&mut self.texels, control, make, |probe, y, row| {
-            let before = probe.counts;
-            for (x, texel) in row.iter_mut().enumerate() {
-                let at = DVec2::new(x as f64, y as f64) + offset;
-                *texel = seen(scene, camera, probe, at, frame.size());
-            }
-            probe.counts - before
-        })?;
-        self.fronts.find(&self.texels);
-        Ok(counts)
-    }
-
-    /// The lighting pass: the local terms with shadows.
-    pub(crate) fn light(
-        &mut self,
-        scene: &RenderScene,
-        camera: &RenderCamera,
-        control: &RenderControl,
-    ) -> Result<RayCounts, MethodError> {
-        let (texels, frame) = (&self.texels, self.frame);
-        let make = || PointShader::new(scene, camera);
-        frame.each_row(&mut self.lit, control, make, |probe, y, row| {
-            let before = probe.counts;
-            for (lit, texel) in row.iter_mut().zip(texels.iter().skip(y * frame.width)) {
-                *lit = light_of(scene, camera, probe, texel);
-            }
-            probe.counts - before
-        })
+        let Self { frame, texels, lit, .. } = self;
+        find_first_hits((scene, camera), *frame, sample, control, texels, lit)
     }
 
     /// A layer as a picture.
@@ -185,7 +158,7 @@ impl GBuffer {
                     Vector::new(material.diffuse, material.specular, material.reflection)
                 }
                 GBufferLayer::Body => color_at_number(scene.scene_index(texel.start.body)?),
-                _ => texel.color,
+                _ => color_at(scene, texel.start.body, &texel.point(scene)),
             })
         };
         let width = self.frame.width;
@@ -212,27 +185,10 @@ pub(crate) fn seen(
     let point = scene.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
     GBufferTexel {
         start: RayOrigin { body: hit.body, inwards: hit.leaving },
-        depth: camera.homogeneous(exact(point.in_world).extend(1.0), size).depth as f32,
+        depth: camera.depth(exact(point.in_world)) as f32,
         position: point.in_world,
         normal: point.normal,
-        color: color_at(scene, hit.body, &point),
     }
-}
-
-/// The local terms, or the background.
-pub(crate) fn light_of(
-    scene: &RenderScene,
-    camera: &RenderCamera,
-    probe: &mut PointShader<'_>,
-    texel: &GBufferTexel,
-) -> Vector<f32> {
-    if texel.is_empty() {
-        return scene.sky.along(texel.normal);
-    }
-    let GBufferTexel { start, position, normal, .. } = *texel;
-    let to_viewer = vector(camera.toward_viewer(exact(position)));
-    let light = probe.light(&ShadingPoint { start, position, normal, to_viewer }, LightModel::Phong, true);
-    light.with_color(texel.color)
 }
 
 /// Colors that are far apart for neighboring numbers: hues a golden section of the circle apart.

@@ -54,21 +54,24 @@ pub(crate) fn draw(
 ) -> Result<MethodOutput, MethodError> {
     let frame = FrameSize::new(render)?;
     let samples = render.samples.max(1);
-    control.expect(3 * frame.pixels() as u64 * u64::from(samples));
+    control.expect(2 * frame.pixels() as u64 * u64::from(samples));
     let mut canvas = SampleSums::new(frame)?;
     let mut buffer = GBuffer::new(frame)?;
     let (mut clock, mut counts) = (PassTimer::default(), RayCounts::default());
     let (mut maps, mut used) = (ActiveCubeMaps::default(), CubeMapUse::default());
     // The first sample last: its buffers are kept.
     for sample in (0..samples).rev() {
-        counts += clock.time(PassName::Geometry, || buffer.look(scene, camera, sample, control))?;
-        counts += clock.time(PassName::Light, || buffer.light(scene, camera, control))?;
+        counts +=
+            clock.time(PassName::FirstHits, || buffer.find_first_hits(scene, camera, sample, control))?;
         if let Some(settings) = mirrors.maps {
             counts += clock.time(PassName::CubeMaps, || {
                 take_maps(scene, &buffer, settings, control, cache, (&mut maps, &mut used))
             })?;
         }
         clock.time(PassName::Reflect, || {
+            if mirrors.screen.is_some() {
+                buffer.fronts.find(&buffer.texels);
+            }
             reflect(scene, camera, mirrors, &mut buffer, &maps, control)?;
             let both = canvas.sums().iter_mut().zip(buffer.lit.iter().zip(&buffer.reflected));
             for ((sum, (lit, reflected)), texel) in both.zip(&buffer.texels) {

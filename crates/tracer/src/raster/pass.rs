@@ -7,12 +7,12 @@ pub enum PassName {
     Trace,
     /// Bodies become faces.
     Tessellate,
-    /// The local terms at faces, vertices, or the points that pixels show.
+    /// The local terms at faces, vertices, or in pixels.
     Light,
     /// Faces become pixels.
     Rasterize,
-    /// The points that pixels show.
-    Geometry,
+    /// The points that pixels show, and their local light.
+    FirstHits,
     /// Cube maps of the surroundings.
     CubeMaps,
     /// Reflected rays on the screen, or looked up in cube maps.
@@ -27,7 +27,7 @@ impl PassName {
             Self::Tessellate => "tessellate",
             Self::Light => "light",
             Self::Rasterize => "rasterize",
-            Self::Geometry => "geometry",
+            Self::FirstHits => "first-hits",
             Self::CubeMaps => "cube-maps",
             Self::Reflect => "reflect",
         }

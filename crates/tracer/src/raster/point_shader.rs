@@ -3,21 +3,23 @@
 use glam::DVec3;
 
 use crate::geometry::body::SurfacePoint;
-use crate::geometry::bvh::packet::TraversalStack;
 use crate::geometry::membership::{BodyMembership, MembershipSource as _};
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::{HitRecord, RayQuery, found_in};
-use crate::geometry::ray::{NO_BODY, Ray, RayOrigin, RayPacket};
+use crate::geometry::ray::{Ray, RayOrigin};
 use crate::raster::settings::LightModel;
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
+use crate::simd::{Float as _, Float32 as _, MOST_LANES, SimdKernel, Width};
 use crate::transport::camera::RenderCamera;
 use crate::transport::counts::RayCounts;
-use crate::transport::media::absorption::MediumIntervals;
-use crate::transport::media::transmittance::ShadowScratch;
-use crate::transport::media::{AIR, MediumStacks};
+use crate::transport::interaction::SurfaceInteraction;
+use crate::transport::media::AIR;
+use crate::transport::media::transmittance::Transmittance;
+use crate::transport::path::{PathObserver, PathState};
+use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
-use crate::transport::surface::phong_highlight;
+use crate::transport::shading::{PacketSource, ShadingContext};
 
 /// A point of a surface that is to be lit.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +32,8 @@ pub(crate) struct ShadingPoint {
     pub(crate) normal: Vector<f32>,
     /// Unit direction to the viewer.
     pub(crate) to_viewer: Vector<f32>,
+    /// The pixel that it belongs to, by the count of the sampler; 0 where samples are centered.
+    pub(crate) pixel: u32,
 }
 
 /// What a surface answers, before its color C is known: the color may change within a face, the light does not.
@@ -42,6 +46,11 @@ pub(crate) struct DirectLight {
 }
 
 impl DirectLight {
+    const NOTHING: Self = {
+        let nothing = Vector { x: 0.0, y: 0.0, z: 0.0 };
+        Self { on_color: nothing, highlight: nothing }
+    };
+
     /// The light that leaves a surface of this color.
     pub(crate) fn with_color(&self, color: Vector<f32>) -> Vector<f32> {
         self.on_color.times(color) + self.highlight
@@ -50,99 +59,208 @@ impl DirectLight {
 
 /// Asks a scene; reusable from point to point by one thread. Counts the rays it sends.
 pub(crate) struct PointShader<'a> {
-    scene: &'a RenderScene,
-    camera: &'a RenderCamera,
-    table: MediumStacks,
-    /// The transparent bodies around the start of the primary ray; a reflected ray stays in them.
-    inside: BodyMembership,
-    /// The list of `table` that holds the bodies of `inside` in the order in which they were entered.
+    shading: ShadingContext<'a>,
+    /// The list of media around the start of primary rays; points that they meet are lit from within these.
     media: u32,
-    stack: TraversalStack,
-    intervals: MediumIntervals,
-    pub(crate) counts: RayCounts,
 }
 
 impl<'a> PointShader<'a> {
     pub(crate) fn new(scene: &'a RenderScene, camera: &'a RenderCamera) -> Self {
-        let mut probe = Self {
-            scene,
-            camera,
-            table: MediumStacks::default(),
-            inside: BodyMembership::default(),
-            media: AIR,
-            stack: TraversalStack::default(),
-            intervals: MediumIntervals::default(),
-            counts: RayCounts::default(),
-        };
-        probe.stand_at(vector(camera.position()));
-        probe
+        let mut shader = Self { shading: ShadingContext::new(scene, camera), media: AIR };
+        shader.stand_at(vector(camera.position()));
+        shader
+    }
+
+    /// The rays so far.
+    pub(crate) fn counts(&self) -> RayCounts {
+        self.shading.counts
     }
 
     /// From now on, primary rays start here.
     pub(crate) fn stand_at(&mut self, point: Vector<f32>) {
-        if self.scene.geometry.has_transparency {
-            self.table.trim();
-            self.media = self.table.at_point(self.scene, point);
-            self.table.fill::<ScalarWidth>(&mut self.inside, self.media, true);
+        let ShadingContext { scene, media, membership, .. } = &mut self.shading;
+        if scene.geometry.has_transparency {
+            media.trim();
+            self.media = media.at_point(scene, point);
+            media.fill::<ScalarWidth>(membership, self.media, true);
         }
     }
 
     /// What a primary ray meets.
     pub(crate) fn primary(&mut self, ray: &Ray) -> Option<HitRecord> {
-        if self.camera.eye().is_none() {
+        if self.shading.camera.eye().is_none() {
             self.stand_at(ray.origin.into());
         }
-        self.counts.primary += 1;
+        let ShadingContext { scene, stack, membership, counts, .. } = &mut self.shading;
+        counts.primary += 1;
         let rays = ray.alone();
-        found_in(
-            &RayQuery::new(ScalarWidth, &self.scene.geometry, &rays, true, &self.inside, Candidates::All)
-                .closest_hit(&mut self.stack),
-        )
+        let query = RayQuery::new(ScalarWidth, &scene.geometry, &rays, true, membership, Candidates::All);
+        found_in(&query.closest_hit(stack))
     }
 
-    /// The local terms at a point.
+    /// The samples of lights that are balls belong to these pixels from now on.
+    pub(crate) fn begin_sample(&mut self, sampler: Sampler) {
+        self.shading.sampler = sampler;
+    }
+
+    /// The local terms at a point, for surfaces of color 1.
     pub(crate) fn light(&mut self, at: &ShadingPoint, model: LightModel, shadows: bool) -> DirectLight {
-        let scene = self.scene;
-        let nothing = Vector::new(0.0, 0.0, 0.0);
-        let material = scene.material(scene.geometry.body(at.start.body));
-        let specular = if model == LightModel::Phong { material.specular } else { 0.0 };
-        let on_color = Vector::from(glam::Vec3::from(scene.ambient)) * material.ambient;
-        let mut light = DirectLight { on_color, highlight: nothing };
-        if material.diffuse == 0.0 && specular == 0.0 {
-            return light;
-        }
-        for source in scene.lights.iter().filter(|light| light.shines) {
-            let offset = Vector::splat(0.0, source.position) - at.position;
-            let distance = offset.length_squared().sqrt();
-            let to_light = offset * (1.0 / distance);
-            let cos = at.normal.dot(to_light);
-            // A light that stands exactly here has no direction.
-            if !(distance > 0.0 && cos > 0.0) {
-                continue;
-            }
-            let mut power = source.power_at(distance);
-            if shadows {
-                power = power.times(self.transmittance(at, to_light, distance)).bounded();
-            }
-            light.on_color = light.on_color + power * (material.diffuse * cos);
-            if specular != 0.0 {
-                let share = phong_highlight(at.to_viewer, to_light, at.normal, material.shininess);
-                light.highlight = light.highlight + power * (specular * share);
-            }
-        }
+        let mut light = [DirectLight::NOTHING];
+        PointKernel { shader: self, points: &[*at], model, shadows, light: &mut light }.run(ScalarWidth);
+        light[0]
+    }
+
+    /// The local terms at all of these points, for surfaces of color 1: as [`Self::light`] has them, many at a time.
+    pub(crate) fn light_all(
+        &mut self,
+        points: &[ShadingPoint],
+        model: LightModel,
+        shadows: bool,
+    ) -> Vec<DirectLight> {
+        let mut light = vec![DirectLight::NOTHING; points.len()];
+        let level = self.shading.scene.lanes;
+        level.run_in_few(PointKernel { shader: self, points, model, shadows, light: &mut light });
         light
     }
+}
 
-    /// What reaches a point from a light.
-    fn transmittance(&mut self, at: &ShadingPoint, to_light: Vector<f32>, distance: f32) -> Vector<f32> {
-        self.counts.shadow += 1;
-        let rays: RayPacket<ScalarWidth> =
-            RayPacket { origin: at.position, direction: to_light, start: at.start.word() };
-        let Self { stack, intervals, .. } = self;
-        let memory = ShadowScratch { stack, intervals, occluder: &mut { NO_BODY } };
-        RayQuery::new(ScalarWidth, &self.scene.geometry, &rays, true, &self.inside, Candidates::All)
-            .transmittance(self.scene, distance, (&self.table, self.media), memory)
-            .shares(ScalarWidth)
+/// Lights points.
+struct PointKernel<'k, 'a> {
+    shader: &'k mut PointShader<'a>,
+    points: &'k [ShadingPoint],
+    model: LightModel,
+    shadows: bool,
+    light: &'k mut [DirectLight],
+}
+
+impl SimdKernel for PointKernel<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Width>(self, w: W) {
+        let Self { shader, points, model, shadows, light } = self;
+        let membership = std::mem::take(&mut shader.shading.membership);
+        // Membership of the eye's bodies, a bit for each ray.
+        let mut side_by_side = BodyMembership::default();
+        shader.shading.media.fill::<W>(&mut side_by_side, w.word(shader.media), w.first(W::LANES));
+        for (points, light) in points.chunks(W::LANES).zip(light.chunks_mut(W::LANES)) {
+            shader.light_packet(w, points, model, shadows, &side_by_side).store(light);
+        }
+        shader.shading.membership = membership;
+    }
+}
+
+impl PointShader<'_> {
+    #[inline(always)]
+    fn light_packet<W: Width>(
+        &mut self,
+        w: W,
+        points: &[ShadingPoint],
+        model: LightModel,
+        shadows: bool,
+        membership: &BodyMembership,
+    ) -> SplitLight<W> {
+        let lanes = w.first(points.len());
+        let mut rows = [[0.0; MOST_LANES]; 9];
+        let (mut starts, mut pixels) = ([0; MOST_LANES], [0; MOST_LANES]);
+        for (lane, point) in points.iter().enumerate() {
+            let vectors = [point.position, point.normal, -point.to_viewer];
+            for (rows, Vector { x, y, z }) in rows.chunks_exact_mut(3).zip(vectors) {
+                (rows[0][lane], rows[1][lane], rows[2][lane]) = (x, y, z);
+            }
+            (starts[lane], pixels[lane]) = (point.start.word(), point.pixel);
+        }
+        let vector = |first: usize| {
+            Vector::new(w.load(&rows[first]), w.load(&rows[first + 1]), w.load(&rows[first + 2]))
+        };
+        let (position, normal, direction) = (vector(0), vector(3), vector(6));
+        let start = w.load_words(&starts);
+        let mut paths = PathState { lanes, pixel: w.load_words(&pixels), ..PathState::from_eye(w) };
+        paths.media = w.word(self.media);
+        paths.rays.direction = direction;
+        let mut at =
+            SurfaceInteraction::at_points(w, self.shading.scene, start, (position, normal), direction, lanes);
+        if model == LightModel::Lambert {
+            (at.glossy, at.rough) = (w.mask(0), w.mask(0));
+        }
+        let mut split = SplitLight::new(at);
+        let mut from = if shadows { PacketSource::Anywhere } else { PacketSource::Unshadowed };
+        self.shading.direct_light::<W, true>(w, &paths, &mut from, membership, &at, &mut split);
+        split
+    }
+}
+
+/// Takes the light of surfaces of color 1 apart: what the color is multiplied with, and what it is not.
+struct SplitLight<W: Width> {
+    at: SurfaceInteraction<W>,
+    on_color: Vector<W::R>,
+    highlight: Vector<W::R>,
+    /// Of the light that is looked at.
+    cosine: W::R,
+    shine: Option<W::R>,
+    microfacets: Option<Vector<W::R>>,
+}
+
+impl<W: Width> SplitLight<W> {
+    #[inline(always)]
+    fn new(at: SurfaceInteraction<W>) -> Self {
+        let zero = at.t.like(0.0);
+        let nothing = Vector::new(zero, zero, zero);
+        Self { at, on_color: at.ambient, highlight: nothing, cosine: zero, shine: None, microfacets: None }
+    }
+
+    #[inline(always)]
+    fn store(self, light: &mut [DirectLight]) {
+        let mut rows = [[0.0; MOST_LANES]; 6];
+        let Self { on_color, highlight, .. } = self;
+        let parts = [on_color.x, on_color.y, on_color.z, highlight.x, highlight.y, highlight.z];
+        for (row, part) in rows.iter_mut().zip(parts) {
+            part.store(row);
+        }
+        for (lane, light) in light.iter_mut().enumerate() {
+            let vector =
+                |first: usize| Vector::new(rows[first][lane], rows[first + 1][lane], rows[first + 2][lane]);
+            *light = DirectLight { on_color: vector(0), highlight: vector(3) };
+        }
+    }
+}
+
+impl<W: Width> PathObserver<W> for SplitLight<W> {
+    #[inline(always)]
+    fn on_light(&mut self, _light: usize, _to_light: Vector<W::R>, _distance: W::R, cosine: W::R) {
+        self.cosine = cosine;
+        (self.shine, self.microfacets) = (None, None);
+    }
+
+    #[inline(always)]
+    fn on_highlight(&mut self, _to_viewer: Vector<W::R>, highlight: W::R) {
+        self.shine = Some(highlight);
+    }
+
+    #[inline(always)]
+    fn on_microfacets(&mut self, microfacets: Vector<W::R>) {
+        self.microfacets = Some(microfacets);
+    }
+
+    #[inline(always)]
+    fn on_light_answer(
+        &mut self,
+        lit: W::M,
+        power: Vector<W::R>,
+        through: &Transmittance<W>,
+        _light: Vector<W::R>,
+    ) {
+        let power = through.share.map_or(power, |share| power.times(share)).bounded();
+        let color = self.on_color + power.times(self.at.eval_diffuse(self.cosine));
+        self.on_color = Vector::select(lit, color, self.on_color);
+        let mut highlight = self.highlight;
+        if let Some(shine) = self.shine {
+            highlight = highlight + power * shine;
+        }
+        if let Some(microfacets) = self.microfacets {
+            highlight = highlight + power.times(microfacets);
+        }
+        self.highlight = Vector::select(lit, highlight, self.highlight);
     }
 }
 

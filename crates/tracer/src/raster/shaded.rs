@@ -22,6 +22,7 @@ use crate::transport::camera::RenderCamera;
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
 use crate::transport::render::RenderSettings;
+use crate::transport::sampler::Sampler;
 use crate::transport::sampling::sample_offset;
 use crate::transport::scene::RenderScene;
 
@@ -82,7 +83,7 @@ pub(crate) fn draw(
             let both = bodies.iter_mut().zip(&fragments);
             both.for_each(|(body, fragment)| *body = RayOrigin::of_word(fragment.start).body);
         }
-        counts += clock.time(PassName::Light, || job.shade(&fragments, offset, &mut canvas))?;
+        counts += clock.time(PassName::Light, || job.shade(&fragments, sample, &mut canvas))?;
     }
     let picture = canvas.picture(samples)?;
     Ok(MethodOutput {
@@ -95,52 +96,67 @@ pub(crate) fn draw(
 }
 
 impl ShadingJob<'_> {
-    /// Gives the fragments their colors and adds them to the picture.
+    /// Gives the fragments of a sample their colors and adds them to the picture.
     fn shade(
         &self,
         fragments: &[Fragment],
-        offset: DVec2,
+        sample: u32,
         canvas: &mut SampleSums,
     ) -> Result<RayCounts, MethodError> {
-        let width = self.frame.width;
-        let make = || PointShader::new(self.scene, self.camera);
-        self.frame.each_row(canvas.sums(), self.control, make, |probe, y, sums| {
-            let before = probe.counts;
-            let row = fragments.iter().skip(y * width);
+        let (width, offset) = (self.frame.width, sample_offset(sample));
+        let make = || {
+            let mut shader = PointShader::new(self.scene, self.camera);
+            shader.begin_sample(Sampler::new(sample, [0, 0], [1, 1], width));
+            shader
+        };
+        self.frame.each_row(canvas.sums(), self.control, make, |shader, y, sums| {
+            let before = shader.counts();
+            let row = fragments.iter().skip(y * width).take(width);
+            let mut lights = self.lights(shader, row.clone().zip(y * width..)).into_iter();
             for (x, (sum, fragment)) in sums.iter_mut().zip(row).enumerate() {
-                let at = || DVec2::new(x as f64, y as f64) + offset;
-                *sum += exact(self.color(probe, fragment, at));
+                if fragment.is_empty() {
+                    let ray = self.camera.ray(DVec2::new(x as f64, y as f64) + offset, self.frame.size());
+                    *sum += exact(self.scene.sky.along(ray.alone().direction));
+                } else if let Some(light) = lights.next() {
+                    let body = RayOrigin::of_word(fragment.start).body;
+                    let color = color_of(self.scene, body, fragment.in_body, fragment.in_body);
+                    *sum += exact(light.with_color(color));
+                }
             }
-            probe.counts - before
+            shader.counts() - before
         })
     }
 
-    /// `at` is the place of the picture.
-    fn color(&self, probe: &mut PointShader<'_>, fragment: &Fragment, at: impl Fn() -> DVec2) -> Vector<f32> {
-        if fragment.is_empty() {
-            let ray = self.camera.ray(at(), self.frame.size());
-            return self.scene.sky.along(ray.alone().direction);
+    /// The light of each fragment that is not empty; with the numbers of their pixels.
+    fn lights<'f>(
+        &self,
+        shader: &mut PointShader<'_>,
+        row: impl Iterator<Item = (&'f Fragment, usize)>,
+    ) -> Vec<DirectLight> {
+        let seen = row.filter(|(fragment, _)| !fragment.is_empty());
+        if self.shading != ShadingFrequency::Phong {
+            let interpolated = |fragment: &Fragment| {
+                let [on_color, highlight] = fragment.values;
+                DirectLight { on_color, highlight }
+            };
+            return seen.map(|(fragment, _)| interpolated(fragment)).collect();
         }
-        let start = RayOrigin::of_word(fragment.start);
-        let [first, second] = fragment.values;
-        let light = if self.shading == ShadingFrequency::Phong {
-            let normal = second.normalize_or(Vector::splat(0.0, [0.0, 1.0, 0.0]));
-            self.light(probe, start, exact(first), normal)
-        } else {
-            DirectLight { on_color: first, highlight: second }
+        let point = |(fragment, pixel): (&Fragment, usize)| {
+            let [position, normal] = fragment.values;
+            let normal = normal.normalize_or(Vector::splat(0.0, [0.0, 1.0, 0.0]));
+            self.point(RayOrigin::of_word(fragment.start), exact(position), normal, pixel as u32)
         };
-        light.with_color(color_of(self.scene, start.body, fragment.in_body, fragment.in_body))
+        let points: Vec<ShadingPoint> = seen.map(point).collect();
+        self.light_all(shader, &points)
     }
 
-    fn light(
-        &self,
-        probe: &mut PointShader<'_>,
-        start: RayOrigin,
-        at: DVec3,
-        normal: Vector<f32>,
-    ) -> DirectLight {
+    /// The local terms at these points.
+    fn light_all(&self, shader: &mut PointShader<'_>, points: &[ShadingPoint]) -> Vec<DirectLight> {
+        shader.light_all(points, self.settings.model, self.settings.shadows)
+    }
+
+    fn point(&self, start: RayOrigin, at: DVec3, normal: Vector<f32>, pixel: u32) -> ShadingPoint {
         let to_viewer = vector(self.camera.toward_viewer(at));
-        let point = ShadingPoint { start, position: vector(at), normal, to_viewer };
-        probe.light(&point, self.settings.model, self.settings.shadows)
+        ShadingPoint { start, position: vector(at), normal, to_viewer, pixel }
     }
 }

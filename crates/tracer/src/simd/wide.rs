@@ -90,6 +90,26 @@ impl SimdLevel {
         }
     }
 
+    /// Does `work` in this width or a narrower one, of which there are few: for work whose code is not worth compiling for
+    /// each.
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) fn run_in_few<T: SimdKernel>(self, work: T) -> T::Output {
+        match (self.level, self.packets) {
+            (Level::Avx512(simd), Packets::Vectors | Packets::Pairs) => run::<_, false, _>(simd, work),
+            (level, _) => match (level.as_avx2(), level.as_sse2()) {
+                (Some(simd), _) => run::<_, true, _>(simd, work),
+                (None, Some(simd)) => run::<_, true, _>(simd, work),
+                (None, None) => unreachable!("x86-64 has SSE2 at least"),
+            },
+        }
+    }
+
+    /// Does `work` in this width.
+    #[cfg(not(target_arch = "x86_64"))]
+    pub(crate) fn run_in_few<T: SimdKernel>(self, work: T) -> T::Output {
+        self.run(work)
+    }
+
     /// Does `work` in this width.
     #[cfg(not(target_arch = "x86_64"))]
     pub(crate) fn run<T: SimdKernel>(self, work: T) -> T::Output {

@@ -191,6 +191,11 @@ impl RenderCamera {
         HomogeneousPoint { at: at.extend(w), depth }
     }
 
+    /// How far a point lies in front of the eye, along the middle of the view, meters.
+    pub(crate) fn depth(&self, point: DVec3) -> f64 {
+        -(point - self.position).dot(self.w)
+    }
+
     /// The unit direction from a point towards the viewer.
     pub(crate) fn toward_viewer(&self, point: DVec3) -> DVec3 {
         match self.window {

@@ -1,5 +1,6 @@
 //! The points that rays met, with all that shading needs.
 
+use crate::geometry::body::RenderBody;
 use crate::geometry::query::PacketHits;
 use crate::geometry::ray::{INWARDS, RayPacket};
 use crate::simd::vector::Vector;
@@ -56,21 +57,15 @@ pub(crate) struct SurfaceInteraction<W: Width> {
 }
 
 impl<W: Width> SurfaceInteraction<W> {
-    /// Looks at the bodies one after the other: rays side by side mostly meet the same.
+    /// Points of which nothing but these numbers is known yet.
     #[inline(always)]
-    pub(crate) fn new<const FULL: bool>(
-        w: W,
-        scene: &RenderScene,
-        rays: &RayPacket<W>,
-        hits: &PacketHits<W>,
-    ) -> Self {
+    fn nothing(w: W, t: W::R, body: W::W, start: W::W) -> Self {
         let (zero, none) = (w.real(0.0), w.mask(0));
         let nowhere = Vector::new(zero, zero, zero);
-        let leaving = W::W::select(hits.leaving, w.word(INWARDS), w.word(0));
-        let mut all = Self {
-            t: hits.t,
-            body: hits.body,
-            start: hits.body.or(leaving),
+        Self {
+            t,
+            body,
+            start,
             position: nowhere,
             normal: nowhere,
             ambient: nowhere,
@@ -90,7 +85,47 @@ impl<W: Width> SurfaceInteraction<W> {
             colored: none,
             coated: none,
             coat_ratio: w.real(1.0),
-        };
+        }
+    }
+
+    /// Points on surfaces, each as if its body had the color 1, seen along `direction`; `start` is the body of each, with
+    /// [`INWARDS`] on its inner side.
+    pub(crate) fn at_points(
+        w: W,
+        scene: &RenderScene,
+        start: W::W,
+        (position, normal): (Vector<W::R>, Vector<W::R>),
+        direction: Vector<W::R>,
+        lanes: W::M,
+    ) -> Self {
+        let (mut starts, mut bodies) = ([0; MOST_LANES], [0; MOST_LANES]);
+        start.store(&mut starts);
+        for (body, start) in bodies.iter_mut().zip(starts) {
+            *body = start & !INWARDS;
+        }
+        let body = w.load_words(&bodies);
+        let mut all = Self { position, normal, ..Self::nothing(w, w.real(0.0), body, start) };
+        let white = Vector::splat(w.real(0.0), [1.0; 3]);
+        let mut left = lanes.bits();
+        while left != 0 {
+            let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
+            let same = body.is(index) & lanes;
+            left &= !same.bits();
+            all.set_material::<true, false>(w, scene, scene.geometry.body(index), white, direction, same);
+        }
+        all
+    }
+
+    /// Looks at the bodies one after the other: rays side by side mostly meet the same.
+    #[inline(always)]
+    pub(crate) fn new<const FULL: bool>(
+        w: W,
+        scene: &RenderScene,
+        rays: &RayPacket<W>,
+        hits: &PacketHits<W>,
+    ) -> Self {
+        let leaving = W::W::select(hits.leaving, w.word(INWARDS), w.word(0));
+        let mut all = Self::nothing(w, hits.t, hits.body, hits.body.or(leaving));
         let mut bodies = [0; MOST_LANES];
         hits.body.store(&mut bodies);
         let mut left = hits.hit.bits();
@@ -140,9 +175,26 @@ impl<W: Width> SurfaceInteraction<W> {
             );
         }
         let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
-        let real = |own: f32, old| if FIRST { w.real(own) } else { W::R::select(lanes, w.real(own), old) };
         self.position = select(point.in_world, self.position);
         self.normal = select(point.normal, self.normal);
+        self.set_material::<FULL, FIRST>(w, scene, body, color, rays.direction, lanes);
+    }
+
+    /// Takes up what the material of a body of this color answers where rays `lanes` met it.
+    #[inline(always)]
+    fn set_material<const FULL: bool, const FIRST: bool>(
+        &mut self,
+        w: W,
+        scene: &RenderScene,
+        body: &RenderBody,
+        color: Vector<W::R>,
+        direction: Vector<W::R>,
+        lanes: W::M,
+    ) {
+        let material = scene.material(body);
+        let zero = w.real(0.0);
+        let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
+        let real = |own: f32, old| if FIRST { w.real(own) } else { W::R::select(lanes, w.real(own), old) };
         let has = |coefficient: f32| coefficient != 0.0;
         if has(material.ambient) || !FIRST {
             let ambient = scene.ambient.map(|light| light * material.ambient);
@@ -163,7 +215,7 @@ impl<W: Width> SurfaceInteraction<W> {
         }
         self.reflection = real(material.reflection, self.reflection);
         if FULL && !matches!(material.law, MaterialModel::Constant) {
-            self.add_lobes(w, material, (color, scene.ambient), rays.direction, lanes);
+            self.add_lobes(w, material, (color, scene.ambient), direction, lanes);
         }
         if body.is_transparent() {
             self.transparent = self.transparent | lanes;

@@ -75,13 +75,11 @@ pub(crate) struct InterfaceCrossing<W: Width> {
     pub(crate) passes: W::M,
 }
 
-/// Where the rays go that grow from others, and who looks on while they grow.
+/// Who looks on while a packet is shaded.
 ///
-/// Rendering does not look: what is seen is dropped, at no cost. A [tree](crate::WhittedIntegrator::pixel_tree) writes it down.
-pub(crate) trait SecondaryRays<W: Width> {
-    fn reflected(&mut self, paths: PathState<W>);
-    fn refracted(&mut self, paths: PathState<W>);
-
+/// Rendering does not look: what is seen is dropped, at no cost. A [tree](crate::WhittedIntegrator::pixel_tree) writes it
+/// down.
+pub(crate) trait PathObserver<W: Width> {
     /// The points that were met.
     #[inline(always)]
     fn on_hit(&mut self, _at: &SurfaceInteraction<W>) {}
@@ -105,9 +103,17 @@ pub(crate) trait SecondaryRays<W: Width> {
     #[inline(always)]
     fn on_highlight(&mut self, _to_viewer: Vector<W::R>, _highlight: W::R) {}
 
-    /// What arrives of that light if nothing is in the way, and what the surface sends on of it.
+    /// What arrives of that light if nothing is in the way, what passes on the way there, and what the surface sends on of
+    /// it: at the points `lit`.
     #[inline(always)]
-    fn on_light_answer(&mut self, _power: Vector<W::R>, _light: Vector<W::R>) {}
+    fn on_light_answer(
+        &mut self,
+        _lit: W::M,
+        _power: Vector<W::R>,
+        _through: &Transmittance<W>,
+        _light: Vector<W::R>,
+    ) {
+    }
 
     /// The sum of the local terms.
     #[inline(always)]
@@ -133,6 +139,19 @@ pub(crate) trait SecondaryRays<W: Width> {
     #[inline(always)]
     fn on_medium(&mut self, _through: Vector<W::R>) {}
 }
+
+/// An observer that sees nothing.
+pub(crate) struct Unobserved;
+
+impl<W: Width> PathObserver<W> for Unobserved {}
+
+/// Where the rays go that grow from others.
+pub(crate) trait SecondaryRays<W: Width>: PathObserver<W> {
+    fn reflected(&mut self, paths: PathState<W>);
+    fn refracted(&mut self, paths: PathState<W>);
+}
+
+impl PathObserver<ScalarWidth> for Vec<PathState<ScalarWidth>> {}
 
 /// A stack of single rays: the reflected one is taken first.
 impl SecondaryRays<ScalarWidth> for Vec<PathState<ScalarWidth>> {

@@ -19,6 +19,8 @@ pub(crate) struct Sampler {
     first: [u32; 2],
     /// Pixels are counted block by block: the width of a block as a power of two, its pixels, and blocks across.
     block: [u32; 3],
+    /// Whether all samples are the one in the middle: of a light, the direction to its center.
+    is_centered: bool,
 }
 
 impl Default for Sampler {
@@ -32,12 +34,17 @@ impl Sampler {
     pub(crate) fn new(sample: u32, first: [usize; 2], block: [usize; 2], across: usize) -> Self {
         let [width, height] = block;
         let numbers = [width, width * height, across].map(|number| number.max(1) as u32);
-        Self { sample, first: first.map(|place| place as u32), block: numbers }
+        Self { sample, first: first.map(|place| place as u32), block: numbers, is_centered: false }
     }
 
     /// For rays of one pixel.
     pub(crate) fn of_pixel(sample: u32, pixel: UVec2) -> Self {
         Self::new(sample, [pixel.x as usize, pixel.y as usize], [1, 1], 1)
+    }
+
+    /// For points that belong to no pixel.
+    pub(crate) fn centered() -> Self {
+        Self { is_centered: true, ..Self::default() }
     }
 
     /// Two numbers for each ray that met one of these bodies.
@@ -50,6 +57,9 @@ impl Sampler {
         body: W::W,
         what_for: SampleDimension,
     ) -> Sample2D<W> {
+        if self.is_centered {
+            return Sample2D { cos: w.real(1.0), sin: w.real(0.0), second: w.real(0.0) };
+        }
         let [mut pixels, mut generations, mut bodies] = [[0; MOST_LANES]; 3];
         paths.pixel.store(&mut pixels);
         paths.generation.store(&mut generations);

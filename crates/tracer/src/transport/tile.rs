@@ -10,10 +10,11 @@ use crate::simd::{MOST_LANES, Mask as _, SimdKernel, Width, Word as _};
 use crate::transport::camera::{CameraRays, RenderCamera};
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
-use crate::transport::integrator::whitted::{PacketRadiance, PacketSource, WhittedIntegrator};
-use crate::transport::path::{PathState, RayQueue, SecondaryRays};
+use crate::transport::integrator::whitted::{PacketRadiance, WhittedIntegrator};
+use crate::transport::path::{PathObserver, PathState, RayQueue, SecondaryRays};
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
+use crate::transport::shading::PacketSource;
 use crate::transport::stream::StreamShading;
 use crate::transport::tile::radiance::TileRadiance;
 use crate::transport::tile_rect::{TILE, TileRect};
@@ -83,8 +84,8 @@ impl<'a> TileRenderer<'a> {
         sample: u32,
         rows: &mut [&mut [[f32; 3]]],
     ) -> bool {
-        self.whitted.trim_media();
-        let (lanes, is_full) = (self.whitted.scene.lanes, self.whitted.is_full());
+        self.whitted.shading.trim_media();
+        let (lanes, is_full) = (self.whitted.shading.scene.lanes, self.whitted.is_full());
         let is_finished = if is_full {
             lanes.run(TileSampleKernel::<true> { tracer: self, place, size, sample, rows })
         } else {
@@ -159,15 +160,17 @@ impl TileRenderer<'_> {
         let [width, height] = PixelBlock::<W>::SIZE;
         self.light.begin(place, [width, height]);
         let across = place.width.div_ceil(width);
-        self.whitted.begin(sample, Sampler::new(sample, [place.x, place.y], [width, height], across));
-        let by_stream = W::USES_HIERARCHY && self.whitted.scene.eye_goes_by_streams();
+        self.whitted
+            .shading
+            .begin_sample(sample, Sampler::new(sample, [place.x, place.y], [width, height], across));
+        let by_stream = W::USES_HIERARCHY && self.whitted.shading.scene.eye_goes_by_streams();
         if by_stream && self.levels.is_empty() {
             self.levels.push(DepthQueues::default());
         }
         for tile in place.squares(TILE) {
             let first_block = (tile.y - place.y) / height * across + (tile.x - place.x) / width;
-            let (near, t_max, offset) = tile.rays(self.whitted.camera, size, sample);
-            self.whitted.begin_tile(&near, t_max);
+            let (near, reach, offset) = tile.rays(self.whitted.shading.camera, size, sample);
+            self.whitted.shading.begin_tile(&near, reach);
             if !self.primary_of_tile::<W, FULL>(w, tile, (&near, offset), (first_block, across), by_stream) {
                 return false;
             }
@@ -206,7 +209,7 @@ impl TileRenderer<'_> {
                 next.rays.set(near.rays(block.x + (left + width) as f32 + offset.x, y));
                 paths.lanes = w.mask(PixelBlock::<W>::lanes(place, left, top));
                 paths.pixel = block.pixel.plus(w.word(first as u32));
-                self.whitted.start_paths(w, paths);
+                self.whitted.shading.start_paths(w, paths);
                 let mut light = Vector::splat(w.real(0.0), [0.0; 3]);
                 if by_stream {
                     self.levels[0].reflected.push(paths);
@@ -226,7 +229,7 @@ impl TileRenderer<'_> {
     /// Traces the rays that wait, the nearest to the eye first. False if it was cancelled.
     #[inline(always)]
     fn trace_queues<W: Width, const FULL: bool>(&mut self, w: W) -> bool {
-        let by_streams = W::USES_HIERARCHY && self.whitted.scene.goes_by_streams();
+        let by_streams = W::USES_HIERARCHY && self.whitted.shading.scene.goes_by_streams();
         let most_waiting = if by_streams { STREAM } else { Self::MOST_WAITING };
         let mut taken = [PathState::none(w); 2];
         let mut at = 0;
@@ -326,7 +329,7 @@ impl TileRenderer<'_> {
             self.levels.resize_with(level + 1, DepthQueues::default);
         }
         next.lanes = w.mask(0);
-        let waits = W::USES_HIERARCHY && self.whitted.scene.goes_by_streams();
+        let waits = W::USES_HIERARCHY && self.whitted.shading.scene.goes_by_streams();
         let mut grown = SecondaryRayQueues { level: &mut self.levels[level], next, waits };
         self.whitted.li::<W, FULL>(w, paths, from, &mut grown)
     }
@@ -349,6 +352,8 @@ impl<W: Width> SecondaryRayQueues<'_, W> {
         !self.waits && !(!lanes).any() && !self.next.lanes.any()
     }
 }
+
+impl<W: Width> PathObserver<W> for SecondaryRayQueues<'_, W> {}
 
 impl<W: Width> SecondaryRays<W> for SecondaryRayQueues<'_, W> {
     #[inline(always)]
@@ -387,6 +392,8 @@ impl DepthQueues {
     }
 }
 
+impl<W: Width> PathObserver<W> for DepthQueues {}
+
 impl<W: Width> SecondaryRays<W> for DepthQueues {
     #[inline(always)]
     fn reflected(&mut self, paths: PathState<W>) {
@@ -400,17 +407,17 @@ impl<W: Width> SecondaryRays<W> for DepthQueues {
 }
 
 /// Neighboring pixels whose rays are traced side by side.
-struct PixelBlock<W: Width> {
+pub(crate) struct PixelBlock<W: Width> {
     /// Where the corners of the pixels lie, relative to that of the block.
-    x: W::R,
-    y: W::R,
+    pub(crate) x: W::R,
+    pub(crate) y: W::R,
     /// The numbers of the pixels from the block's first on.
-    pixel: W::W,
+    pub(crate) pixel: W::W,
 }
 
 impl<W: Width> PixelBlock<W> {
     /// Pixels across and down.
-    const SIZE: [usize; 2] = {
+    pub(crate) const SIZE: [usize; 2] = {
         let width = if W::LANES >= 32 {
             8
         } else if W::LANES >= 8 {
@@ -424,7 +431,7 @@ impl<W: Width> PixelBlock<W> {
     };
 
     #[inline(always)]
-    fn new(w: W) -> Self {
+    pub(crate) fn new(w: W) -> Self {
         let [width, _] = Self::SIZE;
         let ([mut x, mut y], mut pixel) = ([[0.0; MOST_LANES]; 2], [0; MOST_LANES]);
         for lane in 0..W::LANES {
@@ -437,7 +444,7 @@ impl<W: Width> PixelBlock<W> {
 
     /// A bit for each pixel that lies in the tile.
     #[inline(always)]
-    fn lanes(place: TileRect, left: usize, top: usize) -> u32 {
+    pub(crate) fn lanes(place: TileRect, left: usize, top: usize) -> u32 {
         let [width, height] = Self::SIZE;
         if left + width <= place.width && top + height <= place.height {
             return u32::MAX >> (32 - W::LANES);

@@ -223,7 +223,7 @@ fn a_map_shows_what_surrounds_its_body_and_not_the_body() {
     let unfolded = map.unfolded().unwrap();
     assert_eq!((unfolded.width(), unfolded.height()), (64, 48));
     let passes: Vec<PassName> = drawing.passes.iter().map(|(pass, _)| *pass).collect();
-    assert_eq!(passes, [PassName::Geometry, PassName::Light, PassName::CubeMaps, PassName::Reflect]);
+    assert_eq!(passes, [PassName::FirstHits, PassName::CubeMaps, PassName::Reflect]);
 }
 
 #[test]

@@ -85,7 +85,7 @@ impl RayStream {
         let Accelerator::Many(bvh) = &geometry.hierarchy else { return };
         let StreamScratch { stack, inside } = memory;
         let count = self.count;
-        let mut visitor = ClosestHitVisitor { w, geometry, memberships, inside, stream: self };
+        let mut visitor = StreamClosestHitVisitor { w, geometry, memberships, inside, stream: self };
         w.run(
             #[inline(always)]
             || bvh.traverse_stream(w, stack, count, geometry.parts_streams(), &mut visitor),
@@ -120,7 +120,7 @@ pub(crate) fn each_lane(lanes: u32, rays: &[u32], mut take: impl FnMut(usize, u3
 }
 
 /// Looks for the nearest bodies.
-struct ClosestHitVisitor<'s, W, M> {
+struct StreamClosestHitVisitor<'s, W, M> {
     w: W,
     geometry: &'s Geometry,
     memberships: &'s M,
@@ -128,7 +128,7 @@ struct ClosestHitVisitor<'s, W, M> {
     stream: &'s mut RayStream,
 }
 
-impl<W: Width, M: MembershipSource> StreamVisitor for ClosestHitVisitor<'_, W, M> {
+impl<W: Width, M: MembershipSource> StreamVisitor for StreamClosestHitVisitor<'_, W, M> {
     const NEAREST_FIRST: bool = true;
 
     #[inline(always)]

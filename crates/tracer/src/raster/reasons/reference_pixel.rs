@@ -104,6 +104,7 @@ impl<'a> ReferencePixel<'a> {
             position: found.in_world,
             normal: found.normal,
             to_viewer: viewer.unwrap_or_else(|| -vector(exact(rays.direction))),
+            pixel: 0,
         };
         let light = self.probe.light(&point, model, shadows);
         light.with_color(color_at(scene, hit.hit.body, &found)).into()

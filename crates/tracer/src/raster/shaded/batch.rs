@@ -6,13 +6,14 @@ use rayon::prelude::*;
 use crate::geometry::ray::RayOrigin;
 use crate::raster::error::MethodError;
 use crate::raster::pass::PassName;
-use crate::raster::point_shader::{PointShader, vector};
+use crate::raster::point_shader::{PointShader, ShadingPoint, vector};
 use crate::raster::rasterizer::{Fragment, ScreenTriangle, TriangleCorner};
 use crate::raster::sample_sums::PassTimer;
 use crate::raster::shaded::faces::{FaceList, MeshCache, WorldFace, WorldVertex};
 use crate::raster::shaded::{ShadingFrequency, ShadingJob};
 use crate::simd::vector::Vector;
 use crate::transport::counts::RayCounts;
+use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
 
 /// Makes batches of the scene's bodies, one after the other.
@@ -85,29 +86,44 @@ impl<'a> BatchBuilder<'a> {
 
 /// The corners of flat faces, four for each: all have the light of the face's middle.
 fn of_faces(job: &ShadingJob<'_>, all: &FaceList) -> VertexLights {
-    in_chunks(job, &all.faces, |probe, face, corners| {
-        let light = job.light(probe, face.start, face.middle, vector(face.normal));
-        let values = [light.on_color, light.highlight];
-        let vertices = face.corners.iter().filter_map(|&index| all.vertices.get(index as usize));
-        corners.extend(vertices.map(|vertex| corner(job, vertex, values)));
+    in_chunks(job, &all.faces, |shader, faces, corners| {
+        let middle = |face: &WorldFace| job.point(face.start, face.middle, vector(face.normal), 0);
+        let points: Vec<ShadingPoint> = faces.iter().map(middle).collect();
+        for (face, light) in faces.iter().zip(job.light_all(shader, &points)) {
+            let values = [light.on_color, light.highlight];
+            let vertices = face.corners.iter().filter_map(|&index| all.vertices.get(index as usize));
+            corners.extend(vertices.map(|vertex| corner(job, vertex, values)));
+        }
     })
 }
 
 /// The corners of other faces, which they share: two for each vertex, of the outer side and of the inner.
 fn of_vertices(job: &ShadingJob<'_>, vertices: &[WorldVertex]) -> VertexLights {
-    in_chunks(job, vertices, |probe, vertex, corners| {
-        for (inwards, is_seen) in [false, true].into_iter().zip(vertex.seen) {
-            let normal = vector(if inwards { -vertex.normal } else { vertex.normal });
-            let values = if job.shading == ShadingFrequency::Phong {
-                [vector(vertex.position), normal]
-            } else if is_seen {
-                let start = RayOrigin { body: vertex.body, inwards };
-                let light = job.light(probe, start, vertex.position, normal);
-                [light.on_color, light.highlight]
-            } else {
-                [Vector::new(0.0, 0.0, 0.0); 2]
-            };
-            corners.push(corner(job, vertex, values));
+    let sides = |vertex: &WorldVertex| {
+        let normal = vector(vertex.normal);
+        [false, true].into_iter().zip(vertex.seen).zip([normal, -normal])
+    };
+    in_chunks(job, vertices, |shader, vertices, corners| {
+        let is_lit = |is_seen: bool| is_seen && job.shading != ShadingFrequency::Phong;
+        let mut points = Vec::new();
+        for vertex in vertices {
+            for ((inwards, is_seen), normal) in sides(vertex) {
+                if is_lit(is_seen) {
+                    let start = RayOrigin { body: vertex.body, inwards };
+                    points.push(job.point(start, vertex.position, normal, 0));
+                }
+            }
+        }
+        let mut lights = job.light_all(shader, &points).into_iter();
+        for vertex in vertices {
+            for ((_, is_seen), normal) in sides(vertex) {
+                let values = match is_lit(is_seen).then(|| lights.next()).flatten() {
+                    Some(light) => [light.on_color, light.highlight],
+                    None if job.shading == ShadingFrequency::Phong => [vector(vertex.position), normal],
+                    None => [Vector::new(0.0, 0.0, 0.0); 2],
+                };
+                corners.push(corner(job, vertex, values));
+            }
         }
     })
 }
@@ -127,21 +143,25 @@ fn corner(job: &ShadingJob<'_>, vertex: &WorldVertex, values: [Vector<f32>; 2]) 
     TriangleCorner { seen, in_body: vertex.in_body, values }
 }
 
-/// What `make` appends for each item, in their order, made on all threads.
+/// What `make` appends for the items, in their order, made on all threads. Lights are seen as if from no pixel.
 fn in_chunks<T: Sync>(
     job: &ShadingJob<'_>,
     items: &[T],
-    make: impl Fn(&mut PointShader<'_>, &T, &mut Vec<TriangleCorner>) + Sync,
+    make: impl Fn(&mut PointShader<'_>, &[T], &mut Vec<TriangleCorner>) + Sync,
 ) -> VertexLights {
     /// Small enough to balance, large enough to be worth a task.
     const CHUNK: usize = 256;
     let chunks = items.par_chunks(CHUNK).map_init(
-        || PointShader::new(job.scene, job.camera),
-        |probe, items| {
-            let before = probe.counts;
+        || {
+            let mut shader = PointShader::new(job.scene, job.camera);
+            shader.begin_sample(Sampler::centered());
+            shader
+        },
+        |shader, items| {
+            let before = shader.counts();
             let mut corners = Vec::with_capacity(4 * items.len());
-            items.iter().for_each(|item| make(probe, item, &mut corners));
-            (corners, probe.counts - before)
+            make(shader, items, &mut corners);
+            (corners, shader.counts() - before)
         },
     );
     let mut all = VertexLights::default();

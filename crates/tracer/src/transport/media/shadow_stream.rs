@@ -87,7 +87,7 @@ impl ShadowStream {
         let Accelerator::Many(bvh) = &scene.geometry.hierarchy else { return };
         let Self { rays, share, count, .. } = self;
         let StreamScratch { stack, inside } = memory;
-        let mut visitor = TransmittanceVisitor { w, scene, table, inside, intervals, rays, share };
+        let mut visitor = StreamTransmittanceVisitor { w, scene, table, inside, intervals, rays, share };
         w.run(
             #[inline(always)]
             || bvh.traverse_stream(w, stack, *count, scene.geometry.parts_streams(), &mut visitor),
@@ -169,7 +169,7 @@ impl ShadowStream {
 }
 
 /// Looks for what shades.
-struct TransmittanceVisitor<'s, W> {
+struct StreamTransmittanceVisitor<'s, W> {
     w: W,
     scene: &'s RenderScene,
     table: &'s MediumStacks,
@@ -179,7 +179,7 @@ struct TransmittanceVisitor<'s, W> {
     share: &'s mut StreamRow<[f32; 4]>,
 }
 
-impl<W: Width> StreamVisitor for TransmittanceVisitor<'_, W> {
+impl<W: Width> StreamVisitor for StreamTransmittanceVisitor<'_, W> {
     const NEAREST_FIRST: bool = false;
 
     #[inline(always)]

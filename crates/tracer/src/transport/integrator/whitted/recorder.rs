@@ -11,11 +11,11 @@ use crate::geometry::query::{HitRecord, RayQuery, found_in};
 use crate::geometry::ray::{Ray, RayPacket};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
-use crate::transport::integrator::whitted::{PacketRadiance, PacketSource, WhittedIntegrator};
+use crate::transport::integrator::whitted::{PacketRadiance, WhittedIntegrator};
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::media::MediumStacks;
 use crate::transport::media::transmittance::Transmittance;
-use crate::transport::path::{InterfaceCrossing, PathState, SecondaryRays};
+use crate::transport::path::{InterfaceCrossing, PathObserver, PathState, SecondaryRays};
 use crate::transport::pick::RayIntersection;
 use crate::transport::record::{
     BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
@@ -23,6 +23,7 @@ use crate::transport::record::{
 };
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
+use crate::transport::shading::PacketSource;
 use crate::transport::surface::highlight_cosine;
 use crate::transport::tile_rect::{TILE, TileRect};
 
@@ -117,7 +118,9 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         self.has_refracted = true;
         self.sent.push((RayKind::Refracted, self.through_last, beam));
     }
+}
 
+impl PathObserver<ScalarWidth> for PathRecorder<'_> {
     fn on_hit(&mut self, at: &SurfaceInteraction<ScalarWidth>) {
         self.at = Some(*at);
     }
@@ -180,7 +183,13 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
         self.highlight = Some((to_viewer, highlight));
     }
 
-    fn on_light_answer(&mut self, power: Vector<f32>, light: Vector<f32>) {
+    fn on_light_answer(
+        &mut self,
+        _lit: bool,
+        power: Vector<f32>,
+        _through: &Transmittance<ScalarWidth>,
+        light: Vector<f32>,
+    ) {
         let Some((at, term)) = self.at.zip(self.lights.last_mut()) else { return };
         let (highlight_cosine, highlight) =
             self.highlight.map_or((f32::NAN, 0.0), |(to_viewer, highlight)| {
@@ -242,14 +251,14 @@ impl<'a> WhittedIntegrator<'a> {
         if pixel.x >= size.x || pixel.y >= size.y {
             return Vec::new();
         }
-        self.trim_media();
-        self.begin(sample, Sampler::of_pixel(sample, pixel));
-        let ray = TileRect::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
+        self.shading.trim_media();
+        self.shading.begin_sample(sample, Sampler::of_pixel(sample, pixel));
+        let ray = TileRect::around(pixel, size, TILE).ray(self.shading.camera, (pixel, size), sample);
         let root = self.started_path(ray);
         let mut tree = self.grow(root, limit);
         if let Some(primary) = tree.first_mut() {
             let Ray { origin, direction, .. } = primary.ray;
-            let from_eye = origin.as_dvec3() - self.camera.position();
+            let from_eye = origin.as_dvec3() - self.shading.camera.position();
             primary.start_distance = from_eye.dot(direction.as_dvec3()).max(0.0);
         }
         tree
@@ -268,7 +277,7 @@ impl<'a> WhittedIntegrator<'a> {
                 break;
             }
             let place = tree.len();
-            let mut scribe = PathRecorder::new(self.scene, &self.media, beam.media);
+            let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, beam.media);
             let followed =
                 self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
@@ -297,24 +306,28 @@ impl<'a> WhittedIntegrator<'a> {
         scribe: PathRecorder<'_>,
     ) -> RayRecord {
         let ray = beam.rays.ray();
-        let bodies = self.media.bodies(beam.media);
-        let media = bodies.filter_map(|body| self.scene.scene_index(body)).collect();
+        let bodies = self.shading.media.bodies(beam.media);
+        let media = bodies.filter_map(|body| self.shading.scene.scene_index(body)).collect();
         RayRecord {
             ray,
-            origin: self.scene.world_from_render(ray.origin),
+            origin: self.shading.scene.world_from_render(ray.origin),
             kind,
             parent,
             generation: beam.generation,
-            wavelength: self.media.wave(beam.media).and_then(|wave| self.waves.nanometers(wave)),
+            wavelength: self
+                .shading
+                .media
+                .wave(beam.media)
+                .and_then(|wave| self.shading.waves.nanometers(wave)),
             coefficient: Vec3::ONE,
             start_distance: 0.0,
             weight: beam.weight.into(),
             through: scribe.through.into(),
             light: followed.light.into(),
-            local: scribe.local.unwrap_or_else(|| self.scene.sky.along(beam.rays.direction)).into(),
+            local: scribe.local.unwrap_or_else(|| self.shading.scene.sky.along(beam.rays.direction)).into(),
             media,
-            ior: self.media.ior(self.scene, &self.waves, beam.media),
-            hit: found_in(&followed.hits).and_then(|hit| RayIntersection::new(self.scene, &ray, hit)),
+            ior: self.shading.media.ior(self.shading.scene, &self.shading.waves, beam.media),
+            hit: found_in(&followed.hits).and_then(|hit| RayIntersection::new(self.shading.scene, &ray, hit)),
             answer: scribe.at.map(|at| self.answer(beam, &at, scribe)),
         }
     }
@@ -329,8 +342,12 @@ impl<'a> WhittedIntegrator<'a> {
         let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
         let grown = beyond.as_ref().unwrap_or(&scribe);
         let interface = grown.crossing.map(|InterfaceCrossing { ratio, passes }| {
-            let beyond = self.media.interface(self.scene, &self.waves, beam.media, at.body).beyond;
-            let ior_beyond = self.media.ior(self.scene, &self.waves, beyond);
+            let beyond = self
+                .shading
+                .media
+                .interface(self.shading.scene, &self.shading.waves, beam.media, at.body)
+                .beyond;
+            let ior_beyond = self.shading.media.ior(self.shading.scene, &self.shading.waves, beyond);
             InterfaceRecord { ior_beyond, ratio, is_total: !passes }
         });
         let is_total = interface.is_some_and(|interface| interface.is_total);
@@ -341,11 +358,11 @@ impl<'a> WhittedIntegrator<'a> {
         if is_total {
             refracted.fate = BranchOutcome::TotalReflection;
         }
-        let body = self.scene.geometry.body(at.body);
-        let material = self.scene.material(body);
+        let body = self.shading.scene.geometry.body(at.body);
+        let material = self.shading.scene.material(body);
         let line = (beam.rays.origin, beam.rays.direction);
-        let point = self.scene.geometry.surface_point(at.body, line, at.t, at.leaves());
-        let checker = self.scene.checkers.get(body.checker as usize);
+        let point = self.shading.scene.geometry.surface_point(at.body, line, at.t, at.leaves());
+        let checker = self.shading.scene.checkers.get(body.checker as usize);
         let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
         let own = material.color_at(ScalarWidth, body, point.in_body, true);
         SurfaceRecord {
@@ -354,7 +371,7 @@ impl<'a> WhittedIntegrator<'a> {
             law: material.law.name(),
             alpha: material.alpha,
             ambient_coefficient: material.ambient,
-            ambient_light: self.scene.ambient.into(),
+            ambient_light: self.shading.scene.ambient.into(),
             ambient: at.ambient.into(),
             diffuse_coefficient: material.diffuse,
             specular_coefficient: material.specular,
@@ -372,10 +389,10 @@ impl<'a> WhittedIntegrator<'a> {
         beam: &PathState<ScalarWidth>,
         at: &SurfaceInteraction<ScalarWidth>,
     ) -> PathRecorder<'a> {
-        let counts = self.counts;
-        let mut scribe = PathRecorder::new(self.scene, &self.media, beam.media);
+        let counts = self.shading.counts;
+        let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, beam.media);
         self.scatter::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);
-        self.counts = counts;
+        self.shading.counts = counts;
         scribe
     }
 

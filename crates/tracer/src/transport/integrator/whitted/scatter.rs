@@ -4,10 +4,10 @@ use crate::geometry::ray::RayPacket;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::transport::integrator::whitted::WhittedIntegrator;
-use crate::transport::integrator::whitted::rough::Macrosurface;
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::media::AIR;
 use crate::transport::path::{InterfaceCrossing, PathState, SecondaryRays};
+use crate::transport::shading::rough::Macrosurface;
 use crate::transport::surface::{fresnel, mend_unit, reflect, refract};
 
 /// What is needed to send rays on.
@@ -48,7 +48,7 @@ impl WhittedIntegrator<'_> {
         let facets;
         let mut context = ScatterContext { at, macrosurface: None, next, is_last: false };
         if FULL && at.rough.any() {
-            let (on, macrosurface) = self.sample_microfacet(w, paths, at);
+            let (on, macrosurface) = self.shading.sample_microfacet(w, paths, at);
             facets = on;
             (context.at, context.macrosurface) = (&facets, Some(macrosurface));
         }
@@ -66,7 +66,7 @@ impl WhittedIntegrator<'_> {
         let weight = paths.weight.times(reflection).bounded();
         let lanes = lanes & self.is_above_threshold(w, weight);
         if lanes.any() {
-            self.counts.reflected += u64::from(lanes.bits().count_ones());
+            self.shading.counts.reflected += u64::from(lanes.bits().count_ones());
             let rays = at.rays_on_this_side(mirrored(paths, at));
             secondary.reflected(context.paths(paths, rays, weight, (paths.media, lanes)));
         }
@@ -84,7 +84,7 @@ impl WhittedIntegrator<'_> {
         at_limit: W::M,
         secondary: &mut impl SecondaryRays<W>,
     ) {
-        let (ratio, _) = self.cross_interface(w, paths.media, at.body, at_limit);
+        let (ratio, _) = self.shading.cross_interface(w, paths.media, at.body, at_limit);
         // Between equal indices there is no surface that could be rough.
         let straight = at_limit & ratio.eq(w.real(1.0));
         if straight.any() {
@@ -111,7 +111,7 @@ impl WhittedIntegrator<'_> {
     ) -> Vector<W::R> {
         let mut white = transparent;
         let mut split = None;
-        if FULL && self.scene.disperses {
+        if FULL && self.shading.scene.disperses {
             let lanes = transparent & context.at.disperses & self.are_white(w, paths.media);
             if lanes.any() {
                 split = Some((lanes, self.disperse(w, paths, context, lanes, secondary)));
@@ -146,8 +146,8 @@ impl WhittedIntegrator<'_> {
             || {
                 let nothing = w.real(0.0);
                 let mut reflection = Vector::new(nothing, nothing, nothing);
-                for number in 0..self.waves.len() {
-                    let color = self.waves.color(number);
+                for number in 0..self.shading.waves.len() {
+                    let color = self.shading.waves.color(number);
                     let media = self.colored(w, paths.media, number, lanes);
                     let crossing = self.interface::<W, true>(w, paths, media, context.at, lanes);
                     reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
@@ -171,7 +171,7 @@ impl WhittedIntegrator<'_> {
     ) -> DielectricInterface<W> {
         let one = w.real(1.0);
         let direction = paths.rays.direction;
-        let (ratio, beyond) = self.cross_interface(w, media, at.body, transparent);
+        let (ratio, beyond) = self.shading.cross_interface(w, media, at.body, transparent);
         let (bent, passes) = refract(direction, at.normal, ratio);
         let (mut reflection, mut filter) = (at.reflection, at.filter);
         let clear = transparent & at.clear;
@@ -218,7 +218,7 @@ impl WhittedIntegrator<'_> {
         }
         let lanes = lanes & self.is_above_threshold(w, weight);
         if lanes.any() {
-            self.counts.refracted += u64::from(lanes.bits().count_ones());
+            self.shading.counts.refracted += u64::from(lanes.bits().count_ones());
             let mut through =
                 context.paths(paths, context.at.rays_on_far_side(bent), weight, (beyond, lanes));
             through.generation = W::W::select(same, paths.generation, context.next);
@@ -233,37 +233,11 @@ impl WhittedIntegrator<'_> {
         strongest.gt(w.real(0.0)) & strongest.ge(w.real(self.threshold))
     }
 
-    /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.
-    #[inline(always)]
-    pub(crate) fn cross_interface<W: Width>(
-        &mut self,
-        w: W,
-        media: W::W,
-        body: W::W,
-        lanes: W::M,
-    ) -> (W::R, W::W) {
-        let (mut lists, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
-        media.store(&mut lists);
-        body.store(&mut bodies);
-        let (mut ratio, mut beyond) = (w.real(1.0), media);
-        let mut left = lanes.bits();
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize % MOST_LANES;
-            let same = media.is(lists[lane]) & body.is(bodies[lane]);
-            left &= !same.bits();
-            let same = same & lanes;
-            let crossing = self.media.interface(self.scene, &self.waves, lists[lane], bodies[lane]);
-            ratio = W::R::select(same, w.real(crossing.ratio), ratio);
-            beyond = W::W::select(same, w.word(crossing.beyond), beyond);
-        }
-        (ratio, beyond)
-    }
-
     /// The rays whose light has not been split yet.
     fn are_white<W: Width>(&self, w: W, media: W::W) -> W::M {
         let mut lists = [AIR; MOST_LANES];
         media.store(&mut lists);
-        let white = |lane: usize| u32::from(self.media.wave(lists[lane]).is_none()) << lane;
+        let white = |lane: usize| u32::from(self.shading.media.wave(lists[lane]).is_none()) << lane;
         w.mask((0..W::LANES).map(white).fold(0, |bits, bit| bits | bit))
     }
 
@@ -272,7 +246,7 @@ impl WhittedIntegrator<'_> {
         let mut lists = [AIR; MOST_LANES];
         media.store(&mut lists);
         for lane in (0..W::LANES).filter(|lane| lanes.bits() >> lane & 1 == 1) {
-            lists[lane] = self.media.colored(lists[lane], wave as u32);
+            lists[lane] = self.shading.media.colored(lists[lane], wave as u32);
         }
         w.load_words(&lists)
     }

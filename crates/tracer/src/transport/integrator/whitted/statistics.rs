@@ -4,9 +4,10 @@ use glam::{DVec3, UVec2, Vec3};
 
 use crate::simd::scalar::ScalarWidth;
 use crate::transport::counts::RayCounts;
-use crate::transport::integrator::whitted::{PacketSource, WhittedIntegrator};
+use crate::transport::integrator::whitted::WhittedIntegrator;
 use crate::transport::path::PathState;
 use crate::transport::sampler::Sampler;
+use crate::transport::shading::PacketSource;
 use crate::transport::tile_rect::{TILE, TileRect};
 
 /// What the rays of one sample of a pixel come to.
@@ -49,9 +50,9 @@ impl WhittedIntegrator<'_> {
         // How many rays of the tree the one that is followed stands for.
         let (mut stands_for, mut rays) = (1.0, 0.0);
         for _ in 0..LONGEST_WALK {
-            let before = self.counts.shadow;
+            let before = self.shading.counts.shadow;
             self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut branches);
-            rays += stands_for * (1 + self.counts.shadow - before) as f64;
+            rays += stands_for * (1 + self.shading.counts.shadow - before) as f64;
             if branches.is_empty() {
                 break;
             }
@@ -65,9 +66,9 @@ impl WhittedIntegrator<'_> {
 
     /// The primary ray of a sample of a pixel of a picture that has it.
     fn primary_of(&mut self, pixel: UVec2, size: UVec2, sample: u32) -> PathState<ScalarWidth> {
-        self.trim_media();
-        self.begin(sample, Sampler::of_pixel(sample, pixel));
-        let ray = TileRect::around(pixel, size, TILE).ray(self.camera, (pixel, size), sample);
+        self.shading.trim_media();
+        self.shading.begin_sample(sample, Sampler::of_pixel(sample, pixel));
+        let ray = TileRect::around(pixel, size, TILE).ray(self.shading.camera, (pixel, size), sample);
         self.started_path(ray)
     }
 
@@ -81,7 +82,7 @@ impl WhittedIntegrator<'_> {
         sample: u32,
         most_rays: usize,
     ) -> PixelStatistics {
-        let before = self.counts;
+        let before = self.shading.counts;
         let mut generations: Vec<DVec3> = Vec::new();
         let is_complete = self.pixel_rays(pixel, size, sample, most_rays, |generation, light| {
             let generation = generation as usize;
@@ -92,7 +93,7 @@ impl WhittedIntegrator<'_> {
                 *sum += light.as_dvec3();
             }
         });
-        PixelStatistics { counts: self.counts - before, generations, is_complete }
+        PixelStatistics { counts: self.shading.counts - before, generations, is_complete }
     }
 
     /// Shows `take` the generation of each ray of one sample of a pixel and what it adds to it, in no particular order;

@@ -14,13 +14,19 @@ use crate::transport::stream::StreamShading;
 impl WhittedIntegrator<'_> {
     /// Looks for what the rays of a stream meet.
     pub(crate) fn search<W: Width>(&self, w: W, streams: &mut StreamShading) {
-        streams.rays.search(w, &self.scene.geometry, &self.media, &mut streams.memory);
+        streams.rays.search(w, &self.shading.scene.geometry, &self.shading.media, &mut streams.memory);
     }
 
     /// Looks for what their shadow rays meet.
     pub(crate) fn search_shadows<W: Width>(&self, w: W, streams: &mut StreamShading) {
         for shadows in streams.shadows.iter_mut().filter(|shadows| !shadows.is_empty()) {
-            shadows.search(w, self.scene, &self.media, &mut streams.memory, &mut streams.intervals);
+            shadows.search(
+                w,
+                self.shading.scene,
+                &self.shading.media,
+                &mut streams.memory,
+                &mut streams.intervals,
+            );
         }
     }
 
@@ -33,13 +39,13 @@ impl WhittedIntegrator<'_> {
         streams: &StreamShading,
         at: usize,
     ) -> Vector<W::R> {
-        let mut membership = std::mem::take(&mut self.membership);
-        self.media.fill::<W>(&mut membership, paths.media, paths.lanes);
+        let mut membership = std::mem::take(&mut self.shading.membership);
+        self.shading.media.fill::<W>(&mut membership, paths.media, paths.lanes);
         let mut light = vector_at(w, &streams.light.own, at);
         for shadows in streams.shadows.iter().filter(|shadows| !shadows.is_empty()) {
             light = self.lit(w, shadows, at, light, paths.lanes, &membership);
         }
-        self.membership = membership;
+        self.shading.membership = membership;
         vector_at(w, &streams.light.weight, at).times(light)
     }
 
@@ -53,9 +59,15 @@ impl WhittedIntegrator<'_> {
         lanes: W::M,
         membership: &BodyMembership,
     ) -> Vector<W::R> {
-        let query =
-            RayQuery::new(w, &self.scene.geometry, &shadows.rays(w, at), lanes, membership, Candidates::All);
-        let (lit, more) = shadows.brought(w, at, self.scene, &query);
+        let query = RayQuery::new(
+            w,
+            &self.shading.scene.geometry,
+            &shadows.rays(w, at),
+            lanes,
+            membership,
+            Candidates::All,
+        );
+        let (lit, more) = shadows.brought(w, at, self.shading.scene, &query);
         if lit.any() { Vector::select(lit, light + more, light).bounded() } else { light }
     }
 }

@@ -2,10 +2,10 @@
 
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, Mask as _, Width};
-use crate::transport::integrator::whitted::WhittedIntegrator;
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::path::PathState;
 use crate::transport::sampler::SampleDimension;
+use crate::transport::shading::ShadingContext;
 use crate::transport::surface::fresnel;
 use crate::transport::surface::microfacet::{
     reflected_density, sample_visible_normal, smith_g1, transmitted_density,
@@ -37,7 +37,7 @@ impl<W: Width> Macrosurface<W> {
     }
 }
 
-impl WhittedIntegrator<'_> {
+impl ShadingContext<'_> {
     /// The same points, with those on rough surfaces seen as the facets that rays meet there, and what the facets make up.
     #[inline(never)]
     pub(crate) fn sample_microfacet<W: Width>(
