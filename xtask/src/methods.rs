@@ -24,7 +24,7 @@ pub(crate) fn run() -> Result<()> {
     let example = Example::find("four-bodies").context("the example four-bodies")?;
     let render_scene = RenderScene::build(&example.load()?.scene)?;
     let truth = drawn(&render_scene, &Method::Whitted)?.picture;
-    for kind in MethodKind::ALL.into_iter().filter(|kind| *kind != MethodKind::Whitted) {
+    for kind in MethodKind::ALL.into_iter().filter(|kind| !kind.abilities().is_reference) {
         println!("{kind}");
         let mut drawings = vec![drawn(&render_scene, &shown(kind))?];
         if kind == MethodKind::CubeMap {

@@ -44,15 +44,15 @@ impl Renderer {
     pub(crate) fn chosen(arguments: &BackendArguments, method: &Method, is_map: bool) -> Result<Self> {
         let BackendArguments { backend, gpu, software_gpu } = arguments;
         let choice = GpuChoice { software: *software_gpu, name: gpu.clone() };
-        let is_whitted = *method == Method::Whitted && !is_map;
+        let runs_on_gpu = method.abilities().runs_on_gpu && !is_map;
         let gpu = match backend {
             Backend::Cpu if gpu.is_some() || *software_gpu => {
                 bail!("--backend cpu uses no graphics card; leave out --gpu and --software-gpu")
             }
             Backend::Cpu => None,
-            Backend::Auto if is_whitted && choice.is_likely() => Gpu::open(&choice).ok(),
+            Backend::Auto if runs_on_gpu && choice.is_likely() => Gpu::open(&choice).ok(),
             Backend::Auto => None,
-            Backend::Gpu if !is_whitted => {
+            Backend::Gpu if !runs_on_gpu => {
                 bail!("graphics cards draw --method whitted without --map only; use --backend cpu")
             }
             Backend::Gpu => Some(Gpu::open(&choice).context(advice(&choice))?),

@@ -203,11 +203,10 @@ impl<'a> ContenderRun<'a> {
         bound: f64,
         control: &RenderControl,
     ) -> Result<Option<ReasonMap>, CompareError> {
-        use catoptric_tracer::raster::MethodKind;
         let Some(drawing) = &self.drawing else { return Ok(None) };
         let alike = self.variant.generations == truth.generations && self.variant.samples == truth.samples;
-        let traced = truth.method.kind() == MethodKind::Whitted;
-        if !alike || !traced || self.variant.method.kind() == MethodKind::Whitted {
+        let traced = truth.method.abilities().is_reference;
+        if !alike || !traced || self.variant.method.abilities().is_reference {
             return Ok(None);
         }
         reasons(&self.render_scene, &self.variant.method, self.settings, picture, drawing, bound, control)

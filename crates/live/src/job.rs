@@ -191,7 +191,7 @@ impl JobState {
             }
             go_on()?;
             self.done().tracing_since = Some(Instant::now());
-            if self.method != Method::Whitted {
+            if !self.method.abilities().accumulates {
                 return self.draw(&render_scene);
             }
             render(&render_scene, self.settings, &self.control).map_err(|error| match error {

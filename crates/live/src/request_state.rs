@@ -7,7 +7,6 @@ use catoptric_gpu::GpuPicture;
 use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
-use catoptric_tracer::raster::Method;
 use catoptric_tracer::{RayCounts, RenderCamera, RenderScene, SceneEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -207,7 +206,7 @@ impl RequestState {
     /// The samples of the picture, if it is of the full size.
     pub(crate) fn full_samples(&self) -> u32 {
         let size = self.request.size;
-        if self.request.method == Method::Whitted {
+        if self.request.method.abilities().accumulates {
             self.film.as_ref().filter(|film| film.size() == size).map_or(0, Canvas::samples)
         } else {
             self.drawn.as_ref().filter(|drawn| drawn.size == size).map_or(0, |drawn| drawn.samples)

@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
-use catoptric_tracer::raster::Method;
 use catoptric_tracer::{AcceleratorChoice, Film, RayCounts, RenderCamera, RenderControl, RenderScene};
 use rayon::ThreadPool;
 use rayon::prelude::*;
@@ -101,10 +100,12 @@ impl Worker {
         }
         match &self.view {
             None => Ok(()),
-            Some(view) if view.due.picture && view.request.method != Method::Whitted => self.first_drawing(),
+            Some(view) if view.due.picture && !view.request.method.abilities().accumulates => {
+                self.first_drawing()
+            }
             Some(view) if view.due.picture => self.first_picture(),
             Some(view) if view.due != StaleParts::NOTHING => self.show(None),
-            Some(view) if view.request.method != Method::Whitted => self.refine_drawing(),
+            Some(view) if !view.request.method.abilities().accumulates => self.refine_drawing(),
             Some(_) => self.refine(),
         }
     }

@@ -1,7 +1,6 @@
 //! The bar at the bottom: how the picture is doing.
 
 use catoptric_live::{LiveError, Status};
-use catoptric_tracer::raster::MethodKind;
 use egui::{Align, Label, Layout, ProgressBar, Response, RichText, Sides, TextStyle, Ui, vec2};
 
 use egui_material_icons::icons;
@@ -80,7 +79,7 @@ fn shortened(name: &str) -> &str {
 
 /// How the picture is drawn, unless it is traced.
 fn method_ui(ui: &mut Ui, texts: &Texts, status: &Status) {
-    let Some(kind) = status.method.filter(|kind| *kind != MethodKind::Whitted) else { return };
+    let Some(kind) = status.method.filter(|kind| !kind.abilities().is_reference) else { return };
     let text = RichText::new(texts.get(short_key(kind))).color(theme::palette(ui.visuals()).accent);
     let response = ui.label(text);
     let passes = passes_in_words(texts, status);

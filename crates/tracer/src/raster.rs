@@ -34,7 +34,7 @@ pub use crate::raster::cube_map::CubeMap;
 pub use crate::raster::cube_map::cache::{CubeMapUse, CubeMaps};
 pub use crate::raster::error::MethodError;
 pub use crate::raster::gbuffer::GBufferLayer;
-pub use crate::raster::method::{Method, MethodKind};
+pub use crate::raster::method::{Method, MethodAbilities, MethodKind};
 pub use crate::raster::output::MethodOutput;
 pub use crate::raster::pass::PassName;
 pub use crate::raster::reasons::{Reason, ReasonMap, reasons};

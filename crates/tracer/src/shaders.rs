@@ -61,6 +61,7 @@ const ALWAYS: &[&str] = &[
     include_str!("transport/media.wgsl"),
     include_str!("geometry/query.wgsl"),
     include_str!("transport/surface.wgsl"),
+    include_str!("transport/shading.wgsl"),
     include_str!("transport/integrator/whitted.wgsl"),
     include_str!("transport/tile.wgsl"),
 ];
@@ -69,6 +70,7 @@ const ALWAYS: &[&str] = &[
 const PLAIN: &[&str] = &[
     include_str!("transport/surface/material/plain.wgsl"),
     include_str!("transport/light/point.wgsl"),
+    include_str!("transport/interaction/plain.wgsl"),
     include_str!("transport/integrator/whitted/plain.wgsl"),
 ];
 

@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
     }
     let control = RenderControl::default();
     let pixels = u64::from(settings.width) * u64::from(settings.height);
-    let estimates = !arguments.quiet && method == Method::Whitted;
+    let estimates = !arguments.quiet && method.abilities().has_ray_tree;
     let rays = if estimates { warn_of_work(&render_scene, settings, &pool) } else { None };
     let start = Instant::now();
     let drawn = progress.of_tracing(&control, WorkEstimate { pixels, rays }, || {

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuError};
-use catoptric_tracer::raster::Method;
 
 use super::Worker;
 use crate::canvas::{CardRenderer, PassError};
@@ -26,7 +25,7 @@ impl Worker {
     /// Draws the picture again, if it is one that a card can draw: by whatever is to draw now.
     pub(super) fn draw_anew(&mut self) {
         let Some(view) = &mut self.view else { return };
-        if view.request.method == Method::Whitted && !view.is_at_rest {
+        if view.request.method.abilities().runs_on_gpu && !view.is_at_rest {
             // What a picture takes is another matter now.
             self.pace = Pace::new(1e3 * self.budget.as_secs_f64());
             view.due.picture = true;

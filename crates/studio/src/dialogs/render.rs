@@ -83,7 +83,7 @@ impl Dialog for RenderDialog {
         });
         ui.add_space(2.0);
         // Only of tracing it is known how the time grows.
-        let is_traced = self.method == MethodKind::Whitted;
+        let is_traced = self.method.abilities().has_ray_tree;
         let time = is_traced.then(|| self.estimate.time(ui.ctx(), studio, &self.choices));
         let is_ready = self.notes_ui(ui, studio, time);
         let start = match studio.pictures.is_rendering() {

@@ -15,7 +15,7 @@ use crate::{shortcuts, theme};
 pub(crate) fn chooser_ui(ui: &mut Ui, cx: &mut Cx<'_>, height: f32) {
     let kind = cx.settings.methods.kind();
     let palette = theme::palette(ui.visuals());
-    let is_traced = kind == MethodKind::Whitted;
+    let is_traced = kind.abilities().is_reference;
     let text = RichText::new(cx.t(short_key(kind))).size(13.0);
     let fill = if is_traced { egui::Color32::TRANSPARENT } else { palette.selection };
     let button = Button::new((icon(kind).rich_text().size(16.0), text)).fill(fill);
@@ -61,7 +61,7 @@ pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut MethodSetting
             }
         });
     }
-    if methods.kind() != MethodKind::Whitted {
+    if !methods.kind().abilities().is_reference {
         ui.separator();
         let mut method = methods.method();
         if settings_ui(ui, texts, method.name(), &mut method) {

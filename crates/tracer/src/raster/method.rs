@@ -36,6 +36,21 @@ pub enum MethodKind {
     CubeMap,
 }
 
+/// What a method can do, for those who offer methods.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MethodAbilities {
+    /// Its pictures are the truth that others are compared with.
+    pub is_reference: bool,
+    /// A finished picture takes further samples: a [`Film`](crate::Film) serves.
+    pub accumulates: bool,
+    /// Graphics cards draw it.
+    pub runs_on_gpu: bool,
+    /// A tree of rays stands behind each pixel, so that its work can be estimated.
+    pub has_ray_tree: bool,
+    /// Its pictures have [layers](crate::raster::GBufferLayer).
+    pub has_layers: bool,
+}
+
 impl MethodKind {
     /// All methods, in the order in which to offer them.
     pub const ALL: [Self; 6] =
@@ -50,6 +65,18 @@ impl MethodKind {
             Self::Phong => "phong",
             Self::Ssr => "ssr",
             Self::CubeMap => "cube-map",
+        }
+    }
+
+    /// What the method can do.
+    pub const fn abilities(self) -> MethodAbilities {
+        let is_traced = matches!(self, Self::Whitted);
+        MethodAbilities {
+            is_reference: is_traced,
+            accumulates: is_traced,
+            runs_on_gpu: is_traced,
+            has_ray_tree: is_traced,
+            has_layers: matches!(self, Self::Ssr | Self::CubeMap),
         }
     }
 
@@ -83,6 +110,11 @@ impl Method {
             Self::Ssr(_) => MethodKind::Ssr,
             Self::CubeMap(_) => MethodKind::CubeMap,
         }
+    }
+
+    /// What the method can do.
+    pub const fn abilities(&self) -> MethodAbilities {
+        self.kind().abilities()
     }
 
     /// The method's name on the command line and in reports.

@@ -58,7 +58,6 @@ impl SimdLevel {
             let of = |level| Self { level, packets };
             all.extend(level.as_avx512().map(|_| ("pairs", Self { level, packets: Packets::Pairs })));
             all.extend(level.as_avx2().map(|token| ("AVX2", of(token.level()))));
-            all.extend(level.as_sse4_2().map(|token| ("SSE4.2", of(token.level()))));
             all.extend(level.as_sse2().map(|token| ("SSE2", of(token.level()))));
         }
         all
@@ -73,7 +72,7 @@ impl SimdLevel {
     /// Does `work` in this width.
     #[cfg(target_arch = "x86_64")]
     pub(crate) fn run<T: SimdKernel>(self, work: T) -> T::Output {
-        // What has no AVX2 is old, and has one kind of code for all scenes.
+        // What has no AVX2 is old: one kind of code, SSE2, serves all of it.
         match (self.level, self.packets) {
             (Level::Avx512(simd), Packets::Vectors) => run::<_, false, _>(simd, work),
             (Level::Avx512(simd), Packets::Pairs) => simd.vectorize(
@@ -81,11 +80,10 @@ impl SimdLevel {
                 || work.run(PairWidth(SimdWidth::<_, false>(simd))),
             ),
             (Level::Avx2(simd), Packets::Vectors | Packets::Pairs) => run::<_, false, _>(simd, work),
-            (Level::Sse4_2(simd), _) => run::<_, true, _>(simd, work),
-            (Level::Sse2(simd), _) => run::<_, true, _>(simd, work),
-            (level, _) => match level.as_avx2() {
-                Some(simd) => run::<_, true, _>(simd, work),
-                None => unreachable!("x86-64 has SSE2 at least"),
+            (level, _) => match (level.as_avx2(), level.as_sse2()) {
+                (Some(simd), _) => run::<_, true, _>(simd, work),
+                (None, Some(simd)) => run::<_, true, _>(simd, work),
+                (None, None) => unreachable!("x86-64 has SSE2 at least"),
             },
         }
     }

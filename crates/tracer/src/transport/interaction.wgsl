@@ -102,3 +102,18 @@ fn eval_diffuse(at: ptr<function, SurfaceInteraction>, cos: f32) -> vec3<f32> {
 fn rough_interior(at: ptr<function, SurfaceInteraction>) -> bool {
     return is_rough(at) && is_clear(at) && ((*at).start & INWARDS) != 0u;
 }
+
+// What the surface sends on towards the viewer of light that falls in under an angle of this cosine.
+fn eval_bsdf(
+    at: ptr<function, SurfaceInteraction>,
+    direction: vec3<f32>,
+    to_light: vec3<f32>,
+    cos: f32,
+    media: ptr<function, Media>,
+) -> vec3<f32> {
+    var answer = eval_diffuse(at, cos) + eval_highlight(at, direction, to_light);
+    if is_rough(at) {
+        answer += eval_microfacets(at, direction, to_light, media);
+    }
+    return answer;
+}

@@ -43,74 +43,6 @@ fn begin_sample(place: u32, sample: u32) {
     first_wave = sample * WAVE_COUNT;
 }
 
-// What a light gives to a point, and from where.
-struct Lit {
-    to_light: vec3<f32>,
-    distance: f32,
-    power: vec3<f32>,
-}
-
-// The light of the stage with this number at a point; none at the distance 0.
-fn light_at(index: u32, at: ptr<function, SurfaceInteraction>, generation: u32) -> Lit {
-    let light = lights[index];
-    let offset = light.position - (*at).position;
-    let distance = sqrt(dot(offset, offset));
-    // A light that stands exactly here has no direction.
-    if !(distance > 0.0) {
-        return Lit(vec3(0.0), 0.0, vec3(0.0));
-    }
-    let to_light = offset * (1.0 / distance);
-    let power = power_at(light, distance);
-    if HAS_BALLS && light.radius > 0.0 {
-        let thrown = sample_2d(generation, (*at).body, FOR_LIGHT + index);
-        let point = sample_sphere(light, to_light, distance, thrown);
-        return Lit(point.direction, point.distance, power * point.share);
-    }
-    return Lit(to_light, distance, power);
-}
-
-// The ambient, diffuse and highlight terms.
-fn local_light(
-    ray: Ray,
-    at: ptr<function, SurfaceInteraction>,
-    generation: u32,
-    media: ptr<function, Media>,
-) -> vec3<f32> {
-    var sum = (*at).ambient;
-    if !answers(at) {
-        return sum;
-    }
-    // The body's own surface lies between its inner side and a light; what it lets through from there is seen where the
-    // viewer's ray leaves it.
-    let within = rough_interior(at);
-    let start = (*at).start ^ select(0u, INWARDS, within);
-    for (var index = 0u; index < frame.lights; index++) {
-        if all(lights[index].power == vec3(0.0)) {
-            continue;
-        }
-        let lit = light_at(index, at, generation);
-        let cos = dot((*at).normal, lit.to_light);
-        if !(lit.distance > 0.0 && select(cos, -cos, within) > 0.0) {
-            continue;
-        }
-        counts.shadow += 1u;
-        let passed = transmittance(ray_from((*at).position, lit.to_light, start), media, lit.distance);
-        if all(passed == vec3(0.0)) {
-            continue;
-        }
-        var answer = eval_diffuse(at, cos);
-        let material = (*at).material;
-        if material.specular != 0.0 {
-            answer += material.specular * phong_highlight(-ray.direction, lit.to_light, (*at).normal, material.shininess);
-        }
-        if is_rough(at) {
-            answer += eval_microfacets(at, ray.direction, lit.to_light, media);
-        }
-        sum += lit.power * answer * passed;
-    }
-    return bounded(sum);
-}
-
 // The share of light that is left after a way in the body entered last.
 fn left_in_media(media: ptr<function, Media>, way: f32) -> vec3<f32> {
     if (*media).count == 0u {
@@ -213,7 +145,7 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
             light += follower.weight * sky_light(follower.ray.direction);
         } else {
             var at = interaction(follower.ray, hit);
-            light += follower.weight * local_light(follower.ray, &at, follower.generation, &media);
+            light += follower.weight * direct_light(follower.ray, &at, follower.generation, &media);
             if follower.generation < frame.generations || (HAS_TRANSPARENCY && body_is_transparent(at.body)) {
                 goes_on = scatter(&follower, &at, &media);
             }
