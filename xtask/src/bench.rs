@@ -1,5 +1,5 @@
-//! Our times against those of POV-Ray and other renderers: the same scenes, the same run, by turns, the pictures held
-//! against each other.
+//! Our times against those of POV-Ray and other renderers: the same scenes, in the same run, by turns. The pictures are
+//! compared too.
 
 mod case;
 mod first_picture;

@@ -1,4 +1,4 @@
-//! POV-Ray, the independent program whose pictures and times ours are held against.
+//! POV-Ray, the independent program whose pictures and times ours are compared with.
 
 mod source;
 

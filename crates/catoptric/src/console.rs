@@ -30,7 +30,7 @@ fn put(words: &str) -> Result<()> {
     }
 }
 
-/// Prints words and a line break to standard error; when even that fails, nobody can be told.
+/// Prints words and a line break to standard error; when even that fails, the error is dropped.
 pub(crate) fn say(words: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", visible_lines(words));
 }

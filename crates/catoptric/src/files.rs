@@ -123,7 +123,7 @@ impl CommandFiles {
         for name in names {
             let path = directory.join(name);
             self.check_free(&path)?;
-            // Inputs that are only known later, such as the pictures of the scene, are held against it too.
+            // Inputs that are only known later, such as the pictures of the scene, are compared with it too.
             if let Some(id) = FileId::of_output(&path) {
                 self.outputs.push(KnownFile { path, id });
             }

@@ -27,7 +27,7 @@ pub(crate) fn on_scene(name: &str, scene: &Scene) -> String {
     notes.iter().map(|note| format!("{name}: note: {note}\n")).collect()
 }
 
-/// The rays of a picture, as far as they can be told before it is traced.
+/// The rays of a picture, as far as they are known before it is traced.
 pub(crate) struct RayForecast {
     /// About so many, of all kinds.
     pub(crate) rays: f64,

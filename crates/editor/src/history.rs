@@ -66,7 +66,7 @@ impl History {
         self.steps.iter_mut().for_each(|step| step.difference.edit_images(edit));
     }
 
-    /// Takes the scene one step back, and tells what was selected then.
+    /// Takes the scene one step back, and returns the selection of that time.
     pub(crate) fn undo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
         let step = self.last_done()?;
         step.difference.undo(Arc::make_mut(scene));
@@ -75,7 +75,7 @@ impl History {
         Some(selection)
     }
 
-    /// Takes the scene one step forward again, and tells what was selected then.
+    /// Takes the scene one step forward again, and returns the selection of that time.
     pub(crate) fn redo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
         let step = self.first_undone()?;
         step.difference.redo(Arc::make_mut(scene));

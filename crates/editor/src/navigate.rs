@@ -12,7 +12,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 pub use range::{CachedCameraRange, CameraRange};
 
-/// How near to the pole the view can be turned, radians. Nearer than that, the picture would spin under the hand.
+/// How near to the pole the view can be turned, radians. Nearer than that, the picture would spin under the pointer.
 const NEAREST_POLE: f64 = 0.002;
 
 /// Room around a framed ball, as a part of its radius.

@@ -23,7 +23,7 @@ pub struct GpuInfo {
     pub name: String,
     /// The interface by which it is driven, such as `Vulkan`.
     pub interface: String,
-    /// The driver and its version, as far as they are told.
+    /// The driver and its version, as far as they are known.
     pub driver: String,
     /// Whether it is a driver that computes on the CPU.
     pub is_software: bool,
@@ -52,7 +52,7 @@ impl Gpu {
         Self::new(device, queue, &info, watch)
     }
 
-    /// Draws with a device that others, such as a window, use too. From now on its loss is told here.
+    /// Draws with a device that others, such as a window, use too. From now on its loss is recorded here.
     ///
     /// # Errors
     /// When it lacks something.

@@ -15,7 +15,7 @@ const PICTURES: u32 = 10;
 /// The bindings of storage buffers: the arrays, the film last.
 pub(crate) const STORED: std::ops::RangeInclusive<u32> = 1..=8;
 
-/// The shaders compiled so far. A program meets few kinds of stages, and a shader is small: none is let go of.
+/// The shaders compiled so far. A program meets few kinds of stages, and a shader is small: none is dropped.
 pub(crate) struct Pipelines {
     pub(crate) layout: wgpu::BindGroupLayout,
     pipeline_layout: wgpu::PipelineLayout,

@@ -37,8 +37,8 @@ impl Gpu {
         taken.map_err(|error| GpuError::Refused(error.to_string()))
     }
 
-    /// Waits until the buffer is told to be mapped. Nobody waits within the device, since others could not submit work to
-    /// it meanwhile: a window, or another thread.
+    /// Waits until the buffer is reported as mapped. Nobody waits within the device, since others could not submit work
+    /// to it meanwhile: a window, or another thread.
     fn wait_for(&self, receiver: &Receiver<Result<(), wgpu::BufferAsyncError>>) -> Result<(), GpuError> {
         let start = Instant::now();
         let mut pause = SHORTEST_PAUSE;

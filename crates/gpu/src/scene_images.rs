@@ -32,7 +32,7 @@ impl GpuSceneImages {
         let most = gpu.device.limits().max_texture_dimension_2d;
         let size = size_of_texture(most, &gpu.info().name, pictures.rows())?;
         if size != [self.texture.width(), self.texture.height()] {
-            // The old memory is let go of first: both might not fit.
+            // The old memory is freed first: both might not fit.
             self.texture.destroy();
             self.texture = allocate(gpu, size)?;
         }

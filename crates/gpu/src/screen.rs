@@ -94,7 +94,7 @@ impl GpuScreen {
         Ok(picture)
     }
 
-    /// A picture of this size that nobody shows; others that nobody does are let go of.
+    /// A texture of a size that nobody shows; others that nobody shows are freed.
     fn free_picture(&mut self, gpu: &Arc<Gpu>, size: [u32; 2]) -> Result<Arc<GpuPicture>, GpuError> {
         let is_free = |picture: &Arc<GpuPicture>| Arc::strong_count(picture) == 1;
         let found = self.pictures.iter().position(|picture| is_free(picture) && picture.size == size);

@@ -27,7 +27,7 @@ impl GpuArray {
         Ok(Self { copy: Some(Vec::new()), ..Self::empty(gpu, what)? })
     }
 
-    /// An array that is written as it is told.
+    /// An array without a copy of its bytes: a write sends all of them.
     pub(crate) fn empty(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
         Ok(Self { what, buffer: Self::allocate(gpu, what, Self::LEAST)?, len: 0, copy: None })
     }
@@ -40,7 +40,7 @@ impl GpuArray {
     pub(crate) fn write(&mut self, gpu: &Gpu, bytes: &[u8]) -> Result<u64, GpuError> {
         let len = bytes.len() as u64;
         if len > self.buffer.size() {
-            // The old memory is let go of first: both might not fit.
+            // The old memory is freed first: both might not fit.
             self.buffer.destroy();
             (self.len, self.copy) = (0, self.copy.as_ref().map(|_| Vec::new()));
             self.buffer = Self::allocate(gpu, self.what, len.max(Self::LEAST))?;

@@ -13,7 +13,7 @@ pub struct LossWatch {
 type LossCallback = Box<dyn FnOnce() + Send>;
 
 impl LossWatch {
-    /// Watches `device`: its loss is told here from now on, and nowhere else. `tell` is called once, in any thread.
+    /// Watches `device`: its loss is recorded here from now on, and nowhere else. `tell` is called once, in any thread.
     pub fn over(device: &wgpu::Device, tell: impl FnOnce() + Send + 'static) -> Arc<Self> {
         let tell: LossCallback = Box::new(tell);
         let (device, tell) = (device.clone(), Mutex::new(Some(tell)));

@@ -1,4 +1,4 @@
-//! Pictures of the same view held against the first of them.
+//! Comparison of pictures of the same view with the first of them.
 
 use std::time::Duration;
 
@@ -32,7 +32,8 @@ pub struct ContenderPicture {
     pub time: f64,
     /// How often it was drawn for that.
     pub runs: u32,
-    /// Why its pixels differ from the traced ones; `None` for the truth itself and where it cannot be told.
+    /// The reasons why its pixels differ from the traced ones; `None` for the truth itself and where they are not
+    /// known.
     pub reasons: Option<ReasonMap>,
 }
 
@@ -117,7 +118,7 @@ pub struct CompareJob<'a> {
 }
 
 /// Draws a scene in several ways on the threads of the current rayon pool, in rounds, so that whatever drifts hits all
-/// alike. `watch` is told how many pictures are done, and of how many.
+/// alike. `watch` gets the number of finished pictures, and of all.
 ///
 /// Reasons are told for what was drawn by another method than the first with the samples and generations of the first,
 /// if that is traced.
@@ -277,7 +278,7 @@ impl Metrics {
 }
 
 impl MethodComparison {
-    /// The picture that the others are held against.
+    /// The picture that the others are compared with.
     pub fn truth(&self) -> Option<&Contender> {
         self.contenders.first()
     }

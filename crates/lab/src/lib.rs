@@ -5,7 +5,7 @@
 //! - [`depth`]: how many generations a scene needs.
 //! - [`exact`]: where the laws of optics put an image, beside what the tracer finds.
 //! - [`reflectance`]: how much a material reflects, by angle and color.
-//! - [`compare`]: pictures drawn in several ways, or read from files, held against the first of them.
+//! - [`compare`]: pictures drawn in several ways, or read from files, compared with the first of them.
 //! - [`measure`]: how the time of a picture depends on what it is made of, and the law behind it.
 //! - [`report`]: both as pages, tables and plots, in English or Russian.
 

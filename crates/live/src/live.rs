@@ -89,7 +89,7 @@ impl Live {
     }
 
     /// The stage of the newest prepared scene with its revision: for picking, one ray being cheap. It should not be kept:
-    /// a stage that is let go of is edited when bodies change, one that is held has to be copied.
+    /// a stage that was dropped is edited when bodies change, one that is kept has to be copied.
     pub fn stage(&self) -> Option<(u64, Arc<Stage>)> {
         self.shared.stage()
     }

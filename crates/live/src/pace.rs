@@ -43,7 +43,7 @@ impl Pace {
         self.per_pixel += weight * (new - self.per_pixel);
     }
 
-    /// Takes note of a coarse picture that was given up after so many pixels: the next one must be coarser, or none
+    /// Takes note of a coarse picture that was cancelled after so many pixels: the next one must be coarser, or none
     /// would ever be finished.
     pub(crate) fn gave_up(&mut self, pixels: u64, milliseconds: f64) {
         /// Pixels that may be under way when nothing else is known of them.

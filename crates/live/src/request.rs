@@ -17,7 +17,7 @@ pub struct Request {
     pub camera: Camera,
     /// Width and height of the view in physical pixels. A view of no pixels asks for nothing.
     pub size: [u32; 2],
-    /// Whether a hand moves something: pictures stay coarse until nothing changes for a moment.
+    /// Whether a drag is under way: pictures stay coarse until nothing changes for a moment.
     pub moving: bool,
     /// How reflections are found. Other methods than Whitted's are drawn anew for more samples, in steps of 1, 4, 16 …
     pub method: Method,

@@ -20,7 +20,7 @@ use crate::request::{DisplayContent, Request};
 use crate::shared::WaitLimit;
 use crate::status::LiveError;
 
-/// A hand that holds still this long lets the picture sharpen, though it holds something.
+/// After this time without a change during a drag, the picture sharpens.
 const STILL: Duration = Duration::from_millis(150);
 
 /// A request with its results so far, and what is still to be done.

@@ -3,7 +3,7 @@
 //! - [`Picture`]: RGB in linear light, 32-bit floats, top row first.
 //! - [`Development`]: exposure → tone curve → sRGB → 8 or 16 bits ([`Developed`]).
 //! - [`PictureFormat`]: the table of file formats. [`SaveOptions`], [`write_png`], [`write_exr`]: whole files or none.
-//! - [`read`], [`ReadOptions`]: files of all formats, told by their content, safe on hostile ones.
+//! - [`read`], [`ReadOptions`]: files of all formats, recognized by their content, safe on hostile ones.
 //! - [`Difference`] and [`heat_map`]: how far two pictures are apart, and where; [`ssim`] and [`Flip`]: how far apart
 //!   they look.
 //!

@@ -11,7 +11,7 @@ pub struct Body {
     pub name: String,
     /// Shape and sizes in the body's own frame.
     pub shape: Shape,
-    /// How that frame is carried to the world.
+    /// The transform from that frame to the world.
     pub placement: Placement,
     /// What the body is made of.
     pub material: MaterialChoice,
@@ -144,7 +144,7 @@ impl Default for Shape {
     }
 }
 
-/// How a body's own frame is carried to the world: `T · R · S`.
+/// The transform from a body's own frame to the world: `T · R · S`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Where the frame's origin stands and how the frame is turned.

@@ -26,7 +26,7 @@ impl Default for Camera {
     }
 }
 
-/// How the world is carried to the picture.
+/// The projection from the world to the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
     /// Rays spread from the eye.

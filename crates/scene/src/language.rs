@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// A language that findings and problems can be told in.
+/// A language of findings and problems.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
     /// English, the default, and the language of `Display`.

@@ -17,7 +17,7 @@ pub(crate) struct WindowCard {
     window: Option<(RenderState, Arc<Gpu>)>,
     /// Whether it is to draw.
     is_on: bool,
-    /// The loss that was told.
+    /// The loss that was reported.
     told: Option<GpuError>,
     textures: Vec<WindowTexture>,
 }

@@ -157,7 +157,7 @@ impl CompareState {
 
     /// Gives up what is being drawn.
     fn cancel(&mut self) {
-        // It ends when it is let go of.
+        // Dropping it ends it.
         self.running = None;
     }
 }

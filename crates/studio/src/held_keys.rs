@@ -87,7 +87,7 @@ impl HeldKeys {
         }
     }
 
-    /// The present stroke of a key, if it is held.
+    /// The present press of a key, if it is held.
     pub(crate) fn stroke(&self, logical: Key, physical: Option<Key>) -> Option<KeyPress> {
         let held = self.keys.iter().find(|held| held.is(logical, physical) && !held.is_silent);
         held.map(|held| held.stroke)
@@ -134,7 +134,7 @@ impl HeldKeys {
 }
 
 impl HeldKey {
-    /// What tells it from other keys.
+    /// The identity of the key.
     fn place(&self) -> Key {
         self.physical.unwrap_or(self.logical)
     }

@@ -108,7 +108,7 @@ impl Host for DesktopHost {
                 let asked = Instant::now();
                 let chosen = wait_for(dialog).map(|file| file.path().to_owned());
                 if chosen.is_none() && asked.elapsed() < FASTEST {
-                    // No hand is so fast: the dialog could not appear. Without an answer, the studio's own does.
+                    // Nobody answers so quickly: the dialog could not appear. Without an answer, the studio's own does.
                     return;
                 }
                 // The studio may be gone by the time of the answer.

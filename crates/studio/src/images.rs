@@ -108,7 +108,7 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
 }
 
 /// Sources of the pictures that are to be opened, each once. Of `before` they are already, and of bodies that are shared
-/// with it: a hand that drags one of a million bodies must not wait for a walk through all.
+/// with it: a drag of one of a million bodies must not wait for a walk through all.
 fn unopened(
     before: Option<&Scene>,
     scene: &Scene,

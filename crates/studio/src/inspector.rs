@@ -53,7 +53,7 @@ pub(crate) struct InspectorState {
     pub(crate) note: Option<RefusalNote>,
     /// The last change made here, to know which gesture Escape takes back.
     pub(crate) gesture: Option<Label>,
-    /// Whether the drag that still goes on has been given up.
+    /// Whether the present drag was cancelled.
     pub(crate) is_given_up: bool,
     /// Whether the three factors of a scale keep their ratios.
     pub(crate) scale_link: bool,

@@ -84,7 +84,7 @@ impl RenderedPictures {
     }
 }
 
-/// Starts to render the document as it is now, through its own camera; gives up what is being rendered.
+/// Starts to render the document as it is now, through its own camera; cancels the present render.
 pub(crate) fn start(studio: &mut Studio, choices: RenderChoices, development: Development, method: Method) {
     let scene = Arc::clone(studio.editor.scene());
     let order = RenderRequest { choices, development, name: studio.editor.title().to_owned() };

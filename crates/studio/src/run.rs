@@ -179,7 +179,7 @@ fn rename(studio: &mut Studio) {
     studio.panes.outliner.rename(studio.editor.scene(), item);
 }
 
-/// Does an action; tells in the corner why, if it cannot be done.
+/// Does an action; a notice gives the reason if it cannot be done.
 fn apply(studio: &mut Studio, action: Action) {
     let is_of_material = matches!(action, Action::AssignMaterial(_));
     let Err(error) = studio.editor.apply(action) else { return };

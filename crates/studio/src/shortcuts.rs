@@ -41,7 +41,7 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
     let mut commands = Vec::new();
     let is_behind =
         studio.dialogs.is_any_open() || context.memory(|memory| memory.top_modal_layer().is_some());
-    // What is in the hand must not be deleted or undone under it.
+    // What is being dragged must not be deleted or undone meanwhile.
     let is_dragging =
         context.egui_is_using_pointer() && context.input(|input| input.pointer.is_decidedly_dragging());
     if !is_behind && !is_dragging {

@@ -1,4 +1,4 @@
-//! The panel of the picture: the traced scene itself, with what can be seen and held drawn over it.
+//! The viewport: the traced scene, with handles, outlines and rays drawn over it.
 
 mod answers;
 mod camera_commands;
@@ -93,7 +93,7 @@ impl Viewport {
         self.covered = self.rect.map(|whole| CoveredPicture::new(whole, shown, window));
     }
 
-    /// Another document has come: whatever hands and keys were doing to the last one ends.
+    /// Ends all drags and key presses, since another document has come.
     pub(crate) fn begin_document(&mut self) {
         self.pointer_tool = PointerTool::default();
         self.navigation.stop();
@@ -144,7 +144,7 @@ impl Viewport {
     }
 }
 
-/// Draws the picture and does what hands and keys do in it.
+/// Draws the picture and handles the pointer and the keys in it.
 pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport) {
     let (tile, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let tile = tile.round_to_pixels(ui.ctx().pixels_per_point());
@@ -193,7 +193,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     notes(ui, cx, viewport, &scene_view);
 }
 
-/// What hands and keys do.
+/// Handles the pointer and the keys.
 fn act(
     ui: &mut Ui,
     cx: &mut Cx<'_>,
@@ -231,7 +231,7 @@ fn act(
     navigation.settle(ui, cx);
     let is_busy = !matches!(viewport.pointer_tool.action, PointerAction::Idle);
     if response.has_focus() {
-        // Arrows move the camera, and Esc ends what the hand does.
+        // Arrows move the camera, and Esc cancels the drag.
         let filter =
             EventFilter { tab: false, horizontal_arrows: true, vertical_arrows: true, escape: is_busy };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
@@ -295,7 +295,7 @@ fn over_picture(
         (Some((_, handle)), _) | (None, Some(PointerTarget::Handle(handle))) => Some(handle),
         _ => None,
     };
-    // What is carried by itself needs no handles meanwhile.
+    // A thing that is dragged by itself needs no handles meanwhile.
     let at_rest = || {
         pointer_tool::gizmo(cx)
             .filter(|_| !matches!(viewport.pointer_tool.action, PointerAction::DragItem(_)))
@@ -326,7 +326,7 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
 
 /// Short texts: what is being changed, what is under the pointer, how to fly.
 fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, scene_view: &SceneView) {
-    /// How long the pointer rests before it is told what it is over, seconds.
+    /// How long the pointer rests before a label names the thing under it, seconds.
     const REST: f32 = 0.5;
     let palette = theme::palette(ui.visuals());
     let painter = ui.painter_at(scene_view.visible);

@@ -120,7 +120,7 @@ struct WindowSession {
     context: Context,
 }
 
-/// Opens a window and stays until it is closed, or its device is lost, as `watch` then tells.
+/// Opens a window and stays until it is closed, or its device is lost, as `watch` then reports.
 fn show(
     opened: &mut Option<WindowSession>,
     watch: &OnceCell<Arc<LossWatch>>,
@@ -184,7 +184,7 @@ fn viewport(opened: Option<&WindowSession>) -> ViewportBuilder {
     })
 }
 
-/// What lets go of all that was held down in a window that is gone: nobody will tell that it is released.
+/// Releases all keys and buttons that were down in a closed window, since no event reports it.
 fn held(context: &Context) -> Vec<Event> {
     context.input(|input| {
         let pos = input.pointer.interact_pos().unwrap_or_default();

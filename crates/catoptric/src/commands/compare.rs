@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
     Ok(CommandOutcome::Done)
 }
 
-/// The picture files, before anything is drawn: what cannot be read is told at once.
+/// The picture files, before anything is drawn: what cannot be read is reported at once.
 fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Result<Vec<Contender>> {
     let mut contenders: Vec<Contender> = Vec::new();
     let mut layers = LayerReader::new(arguments.layer.as_deref());

@@ -8,7 +8,7 @@ use crate::names::UsedNames;
 use crate::new_body::NewBodyPlacement;
 use crate::selection::{Item, Selection};
 
-/// Colors of new bodies, sRGB: of equal weight, each told from the others at a glance.
+/// Colors of new bodies, sRGB: of equal weight, each distinguished from the others at a glance.
 const PALETTE: [[u8; 3]; 8] = [
     [0xe4, 0x5b, 0x43],
     [0x2f, 0x9c, 0x95],

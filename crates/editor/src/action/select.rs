@@ -5,7 +5,7 @@ use catoptric_scene::Scene;
 use super::flags::all;
 use crate::selection::{Item, Selection};
 
-/// All bodies and lights that a hand can reach. The bodies are last, so that one of them is the primary item.
+/// All bodies and lights that are visible and not locked. The bodies are last, so that one of them is the primary item.
 fn reachable(scene: &Scene) -> impl Iterator<Item = Item> {
     all(scene).rev().filter(|item| !item.is_hidden(scene) && !item.is_locked(scene))
 }

@@ -53,7 +53,7 @@ impl Editor {
         })
     }
 
-    /// Changes several bodies, all or none; `edit` is told the place of each.
+    /// Changes several bodies, all or none; `edit` gets the place of each.
     ///
     /// # Errors
     /// Those of [`Self::change`].
@@ -90,7 +90,7 @@ impl Editor {
         })
     }
 
-    /// Changes several lights, all or none; `edit` is told the place of each.
+    /// Changes several lights, all or none; `edit` gets the place of each.
     ///
     /// # Errors
     /// Those of [`Self::change`].
@@ -269,7 +269,7 @@ impl Editor {
             }
         };
         let check = |scene: &Scene, old: &[(usize, T)]| -> Vec<Problem> {
-            // Each part's name is held against all others.
+            // Each part's name is compared with all others.
             if old.len() > MOST_PARTS {
                 return scene.check();
             }

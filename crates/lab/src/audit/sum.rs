@@ -85,9 +85,9 @@ impl ExactSum {
     /// order of adding.
     ///
     /// The order does not matter if no order rounds: all numbers and sums are multiples of one unit, below 2⁵³. Else a
-    /// sum of n numbers is off by at most (n - 1)·u·Σ|x| to first order, u = 2⁻⁵³ (Higham 2002, Accuracy and Stability of
-    /// Numerical Algorithms, sec. 4.2), and this takes twice that: if all sums that are possible are rounded alike, the
-    /// order does not matter.
+    /// sum of n numbers is off by at most (n - 1)·u·Σ|x| to first order, u = 2⁻⁵³ (Higham 2002, Accuracy and Stability
+    /// of Numerical Algorithms, sec. 4.2), and this takes twice that: if all sums that are possible are rounded alike,
+    /// the order does not matter.
     pub(crate) fn is_certain(&self) -> bool {
         /// Whole numbers up to 2⁵³ are exact.
         const WHOLE: f64 = 9_007_199_254_740_992.0;

@@ -8,7 +8,8 @@ use super::geometry::{Arc, alhazen_from, crossing, sphere_image};
 use super::probe::Probe;
 use super::{AnswerCollector, ExactAnswer, ExactDeviation, ExactSetup, Inapplicable, PlacedBody, radius};
 
-/// An image farther away than so many radii cannot be told from none: rays of single precision towards it are parallel.
+/// An image farther away than so many radii cannot be distinguished from none: rays of single precision towards it are
+/// parallel.
 const FARTHEST_IMAGE: f64 = 100.0;
 
 pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut AnswerCollector) {

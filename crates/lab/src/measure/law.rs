@@ -101,7 +101,7 @@ fn criterion(fit: &Fit) -> f64 {
     if points - count - 1.0 <= 0.0 {
         return f64::INFINITY;
     }
-    // Below a millionth, laws cannot be told apart by their residuals.
+    // Below a millionth, laws cannot be distinguished by their residuals.
     let scatter = (fit.error * fit.error).max(1e-12);
     points * scatter.ln() + 2.0 * count + 2.0 * count * (count + 1.0) / (points - count - 1.0)
 }

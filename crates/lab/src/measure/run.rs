@@ -157,7 +157,7 @@ pub struct Measurement {
 /// shuffled anew (always the same for the same plan), so that whatever drifts, such as the processor's clock, hits all
 /// alike. Each measurement prepares the scene again, and the scene is made again for each: the memory is that of one.
 ///
-/// `watch` is told of the progress after each measurement. When `control` is cancelled, what was measured is kept.
+/// `watch` gets the progress after each measurement. When `control` is cancelled, what was measured is kept.
 ///
 /// # Errors
 /// When the plan makes no sense, a picture cannot be drawn, or it is cancelled before each point was measured once.

@@ -256,7 +256,7 @@ fn draw_curve(svg: &mut String, curve: &PlotCurve, index: usize, x: &Scale, y: &
     }
 }
 
-/// The symbol of a curve: also on a black and white print they can be told apart.
+/// The symbol of a curve, which distinguishes it on a black and white print too.
 fn draw_symbol(svg: &mut String, [x, y]: [f64; 2], index: usize) {
     let shape = match index % 4 {
         0 => format!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"4.2\""),

@@ -1,4 +1,4 @@
-//! The grid held against where its lines must lie.
+//! The grid compared with the places where its lines must lie.
 
 use catoptric_scene::{Body, Camera, Placement, Projection, Scene, Shape};
 use catoptric_tracer::Stage;

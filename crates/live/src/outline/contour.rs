@@ -37,7 +37,7 @@ struct LatticeEdge {
     down: bool,
 }
 
-/// All lines of the border of a region within an area, the inside on the same hand of each.
+/// All lines of the border of a region within an area, the inside on the same side of each.
 pub(super) fn contours(area: &Area, is_inside: &(impl Fn(DVec2) -> bool + Sync)) -> Vec<Contour> {
     let lattice = Lattice::sample(area, is_inside);
     let steps = lattice.steps(is_inside);

@@ -1,4 +1,4 @@
-//! Outlines held against what projection says they must be.
+//! Outlines compared with projections of the bodies.
 
 use catoptric_scene::{Anchor, Body, Camera, Placement, Projection, Scene, Shape};
 use catoptric_tracer::Stage;

@@ -13,7 +13,7 @@ pub struct HeatMap {
     /// Default true.
     pub clamp: bool,
     /// The difference, in linear light, that gets the lightest color; larger ones get it too.
-    /// Default 16/255, so that the usual bound of 1/255 can be told from nothing.
+    /// Default 16/255, so that the usual bound of 1/255 is visible.
     pub maximum: f64,
     /// Whether a strip is added at the bottom: the scale from 0 on the left to `maximum` on the right, with
     /// ticks at its quarters and, where the map is wide enough, numbers. The pixels of the map keep their places.

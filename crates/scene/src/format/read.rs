@@ -64,7 +64,7 @@ pub struct Warned<T> {
     pub warnings: Diagnostics,
 }
 
-/// Reads a scene from the text of a file. Never fails: what is wrong is told in the findings.
+/// Reads a scene from the text of a file. Never fails: errors are among the findings.
 ///
 /// ```
 /// let reading = catoptric_scene::read("format = 'catoptric/1'\n[camera]\nfov = 300");

@@ -1,5 +1,5 @@
-//! Tables as the file defines them, held against the table of the format while they grow: unknown keys and keys given
-//! twice are reported at once and never stored.
+//! Tables as the file defines them, checked against the table of the format while they grow: unknown keys and keys
+//! given twice are reported at once and never stored.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -181,7 +181,7 @@ impl<'t> Table<'t> {
         self.insert(key, value);
     }
 
-    /// An inline table held against its keys.
+    /// An inline table checked against its keys.
     pub(crate) fn from_inline(
         schema: Schema,
         assignments: Vec<Assignment<'t>>,

@@ -1,4 +1,4 @@
-//! Values held against the type and limits of their key.
+//! Values checked against the type and limits of their key.
 
 use std::ops::Range;
 

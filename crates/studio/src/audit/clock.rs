@@ -85,7 +85,7 @@ impl LightSpan {
     }
 }
 
-/// Light that runs along the rays, so slowly that one can follow it. Whoever draws tells it the time.
+/// The animation of light along the rays. The drawing code advances its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SlowLight {
     /// Whether it runs.

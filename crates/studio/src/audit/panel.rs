@@ -125,7 +125,7 @@ fn front_ui(ui: &mut Ui, cx: &mut Cx<'_>, span: LightSpan) {
     let mut share = cx.audit.light.front.map_or(1.0, |front| span.share(front));
     // Digits enough for the shortest way.
     let decimals = (1.0 - span.finest().log10()).ceil().clamp(2.0, 9.0) as usize;
-    // The slider rounds to as many digits as it shows, and would take that for a move of the hand.
+    // The slider rounds to as many digits as it shows, and would take that for a drag.
     let slider = Slider::new(&mut share, 0.0..=1.0)
         .suffix(format!(" {}", cx.t("audit-meters")))
         .custom_formatter(move |share, _| texts.localized(format!("{:.decimals$}", span.path(share))))

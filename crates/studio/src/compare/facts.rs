@@ -140,7 +140,7 @@ fn passes_in_words(cx: &Cx<'_>, language: Language, drawn: &ContenderPicture) ->
     text
 }
 
-/// The height of what is told of the pixel under the pointer, points.
+/// The height of the facts about the pixel under the pointer, points.
 pub(super) const POINTER: f32 = 2.0 * ROW + 10.0;
 
 /// Red, green and blue of both pictures under the pointer, and why they differ: two lines below the pictures.

@@ -28,7 +28,7 @@ pub(super) struct CompareResult {
     pub(super) scale: f64,
     pub(super) difference: ColorImage,
     pub(super) flip: ColorImage,
-    /// `None` where it cannot be told why they differ.
+    /// `None` where the reasons are not known.
     pub(super) reasons: Option<ColorImage>,
     /// The scene's name, and it as it was drawn; for the report.
     pub(super) name: String,

@@ -28,7 +28,7 @@ type DocumentState = (u64, u64);
 #[derive(Default)]
 pub(super) struct Autosave {
     thread: Option<AutosaveThread>,
-    /// What the thread was told to keep last, and when.
+    /// The state that the thread was last ordered to write, and when.
     sent: Option<(DocumentState, Instant)>,
     /// What is kept.
     kept: Option<DocumentState>,
@@ -128,7 +128,7 @@ impl Autosave {
         }
     }
 
-    /// Discards the orphans whose documents are kept, saved or given up.
+    /// Discards the orphans whose documents are kept, saved or discarded.
     fn discard_restored(&mut self, is_over: impl Fn(u64) -> bool) {
         let (over, still) =
             std::mem::take(&mut self.restored).into_iter().partition(|(number, _)| is_over(*number));
@@ -231,7 +231,7 @@ pub(super) fn keep_now(studio: &mut Studio) {
     }
 }
 
-/// The studio is being left. Unless changes are given up on purpose, they stay for the next start.
+/// Ends the thread with the studio. Unless changes are discarded on purpose, they stay for the next start.
 pub(super) fn finish(studio: &mut Studio) {
     let changed = has_unsaved_work(studio);
     let leave_behind = changed && (studio.documents.autosave.is_held || !studio.documents.is_leaving);

@@ -15,7 +15,7 @@ use crate::app::Studio;
 use crate::layout::{self, Pane};
 use crate::theme;
 
-/// Work shorter than this is not told.
+/// Shorter work is not displayed.
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// The banner about problems of the file.

@@ -34,7 +34,7 @@ impl RecoverableDocument {
         let written = orphan.written();
         let (title, path) = match orphan.read() {
             Ok(Snapshot { title, original_path, .. }) => (title, original_path),
-            // It can at least be told and discarded.
+            // It can at least be listed and discarded.
             Err(_) => (orphan.path().display().to_string(), None),
         };
         Self { orphan: Arc::new(orphan), title, path, written }

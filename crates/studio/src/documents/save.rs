@@ -101,7 +101,7 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
             tell_failure(studio, &text, saving.order.then);
         }
     }
-    // What went wrong is told; the person may try again.
+    // The error is shown; the person may try again.
     studio.documents.next_saving = None;
 }
 

@@ -128,7 +128,7 @@ pub(super) fn finish(studio: &mut Studio) {
         return;
     }
     if let Some(path) = studio.host.settings_path() {
-        // Nobody can be told any more.
+        // No window is left to show the error.
         let _ = studio.settings.save(&path);
     }
 }

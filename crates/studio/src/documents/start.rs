@@ -49,7 +49,7 @@ fn show_named(studio: &mut Studio, name: &str) {
     }
 }
 
-/// Shows the file at `path`. If it cannot be read, the first example is shown, and the reason told.
+/// Shows the file at `path`. If it cannot be read, the first example is shown with the reason.
 fn show_file(context: &Context, studio: &mut Studio, path: &Path, is_last: bool) {
     let path: PathBuf = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     match std::fs::metadata(&path) {

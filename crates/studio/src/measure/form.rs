@@ -190,7 +190,7 @@ impl MeasureForm {
     }
 }
 
-/// A parameter and its values; tells whether another parameter was chosen.
+/// Draws a parameter and its values; returns whether another parameter was chosen.
 fn axis_ui(
     ui: &mut Ui,
     texts: &Texts,
@@ -234,7 +234,7 @@ fn axis_ui(
     picked.is_some()
 }
 
-/// The message that tells what values a parameter can have.
+/// The message about the values that a parameter can have.
 pub(super) const fn expected_key(parameter: Parameter) -> &'static str {
     match parameter {
         Parameter::Size => "measure-expected-sizes",

@@ -31,7 +31,7 @@ const RIGHT: f32 = 16.0;
 const TOP: f32 = 24.0;
 const BOTTOM: f32 = 40.0;
 
-/// How near the pointer must come to a median to be told its numbers, points.
+/// The distance to a median within which the pointer shows its numbers, points.
 const NEAR: f32 = 14.0;
 
 fn color(ui: &Ui, index: usize) -> Color32 {
@@ -184,7 +184,7 @@ fn draw(
     }
 }
 
-/// Curves can be told apart without colors, too.
+/// Curves can be distinguished without colors, too.
 fn symbol(painter: &Painter, center: Pos2, index: usize, color: Color32, palette: &ThemeColors) {
     let edge = Stroke::new(1.0, palette.panel);
     let at = |x: f32, y: f32| center + vec2(x, y);

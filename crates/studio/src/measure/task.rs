@@ -94,7 +94,7 @@ impl MeasureTask {
         lock(&self.told).clone()
     }
 
-    /// What was measured so far, once for each time that it is told.
+    /// The measurement so far, once for each report.
     pub(super) fn measured(&self) -> Option<Arc<Measurement>> {
         lock(&self.told).measured.take()
     }

@@ -11,7 +11,7 @@ use crate::context::Cx;
 use crate::texts::Texts;
 use crate::{shortcuts, theme};
 
-/// Draws the button that tells the method and opens the choice.
+/// Draws the button that names the method and opens the choice.
 pub(crate) fn chooser_ui(ui: &mut Ui, cx: &mut Cx<'_>, height: f32) {
     let kind = cx.settings.methods.kind();
     let palette = theme::palette(ui.visuals());
@@ -74,7 +74,7 @@ pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut MethodSetting
     *methods != before
 }
 
-/// The button that tells what of the drawing is seen, and opens that choice.
+/// The button that names the displayed layer and opens its choice.
 fn shown_button(ui: &mut Ui, cx: &mut Cx<'_>, height: f32) {
     let key = shown_key(cx.view.shows);
     let is_picture = cx.view.shows == ALL_SHOWN[0];

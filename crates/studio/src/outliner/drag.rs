@@ -61,7 +61,7 @@ pub(super) fn drag_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, top
     }
 }
 
-/// Where `item` would go if it were let go at `height`, counted in rows from the first.
+/// Where `item` would go if it were dropped at `height`, counted in rows from the first.
 fn find(rows: &[OutlinerRow], item: Item, height: f32) -> Option<DropTarget> {
     let section = OutlinerSection::of(item)?;
     let index_of = |item: Item| match item {

@@ -26,7 +26,7 @@ const RING: f64 = 72.0;
 const OUTER_RING: f64 = 90.0;
 /// Radius of the center, points.
 const CENTER: f64 = 9.0;
-/// How near to a line the pointer takes hold of it, points.
+/// The distance within which the pointer grabs a line, points.
 const REACH: f64 = 8.0;
 /// Segments of a ring.
 const SEGMENTS: usize = 72;
@@ -104,7 +104,7 @@ impl Gizmo {
             .collect()
     }
 
-    /// How well a handle can be held from here, 0…1: an axis seen end-on, or a plane seen edge-on, cannot.
+    /// How well a handle can be dragged from here, 0…1: an axis seen end-on, or a plane seen edge-on, cannot.
     pub(crate) fn clearness(&self, projector: &Projector, handle: GizmoHandle) -> f64 {
         let towards = projector.towards(self.pivot);
         let clear = |sine: f64| ((sine - 0.12) / 0.15).clamp(0.0, 1.0);
@@ -155,7 +155,7 @@ impl Gizmo {
         nearest(shafts, REACH)
     }
 
-    /// The ring under a place; its far side cannot be held.
+    /// The ring under a place; its far side cannot be dragged.
     fn ring_at(&self, projector: &Projector, at: DVec2) -> Option<usize> {
         let rings = (0..3).map(|axis| {
             let points = self.ring(projector, axis);

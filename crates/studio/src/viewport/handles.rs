@@ -1,4 +1,4 @@
-//! Lights, and in the free view the scene's camera, as things that can be seen and held.
+//! The handles of lights, and of the scene's camera in the free view.
 
 use catoptric_editor::Item;
 use catoptric_scene::{Camera, Light, Projection};

@@ -7,10 +7,10 @@ use super::gizmo::lines::{along_axis, on_level, on_plane};
 use super::gizmo::steps;
 use super::projector::Projector;
 
-/// A level plane seen at a smaller angle than this (its sine; 6°) runs away under the hand.
+/// A level plane seen at a smaller angle than this (its sine; 6°) runs away under the pointer.
 const LEAST_SLOPE: f64 = 0.1;
 
-/// How far things can be carried towards the horizon, in distances at which they were taken.
+/// How far things can be dragged towards the horizon, in distances at which the drag began.
 const FARTHEST: f64 = 8.0;
 
 /// The drag of bodies, lights or the camera by a grabbed point.

@@ -77,7 +77,7 @@ pub(crate) fn signed_stops(texts: &Texts, stops: f64) -> String {
     texts.localized(text.trim_end_matches('0').trim_end_matches('.').to_owned())
 }
 
-/// A number with its sign and such digits as a hand can mean.
+/// A number with its sign and the digits that suit the precision of the pointer.
 fn signed(value: f64, grain: f64) -> String {
     let digits = (-super::gizmo::steps::decimal_below(grain).log10()).clamp(1.0, 5.0) as usize;
     minus(&format!("{value:+.digits$}"))

@@ -118,7 +118,7 @@ impl PointerTool {
         !self.has_flown
     }
 
-    /// Decides at the beginning of a drag what the hand does.
+    /// Chooses the action at the beginning of a drag.
     fn take(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView, gizmo: Option<&Gizmo>) {
         let (origin, is_primary, is_middle, modifiers) = ui.input(|input| {
             let pointer = &input.pointer;
@@ -339,7 +339,7 @@ fn moved_amount(way: glam::DVec3) -> DragAmount {
     ])
 }
 
-/// Takes hold of a thing: it is selected, and all that is selected goes with it. Locked things stay.
+/// Begins the drag of a thing: it is selected, and the whole selection moves with it. Locked things stay.
 fn drag_item(
     cx: &mut Cx<'_>,
     scene_view: &SceneView,
@@ -366,7 +366,7 @@ fn drag_item(
     Some(PointerAction::DragItem(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
 
-/// Takes hold of a light by what it does at a place: the selected one, or else the first that is shown and not locked.
+/// Begins to aim a light by its highlight or shadow: the selected one, else the first that is visible and not locked.
 fn aim_light(cx: &mut Cx<'_>, scene_view: &SceneView, at: DVec2, by_shadow: bool) -> Option<PointerAction> {
     let scene = cx.editor.scene();
     let is_free = |item: &Item| !item.is_locked(scene) && !item.is_hidden(scene);
@@ -382,7 +382,7 @@ fn aim_light(cx: &mut Cx<'_>, scene_view: &SceneView, at: DVec2, by_shadow: bool
     Some(PointerAction::AimLight(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
 
-/// Takes hold of a handle.
+/// Begins the drag of a handle.
 fn drag_handle(
     cx: &Cx<'_>,
     scene_view: &SceneView,

@@ -45,7 +45,7 @@ pub(crate) enum PointerTarget {
     Arrow(Item),
     /// A body, at a point.
     Body { index: usize, point: DVec3 },
-    /// A plane, or a body that surrounds the camera: something to stand on, not to take hold of.
+    /// A plane, or a body that surrounds the camera: it cannot be dragged.
     Surroundings(usize),
     /// Nothing.
     Nothing,
@@ -156,7 +156,7 @@ impl SceneView {
         near.into_iter().map(|(item, _)| item).collect()
     }
 
-    /// What a pointer at a place takes hold of.
+    /// The target of a pointer at a place.
     pub(crate) fn target(&self, cx: &Cx<'_>, gizmo: Option<&Gizmo>, at: DVec2) -> PointerTarget {
         if let Some(handle) = gizmo.and_then(|gizmo| gizmo.handle_at(&self.projector, at)) {
             return PointerTarget::Handle(handle);

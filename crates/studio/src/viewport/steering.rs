@@ -4,7 +4,7 @@ use egui::{Event, Key, Modifiers, Ui};
 
 use crate::held_keys::{HeldKeys, KeyPress};
 
-/// A key that is let go within a frame counts as held for so long, seconds.
+/// A key that is released within a frame counts as held for so long, seconds.
 const TAP: f64 = 0.05;
 /// No frame counts as longer than this, seconds: a window that was not drawn for a while does not jump ahead.
 const LONGEST_FRAME: f64 = 0.1;
@@ -51,8 +51,8 @@ impl Heading {
     }
 }
 
-/// What held keys steer. A key counts only if it was pressed for the present listener, and keeps the heading of its
-/// press; whatever else takes over the keyboard ends all of them.
+/// The camera moves of held keys. A key counts only if it was pressed for the present listener, and keeps the heading
+/// of its press; whatever else takes over the keyboard ends all of them.
 #[derive(Debug, Default)]
 pub(crate) struct Steering {
     listener: KeyListener,

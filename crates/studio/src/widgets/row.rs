@@ -39,8 +39,8 @@ pub(crate) struct RowLabel<'a> {
     pub(crate) is_highlighted: bool,
 }
 
-/// Draws a row; tells what its contents returned and whether the pointer is over it. In a narrow panel the label stands
-/// above the controls.
+/// Draws a row; returns what its contents returned and whether the pointer is over it. In a narrow panel the label
+/// stands above the controls.
 pub(crate) fn row<R>(
     ui: &mut Ui,
     label: &RowLabel<'_>,

@@ -14,7 +14,7 @@ struct TextDraft {
 }
 
 /// A field that shows `current` until something else is typed. What was typed comes once the field is left, but not
-/// when it is given up with Escape. The second value is what stands in the field meanwhile.
+/// when it is cancelled with Escape. The second value is what stands in the field meanwhile.
 pub(crate) fn text_field(
     ui: &mut Ui,
     name: &str,

@@ -216,7 +216,7 @@ pub(crate) enum Conjunction {
     And,
     /// One of them.
     Or,
-    /// Not all are told.
+    /// Not all are listed.
     Space,
 }
 
@@ -296,7 +296,7 @@ impl Phrase for Requirement {
 pub(crate) struct KeyMeaning {
     /// The key.
     pub(crate) key: &'static KeySpec,
-    /// Whether the range of its numbers is told too.
+    /// Whether the range of its numbers is written too.
     pub(crate) has_range: bool,
 }
 

@@ -10,7 +10,7 @@ use crate::inspector::symbol::Symbol;
 use crate::texts::Texts;
 use crate::widgets::number::shown;
 
-/// The distances for which the falloff is told, meters.
+/// The distances for which the falloff is written, meters.
 const DISTANCES: [f64; 3] = [1.0, 5.0, 10.0];
 
 /// Draws what a light sends to a point at the distance d, in symbols and in numbers.

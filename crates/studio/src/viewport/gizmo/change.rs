@@ -37,7 +37,8 @@ impl GizmoChange {
         }
     }
 
-    /// What a placement becomes. Turns are told by the numbers nearest to `near`, degrees, so that they do not jump.
+    /// Applies the change to a placement. Turns are written by the numbers nearest to `near`, degrees, so that they do
+    /// not jump.
     ///
     /// A scale that does not go along a body's own axes would shear it; the body's axes then stay at right angles and
     /// get the lengths that they would have had.

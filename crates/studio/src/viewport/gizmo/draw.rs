@@ -12,7 +12,7 @@ use crate::viewport::scene_view::SceneView;
 /// Half the angle of an arrow's head and half the side of a cube, points.
 const HEAD: f64 = 5.5;
 
-/// Draws the gizmo; `active` is under the pointer or in the hand.
+/// Draws the gizmo; `active` is under the pointer or dragged.
 pub(crate) fn draw(
     painter: &Painter,
     scene_view: &SceneView,
@@ -93,7 +93,7 @@ struct GizmoPainter<'a> {
 }
 
 impl GizmoPainter<'_> {
-    /// The color of a handle: bright when it is active, faint when it cannot be held from here.
+    /// The color of a handle: bright when it is active, faint when it cannot be dragged from here.
     fn color(&self, color: Color32, handle: GizmoHandle) -> Color32 {
         if self.active == Some(handle) {
             return Color32::from_rgb(255, 214, 92);

@@ -57,7 +57,7 @@ enum HandleGrip {
 }
 
 impl HandleDrag {
-    /// Takes hold of a handle with the pointer at `at`.
+    /// Begins the drag of a handle with the pointer at `at`.
     pub(crate) fn begin(gizmo: Gizmo, handle: GizmoHandle, projector: &Projector, at: DVec2) -> Option<Self> {
         let ray = projector.ray(at);
         let pivot = gizmo.pivot;

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::viewport::projector::{HalfLine, Projector};
 
 /// The sine of the least angle between a ray and a plane, or a ray and an axis, at which their meeting is still
-/// steady under a moving hand: 2°.
+/// steady under a moving pointer: 2°.
 const LEAST_SINE: f64 = 0.035;
 
 /// Where a ray meets the plane through `point` with the unit normal `normal`, before its start excluded. `None` when

@@ -68,7 +68,7 @@ struct TypingState {
     start: f64,
     /// Whether it began with a text that was refused.
     is_correction: bool,
-    /// The number that was told last.
+    /// The number that was reported last.
     told: f64,
     /// The last pass in which the field was drawn.
     pass: u64,

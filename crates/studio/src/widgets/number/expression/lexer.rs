@@ -130,7 +130,7 @@ impl<'t> Lexer<'t> {
         }
     }
 
-    /// Groups of three figures, each after a space; tells whether there are any.
+    /// Groups of three figures, each after a space; returns whether there are any.
     fn groups(&mut self, plain: &mut String) -> bool {
         let mut is_grouped = false;
         while self.letter(0).is_some_and(char::is_whitespace)
