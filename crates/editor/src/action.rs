@@ -30,7 +30,7 @@ pub enum Action {
         /// The body's shape.
         shape: ShapeKind,
         /// Where it stands, and how large it is.
-        spot: NewBodyPlacement,
+        placement: NewBodyPlacement,
         /// What to call it, made unique by a number; the shape's key when empty.
         name: String,
     },
@@ -289,7 +289,7 @@ impl Action {
         folder: Option<&Path>,
     ) -> Result<ActionOutcome, ActionError> {
         match self {
-            Self::AddBody { shape, spot, name } => Ok(add::body(scene, *shape, spot, name.trim())),
+            Self::AddBody { shape, placement, name } => Ok(add::body(scene, *shape, placement, name.trim())),
             Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),
             Self::AddMaterial { name } => Ok(add::named_material(scene, name.trim())),
             Self::Duplicate => list::duplicate(scene, selection),

@@ -5,12 +5,13 @@
 //! ([`Action`]), and saving that keeps a file's comments. There is no user interface here, and no thread.
 //!
 //! ```
-//! use catoptric_editor::{Action, Editor, Item, Spot};
+//! use catoptric_editor::{Action, Editor, Item, NewBodyPlacement};
 //! use catoptric_scene::{Scene, ShapeKind};
 //! use glam::DVec3;
 //!
 //! let mut editor = Editor::new(Scene::default());
-//! editor.apply(Action::AddBody { shape: ShapeKind::Sphere, spot: Spot::at(DVec3::X), name: "Ball".to_owned() })?;
+//! let placement = NewBodyPlacement::at(DVec3::X);
+//! editor.apply(Action::AddBody { shape: ShapeKind::Sphere, placement, name: "Ball".to_owned() })?;
 //! assert_eq!(editor.selection().primary(), Some(Item::Body(0)));
 //! editor.apply(Action::Undo)?;
 //! assert!(!editor.is_changed());

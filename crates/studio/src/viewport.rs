@@ -49,7 +49,7 @@ use gizmo::{Gizmo, GizmoHandle};
 pub(crate) use labels::beside_pointer as note_beside;
 use picture::ViewportPicture;
 pub(crate) use picture::why;
-pub(crate) use placing::{place_for_light, spot_for_body};
+pub(crate) use placing::{place_for_light, placement_for_body};
 use pointer_tool::{PointerAction, PointerTool};
 pub(crate) use projector::Projector;
 use scene_view::{PointerTarget, SceneView};
