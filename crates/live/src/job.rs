@@ -43,7 +43,7 @@ struct JobOutcome {
     result: Option<Result<Rendering, JobError>>,
 }
 
-/// How far a render is.
+/// The progress of a render.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JobProgress {
     /// The share done, 0…1.
@@ -56,7 +56,7 @@ pub struct JobProgress {
     pub is_finished: bool,
 }
 
-/// Why a render has no picture.
+/// The reason why a render has no picture.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum JobError {
     /// The scene cannot be prepared.

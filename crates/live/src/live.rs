@@ -14,7 +14,7 @@ use crate::shared::SharedState;
 use crate::status::Status;
 use crate::worker::Worker;
 
-/// How the worker works.
+/// The options of the worker.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LiveOptions {
     /// Threads that trace; 0 (the default) for one on each processor.

@@ -17,7 +17,7 @@ use crate::host::{FileKind, FileQuestion};
 use crate::inspector;
 use crate::texts::Texts;
 
-/// What a picture is for.
+/// The use of a picture in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ImageUse {
     /// Everything around the bodies.

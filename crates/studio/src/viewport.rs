@@ -55,7 +55,7 @@ pub(crate) use projector::Projector;
 use scene_view::{PointerTarget, SceneView};
 use steering::KeyListener;
 
-/// What the viewport keeps from frame to frame.
+/// The state of the viewport.
 #[derive(Default)]
 pub(crate) struct Viewport {
     picture: ViewportPicture,
