@@ -16,7 +16,7 @@ use crate::console::is_able;
 /// What is shown now, so that an interruption can clear it.
 static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
-/// Whether to show how far the work is.
+/// The display of progress, on or off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Progress {
     shown: bool,
@@ -194,7 +194,7 @@ fn watch(control: &RenderControl, expected: WorkEstimate, finished: &AtomicBool)
 /// Steps of a bar that counts shares of the work.
 const STEPS: u64 = 10_000;
 
-/// How much is to be done for a picture.
+/// The estimated work of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct WorkEstimate {
     /// Pixels to go through, unless the work announces others.

@@ -17,7 +17,7 @@ pub(crate) struct StepTimes {
     pub write: f64,
 }
 
-/// Everything `--stats` reports.
+/// The statistics of `--stats`.
 pub(crate) struct Stats<'a> {
     pub scene: &'a str,
     pub width: u32,

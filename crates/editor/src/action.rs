@@ -21,8 +21,8 @@ use flags::Flag;
 use list::ListMove;
 pub(crate) use outcome::{ActionOutcome, subject};
 
-/// Something that can be done to a document in one go. Each is one undo step, but for those that only select, undo or
-/// redo. Locked bodies and lights stay as they are, where nothing else is said.
+/// A discrete change of a document. Each is one undo step, except those that only select, undo or redo. Locked bodies
+/// and lights do not change unless stated otherwise.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Adds a body in a color of its own and selects it.
@@ -30,7 +30,7 @@ pub enum Action {
         /// The body's shape.
         shape: ShapeKind,
         /// Where it stands, and how large it is.
-        spot: NewBodyPlacement,
+        placement: NewBodyPlacement,
         /// What to call it, made unique by a number; the shape's key when empty.
         name: String,
     },
@@ -119,7 +119,7 @@ pub enum Action {
     Redo,
 }
 
-/// Why an action could not be done; nothing has changed.
+/// The reason why an action could not be done; nothing has changed.
 #[derive(Debug, thiserror::Error)]
 pub enum ActionError {
     /// Nothing is selected that it could be done to.
@@ -289,7 +289,7 @@ impl Action {
         folder: Option<&Path>,
     ) -> Result<ActionOutcome, ActionError> {
         match self {
-            Self::AddBody { shape, spot, name } => Ok(add::body(scene, *shape, spot, name.trim())),
+            Self::AddBody { shape, placement, name } => Ok(add::body(scene, *shape, placement, name.trim())),
             Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),
             Self::AddMaterial { name } => Ok(add::named_material(scene, name.trim())),
             Self::Duplicate => list::duplicate(scene, selection),

@@ -14,7 +14,7 @@ use crate::selection::Selection;
 pub(crate) use images::mover;
 pub use saving::SceneWriter;
 
-/// What an undo step did, for a history menu.
+/// The label of an undo step, for a history menu.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Label {
     /// A key of message catalogues, such as `edit-move`.

@@ -156,7 +156,7 @@ pub fn zoom_towards(camera: &Camera, point: DVec3, factor: f64) -> Camera {
 }
 
 /// Moves the camera with its target by a step along its own right, upward and forward direction, meters, and turns it
-/// on the spot: to the right by `yaw_radians`, and up by `pitch_radians`, never past the pole.
+/// in place: to the right by `yaw_radians`, and up by `pitch_radians`, never past the pole.
 pub fn fly(camera: &Camera, step_right_up_forward: DVec3, yaw_radians: f64, pitch_radians: f64) -> Camera {
     let position = camera.position + axes(camera) * step_right_up_forward;
     let view = camera.target - camera.position;

@@ -72,8 +72,8 @@ mod tests {
             (ShapeKind::Cylinder, 1.0),
             (ShapeKind::Cone, 1.0),
         ] {
-            let spot = NewBodyPlacement { size: 0.05, ..NewBodyPlacement::at(foot) };
-            let bounds = bounds::of_body(&spot.body(shape)).unwrap();
+            let placement = NewBodyPlacement { size: 0.05, ..NewBodyPlacement::at(foot) };
+            let bounds = bounds::of_body(&placement.body(shape)).unwrap();
             assert!((bounds.min.y - 0.3).abs() < 1e-12, "{shape:?}: {bounds:?}");
             assert!((bounds.size().y - 0.05 * height).abs() < 1e-12, "{shape:?}: {bounds:?}");
             assert!((bounds.center() - foot).with_y(0.0).length() < 1e-12);

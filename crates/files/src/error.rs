@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use crate::descriptor::is_dash;
 
-/// Why a file could not be written. The file that was there before, if any, is untouched
-/// (a device, a pipe or a shared descriptor may have got some of the bytes).
+/// The reason why a file could not be written. An existing file is untouched; a device, a pipe or a shared descriptor
+/// may have got some of the bytes.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
     /// The path names no file, like `..` or the empty path.

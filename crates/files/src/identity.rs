@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::descriptor::{self, Descriptor};
 use crate::target::{OutputTarget, directory_of};
 
-/// What a path leads to: equal for all names, links and descriptors of one file.
+/// The identity of a file: equal for all its names, links and descriptors.
 ///
 /// On Unix an existing file is known by its device and number, so that hard links are seen too; elsewhere by its
 /// canonical path. A file that is not there yet is known by its directory and name.

@@ -28,7 +28,7 @@ pub use error::WriteError;
 pub use identity::FileId;
 pub use input::{directory_of_file, read_bytes};
 
-/// What the content is written to.
+/// The target of a file's content.
 pub trait Sink: Write + Seek {}
 impl<T: Write + Seek> Sink for T {}
 

@@ -16,7 +16,7 @@ pub struct Gpu {
     pub(crate) watch: Arc<LossWatch>,
 }
 
-/// What is known of a graphics card.
+/// The name, interface and driver of a graphics card.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GpuInfo {
     /// The name that its maker gives it.

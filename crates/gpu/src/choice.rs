@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::error::GpuError;
 
-/// Which graphics card to take.
+/// The choice of a graphics card.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct GpuChoice {
     /// Whether a driver that computes on the CPU will do (Mesa's lavapipe, Microsoft's WARP); not by default.

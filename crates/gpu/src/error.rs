@@ -3,7 +3,7 @@
 use catoptric_picture::SizeError;
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 
-/// Why a graphics card does not draw. The CPU can draw in its place.
+/// The reason why a graphics card does not draw. The CPU can draw in its place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GpuError {
     /// No graphics card was found, and no driver that does its work.

@@ -33,7 +33,7 @@ pub struct GpuFilm {
     stride: u32,
 }
 
-/// What some samples took.
+/// The time and rays of some samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GpuPass {
     /// Rays traced.

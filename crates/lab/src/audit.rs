@@ -39,7 +39,7 @@ pub use names::DisplayNames;
 use sum::ExactSum;
 pub use tree::{Node, NodeKind, RayTree};
 
-/// How a pixel is looked into.
+/// The settings of an audit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AuditSettings {
     /// The picture that the pixel belongs to. Default 1280×720 with 1 sample.
@@ -83,7 +83,7 @@ pub struct Audit {
     pub names: DisplayNames,
 }
 
-/// How it is known that the light of the rays adds up to the pixel.
+/// The proof that the light of the rays adds up to the pixel.
 ///
 /// The renderer adds up the rays of a sample in double precision, in the order in which it meets them, and rounds the
 /// sum to single precision.
@@ -102,7 +102,7 @@ pub enum Proof {
     Incomplete,
 }
 
-/// Why there is no audit.
+/// The reason why there is no audit.
 #[derive(Debug, thiserror::Error)]
 pub enum AuditError {
     /// The picture cannot be so large, or so small.

@@ -37,7 +37,7 @@ pub struct ContenderPicture {
     pub reasons: Option<ReasonMap>,
 }
 
-/// How far a contender is from the truth.
+/// The measures of a contender's difference from the truth.
 #[derive(Clone, Debug)]
 pub struct Metrics {
     /// Channel by channel.
@@ -61,7 +61,7 @@ pub struct MethodComparison {
     pub bound: f64,
 }
 
-/// Why nothing could be compared.
+/// The reason why nothing could be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
     /// One picture alone.

@@ -12,7 +12,7 @@ use crate::maps::{DEEPEST, LIGHTEST};
 /// Light that may be missing: 1/512 of white, half a step of a display with 8 bits where it is linear.
 pub const ALLOWED_LOSS: f64 = 1.0 / 512.0;
 
-/// What is known of the generations that a scene needs before it is traced.
+/// The bound on the generations that a scene needs, known before it is traced.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthBound {
     /// k: of the light of a generation, what the next can have at most, in the long run.
@@ -103,7 +103,7 @@ fn starts_within(scene: &Scene, render_scene: &RenderScene) -> bool {
     })
 }
 
-/// What tracing showed of the generations that a scene needs.
+/// The generations that a scene needs, measured by tracing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthMeasure {
     /// The least limit at which no pixel that was tried misses more than [`ALLOWED_LOSS`] in any channel.
@@ -198,7 +198,7 @@ pub struct Excess {
     pub amount: f64,
 }
 
-/// What there is too much of.
+/// The kind of excess.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ExcessKind {
     /// k_d·C + k_r + k_t·τ in this channel (0 red, 1 green, 2 blue): the one with the most.

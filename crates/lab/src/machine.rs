@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use sysinfo::{CpuRefreshKind, MemoryRefreshKind, RefreshKind, System};
 
-/// What a reader must know of a machine to make sense of its times.
+/// The machine that measured, as a report describes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Machine {
     /// The processor's name, as it gives it; empty when unknown.

@@ -10,7 +10,7 @@ use catoptric_tracer::{
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
 
-/// What a map shows.
+/// The quantity of a map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MapKind {
     /// The last generation that any ray of the pixel has.
@@ -68,7 +68,7 @@ impl MapKind {
     }
 }
 
-/// What is mapped.
+/// The settings of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapSettings {
     /// The number for each pixel.
@@ -79,7 +79,7 @@ pub struct MapSettings {
     pub exposure_stops: f64,
 }
 
-/// Why there is no map.
+/// The reason why there is no map.
 pub type MapError = RenderError;
 
 /// A number for each pixel.

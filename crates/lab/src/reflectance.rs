@@ -11,7 +11,7 @@ pub struct ReflectanceCurve {
     law: ReflectanceLaw,
 }
 
-/// What a curve is of.
+/// The light that a curve is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveKind {
     /// Red light.

@@ -32,7 +32,7 @@ pub struct Variant {
     pub samples: Option<u32>,
 }
 
-/// Why a text is no [`Variant`].
+/// The reason why a text is no [`Variant`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum VariantError {
     /// There is no such method.

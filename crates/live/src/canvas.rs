@@ -22,7 +22,7 @@ pub(crate) struct CardRenderer {
     pub(crate) refused: Option<GpuError>,
 }
 
-/// Why a pass was not finished.
+/// The reason why a pass was not finished.
 pub(crate) enum PassError {
     Cancelled,
     Size(SizeError),

@@ -45,7 +45,7 @@ struct JobOutcome {
     result: Option<Result<RenderOutput, JobError>>,
 }
 
-/// How far a render is.
+/// The progress of a render.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JobProgress {
     /// The share done, 0…1.
@@ -58,7 +58,7 @@ pub struct JobProgress {
     pub is_finished: bool,
 }
 
-/// Why a render has no picture.
+/// The reason why a render has no picture.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum JobError {
     /// The scene cannot be prepared.

@@ -10,7 +10,7 @@ const LEAST_WIDTH: f64 = 160.0;
 /// A full picture that takes longer is reached in steps, milliseconds.
 const LONG: f64 = 300.0;
 
-/// What is known about the speed of tracing.
+/// The measured speed of tracing.
 #[derive(Clone, Debug)]
 pub(crate) struct Pace {
     /// What a picture may take while something moves, milliseconds.

@@ -2,7 +2,7 @@
 
 use thread_priority::{ThreadPriority, set_current_thread_priority};
 
-/// How far to stand back.
+/// The priority of a thread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Priority {
     /// For what is to be seen soon.

@@ -80,7 +80,7 @@ pub enum DisplayContent {
     UnfoldedCube(Option<usize>),
 }
 
-/// What to show of the ground grid, which lies in the plane y = 0.
+/// The visible part of the ground grid, which lies in the plane y = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GridSpec {
     /// The lines, their step chosen from the camera's distance.

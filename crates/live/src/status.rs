@@ -5,7 +5,7 @@ use catoptric_picture::SizeError;
 use catoptric_tracer::SceneBuildError;
 use catoptric_tracer::raster::{CubeMapUse, MethodKind, PassName, SettingError};
 
-/// How the worker is doing, for a status bar.
+/// The status of the worker, for a status bar.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Status {
     /// What traced last: `CPU` or `GPU`.
@@ -42,7 +42,7 @@ pub struct Status {
     pub error: Option<LiveError>,
 }
 
-/// Why there is no picture of a request.
+/// The reason why there is no picture of a request.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LiveError {
     /// The scene cannot be prepared.

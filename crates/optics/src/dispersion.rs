@@ -1,6 +1,6 @@
 //! Refractive index by wavelength.
 
-/// How the refractive index of a clear medium depends on the wavelength.
+/// The refractive index of a clear medium as a function of the wavelength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dispersion {
     /// One index for all wavelengths.

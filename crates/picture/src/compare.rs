@@ -11,7 +11,7 @@ pub(crate) mod ssim;
 use crate::picture::{Picture, SizeError};
 use difference::SizeMismatch;
 
-/// Why two pictures cannot be compared, or the comparison not be drawn.
+/// The reason why two pictures cannot be compared, or the comparison not be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum CompareError {
     /// The pictures differ in size.

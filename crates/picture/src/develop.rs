@@ -4,7 +4,7 @@ use crate::picture::{Picture, SizeError};
 use crate::quantize::{Table8, exact16};
 use crate::tone::{self, ToneCurve};
 
-/// How linear light becomes display codes: exposure, then tone curve, then sRGB.
+/// The development of linear light to display codes: exposure, then tone curve, then sRGB.
 ///
 /// A value `x` becomes ⌊maximum · encode(curve(x · 2^stops)) + ½⌋, with `encode` of [`crate::srgb`], the
 /// maximum 255 or 65535; the exposed value and the curve's are rounded to single precision. NaN and negative values

@@ -24,7 +24,7 @@ pub enum PictureFormat {
     Bmp,
 }
 
-/// What the numbers of a channel are in a file that is written.
+/// The type of a channel's numbers in a written file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SampleDepth {
     /// sRGB codes of so many bits.

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::slice::ChunksExact;
 
-/// Why a picture of some size cannot be made.
+/// The reason why a picture of some size cannot be made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SizeError {
     /// A side is zero.

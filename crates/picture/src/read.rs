@@ -19,7 +19,7 @@ use crate::picture::{Picture, SizeError};
 /// The most bytes that are read from a stream: those of [`Picture::MAX_PIXELS`] in 32-bit floats, uncompressed.
 const LONGEST_STREAM: u64 = Picture::MAX_PIXELS * 12 + (1 << 20);
 
-/// Why bytes are not a picture that can be read.
+/// The reason why bytes cannot be read as a picture.
 #[derive(Debug, thiserror::Error)]
 pub enum DecodeError {
     /// No bytes at all.
@@ -105,7 +105,7 @@ fn layers_in_words(layers: &[String]) -> String {
     }
 }
 
-/// Why a picture file could not be read.
+/// The reason why a picture file could not be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     /// The file could not be opened.
@@ -132,7 +132,7 @@ pub enum ReadError {
     },
 }
 
-/// What to read of a picture file.
+/// The options of reading a picture file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadOptions {
     /// The layer of an EXR to read. Default `None`: the unnamed one, `Combined`, or the only one.

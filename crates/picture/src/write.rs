@@ -13,7 +13,7 @@ use catoptric_files::{WriteError, write_whole};
 use crate::develop::Developed;
 use crate::picture::Picture;
 
-/// Why a picture could not be turned into a file's bytes.
+/// The reason why a picture could not be encoded.
 #[derive(Debug, thiserror::Error)]
 pub enum EncodeError {
     /// The bytes could not be stored.

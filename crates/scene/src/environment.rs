@@ -3,7 +3,7 @@
 use crate::color::Color;
 use crate::image::Image;
 
-/// What surrounds the bodies, infinitely far away.
+/// The infinitely distant surroundings of the bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Environment {
     /// The color of even surroundings. Default (0.2, 0.35, 0.6).

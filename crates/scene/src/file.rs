@@ -19,7 +19,7 @@ pub struct LoadedScene {
     pub warnings: Diagnostics,
 }
 
-/// Why a scene file could not be read.
+/// The reason why a scene file could not be read.
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
     /// The file could not be read at all.

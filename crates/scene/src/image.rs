@@ -16,7 +16,7 @@ use crate::color::Color;
 use crate::environment::{Environment, Surroundings};
 use crate::material::{Material, MaterialChoice, NamedMaterial};
 
-/// Where a picture of a scene comes from, as scene files say it.
+/// The source of a scene's picture, as scene files have it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ImageSource {
     path: Arc<str>,
@@ -224,7 +224,7 @@ impl fmt::Debug for Image {
     }
 }
 
-/// Why a picture of a scene could not be opened.
+/// The reason why a picture of a scene could not be opened.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("cannot open the picture `{}`: {fault}", image.path)]
 pub struct ImageError {
@@ -234,7 +234,7 @@ pub struct ImageError {
     pub fault: ImageFault,
 }
 
-/// What is wrong with a picture, and what to do.
+/// The fault of a picture, with what to do.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ImageFault {
     /// No built-in picture has this name.
@@ -267,7 +267,7 @@ pub enum ImageFault {
     },
 }
 
-/// Why a file cannot be read as a picture.
+/// The reason why a file cannot be read as a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum UnreadableKind {
     /// The file is empty.
@@ -305,7 +305,7 @@ impl From<&DecodeError> for UnreadableKind {
     }
 }
 
-/// Something with pictures in it.
+/// A value that contains pictures.
 pub trait HasImages {
     /// Changes its pictures.
     fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image));

@@ -60,7 +60,7 @@ impl Scene {
     }
 }
 
-/// How far rays are followed.
+/// The limits of tracing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracing {
     /// Generations of rays, the primary ray being the first; 1 to 64. Default 6.

@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::color::Color;
 use crate::image::Image;
 
-/// What a surface does with light.
+/// The reflection model of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Model {
     /// The coefficients of
@@ -54,7 +54,7 @@ impl Model {
     }
 }
 
-/// What a conductor is.
+/// The substance of a conductor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Conductor {
     /// A measured metal.
@@ -114,7 +114,7 @@ const fn is_same(one: &str, other: &str) -> bool {
     at == one.len() && at == other.len()
 }
 
-/// How a surface answers light. Which numbers count depends on the model; a scene file has no others. None is negative.
+/// The material of a surface. The model decides which numbers count; a scene file has no others. None is negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// What the surface does with light. Default [`Model::Phong`].
@@ -262,7 +262,7 @@ impl Material {
     }
 }
 
-/// How much of the light that falls on a surface.
+/// The share of the incident light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
     /// Of light that falls in straight.
@@ -321,7 +321,7 @@ impl Default for Checker {
     }
 }
 
-/// What a checkerboard is laid out in.
+/// The space in which a checkerboard is laid out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CheckerSpace {
     /// The world: bodies move through it.
@@ -354,7 +354,7 @@ pub struct NamedMaterial {
     pub material: Material,
 }
 
-/// What a body is made of.
+/// The material of a body: its own or a named one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MaterialChoice {
     /// One of the scene's named materials.

@@ -132,7 +132,7 @@ pub enum Command {
     About,
 }
 
-/// What the gizmo does.
+/// The tool of the gizmo.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Tool {
     /// Moves.

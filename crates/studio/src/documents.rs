@@ -42,7 +42,7 @@ pub(crate) use start::start;
 /// From this number of bodies on, a scene counts as large.
 const MANY: usize = 10_000;
 
-/// What is known about the open document beyond the editor, and what is being done with files.
+/// The state of the open document beyond the editor, and the work on files.
 #[derive(Default)]
 pub(crate) struct Documents {
     /// Which document of this window it is.

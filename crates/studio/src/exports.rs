@@ -17,7 +17,7 @@ use crate::host::FileQuestion;
 use crate::pictures::words;
 use crate::texts::Texts;
 
-/// Something that can be made a file, or a folder of files.
+/// A result that can be exported as a file, or as a folder of files.
 pub(crate) trait Export: Send + Sync + 'static {
     /// Makes it and writes it; on a thread.
     fn write(&self, path: &Path) -> Result<(), ExportFailure>;
@@ -38,7 +38,7 @@ pub(crate) enum ExportFailure {
     Write(WriteError),
 }
 
-/// What is asked for or being written.
+/// The exports that are prompted for or being written.
 #[derive(Default)]
 pub(crate) struct Exports {
     going: Vec<ExportTask>,

@@ -20,7 +20,7 @@ const STEPS: [&str; 3] = ["first-move", "first-orbit", "first-reflection"];
 const NEXT: [(&str, Command); 2] =
     [("first-gallery", Command::Examples), ("first-lab", Command::Audit(AuditCommand::Tool))];
 
-/// Which steps have been done.
+/// The state of the first steps.
 #[derive(Debug, Default)]
 pub(crate) struct FirstSteps {
     done: [bool; 3],

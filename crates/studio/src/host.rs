@@ -15,7 +15,7 @@ use catoptric_picture::PictureFormat;
 /// A dialog that is gone within this has not been seen.
 const FASTEST: Duration = Duration::from_millis(250);
 
-/// What kind of file a person chooses.
+/// The kind of file that a person chooses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// A scene: `.toml`.

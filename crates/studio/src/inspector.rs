@@ -33,7 +33,7 @@ use symbol::Symbol;
 /// Below this width, points, the panel scrolls sideways.
 const LEAST_WIDTH: f32 = 150.0;
 
-/// What the inspector keeps from frame to frame.
+/// The state of the inspector.
 #[derive(Default)]
 pub(crate) struct Inspector {
     memory: InspectorState,

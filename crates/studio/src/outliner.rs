@@ -24,7 +24,7 @@ use rows::{OutlinerRow, OutlinerRows};
 /// Height of a row, points.
 const ROW: f32 = 23.0;
 
-/// What the outliner keeps from frame to frame.
+/// The state of the outliner.
 #[derive(Default)]
 pub(crate) struct Outliner {
     filter: String,

@@ -22,7 +22,7 @@ use crate::viewport::{Viewport, viewport_ui};
 /// What lies between panels, points.
 pub(crate) const GAP: f32 = 2.0;
 
-/// What the panels keep from frame to frame.
+/// The state of the panels.
 #[derive(Default)]
 pub(crate) struct Panes {
     pub(crate) viewport: Viewport,

@@ -91,8 +91,8 @@ fn add(studio: &mut Studio, command: &Command) {
     let named = |key: &str| studio.texts.get(key).to_owned();
     let action = match *command {
         Command::AddBody(shape) => {
-            let (spot, name) = (viewport::spot_for_body(studio, shape), named(shape_name(shape)));
-            Action::AddBody { shape, spot, name }
+            let (placement, name) = (viewport::placement_for_body(studio, shape), named(shape_name(shape)));
+            Action::AddBody { shape, placement, name }
         }
         Command::AddLight => {
             Action::AddLight { at: viewport::place_for_light(studio), name: named("name-light") }

@@ -15,8 +15,8 @@ use crate::texts::Language;
 /// How many files the menu of recent ones holds.
 const RECENT: usize = 12;
 
-/// Everything remembered. A missing, unknown or unreadable entry has its default, so that files of other versions can
-/// be read.
+/// The saved settings. A missing, unknown or unreadable entry has its default, so that files of other versions can be
+/// read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
@@ -64,7 +64,7 @@ pub enum LastScene {
     Example(String),
 }
 
-/// Which colors the window has.
+/// The theme of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Theme {

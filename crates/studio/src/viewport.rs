@@ -49,13 +49,13 @@ use gizmo::{Gizmo, GizmoHandle};
 pub(crate) use labels::beside_pointer as note_beside;
 use picture::ViewportPicture;
 pub(crate) use picture::why;
-pub(crate) use placing::{place_for_light, spot_for_body};
+pub(crate) use placing::{place_for_light, placement_for_body};
 use pointer_tool::{PointerAction, PointerTool};
 pub(crate) use projector::Projector;
 use scene_view::{PointerTarget, SceneView};
 use steering::KeyListener;
 
-/// What the viewport keeps from frame to frame.
+/// The state of the viewport.
 #[derive(Default)]
 pub(crate) struct Viewport {
     picture: ViewportPicture,

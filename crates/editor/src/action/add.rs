@@ -20,12 +20,17 @@ const PALETTE: [[u8; 3]; 8] = [
     [0x8a, 0x97, 0xa8],
 ];
 
-pub(super) fn body(scene: &Scene, shape: ShapeKind, spot: &NewBodyPlacement, name: &str) -> ActionOutcome {
+pub(super) fn body(
+    scene: &Scene,
+    shape: ShapeKind,
+    placement: &NewBodyPlacement,
+    name: &str,
+) -> ActionOutcome {
     let mut names = UsedNames::of(scene.bodies.iter().map(|body| body.name.as_str()));
     let body = Body {
         name: names.take(if name.is_empty() { shape.key() } else { name }),
         material: MaterialChoice::Inline(Box::new(material(scene, shape))),
-        ..spot.body(shape)
+        ..placement.body(shape)
     };
     let mut scene = scene.clone();
     let selection = Selection::one(Item::Body(scene.bodies.len()));

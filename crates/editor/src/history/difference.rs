@@ -6,7 +6,7 @@ use catoptric_scene::{
 
 use super::sequence::Sequence;
 
-/// What has to change in a scene to make another of it, and back.
+/// The changes that make one scene into another, and back.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Difference {
     camera: Option<[Camera; 2]>,
@@ -17,7 +17,7 @@ pub(crate) struct Difference {
     bodies: ListDifference<Body>,
 }
 
-/// What has to change in a list.
+/// The changes of a list.
 #[derive(Clone, Debug, PartialEq)]
 enum ListDifference<T> {
     /// Some elements, each with its place and its values before and after.

@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use crate::common::{act, bodies, editor, gray, label, names, refuse, selected, selecting};
 
-fn add(shape: ShapeKind, spot: NewBodyPlacement) -> Action {
-    Action::AddBody { shape, spot, name: String::new() }
+fn add(shape: ShapeKind, placement: NewBodyPlacement) -> Action {
+    Action::AddBody { shape, placement, name: String::new() }
 }
 
 #[test]
@@ -37,7 +37,10 @@ fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
         colors.push(color);
     }
     let name = " Пол ".to_owned();
-    act(&mut editor, &Action::AddBody { shape: ShapeKind::Plane, spot: NewBodyPlacement::at(foot), name });
+    act(
+        &mut editor,
+        &Action::AddBody { shape: ShapeKind::Plane, placement: NewBodyPlacement::at(foot), name },
+    );
     let plane = editor.scene().bodies.last().unwrap();
     assert_eq!((plane.name.as_str(), plane.placement.origin()), ("Пол", foot));
     let far = NewBodyPlacement::at(DVec3::new(f64::NAN, 0.0, 0.0));

@@ -101,7 +101,7 @@ fn copied_planes_do_not_lie_in_each_other() {
         &mut editor,
         &Action::AddBody {
             shape: catoptric_scene::ShapeKind::Plane,
-            spot: catoptric_editor::NewBodyPlacement::at(DVec3::ZERO),
+            placement: catoptric_editor::NewBodyPlacement::at(DVec3::ZERO),
             name: String::new(),
         },
     );

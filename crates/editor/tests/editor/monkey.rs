@@ -82,8 +82,9 @@ impl Chance {
         let scene = editor.scene();
         match self.below(36) {
             0 | 1 => {
-                let spot = NewBodyPlacement { size: self.number(), ..NewBodyPlacement::at(self.vector()) };
-                Action::AddBody { shape: ShapeKind::ALL[self.below(5)], spot, name: self.name() }
+                let placement =
+                    NewBodyPlacement { size: self.number(), ..NewBodyPlacement::at(self.vector()) };
+                Action::AddBody { shape: ShapeKind::ALL[self.below(5)], placement, name: self.name() }
             }
             2 => Action::AddLight { at: self.vector(), name: self.name() },
             3 => Action::AddMaterial { name: self.name() },

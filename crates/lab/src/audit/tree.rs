@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, Vec3};
 
 use super::sum::ExactSum;
 
-/// What a ray is to the one before it.
+/// The relation of a ray to its parent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NodeKind {
     /// From the eye.

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::{PlacedBody, radius};
 
-/// Why a formula does not apply. Numbers are places of bodies in the scene.
+/// The reason why a formula does not apply. Numbers are places of bodies in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inapplicable {
     /// A rough mirror scatters the light of each point: it has no image points.

@@ -8,7 +8,7 @@ use catoptric_tracer::{AcceleratorChoice, RenderScene, RenderSettings};
 
 use crate::variant::Variant;
 
-/// What a sweep varies.
+/// A parameter that a sweep varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parameter {
     /// The number of bodies N: the scene's own, then those of a cloud (see [`grown`](crate::cloud::grown)).
@@ -53,7 +53,7 @@ pub struct Axis {
     pub values: Vec<Value>,
 }
 
-/// Why a text says no [`Axis`].
+/// The reason why a text is no [`Axis`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AxisError {
     /// There is no such parameter.

@@ -48,7 +48,7 @@ impl MeasurePlan {
     pub const MOST_POINTS: usize = 10_000;
 }
 
-/// Why nothing could be measured.
+/// The reason why nothing could be measured.
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
     /// The parameters do not go together.

@@ -37,7 +37,7 @@ pub struct PageSettings {
     pub language: Language,
 }
 
-/// Why there is no page.
+/// The reason why there is no page.
 #[derive(Debug, thiserror::Error)]
 pub enum PageError {
     /// There is too little memory for a picture.

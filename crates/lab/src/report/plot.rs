@@ -8,7 +8,7 @@ use super::html::escape;
 use super::language::Language;
 pub use scale::{Scale, Tick};
 
-/// What an axis is about.
+/// The title and scale of an axis.
 #[derive(Clone, Debug)]
 pub struct PlotAxis {
     /// The title of the axis, with the unit.

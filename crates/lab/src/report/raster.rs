@@ -6,7 +6,7 @@ use catoptric_picture::{EncodeError, Picture, SizeError, srgb};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-/// Why an SVG cannot be drawn.
+/// The reason why an SVG cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum RasterError {
     /// The text is no SVG.

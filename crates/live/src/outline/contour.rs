@@ -54,7 +54,7 @@ pub(super) fn contours(area: &Area, is_inside: &(impl Fn(DVec2) -> bool + Sync))
         .collect()
 }
 
-/// Which points of a lattice over the area are inside.
+/// The lattice over the area, with its points inside the region.
 struct Lattice<'a> {
     area: &'a Area,
     rows: Vec<LatticeRow>,

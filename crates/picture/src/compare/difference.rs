@@ -24,7 +24,7 @@ impl SizeMismatch {
     }
 }
 
-/// How to compare.
+/// The settings of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparison {
     /// Whether values are first clamped to 0…1, as the display clamps them. Default true.
@@ -40,7 +40,7 @@ impl Default for Comparison {
     }
 }
 
-/// How far two pictures are apart, in linear light.
+/// The difference of two pictures in linear light.
 ///
 /// The difference of a channel is |a − b|; a NaN on either side counts as 1 when clamped, as infinite when
 /// not, and always as above the bound. Means run over all channels of all pixels.

@@ -17,7 +17,7 @@ const BAND: usize = 1 << 18;
 /// Bands that are compared at once, however many threads there are: each takes some 120 bytes for each of its pixels.
 const BANDS_AT_ONCE: usize = 8;
 
-/// How to compare by ꟻLIP.
+/// The settings of a comparison by ꟻLIP.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flip {
     /// Pixels per degree of visual angle. Default 67.02: a display of 3840 pixels and 0.7 m across, seen from 0.7 m.

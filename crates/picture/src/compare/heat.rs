@@ -6,7 +6,7 @@ use super::{CompareError, digits};
 use crate::picture::{Picture, SizeError};
 use crate::srgb;
 
-/// How to draw a heat map.
+/// The settings of a heat map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatMap {
     /// Whether values are first clamped to 0…1, as in [`Comparison::clamp`](crate::Comparison::clamp).

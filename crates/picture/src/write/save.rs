@@ -15,7 +15,7 @@ use crate::develop::{Developed, Development};
 use crate::format::{PictureFormat, SampleDepth};
 use crate::picture::{Picture, SizeError};
 
-/// Why a picture cannot be saved in a format.
+/// The reason why a picture cannot be saved in a format.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum FormatError {
     /// The format is only read.
@@ -59,7 +59,7 @@ fn depths_in_words(format: PictureFormat) -> String {
     format.depths().iter().map(|depth| in_words(*depth)).collect::<Vec<_>>().join(" or ")
 }
 
-/// How to save a picture.
+/// The options of saving a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SaveOptions {
     format: PictureFormat,

@@ -32,7 +32,7 @@ pub enum ScenePart {
     Body(usize),
 }
 
-/// Something in a scene that its file could not say.
+/// A problem of a scene that no file could express.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// Where it is.

@@ -7,7 +7,7 @@ use crate::format::message::Message;
 use crate::image::{ImageError, ImageSource};
 use crate::language::Language;
 
-/// How much a finding matters.
+/// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
     /// The file cannot be used as it is.

@@ -62,7 +62,7 @@ pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<BrokenRule> {
     None
 }
 
-/// How near two points are that should be apart.
+/// The distance of two points that should be apart.
 enum Nearness {
     /// No number differs.
     Same,

@@ -152,7 +152,7 @@ impl KeySpec {
     }
 }
 
-/// What a value can be.
+/// The type of a key's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// One of the versions of the format.
@@ -250,7 +250,7 @@ pub enum Default {
     EmptyTable,
 }
 
-/// When a key has a meaning.
+/// The condition on which a key has a meaning.
 #[derive(Clone, Copy, Debug)]
 pub enum When {
     /// Always.

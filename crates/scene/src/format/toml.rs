@@ -59,7 +59,7 @@ pub(crate) struct Value<'t> {
     pub(crate) kind: ValueKind<'t>,
 }
 
-/// What a value is.
+/// The kind of a value.
 #[derive(Clone, Debug)]
 pub(crate) enum ValueKind<'t> {
     /// Something that is reported already.
@@ -107,7 +107,7 @@ pub(crate) struct Header<'t> {
     pub(crate) span: Span,
 }
 
-/// What one logical line says.
+/// The statement of a logical line.
 #[derive(Clone, Debug)]
 pub(crate) enum Statement<'t> {
     Header(Header<'t>),

@@ -13,7 +13,7 @@ use crate::format::spec::{KeySpec, Kind, TableSpec};
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
 use crate::format::typed::key_help;
 
-/// Which keys a table can have.
+/// The keys that a table can have.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Schema {
     /// The keys of a table of the format.

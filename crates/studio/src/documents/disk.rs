@@ -38,7 +38,7 @@ pub(crate) struct OpenedScene {
     pub(crate) stamp: Option<FileStamp>,
 }
 
-/// Why a file cannot be opened.
+/// The reason why a file cannot be opened.
 #[derive(Debug)]
 pub(crate) enum ReadFailure {
     Missing,
@@ -129,7 +129,7 @@ pub(crate) struct SavedFile {
     pub(crate) stamp: Option<FileStamp>,
 }
 
-/// Why a file has not been written; the old one is untouched.
+/// The reason why a file has not been written; the old one is untouched.
 #[derive(Debug)]
 pub(crate) enum WriteFailure {
     /// There is one already, or another one than before.

@@ -15,7 +15,7 @@ pub(super) struct ManualPage {
     pub(super) blocks: Vec<Block>,
 }
 
-/// What stands below each other on a page.
+/// A block of a page: a paragraph, a table, a heading.
 pub(super) struct Block {
     pub(super) content: BlockContent,
     /// How far it is set in, in steps of lists and quotations.

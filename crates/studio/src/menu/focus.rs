@@ -19,7 +19,7 @@ struct OpenEntry {
     is_submenu: bool,
 }
 
-/// What has the keyboard in the menu bar.
+/// The keyboard focus in the menu bar.
 #[derive(Debug, Default)]
 pub(crate) struct MenuFocus {
     alt: AltKey,

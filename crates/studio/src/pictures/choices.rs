@@ -7,7 +7,7 @@ use catoptric_scene::Tracing;
 use catoptric_tracer::RenderSettings;
 use serde::{Deserialize, Serialize};
 
-/// What is remembered of the last rendered picture.
+/// The choices of the last render.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RenderChoices {

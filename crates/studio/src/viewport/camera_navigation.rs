@@ -109,7 +109,7 @@ pub(crate) fn pan(cx: &mut Cx<'_>, scene_view: &SceneView, way: Vec2) {
     steer(cx, "edit-pan", shifted);
 }
 
-/// Looks around on the spot as the pointer goes.
+/// Turns the camera in place as the pointer moves.
 pub(crate) fn look(cx: &mut Cx<'_>, way: Vec2) {
     let turned = navigate::fly(&camera(cx), DVec3::ZERO, f64::from(way.x) * LOOK, -f64::from(way.y) * LOOK);
     steer(cx, "edit-fly", turned);

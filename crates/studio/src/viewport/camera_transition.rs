@@ -1,4 +1,4 @@
-//! The eye follows a jump of the camera in a short, smooth way. Only what is shown glides; the document has the new
+//! The eye follows a jump of the camera in a short, smooth way. Only the display moves; the document has the new
 //! camera at once.
 
 use catoptric_scene::{Camera, Projection};

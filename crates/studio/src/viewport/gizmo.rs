@@ -50,7 +50,7 @@ pub(crate) enum GizmoHandle {
     ScaleAll,
 }
 
-/// Where the gizmo stands.
+/// The tool, place and axes of the gizmo.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Gizmo {
     pub(crate) tool: Tool,

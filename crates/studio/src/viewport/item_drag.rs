@@ -20,7 +20,7 @@ pub(crate) struct ItemDrag {
     grabbed: DVec3,
     /// The place of the primary thing when it was taken: what snapping brings to the grid.
     lead: DVec3,
-    /// The move until the present leg.
+    /// The move before the present stage.
     before: DVec3,
     render_scene: DragStage,
 }
@@ -73,7 +73,7 @@ impl ItemDrag {
         Some(self.rounded(self.way(projector, at)?, projector, precision))
     }
 
-    /// A move that brings what moves in the present leg to round numbers.
+    /// Rounds a move so that the components of the present stage reach round numbers.
     fn rounded(&self, way: DVec3, projector: &Projector, precision: DragPrecision) -> DVec3 {
         let fine = if precision.is_fine { 0.1 } else { 1.0 };
         let grain = fine * projector.meters_per_point(self.grabbed);

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 use super::scene_view::SceneView;
 use crate::app::Studio;
 
-pub(crate) use body::spot_for_body;
+pub(crate) use body::placement_for_body;
 pub(crate) use light::place_for_light;
 
 /// Points that lie farther off than so many distances to the subject are no places for new things.

@@ -41,7 +41,7 @@ enum ProjectorWindow {
 }
 
 impl Projector {
-    /// The lens of a camera; the same axes as the tracer's.
+    /// The projector of a camera; its axes are those of the tracer.
     pub(crate) fn new(camera: &Camera, size: DVec2) -> Self {
         let back = (camera.position - camera.target).normalize_or(DVec3::Z);
         let right = camera.up.cross(back).try_normalize().unwrap_or_else(|| back.any_orthonormal_vector());

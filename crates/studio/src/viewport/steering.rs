@@ -21,7 +21,7 @@ pub(crate) enum KeyListener {
     Flight,
 }
 
-/// Where a key moves the camera, or turns it.
+/// The direction in which a key moves or turns the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Heading {
     Right,

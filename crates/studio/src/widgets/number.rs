@@ -14,7 +14,7 @@ pub(crate) const MIXED: &str = "—";
 /// Height of a field, points.
 pub(crate) const HEIGHT: f32 = 22.0;
 
-/// What numbers are measured in.
+/// The unit of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unit {
     None,

@@ -23,7 +23,7 @@ pub(crate) const GAP: f32 = 4.0;
 /// The size of a label's letters.
 const LETTERS: f32 = 13.5;
 
-/// How a row is labelled.
+/// The label of a row.
 pub(crate) struct RowLabel<'a> {
     /// Where the widgets of the row have their identity.
     pub(crate) id: Id,

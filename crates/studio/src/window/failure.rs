@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use eframe::egui_wgpu::WgpuError;
 
-/// Why there is no studio.
+/// The reason why there is no studio.
 #[derive(Debug, thiserror::Error)]
 pub enum StudioError {
     /// The system has no display to open a window on.

@@ -324,9 +324,9 @@ impl Monkey {
         let name = (*self.dice.one(&["", "a", "шар", "a\"b\n", "sphere 2"])).to_owned();
         match self.dice.below(22) {
             0 => {
-                let spot =
+                let placement =
                     NewBodyPlacement { size: self.dice.number(), ..NewBodyPlacement::at(self.dice.vector()) };
-                Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), spot, name }
+                Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), placement, name }
             }
             1 => Action::AddLight { at: self.dice.vector(), name },
             2 => Action::AddMaterial { name },

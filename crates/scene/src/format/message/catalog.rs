@@ -14,7 +14,7 @@ use crate::text::visible;
 /// Makes the messages: a name, its arguments, the English sentence and the Russian one. Both name all arguments.
 macro_rules! messages {
     ($($name:ident $({ $($field:ident: $kind:ty),+ })?: $english:literal, $russian:literal;)+) => {
-        /// What is said about a scene file or a scene: a sentence that is still to be put into words.
+        /// A message about a scene file or a scene, independent of the language.
         #[derive(Clone, Debug, PartialEq, Eq)]
         pub(crate) enum Message {
             $($name $({ $($field: $kind),+ })?,)+

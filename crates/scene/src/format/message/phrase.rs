@@ -37,7 +37,7 @@ impl Phrase for Number {
     }
 }
 
-/// What stands where something else should.
+/// The value found in place of the expected one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum FoundValue {
     /// Something that is reported already.
@@ -260,7 +260,7 @@ impl Phrase for Enumeration {
     }
 }
 
-/// What a number outside of its range should have been.
+/// The requirement that a number outside of its range breaks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Requirement {
     /// Neither infinite nor no number.

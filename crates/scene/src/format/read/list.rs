@@ -10,7 +10,7 @@ use crate::format::spec::{Kind, TableSpec};
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
 use crate::format::tree::{Schema, Table, TableOrigin};
 
-/// Which list.
+/// The list of bodies or of lights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ListKind {
     Lights,

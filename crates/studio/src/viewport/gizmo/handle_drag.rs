@@ -7,7 +7,7 @@ use super::lines::{across, along_axis, angle_about, angle_in, in_picture, on_pla
 use super::{Gizmo, GizmoHandle, OUTER_RING, RING, arm, steps};
 use crate::viewport::projector::Projector;
 
-/// The least factor of one pull.
+/// The least factor of one drag.
 const LEAST_FACTOR: f64 = 0.01;
 
 /// The precision of a drag, by modifier keys.

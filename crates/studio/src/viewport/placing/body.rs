@@ -44,23 +44,24 @@ enum SupportSurface {
 }
 
 /// The best place for a new body of this shape.
-pub(crate) fn spot_for_body(studio: &Studio, shape: ShapeKind) -> NewBodyPlacement {
+pub(crate) fn placement_for_body(studio: &Studio, shape: ShapeKind) -> NewBodyPlacement {
     let scenery = PlacementView::new(studio);
     if shape == ShapeKind::Plane {
         return scenery.spot_for_plane();
     }
     // Where the view is crowded, smaller bodies find a place, and others float.
     let standing = SHARES.into_iter().find_map(|share| scenery.free_spot(shape, share));
-    let spot = standing.or_else(|| SHARES.into_iter().find_map(|share| scenery.free_air(shape, share)));
-    spot.unwrap_or_else(|| scenery.floating(shape, scenery.subject, 1.0))
+    let placement = standing.or_else(|| SHARES.into_iter().find_map(|share| scenery.free_air(shape, share)));
+    placement.unwrap_or_else(|| scenery.floating(shape, scenery.subject, 1.0))
 }
 
 impl PlacementView<'_> {
     /// The free place to stand nearest to the middle of the picture, for a body of `share` of the fitting size.
     fn free_spot(&self, shape: ShapeKind, share: f64) -> Option<NewBodyPlacement> {
         self.places().find_map(|at| {
-            let (spot, ground) = self.spot_at(at, shape, share)?;
-            (self.holds(ground, &spot.body(shape)) && self.is_good(&spot, shape)).then_some(spot)
+            let (placement, ground) = self.spot_at(at, shape, share)?;
+            (self.holds(ground, &placement.body(shape)) && self.is_good(&placement, shape))
+                .then_some(placement)
         })
     }
 
@@ -68,7 +69,7 @@ impl PlacementView<'_> {
     fn free_air(&self, shape: ShapeKind, share: f64) -> Option<NewBodyPlacement> {
         DEPTHS.into_iter().find_map(|depth| {
             let mut spots = self.places().map(|at| self.floating(shape, self.point_at(at, depth), share));
-            spots.find(|spot| self.is_good(spot, shape))
+            spots.find(|placement| self.is_good(placement, shape))
         })
     }
 
@@ -84,8 +85,8 @@ impl PlacementView<'_> {
     }
 
     /// Whether a body there is seen and apart from others.
-    fn is_good(&self, spot: &NewBodyPlacement, shape: ShapeKind) -> bool {
-        self.is_in_picture(&spot.body(shape)) && spot.is_free(shape, self.scene, &self.rooms)
+    fn is_good(&self, placement: &NewBodyPlacement, shape: ShapeKind) -> bool {
+        self.is_in_picture(&placement.body(shape)) && placement.is_free(shape, self.scene, &self.rooms)
     }
 
     /// The place for a body on what is seen at a place of the picture, if that is level.
@@ -200,8 +201,8 @@ impl PlacementView<'_> {
 
 /// The largest of the three extents of a body of this size, meters.
 fn extent(shape: ShapeKind, size: f64) -> f64 {
-    let spot = NewBodyPlacement { size, ..NewBodyPlacement::at(DVec3::ZERO) };
-    bounds::of_body(&spot.body(shape)).map_or(size, |bounds| bounds.size().max_element())
+    let placement = NewBodyPlacement { size, ..NewBodyPlacement::at(DVec3::ZERO) };
+    bounds::of_body(&placement.body(shape)).map_or(size, |bounds| bounds.size().max_element())
 }
 
 fn is_floor(body: &Body) -> bool {
