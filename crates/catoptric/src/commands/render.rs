@@ -8,7 +8,7 @@ use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions};
-use catoptric_tracer::raster::{GBufferLayer, Method, MethodOutput};
+use catoptric_tracer::raster::{GBufferLayer, MethodOutput};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
 use super::CommandOutcome;
