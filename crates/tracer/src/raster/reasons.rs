@@ -7,9 +7,10 @@ pub(crate) mod shading;
 use std::collections::BTreeMap;
 
 use catoptric_picture::Picture;
-use glam::{DVec2, Vec3};
+use glam::{UVec2, Vec3};
 use rayon::prelude::*;
 
+use crate::geometry::ray::{Ray, RayOrigin};
 use crate::raster::cube_map::cache::around;
 use crate::raster::error::MethodError;
 use crate::raster::method::Method;
@@ -19,8 +20,8 @@ use crate::raster::sample_sums::FrameSize;
 use crate::transport::camera::RenderCamera;
 use crate::transport::control::RenderControl;
 use crate::transport::render::RenderSettings;
-use crate::transport::sampling::sample_offset;
 use crate::transport::scene::RenderScene;
+use crate::transport::tile_rect::{TILE, TileRect};
 
 /// Why a pixel differs from the traced truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -224,8 +225,9 @@ pub(crate) struct ReasonInput<'a> {
 impl ReasonInput<'_> {
     fn reason(&self, witness: &mut ReferencePixel<'_>, pixel: usize) -> Option<Reason> {
         let (x, y) = (pixel % self.frame.width, pixel / self.frame.width);
-        let at = DVec2::new(x as f64, y as f64) + sample_offset(0);
-        let ray = self.camera.ray(at, self.frame.size());
+        let (at, size) = (UVec2::new(x as u32, y as u32), self.frame.size().as_uvec2());
+        let (origin, direction) = TileRect::around(at, size, TILE).ray(self.camera, (at, size), 0);
+        let ray = Ray { origin: origin.into(), direction: direction.into(), start: RayOrigin::FREE };
         let drawn = Vec3::from(*self.drawing.picture.pixels().get(pixel)?);
         match (self.method, &self.drawing.evidence) {
             (
