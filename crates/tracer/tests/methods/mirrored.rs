@@ -263,3 +263,20 @@ fn the_bytes_do_not_depend_on_the_threads() {
         }
     }
 }
+
+/// What lies on the screen is the tracer's first generation, bit by bit: with all models of materials, lights that are
+/// balls, textures and surroundings.
+#[test]
+fn the_lit_layer_is_the_traced_first_generation() {
+    for name in
+        ["four-bodies", "whitted", "soft-shadow", "metals", "roughness-row", "textures", "sky-room", "prism"]
+    {
+        let render_scene = RenderScene::build(&Example::find(name).unwrap().load().unwrap().scene).unwrap();
+        let truth = traced(&render_scene.clone().with_generations(1), size(150, 90));
+        for method in [Method::Ssr(ssr()), cube_map(8, false)] {
+            let drawing = drawn(&render_scene, method, size(150, 90));
+            let lit = drawing.layer(&render_scene, GBufferLayer::Lit).unwrap().unwrap();
+            assert!(lit == truth, "{name}");
+        }
+    }
+}

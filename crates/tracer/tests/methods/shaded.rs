@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
+use catoptric_scene::{Checker, Color, Conductor, Example, Light, Material, Model, Projection, Scene, Shape};
 use catoptric_tracer::RenderScene;
 use catoptric_tracer::raster::{LightModel, Method, ShadingSettings};
 use glam::DVec3;
@@ -221,5 +221,29 @@ fn the_bytes_do_not_depend_on_the_threads() {
             };
             assert!(on(1) == on(3), "{}", method.name());
         }
+    }
+}
+
+/// Physical materials and lights that are balls are lit as traced ones: on the flat faces of a cube nothing is lost by
+/// interpolation, and each pixel has the sample of the light that the traced one has.
+#[test]
+fn physical_materials_are_lit_as_traced_ones() {
+    let gold = Conductor::Metal(catoptric_optics::Metal::named("gold").unwrap());
+    let rough = Material { model: Model::Conductor, conductor: gold, roughness: 0.5, ..Material::default() };
+    let coated = Material { model: Model::Coated, roughness: 0.3, ..chalk(0.3, 0.6, 0.8) };
+    for material in [rough, coated] {
+        let lamp = Light { radius: 0.4, ..light(v(2.0, 3.0, 4.0), 1.5) };
+        let cube = turned(Shape::CUBE, DVec3::ZERO, v(25.0, 35.0, 0.0), material);
+        let scene = scene(vec![cube], camera(v(0.0, 0.0, 6.0), DVec3::ZERO, 25.0), vec![lamp]);
+        let render_scene = render_scene(&scene).with_generations(1);
+        let truth = traced(&render_scene, size(120, 90));
+        let seen = bodies_seen(&render_scene, size(120, 90));
+        let drawing = drawn(&render_scene, Method::Phong(fine(8)), size(120, 90));
+        let pairs = truth.pixels().iter().zip(drawing.picture.pixels()).zip(seen);
+        let of_cube: Vec<_> = pairs.filter(|(_, seen)| seen.is_some()).map(|(pair, _)| pair).collect();
+        let off = of_cube.iter().filter(|(traced, drawn)| differs(traced, drawn, 1e-3)).count();
+        // Pixels on the outline and on edges show one face or the other.
+        assert!(of_cube.len() > 1000 && off < of_cube.len() / 50, "{off} of {}", of_cube.len());
+        assert!(of_cube.iter().any(|(traced, _)| traced[0] > 0.2));
     }
 }
