@@ -40,7 +40,7 @@ fn checks() -> Result<Vec<String>> {
         run_cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"])
     })?;
     step("documentation", || {
-        let arguments = ["doc", "--workspace", "--no-deps", "--locked"];
+        let arguments = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
         shell::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
     match deny() {

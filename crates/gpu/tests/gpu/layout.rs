@@ -79,7 +79,7 @@ fn records_have_the_size_of_the_shaders() {
     assert_eq!(arrays.scene_order(true).len(), 2 * 8);
     assert_eq!(SceneArrays(&hundred).boxes().len() % layout(&many, "Box").1 as usize, 0);
     assert_eq!(layout(&few, "Frame").1 as usize, size_of::<FrameUniforms>());
-    assert_eq!(layout(&few, "RaysNear").1 as usize, size_of::<CameraRaysBytes>());
+    assert_eq!(layout(&few, "CameraRays").1 as usize, size_of::<CameraRaysBytes>());
     assert_eq!(u64::from(layout(&few, "Pixel").1), FILM_PIXEL);
     assert_eq!(offset(&few, "Film", "pixels") as u64, FILM_HEAD);
 }
@@ -159,9 +159,9 @@ fn frames_and_rays_are_read_where_they_are_written() {
     let rays = tile_rays(render_scene.camera(), [140, 80]);
     assert_eq!(rays.len(), 6);
     let bytes = bytemuck::bytes_of(&rays[0]);
-    assert_eq!(word(bytes, offset(&few, "RaysNear", "is_parallel")), 1);
+    assert_eq!(word(bytes, offset(&few, "CameraRays", "is_parallel")), 1);
     let across: Vec<f32> =
-        (0..3).map(|axis| number(bytes, offset(&few, "RaysNear", "across") + 4 * axis)).collect();
+        (0..3).map(|axis| number(bytes, offset(&few, "CameraRays", "across") + 4 * axis)).collect();
     let length = across.iter().map(|part| part * part).sum::<f32>().sqrt();
     assert!((length - 4.0 / 80.0).abs() < 1e-6, "{across:?}");
 }

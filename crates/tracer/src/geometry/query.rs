@@ -41,7 +41,7 @@ pub(crate) struct PacketHits<W: Width> {
     pub face: W::R,
     /// The rays that meet one at all.
     pub hit: W::M,
-    /// The rays that may meet other bodies there too: they have to be [settled](Self::settled).
+    /// The rays that may meet other bodies there too: they have to be [resolved](Self::resolved).
     pub contested: W::M,
 }
 
@@ -164,7 +164,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
         self.closest_hit_unresolved(stack).resolved(self.w, self.geometry, &self.rays(), self.membership)
     }
 
-    /// The nearest body that each ray meets, hits to be [settled](PacketHits::settled) among them.
+    /// The nearest body that each ray meets, hits to be [resolved](PacketHits::resolved) among them.
     #[inline(always)]
     pub(crate) fn closest_hit_unresolved(&self, stack: &mut TraversalStack) -> PacketHits<W> {
         match self.hierarchy() {

@@ -110,7 +110,8 @@ impl<W: Width> ClosestHits<W> {
 }
 
 impl<W: Width> ClosestHit<W> {
-    /// Takes note of hits. Which of equal ones counts is left to [`resolve_coincident`](crate::geometry::query::coincident::settle).
+    /// Takes note of hits. Which of equal ones counts is left to
+    /// [`resolve_coincident`](crate::geometry::query::coincident::resolve_coincident).
     #[inline(always)]
     fn offer(&mut self, w: W, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
         let t = W::R::select(lanes, t, w.real(f32::INFINITY));
