@@ -108,13 +108,13 @@ impl RequestState {
     pub(crate) fn succeed(
         self,
         request: Request,
-        is_same_stage: bool,
+        is_same_scene: bool,
         render_scene: impl FnOnce(Arc<RenderScene>) -> Arc<RenderScene>,
     ) -> Self {
         let render_scene = render_scene(self.render_scene);
         let camera = render_scene.camera_for(&request.camera);
         let before = &self.request;
-        let picture = !is_same_stage || request.camera != before.camera || request.size != before.size;
+        let picture = !is_same_scene || request.camera != before.camera || request.size != before.size;
         let picture = picture || request.method != before.method;
         let due = StaleParts {
             picture: picture || self.due.picture,
@@ -129,7 +129,7 @@ impl RequestState {
             // After a rest too, so that the window hears that there is a picture again.
             frame: self.due.frame || self.is_at_rest || request.revision != before.revision,
         };
-        let same = is_same_stage && request.outline == before.outline;
+        let same = is_same_scene && request.outline == before.outline;
         let same_hover = same && request.hover == before.hover;
         Self {
             outlines: if same { self.outlines } else { outlines(&request, &render_scene, &request.outline) },
@@ -140,7 +140,7 @@ impl RequestState {
             sharper: self.sharper,
             spare: self.spare,
             drawn: self.drawn,
-            has_old_maps: self.has_old_maps || !is_same_stage,
+            has_old_maps: self.has_old_maps || !is_same_scene,
             shown: self.shown,
             request,
             render_scene,

@@ -149,14 +149,14 @@ impl SharedState {
         self.wake();
     }
 
-    pub(crate) fn publish_stage(&self, revision: u64, render_scene: Arc<RenderScene>) {
+    pub(crate) fn publish_scene(&self, revision: u64, render_scene: Arc<RenderScene>) {
         let replaced = lock(&self.render_scene).replace((revision, render_scene));
         drop(replaced);
     }
 
     /// Edits the worker's scene, which is the newest, and publishes it. It is edited in place as soon as nobody else
     /// looks at it, and the window looks for moments; if it does not stop, a copy is edited.
-    pub(crate) fn edit_stage(
+    pub(crate) fn edit_scene(
         &self,
         revision: u64,
         mut render_scene: Arc<RenderScene>,
@@ -178,7 +178,7 @@ impl SharedState {
             std::thread::sleep(Duration::from_millis(1));
         }
         edit(Arc::make_mut(&mut render_scene));
-        self.publish_stage(revision, Arc::clone(&render_scene));
+        self.publish_scene(revision, Arc::clone(&render_scene));
         render_scene
     }
 

@@ -145,7 +145,7 @@ impl Worker {
     fn view_of(&self, request: Request, old: Option<RequestState>) -> Result<RequestState, LiveError> {
         let revision = request.revision;
         let publish =
-            |render_scene: &Arc<RenderScene>| self.shared.publish_stage(revision, Arc::clone(render_scene));
+            |render_scene: &Arc<RenderScene>| self.shared.publish_scene(revision, Arc::clone(render_scene));
         let Some(old) = old else {
             let render_scene = Arc::new(RenderScene::build_for_camera(
                 &request.scene,
@@ -163,7 +163,7 @@ impl Worker {
             }
             SceneUpdate::Edit(edit) => old.succeed(request, false, |render_scene| {
                 self.shared
-                    .edit_stage(revision, render_scene, |render_scene| render_scene.apply(edit, &scene))
+                    .edit_scene(revision, render_scene, |render_scene| render_scene.apply(edit, &scene))
             }),
             SceneUpdate::Anew => {
                 let render_scene = Arc::new(RenderScene::build_for_camera(

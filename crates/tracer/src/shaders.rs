@@ -1,7 +1,7 @@
 //! What a graphics card needs to trace as this crate does: the shaders and the scene as bytes.
 //!
-//! The shaders stand beside the Rust files whose twins they are, step for step and name for name (`search.wgsl` beside
-//! `search.rs`); [`shader`] puts them together for what a scene contains. Constants that both need come from the Rust
+//! The shaders stand beside the Rust files whose twins they are, step for step and name for name (`query.wgsl` beside
+//! `query.rs`); [`shader`] puts them together for what a scene contains. Constants that both need come from the Rust
 //! side. Nothing here talks to a card.
 
 pub(crate) mod bytes;

@@ -1,13 +1,14 @@
 //! Numbers side by side: the one place that names the SIMD library.
 //!
-//! The mathematics of rays is written once, over a [`Width`]: [`ScalarWidth`](scalar::ScalarWidth) ray at a time, or as many as the processor's
-//! vectors hold ([`SimdWidth`](wide::SimdWidth): 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), or twice as many ([`PairWidth`](pair::PairWidth)), chosen when the
-//! program runs. Every operation has one correctly rounded result, so that a ray has the same outcome bit by bit by itself
+//! The mathematics of rays is written once, over a [`Width`]: one ray ([`ScalarWidth`](scalar::ScalarWidth)), as many as
+//! the processor's vectors hold ([`SimdWidth`](wide::SimdWidth): 4 with SSE or NEON, 8 with AVX2, 16 with AVX-512), or
+//! twice as many ([`PairWidth`](pair::PairWidth)), chosen when the program runs. Every operation has one correctly rounded
+//! result, so that a ray has the same outcome bit by bit by itself
 //! and in the widths that a picture is traced in, on all processors but those without fused multiplication and addition
 //! (x86 before AVX2): they round the products of [`Float::times_plus`], and have other last digits.
 //!
-//! Bodies whose numbers do not fit single precision are intersected over a [`Float64`](double::Float64), the same mathematics in double
-//! precision.
+//! Bodies whose numbers do not fit single precision are intersected over a [`Float64`](double::Float64), the same
+//! mathematics in double precision.
 //!
 //! What is written over a width must be inlined into a body of [`Width::run`], where the compiler may use the
 //! instructions of the width: `#[inline(always)]` on everything small, `run` around what is called often and large.

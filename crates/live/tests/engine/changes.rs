@@ -96,7 +96,7 @@ fn crowd() -> Scene {
 }
 
 #[test]
-fn moved_bodies_are_followed_in_the_stage() {
+fn moved_bodies_are_followed_in_the_scene() {
     let window = Window::open();
     let mut scene = crowd();
     window.shown(Request { scene: Arc::new(scene.clone()), ..request(1) });
