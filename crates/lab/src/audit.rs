@@ -3,14 +3,16 @@
 //! ```
 //! use catoptric_lab::audit::{AuditSettings, audit};
 //! use catoptric_scene::Example;
-//! use catoptric_tracer::{Control, RenderSettings, Scene, render};
+//! use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 //!
 //! let scene = Example::find("whitted").unwrap().load()?.scene;
-//! let scene = Scene::prepare(&scene)?;
+//! let render_scene = RenderScene::build(&scene)?;
 //! let picture = RenderSettings { width: 32, height: 18, samples: 1 };
 //! let settings = AuditSettings { picture, ..AuditSettings::default() };
-//! let audit = audit(&scene, &scene, scene.camera(), glam::UVec2::new(9, 8), &settings, &Control::default())?;
-//! let rendering = render(&scene, picture, &Control::default())?;
+//! let control = RenderControl::default();
+//! let pixel = glam::UVec2::new(9, 8);
+//! let audit = audit(&scene, &render_scene, render_scene.camera(), pixel, &settings, &control)?;
+//! let rendering = render(&render_scene, picture, &control)?;
 //! assert_eq!(audit.light, rendering.picture.pixels()[8 * 32 + 9]);
 //! println!("{}", audit.to_text(None));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -111,7 +111,9 @@ impl<W: Width> SurfaceInteraction<W> {
             let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
             let same = body.is(index) & lanes;
             left &= !same.bits();
-            all.set_material::<true, false>(w, scene, scene.geometry.body(index), white, direction, same);
+            let body = scene.geometry.body(index);
+            let ground = Vector::splat(w.real(0.0), scene.material(body).color);
+            all.set_material::<true, false>(w, scene, body, (white, ground), direction, same);
         }
         all
     }
@@ -177,17 +179,18 @@ impl<W: Width> SurfaceInteraction<W> {
         let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
         self.position = select(point.in_world, self.position);
         self.normal = select(point.normal, self.normal);
-        self.set_material::<FULL, FIRST>(w, scene, body, color, rays.direction, lanes);
+        self.set_material::<FULL, FIRST>(w, scene, body, (color, color), rays.direction, lanes);
     }
 
-    /// Takes up what the material of a body of this color answers where rays `lanes` met it.
+    /// Takes up what the material of a body of this color answers where rays `lanes` met it. Light that goes to and fro
+    /// below a coat takes the color of `ground` on its way.
     #[inline(always)]
     fn set_material<const FULL: bool, const FIRST: bool>(
         &mut self,
         w: W,
         scene: &RenderScene,
         body: &RenderBody,
-        color: Vector<W::R>,
+        (color, ground): (Vector<W::R>, Vector<W::R>),
         direction: Vector<W::R>,
         lanes: W::M,
     ) {
@@ -215,7 +218,7 @@ impl<W: Width> SurfaceInteraction<W> {
         }
         self.reflection = real(material.reflection, self.reflection);
         if FULL && !matches!(material.law, MaterialModel::Constant) {
-            self.add_lobes(w, material, (color, scene.ambient), direction, lanes);
+            self.add_lobes(w, material, (color, ground, scene.ambient), direction, lanes);
         }
         if body.is_transparent() {
             self.transparent = self.transparent | lanes;
@@ -230,7 +233,7 @@ impl<W: Width> SurfaceInteraction<W> {
         &mut self,
         w: W,
         material: &RenderMaterial,
-        (color, ambient): (Vector<W::R>, [f32; 3]),
+        (color, ground, ambient): (Vector<W::R>, Vector<W::R>, [f32; 3]),
         direction: Vector<W::R>,
         lanes: W::M,
     ) {
@@ -259,9 +262,9 @@ impl<W: Width> SurfaceInteraction<W> {
                         self.reflection = W::R::select(lanes, share, self.reflection);
                         self.coated = self.coated | lanes;
                         self.coat_ratio = W::R::select(lanes, w.real(coat.ratio), self.coat_ratio);
-                        let color = color.map(|part| part.min(one));
+                        let [color, ground] = [color, ground].map(|color| color.map(|part| part.min(one)));
                         // Between ground and coat light goes to and fro, and leaves a little of itself each time.
-                        let again = color.map(|part| one / (one - part + part * coat.lets_out));
+                        let again = ground.map(|part| one / (one - part + part * coat.lets_out));
                         let below = color.times(again) * ((one - share) * coat.spread);
                         self.diffuse = Vector::select(lanes, below, self.diffuse);
                         let even = ambient.map(|light| light * material.ambient * coat.lets_in);

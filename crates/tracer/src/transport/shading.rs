@@ -221,7 +221,9 @@ impl<'a> ShadingContext<'a> {
             if !lit.any() {
                 continue;
             }
-            self.counts.shadow += u64::from(lit.bits().count_ones());
+            if !is_unshadowed {
+                self.counts.shadow += u64::from(lit.bits().count_ones());
+            }
             let streams = from.stream();
             let mut through = Transmittance::all(lit);
             let along = self.candidates.to_light(index);
@@ -240,18 +242,7 @@ impl<'a> ShadingContext<'a> {
                     continue;
                 }
             }
-            let to_viewer = -paths.rays.direction;
-            let mut answer = if FULL { at.eval_diffuse(cos) } else { at.diffuse * cos };
-            if at.glossy.any() {
-                let highlight = at.specular * phong_highlight(to_viewer, to_light, at.normal, at.shininess);
-                observer.on_highlight(to_viewer, highlight);
-                answer = answer.map(|diffuse| diffuse + highlight);
-            }
-            if FULL && at.rough.any() {
-                let glints = self.eval_microfacets(w, paths, at, to_light);
-                observer.on_microfacets(glints);
-                answer = answer + glints;
-            }
+            let answer = self.eval_bsdf::<W, FULL>(w, paths, at, (to_light, cos), observer);
             let power = power.unwrap_or_else(|| source.power_at(distance));
             let answer = power.times(answer);
             if let Some((streams, place)) = streams {
@@ -263,6 +254,32 @@ impl<'a> ShadingContext<'a> {
             }
         }
         light.bounded()
+    }
+
+    /// What the surfaces send on towards the viewer of light from these directions, under angles of these cosines to the
+    /// normals: for each unit of its power.
+    #[inline(always)]
+    fn eval_bsdf<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: &PathState<W>,
+        at: &SurfaceInteraction<W>,
+        (to_light, cos): (Vector<W::R>, W::R),
+        observer: &mut impl PathObserver<W>,
+    ) -> Vector<W::R> {
+        let to_viewer = -paths.rays.direction;
+        let mut answer = if FULL { at.eval_diffuse(cos) } else { at.diffuse * cos };
+        if at.glossy.any() {
+            let highlight = at.specular * phong_highlight(to_viewer, to_light, at.normal, at.shininess);
+            observer.on_highlight(to_viewer, highlight);
+            answer = answer.map(|diffuse| diffuse + highlight);
+        }
+        if FULL && at.rough.any() {
+            let microfacets = self.eval_microfacets(w, paths, at, to_light);
+            observer.on_microfacets(microfacets);
+            answer = answer + microfacets;
+        }
+        answer
     }
 
     /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.

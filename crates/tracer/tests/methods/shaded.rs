@@ -244,6 +244,6 @@ fn physical_materials_are_lit_as_traced_ones() {
         let off = of_cube.iter().filter(|(traced, drawn)| differs(traced, drawn, 1e-3)).count();
         // Pixels on the outline and on edges show one face or the other.
         assert!(of_cube.len() > 1000 && off < of_cube.len() / 50, "{off} of {}", of_cube.len());
-        assert!(of_cube.iter().any(|(traced, _)| traced[0] > 0.2));
+        assert!(of_cube.iter().any(|(traced, _)| traced.iter().any(|part| *part > 0.05)), "it is lit");
     }
 }
