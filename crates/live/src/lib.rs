@@ -7,7 +7,7 @@
 //! A graphics card can draw in place of the processor ([`Live::draw_with`]); its pictures stay on it ([`Frame::card`]).
 //! What it cannot draw, the processor draws.
 //!
-//! A [`Request`] may name another method than Whitted's tree, or ask for [the layers behind its picture](Shows).
+//! A [`Request`] may name another method than Whitted's tree, or ask for [the layers behind its picture](DisplayContent).
 
 mod canvas;
 mod frame;

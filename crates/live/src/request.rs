@@ -41,7 +41,7 @@ impl Request {
     /// Samples per pixel unless said otherwise.
     pub const DEFAULT_SAMPLES: u32 = 16;
 
-    /// The factor of samples where a pixel's light is [noisy](catoptric_tracer::Scene::is_noisy).
+    /// The factor of samples where a pixel's light is [noisy](catoptric_tracer::RenderScene::is_noisy).
     pub const NOISY: u32 = 16;
 
     /// The largest view, pixels: beyond the largest displays.
